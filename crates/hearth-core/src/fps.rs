@@ -1,0 +1,79 @@
+//! Frames per second, smoothed.
+//!
+//! A single frame's rate jumps too much to be read, so what is shown is its
+//! exponential moving average, `fps ← fps + α (1/Δt − fps)` with α = 0.1.
+
+/// Weight of the newest frame.
+pub const ALPHA: f64 = 0.1;
+
+/// The exponential moving average of the frame rate.
+#[derive(Clone, Debug, Default)]
+pub struct FpsCounter {
+    last: Option<f64>,
+    average: Option<f64>,
+}
+
+impl FpsCounter {
+    /// A counter that has seen no frame.
+    pub fn new() -> FpsCounter {
+        FpsCounter::default()
+    }
+
+    /// Counts a frame at the time `now`, in seconds of any steady clock.
+    pub fn frame(&mut self, now: f64) {
+        if let Some(last) = self.last
+            && now > last
+        {
+            let rate = 1.0 / (now - last);
+            self.average = Some(match self.average {
+                Some(average) => average + ALPHA * (rate - average),
+                None => rate,
+            });
+        }
+        self.last = Some(now);
+    }
+
+    /// The average so far [1/s]; zero before the second frame.
+    pub fn fps(&self) -> f64 {
+        self.average.unwrap_or(0.0)
+    }
+
+    /// Forgets the last frame, not the average: a pause is no slow frame.
+    pub fn skip(&mut self) {
+        self.last = None;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_steady_display_shows_its_rate() {
+        let mut counter = FpsCounter::new();
+        for frame in 0..100 {
+            counter.frame(f64::from(frame) / 60.0);
+        }
+        assert!((counter.fps() - 60.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn one_frame_moves_it_by_a_tenth() {
+        let mut counter = FpsCounter::new();
+        counter.frame(0.0);
+        counter.frame(1.0 / 60.0);
+        counter.frame(1.0 / 60.0 + 1.0 / 30.0);
+        assert!((counter.fps() - (60.0 + 0.1 * (30.0 - 60.0))).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_pause_does_not_count() {
+        let mut counter = FpsCounter::new();
+        counter.frame(0.0);
+        counter.frame(1.0 / 60.0);
+        counter.skip();
+        counter.frame(100.0);
+        counter.frame(100.0 + 1.0 / 60.0);
+        assert!((counter.fps() - 60.0).abs() < 1e-6);
+    }
+}

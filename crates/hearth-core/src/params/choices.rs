@@ -1,0 +1,56 @@
+//! The named choices that parameters of kind *choice* offer.
+
+/// A type whose values are named: the kind *choice* of a parameter.
+pub trait Choice: Copy + PartialEq + 'static {
+    /// Every name, in the order in which a list shows them.
+    const NAMES: &'static [&'static str];
+    /// The value of that name.
+    fn from_name(name: &str) -> Option<Self>;
+}
+
+macro_rules! choices {
+    ($(
+        $(#[$doc:meta])*
+        $type:ident { $( $(#[$variant_doc:meta])* $variant:ident = $name:literal, )+ }
+    )+) => { $(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $type { $( $(#[$variant_doc])* $variant, )+ }
+
+        impl $type {
+            /// The name of this value.
+            pub const fn name(self) -> &'static str {
+                match self { $( $type::$variant => $name, )+ }
+            }
+        }
+
+        impl Choice for $type {
+            const NAMES: &'static [&'static str] = &[$($name),+];
+            fn from_name(name: &str) -> Option<Self> {
+                match name { $( $name => Some($type::$variant), )+ _ => None }
+            }
+        }
+    )+ };
+}
+
+choices! {
+    /// What happens to a particle at the left, right and lower edge of the
+    /// domain. The upper edge is always open.
+    Walls {
+        /// It leaves and is gone.
+        Open = "open",
+        /// It stays inside: its velocity into the wall is taken away.
+        Solid = "solid",
+        /// It comes back in on the other side; the floor is solid.
+        Periodic = "periodic",
+    }
+
+    /// What is drawn.
+    DisplayMode {
+        /// Fire: particles melt into fields of temperature that glow as a black body.
+        Fire = "fire",
+        /// The paper's own drawing: hard round sprites, coloured by the
+        /// distance from the sprite's centre.
+        Paper = "paper",
+    }
+}

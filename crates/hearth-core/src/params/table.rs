@@ -1,0 +1,279 @@
+//! The machinery behind the parameter table: what an entry is, and the macro
+//! that turns the table of [`crate::params`] into a struct, its defaults and
+//! its one validator.
+
+use super::value::{Colour, Input, ParamError, Refusal, Value};
+use super::{Parameters, Values};
+
+/// Which equations move the particles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Model {
+    /// The paper's: emitted particles live, cool and die, and alone carry the fire.
+    Classic,
+}
+
+/// How a slider spreads a range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    /// Equal distances are equal differences.
+    Linear,
+    /// Equal distances are equal ratios.
+    Log,
+}
+
+/// What kind of value a parameter holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// A real number.
+    Number(Scale),
+    /// A whole number.
+    Integer(Scale),
+    /// One of these names.
+    Choice(&'static [&'static str]),
+    /// On or off.
+    Flag,
+    /// A colour.
+    Colour,
+    /// Any whole number from 0 to 2³² − 1.
+    Seed,
+}
+
+/// Default and range of a parameter in one model, or in every one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Domain {
+    /// The model that this holds for; `None`: every model.
+    pub model: Option<Model>,
+    /// The value at the start and after a reset.
+    pub default: Value,
+    /// Smallest and largest value of a number, integer or seed; zeros for the
+    /// other kinds.
+    pub range: (f64, f64),
+}
+
+/// One entry of the parameter table.
+#[derive(Debug)]
+pub struct Param {
+    /// Unique, flat, snake_case; the attribute is the same in kebab-case.
+    pub id: &'static str,
+    /// The heading that it stands under.
+    pub group: &'static str,
+    /// Unit of its values; empty for a pure number.
+    pub unit: &'static str,
+    /// Kind of its values.
+    pub kind: Kind,
+    /// The models it belongs to, each with a default and a range.
+    pub domains: &'static [Domain],
+    pub(super) get: fn(&Values) -> Value,
+    pub(super) put: fn(&mut Values, Value),
+}
+
+/// What a person reads about a parameter. It stands in an array of its own, so
+/// that a build that shows no text carries none.
+#[derive(Debug)]
+pub struct Description {
+    /// A short name for a slider.
+    pub label: &'static str,
+    /// One or two sentences for a tooltip and the reference.
+    pub doc: &'static str,
+}
+
+impl Param {
+    /// Default and range in `model`, or `None` where the model does not use it.
+    pub fn domain(&self, model: Model) -> Option<&'static Domain> {
+        self.domains
+            .iter()
+            .find(|d| d.model.is_none_or(|m| m == model))
+    }
+
+    /// The value in `parameters`.
+    pub fn get(&self, parameters: &Parameters) -> Value {
+        (self.get)(parameters)
+    }
+
+    /// Checks `input` against the kind and the range: **the** validator.
+    pub(super) fn check(&self, model: Model, input: Input<'_>) -> Result<Value, ParamError> {
+        // A parameter that the model does not use keeps its value, so it is
+        // still checked, by the model it belongs to.
+        let (min, max) = self
+            .domain(model)
+            .or(self.domains.first())
+            .map_or((0.0, 0.0), |d| d.range);
+        let refuse = |reason| ParamError {
+            id: self.id.to_owned(),
+            value: input.to_string(),
+            reason,
+        };
+        let in_range = |whole: bool| {
+            input
+                .number()
+                .filter(|x| !whole || x.fract() == 0.0)
+                // The bounds are decimals; a slider sends the nearest f32.
+                .filter(|&x| (min..=max).contains(&x) || x as f32 == min as f32 || x as f32 == max as f32)
+                .ok_or_else(|| {
+                    refuse(Refusal::OutOfRange {
+                        min,
+                        max,
+                        unit: self.unit,
+                        whole,
+                    })
+                })
+        };
+        match self.kind {
+            Kind::Number(_) => in_range(false).map(|x| Value::Number(x as f32)),
+            Kind::Integer(_) => in_range(true).map(|x| Value::Integer(x as u32)),
+            Kind::Seed => in_range(true).map(|x| Value::Seed(x as u32)),
+            Kind::Choice(choices) => match input {
+                Input::Text(text) => choices.iter().find(|&&name| name == text.trim()),
+                Input::Number(_) | Input::Flag(_) => None,
+            }
+            .map(|name| Value::Choice(name))
+            .ok_or_else(|| refuse(Refusal::NotAChoice { choices })),
+            Kind::Flag => input
+                .flag()
+                .map(Value::Flag)
+                .ok_or_else(|| refuse(Refusal::NotAFlag)),
+            Kind::Colour => match input {
+                Input::Text(text) => Colour::parse(text),
+                Input::Number(_) | Input::Flag(_) => None,
+            }
+            .map(Value::Colour)
+            .ok_or_else(|| refuse(Refusal::NotAColour)),
+        }
+    }
+}
+
+/// The known id that is nearest to `id`, where one is near enough to be meant.
+pub(super) fn nearest_id(id: &str) -> Option<&'static str> {
+    super::PARAMETERS
+        .iter()
+        .map(|p| (edit_distance(p.id, id), p.id))
+        .min_by_key(|&(distance, _)| distance)
+        .filter(|&(distance, known)| distance <= known.len() / 2)
+        .map(|(_, known)| known)
+}
+
+/// Levenshtein's distance; ids are short, so a hostile one is cut.
+fn edit_distance(known: &str, asked: &str) -> usize {
+    let asked: Vec<char> = asked.chars().take(64).collect();
+    let mut row: Vec<usize> = (0..=asked.len()).collect();
+    for (i, a) in known.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, &b) in asked.iter().enumerate() {
+            let substituted = diagonal + usize::from(a != b);
+            diagonal = row[j + 1];
+            row[j + 1] = substituted.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[asked.len()]
+}
+
+/// Turns the table into [`Values`], its defaults, [`PARAMETERS`] and
+/// [`DESCRIPTIONS`].
+///
+/// An entry is
+/// `id: kind "Label" ["unit"] Scale { Model(default, min..=max) … }`,
+/// after its doc; a choice names its type as `(choice Type)`; unit, scale and
+/// range stand only where the kind has them; `Every` stands for every model.
+///
+/// [`PARAMETERS`]: super::PARAMETERS
+/// [`DESCRIPTIONS`]: super::DESCRIPTIONS
+macro_rules! parameters {
+    ($( $group:literal { $(
+        $(#[doc = $doc:literal])+
+        $id:ident : $kind:tt $label:literal $([$unit:literal])? $($scale:ident)?
+            { $( $model:ident $domain:tt )+ }
+    )+ } )+) => {
+        /// The value of every parameter. Read it through [`Parameters`]; it is
+        /// written only by the validator.
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct Values { $($(
+            $(#[doc = $doc])+
+            pub $id: parameters!(@type $kind),
+        )+)+ }
+
+        impl Values {
+            fn of_model(model: Model) -> Values {
+                let mut values = Values { $($(
+                    $id: parameters!(@first $kind, $($domain)+),
+                )+)+ };
+                for param in PARAMETERS {
+                    if let Some(domain) = param.domain(model) {
+                        (param.put)(&mut values, domain.default);
+                    }
+                }
+                values
+            }
+        }
+
+        /// Every parameter, in the order in which a panel shows them.
+        pub static PARAMETERS: &[Param] = &[ $($(
+            Param {
+                id: stringify!($id),
+                group: $group,
+                unit: concat!($($unit)?),
+                kind: parameters!(@kind $kind $($scale)?),
+                domains: &[ $(
+                    Domain {
+                        model: parameters!(@model $model),
+                        default: parameters!(@value $kind, parameters!(@default $kind, $domain)),
+                        range: parameters!(@range $kind, $domain),
+                    },
+                )+ ],
+                get: |values| parameters!(@value $kind, values.$id),
+                put: |values, value| parameters!(@put $kind, values.$id, value),
+            },
+        )+)+ ];
+
+        /// What a person reads about each parameter, in the order of
+        /// [`PARAMETERS`].
+        pub static DESCRIPTIONS: &[Description] = &[ $($(
+            Description { label: $label, doc: concat!($($doc),+).trim_ascii() },
+        )+)+ ];
+    };
+
+    (@type number) => { f32 };
+    (@type integer) => { u32 };
+    (@type seed) => { u32 };
+    (@type flag) => { bool };
+    (@type colour) => { Colour };
+    (@type (choice $type:ident)) => { $type };
+
+    (@kind number $scale:ident) => { Kind::Number(Scale::$scale) };
+    (@kind integer $scale:ident) => { Kind::Integer(Scale::$scale) };
+    (@kind seed) => { Kind::Seed };
+    (@kind flag) => { Kind::Flag };
+    (@kind colour) => { Kind::Colour };
+    (@kind (choice $type:ident)) => { Kind::Choice(<$type as Choice>::NAMES) };
+
+    (@model Every) => { None };
+    (@model $model:ident) => { Some(Model::$model) };
+
+    (@default (choice $type:ident), ($default:ident)) => { $type::$default };
+    (@default $kind:tt, ($default:expr $(, $range:expr)?)) => { $default };
+    (@first $kind:tt, $domain:tt $($rest:tt)*) => {
+        parameters!(@default $kind, $domain)
+    };
+
+    (@range seed, $domain:tt) => { (0.0, u32::MAX as f64) };
+    (@range $kind:tt, ($default:expr, $range:expr)) => { (*$range.start(), *$range.end()) };
+    (@range $kind:tt, $domain:tt) => { (0.0, 0.0) };
+
+    (@value number, $x:expr) => { Value::Number($x) };
+    (@value integer, $x:expr) => { Value::Integer($x) };
+    (@value seed, $x:expr) => { Value::Seed($x) };
+    (@value flag, $x:expr) => { Value::Flag($x) };
+    (@value colour, $x:expr) => { Value::Colour($x) };
+    (@value (choice $type:ident), $x:expr) => { Value::Choice($x.name()) };
+
+    (@put number, $place:expr, $value:expr) => { if let Value::Number(x) = $value { $place = x } };
+    (@put integer, $place:expr, $value:expr) => { if let Value::Integer(x) = $value { $place = x } };
+    (@put seed, $place:expr, $value:expr) => { if let Value::Seed(x) = $value { $place = x } };
+    (@put flag, $place:expr, $value:expr) => { if let Value::Flag(x) = $value { $place = x } };
+    (@put colour, $place:expr, $value:expr) => { if let Value::Colour(x) = $value { $place = x } };
+    (@put (choice $type:ident), $place:expr, $value:expr) => {
+        if let Value::Choice(name) = $value && let Some(x) = $type::from_name(name) { $place = x }
+    };
+}
+
+pub(super) use parameters;

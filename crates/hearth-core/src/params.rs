@@ -103,8 +103,8 @@ parameters! {
         printed_pressure: flag "Pressure (eq. 3)" { Classic(false) }
         /// Equation 4 as printed: viscosity by the kernel's own Laplacian, which changes sign.
         printed_viscosity: flag "Viscosity (eq. 4)" { Classic(false) }
-        /// Equations 5 and 7 as printed: the force density of buoyancy divided by the mass, without temperature.
-        printed_buoyancy: flag "Buoyancy (eq. 5, 7)" { Classic(false) }
+        /// Equations 5 and 7 as printed: densities of force divided by the mass instead of the density, and no lift by temperature.
+        printed_divisor: flag "Divisor (eq. 5, 7)" { Classic(false) }
         /// Equation 6 as printed: forward Euler, the position moves with the old velocity.
         printed_euler: flag "Euler (eq. 6)" { Classic(false) }
     }

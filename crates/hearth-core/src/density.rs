@@ -1,0 +1,115 @@
+//! Density and pressure.
+//!
+//! ρᵢ = Σⱼ mⱼ W(rᵢⱼ), the particle itself included, and p = k (ρ − ρ₀)
+//! (Müller, Charypar, Gross, SCA 2003; the paper never prints its equation of
+//! state). The pass over the grid also writes down the pairs that it finds, so
+//! that the forces need no search of their own.
+
+use glam::Vec2;
+
+use crate::grid::{Bounds, Grid};
+use crate::kernel::Kernel;
+use crate::params::Values;
+use crate::particles::Particles;
+
+/// Least density that a force reckons with [kg/m³]. A particle that is nearly
+/// alone sees a small part of its surroundings; dividing by what it sees would
+/// fling it away.
+pub(crate) const DENSITY_FLOOR: f32 = 0.3;
+
+/// Two particles within each other's kernel.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pair {
+    /// The other particle.
+    pub j: u32,
+    /// Offset from j to i [m].
+    pub offset: Vec2,
+    /// W'(r)/r [1/m⁴].
+    pub gradient: f32,
+}
+
+/// The pairs of all particles, each pair once.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Neighbours {
+    pairs: Vec<Pair>,
+    /// Where each particle's pairs end.
+    ends: Vec<u32>,
+    /// How many neighbours each particle has, whichever end wrote the pair down.
+    pub count: Vec<u32>,
+}
+
+impl Neighbours {
+    pub fn pair_count(&self) -> usize {
+        self.pairs.len()
+    }
+
+    /// Every particle that wrote pairs down, with these.
+    pub fn iter(&self) -> impl Iterator<Item = (usize, &[Pair])> {
+        let mut begin = 0;
+        self.ends.iter().enumerate().map(move |(i, &end)| {
+            let pairs = &self.pairs[begin..end as usize];
+            begin = end as usize;
+            (i, pairs)
+        })
+    }
+}
+
+/// Finds all pairs and sums the density of every particle of a sorted grid.
+pub(crate) fn sum_density(
+    particles: &mut Particles,
+    neighbours: &mut Neighbours,
+    grid: &Grid,
+    bounds: &Bounds,
+    kernel: &Kernel,
+    mass: f32,
+) {
+    let n = particles.len();
+    let Neighbours { pairs, ends, count } = neighbours;
+    pairs.clear();
+    ends.clear();
+    count.clear();
+    count.resize(n, 0);
+
+    let Particles { position, density, .. } = particles;
+    density.fill(kernel.value(0.0));
+    let support_squared = kernel.support() * kernel.support();
+
+    for i in 0..n {
+        let mut own = 0.0;
+        let mut own_count = 0;
+        let here = position[i];
+        grid.later_candidates(i, here, |run| {
+            for j in run {
+                let offset = bounds.offset(here, position[j]);
+                let distance_squared = offset.length_squared();
+                if distance_squared < support_squared {
+                    let distance = distance_squared.sqrt();
+                    let weight = kernel.value(distance);
+                    own += weight;
+                    own_count += 1;
+                    density[j] += weight;
+                    count[j] += 1;
+                    pairs.push(Pair {
+                        j: j as u32,
+                        offset,
+                        gradient: kernel.gradient_over_r(distance),
+                    });
+                }
+            }
+        });
+        density[i] += own;
+        count[i] += own_count;
+        ends.push(pairs.len() as u32);
+    }
+    for density in density.iter_mut() {
+        *density *= mass;
+    }
+}
+
+/// p = k (ρ − ρ₀), never below zero: a gas without walls pushes and does not pull.
+pub(crate) fn pressure(particles: &mut Particles, values: &Values) {
+    let Particles { density, pressure, .. } = particles;
+    for (p, &density) in pressure.iter_mut().zip(density.iter()) {
+        *p = (values.gas_constant * (density - values.rest_density)).max(0.0);
+    }
+}

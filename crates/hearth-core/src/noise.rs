@@ -1,0 +1,76 @@
+//! Perlin's gradient noise in two dimensions (Perlin, SIGGRAPH 2002).
+//!
+//! The gradients come from a hash of the lattice point and the seed, so there
+//! is no table to fill and the noise never repeats.
+
+/// Smooth noise of that seed at (x, y): zero on average and at every whole
+/// (x, y), within −1 and 1, one lattice cell per unit.
+pub fn perlin(seed: u32, x: f32, y: f32) -> f32 {
+    let (cell_x, cell_y) = (x.floor(), y.floor());
+    let (fx, fy) = (x - cell_x, y - cell_y);
+    let (ix, iy) = (cell_x as i32, cell_y as i32);
+    let corner = |dx: i32, dy: i32| {
+        let (gx, gy) = gradient(seed, ix.wrapping_add(dx), iy.wrapping_add(dy));
+        gx * (fx - dx as f32) + gy * (fy - dy as f32)
+    };
+    let (u, v) = (fade(fx), fade(fy));
+    let lower = corner(0, 0) + u * (corner(1, 0) - corner(0, 0));
+    let upper = corner(0, 1) + u * (corner(1, 1) - corner(0, 1));
+    lower + v * (upper - lower)
+}
+
+/// 6t⁵ − 15t⁴ + 10t³: the noise has no crease in its slope.
+fn fade(t: f32) -> f32 {
+    t * t * t * (t * (t * 6.0 - 15.0) + 10.0)
+}
+
+/// One of eight gradients, each of length √2, so that the noise reaches ±1.
+fn gradient(seed: u32, ix: i32, iy: i32) -> (f32, f32) {
+    const DIAGONAL: f32 = 1.0;
+    const AXIS: f32 = std::f32::consts::SQRT_2;
+    let mut hash = seed
+        .wrapping_add((ix as u32).wrapping_mul(0x9E37_79B1))
+        .wrapping_add((iy as u32).wrapping_mul(0x85EB_CA77));
+    hash = (hash ^ (hash >> 15)).wrapping_mul(0x2C1B_3C6D);
+    hash = (hash ^ (hash >> 12)).wrapping_mul(0x297A_2D39);
+    match (hash ^ (hash >> 15)) & 7 {
+        0 => (DIAGONAL, DIAGONAL),
+        1 => (-DIAGONAL, DIAGONAL),
+        2 => (DIAGONAL, -DIAGONAL),
+        3 => (-DIAGONAL, -DIAGONAL),
+        4 => (AXIS, 0.0),
+        5 => (-AXIS, 0.0),
+        6 => (0.0, AXIS),
+        _ => (0.0, -AXIS),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_is_smooth_bounded_and_zero_on_average() {
+        let (mut sum, mut n) = (0.0, 0);
+        for i in 0..300 {
+            for j in 0..300 {
+                let (x, y) = (i as f32 * 0.37 - 50.0, j as f32 * 0.41 - 60.0);
+                let value = perlin(3, x, y);
+                assert!(value.abs() <= 1.0, "{value} at {x}, {y}");
+                assert!((perlin(3, x + 1e-3, y) - value).abs() < 0.02);
+                sum += f64::from(value);
+                n += 1;
+            }
+        }
+        assert!((sum / f64::from(n)).abs() < 0.02);
+    }
+
+    #[test]
+    fn another_seed_is_another_noise() {
+        let differs = (0..20).any(|i| {
+            let x = i as f32 * 0.3 + 0.1;
+            (perlin(1, x, 0.5) - perlin(2, x, 0.5)).abs() > 0.05
+        });
+        assert!(differs);
+    }
+}

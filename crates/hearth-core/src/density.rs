@@ -70,7 +70,9 @@ pub(crate) fn sum_density(
     count.clear();
     count.resize(n, 0);
 
-    let Particles { position, density, .. } = particles;
+    let Particles {
+        position, density, ..
+    } = particles;
     density.fill(kernel.value(0.0));
     let support_squared = kernel.support() * kernel.support();
 
@@ -108,8 +110,79 @@ pub(crate) fn sum_density(
 
 /// p = k (ρ − ρ₀), never below zero: a gas without walls pushes and does not pull.
 pub(crate) fn pressure(particles: &mut Particles, values: &Values) {
-    let Particles { density, pressure, .. } = particles;
+    let Particles {
+        density, pressure, ..
+    } = particles;
     for (p, &density) in pressure.iter_mut().zip(density.iter()) {
         *p = (values.gas_constant * (density - values.rest_density)).max(0.0);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::particles::Particle;
+    use crate::random::Random;
+
+    #[test]
+    fn the_grid_sums_the_density_that_comparing_all_with_all_sums() {
+        for (seed, periodic) in [(1, false), (2, true)] {
+            let bounds = Bounds {
+                width: 0.8,
+                height: 0.6,
+                periodic,
+            };
+            let mut random = Random::new(seed);
+            let mut particles = Particles::default();
+            for _ in 0..500 {
+                particles.push(Particle {
+                    position: Vec2::new(random.between(-0.4, 0.4), random.between(0.0, 0.6)),
+                    velocity: Vec2::ZERO,
+                    temperature: 300.0,
+                    age: 0.0,
+                    lifetime: 1.0,
+                });
+            }
+            let (kernel, mass) = (Kernel::new(0.03), 1e-3);
+            let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
+            grid.sort(&mut particles, &bounds, kernel.support());
+            sum_density(
+                &mut particles,
+                &mut neighbours,
+                &grid,
+                &bounds,
+                &kernel,
+                mass,
+            );
+            for i in 0..particles.len() {
+                let distances = particles
+                    .position
+                    .iter()
+                    .map(|&other| bounds.offset(particles.position[i], other).length());
+                let expected: f32 = distances.clone().map(|r| mass * kernel.value(r)).sum();
+                assert!((particles.density[i] / expected - 1.0).abs() < 1e-5);
+                let others = distances.filter(|&r| r < kernel.support()).count() - 1;
+                assert_eq!(neighbours.count[i] as usize, others);
+            }
+        }
+    }
+
+    #[test]
+    fn thin_gas_does_not_pull() {
+        let parameters = crate::Parameters::default();
+        let mut particles = Particles::default();
+        for density in [0.1, 1.0, 2.0] {
+            particles.push(Particle {
+                position: Vec2::ZERO,
+                velocity: Vec2::ZERO,
+                temperature: 300.0,
+                age: 0.0,
+                lifetime: 1.0,
+            });
+            *particles.density.last_mut().expect("just pushed") = density;
+        }
+        pressure(&mut particles, &parameters);
+        assert_eq!(particles.pressure[..2], [0.0, 0.0]);
+        assert_eq!(particles.pressure[2], parameters.gas_constant);
     }
 }

@@ -18,8 +18,8 @@ use crate::random::Random;
 
 /// Least distance between a birth and any other particle, in units of the
 /// distance of particles at rest, √(m/ρ₀). It lets the source be compressed to
-/// about 1/0.6² = 2.8 times the rest density.
-const ROOM: f32 = 0.6;
+/// about 1/0.75² = 1.8 times the rest density.
+const ROOM: f32 = 0.75;
 
 /// Places that are tried for a birth before it has to wait.
 const TRIES: usize = 12;
@@ -83,13 +83,19 @@ impl Emitter {
 
     /// Notes the particles that a birth could come too close to.
     fn look_around(&mut self, particles: &Particles, source: &Source) {
-        let Source { middle, half_width, room, .. } = *source;
+        let Source {
+            middle,
+            half_width,
+            room,
+            ..
+        } = *source;
         let reach = Vec2::new(half_width + room, source.rise + room);
         self.near.clear();
-        self.near.extend(particles.position.iter().filter(|&&position| {
-            let offset = (position - middle).abs();
-            offset.x < reach.x && offset.y < reach.y
-        }));
+        self.near
+            .extend(particles.position.iter().filter(|&&position| {
+                let offset = (position - middle).abs();
+                offset.x < reach.x && offset.y < reach.y
+            }));
     }
 
     fn newborn(
@@ -108,7 +114,9 @@ impl Emitter {
 
             // The spread turns the jet aside and takes from its speed; it never
             // adds, so that the emission speed is the fastest.
-            let tilt = values.emission_spread * random.between(-1.0, 1.0) * TILT;
+            let aside = values.emission_spread * random.between(-1.0, 1.0);
+            let inward = -0.5 * values.taper * x / source.half_width;
+            let tilt = (aside + inward) * TILT;
             let slower = 1.0 - 0.5 * values.emission_spread * random.unit();
             let (sin, cos) = libm::sincosf(tilt);
             let velocity = Vec2::new(sin, cos) * (values.emission_speed * slower * vigour.min(1.0));
@@ -116,16 +124,19 @@ impl Emitter {
             let age = random.unit() * values.time_step;
             let position = source.middle + Vec2::new(x, velocity.y * age);
             let room = source.room * source.room;
-            if self.near.iter().any(|other| other.distance_squared(position) < room) {
+            if self
+                .near
+                .iter()
+                .any(|other| other.distance_squared(position) < room)
+            {
                 continue;
             }
-            let longest = values.lifetime_max.max(values.lifetime_min);
             return Some(Particle {
                 position,
                 velocity,
                 temperature: values.maximum_temperature,
                 age,
-                lifetime: random.between(values.lifetime_min, longest),
+                lifetime: random.between(values.lifetime_min, source.longest_life(values, x)),
             });
         }
         None
@@ -157,6 +168,13 @@ impl Source {
             room: ROOM * (values.particle_mass / values.rest_density).sqrt(),
             time,
         }
+    }
+
+    /// Longest life of a particle that is born at `x` [s].
+    fn longest_life(&self, values: &Values, x: f32) -> f32 {
+        let longest = values.lifetime_max.max(values.lifetime_min);
+        let off_centre = (x / self.half_width).abs();
+        longest - values.taper * off_centre * (longest - values.lifetime_min)
     }
 
     /// How hard the source burns at `x`, one on average.

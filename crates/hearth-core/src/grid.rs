@@ -194,7 +194,11 @@ mod tests {
             (5, 0.5, 0.1, true),
             (6, 6.0, 0.15, false),
         ] {
-            let bounds = Bounds { width, height, periodic };
+            let bounds = Bounds {
+                width,
+                height,
+                periodic,
+            };
             let mut particles = cloud(400, &bounds, seed);
             for support in [0.02, 0.07, 0.2] {
                 grid.sort(&mut particles, &bounds, support);
@@ -221,11 +225,19 @@ mod tests {
 
     #[test]
     fn sorting_loses_no_particle() {
-        let bounds = Bounds { width: 1.0, height: 1.0, periodic: false };
+        let bounds = Bounds {
+            width: 1.0,
+            height: 1.0,
+            periodic: false,
+        };
         let mut particles = cloud(1000, &bounds, 9);
         let before: Vec<Particle> = (0..1000).map(|i| particles.get(i)).collect();
         Grid::default().sort(&mut particles, &bounds, 0.05);
-        let after: Vec<Particle> = particles.by_id().into_iter().map(|i| particles.get(i)).collect();
+        let after: Vec<Particle> = particles
+            .by_id()
+            .into_iter()
+            .map(|i| particles.get(i))
+            .collect();
         assert_eq!(before, after);
     }
 }

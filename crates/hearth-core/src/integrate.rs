@@ -83,7 +83,12 @@ pub(crate) fn integrate(particles: &mut Particles, values: &Values, dt: f32) -> 
             velocity *= limit / speed;
             motion.limited += 1;
         }
-        particles.position[i] += dt * if values.printed_euler { old_velocity } else { velocity };
+        particles.position[i] += dt
+            * if values.printed_euler {
+                old_velocity
+            } else {
+                velocity
+            };
         particles.velocity[i] = velocity;
 
         motion.fastest = motion.fastest.max(speed.min(limit));
@@ -163,7 +168,11 @@ mod tests {
 
     #[test]
     fn a_substep_keeps_all_three_limits() {
-        for (id, value) in [("gas_constant", 6.0), ("viscosity", 0.1), ("smoothing_radius", 0.02)] {
+        for (id, value) in [
+            ("gas_constant", 6.0),
+            ("viscosity", 0.1),
+            ("smoothing_radius", 0.02),
+        ] {
             let parameters = with(&[(id, value), ("time_step", 1.0 / 120.0)]);
             let (fastest, hardest) = (3.0, 40.0);
             let substeps = Substeps::divide(&parameters, fastest, hardest);
@@ -178,7 +187,11 @@ mod tests {
 
     #[test]
     fn a_viscosity_beyond_the_shortest_substep_is_cut_to_what_it_bears() {
-        let parameters = with(&[("smoothing_radius", 0.01), ("viscosity", 0.1), ("time_step", 1.0 / 60.0)]);
+        let parameters = with(&[
+            ("smoothing_radius", 0.01),
+            ("viscosity", 0.1),
+            ("time_step", 1.0 / 60.0),
+        ]);
         let substeps = Substeps::divide(&parameters, 0.0, 0.0);
         assert_eq!(substeps.count, MOST_SUBSTEPS);
         assert!(substeps.viscosity < 0.1);

@@ -129,7 +129,10 @@ mod tests {
             let d = 1e-3;
             let slope = (kernel.value(r + d) - kernel.value(r - d)) / (2.0 * d);
             let gradient = kernel.gradient_over_r(r) * r;
-            assert!((slope - gradient).abs() < 1e-3, "r = {r}: {slope}, {gradient}");
+            assert!(
+                (slope - gradient).abs() < 1e-3,
+                "r = {r}: {slope}, {gradient}"
+            );
         }
     }
 
@@ -142,7 +145,10 @@ mod tests {
             let flux = |r: f32| r * r * kernel.gradient_over_r(r);
             let divergence = (flux(r + d) - flux(r - d)) / (2.0 * d * r);
             let laplacian = kernel.laplacian(r);
-            assert!((divergence - laplacian).abs() < 2e-2, "r = {r}: {divergence}, {laplacian}");
+            assert!(
+                (divergence - laplacian).abs() < 2e-2,
+                "r = {r}: {divergence}, {laplacian}"
+            );
         }
     }
 

@@ -39,14 +39,14 @@ parameters! {
     }
     "Gas" {
         /// Smoothing length h: particles feel each other up to twice this distance.
-        smoothing_radius: number "Smoothing radius" ["m"] Log { Classic(0.035, 0.01..=0.1) }
+        smoothing_radius: number "Smoothing radius" ["m"] Log { Classic(0.026, 0.005..=0.1) }
         /// Mass of one particle, for each metre of depth.
-        particle_mass: number "Particle mass" ["kg/m"] Log { Classic(6e-4, 1e-4..=2e-3) }
+        particle_mass: number "Particle mass" ["kg/m"] Log { Classic(2.5e-4, 1e-4..=2e-3) }
         /// Density at which the gas has no pressure.
         rest_density: number "Rest density" ["kg/m³"] Linear { Classic(1.0, 0.5..=2.0) }
         /// Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound:
         /// how hard compressed gas pushes apart. More of it widens the fire.
-        gas_constant: number "Gas constant" ["m²/s²"] Log { Classic(0.3, 0.05..=6.0) }
+        gas_constant: number "Gas constant" ["m²/s²"] Log { Classic(0.6, 0.05..=6.0) }
         /// Dynamic viscosity: how strongly neighbours share their motion.
         viscosity: number "Viscosity" ["Pa·s"] Linear { Classic(0.005, 0.0..=0.1) }
     }
@@ -54,7 +54,7 @@ parameters! {
         /// Lift β of gas that is thinner than the air. More of it narrows the fire.
         buoyancy: number "Buoyancy" [""] Linear { Classic(0.12, 0.0..=1.0) }
         /// Lift of gas that is hotter than the air.
-        thermal_buoyancy: number "Thermal buoyancy" [""] Linear { Classic(0.1, 0.0..=1.0) }
+        thermal_buoyancy: number "Thermal buoyancy" [""] Linear { Classic(0.2, 0.0..=1.0) }
         /// Weight added to every particle, as if gravity counted a second time.
         extra_weight: number "Extra weight" ["m/s²"] Linear { Classic(0.0, 0.0..=20.0) }
         /// Speed at which lift and the resistance of the air, which this model
@@ -68,19 +68,22 @@ parameters! {
         max_particles: integer "Particles" [""] Log { Classic(1000, 100.0..=100_000.0) }
         /// Particles born each second, as long as the source has room and the
         /// number of particles allows it.
-        emission_rate: number "Emission rate" ["1/s"] Log { Classic(1000.0, 50.0..=100_000.0) }
+        emission_rate: number "Emission rate" ["1/s"] Log { Classic(1500.0, 50.0..=100_000.0) }
         /// Shortest life of a particle.
-        lifetime_min: number "Shortest life" ["s"] Linear { Classic(0.4, 0.1..=3.0) }
+        lifetime_min: number "Shortest life" ["s"] Linear { Classic(0.3, 0.1..=3.0) }
         /// Longest life of a particle. A life below the shortest one counts as the shortest.
-        lifetime_max: number "Longest life" ["s"] Linear { Classic(1.0, 0.1..=3.0) }
+        lifetime_max: number "Longest life" ["s"] Linear { Classic(1.2, 0.1..=3.0) }
+        /// How much shorter particles live that are born towards the rim of the
+        /// source, within the shortest and the longest life: it gives the fire its tip.
+        taper: number "Taper" [""] Linear { Classic(0.8, 0.0..=1.0) }
         /// Upward speed at birth.
-        emission_speed: number "Emission speed" ["m/s"] Linear { Classic(1.2, 0.0..=3.0) }
+        emission_speed: number "Emission speed" ["m/s"] Linear { Classic(1.0, 0.0..=3.0) }
         /// Random part of the velocity at birth.
-        emission_spread: number "Spread" [""] Linear { Classic(0.3, 0.0..=1.0) }
+        emission_spread: number "Spread" [""] Linear { Classic(0.25, 0.0..=1.0) }
         /// How unevenly the source burns: Perlin noise in place and time.
-        emission_noise: number "Emission noise" [""] Linear { Classic(0.3, 0.0..=1.0) }
+        emission_noise: number "Emission noise" [""] Linear { Classic(0.5, 0.0..=1.0) }
         /// Width of the source.
-        source_width: number "Source width" ["m"] Linear { Classic(0.2, 0.05..=0.6) }
+        source_width: number "Source width" ["m"] Linear { Classic(0.36, 0.05..=0.6) }
         /// Height of the source above the floor.
         source_height: number "Source height" ["m"] Linear { Classic(0.0, 0.0..=1.0) }
         /// Temperature of a particle at birth.
@@ -92,7 +95,7 @@ parameters! {
         /// Seconds of fire for each second of the clock: below 1 is slow motion.
         time_scale: number "Time scale" [""] Log { Every(1.0, 0.1..=2.0) }
         /// Length of one step; it is divided further where stability asks for it.
-        time_step: number "Time step" ["s"] Log { Classic(1.0 / 240.0, 1.0 / 480.0..=1.0 / 60.0) }
+        time_step: number "Time step" ["s"] Log { Classic(1.0 / 240.0, 0.002..=0.017) }
         /// Start of the random generator: the same seed gives the same fire.
         seed: seed "Seed" { Every(1) }
     }

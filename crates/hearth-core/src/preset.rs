@@ -23,7 +23,34 @@ pub static PRESETS: &[Preset] = &[
     Preset {
         name: "seed",
         label: "Seed",
-        values: &[],
+        // The program that Hearth grew from: 600 pixels, here 1.5 m, other
+        // kernels and no physical units. Lengths are converted; strengths are
+        // chosen so that its picture, a narrow column of sparse dots, and the
+        // effect of each of its sliders come out alike.
+        values: &[
+            ("domain_width", Input::Number(1.5)),
+            ("domain_height", Input::Number(1.5)),
+            ("walls", Input::Text("solid")),
+            ("smoothing_radius", Input::Number(0.0075)),
+            ("particle_mass", Input::Number(1e-4)),
+            ("gas_constant", Input::Number(2.0)),
+            ("viscosity", Input::Number(2e-4)),
+            ("buoyancy", Input::Number(0.02)),
+            ("thermal_buoyancy", Input::Number(0.01)),
+            ("max_particles", Input::Number(800.0)),
+            ("emission_rate", Input::Number(400.0)),
+            ("lifetime_min", Input::Number(1.1)),
+            ("lifetime_max", Input::Number(2.0)),
+            ("taper", Input::Number(0.0)),
+            ("emission_speed", Input::Number(0.75)),
+            ("emission_spread", Input::Number(0.45)),
+            ("emission_noise", Input::Number(0.0)),
+            ("source_width", Input::Number(0.125)),
+            ("maximum_temperature", Input::Number(1273.0)),
+            ("cooling_rate", Input::Number(300.0)),
+            ("display_mode", Input::Text("paper")),
+            ("particle_size", Input::Number(0.015)),
+        ],
     },
 ];
 

@@ -245,7 +245,8 @@ impl Simulation {
     /// value that is not finite, outside the domain, colder than 1 K, or
     /// without a lifetime; nothing changes then.
     pub fn set_particles(&mut self, particles: &[Particle]) -> Result<(), ParticleError> {
-        let most = Parameters::find_range("max_particles").map_or(usize::MAX, |(_, max)| max as usize);
+        let most =
+            Parameters::find_range("max_particles").map_or(usize::MAX, |(_, max)| max as usize);
         if particles.len() > most {
             return Err(ParticleError {
                 index: most,
@@ -289,7 +290,13 @@ fn inside(position: Vec2, bounds: &Bounds) -> bool {
 
 /// What is wrong with a particle that somebody wants to put in.
 fn fault(particle: &Particle, bounds: &Bounds) -> Option<&'static str> {
-    let Particle { position, velocity, temperature, age, lifetime } = *particle;
+    let Particle {
+        position,
+        velocity,
+        temperature,
+        age,
+        lifetime,
+    } = *particle;
     if !position.is_finite() || !inside(position, bounds) {
         Some("position must be inside the domain")
     } else if !velocity.is_finite() {

@@ -108,7 +108,9 @@ impl Param {
                 .number()
                 .filter(|x| !whole || x.fract() == 0.0)
                 // The bounds are decimals; a slider sends the nearest f32.
-                .filter(|&x| (min..=max).contains(&x) || x as f32 == min as f32 || x as f32 == max as f32)
+                .filter(|&x| {
+                    (min..=max).contains(&x) || x as f32 == min as f32 || x as f32 == max as f32
+                })
                 .ok_or_else(|| {
                     refuse(Refusal::OutOfRange {
                         min,

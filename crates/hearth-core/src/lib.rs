@@ -35,6 +35,7 @@ pub mod preset;
 pub mod random;
 pub mod simulation;
 
+pub use glam::Vec2;
 pub use params::Parameters;
 pub use particles::Particle;
 pub use simulation::{Instance, Simulation, StepReport};

@@ -1,0 +1,265 @@
+//! The renderer in a real browser: shaders compile and link, light stands
+//! where the particles are and nowhere else, and a GPU that fails is answered
+//! with an error in words.
+//!
+//! Runs only in a browser; natively this file is empty.
+#![cfg(target_arch = "wasm32")]
+
+mod canvas;
+
+use canvas::{Canvas, Pixels, words};
+use hearth_core::params::{Input, Parameters};
+use hearth_core::simulation::Instance;
+use hearth_render::{Renderer, TargetFormat, View};
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+const WIDTH: u32 = 240;
+const HEIGHT: u32 = 300;
+
+/// Where puffs are set [m], all over the default domain.
+const PLACES: [(f32, f32); 5] = [
+    (0.0, 0.3),
+    (-0.35, 0.9),
+    (0.4, 1.2),
+    (0.25, 0.4),
+    (-0.2, 0.15),
+];
+
+/// How far from a puff's middle nothing of it may shine [m]: the puff itself
+/// reaches 0.07 m, a particle is drawn within its own size beside it, and the
+/// detail may carry light a little further.
+const REACH: f32 = 0.3;
+
+/// A puff of burning gas around a place: five by five particles.
+fn puff((x, y): (f32, f32), temperature: f32) -> Vec<Instance> {
+    let offsets = [-0.04, -0.02, 0.0, 0.02, 0.04];
+    offsets
+        .iter()
+        .flat_map(|dy| offsets.map(|dx| [x + dx, y + dy, 0.0, 1.0, temperature, 1.0, 0.2, 0.8]))
+        .collect()
+}
+
+/// The defaults with some values changed.
+fn with(values: &[(&str, Input<'_>)]) -> Result<Parameters, JsValue> {
+    let mut parameters = Parameters::default();
+    for &(id, input) in values {
+        parameters.set(id, input).map_err(words)?;
+    }
+    Ok(parameters)
+}
+
+/// The defaults with the paper's own drawing.
+fn as_in_the_paper() -> Result<Parameters, JsValue> {
+    with(&[("display_mode", Input::Text("paper"))])
+}
+
+/// Brightness of the brightest channel.
+fn light([r, g, b, _]: [u8; 4]) -> u8 {
+    r.max(g).max(b)
+}
+
+/// The law of this file: light where the puff is, none away from it.
+fn assert_light_only_at((x, y): (f32, f32), pixels: &Pixels) {
+    let centre = pixels.at(x, y);
+    assert!(light(centre) > 60, "the puff at {x}, {y} shows {centre:?}");
+    for (px, py, pixel) in pixels.all() {
+        assert!(
+            (px - x).hypot(py - y) < REACH || light(pixel) < 10,
+            "a puff at {x}, {y} makes {pixel:?} at {px}, {py}",
+        );
+    }
+}
+
+#[wasm_bindgen_test]
+fn every_shader_compiles_and_links() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    let renderer = Renderer::new(&canvas.gl).map_err(words)?;
+    console_log!("fields are drawn into {:?}", renderer.target_format());
+    renderer.destroy(&canvas.gl);
+    assert_eq!(canvas.gl_error(), 0);
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn light_stands_where_the_particles_are() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    for place in PLACES {
+        let pixels = canvas.paint(&puff(place, 1900.0), &Parameters::default())?;
+        assert_light_only_at(place, &pixels);
+    }
+    assert_eq!(canvas.gl_error(), 0);
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn the_papers_drawing_stands_where_the_particles_are() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    for place in PLACES {
+        let pixels = canvas.paint(&puff(place, 1900.0), &as_in_the_paper()?)?;
+        assert_light_only_at(place, &pixels);
+    }
+    assert_eq!(canvas.gl_error(), 0);
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn without_particles_nothing_is_painted() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    for parameters in [Parameters::default(), as_in_the_paper()?] {
+        let pixels = canvas.paint(&[], &parameters)?;
+        assert!(pixels.all().all(|(_, _, pixel)| pixel == [0; 4]));
+    }
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn particles_that_are_gone_leave_no_light_behind() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
+    let parameters = Parameters::default();
+    canvas.paint_with(&mut renderer, &puff((0.0, 0.5), 1900.0), &parameters)?;
+    let pixels = canvas.paint_with(&mut renderer, &[], &parameters)?;
+    renderer.destroy(&canvas.gl);
+    assert!(pixels.all().all(|(_, _, pixel)| pixel == [0; 4]));
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn a_background_shows_where_no_fire_is() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    let parameters = with(&[("background", Input::Text("#204060"))])?;
+    let [r, g, b, a] = canvas
+        .paint(&puff((0.0, 0.3), 1900.0), &parameters)?
+        .at(-0.5, 1.4);
+    let off = r.abs_diff(0x20).max(g.abs_diff(0x40)).max(b.abs_diff(0x60));
+    assert!(off <= 3 && a == 255, "#204060 became {:?}", [r, g, b, a]);
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn the_page_shows_through_as_far_as_alpha_says() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    let pixels = canvas.paint(&puff((0.0, 0.3), 1900.0), &Parameters::default())?;
+    for (x, y, pixel) in pixels.all() {
+        // Premultiplied: a colour above its alpha is undefined on a page.
+        assert!(light(pixel) <= pixel[3], "{pixel:?} at {x}, {y}");
+    }
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn cooler_gas_glows_darker_and_redder() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    let parameters = with(&[
+        ("detail", Input::Number(0.0)),
+        ("bloom", Input::Number(0.0)),
+    ])?;
+    let at = |kelvin| -> Result<[u8; 4], JsValue> {
+        let place = (0.0, 0.5);
+        let pixels = canvas.paint(&puff(place, kelvin), &parameters)?;
+        Ok(pixels.at(place.0, place.1))
+    };
+    let (hot, cool) = (at(1900.0)?, at(1100.0)?);
+    let greenness = |[r, g, _, _]: [u8; 4]| f32::from(g) / f32::from(r.max(1));
+    assert!(
+        light(cool) < light(hot),
+        "1100 K: {cool:?}, 1900 K: {hot:?}"
+    );
+    assert!(
+        greenness(cool) < greenness(hot),
+        "1100 K: {cool:?}, 1900 K: {hot:?}"
+    );
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn a_device_without_float_targets_shows_the_fire_as_well() -> Result<(), JsValue> {
+    let canvas = Canvas::without_float_targets(WIDTH, HEIGHT)?;
+    let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
+    assert_eq!(renderer.target_format(), TargetFormat::Rgba8);
+    for place in PLACES {
+        let instances = puff(place, 1900.0);
+        let pixels = canvas.paint_with(&mut renderer, &instances, &Parameters::default())?;
+        assert_light_only_at(place, &pixels);
+    }
+    renderer.destroy(&canvas.gl);
+    assert_eq!(canvas.gl_error(), 0);
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn one_renderer_follows_a_change_of_size() -> Result<(), JsValue> {
+    let place = (0.2, 0.6);
+    for (width, height) in [(240, 300), (500, 300), (120, 400), (60, 75)] {
+        let canvas = Canvas::new(width, height)?;
+        let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
+        let small = View {
+            width: 32,
+            height: 32,
+            time: 0.0,
+        };
+        let parameters = Parameters::default();
+        renderer
+            .paint(&canvas.gl, &small, &parameters)
+            .map_err(words)?;
+        let pixels = canvas.paint_with(&mut renderer, &puff(place, 1900.0), &parameters)?;
+        assert_light_only_at(place, &pixels);
+        renderer.destroy(&canvas.gl);
+        assert_eq!(canvas.gl_error(), 0);
+    }
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn a_view_of_no_size_is_nothing_to_paint() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
+    renderer.upload(&canvas.gl, &puff((0.0, 0.3), 1900.0));
+    for (width, height) in [(0, 0), (0, HEIGHT), (WIDTH, 0)] {
+        let view = View {
+            width,
+            height,
+            time: 0.0,
+        };
+        renderer
+            .paint(&canvas.gl, &view, &Parameters::default())
+            .map_err(words)?;
+        assert_eq!(canvas.gl_error(), 0, "{width} × {height}");
+    }
+    renderer.destroy(&canvas.gl);
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn a_lost_context_gives_an_error_in_words() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    canvas.lose_context()?;
+    match Renderer::new(&canvas.gl) {
+        Ok(_) => Err("a renderer was made of a lost context".into()),
+        Err(error) => {
+            assert!(error.to_string().len() > 10, "no words: {error}");
+            Ok(())
+        }
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_context_lost_on_the_way_is_survived() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
+    let view = View {
+        width: WIDTH,
+        height: HEIGHT,
+        time: 0.0,
+    };
+    renderer.upload(&canvas.gl, &puff((0.0, 0.3), 1900.0));
+    canvas.lose_context()?;
+    renderer.upload(&canvas.gl, &puff((0.1, 0.3), 1900.0));
+    // Whether it says so or paints into nothing: the page goes on.
+    let _ = renderer.paint(&canvas.gl, &view, &Parameters::default());
+    renderer.destroy(&canvas.gl);
+    Ok(())
+}

@@ -1,1 +1,29 @@
-//! stub
+//! Draws a fire with WebGL2, from particles to pixels.
+//!
+//! Particles are splatted as smooth kernels into fields (weight, temperature,
+//! glow, smoke), so the picture shows continuous gas instead of dots. The
+//! fields are warped and eroded by rising noise, shine as a black body, bloom,
+//! and are tone mapped into premultiplied sRGB.
+//!
+//! A [`Renderer`] owns its handles and borrows the context in each call. It
+//! knows neither the page nor any user interface.
+
+mod blackbody;
+mod cie;
+mod error;
+mod format;
+mod gl;
+mod layout;
+mod noise;
+mod particles;
+mod passes;
+mod program;
+mod renderer;
+mod survey;
+mod target;
+mod targets;
+
+pub use blackbody::{Chromaticity, chromaticity, linear_srgb, luminance};
+pub use error::RenderError;
+pub use format::TargetFormat;
+pub use renderer::{Renderer, View};

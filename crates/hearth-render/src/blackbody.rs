@@ -1,0 +1,171 @@
+//! The colour of hot soot: Planck's law seen by the CIE 1931 observer.
+//!
+//! Soot glows nearly as a black body, so one look-up by temperature gives
+//! every colour of the flame. Chroma (linear sRGB of unit luminance) and the
+//! logarithm of luminance are kept apart: luminance spans a factor of 170 000
+//! between 1000 and 2000 K, far beyond a screen, and is compressed by an
+//! exponent while the chroma stays what physics says.
+
+use crate::cie::{FIRST, OBSERVER, STEP};
+
+/// Coolest temperature of the look-up table [K].
+pub(crate) const COOLEST: f32 = 600.0;
+/// Hottest temperature of the look-up table [K]. The parameters allow 2500 K.
+pub(crate) const HOTTEST: f32 = 2600.0;
+/// Entries of the look-up table.
+pub(crate) const ENTRIES: usize = 128;
+
+/// Temperature whose luminance counts as 1 [K]: the middle of a flame.
+const REFERENCE: f64 = 1500.0;
+
+/// CIE 1931 chromaticity coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chromaticity {
+    /// Share of X.
+    pub x: f64,
+    /// Share of Y.
+    pub y: f64,
+}
+
+/// Where a black body of `temperature` [K] lies in the CIE 1931 diagram.
+pub fn chromaticity(temperature: f64) -> Chromaticity {
+    let [x, y, z] = tristimulus(temperature);
+    let sum = x + y + z;
+    Chromaticity {
+        x: x / sum,
+        y: y / sum,
+    }
+}
+
+/// Luminance of a black body of `temperature` [K], as a multiple of that at 1500 K.
+pub fn luminance(temperature: f64) -> f64 {
+    tristimulus(temperature)[1] / tristimulus(REFERENCE)[1]
+}
+
+/// Linear sRGB of unit luminance of a black body of `temperature` [K]. Blue,
+/// which is negative below about 1900 K, is clamped.
+pub fn linear_srgb(temperature: f64) -> [f64; 3] {
+    let [x, y, z] = tristimulus(temperature);
+    let rgb = [
+        3.240_454_2 * x - 1.537_138_5 * y - 0.498_531_4 * z,
+        -0.969_266_0 * x + 1.876_010_8 * y + 0.041_556_0 * z,
+        0.055_643_4 * x - 0.204_025_9 * y + 1.057_225_2 * z,
+    ]
+    .map(|channel| channel.max(0.0));
+    let luminance = 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+    rgb.map(|channel| channel / luminance)
+}
+
+/// The look-up table as one row of texels: chroma and ln(luminance).
+pub(crate) fn table() -> Vec<[f32; 4]> {
+    (0..ENTRIES)
+        .map(|entry| {
+            let share = entry as f32 / (ENTRIES - 1) as f32;
+            let temperature = f64::from(COOLEST + share * (HOTTEST - COOLEST));
+            let [r, g, b] = linear_srgb(temperature);
+            [
+                r as f32,
+                g as f32,
+                b as f32,
+                luminance(temperature).ln() as f32,
+            ]
+        })
+        .collect()
+}
+
+/// X, Y and Z of a black body, in units that cancel wherever they are used.
+fn tristimulus(temperature: f64) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for (band, observer) in OBSERVER.iter().enumerate() {
+        let radiance = planck(FIRST + STEP * band as f64, temperature);
+        for (sum, share) in sum.iter_mut().zip(observer) {
+            *sum += radiance * share;
+        }
+    }
+    sum
+}
+
+/// Planck's law for a wavelength in nm and a temperature in K, but for a
+/// constant factor.
+fn planck(wavelength: f64, temperature: f64) -> f64 {
+    /// hc/k [nm·K].
+    const SECOND_RADIATION: f64 = 1.438_776_877e7;
+    let exponent = SECOND_RADIATION / (wavelength * temperature);
+    (1e3 / wavelength).powi(5) / exponent.exp_m1()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Published figures of the Planckian locus: temperature, x, y, sRGB
+    /// scaled so that the largest channel is 255, luminance in cd/m².
+    const LOCUS: [(f64, f64, f64, [u8; 3], f64); 6] = [
+        (1000.0, 0.6528, 0.3445, [255, 23, 0], 2.7),
+        (1200.0, 0.6250, 0.3675, [255, 68, 0], 139.0),
+        (1500.0, 0.5857, 0.3931, [255, 102, 0], 7.7e3),
+        (1800.0, 0.5492, 0.4082, [255, 126, 0], 1.2e5),
+        (2000.0, 0.5267, 0.4133, [255, 139, 22], 4.6e5),
+        (2500.0, 0.4770, 0.4137, [255, 164, 73], 5.6e6),
+    ];
+
+    fn encoded(linear: f64) -> f64 {
+        if linear <= 0.003_130_8 {
+            12.92 * linear
+        } else {
+            1.055 * linear.powf(1.0 / 2.4) - 0.055
+        }
+    }
+
+    #[test]
+    fn chromaticity_follows_the_planckian_locus() {
+        for (temperature, x, y, ..) in LOCUS {
+            let at = chromaticity(temperature);
+            let distance = (at.x - x).hypot(at.y - y);
+            assert!(
+                distance <= 0.002,
+                "{temperature} K: {at:?}, {distance} away"
+            );
+        }
+    }
+
+    #[test]
+    fn displayed_colours_are_those_of_the_table() {
+        for (temperature, _, _, srgb, _) in LOCUS {
+            let rgb = linear_srgb(temperature);
+            for (channel, expected) in rgb.iter().zip(srgb) {
+                let shown = 255.0 * encoded(channel / rgb[0]);
+                assert!(
+                    (shown - f64::from(expected)).abs() <= 2.5,
+                    "{temperature} K: {shown} instead of {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn luminance_spans_what_planck_says() {
+        for (temperature, _, _, _, candela) in LOCUS {
+            let ratio = luminance(temperature) / (candela / 7.7e3);
+            assert!((0.93..1.07).contains(&ratio), "{temperature} K: {ratio}");
+        }
+    }
+
+    #[test]
+    fn hotter_is_brighter_and_less_red() {
+        let table = table();
+        for pair in table.windows(2) {
+            let ([r0, g0, _, y0], [r1, g1, _, y1]) = (pair[0], pair[1]);
+            assert!(y1 > y0);
+            assert!(g1 / r1 >= g0 / r0);
+        }
+    }
+
+    #[test]
+    fn every_entry_is_finite_and_of_unit_luminance() {
+        for [r, g, b, y] in table() {
+            assert!(y.is_finite() && r >= g && g >= b && b >= 0.0);
+            assert!((0.2126 * r + 0.7152 * g + 0.0722 * b - 1.0).abs() < 1e-5);
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! A compiled pair of shaders with the places of its uniforms.
+//!
+//! Every uniform is a `vec4` or a sampler, so two ways of setting one are
+//! enough. Places are looked up once; a frame only compares short names.
+
+use crate::error::RenderError;
+use crate::gl::Gl;
+
+/// What every shader starts with: one version, one precision. Phones round
+/// `mediump` to eleven bits, too few for a position in the picture, and a
+/// sampler is `lowp` unless it is told otherwise.
+const HEADER: &str = "#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+";
+
+/// The source of one pass.
+pub struct Source {
+    /// Name of the pass.
+    pub pass: &'static str,
+    /// The vertex shader, in pieces that follow each other.
+    pub vertex: &'static [&'static str],
+    /// The fragment shader, in such pieces.
+    pub fragment: &'static [&'static str],
+    /// Its samplers: the first reads texture unit 0, and so on.
+    pub samplers: &'static [&'static str],
+    /// Its `vec4`s.
+    pub uniforms: &'static [&'static str],
+}
+
+/// A linked program.
+pub struct Program {
+    handle: glow::Program,
+    uniforms: Vec<(&'static str, Option<glow::UniformLocation>)>,
+}
+
+impl Program {
+    /// Compiles and links.
+    pub fn new(gl: Gl<'_>, source: &Source) -> Result<Program, RenderError> {
+        let refuse = |log| RenderError::Program {
+            pass: source.pass,
+            log,
+        };
+        let handle = gl.create_program().map_err(refuse)?;
+        let stages = [
+            (glow::VERTEX_SHADER, source.vertex),
+            (glow::FRAGMENT_SHADER, source.fragment),
+        ];
+        let mut shaders = [None; 2];
+        for (slot, (kind, pieces)) in shaders.iter_mut().zip(stages) {
+            if let Ok(shader) = gl.create_shader(kind) {
+                gl.shader_source(shader, &(HEADER.to_owned() + &pieces.concat()));
+                gl.compile_shader(shader);
+                gl.attach_shader(handle, shader);
+                *slot = Some(shader);
+            }
+        }
+        gl.link_program(handle);
+        let linked = gl.get_program_link_status(handle);
+        // Logs are read only where something went wrong: reading one makes a
+        // browser wait for its shader compiler.
+        let log = (!linked).then(|| {
+            let mut log = gl.get_program_info_log(handle);
+            for shader in shaders.into_iter().flatten() {
+                log += &gl.get_shader_info_log(shader);
+            }
+            log
+        });
+        for shader in shaders.into_iter().flatten() {
+            gl.delete_shader(shader);
+        }
+        if let Some(log) = log {
+            gl.delete_program(handle);
+            return Err(refuse(log));
+        }
+        gl.use_program(Some(handle));
+        for (unit, name) in source.samplers.iter().enumerate() {
+            gl.uniform_1_i32(gl.get_uniform_location(handle, name).as_ref(), unit as i32);
+        }
+        let uniforms = source
+            .uniforms
+            .iter()
+            .map(|&name| (name, gl.get_uniform_location(handle, name)))
+            .collect();
+        Ok(Program { handle, uniforms })
+    }
+
+    /// Makes this the current program.
+    pub fn activate(&self, gl: Gl<'_>) {
+        gl.use_program(Some(self.handle));
+    }
+
+    /// Sets the `vec4` of that name in the current program.
+    pub fn set(&self, gl: Gl<'_>, name: &str, value: [f32; 4]) {
+        let place = self.uniforms.iter().find(|(known, _)| *known == name);
+        debug_assert!(place.is_some(), "no uniform {name} is declared");
+        gl.uniform(place.and_then(|(_, place)| place.as_ref()), value);
+    }
+
+    /// Frees the program.
+    pub fn destroy(&self, gl: Gl<'_>) {
+        gl.delete_program(self.handle);
+    }
+}

@@ -1,0 +1,142 @@
+//! What the particles look like as a whole: where they are, how high they
+//! reach, how fast they rise.
+//!
+//! The drawing needs it twice: nothing is drawn where no particle is, and the
+//! fine structure rises with the gas and grows with the flame's own height.
+//! Both figures are smoothed in time, so that one particle does not make the
+//! structure jump.
+
+use hearth_core::simulation::Instance;
+
+/// Seconds of fire after which a change has reached the smoothed figures.
+const SMOOTHING: f32 = 0.5;
+/// Longest time between two pictures that still counts as motion [s].
+const LONGEST_FRAME: f32 = 0.1;
+
+/// A look at all particles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Survey {
+    /// Left, lower, right and upper edge of all particles [m]; empty: left > right.
+    pub bounds: [f32; 4],
+    /// Mean height of the gas that is still alive [m].
+    height: f32,
+    /// Mean upward speed of it [m/s].
+    speed: f32,
+}
+
+impl Survey {
+    /// Looks at `instances`.
+    pub fn of(instances: &[Instance]) -> Survey {
+        let far = f32::INFINITY;
+        let mut bounds = [far, far, -far, -far];
+        let mut sums = [0.0; 3];
+        for &[x, y, _, speed, _, _, _, life] in instances {
+            bounds = [
+                bounds[0].min(x),
+                bounds[1].min(y),
+                bounds[2].max(x),
+                bounds[3].max(y),
+            ];
+            sums[0] += life;
+            sums[1] += life * y;
+            sums[2] += life * speed;
+        }
+        let weight = sums[0].max(f32::MIN_POSITIVE);
+        Survey {
+            bounds,
+            height: sums[1] / weight,
+            speed: sums[2] / weight,
+        }
+    }
+}
+
+/// The smoothed figures.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rise {
+    time: Option<f32>,
+    /// Mean height of the gas [m].
+    height: f32,
+    /// Mean upward speed of it [m/s].
+    speed: f32,
+    /// How far the gas has risen since the start [m].
+    pub distance: f32,
+}
+
+impl Rise {
+    /// Takes in what was seen at `time` [s].
+    pub fn advance(&mut self, survey: &Survey, time: f32) {
+        let elapsed = self.time.map_or(f32::INFINITY, |before| time - before);
+        self.time = Some(time);
+        // The first look counts fully; a clock that was set back or a long
+        // pause is no motion.
+        let first = elapsed.is_infinite();
+        let elapsed = elapsed.clamp(0.0, LONGEST_FRAME);
+        let share = if first {
+            1.0
+        } else {
+            1.0 - (-elapsed / SMOOTHING).exp()
+        };
+        for (smooth, seen) in [
+            (&mut self.height, survey.height),
+            (&mut self.speed, survey.speed),
+        ] {
+            if seen.is_finite() {
+                *smooth += share * (seen - *smooth);
+            }
+        }
+        if !first {
+            self.distance += elapsed * self.speed;
+        }
+    }
+
+    /// Height of the flame above `source` [m]: the gas thins out upward, so
+    /// its tip is about twice as high as its mean.
+    pub fn flame_height(&self, source: f32) -> f32 {
+        2.2 * (self.height - source)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn particle(x: f32, y: f32, speed: f32) -> Instance {
+        [x, y, 0.0, speed, 1500.0, 1.0, 0.1, 1.0]
+    }
+
+    #[test]
+    fn bounds_hold_every_particle() {
+        let survey = Survey::of(&[particle(-0.3, 0.1, 1.0), particle(0.2, 0.9, 1.0)]);
+        assert_eq!(survey.bounds, [-0.3, 0.1, 0.2, 0.9]);
+        let [left, _, right, _] = Survey::of(&[]).bounds;
+        assert!(left > right);
+    }
+
+    #[test]
+    fn structure_rises_as_fast_as_the_gas() {
+        let survey = Survey::of(&[particle(0.0, 0.5, 1.6)]);
+        let mut rise = Rise::default();
+        for frame in 0..=60 {
+            rise.advance(&survey, frame as f32 / 60.0);
+        }
+        assert!((rise.distance - 1.6).abs() < 0.01, "{rise:?}");
+    }
+
+    #[test]
+    fn a_pause_or_a_restart_does_not_make_it_jump() {
+        let survey = Survey::of(&[particle(0.0, 0.5, 2.0)]);
+        let mut rise = Rise::default();
+        for time in [0.0, 100.0, 0.0, 0.0, 500.0] {
+            rise.advance(&survey, time);
+        }
+        assert!((0.0..=0.5).contains(&rise.distance), "{rise:?}");
+    }
+
+    #[test]
+    fn no_particles_are_no_trouble() {
+        let mut rise = Rise::default();
+        rise.advance(&Survey::of(&[]), 0.0);
+        rise.advance(&Survey::of(&[particle(0.0, f32::NAN, f32::NAN)]), 0.1);
+        assert!(rise.distance.is_finite() && rise.flame_height(0.0).is_finite());
+    }
+}

@@ -1,0 +1,81 @@
+//! The off-screen targets of one picture size.
+
+use crate::error::RenderError;
+use crate::format::TargetFormat;
+use crate::gl::Gl;
+use crate::layout::{BLURS, Layout};
+use crate::target::Target;
+
+/// Targets of which there is one.
+const SINGLE: usize = 4;
+
+/// Everything that is drawn into before the picture itself.
+pub struct Targets {
+    /// The sizes that these are made for.
+    pub layout: Layout,
+    /// Sums over the particles.
+    pub field: Target,
+    /// The same, as seen from farther away.
+    pub wide: Target,
+    /// Light before the tone map.
+    pub light: Target,
+    /// Colours as displayed.
+    pub shown: Target,
+    /// Blurred copies of the light, sharpest first.
+    pub blurs: Vec<Target>,
+    /// The same, joined with all wider ones; the widest stands alone.
+    pub joined: Vec<Target>,
+}
+
+impl Targets {
+    /// Makes them all, or none.
+    pub fn new(gl: Gl<'_>, format: TargetFormat, layout: Layout) -> Result<Targets, RenderError> {
+        let joined = &layout.blurs[..BLURS - 1];
+        let wanted = [
+            ("splat", layout.field),
+            ("spread", layout.wide),
+            ("shade", layout.light),
+            ("develop", layout.light),
+        ]
+        .into_iter()
+        .chain(layout.blurs.map(|size| ("shrink", size)))
+        .chain(joined.iter().map(|&size| ("widen", size)));
+        let mut made = Vec::with_capacity(SINGLE + 2 * BLURS);
+        for (pass, size) in wanted {
+            let format = if pass == "develop" {
+                TargetFormat::Rgba8
+            } else {
+                format
+            };
+            match Target::new(gl, pass, format, size) {
+                Ok(target) => made.push(target),
+                Err(error) => {
+                    made.iter().for_each(|target: &Target| target.destroy(gl));
+                    return Err(error);
+                }
+            }
+        }
+        let joined = made.split_off(SINGLE + BLURS);
+        let blurs = made.split_off(SINGLE);
+        match <[Target; SINGLE]>::try_from(made) {
+            Ok([field, wide, light, shown]) => Ok(Targets {
+                layout,
+                field,
+                wide,
+                light,
+                shown,
+                blurs,
+                joined,
+            }),
+            Err(_) => Err(RenderError::NoTarget),
+        }
+    }
+
+    /// Frees them all.
+    pub fn destroy(&self, gl: Gl<'_>) {
+        let single = [&self.field, &self.wide, &self.light, &self.shown];
+        for target in single.into_iter().chain(&self.blurs).chain(&self.joined) {
+            target.destroy(gl);
+        }
+    }
+}

@@ -1,0 +1,27 @@
+// Light and glow to colours that a screen shows, with premultiplied alpha.
+
+in vec2 uv;
+
+uniform sampler2D light;
+uniform sampler2D glow;
+uniform vec4 strength; // light range, bloom × light range, light on soot
+
+out vec4 shown;
+
+void main() {
+    vec4 sharp = texture(light, uv);
+    vec3 soft = texture(glow, uv).rgb;
+    if (max(sharp.a, soft.r) < 0.004) {
+        shown = vec4(0.0);
+        return;
+    }
+    vec3 sum = sharp.rgb * sharp.rgb * strength.x + soft * soft * strength.y;
+    vec3 colour = encode(tone_map(sum));
+    // Glow has no body of its own, yet no colour may exceed its alpha. What
+    // covers without shining is soot, and never quite black.
+    float peak = max(colour.r, max(colour.g, colour.b));
+    float alpha = max(sharp.a, peak);
+    float dark = alpha - peak;
+    colour += vec3(0.22, 0.19, 0.17) * (strength.z * dark * dark / max(alpha, 1e-4));
+    shown = dither(vec4(colour, alpha));
+}

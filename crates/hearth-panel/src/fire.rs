@@ -1,0 +1,212 @@
+//! What the panel knows about the fire, and what it asks of it.
+//!
+//! The panel never owns the fire: it keeps a checked copy of its values, shows
+//! that, and sends a [`Command`] for every wish. While a wish for a parameter
+//! is under way, older news of the same parameter is not shown, or a slider
+//! would jump under the finger that holds it.
+
+use std::collections::{BTreeMap, VecDeque};
+
+use hearth_core::params::{Input, Model, PARAMETERS, Param, ParamError, Parameters, Value};
+
+/// How many samples the history keeps: half a minute at four a second.
+pub const HISTORY: usize = 120;
+
+/// Something that the panel asks of the fire.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// Set a parameter.
+    Set(&'static str, Value),
+    /// Put these parameters back to their defaults.
+    Restore(Vec<&'static str>),
+    /// Take a preset.
+    Preset(&'static str),
+    /// Let time pass.
+    Play,
+    /// Hold it.
+    Pause,
+    /// Start again, with the same values.
+    Reset,
+    /// One step, while paused.
+    Step,
+}
+
+/// How the fire does.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stats {
+    /// Frames per second, smoothed.
+    pub fps: f64,
+    /// Particles alive.
+    pub particles: f64,
+    /// What a step takes [ms].
+    pub step_ms: f64,
+    /// Steps made for each frame.
+    pub steps_per_frame: f64,
+    /// What drawing a frame takes [ms].
+    pub draw_ms: f64,
+    /// Whether the machine is too slow for the fire's own speed.
+    pub slowed: bool,
+}
+
+impl Stats {
+    /// What a frame takes, simulated and drawn [ms].
+    pub fn frame_ms(&self) -> f64 {
+        self.step_ms * self.steps_per_frame + self.draw_ms
+    }
+}
+
+/// The panel's copy of the fire.
+#[derive(Debug, Default)]
+pub struct Fire {
+    /// Every value, checked.
+    pub parameters: Parameters,
+    /// Whether time stands still.
+    pub paused: bool,
+    /// The last numbers that came.
+    pub stats: Stats,
+    /// Frames per second of the last samples, the oldest first.
+    pub history: VecDeque<f32>,
+    /// Why a value was refused, by id.
+    pub refusals: BTreeMap<&'static str, String>,
+    /// What else went wrong.
+    pub notice: Option<String>,
+    under_way: BTreeMap<&'static str, u32>,
+}
+
+impl Fire {
+    /// The default of a parameter in the present model.
+    pub fn default_of(&self, param: &Param) -> Value {
+        self.domain_of(param).0
+    }
+
+    /// The range of a parameter in the present model.
+    pub fn range_of(&self, param: &Param) -> (f64, f64) {
+        self.domain_of(param).1
+    }
+
+    fn domain_of(&self, param: &Param) -> (Value, (f64, f64)) {
+        param
+            .domain(self.parameters.model())
+            .or(param.domains.first())
+            .map_or((Value::Flag(false), (0.0, 1.0)), |domain| {
+                (domain.default, domain.range)
+            })
+    }
+
+    /// The parameters that the present model uses.
+    pub fn used(&self) -> impl Iterator<Item = &'static Param> + use<> {
+        let model: Model = self.parameters.model();
+        PARAMETERS
+            .iter()
+            .filter(move |param| param.domain(model).is_some())
+    }
+
+    /// Checks a wish and shows it at once.
+    ///
+    /// # Errors
+    /// Says what is wrong with it; nothing changes then.
+    pub fn wish(&mut self, param: &'static Param, input: Input<'_>) -> Result<Value, ParamError> {
+        self.parameters.set(param.id, input)?;
+        self.refusals.remove(param.id);
+        Ok(param.get(&self.parameters))
+    }
+
+    /// The fire has this value now, whoever set it.
+    pub fn learn(&mut self, id: &str, input: Input<'_>) {
+        let Some(param) = Param::find(id) else {
+            return;
+        };
+        if self.under_way.contains_key(param.id) {
+            return;
+        }
+        let before = param.get(&self.parameters);
+        // A value that the table refuses cannot come from this version of the
+        // fire; the panel then keeps showing the last good one.
+        if self.parameters.set(param.id, input).is_ok() && param.get(&self.parameters) != before {
+            self.refusals.remove(param.id);
+        }
+    }
+
+    /// A wish for `id` was sent.
+    pub fn sent(&mut self, id: &'static str) {
+        *self.under_way.entry(id).or_default() += 1;
+    }
+
+    /// A wish for `id` was answered; true when none is left under way, so that
+    /// the fire's own value should be read again.
+    pub fn answered(&mut self, id: &'static str) -> bool {
+        match self.under_way.get_mut(id) {
+            Some(count) if *count > 1 => {
+                *count -= 1;
+                false
+            }
+            _ => {
+                self.under_way.remove(id);
+                true
+            }
+        }
+    }
+
+    /// The newest numbers.
+    pub fn measure(&mut self, stats: Stats) {
+        self.stats = stats;
+        if self.history.len() == HISTORY {
+            self.history.pop_front();
+        }
+        self.history.push_back(stats.fps as f32);
+    }
+
+    /// The ids whose value is not the default.
+    pub fn changed(&self) -> Vec<&'static str> {
+        self.parameters
+            .changed()
+            .map(|(param, _)| param.id)
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn old_news_does_not_move_a_slider_that_is_being_dragged() {
+        let mut fire = Fire::default();
+        let viscosity = Param::find("viscosity").expect("the table has viscosity");
+        fire.wish(viscosity, Input::Number(0.08)).expect("in range");
+        fire.sent("viscosity");
+        fire.sent("viscosity");
+        fire.learn("viscosity", Input::Number(0.01));
+        assert_eq!(fire.parameters.viscosity, 0.08);
+        assert!(!fire.answered("viscosity"));
+        assert!(fire.answered("viscosity"));
+        fire.learn("viscosity", Input::Number(0.01));
+        assert_eq!(fire.parameters.viscosity, 0.01);
+    }
+
+    #[test]
+    fn a_refused_wish_changes_nothing_and_says_why() {
+        let mut fire = Fire::default();
+        let viscosity = Param::find("viscosity").expect("the table has viscosity");
+        let before = fire.parameters.clone();
+        let refused = fire
+            .wish(viscosity, Input::Text("7"))
+            .expect_err("7 is out of range");
+        let text = refused.to_string();
+        assert!(text.contains("viscosity") && text.contains('7') && text.contains("0.1"));
+        assert_eq!(fire.parameters, before);
+    }
+
+    #[test]
+    fn the_history_keeps_half_a_minute() {
+        let mut fire = Fire::default();
+        for fps in 0..1000 {
+            fire.measure(Stats {
+                fps: f64::from(fps),
+                ..Stats::default()
+            });
+        }
+        assert_eq!(fire.history.len(), HISTORY);
+        assert_eq!(fire.history.back(), Some(&999.0));
+    }
+}

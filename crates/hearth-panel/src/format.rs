@@ -1,0 +1,182 @@
+//! Numbers as a person reads and types them.
+//!
+//! A slider moves in steps that are worth reading (0.031, not 0.0312499), a
+//! value is shown with four significant digits at most, and what is typed may
+//! carry its unit or a decimal comma. Nothing here checks a range: the one
+//! validator of hearth-core does.
+
+use hearth_core::params::{Param, Scale, Value};
+
+/// `x` with at most `digits` significant digits, without idle zeros.
+pub fn significant(x: f64, digits: i32) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return "0".to_owned();
+    }
+    let magnitude = x.abs().log10().floor() as i32;
+    let decimals = (digits - 1 - magnitude).clamp(0, 12) as usize;
+    let text = format!("{x:.decimals$}");
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
+/// A value as its row shows it, without the unit.
+pub fn value_text(value: &Value) -> String {
+    match value {
+        Value::Number(_) => significant(value.as_number().unwrap_or_default(), 4),
+        Value::Integer(_)
+        | Value::Seed(_)
+        | Value::Choice(_)
+        | Value::Flag(_)
+        | Value::Colour(_) => value.to_string(),
+    }
+}
+
+/// A bound of a range, with its unit.
+pub fn bound_text(bound: f64, unit: &str) -> String {
+    with_unit(&significant(bound, 10), unit)
+}
+
+/// `text` followed by its unit, where it has one.
+pub fn with_unit(text: &str, unit: &str) -> String {
+    if unit.is_empty() {
+        text.to_owned()
+    } else {
+        format!("{text} {unit}")
+    }
+}
+
+/// A count in groups of three digits: 12 345.
+pub fn count_text(count: f64) -> String {
+    let digits = format!("{:.0}", count.max(0.0));
+    let mut text = String::new();
+    for (at, digit) in digits.chars().enumerate() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            text.push('\u{a0}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// What somebody typed, as the validator wants it: without the unit, with a
+/// decimal point.
+pub fn typed_text(text: &str, param: &Param) -> String {
+    let text = text.trim();
+    let text = match param.unit {
+        "" => text,
+        unit => text.strip_suffix(unit).unwrap_or(text).trim_end(),
+    };
+    let commas = text.matches(',').count();
+    if commas == 1 && !text.contains('.') {
+        text.replace(',', ".")
+    } else {
+        text.to_owned()
+    }
+}
+
+/// The step of a linear slider, so that a range has some hundred of them: a
+/// power of ten.
+pub fn step(range: (f64, f64)) -> f64 {
+    let span = range.1 - range.0;
+    if span <= 0.0 {
+        return 1.0;
+    }
+    10_f64.powf((span / 500.0).log10().round())
+}
+
+/// Where `x` stands on the slider: 0 at the left end, 1 at the right one.
+pub fn fraction(x: f64, range: (f64, f64), scale: Scale) -> f64 {
+    let (min, max) = range;
+    let fraction = match scale {
+        Scale::Log if min > 0.0 => (x / min).ln() / (max / min).ln(),
+        Scale::Log | Scale::Linear => (x - min) / (max - min),
+    };
+    if fraction.is_finite() {
+        fraction.clamp(0.0, 1.0)
+    } else {
+        0.0
+    }
+}
+
+/// The value at a place of the slider, rounded to a step worth reading; the
+/// ends of the range are reached exactly.
+pub fn value_at(fraction: f64, range: (f64, f64), scale: Scale, whole: bool) -> f64 {
+    let (min, max) = range;
+    if fraction <= 0.0 {
+        return min;
+    }
+    if fraction >= 1.0 {
+        return max;
+    }
+    let rounded = match scale {
+        Scale::Log if min > 0.0 => {
+            let x = min * (max / min).powf(fraction);
+            significant(x, 3).parse().unwrap_or(x)
+        }
+        Scale::Log | Scale::Linear => {
+            let step = step(range);
+            let x = ((min + (max - min) * fraction) / step).round() * step;
+            // The product leaves a tail (0.30000000000000004): cut it.
+            significant(x, 12).parse().unwrap_or(x)
+        }
+    };
+    let rounded = if whole { rounded.round() } else { rounded };
+    rounded.clamp(min, max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hearth_core::params::{Kind, Model, PARAMETERS};
+
+    #[test]
+    fn shown_numbers_are_short_and_true() {
+        assert_eq!(significant(0.004_166_667, 4), "0.004167");
+        assert_eq!(significant(0.05, 4), "0.05");
+        assert_eq!(significant(1900.0, 4), "1900");
+        assert_eq!(significant(123_456.7, 4), "123457");
+        assert_eq!(significant(-2.5, 4), "-2.5");
+        assert_eq!(significant(0.0, 4), "0");
+        assert_eq!(count_text(1_234_567.0), "1\u{a0}234\u{a0}567");
+        assert_eq!(count_text(999.0), "999");
+    }
+
+    #[test]
+    fn typing_may_carry_the_unit_and_a_decimal_comma() {
+        let gravity = Param::find("gravity").expect("the table has gravity");
+        assert_eq!(typed_text(" 9,5 m/s² ", gravity), "9.5");
+        assert_eq!(typed_text("1,000.5", gravity), "1,000.5");
+        assert_eq!(typed_text("nonsense", gravity), "nonsense");
+    }
+
+    #[test]
+    fn every_slider_reaches_its_ends_and_never_leaves_its_range() {
+        for param in PARAMETERS {
+            let (Kind::Number(scale) | Kind::Integer(scale)) = param.kind else {
+                continue;
+            };
+            let whole = matches!(param.kind, Kind::Integer(_));
+            let range = param
+                .domain(Model::Classic)
+                .expect("all belong to it")
+                .range;
+            assert_eq!(value_at(0.0, range, scale, whole), range.0, "{}", param.id);
+            assert_eq!(value_at(1.0, range, scale, whole), range.1, "{}", param.id);
+            let mut last = range.0;
+            for percent in 0..=100 {
+                let at = f64::from(percent) / 100.0;
+                let x = value_at(at, range, scale, whole);
+                assert!(x >= last && x <= range.1, "{} at {percent} %", param.id);
+                assert!(
+                    (fraction(x, range, scale) - at).abs() < 0.02,
+                    "{} at {percent} % shows {x}",
+                    param.id
+                );
+                last = x;
+            }
+        }
+    }
+}

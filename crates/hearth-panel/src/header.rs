@@ -1,0 +1,263 @@
+//! The header: how the fire does, play and pause, presets, search.
+
+use egui::{Align2, Color32, Id, Rect, TextEdit, Ui, UiBuilder, pos2, vec2};
+use hearth_core::preset::PRESETS;
+
+use crate::button::{self, Face};
+use crate::fire::Command;
+use crate::format::{count_text, significant};
+use crate::history;
+use crate::icons::Icon;
+use crate::panel::{Panel, strip};
+use crate::{row, theme};
+
+/// The part that never scrolls: one line where there is little height.
+pub fn fixed(panel: &mut Panel, ui: &mut Ui, low: bool) {
+    if low {
+        let line = strip(ui, panel.measures.control);
+        let width = 3.0 * panel.measures.control + 12.0;
+        let buttons = Rect::from_min_max(pos2(line.right() - width, line.top()), line.max);
+        brief(panel, ui, line);
+        transport(panel, ui, buttons, true);
+    } else {
+        numbers(panel, ui);
+        ui.add_space(4.0);
+        let plot = strip(ui, 34.0);
+        history::show(ui, plot, &panel.fire.history);
+        ui.add_space(8.0);
+        let buttons = strip(ui, panel.measures.control);
+        transport(panel, ui, buttons, false);
+        ui.add_space(8.0);
+        movable_rows(panel, ui);
+    }
+    if let Some(notice) = panel.fire.notice.clone() {
+        ui.add_space(6.0);
+        row::paragraph(ui, &notice, theme::ERROR);
+    }
+}
+
+/// The part that scrolls with the rows where there is little height.
+pub fn movable(panel: &mut Panel, ui: &mut Ui) {
+    ui.add_space(4.0);
+    movable_rows(panel, ui);
+    ui.add_space(6.0);
+    let plot = strip(ui, 30.0);
+    history::show(ui, plot, &panel.fire.history);
+}
+
+fn movable_rows(panel: &mut Panel, ui: &mut Ui) {
+    presets(panel, ui);
+    ui.add_space(8.0);
+    search(panel, ui);
+}
+
+/// Frame rate in large figures, particles and milliseconds beside it.
+fn numbers(panel: &Panel, ui: &mut Ui) {
+    let rect = strip(ui, 36.0);
+    let stats = panel.fire.stats;
+    let painter = ui.painter();
+    let fps = painter.text(
+        rect.left_center(),
+        Align2::LEFT_CENTER,
+        format!("{:.0}", stats.fps),
+        theme::large(),
+        theme::ACCENT,
+    );
+    painter.text(
+        pos2(fps.right() + 6.0, fps.bottom() - 6.0),
+        Align2::LEFT_BOTTOM,
+        "FPS",
+        theme::small(),
+        theme::WEAK,
+    );
+    let right = |y: f32, text: String, ink| {
+        let at = pos2(rect.right(), y);
+        painter.text(at, Align2::RIGHT_CENTER, text, theme::small(), ink);
+    };
+    right(
+        rect.top() + 9.0,
+        format!("{} particles", count_text(stats.particles)),
+        theme::TEXT,
+    );
+    let (times, ink) = times(panel, false);
+    right(rect.top() + 27.0, times, ink);
+}
+
+/// The same in one short line.
+fn brief(panel: &Panel, ui: &Ui, line: Rect) {
+    let stats = panel.fire.stats;
+    let painter = ui.painter();
+    let fps = painter.text(
+        line.left_center(),
+        Align2::LEFT_CENTER,
+        format!("{:.0}", stats.fps),
+        theme::large(),
+        theme::ACCENT,
+    );
+    let left = fps.right() + 5.0;
+    let unit = painter.text(
+        pos2(left, fps.bottom() - 6.0),
+        Align2::LEFT_BOTTOM,
+        "FPS",
+        theme::small(),
+        theme::WEAK,
+    );
+    let (times, ink) = times(panel, true);
+    let lines = [
+        (
+            format!("{} particles", count_text(stats.particles)),
+            theme::TEXT,
+        ),
+        (times, ink),
+    ];
+    let x = unit.right() + 14.0;
+    for ((text, ink), y) in lines.into_iter().zip([-8.0, 8.0]) {
+        let at = pos2(x, line.center().y + y);
+        painter.text(at, Align2::LEFT_CENTER, text, theme::small(), ink);
+    }
+}
+
+/// What a frame and a step cost, or that they cost too much.
+fn times(panel: &Panel, low: bool) -> (String, Color32) {
+    let stats = panel.fire.stats;
+    if stats.slowed {
+        return ("slower than real time".to_owned(), theme::ERROR);
+    }
+    let ms = |x: f64| format!("{} ms", significant(x, 2));
+    let frame = format!("frame {}", ms(stats.frame_ms()));
+    if low {
+        (frame, theme::WEAK)
+    } else {
+        (format!("{frame} · step {}", ms(stats.step_ms)), theme::WEAK)
+    }
+}
+
+fn transport(panel: &mut Panel, ui: &Ui, rect: Rect, bare: bool) {
+    let paused = panel.fire.paused;
+    let word = |text: &'static str| if bare { "" } else { text };
+    let pause = if paused {
+        Face {
+            lit: true,
+            ..Face::new(Icon::Play, word("Play"))
+        }
+    } else {
+        Face::new(Icon::Pause, word("Pause"))
+    };
+    let faces = [
+        ("action:pause", pause, "Let time pass, or hold it"),
+        (
+            "action:step",
+            Face::new(Icon::Step, word("Step")),
+            "One step of the simulation",
+        ),
+        (
+            "action:reset",
+            Face::new(Icon::Restart, word("Restart")),
+            "Start the fire again with these values",
+        ),
+    ];
+    for (rect, (name, face, hint)) in button::split(rect, faces.len(), 6.0).zip(faces) {
+        let response = button::show(ui, rect, Id::unique(name), face).on_hover_text(hint);
+        panel.place(ui, name, rect);
+        if !response.clicked() {
+            continue;
+        }
+        match name {
+            "action:pause" if paused => panel.ask(Command::Play),
+            "action:pause" => panel.ask(Command::Pause),
+            "action:step" => {
+                if !paused {
+                    panel.ask(Command::Pause);
+                }
+                panel.ask(Command::Step);
+            }
+            _ => panel.ask(Command::Reset),
+        }
+    }
+}
+
+fn presets(panel: &mut Panel, ui: &mut Ui) {
+    const IN_A_LINE: usize = 3;
+    for (line, presets) in PRESETS.chunks(IN_A_LINE).enumerate() {
+        if line > 0 {
+            ui.add_space(6.0);
+        }
+        let mut rect = strip(ui, panel.measures.control);
+        ui.painter().text(
+            rect.left_center(),
+            Align2::LEFT_CENTER,
+            if line == 0 { "Preset" } else { "" },
+            theme::small(),
+            theme::WEAK,
+        );
+        rect.min.x += 56.0;
+        let parts = presets.len().max(PRESETS.len().min(IN_A_LINE));
+        for (rect, preset) in button::split(rect, parts, 6.0).zip(presets) {
+            let face = Face {
+                lit: preset.parameters() == panel.fire.parameters,
+                ..Face::text(preset.label)
+            };
+            let name = format!("action:preset:{}", preset.name);
+            let clicked = button::show(ui, rect, Id::unique(&name), face).clicked();
+            panel.place(ui, name, rect);
+            if clicked {
+                panel.fire.refusals.clear();
+                panel.ask(Command::Preset(preset.name));
+            }
+        }
+    }
+}
+
+fn search(panel: &mut Panel, ui: &mut Ui) {
+    let rect = strip(ui, panel.measures.control);
+    let changed = panel.fire.changed();
+    let (field, reset) = rect.split_left_right_at_x(rect.right() - 100.0);
+    let field = field.with_max_x(field.right() - 6.0);
+
+    let mut edit = TextEdit::singleline(&mut panel.search)
+        .id(Id::unique("search"))
+        .hint_text("Search")
+        .desired_width(field.width())
+        .min_size(field.size())
+        .align(Align2::LEFT_CENTER)
+        .char_limit(60);
+    edit = edit.margin(egui::Margin {
+        left: 28,
+        right: 26,
+        top: 2,
+        bottom: 2,
+    });
+    ui.scope_builder(UiBuilder::new().max_rect(field), |ui| ui.add(edit));
+    let glass = pos2(field.left() + 15.0, field.center().y);
+    Icon::Search.paint(ui.painter(), glass, 14.0, theme::WEAK);
+    panel.place(ui, "search", field);
+    if !panel.search.is_empty() {
+        let cross = Rect::from_center_size(
+            pos2(field.right() - 14.0, field.center().y),
+            vec2(26.0, field.height()),
+        );
+        if button::show(
+            ui,
+            cross,
+            Id::unique("search-clear"),
+            Face::bare(Icon::Cross),
+        )
+        .clicked()
+        {
+            panel.search.clear();
+        }
+    }
+
+    let face = Face {
+        enabled: !changed.is_empty(),
+        ..Face::new(Icon::Reset, "Reset all")
+    };
+    let name = "action:reset-all";
+    let response = button::show(ui, reset, Id::unique(name), face)
+        .on_hover_text("Every parameter back to its default");
+    panel.place(ui, name, reset);
+    if response.clicked() {
+        panel.fire.refusals.clear();
+        panel.ask(Command::Restore(changed));
+    }
+}

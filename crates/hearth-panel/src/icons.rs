@@ -1,0 +1,131 @@
+//! The panel's icons, painted with lines: the font has none.
+
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+
+/// A picture on a button.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Icon {
+    /// Let time pass.
+    Play,
+    /// Hold it.
+    Pause,
+    /// One step.
+    Step,
+    /// From the start.
+    Restart,
+    /// Back to the default.
+    Reset,
+    /// Any number.
+    Dice,
+    /// Look for something.
+    Search,
+    /// Empty a field.
+    Cross,
+}
+
+impl Icon {
+    /// Paints the icon in a square of `size` points around `centre`.
+    pub fn paint(self, painter: &Painter, centre: Pos2, size: f32, colour: Color32) {
+        let r = size / 2.0;
+        let stroke = Stroke::new((size / 9.0).max(1.3), colour);
+        let at = |x: f32, y: f32| centre + vec2(x * r, y * r);
+        let bar = |x: f32| {
+            painter.rect_filled(
+                Rect::from_center_size(at(x, 0.0), vec2(0.36 * r, 1.5 * r)),
+                1.0,
+                colour,
+            );
+        };
+        match self {
+            Icon::Play => {
+                painter.add(triangle(
+                    [at(-0.5, -0.8), at(0.85, 0.0), at(-0.5, 0.8)],
+                    colour,
+                ));
+            }
+            Icon::Pause => {
+                bar(-0.4);
+                bar(0.4);
+            }
+            Icon::Step => {
+                painter.add(triangle(
+                    [at(-0.7, -0.75), at(0.4, 0.0), at(-0.7, 0.75)],
+                    colour,
+                ));
+                bar(0.65);
+            }
+            Icon::Restart => {
+                turn(painter, centre, 0.75 * r, false, stroke);
+            }
+            Icon::Reset => {
+                turn(painter, centre, 0.75 * r, true, stroke);
+            }
+            Icon::Dice => {
+                let face = Rect::from_center_size(centre, vec2(1.7 * r, 1.7 * r));
+                painter.rect_stroke(face, 0.35 * r, stroke, egui::StrokeKind::Inside);
+                for (x, y) in [
+                    (-0.4, -0.4),
+                    (0.4, -0.4),
+                    (0.0, 0.0),
+                    (-0.4, 0.4),
+                    (0.4, 0.4),
+                ] {
+                    painter.circle_filled(at(x, y), 0.15 * r, colour);
+                }
+            }
+            Icon::Search => {
+                painter.circle_stroke(at(-0.15, -0.15), 0.55 * r, stroke);
+                painter.line_segment([at(0.25, 0.25), at(0.8, 0.8)], stroke);
+            }
+            Icon::Cross => {
+                painter.line_segment([at(-0.5, -0.5), at(0.5, 0.5)], stroke);
+                painter.line_segment([at(0.5, -0.5), at(-0.5, 0.5)], stroke);
+            }
+        }
+    }
+}
+
+/// A heading's arrow: down when what is under it is shown.
+pub fn chevron(painter: &Painter, centre: Pos2, open: bool, colour: Color32) {
+    let points = if open {
+        vec![
+            pos2(centre.x - 4.0, centre.y - 2.0),
+            pos2(centre.x, centre.y + 2.5),
+            pos2(centre.x + 4.0, centre.y - 2.0),
+        ]
+    } else {
+        vec![
+            pos2(centre.x - 2.0, centre.y - 4.0),
+            pos2(centre.x + 2.5, centre.y),
+            pos2(centre.x - 2.0, centre.y + 4.0),
+        ]
+    };
+    painter.line(points, Stroke::new(1.6, colour));
+}
+
+/// Most of a circle with an arrow head at its end: to the left undoes, to the
+/// right does again.
+fn turn(painter: &Painter, centre: Pos2, radius: f32, to_the_left: bool, stroke: Stroke) {
+    use std::f32::consts::TAU;
+    let mirror = if to_the_left { -1.0 } else { 1.0 };
+    let place = |turns: f32, radius: f32| {
+        let (sin, cos) = (turns * TAU).sin_cos();
+        centre + vec2(mirror * cos * radius, sin * radius)
+    };
+    // From the top right clockwise around to the right, open at the upper right.
+    let points = (0..=20).map(|i| place(-0.12 + 0.78 - 0.78 * i as f32 / 20.0 + 0.12, radius));
+    painter.line(points.collect(), stroke);
+    let tip = place(0.0, radius);
+    painter.add(triangle(
+        [
+            tip + vec2(-mirror * 0.55 * radius, 0.1 * radius),
+            tip + vec2(mirror * 0.55 * radius, 0.1 * radius),
+            tip + vec2(0.0, -0.65 * radius),
+        ],
+        stroke.color,
+    ));
+}
+
+fn triangle(points: [Pos2; 3], colour: Color32) -> Shape {
+    Shape::convex_polygon(points.to_vec(), colour, Stroke::NONE)
+}

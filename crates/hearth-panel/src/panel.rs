@@ -1,0 +1,243 @@
+//! The whole panel: a header that stays, and the rows of the parameter table
+//! that scroll under it.
+//!
+//! Nothing is listed by hand: groups, rows and controls come from the table.
+//! Where there is little height (the sheet on a phone) only the most important
+//! line stays and the rest scrolls with the rows. The panel remembers where
+//! each control stands, so that a mirror of it in the page's own controls, and
+//! tests with a real mouse, can find it.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use egui::{Align, Frame, Id, Margin, Rect, ScrollArea, Sense, Ui, UiBuilder, pos2, vec2};
+use hearth_core::params::{Param, Value};
+
+use crate::colour::OpenColour;
+use crate::field::Typing;
+use crate::fire::{Command, Fire};
+use crate::slider::Gesture;
+use crate::theme::{self, Measures};
+use crate::{header, icons, row, search};
+
+/// Below this height the header keeps one line.
+const LOW: f32 = 440.0;
+
+/// Empty space after the last row, so that it can be brought above whatever
+/// the page lays over the panel's lower edge (the mirror's control that has the
+/// focus).
+const END: i8 = 84;
+
+/// The panel's state.
+#[derive(Debug)]
+pub struct Panel {
+    /// What it knows about the fire.
+    pub fire: Fire,
+    /// Whether the last press came from a finger.
+    pub finger: bool,
+    /// Sizes for the finger or the mouse.
+    pub measures: Measures,
+    /// Whether a wheel over the panel would still move it, up and down.
+    pub scrolls: (bool, bool),
+    pub(crate) search: String,
+    pub(crate) typing: Option<Typing>,
+    pub(crate) colour: Option<OpenColour>,
+    /// The parameter whose doc is shown in its row.
+    pub(crate) told: Option<&'static str>,
+    /// The parameter that the page's own controls point at.
+    pub(crate) shown: Option<&'static str>,
+    pub(crate) revealing: bool,
+    pub(crate) gesture: Option<(Id, Gesture)>,
+    closed: BTreeSet<&'static str>,
+    rectangles: BTreeMap<String, Rect>,
+    commands: Vec<Command>,
+}
+
+impl Panel {
+    /// A panel that knows the defaults only.
+    pub fn new(measures: Measures) -> Panel {
+        Panel {
+            fire: Fire::default(),
+            finger: false,
+            measures,
+            scrolls: (false, false),
+            search: String::new(),
+            typing: None,
+            colour: None,
+            told: None,
+            shown: None,
+            revealing: false,
+            gesture: None,
+            closed: BTreeSet::new(),
+            rectangles: BTreeMap::new(),
+            commands: Vec::new(),
+        }
+    }
+
+    /// Shows the panel in all of `ui` and takes its input.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        self.rectangles.clear();
+        let area = ui.max_rect();
+        ui.painter().rect_filled(area, 0.0, theme::GROUND);
+        if area.width() < 120.0 || area.height() < 80.0 {
+            return;
+        }
+        let low = area.height() < LOW;
+        let inner = area.shrink2(vec2(14.0, if low { 6.0 } else { 12.0 }));
+        let bottom = ui
+            .scope_builder(UiBuilder::new().max_rect(inner), |ui| {
+                header::fixed(self, ui, low);
+                ui.min_rect().bottom()
+            })
+            .inner;
+        let body = Rect::from_min_max(pos2(area.left(), bottom + 6.0), area.max);
+        ui.painter()
+            .hline(area.x_range(), body.top(), (1.0, theme::LINE));
+        ui.scope_builder(UiBuilder::new().max_rect(body), |ui| self.body(ui, low));
+        if !ui.input(|input| input.pointer.any_down()) {
+            self.gesture = None;
+        }
+        self.revealing = false;
+    }
+
+    fn body(&mut self, ui: &mut Ui, low: bool) {
+        let output = ScrollArea::vertical()
+            .id_salt("parameters")
+            .auto_shrink(false)
+            .show(ui, |ui| {
+                Frame::new()
+                    .inner_margin(Margin {
+                        left: 14,
+                        right: 14,
+                        top: 4,
+                        bottom: END,
+                    })
+                    .show(ui, |ui| {
+                        if low {
+                            header::movable(self, ui);
+                        }
+                        self.groups(ui);
+                    });
+            });
+        let hidden = output.content_size.y - output.inner_rect.height();
+        let offset = output.state.clamped_offset().y;
+        let inside = ui.rect_contains_pointer(output.inner_rect);
+        self.scrolls = (inside && offset > 0.5, inside && offset < hidden - 0.5);
+    }
+
+    fn groups(&mut self, ui: &mut Ui) {
+        let searching = !self.search.trim().is_empty();
+        let found: Vec<&'static Param> = self
+            .fire
+            .used()
+            .filter(|param| search::matches(&self.search, param))
+            .collect();
+        if found.is_empty() {
+            ui.add_space(12.0);
+            row::paragraph(ui, "No parameter matches this.", theme::WEAK);
+        }
+        for group in found.chunk_by(|a, b| a.group == b.group) {
+            let name = group[0].group;
+            let open = self.heading(ui, name, searching);
+            if open {
+                for param in group {
+                    row::show(self, ui, param);
+                }
+                ui.add_space(4.0);
+            }
+        }
+    }
+
+    fn heading(&mut self, ui: &mut Ui, name: &'static str, searching: bool) -> bool {
+        let rect = strip(ui, self.measures.control + 4.0);
+        let response = ui
+            .interact(rect, Id::unique(("group", name)), Sense::click())
+            .on_hover_cursor(egui::CursorIcon::PointingHand);
+        if response.clicked() && !searching && !self.closed.remove(name) {
+            self.closed.insert(name);
+        }
+        let open = searching || !self.closed.contains(name);
+        self.place(ui, format!("group:{name}"), rect);
+        let ink = if response.hovered() {
+            theme::TEXT
+        } else {
+            theme::ACCENT
+        };
+        let painter = ui.painter();
+        icons::chevron(painter, pos2(rect.left() + 5.0, rect.center().y), open, ink);
+        let galley = painter.layout_no_wrap(name.to_owned(), theme::body(), ink);
+        let x = rect.left() + 18.0;
+        let line = (x + galley.size().x + 10.0)..=rect.right();
+        painter.galley(
+            pos2(x, rect.center().y - galley.size().y / 2.0),
+            galley,
+            ink,
+        );
+        painter.hline(line, rect.center().y, (1.0, theme::LINE));
+        open
+    }
+
+    /// Brings the row of a parameter into sight and marks it; an id that is
+    /// none takes the mark away.
+    pub fn reveal(&mut self, id: &str) {
+        let param = Param::find(id);
+        self.shown = param.map(|param| param.id);
+        if let Some(param) = param {
+            self.revealing = true;
+            self.closed.remove(param.group);
+            if !search::matches(&self.search, param) {
+                self.search.clear();
+            }
+        }
+    }
+
+    /// Whether somebody types in the panel.
+    pub fn is_typing(&self, ctx: &egui::Context) -> bool {
+        ctx.text_edit_focused()
+    }
+
+    /// Where each visible control stands, in points.
+    pub fn rectangles(&self) -> &BTreeMap<String, Rect> {
+        &self.rectangles
+    }
+
+    /// Remembers where a control stands, if it can be seen and touched there.
+    pub(crate) fn place(&mut self, ui: &Ui, name: impl Into<String>, rect: Rect) {
+        if ui.clip_rect().expand(1.0).contains_rect(rect) {
+            self.rectangles.insert(name.into(), rect);
+        }
+    }
+
+    pub(crate) fn ask(&mut self, command: Command) {
+        self.commands.push(command);
+    }
+
+    /// Asks for a value that has been checked.
+    pub(crate) fn ask_for(&mut self, param: &'static Param, value: Value) {
+        self.ask(Command::Set(param.id, value));
+    }
+
+    /// What it asks of the fire since the last call.
+    pub fn take_commands(&mut self) -> Vec<Command> {
+        std::mem::take(&mut self.commands)
+    }
+}
+
+/// Takes a strip of the whole width.
+pub(crate) fn strip(ui: &mut Ui, height: f32) -> Rect {
+    let size = vec2(ui.available_width(), height);
+    let (_, rect) = ui.allocate_space(size);
+    rect
+}
+
+/// Brings `rect` into sight, above what may lie over the lower edge.
+pub(crate) fn in_sight(ui: &Ui, mut rect: Rect) {
+    rect.max.y += f32::from(END);
+    // The middle, unless that would push the row out at the top.
+    let align = if rect.height() > ui.clip_rect().height() {
+        Align::Min
+    } else {
+        Align::Center
+    };
+    let at_once = egui::style::ScrollAnimation::none();
+    ui.scroll_to_rect_animation(rect, Some(align), at_once);
+}

@@ -1,0 +1,142 @@
+//! One parameter's row: its name, its value, its control, its way back to the
+//! default, and in words why a value was refused.
+
+use egui::{Align2, Color32, CursorIcon, Id, Rect, Response, Sense, Shape, Ui, pos2, vec2};
+use hearth_core::params::{Kind, Param};
+
+use crate::button::{self, Face};
+use crate::fire::Command;
+use crate::format::{bound_text, value_text, with_unit};
+use crate::icons::Icon;
+use crate::panel::{Panel, in_sight, strip};
+use crate::{control, theme};
+
+/// Shows the row of `param`.
+pub fn show(panel: &mut Panel, ui: &mut Ui, param: &'static Param) {
+    let ground = ui.painter().add(Shape::Noop);
+    let top = ui.cursor().top();
+    match param.kind {
+        Kind::Number(scale) => control::number(panel, ui, param, scale, false),
+        Kind::Integer(scale) => control::number(panel, ui, param, scale, true),
+        Kind::Seed => control::seed(panel, ui, param),
+        Kind::Flag => control::flag(panel, ui, param),
+        Kind::Choice(names) => control::choice(panel, ui, param, names),
+        Kind::Colour => crate::colour::show(panel, ui, param),
+    }
+    if let Some(refusal) = panel.fire.refusals.get(param.id) {
+        paragraph(ui, refusal, theme::ERROR);
+    }
+    if panel.told == Some(param.id) {
+        paragraph(ui, &explanation(panel, param), theme::WEAK);
+    }
+    let space = ui.max_rect();
+    let rect = Rect::from_x_y_ranges(space.x_range(), top..=ui.cursor().top());
+    if panel.shown == Some(param.id) {
+        let fill = Shape::rect_filled(rect.expand2(vec2(8.0, 2.0)), 6.0, theme::RAISED);
+        ui.painter().set(ground, fill);
+        if panel.revealing {
+            in_sight(ui, rect);
+        }
+    }
+    ui.add_space(panel.measures.gap);
+}
+
+/// The first line of a row: the name, and beside it the way back to the
+/// default, where there is anything to go back from. Returns what is left of
+/// the line, for the value or the control.
+pub fn line(panel: &mut Panel, ui: &mut Ui, param: &'static Param, height: f32) -> Rect {
+    let rect = strip(ui, height);
+    let label = ui.painter().layout_no_wrap(
+        param.description().label.to_owned(),
+        theme::body(),
+        theme::TEXT,
+    );
+    let name = Rect::from_min_size(rect.min, vec2(label.size().x + 4.0, rect.height()));
+    let response = ui
+        .interact(name, Id::unique(("name", param.id)), Sense::click())
+        .on_hover_cursor(CursorIcon::Help);
+    let ink = if response.hovered() {
+        theme::ACCENT
+    } else {
+        theme::TEXT
+    };
+    let at = pos2(rect.left(), rect.center().y - label.size().y / 2.0);
+    ui.painter().galley_with_override_text_color(at, label, ink);
+    panel.place(ui, format!("label:{}", param.id), name);
+    name_pressed(panel, param, &response);
+    let about = explanation(panel, param);
+    if !panel.finger {
+        response.on_hover_text(about);
+    }
+
+    let slot = if panel.finger { 36.0 } else { 24.0 };
+    let back = Rect::from_min_size(name.right_top(), vec2(slot, rect.height()));
+    if param.get(&panel.fire.parameters) != panel.fire.default_of(param) {
+        let key = format!("action:restore:{}", param.id);
+        let response = button::show(ui, back, Id::unique(&key), Face::bare(Icon::Reset));
+        panel.place(ui, key, back);
+        if response.on_hover_text("Back to the default").clicked() {
+            restore(panel, param);
+        }
+    }
+    Rect::from_min_max(pos2(back.right() + 4.0, rect.top()), rect.max)
+}
+
+/// A finger has no hover: it taps the name to read about it.
+fn name_pressed(panel: &mut Panel, param: &'static Param, response: &Response) {
+    if response.double_clicked() {
+        restore(panel, param);
+    }
+    if response.clicked() && panel.finger {
+        panel.told = (panel.told != Some(param.id)).then_some(param.id);
+    }
+}
+
+fn restore(panel: &mut Panel, param: &'static Param) {
+    panel.fire.refusals.remove(param.id);
+    panel.typing = None;
+    panel.ask(Command::Restore(vec![param.id]));
+}
+
+/// What a parameter does, its default, its range and its name in HTML.
+fn explanation(panel: &Panel, param: &Param) -> String {
+    let default = with_unit(&value_text(&panel.fire.default_of(param)), param.unit);
+    let mut text = format!("{}\nDefault {default}", param.description().doc);
+    if let Kind::Number(_) | Kind::Integer(_) | Kind::Seed = param.kind {
+        let (min, max) = panel.fire.range_of(param);
+        text += &format!(
+            " · from {} to {}",
+            bound_text(min, ""),
+            bound_text(max, param.unit)
+        );
+    }
+    text + "\nAttribute " + &param.id.replace('_', "-")
+}
+
+/// Text over as many lines as it needs.
+pub fn paragraph(ui: &mut Ui, text: &str, ink: Color32) {
+    let width = ui.available_width();
+    let galley = ui
+        .painter()
+        .layout(text.to_owned(), theme::small(), ink, width);
+    let rect = strip(ui, galley.size().y + 4.0);
+    ui.painter().galley(rect.min, galley, ink);
+}
+
+/// A value with its unit at the right of `room`; returns where it stands.
+pub fn value(ui: &Ui, room: Rect, text: &str, unit: &str, ink: Color32) -> Rect {
+    let painter = ui.painter();
+    let mut place = Rect::from_min_max(room.right_center(), room.right_center());
+    if !unit.is_empty() {
+        place = painter.text(
+            room.right_center(),
+            Align2::RIGHT_CENTER,
+            unit,
+            theme::small(),
+            theme::WEAK,
+        );
+    }
+    let gap = if unit.is_empty() { 0.0 } else { 4.0 };
+    let at = pos2(place.left() - gap, room.center().y);
+    place.union(painter.text(at, Align2::RIGHT_CENTER, text, theme::body(), ink))
+}

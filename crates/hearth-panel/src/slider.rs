@@ -1,0 +1,187 @@
+//! The slider: a rail with a knob, for a mouse and for a finger.
+//!
+//! A mouse takes hold at once, wherever it presses. A finger may mean two
+//! things, so the first few points of its way decide: sideways moves the knob,
+//! up or down scrolls the panel and leaves the value alone; a tap sets. egui's
+//! own slider takes every touch as a drag, and a swipe over a panel full of
+//! sliders would change one of them each time.
+
+use egui::{Id, Key, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
+
+use crate::theme;
+
+/// How far a finger goes before its direction counts [points].
+const DECIDED: f32 = 7.0;
+
+/// What the finger or the mouse on a slider means, from press to release.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Gesture {
+    /// Not known yet.
+    Undecided(Pos2),
+    /// It moves the knob.
+    Slide,
+    /// It scrolls the panel.
+    Scroll,
+}
+
+/// What somebody did to a slider.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Moved {
+    /// The knob goes to this fraction of the rail.
+    To(f32),
+    /// So many steps up or down, by the arrow keys.
+    Steps(f32),
+}
+
+/// How a slider looks.
+pub struct Rail<'a> {
+    /// Where the knob stands, 0 to 1.
+    pub fraction: f32,
+    /// Where the default stands, if that is worth a mark.
+    pub mark: Option<f32>,
+    /// Colours along the rail instead of the ordinary fill.
+    pub colours: Option<&'a dyn Fn(f32) -> egui::Color32>,
+}
+
+/// Shows a slider in `rect`; `gesture` lives as long as the press.
+pub fn show(
+    ui: &Ui,
+    rect: Rect,
+    id: Id,
+    rail: &Rail<'_>,
+    finger: bool,
+    gesture: &mut Option<(Id, Gesture)>,
+) -> (Response, Option<Moved>) {
+    let response = ui
+        .interact(rect, id, Sense::click_and_drag())
+        .on_hover_and_drag_cursor(egui::CursorIcon::ResizeHorizontal);
+    let knob = (rect.height() * 0.42).min(9.0);
+    let (left, right) = (rect.left() + knob, rect.right() - knob);
+    let to = |pos: Pos2| Moved::To(((pos.x - left) / (right - left)).clamp(0.0, 1.0));
+    let moved = follow(ui, &response, finger, gesture, to).or_else(|| keys(ui, &response));
+    let fraction = match moved {
+        Some(Moved::To(fraction)) => fraction,
+        Some(Moved::Steps(_)) | None => rail.fraction,
+    };
+    if ui.is_rect_visible(rect) {
+        paint(ui, rect, rail, fraction, (left, right, knob), &response);
+    }
+    (response, moved)
+}
+
+fn follow(
+    ui: &Ui,
+    response: &Response,
+    finger: bool,
+    gesture: &mut Option<(Id, Gesture)>,
+    to: impl Fn(Pos2) -> Moved,
+) -> Option<Moved> {
+    let pos = response.interact_pointer_pos()?;
+    if !response.is_pointer_button_down_on() && !response.clicked() {
+        return None;
+    }
+    let start = if finger {
+        Gesture::Undecided(pos)
+    } else {
+        Gesture::Slide
+    };
+    let mut now = match *gesture {
+        Some((id, now)) if id == response.id => now,
+        _ => start,
+    };
+    if let Gesture::Undecided(origin) = now {
+        let way = pos - origin;
+        if way.length() > DECIDED {
+            now = if way.x.abs() >= way.y.abs() {
+                Gesture::Slide
+            } else {
+                Gesture::Scroll
+            };
+        }
+    }
+    *gesture = Some((response.id, now));
+    match now {
+        Gesture::Slide => {
+            response.request_focus();
+            Some(to(pos))
+        }
+        Gesture::Undecided(_) => response.clicked().then(|| to(pos)),
+        Gesture::Scroll => {
+            let way = ui.input(|input| input.pointer.delta().y);
+            ui.scroll_with_delta_animation(vec2(0.0, way), egui::style::ScrollAnimation::none());
+            None
+        }
+    }
+}
+
+/// The arrow keys move the slider that was touched last.
+fn keys(ui: &Ui, response: &Response) -> Option<Moved> {
+    if !response.has_focus() {
+        return None;
+    }
+    let filter = egui::EventFilter {
+        horizontal_arrows: true,
+        ..Default::default()
+    };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+    let steps = ui.input(|input| {
+        input.num_presses(Key::ArrowRight) as f32 - input.num_presses(Key::ArrowLeft) as f32
+    });
+    (steps != 0.0).then_some(Moved::Steps(steps))
+}
+
+fn paint(
+    ui: &Ui,
+    rect: Rect,
+    rail: &Rail<'_>,
+    fraction: f32,
+    (left, right, knob): (f32, f32, f32),
+    response: &Response,
+) {
+    let painter = ui.painter();
+    let y = rect.center().y;
+    let at = |fraction: f32| left + (right - left) * fraction;
+    let thick = if rail.colours.is_some() { 8.0 } else { 4.0 };
+    let line = |from: f32, to: f32| {
+        Rect::from_min_max(pos2(from, y - thick / 2.0), pos2(to, y + thick / 2.0))
+    };
+    match rail.colours {
+        Some(colours) => {
+            const PIECES: u32 = 24;
+            let mut band = egui::Mesh::default();
+            for piece in 0..=PIECES {
+                let part = piece as f32 / PIECES as f32;
+                let (x, colour) = (at(part), colours(part));
+                band.colored_vertex(pos2(x, y - thick / 2.0), colour);
+                band.colored_vertex(pos2(x, y + thick / 2.0), colour);
+                if piece > 0 {
+                    let corner = 2 * piece;
+                    band.add_triangle(corner - 2, corner - 1, corner);
+                    band.add_triangle(corner - 1, corner, corner + 1);
+                }
+            }
+            painter.add(egui::Shape::mesh(band));
+            painter.rect_stroke(
+                line(left, right),
+                1.0,
+                Stroke::new(1.0, theme::LINE),
+                StrokeKind::Outside,
+            );
+        }
+        None => {
+            painter.rect_filled(line(left - 2.0, right + 2.0), 2.0, theme::RAISED);
+            painter.rect_filled(line(left - 2.0, at(fraction)), 2.0, theme::ACCENT);
+        }
+    }
+    if let Some(mark) = rail.mark {
+        let tick = Rect::from_center_size(pos2(at(mark), y), Vec2::new(1.5, 10.0));
+        painter.rect_filled(tick, 0.0, theme::WEAK);
+    }
+    let centre = pos2(at(fraction), y);
+    let held = response.hovered() || response.is_pointer_button_down_on();
+    let fill = if held { theme::ACCENT } else { theme::TEXT };
+    painter.circle(centre, knob, fill, Stroke::new(1.5, theme::GROUND));
+    if response.has_focus() {
+        painter.circle_stroke(centre, knob + 2.0, Stroke::new(1.0, theme::ACCENT));
+    }
+}

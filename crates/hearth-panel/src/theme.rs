@@ -1,0 +1,157 @@
+//! Colours, measures and the font: dark, with a warm accent.
+//!
+//! The panel stands beside a fire, so it keeps darker than the fire and never
+//! animates. The font is a subset of Ubuntu Light (`font/README.md`).
+
+use std::sync::Arc;
+
+use egui::{Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Stroke, Vec2};
+
+/// Behind everything.
+pub const GROUND: Color32 = Color32::from_rgb(22, 18, 16);
+/// Buttons, fields, rails.
+pub const RAISED: Color32 = Color32::from_rgb(46, 38, 33);
+/// The same, under the pointer.
+pub const HOVERED: Color32 = Color32::from_rgb(66, 53, 45);
+/// Thin lines.
+pub const LINE: Color32 = Color32::from_rgb(58, 48, 42);
+/// Text.
+pub const TEXT: Color32 = Color32::from_rgb(240, 230, 220);
+/// Text that matters less; still 7:1 on the ground.
+pub const WEAK: Color32 = Color32::from_rgb(180, 165, 152);
+/// What is lit.
+pub const ACCENT: Color32 = Color32::from_rgb(255, 146, 64);
+/// What is lit, behind text.
+pub const EMBER: Color32 = Color32::from_rgb(118, 58, 22);
+/// What went wrong.
+pub const ERROR: Color32 = Color32::from_rgb(255, 122, 106);
+
+const FONT: &[u8] = include_bytes!("../font/Ubuntu-Light-derivative-Hearth.ttf");
+const FONT_NAME: &str = "Ubuntu Light derivative Hearth";
+
+/// Sizes, in points, for a mouse or for a finger.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measures {
+    /// Height of a line with a label in it.
+    pub line: f32,
+    /// Height of a slider.
+    pub rail: f32,
+    /// Height of a button, a field or a switch's row.
+    pub control: f32,
+    /// Space between rows.
+    pub gap: f32,
+}
+
+impl Measures {
+    /// For a mouse.
+    pub const FINE: Measures = Measures {
+        line: 20.0,
+        rail: 18.0,
+        control: 28.0,
+        gap: 7.0,
+    };
+    /// For a finger: nothing that is touched is lower than 36 points.
+    pub const COARSE: Measures = Measures {
+        line: 36.0,
+        rail: 36.0,
+        control: 40.0,
+        gap: 8.0,
+    };
+}
+
+/// The font of ordinary text.
+pub fn body() -> FontId {
+    FontId::proportional(14.5)
+}
+
+/// The font of units, hints and ranges.
+pub fn small() -> FontId {
+    FontId::proportional(13.0)
+}
+
+/// The font of the frame rate.
+pub fn large() -> FontId {
+    FontId::proportional(26.0)
+}
+
+/// Gives a context the panel's font and style.
+pub fn apply(ctx: &egui::Context) {
+    let mut fonts = FontDefinitions::empty();
+    fonts
+        .font_data
+        .insert(FONT_NAME.to_owned(), Arc::new(FontData::from_static(FONT)));
+    for family in [FontFamily::Proportional, FontFamily::Monospace] {
+        fonts.families.insert(family, vec![FONT_NAME.to_owned()]);
+    }
+    ctx.set_fonts(fonts);
+    ctx.set_theme(egui::Theme::Dark);
+    ctx.all_styles_mut(|style| {
+        style.override_font_id = Some(body());
+        style.animation_time = 0.0;
+        style.interaction.tooltip_delay = 0.4;
+        style.interaction.selectable_labels = false;
+        style.spacing.tooltip_width = 270.0;
+        style.spacing.item_spacing = Vec2::new(6.0, 0.0);
+        style.spacing.scroll.floating = true;
+        style.spacing.scroll.bar_width = 8.0;
+        style.spacing.scroll.dormant_handle_opacity = 0.35;
+        style.spacing.scroll.fade.strength = 0.0;
+
+        let visuals = &mut style.visuals;
+        visuals.panel_fill = GROUND;
+        visuals.window_fill = Color32::from_rgb(34, 28, 24);
+        visuals.window_stroke = Stroke::new(1.0, LINE);
+        visuals.extreme_bg_color = Color32::from_rgb(14, 11, 10);
+        visuals.override_text_color = Some(TEXT);
+        visuals.error_fg_color = ERROR;
+        visuals.selection.bg_fill = EMBER;
+        visuals.selection.stroke = Stroke::new(1.0, ACCENT);
+        visuals.text_cursor.stroke.color = ACCENT;
+        let widgets = &mut visuals.widgets;
+        for state in [
+            &mut widgets.noninteractive,
+            &mut widgets.inactive,
+            &mut widgets.hovered,
+            &mut widgets.active,
+            &mut widgets.open,
+        ] {
+            state.corner_radius = CornerRadius::same(5);
+            state.bg_stroke = Stroke::new(1.0, LINE);
+            state.fg_stroke.color = TEXT;
+        }
+        widgets.active.bg_stroke.color = ACCENT;
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hearth_core::params::{DESCRIPTIONS, Kind, PARAMETERS};
+    use hearth_core::preset::PRESETS;
+
+    #[test]
+    fn the_font_has_every_character_of_the_parameter_table() {
+        let mut texts: Vec<&str> = vec!["0123456789.,+-−e×·…°²³ρβ₀\u{a0}#"];
+        for (param, about) in PARAMETERS.iter().zip(DESCRIPTIONS) {
+            texts.extend([param.id, param.group, param.unit, about.label, about.doc]);
+            if let Kind::Choice(names) = param.kind {
+                texts.extend(names);
+            }
+        }
+        texts.extend(PRESETS.iter().flat_map(|p| [p.name, p.label]));
+
+        let ctx = egui::Context::default();
+        apply(&ctx);
+        let mut output = ctx.run_ui(egui::RawInput::default(), |ui| {
+            for text in &texts {
+                for character in text.chars().filter(|c| !c.is_control()) {
+                    assert!(
+                        ui.ctx().fonts_mut(|f| f.has_glyph(&body(), character)),
+                        "the font has no {character:?}, which {text:?} needs; see font/README.md"
+                    );
+                }
+            }
+        });
+        output.textures_delta.clear();
+    }
+}

@@ -1,0 +1,237 @@
+//! The `<hearth-fire>` element, spoken to through its public API alone.
+//!
+//! Its methods return promises, its events say what changed. A page may use a
+//! stand-in with the same API, so nothing here asks for a class, and whatever
+//! is missing or of the wrong type counts as nothing.
+
+use std::cell::RefCell;
+use std::rc::{Rc, Weak};
+use std::time::Duration;
+
+use hearth_core::params::{Input, PARAMETERS, Value};
+use js_sys::{Array, Function, Object, Promise, Reflect};
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::{JsFuture, spawn_local};
+use web_sys::{CustomEvent, Event, EventTarget};
+
+use super::listener::Listener;
+use crate::Panel;
+use crate::fire::{Command, Stats};
+
+/// The fire, as seen from the panel.
+pub struct Element {
+    fire: JsValue,
+    panel: Rc<RefCell<Panel>>,
+    ctx: egui::Context,
+    _listeners: Vec<Listener>,
+}
+
+impl Element {
+    /// Reads everything once and listens from then on.
+    pub fn new(
+        fire: JsValue,
+        panel: Rc<RefCell<Panel>>,
+        ctx: egui::Context,
+    ) -> Result<Element, String> {
+        let words = |_| "the fire cannot be listened to".to_owned();
+        let target: &EventTarget = fire.unchecked_ref();
+        let mut listeners = Vec::new();
+        for name in ["params-change", "stats", "play", "pause", "ready", "error"] {
+            let (fire, panel, ctx) = (fire.clone(), Rc::downgrade(&panel), ctx.clone());
+            let heard = move |event: Event| {
+                if let Some(panel) = panel.upgrade()
+                    && let Ok(mut panel) = panel.try_borrow_mut()
+                {
+                    hear(&mut panel, &fire, name, &event);
+                    paint_soon(&ctx);
+                }
+            };
+            listeners.push(Listener::new(target, name, false, heard).map_err(words)?);
+        }
+        let element = Element {
+            fire,
+            panel,
+            ctx,
+            _listeners: listeners,
+        };
+        if let Ok(mut panel) = element.panel.try_borrow_mut() {
+            read_all(&mut panel, &element.fire);
+        }
+        Ok(element)
+    }
+
+    /// Sends a wish; what becomes of it is heard by events, and a refusal is
+    /// shown at the parameter's row.
+    pub fn send(&self, command: Command) {
+        let id = match &command {
+            Command::Set(id, _) => Some(*id),
+            _ => None,
+        };
+        if let (Some(id), Ok(mut panel)) = (id, self.panel.try_borrow_mut()) {
+            panel.fire.sent(id);
+        }
+        let answer = self.call(command);
+        let (fire, panel) = (self.fire.clone(), Rc::downgrade(&self.panel));
+        let ctx = self.ctx.clone();
+        spawn_local(async move {
+            let refusal = match answer {
+                Ok(answer) => JsFuture::from(Promise::resolve(&answer)).await.err(),
+                Err(error) => Some(error),
+            };
+            settle(&panel, &fire, id, refusal);
+            paint_soon(&ctx);
+        });
+    }
+
+    fn call(&self, command: Command) -> Result<JsValue, JsValue> {
+        let mut arguments = Array::new();
+        let method = match command {
+            Command::Set(id, value) => {
+                arguments.push(&JsValue::from_str(id));
+                arguments.push(&to_js(value));
+                "set"
+            }
+            Command::Restore(ids) => {
+                arguments.extend(ids.into_iter().map(JsValue::from_str));
+                "restore"
+            }
+            Command::Preset(name) => {
+                Reflect::set(&self.fire, &"preset".into(), &name.into())?;
+                return Ok(JsValue::UNDEFINED);
+            }
+            Command::Play => "play",
+            Command::Pause => "pause",
+            Command::Reset => "reset",
+            Command::Step => {
+                arguments.push(&JsValue::from_f64(1.0));
+                "step"
+            }
+        };
+        let function: Function = Reflect::get(&self.fire, &method.into())?.dyn_into()?;
+        function.apply(&self.fire, &arguments)
+    }
+}
+
+/// A wish was answered: says why if it was refused, and reads what is so now.
+fn settle(
+    panel: &Weak<RefCell<Panel>>,
+    fire: &JsValue,
+    id: Option<&'static str>,
+    refusal: Option<JsValue>,
+) {
+    let Some(panel) = panel.upgrade() else { return };
+    let Ok(mut panel) = panel.try_borrow_mut() else {
+        return;
+    };
+    let refusal = refusal.map(|error| text(&error, "message").unwrap_or_default());
+    match id {
+        Some(id) => {
+            if panel.fire.answered(id) {
+                let values = property(fire, "params");
+                learn(&mut panel, id, &property(&values, id));
+            }
+            if let Some(refusal) = refusal {
+                panel.fire.refusals.insert(id, refusal);
+            }
+        }
+        None => {
+            read_all(&mut panel, fire);
+            if let Some(refusal) = refusal {
+                panel.fire.notice = Some(refusal);
+            }
+        }
+    }
+}
+
+fn hear(panel: &mut Panel, fire: &JsValue, name: &str, event: &Event) {
+    let detail = event
+        .dyn_ref::<CustomEvent>()
+        .map_or(JsValue::UNDEFINED, CustomEvent::detail);
+    match name {
+        "stats" => {
+            let stats = stats(&property(fire, "stats"));
+            panel.fire.measure(stats);
+            panel.fire.paused = property(fire, "paused").is_truthy();
+        }
+        "params-change" => {
+            if let Some(id) = text(&detail, "id") {
+                learn(panel, &id, &property(&detail, "value"));
+            }
+        }
+        "play" => panel.fire.paused = false,
+        "pause" => panel.fire.paused = true,
+        "error" => {
+            let message = text(&detail, "message").unwrap_or_default();
+            let id = text(&detail, "id");
+            let known = PARAMETERS
+                .iter()
+                .find(|param| Some(param.id) == id.as_deref());
+            match known {
+                Some(param) => {
+                    panel.fire.refusals.insert(param.id, message);
+                }
+                None => panel.fire.notice = Some(message),
+            }
+        }
+        _ => {
+            panel.fire.notice = None;
+            read_all(panel, fire);
+        }
+    }
+}
+
+fn read_all(panel: &mut Panel, fire: &JsValue) {
+    let values = property(fire, "params");
+    for param in PARAMETERS {
+        learn(panel, param.id, &property(&values, param.id));
+    }
+    panel.fire.paused = property(fire, "paused").is_truthy();
+    panel.fire.stats = stats(&property(fire, "stats"));
+}
+
+fn learn(panel: &mut Panel, id: &str, value: &JsValue) {
+    if let Some(number) = value.as_f64() {
+        panel.fire.learn(id, Input::Number(number));
+    } else if let Some(on) = value.as_bool() {
+        panel.fire.learn(id, Input::Flag(on));
+    } else if let Some(text) = value.as_string() {
+        panel.fire.learn(id, Input::Text(&text));
+    }
+}
+
+fn stats(value: &JsValue) -> Stats {
+    let number = |name| property(value, name).as_f64().unwrap_or_default();
+    Stats {
+        fps: number("fps"),
+        particles: number("particles"),
+        step_ms: number("stepMs"),
+        steps_per_frame: number("stepsPerFrame"),
+        draw_ms: number("drawMs"),
+        slowed: property(value, "slowed").is_truthy(),
+    }
+}
+
+/// One frame: `request_repaint` would cost two.
+pub(super) fn paint_soon(ctx: &egui::Context) {
+    ctx.request_repaint_after(Duration::from_millis(1));
+}
+
+/// A property, or `undefined` where there is none.
+fn property(of: &JsValue, name: &str) -> JsValue {
+    if of.dyn_ref::<Object>().is_none() {
+        return JsValue::UNDEFINED;
+    }
+    Reflect::get(of, &name.into()).unwrap_or(JsValue::UNDEFINED)
+}
+
+fn text(of: &JsValue, name: &str) -> Option<String> {
+    property(of, name).as_string()
+}
+
+fn to_js(value: Value) -> JsValue {
+    match (value, value.as_number()) {
+        (_, Some(number)) => JsValue::from_f64(number),
+        (Value::Flag(on), None) => JsValue::from_bool(on),
+        (_, None) => JsValue::from_str(&value.to_string()),
+    }
+}

@@ -1,0 +1,308 @@
+//! The panel, used as a person uses it, without a browser: it is painted, and
+//! pointer and keys go where it says its controls are.
+//!
+//! A character that the font lacks panics, so everything that is painted here
+//! is painted without boxes.
+
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, vec2};
+use hearth_core::params::{Input, Kind, PARAMETERS, Value};
+use hearth_panel::Panel;
+use hearth_panel::fire::Command;
+use hearth_panel::theme::{self, Measures};
+
+struct Hands {
+    ctx: egui::Context,
+    panel: Panel,
+    size: egui::Vec2,
+    time: f64,
+}
+
+impl Hands {
+    fn new(width: f32, height: f32, measures: Measures) -> Hands {
+        let ctx = egui::Context::default();
+        theme::apply(&ctx);
+        ctx.set_missing_glyph_policy(egui::MissingGlyphPolicy::Panic);
+        let mut hands = Hands {
+            ctx,
+            panel: Panel::new(measures),
+            size: vec2(width, height),
+            time: 0.0,
+        };
+        hands.wait();
+        hands
+    }
+
+    fn frame(&mut self, events: Vec<Event>) {
+        self.time += 0.1;
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, self.size)),
+            time: Some(self.time),
+            events,
+            ..RawInput::default()
+        };
+        let mut output = self.ctx.run_ui(input, |ui| self.panel.ui(ui));
+        output.textures_delta.clear();
+    }
+
+    fn wait(&mut self) {
+        for _ in 0..3 {
+            self.frame(Vec::new());
+        }
+    }
+
+    fn place(&self, name: &str) -> Rect {
+        *self
+            .panel
+            .rectangles()
+            .get(name)
+            .unwrap_or_else(|| panic!("{name} is not in sight"))
+    }
+
+    fn reveal(&mut self, id: &str) {
+        self.panel.reveal(id);
+        self.wait();
+    }
+
+    fn button(&mut self, pos: Pos2, pressed: bool) {
+        self.frame(vec![
+            Event::PointerMoved(pos),
+            Event::PointerButton {
+                pos,
+                button: PointerButton::Primary,
+                pressed,
+                modifiers: Modifiers::NONE,
+            },
+        ]);
+    }
+
+    fn click(&mut self, name: &str) {
+        let pos = self.place(name).center();
+        self.frame(vec![Event::PointerMoved(pos)]);
+        self.button(pos, true);
+        self.button(pos, false);
+        self.wait();
+    }
+
+    fn drag(&mut self, from: Pos2, to: Pos2) {
+        self.frame(vec![Event::PointerMoved(from)]);
+        self.button(from, true);
+        for part in 1..=10 {
+            let pos = from + (to - from) * (part as f32 / 10.0);
+            self.frame(vec![Event::PointerMoved(pos)]);
+        }
+        self.button(to, false);
+        self.wait();
+    }
+
+    fn key(&mut self, key: Key) {
+        for pressed in [true, false] {
+            self.frame(vec![Event::Key {
+                key,
+                physical_key: None,
+                pressed,
+                repeat: false,
+                modifiers: Modifiers::NONE,
+            }]);
+        }
+        self.wait();
+    }
+
+    fn value(&self, id: &str) -> Value {
+        let value = self.panel.fire.parameters.get(id);
+        value.unwrap_or_else(|| panic!("there is no {id}"))
+    }
+}
+
+const SIZES: [(f32, f32, Measures); 3] = [
+    (340.0, 900.0, Measures::FINE),
+    (340.0, 600.0, Measures::FINE),
+    (360.0, 288.0, Measures::COARSE),
+];
+
+#[test]
+fn every_parameter_has_a_control_in_sight_once_it_is_revealed() {
+    for (width, height, measures) in SIZES {
+        let mut hands = Hands::new(width, height, measures);
+        for param in PARAMETERS {
+            hands.reveal(param.id);
+            let place = hands.place(param.id);
+            assert!(
+                place.left() >= 0.0 && place.right() <= width,
+                "{}",
+                param.id
+            );
+            assert!(place.bottom() <= height, "{}", param.id);
+        }
+    }
+}
+
+#[test]
+fn dragging_changes_every_slider_and_reset_brings_it_back() {
+    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    for param in PARAMETERS {
+        let (Kind::Number(_) | Kind::Integer(_)) = param.kind else {
+            continue;
+        };
+        hands.reveal(param.id);
+        let place = hands.place(param.id);
+        let before = hands.value(param.id);
+        let (low, high) = (place.left_center(), place.right_center());
+        let (_, max) = hands.panel.fire.range_of(param);
+        hands.drag(low, high);
+        assert_eq!(
+            hands.value(param.id).as_number(),
+            Some(max),
+            "{} dragged to its right end",
+            param.id
+        );
+        let last = hands.panel.take_commands().pop();
+        assert_eq!(last, Some(Command::Set(param.id, hands.value(param.id))));
+        hands.click(&format!("action:restore:{}", param.id));
+        let asked = hands.panel.take_commands();
+        assert_eq!(asked, [Command::Restore(vec![param.id])], "{before:?}");
+    }
+}
+
+#[test]
+fn what_is_typed_out_of_range_is_refused_aloud_and_changes_nothing() {
+    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    hands.reveal("viscosity");
+    let before = hands.value("viscosity");
+    hands.click("value:viscosity");
+    hands.frame(vec![Event::Text("7".to_owned())]);
+    hands.key(Key::Enter);
+    assert_eq!(hands.value("viscosity"), before);
+    assert!(hands.panel.take_commands().is_empty());
+    let refusal = &hands.panel.fire.refusals["viscosity"];
+    for part in ["viscosity", "7", "0.1 Pa·s"] {
+        assert!(refusal.contains(part), "{refusal}");
+    }
+
+    hands.key(Key::Backspace);
+    hands.frame(vec![Event::Text("0.02".to_owned())]);
+    hands.key(Key::Enter);
+    assert_eq!(hands.value("viscosity"), Value::Number(0.02));
+    assert!(hands.panel.fire.refusals.is_empty());
+    let asked = hands.panel.take_commands();
+    assert_eq!(asked, [Command::Set("viscosity", Value::Number(0.02))]);
+}
+
+#[test]
+fn a_finger_slides_sideways_and_scrolls_up_and_down() {
+    let mut hands = Hands::new(360.0, 288.0, Measures::COARSE);
+    hands.panel.finger = true;
+    hands.reveal("viscosity");
+    let before = hands.value("viscosity");
+    let place = hands.place("viscosity");
+    let start = place.left_center() + vec2(60.0, 0.0);
+    hands.drag(start, start + vec2(3.0, -60.0));
+    assert_eq!(hands.value("viscosity"), before);
+    assert!(hands.panel.take_commands().is_empty());
+    hands.wait();
+    assert_ne!(hands.panel.rectangles().get("viscosity"), Some(&place));
+
+    hands.reveal("viscosity");
+    let start = hands.place("viscosity").left_center() + vec2(60.0, 0.0);
+    hands.drag(start, start + vec2(160.0, 3.0));
+    assert_ne!(hands.value("viscosity"), before);
+}
+
+#[test]
+fn a_double_click_on_the_name_resets() {
+    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    hands.panel.fire.learn("gravity", Input::Number(3.0));
+    hands.reveal("gravity");
+    let pos = hands.place("label:gravity").center();
+    hands.frame(vec![Event::PointerMoved(pos)]);
+    for pressed in [true, false, true, false] {
+        hands.button(pos, pressed);
+    }
+    let asked = hands.panel.take_commands();
+    assert_eq!(asked, [Command::Restore(vec!["gravity"])]);
+}
+
+#[test]
+fn flags_choices_and_colours_ask_for_what_was_pressed() {
+    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    for param in PARAMETERS {
+        let before = hands.value(param.id);
+        hands.reveal(param.id);
+        match param.kind {
+            Kind::Flag => hands.click(param.id),
+            Kind::Choice(names) => {
+                let other = names.iter().find(|&&name| Value::Choice(name) != before);
+                let other = other.expect("a choice has two names");
+                hands.click(&format!("choice:{}:{other}", param.id));
+            }
+            Kind::Colour => {
+                hands.click(param.id);
+                hands.reveal(param.id);
+                let hue = hands.place(&format!("hue:{}", param.id));
+                hands.drag(hue.left_center(), hue.center());
+            }
+            Kind::Number(_) | Kind::Integer(_) | Kind::Seed => continue,
+        }
+        assert_ne!(hands.value(param.id), before, "{}", param.id);
+        let last = hands.panel.take_commands().pop();
+        assert_eq!(last, Some(Command::Set(param.id, hands.value(param.id))));
+    }
+}
+
+#[test]
+fn the_dice_throws_another_seed() {
+    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    hands.reveal("seed");
+    let before = hands.value("seed");
+    hands.click("dice:seed");
+    assert_ne!(hands.value("seed"), before);
+}
+
+#[test]
+fn buttons_ask_for_what_they_say() {
+    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    hands.panel.fire.learn("gravity", Input::Number(3.0));
+    hands.wait();
+    for (button, asked) in [
+        ("action:pause", Command::Pause),
+        ("action:reset", Command::Reset),
+        ("action:preset:seed", Command::Preset("seed")),
+        ("action:reset-all", Command::Restore(vec!["gravity"])),
+    ] {
+        hands.click(button);
+        assert_eq!(hands.panel.take_commands(), [asked], "{button}");
+    }
+    hands.panel.fire.paused = true;
+    hands.click("action:pause");
+    hands.click("action:step");
+    assert_eq!(hands.panel.take_commands(), [Command::Play, Command::Step]);
+}
+
+#[test]
+fn a_search_leaves_what_it_finds_and_a_reveal_ends_it() {
+    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    hands.click("search");
+    hands.frame(vec![Event::Text("viscosity".to_owned())]);
+    hands.wait();
+    assert!(hands.panel.rectangles().contains_key("viscosity"));
+    assert!(!hands.panel.rectangles().contains_key("gravity"));
+    hands.reveal("gravity");
+    hands.place("gravity");
+}
+
+#[test]
+fn a_heading_folds_its_group_and_a_reveal_unfolds_it() {
+    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    hands.click("group:World");
+    assert!(!hands.panel.rectangles().contains_key("gravity"));
+    hands.reveal("gravity");
+    hands.place("gravity");
+}
+
+#[test]
+fn a_panel_without_room_paints_nothing_and_comes_back() {
+    let mut hands = Hands::new(0.0, 0.0, Measures::FINE);
+    assert!(hands.panel.rectangles().is_empty());
+    hands.size = vec2(340.0, 900.0);
+    hands.wait();
+    hands.place("action:pause");
+}

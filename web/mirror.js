@@ -1,0 +1,244 @@
+/**
+ * The panel once more, in the page's own controls.
+ *
+ * A canvas says nothing to a screen reader and has no stops for the Tab key.
+ * So each parameter has a labelled native control here, and each button of the
+ * panel a button: out of sight until it has the focus, and in step with the
+ * fire both ways. Each carries in `data-rect` where the panel shows its like:
+ * `x y width height` in CSS pixels of the window, absent while that is out of
+ * sight; a real mouse can press there.
+ */
+
+import { PARAMETERS, PRESETS } from './parameters.js';
+
+/** How many presses of an arrow key cross a logarithmic range. */
+const LOG_STEPS = 100;
+
+/**
+ * @typedef {object} Mirror
+ * @property {(rectangles: Record<string, number[]>, canvas: DOMRect) => void} place
+ *   says where the panel shows its controls, by name
+ * @property {() => void} stand stands in for a panel that cannot be shown
+ * @property {() => void} destroy
+ */
+
+/**
+ * @param {{host: HTMLElement, fire: any, reveal: (id: string) => void}} parts
+ * @returns {Mirror}
+ */
+export function mountMirror({ host, fire, reveal }) {
+  const root = document.createElement('div');
+  root.className = 'hearth-mirror';
+  root.setAttribute('role', 'group');
+  root.setAttribute('aria-label', 'Fire controls');
+  const status = document.createElement('p');
+  status.setAttribute('role', 'status');
+  /** @type {Map<string, HTMLElement>} by the name that the panel gives it */
+  const places = new Map();
+  /** @type {Map<string, (value: any) => void>} */
+  const shows = new Map();
+
+  /** @param {any} answer */
+  const quietly = (answer) => {
+    // What is refused is told by the element's error event.
+    Promise.resolve(answer).catch(() => {});
+  };
+  const say = (text) => {
+    status.textContent = text;
+  };
+
+  /**
+   * @param {string} action
+   * @param {string} text
+   * @param {() => any} press
+   */
+  function addButton(action, text, press) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.dataset.action = action;
+    button.textContent = text;
+    button.addEventListener('click', () => quietly(press()));
+    root.append(button);
+    places.set(`action:${action}`, button);
+    return button;
+  }
+
+  const pause = addButton('pause', 'Pause', () => (fire.paused ? fire.play() : fire.pause()));
+  addButton('step', 'One step', () => {
+    if (!fire.paused) quietly(fire.pause());
+    return fire.step(1);
+  });
+  addButton('reset', 'Restart', () => fire.reset());
+  for (const preset of PRESETS) {
+    addButton(`preset:${preset.name}`, `Preset ${preset.label}`, () => {
+      fire.preset = preset.name;
+    });
+  }
+  addButton('reset-all', 'Reset all parameters', () => fire.restore(...PARAMETERS.map((p) => p.id)));
+
+  for (const parameter of PARAMETERS) {
+    const id = parameter.id;
+    const { row, control, show } = makeControl(parameter, fire, (value) => {
+      quietly(
+        Promise.resolve(fire.set(id, value)).finally(() => show(fire.params[id])),
+      );
+    });
+    control.dataset.parameter = id;
+    control.title = parameter.doc;
+    root.append(row);
+    places.set(id, control);
+    const restore = addButton(`restore:${id}`, `Reset ${parameter.label} to its default`, () => {
+      control.focus();
+      return fire.restore(id);
+    });
+    shows.set(id, (value) => {
+      show(value);
+      restore.hidden = value === parameter.default;
+    });
+    control.addEventListener('focus', () => reveal(id));
+    control.addEventListener('blur', () => reveal(''));
+  }
+  root.append(status);
+  host.append(root);
+
+  const showAll = () => {
+    const values = fire.params ?? {};
+    for (const [id, show] of shows) show(values[id]);
+    showPlaying();
+  };
+  const showPlaying = () => {
+    pause.textContent = fire.paused ? 'Play' : 'Pause';
+  };
+  const changed = (event) => {
+    const { id, value } = event.detail ?? {};
+    shows.get(id)?.(value);
+  };
+  const failed = (event) => say(event.detail?.message ?? '');
+  const heard = { ready: showAll, play: showPlaying, pause: showPlaying, 'params-change': changed, error: failed };
+  for (const [name, listener] of Object.entries(heard)) fire.addEventListener(name, listener);
+  showAll();
+
+  return {
+    place(rectangles, canvas) {
+      // The control that has the focus lies over the panel's lower edge.
+      const shown = [...root.children].find((child) => child.matches(':focus-within'));
+      const free = (shown?.getBoundingClientRect().top ?? Infinity) - canvas.y;
+      for (const [name, element] of places) {
+        const rectangle = rectangles[name];
+        const text = rectangle && rectangle[1] + rectangle[3] <= free
+          ? [canvas.x + rectangle[0], canvas.y + rectangle[1], rectangle[2], rectangle[3]]
+              .map((x) => Math.round(x * 100) / 100)
+              .join(' ')
+          : undefined;
+        if (text === undefined) delete element.dataset.rect;
+        else if (element.dataset.rect !== text) element.dataset.rect = text;
+      }
+    },
+    stand() {
+      root.classList.add('alone');
+    },
+    destroy() {
+      for (const [name, listener] of Object.entries(heard)) fire.removeEventListener(name, listener);
+      root.remove();
+    },
+  };
+}
+
+let made = 0;
+
+/**
+ * One parameter's labelled control.
+ *
+ * @param {any} parameter an entry of the table
+ * @param {any} fire
+ * @param {(value: any) => void} wish
+ */
+function makeControl(parameter, fire, wish) {
+  const row = document.createElement('div');
+  const label = document.createElement('label');
+  const unit = parameter.unit ? ` (${parameter.unit})` : '';
+  label.textContent = parameter.label + unit;
+  label.htmlFor = `hearth-mirror-${(made += 1)}`;
+  const control = document.createElement(parameter.kind === 'choice' ? 'select' : 'input');
+  control.id = label.htmlFor;
+  row.append(label, control);
+  const show = {
+    number: slider,
+    integer: slider,
+    choice: list,
+    flag: box,
+    colour: field,
+    seed: field,
+  }[parameter.kind](parameter, /** @type {any} */ (control), wish, row);
+  return { row, control, show };
+}
+
+function slider(parameter, control, wish, row) {
+  control.type = 'range';
+  control.min = String(parameter.min);
+  control.max = String(parameter.max);
+  control.step = parameter.kind === 'integer' ? '1' : 'any';
+  const output = document.createElement('output');
+  output.htmlFor.add(control.id);
+  row.append(output);
+  const say = () => {
+    const text = `${Number(Number(control.value).toPrecision(4))} ${parameter.unit}`.trim();
+    output.textContent = text;
+    control.setAttribute('aria-valuetext', text);
+  };
+  control.addEventListener('input', () => {
+    say();
+    wish(Number(control.value));
+  });
+  if (parameter.scale === 'log') {
+    // Equal presses are equal ratios, as on the panel; the browser would take
+    // equal differences and leave out the lower half of the range.
+    const ratio = (parameter.max / parameter.min) ** (1 / LOG_STEPS);
+    control.addEventListener('keydown', (event) => {
+      const up = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+      if (!up || event.ctrlKey || event.altKey || event.metaKey) return;
+      event.preventDefault();
+      const old = Number(control.value);
+      let next = Number((old * ratio ** up).toPrecision(4));
+      if (parameter.kind === 'integer') {
+        next = Math.round(next) === old ? old + up : Math.round(next);
+      }
+      control.value = String(Math.min(parameter.max, Math.max(parameter.min, next)));
+      control.dispatchEvent(new Event('input', { bubbles: true }));
+    });
+  }
+  return (value) => {
+    if (value === undefined) return;
+    control.value = String(value);
+    say();
+  };
+}
+
+function list(parameter, control, wish) {
+  for (const name of parameter.choices) control.add(new Option(name, name));
+  control.addEventListener('change', () => wish(control.value));
+  return (value) => {
+    if (value !== undefined) control.value = value;
+  };
+}
+
+function box(parameter, control, wish) {
+  control.type = 'checkbox';
+  control.addEventListener('change', () => wish(control.checked));
+  return (value) => {
+    control.checked = Boolean(value);
+  };
+}
+
+function field(parameter, control, wish) {
+  control.type = parameter.kind === 'seed' ? 'number' : 'text';
+  control.spellcheck = false;
+  control.addEventListener('focus', () => control.select());
+  control.addEventListener('change', () => {
+    const seed = parameter.kind === 'seed' && control.value !== '';
+    wish(seed ? Number(control.value) : control.value);
+  });
+  return (value) => {
+    if (value !== undefined) control.value = String(value);
+  };
+}

@@ -1,1 +1,31 @@
-//! stub
+//! The engine behind `<hearth-fire>`: canvases, the frame loop and messages.
+//!
+//! One `Engine` draws any number of fires. It is spoken to in messages only
+//! (see [`message`]) and answers in messages only (see `outbox`), all of them
+//! postable, so that it runs on a page's main thread or in a worker without a
+//! change to anybody's API. It asks its surroundings for nothing but
+//! `requestAnimationFrame` and `performance`, which both places have.
+//!
+//! A frame goes one way: the clock says how many steps are due, the simulation
+//! makes as many of them as the frame's [`budget`] allows, the renderer draws
+//! what came of it. Nothing of it allocates once it is warm.
+
+// Plain logic, which needs no browser and is tested without one.
+pub mod budget;
+pub mod message;
+pub mod raw;
+
+// What touches the page: glow has a WebGL2 context in the browser only.
+#[cfg(target_arch = "wasm32")]
+mod engine;
+#[cfg(target_arch = "wasm32")]
+mod fire;
+#[cfg(target_arch = "wasm32")]
+mod host;
+#[cfg(target_arch = "wasm32")]
+pub mod outbox;
+#[cfg(target_arch = "wasm32")]
+mod picture;
+
+#[cfg(target_arch = "wasm32")]
+pub use engine::Engine;

@@ -1,0 +1,189 @@
+//! The engine as JavaScript has it: messages in, messages out, and a frame loop
+//! that runs only while a fire has something to do.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::{Rc, Weak};
+
+use js_sys::{Function, Reflect};
+use wasm_bindgen::JsValue;
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use crate::budget::{STEPS_BUDGET_MS, share};
+use crate::fire::Fire;
+use crate::host::Host;
+use crate::message::{
+    Message, Order, Refused, RefusedMessage, of_preset, starting_values, with_defaults, with_values,
+};
+use crate::outbox::{Outbox, Trouble};
+use crate::picture::{ContextEvent, Picture};
+use crate::raw::Raw;
+
+/// Draws any number of fires.
+#[wasm_bindgen]
+pub struct Engine {
+    shared: Rc<RefCell<Fires>>,
+    post: Function,
+}
+
+#[wasm_bindgen]
+impl Engine {
+    /// An engine without a fire. It answers through `post(message)`.
+    ///
+    /// # Errors
+    /// The place it runs in has no `requestAnimationFrame` or no `performance`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(post: Function) -> Result<Engine, js_sys::Error> {
+        let host = Host::new().map_err(|words| js_sys::Error::new(&words))?;
+        let shared = Rc::new_cyclic(|shared: &Weak<RefCell<Fires>>| {
+            let (frames, answer) = (shared.clone(), post.clone());
+            let frame = Closure::new(move |now: f64| {
+                act(&frames, &answer, |fires, out| fires.frame(now, out));
+            });
+            RefCell::new(Fires {
+                fires: BTreeMap::new(),
+                host,
+                frame,
+                requested: None,
+            })
+        });
+        Ok(Engine { shared, post })
+    }
+
+    /// Takes a message. Whatever it is, the answer is a message too.
+    pub fn receive(&self, message: &JsValue) {
+        let shared = Rc::downgrade(&self.shared);
+        let parsed = Message::parse(&Raw::of(message));
+        let canvas = Reflect::get(message, &"canvas".into()).unwrap_or(JsValue::UNDEFINED);
+        let post = self.post.clone();
+        act(
+            &shared.clone(),
+            &self.post,
+            move |fires, out| match parsed {
+                Ok(message) => fires.obey(message, canvas, out, move |fire, event| {
+                    act(&shared, &post, |fires, out| fires.context(fire, event, out));
+                }),
+                Err(refused) => out.refused(refused),
+            },
+        );
+    }
+}
+
+/// Does something with the fires, asks for the next frame if one is needed, and
+/// then, with nothing borrowed any more, posts what there is to say.
+fn act(shared: &Weak<RefCell<Fires>>, post: &Function, what: impl FnOnce(&mut Fires, &mut Outbox)) {
+    let Some(shared) = shared.upgrade() else {
+        return;
+    };
+    let mut out = Outbox::default();
+    if let Ok(mut fires) = shared.try_borrow_mut() {
+        what(&mut fires, &mut out);
+        fires.schedule();
+    }
+    out.post(post);
+}
+
+/// All fires of an engine, and its frame loop.
+struct Fires {
+    fires: BTreeMap<u32, Fire>,
+    host: Host,
+    frame: Closure<dyn FnMut(f64)>,
+    requested: Option<JsValue>,
+}
+
+impl Fires {
+    fn schedule(&mut self) {
+        if self.requested.is_none() && self.fires.values().any(Fire::wants_frame) {
+            self.requested = self.host.request_frame(self.frame.as_ref());
+        }
+    }
+
+    fn frame(&mut self, now: f64, out: &mut Outbox) {
+        self.requested = None;
+        let end = self.host.now() + STEPS_BUDGET_MS;
+        let mut left = self.fires.values().filter(|f| f.wants_frame()).count();
+        for fire in self.fires.values_mut().filter(|f| f.wants_frame()) {
+            let deadline = share(self.host.now(), end, left);
+            left -= 1;
+            fire.frame(now, deadline, &self.host, out);
+        }
+    }
+
+    fn context(&mut self, fire: u32, event: ContextEvent, out: &mut Outbox) {
+        if let Some(fire) = self.fires.get_mut(&fire) {
+            fire.context(event, out);
+        }
+    }
+
+    fn obey(
+        &mut self,
+        message: Message,
+        canvas: JsValue,
+        out: &mut Outbox,
+        tell: impl Fn(u32, ContextEvent) + Clone + 'static,
+    ) {
+        let Message {
+            fire: id,
+            request,
+            source,
+            order,
+        } = message;
+        let refuse = |errors| RefusedMessage {
+            fire: Some(id),
+            request,
+            source: source.clone(),
+            errors,
+        };
+        let Some(fire) = self.fires.get_mut(&id) else {
+            let Order::Add(start) = order else {
+                return out.refused(refuse(vec![Refused::fire(id)]));
+            };
+            let (parameters, errors) = starting_values(start.preset.as_deref(), &start.values);
+            if !errors.is_empty() {
+                out.refused(refuse(errors));
+            }
+            match Picture::new(canvas, move |event| tell(id, event)) {
+                Ok(picture) => {
+                    out.ready(id, &parameters);
+                    self.fires
+                        .insert(id, Fire::new(id, picture, parameters, &start));
+                }
+                Err(words) => out.error(id, Trouble::Unsupported, &words),
+            }
+            return out.done(id, request);
+        };
+        let mut parameters = None;
+        match order {
+            Order::Add(_) => return out.refused(refuse(vec![Refused::fire(id)])),
+            Order::Set(values) => parameters = Some(with_values(fire.parameters(), &values)),
+            Order::Restore(ids) => parameters = Some(with_defaults(fire.parameters(), &ids)),
+            Order::Preset(name) => parameters = Some(of_preset(&name)),
+            Order::Resize(width, height) => fire.resize(width, height),
+            Order::Visible(visible) => fire.set_visible(visible),
+            Order::Play => fire.set_playing(true, out),
+            Order::Pause => fire.set_playing(false, out),
+            Order::Reset => fire.reset(),
+            Order::Step(steps) => return fire.ask_steps(steps, request),
+            Order::Remove => {
+                self.fires.remove(&id);
+                return out.done(id, request);
+            }
+        }
+        match parameters {
+            Some(Err(errors)) => return out.refused(refuse(errors)),
+            Some(Ok(parameters)) => fire.set_parameters(parameters, &source, out),
+            None => {}
+        }
+        out.done(id, request);
+    }
+}
+
+impl Drop for Fires {
+    /// A frame that comes after the end would call what is no longer there.
+    fn drop(&mut self) {
+        if let Some(handle) = &self.requested {
+            self.host.cancel_frame(handle);
+        }
+    }
+}

@@ -1,0 +1,351 @@
+//! The messages that an engine understands.
+//!
+//! | type | other fields | what it does |
+//! |---|---|---|
+//! | `add` | `canvas`, `width`, `height`, `preset`?, `values`?, `paused`?, `visible`? | a new fire, drawn on that canvas |
+//! | `resize` | `width`, `height` | its size in device pixels; 0 is fine |
+//! | `set` | `request`, `source`, `values` | sets parameters, all or none |
+//! | `restore` | `request`, `source`, `ids` | puts parameters back to their defaults |
+//! | `preset` | `request`, `name` | sets every parameter to the preset's |
+//! | `play`, `pause`, `reset` | `request` | what they say |
+//! | `step` | `request`, `steps` | makes that many steps, playing or not |
+//! | `visible` | `visible` | a fire that nobody sees does no work |
+//! | `remove` | | frees the fire and its context |
+//!
+//! Every message names its `fire`, a number that the sender chooses. Whoever
+//! sends a `request` number gets it back with `done` or `refused`.
+
+use hearth_core::Parameters;
+use hearth_core::preset::{PRESETS, Preset};
+
+use crate::raw::Raw;
+
+/// Longest side of a canvas in device pixels; browsers allow no more.
+pub const LONGEST_SIDE: u32 = 16_384;
+
+/// Most steps that one message may ask for.
+pub const MOST_STEPS: u32 = 100_000;
+
+/// Values as they were sent, by id.
+pub type SentValues = Vec<(String, Raw)>;
+
+/// A message whose form is right. Its parameter values are not checked yet:
+/// that is the table's business.
+#[derive(Debug, PartialEq)]
+pub struct Message {
+    /// The fire that it is about.
+    pub fire: u32,
+    /// The number under which the sender wants an answer.
+    pub request: Option<f64>,
+    /// Who wanted it: an attribute, a property, the panel …
+    pub source: String,
+    /// What is wanted.
+    pub order: Order,
+}
+
+/// What a message wants.
+#[derive(Debug, PartialEq)]
+pub enum Order {
+    /// A new fire.
+    Add(Start),
+    /// Another size of its canvas.
+    Resize(u32, u32),
+    /// Other values.
+    Set(SentValues),
+    /// The default values of these ids.
+    Restore(Vec<String>),
+    /// All values of that preset.
+    Preset(String),
+    /// Go on.
+    Play,
+    /// Stand still.
+    Pause,
+    /// Start again from nothing.
+    Reset,
+    /// Make so many steps.
+    Step(u32),
+    /// Whether anybody sees it.
+    Visible(bool),
+    /// Free it.
+    Remove,
+}
+
+/// How a new fire starts.
+#[derive(Debug, PartialEq)]
+pub struct Start {
+    /// Width and height of its canvas in device pixels.
+    pub size: (u32, u32),
+    /// The preset to start from.
+    pub preset: Option<String>,
+    /// Values on top of it.
+    pub values: SentValues,
+    /// Whether it stands still at first.
+    pub paused: bool,
+    /// Whether anybody sees it.
+    pub visible: bool,
+}
+
+/// One thing that was refused, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refused {
+    /// The parameter, or the field of the message.
+    pub id: String,
+    /// What was sent for it.
+    pub value: Raw,
+    /// Why not, in words that name the id, the value and what is allowed.
+    pub message: String,
+    /// Smallest and largest allowed value, where there are such.
+    pub range: Option<(f64, f64)>,
+}
+
+impl Refused {
+    fn field(id: &str, value: &Raw, allowed: &str) -> Refused {
+        Refused {
+            id: id.to_owned(),
+            value: value.clone(),
+            message: format!("{id} = {} is refused: it must be {allowed}", value.input()),
+            range: None,
+        }
+    }
+
+    /// A fire that is not there, or is there already.
+    pub fn fire(fire: u32) -> Refused {
+        let value = Raw::Number(fire.into());
+        Refused::field("fire", &value, "the number of a fire, or a new one to add")
+    }
+
+    fn whole(id: &str, value: &Raw, min: u32, max: u32) -> Refused {
+        Refused {
+            range: Some((min.into(), max.into())),
+            ..Refused::field(id, value, &format!("a whole number from {min} to {max}"))
+        }
+    }
+}
+
+/// A refused message: to whom the answer goes, and what was wrong.
+#[derive(Debug, PartialEq)]
+pub struct RefusedMessage {
+    /// The fire, where the message named one.
+    pub fire: Option<u32>,
+    /// The request, where it named one.
+    pub request: Option<f64>,
+    /// The source, where it named one.
+    pub source: String,
+    /// What was wrong.
+    pub errors: Vec<Refused>,
+}
+
+impl Message {
+    /// Checks the form of a message.
+    ///
+    /// # Errors
+    /// The first field that is not as the table above has it.
+    pub fn parse(raw: &Raw) -> Result<Message, RefusedMessage> {
+        let fire = whole(raw, "fire", 0, u32::MAX);
+        let request = number(raw, "request");
+        let source = optional_text(raw, "source").ok().flatten();
+        let source = source.unwrap_or_default();
+        let parsed = fire.clone().and_then(|fire| {
+            Ok(Message {
+                fire,
+                request: request.clone()?,
+                source: source.clone(),
+                order: Order::parse(raw)?,
+            })
+        });
+        parsed.map_err(|error| RefusedMessage {
+            fire: fire.ok(),
+            request: request.ok().flatten(),
+            source,
+            errors: vec![error],
+        })
+    }
+}
+
+impl Order {
+    fn parse(raw: &Raw) -> Result<Order, Refused> {
+        let kind = raw.field("type");
+        let Raw::Text(name) = kind else {
+            return Err(Refused::field("type", kind, "the name of a message"));
+        };
+        let side = |id| whole(raw, id, 0, LONGEST_SIDE);
+        match name.as_str() {
+            "add" => Ok(Order::Add(Start {
+                size: (side("width")?, side("height")?),
+                preset: optional_text(raw, "preset")?,
+                values: match raw.field("values") {
+                    Raw::Missing => Vec::new(),
+                    _ => values(raw)?,
+                },
+                paused: flag_or(raw, "paused", false)?,
+                visible: flag_or(raw, "visible", true)?,
+            })),
+            "resize" => Ok(Order::Resize(side("width")?, side("height")?)),
+            "set" => values(raw).map(Order::Set),
+            "restore" => ids(raw).map(Order::Restore),
+            "preset" => text(raw, "name").map(Order::Preset),
+            "play" => Ok(Order::Play),
+            "pause" => Ok(Order::Pause),
+            "reset" => Ok(Order::Reset),
+            "step" => whole(raw, "steps", 1, MOST_STEPS).map(Order::Step),
+            "visible" => flag(raw, "visible").map(Order::Visible),
+            "remove" => Ok(Order::Remove),
+            _ => Err(Refused::field("type", kind, "the name of a message")),
+        }
+    }
+}
+
+fn whole(raw: &Raw, id: &str, min: u32, max: u32) -> Result<u32, Refused> {
+    match *raw.field(id) {
+        Raw::Number(x) if x.fract() == 0.0 && x >= min.into() && x <= max.into() => Ok(x as u32),
+        ref other => Err(Refused::whole(id, other, min, max)),
+    }
+}
+
+fn number(raw: &Raw, id: &str) -> Result<Option<f64>, Refused> {
+    match *raw.field(id) {
+        Raw::Missing => Ok(None),
+        Raw::Number(x) if x.is_finite() => Ok(Some(x)),
+        ref other => Err(Refused::field(id, other, "a number")),
+    }
+}
+
+fn flag(raw: &Raw, id: &str) -> Result<bool, Refused> {
+    match *raw.field(id) {
+        Raw::Flag(on) => Ok(on),
+        ref other => Err(Refused::field(id, other, "true or false")),
+    }
+}
+
+fn flag_or(raw: &Raw, id: &str, default: bool) -> Result<bool, Refused> {
+    match raw.field(id) {
+        Raw::Missing => Ok(default),
+        _ => flag(raw, id),
+    }
+}
+
+fn text(raw: &Raw, id: &str) -> Result<String, Refused> {
+    match raw.field(id) {
+        Raw::Text(text) => Ok(text.clone()),
+        other => Err(Refused::field(id, other, "a text")),
+    }
+}
+
+fn optional_text(raw: &Raw, id: &str) -> Result<Option<String>, Refused> {
+    match raw.field(id) {
+        Raw::Missing => Ok(None),
+        _ => text(raw, id).map(Some),
+    }
+}
+
+fn values(raw: &Raw) -> Result<SentValues, Refused> {
+    match raw.field("values") {
+        Raw::Object(values) => Ok(values.clone()),
+        other => Err(Refused::field(
+            "values",
+            other,
+            "an object of values by their ids",
+        )),
+    }
+}
+
+fn ids(raw: &Raw) -> Result<Vec<String>, Refused> {
+    let wrong = |value| Refused::field("ids", value, "an array of ids");
+    let Raw::List(list) = raw.field("ids") else {
+        return Err(wrong(raw.field("ids")));
+    };
+    list.iter()
+        .map(|id| match id {
+            Raw::Text(id) => Ok(id.clone()),
+            other => Err(wrong(other)),
+        })
+        .collect()
+}
+
+/// `parameters` with these values, all of them or none.
+///
+/// # Errors
+/// Every value that is refused.
+pub fn with_values(
+    parameters: &Parameters,
+    values: &[(String, Raw)],
+) -> Result<Parameters, Vec<Refused>> {
+    let mut new = parameters.clone();
+    let refused: Vec<Refused> = values
+        .iter()
+        .filter_map(|(id, value)| {
+            let error = new.set(id, value.input()).err()?;
+            Some(Refused {
+                id: error.id.clone(),
+                value: value.clone(),
+                message: error.to_string(),
+                range: error.range(),
+            })
+        })
+        .collect();
+    if refused.is_empty() {
+        Ok(new)
+    } else {
+        Err(refused)
+    }
+}
+
+/// `parameters` with the default values of these ids, all of them or none.
+///
+/// # Errors
+/// Every id that is not known.
+pub fn with_defaults(parameters: &Parameters, ids: &[String]) -> Result<Parameters, Vec<Refused>> {
+    let mut new = parameters.clone();
+    let refused: Vec<Refused> = ids
+        .iter()
+        .filter_map(|id| {
+            let error = new.restore(id).err()?;
+            Some(Refused {
+                id: error.id.clone(),
+                value: Raw::Missing,
+                message: error.to_string(),
+                range: None,
+            })
+        })
+        .collect();
+    if refused.is_empty() {
+        Ok(new)
+    } else {
+        Err(refused)
+    }
+}
+
+/// The values of the preset of that name.
+///
+/// # Errors
+/// There is no preset of that name.
+pub fn of_preset(name: &str) -> Result<Parameters, Vec<Refused>> {
+    Preset::find(name).map(Preset::parameters).ok_or_else(|| {
+        let names: Vec<&str> = PRESETS.iter().map(|preset| preset.name).collect();
+        let allowed = format!("one of {}", names.join(", "));
+        vec![Refused::field("preset", &Raw::Text(name.into()), &allowed)]
+    })
+}
+
+/// The values that a new fire starts with, and what was refused of those that
+/// were asked for. Here one bad value must not keep the good ones from a fire
+/// that has no other values yet.
+pub fn starting_values(
+    preset: Option<&str>,
+    values: &[(String, Raw)],
+) -> (Parameters, Vec<Refused>) {
+    let mut errors = Vec::new();
+    let mut parameters = Parameters::default();
+    match preset.map(of_preset) {
+        Some(Ok(preset)) => parameters = preset,
+        Some(Err(refused)) => errors.extend(refused),
+        None => {}
+    }
+    for value in values {
+        match with_values(&parameters, std::slice::from_ref(value)) {
+            Ok(new) => parameters = new,
+            Err(refused) => errors.extend(refused),
+        }
+    }
+    (parameters, errors)
+}

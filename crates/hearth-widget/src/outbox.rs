@@ -1,0 +1,217 @@
+//! The messages that an engine sends.
+//!
+//! | type | other fields |
+//! |---|---|
+//! | `ready` | `fire`, `values`: all of them |
+//! | `done` | `fire`, `request` |
+//! | `changed` | `fire`, `source`, `values`: only those that changed |
+//! | `refused` | `fire`, `request`, `source`, `errors`: id, value, message and, where there is a range, min and max |
+//! | `stats` | `fire`, `stats`: see [`Stats`] |
+//! | `state` | `fire`, `playing` |
+//! | `error` | `fire`, `kind`: unsupported, context-lost; `message` |
+//! | `restored` | `fire`: its lost context is back |
+//!
+//! They are collected here and posted when the engine is done with what it was
+//! doing: so whoever receives one may send the next at once.
+
+use hearth_core::Parameters;
+use hearth_core::params::{PARAMETERS, Value};
+use js_sys::{Array, Function, Object, Reflect};
+use wasm_bindgen::JsValue;
+
+use crate::message::{Refused, RefusedMessage};
+use crate::raw::Raw;
+
+/// What went wrong with a fire's picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trouble {
+    /// The browser cannot draw it at all.
+    Unsupported,
+    /// The graphics context is lost; it may come back.
+    ContextLost,
+}
+
+/// What a fire says about itself a few times a second.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stats {
+    /// Frames a second, smoothed.
+    pub fps: f64,
+    /// Particles alive.
+    pub particles: usize,
+    /// Time that a step takes, in ms.
+    pub step_ms: f64,
+    /// Time that handing a frame to the graphics driver takes, in ms.
+    pub draw_ms: f64,
+    /// Steps made for each frame.
+    pub steps_per_frame: f64,
+    /// Parts that the last step was divided into.
+    pub substeps: u32,
+    /// Neighbours of a particle, on average.
+    pub neighbours: f32,
+    /// Particles at the speed limit.
+    pub at_speed_limit: u32,
+    /// Seconds that the fire has burnt.
+    pub time: f64,
+    /// Whether it stands still.
+    pub paused: bool,
+    /// Whether steps had to be dropped to keep the page quick.
+    pub slowed: bool,
+    /// Format of the render targets; empty while nothing can be drawn.
+    pub target_format: &'static str,
+}
+
+/// Messages that wait to be posted.
+#[derive(Debug, Default)]
+pub struct Outbox(Vec<JsValue>);
+
+impl Outbox {
+    /// Posts all of them, in order. What the receiver throws is its own affair.
+    pub fn post(self, post: &Function) {
+        for message in self.0 {
+            let _ = post.call1(&JsValue::UNDEFINED, &message);
+        }
+    }
+
+    /// A new fire is there, with these values.
+    pub fn ready(&mut self, fire: u32, parameters: &Parameters) {
+        let message = about("ready", fire);
+        put(&message, "values", &values(parameters, |_| true));
+        self.0.push(message.into());
+    }
+
+    /// A request was carried out.
+    pub fn done(&mut self, fire: u32, request: Option<f64>) {
+        if let Some(request) = request {
+            let message = about("done", fire);
+            put(&message, "request", &request.into());
+            self.0.push(message.into());
+        }
+    }
+
+    /// Values changed; nothing is sent where none did.
+    pub fn changed(&mut self, fire: u32, source: &str, old: &Parameters, new: &Parameters) {
+        let changed = |param: &hearth_core::params::Param| param.get(old) != param.get(new);
+        if PARAMETERS.iter().any(changed) {
+            let message = about("changed", fire);
+            put(&message, "source", &source.into());
+            put(&message, "values", &values(new, changed));
+            self.0.push(message.into());
+        }
+    }
+
+    /// A message or a value was refused.
+    pub fn refused(&mut self, refused: RefusedMessage) {
+        let message = Object::new();
+        put(&message, "type", &"refused".into());
+        if let Some(fire) = refused.fire {
+            put(&message, "fire", &fire.into());
+        }
+        if let Some(request) = refused.request {
+            put(&message, "request", &request.into());
+        }
+        put(&message, "source", &refused.source.into());
+        let errors: Array = refused.errors.iter().map(error).collect();
+        put(&message, "errors", &errors);
+        self.0.push(message.into());
+    }
+
+    /// How a fire is doing.
+    pub fn stats(&mut self, fire: u32, stats: &Stats) {
+        let fields: [(&str, JsValue); 12] = [
+            ("fps", stats.fps.into()),
+            ("particles", (stats.particles as f64).into()),
+            ("stepMs", stats.step_ms.into()),
+            ("drawMs", stats.draw_ms.into()),
+            ("stepsPerFrame", stats.steps_per_frame.into()),
+            ("substeps", stats.substeps.into()),
+            ("neighbours", stats.neighbours.into()),
+            ("atSpeedLimit", stats.at_speed_limit.into()),
+            ("time", stats.time.into()),
+            ("paused", stats.paused.into()),
+            ("slowed", stats.slowed.into()),
+            ("targetFormat", stats.target_format.into()),
+        ];
+        let object = Object::new();
+        for (name, value) in &fields {
+            put(&object, name, value);
+        }
+        let message = about("stats", fire);
+        put(&message, "stats", &object);
+        self.0.push(message.into());
+    }
+
+    /// Whether a fire plays, when that changed.
+    pub fn state(&mut self, fire: u32, playing: bool) {
+        let message = about("state", fire);
+        put(&message, "playing", &playing.into());
+        self.0.push(message.into());
+    }
+
+    /// A fire cannot be drawn.
+    pub fn error(&mut self, fire: u32, trouble: Trouble, words: &str) {
+        let kind = match trouble {
+            Trouble::Unsupported => "unsupported",
+            Trouble::ContextLost => "context-lost",
+        };
+        let message = about("error", fire);
+        put(&message, "kind", &kind.into());
+        put(&message, "message", &words.into());
+        self.0.push(message.into());
+    }
+
+    /// A lost context is back and the fire is drawn again.
+    pub fn restored(&mut self, fire: u32) {
+        self.0.push(about("restored", fire).into());
+    }
+}
+
+fn about(kind: &str, fire: u32) -> Object {
+    let message = Object::new();
+    put(&message, "type", &kind.into());
+    put(&message, "fire", &fire.into());
+    message
+}
+
+/// Sets a field of a plain object of ours, which cannot fail.
+fn put(object: &Object, name: &str, value: &JsValue) {
+    let _ = Reflect::set(object, &name.into(), value);
+}
+
+fn values(parameters: &Parameters, wanted: impl Fn(&hearth_core::params::Param) -> bool) -> Object {
+    let object = Object::new();
+    for param in PARAMETERS.iter().filter(|param| wanted(param)) {
+        put(&object, param.id, &plain(param.get(parameters)));
+    }
+    object
+}
+
+fn plain(value: Value) -> JsValue {
+    match value {
+        Value::Flag(on) => on.into(),
+        _ => match value.as_number() {
+            Some(number) => number.into(),
+            None => value.to_string().into(),
+        },
+    }
+}
+
+fn error(refused: &Refused) -> JsValue {
+    let object = Object::new();
+    put(&object, "id", &refused.id.as_str().into());
+    let value = match &refused.value {
+        Raw::Missing => JsValue::UNDEFINED,
+        Raw::Number(x) => (*x).into(),
+        Raw::Text(text) => text.as_str().into(),
+        Raw::Flag(on) => (*on).into(),
+        Raw::List(_) => "an array".into(),
+        Raw::Object(_) => "an object".into(),
+        Raw::Other(words) => (*words).into(),
+    };
+    put(&object, "value", &value);
+    put(&object, "message", &refused.message.as_str().into());
+    if let Some((min, max)) = refused.range {
+        put(&object, "min", &min.into());
+        put(&object, "max", &max.into());
+    }
+    object.into()
+}

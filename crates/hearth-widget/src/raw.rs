@@ -1,0 +1,154 @@
+//! What somebody sent, before any of it is believed.
+//!
+//! A message comes from JavaScript, where every field may be missing or of any
+//! type, a getter may throw and an object may contain itself. It is copied into
+//! [`Raw`], a small tree of plain data, and only that tree is checked. So the
+//! checks need no browser, and no code of the page runs while they do.
+
+use hearth_core::params::Input;
+use wasm_bindgen::{JsCast, JsValue};
+
+/// Deepest nesting that a message has use for: `{values: {id: value}}`.
+const DEEPEST: u32 = 3;
+
+/// Most fields or elements that are looked at; far more than there are
+/// parameters.
+const LONGEST: u32 = 1000;
+
+/// A piece of a message.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Raw {
+    /// `undefined`: the field is not there.
+    Missing,
+    /// A number, not necessarily a finite one.
+    Number(f64),
+    /// A text.
+    Text(String),
+    /// True or false.
+    Flag(bool),
+    /// An array.
+    List(Vec<Raw>),
+    /// An object's own fields.
+    Object(Vec<(String, Raw)>),
+    /// Something that no message has use for, in words.
+    Other(&'static str),
+}
+
+impl Raw {
+    /// Copies a JavaScript value.
+    pub fn of(value: &JsValue) -> Raw {
+        Raw::at_depth(value, 0)
+    }
+
+    fn at_depth(value: &JsValue, depth: u32) -> Raw {
+        if value.is_undefined() {
+            return Raw::Missing;
+        }
+        if value.is_null() {
+            return Raw::Other("null");
+        }
+        if let Some(x) = value.as_f64() {
+            return Raw::Number(x);
+        }
+        if let Some(text) = value.as_string() {
+            return Raw::Text(text);
+        }
+        if let Some(on) = value.as_bool() {
+            return Raw::Flag(on);
+        }
+        if !value.is_object() || depth == DEEPEST {
+            return Raw::Other(Raw::words(value));
+        }
+        let copy = |key: &JsValue| match js_sys::Reflect::get(value, key) {
+            Ok(field) => Raw::at_depth(&field, depth + 1),
+            Err(_) => Raw::Other("unreadable"),
+        };
+        if let Some(list) = value.dyn_ref::<js_sys::Array>() {
+            let length = list.length().min(LONGEST);
+            return Raw::List((0..length).map(|at| copy(&at.into())).collect());
+        }
+        let Ok(keys) = js_sys::Reflect::own_keys(value) else {
+            return Raw::Other("unreadable");
+        };
+        let fields = keys.iter().take(LONGEST as usize).filter_map(|key| {
+            let name = key.as_string()?;
+            // The canvas is the one thing in a message that is not plain data;
+            // who wants it takes it from the message itself.
+            (name != "canvas").then(|| (name, copy(&key)))
+        });
+        Raw::Object(fields.collect())
+    }
+
+    fn words(value: &JsValue) -> &'static str {
+        if value.is_object() {
+            "an object"
+        } else if value.is_function() {
+            "a function"
+        } else if value.is_symbol() {
+            "a symbol"
+        } else {
+            "a big integer"
+        }
+    }
+
+    /// The field of that name; [`Raw::Missing`] where there is none.
+    pub fn field(&self, name: &str) -> &Raw {
+        match self {
+            Raw::Object(fields) => fields
+                .iter()
+                .find(|(known, _)| known == name)
+                .map_or(&Raw::Missing, |(_, value)| value),
+            _ => &Raw::Missing,
+        }
+    }
+
+    /// The same as the table of parameters takes it. What is no number, text or
+    /// flag becomes words that no parameter accepts, so the refusal names them.
+    pub fn input(&self) -> Input<'_> {
+        match self {
+            Raw::Number(x) => Input::Number(*x),
+            Raw::Text(text) => Input::Text(text),
+            Raw::Flag(on) => Input::Flag(*on),
+            Raw::Missing => Input::Text("undefined"),
+            Raw::List(_) => Input::Text("an array"),
+            Raw::Object(_) => Input::Text("an object"),
+            Raw::Other(words) => Input::Text(words),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hearth_core::Parameters;
+    use hearth_core::params::PARAMETERS;
+
+    #[test]
+    fn what_is_no_value_is_refused_by_every_parameter() {
+        let strange = [
+            Raw::Missing,
+            Raw::Number(f64::NAN),
+            Raw::Number(f64::INFINITY),
+            Raw::List(vec![Raw::Number(1.0)]),
+            Raw::Object(vec![]),
+            Raw::Other("null"),
+            Raw::Other("a function"),
+            Raw::Other("unreadable"),
+        ];
+        for param in PARAMETERS {
+            for raw in &strange {
+                let mut parameters = Parameters::default();
+                let refused = parameters.set(param.id, raw.input());
+                assert!(refused.is_err(), "{} = {raw:?}", param.id);
+            }
+        }
+    }
+
+    #[test]
+    fn a_field_of_something_else_is_missing() {
+        let object = Raw::Object(vec![("fire".into(), Raw::Number(1.0))]);
+        assert_eq!(object.field("fire"), &Raw::Number(1.0));
+        assert_eq!(object.field("canvas"), &Raw::Missing);
+        assert_eq!(Raw::Text("fire".into()).field("fire"), &Raw::Missing);
+    }
+}

@@ -1,0 +1,208 @@
+//! What the engine makes of messages, good and bad, without a browser.
+
+use hearth_core::Parameters;
+use hearth_widget::message::{
+    LONGEST_SIDE, MOST_STEPS, Message, Order, RefusedMessage, of_preset, starting_values,
+    with_defaults, with_values,
+};
+use hearth_widget::raw::Raw;
+
+fn text(words: &str) -> Raw {
+    Raw::Text(words.to_owned())
+}
+
+fn object<const N: usize>(fields: [(&str, Raw); N]) -> Raw {
+    Raw::Object(fields.map(|(name, value)| (name.to_owned(), value)).into())
+}
+
+/// A message of `kind` for fire 7, request 3, from a test, with one more field.
+fn message(kind: &str, field: &str, value: Raw) -> Raw {
+    object([
+        ("type", text(kind)),
+        ("fire", Raw::Number(7.0)),
+        ("request", Raw::Number(3.0)),
+        ("source", text("test")),
+        (field, value),
+    ])
+}
+
+fn order(raw: &Raw) -> Option<Order> {
+    Message::parse(raw).ok().map(|message| message.order)
+}
+
+fn refused(raw: &Raw) -> Option<RefusedMessage> {
+    Message::parse(raw).err()
+}
+
+#[test]
+fn a_message_says_who_wants_what_of_whom() {
+    let values = vec![("viscosity".to_owned(), Raw::Number(0.01))];
+    let raw = message("set", "values", Raw::Object(values.clone()));
+    let wanted = Message {
+        fire: 7,
+        request: Some(3.0),
+        source: "test".to_owned(),
+        order: Order::Set(values),
+    };
+    assert_eq!(Message::parse(&raw), Ok(wanted));
+}
+
+#[test]
+fn every_order_has_its_form() {
+    let none = || ("nothing", Raw::Missing);
+    let plain = |kind| order(&message(kind, none().0, none().1));
+    assert_eq!(plain("play"), Some(Order::Play));
+    assert_eq!(plain("pause"), Some(Order::Pause));
+    assert_eq!(plain("reset"), Some(Order::Reset));
+    assert_eq!(plain("remove"), Some(Order::Remove));
+    assert_eq!(
+        order(&message("step", "steps", Raw::Number(5.0))),
+        Some(Order::Step(5))
+    );
+    assert_eq!(
+        order(&message("visible", "visible", Raw::Flag(false))),
+        Some(Order::Visible(false))
+    );
+    assert_eq!(
+        order(&message("preset", "name", text("seed"))),
+        Some(Order::Preset("seed".to_owned()))
+    );
+    assert_eq!(
+        order(&message("restore", "ids", Raw::List(vec![text("seed")]))),
+        Some(Order::Restore(vec!["seed".to_owned()]))
+    );
+}
+
+#[test]
+fn a_fire_may_start_without_a_size() {
+    let raw = object([
+        ("type", text("add")),
+        ("fire", Raw::Number(1.0)),
+        ("width", Raw::Number(0.0)),
+        ("height", Raw::Number(0.0)),
+    ]);
+    let Some(Order::Add(start)) = order(&raw) else {
+        panic!("{:?}", Message::parse(&raw));
+    };
+    assert_eq!(start.size, (0, 0));
+    assert!(start.visible && !start.paused);
+}
+
+#[test]
+fn numbers_that_are_no_counts_are_refused_with_their_range() {
+    let most = f64::from(MOST_STEPS);
+    for bad in [-1.0, 0.0, 0.5, most + 1.0, f64::NAN, f64::INFINITY] {
+        let error = refused(&message("step", "steps", Raw::Number(bad)));
+        let Some(RefusedMessage { errors, .. }) = error else {
+            panic!("{bad} steps were accepted");
+        };
+        assert_eq!(errors[0].range, Some((1.0, most)), "{bad}");
+    }
+    let sides = [("width", -1.0), ("height", f64::from(LONGEST_SIDE) + 1.0)];
+    for (side, bad) in sides {
+        let mut fields = vec![
+            ("type".to_owned(), text("resize")),
+            ("fire".to_owned(), Raw::Number(1.0)),
+            (side.to_owned(), Raw::Number(bad)),
+        ];
+        for other in ["width", "height"] {
+            fields.push((other.to_owned(), Raw::Number(10.0)));
+        }
+        let error = refused(&Raw::Object(fields));
+        assert_eq!(error.map(|e| e.errors[0].id.clone()), Some(side.to_owned()));
+    }
+}
+
+#[test]
+fn a_refusal_goes_back_to_who_asked() {
+    let error = refused(&message("set", "values", Raw::Number(1.0)));
+    let Some(error) = error else {
+        panic!("a number was accepted as values");
+    };
+    assert_eq!(error.fire, Some(7));
+    assert_eq!(error.request, Some(3.0));
+    assert_eq!(error.source, "test");
+    assert_eq!(error.errors[0].id, "values");
+}
+
+#[test]
+fn what_is_no_message_is_refused() {
+    let strange = [
+        Raw::Missing,
+        Raw::Number(1.0),
+        text("play"),
+        Raw::List(vec![]),
+        Raw::Object(vec![]),
+        Raw::Other("null"),
+        object([("type", text("play"))]),
+        object([("type", text("play")), ("fire", text("7"))]),
+        object([("type", text("play")), ("fire", Raw::Number(-1.0))]),
+        object([("type", text("burn")), ("fire", Raw::Number(7.0))]),
+        object([("type", Raw::Flag(true)), ("fire", Raw::Number(7.0))]),
+        message("set", "values", Raw::List(vec![])),
+        message("restore", "ids", text("seed")),
+        message("restore", "ids", Raw::List(vec![Raw::Number(1.0)])),
+        message("preset", "name", Raw::Missing),
+        message("visible", "visible", text("yes")),
+        message("add", "width", Raw::Number(5.0)),
+    ];
+    for raw in &strange {
+        assert!(refused(raw).is_some(), "{raw:?} was accepted");
+    }
+}
+
+#[test]
+fn values_are_set_all_or_none() {
+    let old = Parameters::default();
+    let good = ("viscosity".to_owned(), Raw::Number(0.02));
+    let bad = ("bloom".to_owned(), Raw::Number(99.0));
+    let unknown = ("viscositty".to_owned(), Raw::Number(0.02));
+
+    let set = with_values(&old, std::slice::from_ref(&good));
+    assert_eq!(set.map(|new| new.viscosity), Ok(0.02));
+
+    let Err(errors) = with_values(&old, &[good, bad, unknown]) else {
+        panic!("a bad value was accepted");
+    };
+    let ids: Vec<&str> = errors.iter().map(|error| error.id.as_str()).collect();
+    assert_eq!(ids, ["bloom", "viscositty"]);
+    assert!(errors[0].message.contains("99") && errors[0].range.is_some());
+    assert!(errors[1].message.contains("viscosity"));
+}
+
+#[test]
+fn restoring_gives_the_default_and_nothing_else() {
+    let values = [
+        ("viscosity".to_owned(), Raw::Number(0.02)),
+        ("bloom".to_owned(), Raw::Number(0.5)),
+    ];
+    let restored = with_values(&Parameters::default(), &values)
+        .and_then(|new| with_defaults(&new, &["viscosity".to_owned()]));
+    let default = Parameters::default();
+    assert_eq!(
+        restored.map(|new| (new.viscosity, new.bloom)),
+        Ok((default.viscosity, 0.5))
+    );
+    assert!(with_defaults(&default, &["heat".to_owned()]).is_err());
+}
+
+#[test]
+fn a_new_fire_keeps_the_good_values_beside_a_bad_one() {
+    let values = [
+        ("viscosity".to_owned(), Raw::Number(0.02)),
+        ("bloom".to_owned(), text("much")),
+    ];
+    let (parameters, errors) = starting_values(Some("no such preset"), &values);
+    assert_eq!(parameters.viscosity, 0.02);
+    assert_eq!(parameters.bloom, Parameters::default().bloom);
+    let ids: Vec<&str> = errors.iter().map(|error| error.id.as_str()).collect();
+    assert_eq!(ids, ["preset", "bloom"]);
+}
+
+#[test]
+fn an_unknown_preset_is_refused_with_the_known_names() {
+    let refused = of_preset("sead")
+        .err()
+        .map(|errors| errors[0].message.clone());
+    assert!(refused.is_some_and(|words| words.contains("seed") && words.contains("sead")));
+}

@@ -1,0 +1,139 @@
+/**
+ * The types of `<hearth-fire>`. Which parameters there are is generated from
+ * the table of parameters: see `parameters.d.ts`.
+ */
+
+import type { HearthParameters, HearthProperties, ParameterId, PresetName } from './parameters.js';
+
+export type * from './parameters.js';
+
+/** What a fire says about itself, about four times a second. */
+export interface HearthStats {
+  /** Pictures a second, smoothed. */
+  fps: number;
+  /** Particles alive. */
+  particles: number;
+  /** Time of one step of the simulation [ms]. */
+  stepMs: number;
+  /** Time of drawing, as the processor sees it [ms]. */
+  drawMs: number;
+  /** Steps in the last picture. */
+  stepsPerFrame: number;
+  /** Parts that stability divided the last step into. */
+  substeps: number;
+  /** Neighbours of a particle, on average. */
+  neighbours: number;
+  /** Share of particles at the speed limit, 0–1. */
+  atSpeedLimit: number;
+  /** Age of the fire [s]. */
+  time: number;
+  /** Whether the fire fell behind the clock, so that the page would not freeze. */
+  slowed: boolean;
+  paused: boolean;
+  /** The format of the textures that it is drawn into. */
+  targetFormat: string;
+}
+
+/** A value that a fire refused. Every value of the same call is refused with it. */
+export interface HearthRangeError extends RangeError {
+  id: string;
+  value: unknown;
+  min?: number;
+  max?: number;
+}
+
+/** What an `error` event tells. */
+export type HearthErrorDetail =
+  | { kind: 'unsupported' | 'load' | 'context-lost'; message: string }
+  | {
+      kind: 'bad-parameter';
+      message: string;
+      id: string;
+      value: unknown;
+      min?: number;
+      max?: number;
+    };
+
+/** What a `params-change` event tells. */
+export interface HearthChangeDetail {
+  id: ParameterId;
+  value: number | string | boolean;
+  /** Who changed it, as `attribute`, `property` or `preset`. */
+  source: string;
+}
+
+/** The events of a fire. */
+export interface HearthFireEventMap extends Omit<HTMLElementEventMap, 'error'> {
+  ready: CustomEvent<null>;
+  play: CustomEvent<null>;
+  pause: CustomEvent<null>;
+  stats: CustomEvent<HearthStats>;
+  'params-change': CustomEvent<HearthChangeDetail>;
+  error: CustomEvent<HearthErrorDetail>;
+  restored: CustomEvent<null>;
+}
+
+/** Every parameter is a property as well; a value out of range is refused aloud and changes nothing. */
+export interface HearthFire extends HearthProperties {}
+
+/** The class of `<hearth-fire>`. */
+export class HearthFire extends HTMLElement {
+  /** Where the wasm file is, if it is not beside the module. Set it before the first fire. */
+  static wasmUrl: string | URL | undefined;
+
+  /** Every value that the fire burns with. */
+  readonly params: HearthParameters;
+  /** What it last said about itself; null before it did. */
+  readonly stats: HearthStats | null;
+  /** Resolves when it burns; rejects where it cannot. */
+  readonly ready: Promise<void>;
+  paused: boolean;
+  autoplay: boolean;
+  /** The preset that was last asked for. */
+  preset: PresetName;
+  /** What a screen reader says; without it the fire is decoration. */
+  alt: string;
+  /** `auto`: a still fire where the visitor wants less motion. */
+  reducedMotion: 'auto' | 'ignore';
+
+  get<Id extends ParameterId>(id: Id): HearthParameters[Id];
+  /** Sets one parameter; rejects with a {@link HearthRangeError}. */
+  set<Id extends ParameterId>(id: Id, value: HearthParameters[Id]): Promise<void>;
+  /** Sets all of these or none; rejects with a {@link HearthRangeError}. */
+  set(values: Partial<HearthParameters>): Promise<void>;
+  /** Puts these, or all, back to their defaults. */
+  restore(...ids: ParameterId[]): Promise<void>;
+  play(): Promise<void>;
+  pause(): Promise<void>;
+  /** Starts again from nothing, with the same values. */
+  reset(): Promise<void>;
+  /** Makes some steps, burning or not, then draws. */
+  step(steps?: number): Promise<void>;
+
+  addEventListener<Type extends keyof HearthFireEventMap>(
+    type: Type,
+    listener: (this: HearthFire, event: HearthFireEventMap[Type]) => unknown,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  removeEventListener<Type extends keyof HearthFireEventMap>(
+    type: Type,
+    listener: (this: HearthFire, event: HearthFireEventMap[Type]) => unknown,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
+  ): void;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'hearth-fire': HearthFire;
+  }
+}

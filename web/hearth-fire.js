@@ -1,0 +1,398 @@
+/**
+ * `<hearth-fire>`: a fire as an HTML element.
+ *
+ * The element is a thin shell. It turns attributes, properties and calls into
+ * messages to the engine and the engine's messages into promises and events. It
+ * checks no value: the engine's table of parameters does. Reading a value gives
+ * the last one that the engine accepted.
+ *
+ * The module can be imported where there is no `window`; it then defines nothing.
+ *
+ * @typedef {import('./engine.js').Message} Message
+ * @typedef {import('./requests.js').Refusal} Refusal
+ */
+
+import { EngineError } from './engine.js';
+import { FireLink } from './fire-link.js';
+import { FireView } from './fire-view.js';
+import { PARAMETERS } from './parameters.js';
+import { Requests, deferred, postable, postableValues } from './requests.js';
+import { motionIsReduced } from './watch.js';
+
+/** Seconds of fire that a still picture has burnt, so that it shows a fire. */
+const STILL_AFTER = 2;
+
+const ID_OF_ATTRIBUTE = new Map(PARAMETERS.map(({ attribute, id }) => [attribute, id]));
+const OWN_ATTRIBUTES = ['preset', 'paused', 'autoplay', 'alt', 'reduced-motion'];
+const OWN_PROPERTIES = ['preset', 'paused', 'autoplay', 'alt', 'reducedMotion'];
+
+/** @type {typeof HTMLElement} */
+const Base = globalThis.HTMLElement ?? class {};
+
+/** The element's class. */
+export class HearthFire extends Base {
+  /**
+   * Where the wasm file is, if it is not at `wasm/hearth-widget_bg.wasm` beside
+   * this module. It counts when it is set before the first fire is on the page.
+   * @type {string | URL | undefined}
+   */
+  static wasmUrl;
+
+  static observedAttributes = [...OWN_ATTRIBUTES, ...ID_OF_ATTRIBUTE.keys()];
+
+  #requests = new Requests();
+  /** @type {FireView} */
+  #view;
+  /** @type {{[id: string]: any}} */
+  #params = Object.fromEntries(PARAMETERS.map(({ id, default: value }) => [id, value]));
+  /** @type {{[name: string]: any} | null} */
+  #stats = null;
+  #paused = false;
+  /** Whether it stands still because the visitor wants less motion. */
+  #still = false;
+  /** Whether the engine was ever given a fire of this element. */
+  #started = false;
+  #announced = false;
+  /** @type {FireLink | null} */
+  #link = null;
+  #ready = deferred();
+
+  constructor() {
+    super();
+    this.#view = new FireView(this, () => this.play());
+  }
+
+  /** All values, by id: those that the fire burns with. */
+  get params() {
+    return { ...this.#params };
+  }
+
+  /** What the fire last said about itself: fps, particles, stepMs …; null before it did. */
+  get stats() {
+    return this.#stats && { ...this.#stats };
+  }
+
+  /** Resolves when the fire burns; rejects where it cannot. */
+  get ready() {
+    return this.#ready.promise;
+  }
+
+  /** Whether it stands still. */
+  get paused() {
+    return this.#paused;
+  }
+
+  set paused(paused) {
+    this.#setPaused(Boolean(paused));
+  }
+
+  /** The name of the preset that was last asked for. */
+  get preset() {
+    return this.getAttribute('preset') ?? 'default';
+  }
+
+  set preset(name) {
+    this.setAttribute('preset', String(name));
+  }
+
+  /** Whether it plays from the start. */
+  get autoplay() {
+    return this.getAttribute('autoplay') !== 'false';
+  }
+
+  set autoplay(autoplay) {
+    this.setAttribute('autoplay', String(Boolean(autoplay)));
+  }
+
+  /** What a screen reader says of it; without it the fire is decoration. */
+  get alt() {
+    return this.getAttribute('alt') ?? '';
+  }
+
+  set alt(alt) {
+    this.setAttribute('alt', String(alt));
+  }
+
+  /** `auto`: a still fire where the visitor wants less motion; `ignore`: never. */
+  get reducedMotion() {
+    return this.getAttribute('reduced-motion') === 'ignore' ? 'ignore' : 'auto';
+  }
+
+  set reducedMotion(value) {
+    this.setAttribute('reduced-motion', String(value));
+  }
+
+  /**
+   * The value of one parameter.
+   * @param {string} id
+   */
+  get(id) {
+    return Object.hasOwn(this.#params, id) ? this.#params[id] : undefined;
+  }
+
+  /**
+   * Sets one parameter, or several: all of them or none.
+   * @param {string | {[id: string]: unknown}} ids
+   * @param {unknown} [value]
+   * @returns {Promise<void>} rejects with a RangeError that has id, value, min and max
+   */
+  set(ids, value) {
+    return this.#set(typeof ids === 'object' && ids ? ids : { [String(ids)]: value }, 'property');
+  }
+
+  /**
+   * Puts parameters back to their defaults; without ids: all of them.
+   * @param {...string} ids
+   * @returns {Promise<void>}
+   */
+  restore(...ids) {
+    const all = PARAMETERS.map(({ id }) => id);
+    return this.#ask({ type: 'restore', source: 'property', ids: ids.length ? ids.map(String) : all });
+  }
+
+  /** Lets it burn. */
+  play() {
+    return this.#setPaused(false);
+  }
+
+  /** Lets it stand still. */
+  pause() {
+    return this.#setPaused(true);
+  }
+
+  /** Starts again from nothing, with the same values. */
+  reset() {
+    return this.#ask({ type: 'reset' });
+  }
+
+  /**
+   * Makes some steps of the simulation, playing or not, then draws.
+   * @param {number} [steps]
+   * @returns {Promise<void>}
+   */
+  step(steps = 1) {
+    return this.#ask({ type: 'step', steps: postable(steps) });
+  }
+
+  connectedCallback() {
+    this.#keepEarlyProperties();
+    if (!this.#link) this.#open();
+  }
+
+  disconnectedCallback() {
+    // An element that is only moved is back before the microtask.
+    queueMicrotask(() => {
+      if (!this.isConnected && this.#link) this.#close();
+    });
+  }
+
+  /** A move by `moveBefore` needs nothing. */
+  connectedMoveCallback() {}
+
+  /** @type {(name: string, old: string | null, value: string | null) => void} */
+  attributeChangedCallback(name, old, value) {
+    const id = ID_OF_ATTRIBUTE.get(name);
+    if (id !== undefined) {
+      if (value !== null) this.#set({ [id]: value }, 'attribute');
+      else this.#ask({ type: 'restore', source: 'attribute', ids: [id] });
+    } else if (name === 'preset') {
+      // The first fire starts from its preset, wherever the attribute stands.
+      if (this.#started) this.#ask({ type: 'preset', source: 'preset', name: value ?? 'default' });
+    } else if (name === 'paused') {
+      if ((value !== null) !== this.#paused) this.#setPaused(value !== null);
+    } else if (name === 'alt') {
+      this.#view.describe(value ?? '');
+    } else if (name === 'reduced-motion' && this.#link) {
+      this.#motion(motionIsReduced());
+    }
+  }
+
+  /** Properties set before the element was defined hide its own; they are handed over. */
+  #keepEarlyProperties() {
+    for (const name of [...OWN_PROPERTIES, ...PARAMETERS.map(({ property }) => property)]) {
+      if (Object.hasOwn(this, name)) {
+        const value = this[name];
+        delete this[name];
+        this[name] = value;
+      }
+    }
+  }
+
+  /** @param {Message} message */
+  #ask(message) {
+    // Where there can be no fire, nothing waits for one.
+    return this.#ready.failed ? this.#ready.promise : this.#requests.ask(message);
+  }
+
+  /** @type {(values: {[id: string]: unknown}, source: string) => Promise<void>} */
+  #set(values, source) {
+    return this.#ask({ type: 'set', source, values: postableValues(values) });
+  }
+
+  /** @param {boolean} paused */
+  #setPaused(paused) {
+    this.#paused = paused;
+    this.#still &&= paused;
+    this.#view.offerPlay(this.#still);
+    if (this.hasAttribute('paused') !== paused) this.toggleAttribute('paused', paused);
+    // A fire that is still to come is told how it starts.
+    if (!this.#link?.live) return this.#ready.promise;
+    return this.#ask({ type: paused ? 'pause' : 'play' });
+  }
+
+  /** @param {boolean} reduced */
+  #motion(reduced) {
+    const still = reduced && this.reducedMotion !== 'ignore';
+    if (still && !this.#paused) {
+      this.#still = true;
+      this.#setPaused(true);
+    } else if (!still && this.#still) {
+      this.#setPaused(false);
+    }
+  }
+
+  /** Makes a fire. */
+  #open() {
+    if (this.#ready.failed) this.#ready = deferred();
+    const canvas = this.#view.newCanvas();
+    this.#view.describe(this.alt);
+    this.#view.show('loading');
+    const warm = !this.#paused && this.reducedMotion !== 'ignore' && motionIsReduced();
+    const link = new FireLink(this, canvas, this.#requests, {
+      heard: (message) => this.#receive(message, link),
+      begun: () => this.#begin(link, warm),
+      motion: (reduced) => this.#motion(reduced),
+    });
+    this.#link = link;
+    this.#still = warm;
+    if (warm || (!this.#started && !this.autoplay)) this.#setPaused(true);
+    const opened = link.open(() => HearthFire.wasmUrl, () => this.#start());
+    opened.catch((error) => link.closed || this.#fail(error.kind ?? 'load', error.message));
+  }
+
+  /** What the fire starts from: the preset at first, what it was when it comes back. */
+  #start() {
+    const preset = this.#started ? null : this.getAttribute('preset');
+    const values = this.#started ? this.#params : {};
+    this.#started = true;
+    return { values, paused: this.#paused, ...(preset === null ? {} : { preset }) };
+  }
+
+  /**
+   * The fire is there and has its values.
+   * @param {FireLink} link
+   * @param {boolean} warm
+   */
+  async #begin(link, warm) {
+    if (warm) {
+      const steps = Math.ceil(STILL_AFTER / this.#params.time_step);
+      await this.step(steps).catch(() => {});
+      if (link.closed) return;
+    }
+    this.#view.show('shown');
+    this.#view.offerPlay(this.#still);
+    this.#announced = true;
+    this.#ready.resolve();
+    this.#emit('ready');
+  }
+
+  /** Frees the fire and all that belongs to it. */
+  #close() {
+    this.#link?.close();
+    this.#link = null;
+    this.#announced = false;
+    this.#view.dropCanvas();
+    this.#view.offerPlay(false);
+    this.#view.show('loading');
+  }
+
+  /** @type {(message: Message, link: FireLink) => void} */
+  #receive(message, link) {
+    switch (message.type) {
+      case 'ready':
+        this.#params = { ...this.#params, ...message.values };
+        break;
+      case 'changed':
+        this.#params = { ...this.#params, ...message.values };
+        if (!this.#announced) break;
+        for (const [id, value] of Object.entries(message.values)) {
+          this.#emit('params-change', { id, value, source: message.source });
+        }
+        break;
+      case 'done':
+        this.#requests.settle(message.request);
+        break;
+      case 'refused':
+        this.#refused(message.errors, message.request);
+        break;
+      case 'stats':
+        this.#stats = message.stats;
+        this.#emit('stats', this.stats);
+        break;
+      case 'state':
+        this.#emit(message.playing ? 'play' : 'pause');
+        break;
+      case 'restored':
+        this.#view.show('shown');
+        this.#emit('restored');
+        break;
+      case 'error':
+        if (link.closed) break;
+        if (message.kind === 'context-lost') this.#lose(message.message);
+        else this.#fail(message.kind, message.message);
+        break;
+    }
+  }
+
+  /** @param {string} message */
+  #lose(message) {
+    this.#view.show('loading');
+    this.#emit('error', { kind: 'context-lost', message });
+  }
+
+  /** @type {(errors: Refusal[], request?: number) => void} */
+  #refused(errors, request) {
+    for (const { message, ...rest } of errors) {
+      console.warn(`<hearth-fire>: ${message}`);
+      this.#emit('error', { kind: 'bad-parameter', message, ...rest });
+    }
+    if (request !== undefined) this.#requests.refuse(request, errors);
+  }
+
+  /**
+   * There is no fire and why not: the poster stays, with words.
+   * @param {'unsupported' | 'load'} kind
+   * @param {string} message
+   */
+  #fail(kind, message) {
+    this.#view.show('failed', message);
+    this.#view.offerPlay(false);
+    const error = new EngineError(kind, message);
+    this.#link?.abandon(error);
+    this.#ready.reject(error);
+    console.warn(`<hearth-fire>: ${message}`);
+    this.#emit('error', { kind, message });
+  }
+
+  /** @type {(type: string, detail?: object | null) => void} */
+  #emit(type, detail = null) {
+    this.dispatchEvent(new CustomEvent(type, { detail }));
+  }
+}
+
+for (const { id, property } of PARAMETERS) {
+  Object.defineProperty(HearthFire.prototype, property, {
+    configurable: true,
+    enumerable: true,
+    get() {
+      return this.get(id);
+    },
+    set(value) {
+      this.set(id, value);
+    },
+  });
+}
+
+if (globalThis.customElements && !customElements.get('hearth-fire')) {
+  customElements.define('hearth-fire', HearthFire);
+}

@@ -1,0 +1,93 @@
+/**
+ * Watches how large an element is, whether anybody sees it, and whether motion
+ * is wanted. Everything that is watched is let go by `stop`.
+ */
+
+/** Most device pixels for a CSS pixel: more is not seen in a fire and costs much. */
+const DENSEST = 2;
+/** The same on phones and tablets, whose graphics are slower. */
+const DENSEST_TOUCH = 1.5;
+/** Most pixels of a canvas: a 1440p screen's. */
+const MOST_PIXELS = 2560 * 1440;
+
+const REDUCED_MOTION = '(prefers-reduced-motion: reduce)';
+
+/** Whether the visitor asked for less motion. */
+export function motionIsReduced() {
+  return globalThis.matchMedia?.(REDUCED_MOTION).matches ?? false;
+}
+
+/**
+ * The size that a canvas should have, within the caps.
+ * @param {number} width in device pixels
+ * @param {number} height in device pixels
+ * @param {number} density device pixels for a CSS pixel
+ * @param {boolean} touch
+ * @returns {{width: number, height: number}}
+ */
+export function cappedSize(width, height, density, touch) {
+  const densest = touch ? DENSEST_TOUCH : DENSEST;
+  const pixels = Math.max(width * height, 1);
+  const scale = Math.min(1, densest / density, Math.sqrt(MOST_PIXELS / pixels));
+  return { width: Math.round(width * scale), height: Math.round(height * scale) };
+}
+
+/**
+ * Starts watching.
+ * @param {HTMLElement} host
+ * @param {HTMLCanvasElement} canvas
+ * @param {object} tell
+ * @param {(width: number, height: number) => void} tell.resized
+ * @param {(visible: boolean) => void} tell.visible
+ * @param {(reduced: boolean) => void} tell.motion
+ * @returns {{stop: () => void}}
+ */
+export function watch(host, canvas, tell) {
+  const stopped = new AbortController();
+  const { signal } = stopped;
+
+  const touch = globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
+  const sizes = new ResizeObserver((entries) => {
+    const entry = entries[entries.length - 1];
+    const density = globalThis.devicePixelRatio || 1;
+    const exact = entry.devicePixelContentBoxSize?.[0];
+    const side = (css, counted) => {
+      const pixels = css * density;
+      // The browser's own count knows how the layout snaps to pixels; where it
+      // counts in another unit, as some emulated screens do, it is left alone.
+      return counted !== undefined && Math.abs(counted - pixels) <= 1 ? counted : Math.round(pixels);
+    };
+    const { width, height } = cappedSize(
+      side(entry.contentRect.width, exact?.inlineSize),
+      side(entry.contentRect.height, exact?.blockSize),
+      density,
+      touch,
+    );
+    tell.resized(width, height);
+  });
+  try {
+    sizes.observe(canvas, { box: 'device-pixel-content-box' });
+  } catch {
+    sizes.observe(canvas);
+  }
+
+  let inView = false;
+  const look = () => tell.visible(inView && document.visibilityState === 'visible');
+  const views = new IntersectionObserver((entries) => {
+    inView = entries[entries.length - 1].isIntersecting;
+    look();
+  });
+  views.observe(host);
+  document.addEventListener('visibilitychange', look, { signal });
+
+  const motion = globalThis.matchMedia?.(REDUCED_MOTION);
+  motion?.addEventListener('change', () => tell.motion(motion.matches), { signal });
+
+  return {
+    stop() {
+      stopped.abort();
+      sizes.disconnect();
+      views.disconnect();
+    },
+  };
+}

@@ -1,0 +1,192 @@
+/**
+ * The panel under a real mouse: every kind of egui control changes the fire's
+ * parameters, and what can be seen of it changes in the simulation.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { assertBurns } from './laws.mjs';
+import { Panel, along, fractionOf } from './panel.mjs';
+import { table } from './site.mjs';
+
+const { PARAMETERS, PRESETS, DEFAULTS, entry } = await table();
+
+/** How far the hand may miss a place on a slider, as a fraction of its length. */
+const AIM = 0.06;
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+/** The page with its panel, in a window that is wide enough for both. */
+async function openPage() {
+  const tab = await browser.open('index.html', { width: 760, height: 600 });
+  await tab.burnt(1);
+  return { tab, panel: await new Panel(tab).mounted() };
+}
+
+const stat = (tab, name) => tab.fire((fire, wanted) => fire.stats[wanted], name);
+
+test('a number slider sets its number where the mouse lets go', async () => {
+  const { tab, panel } = await openPage();
+  await panel.dragSlider('buoyancy', 0.2, 0.8);
+  const near = (value) => Math.abs(fractionOf(entry.buoyancy, value) - 0.8) < AIM;
+  await panel.value('buoyancy', 'about 0.8', near);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a log slider spreads by ratios, and less emission means fewer particles', async () => {
+  const { tab, panel } = await openPage();
+  const many = await stat(tab, 'particles');
+  await panel.dragSlider('emission_rate', 0.6, 0.1);
+  const near = (value) => Math.abs(fractionOf(entry.emission_rate, value) - 0.1) < AIM;
+  await panel.value('emission_rate', 'a tenth along', near);
+  await tab.until(
+    `less than half of ${many} particles`,
+    (most) => /** @type {any} */ (document.querySelector('hearth-fire')).stats.particles < most,
+    many / 2,
+  );
+});
+
+test('an integer slider sets whole numbers, and the cap holds', async () => {
+  const { tab, panel } = await openPage();
+  await panel.dragSlider('max_particles', 0.5, 0.1);
+  const cap = await panel.value(
+    'max_particles',
+    'a whole number a tenth along',
+    (value) => Number.isInteger(value) && Math.abs(fractionOf(entry.max_particles, value) - 0.1) < AIM,
+  );
+  await tab.until(
+    `no more than ${cap} particles`,
+    (most) => /** @type {any} */ (document.querySelector('hearth-fire')).stats.particles <= most,
+    cap,
+  );
+});
+
+test('a choice takes the name that is clicked, and even a paused fire is drawn anew', async () => {
+  const { tab, panel } = await openPage();
+  await tab.fire((fire) => fire.pause());
+  await tab.frames(4);
+  const fire = await tab.firePicture();
+  await panel.choose('display_mode', 'paper');
+  await panel.value('display_mode', 'paper', (value) => value === 'paper');
+  await tab.frames(4);
+  const paper = await tab.firePicture();
+  assert.ok(fire.difference(paper) > 1, `the picture differs by ${fire.difference(paper)}`);
+  await panel.choose('display_mode', 'fire');
+  await panel.value('display_mode', 'fire', (value) => value === 'fire');
+  await tab.frames(4);
+  assert.equal(fire.difference(await tab.firePicture()), 0);
+});
+
+test('a flag goes on with one click and off with the next', async () => {
+  const { tab, panel } = await openPage();
+  for (const on of [true, false]) {
+    await tab.click(along(await panel.reveal('printed_kernel'), 0.5));
+    await panel.value('printed_kernel', on, (value) => value === on);
+  }
+});
+
+test('a colour is dragged out of its sliders, and stands behind the fire', async () => {
+  const { tab, panel } = await openPage();
+  await tab.click(along(await panel.reveal('background'), 0.5));
+  await panel.reveal('background');
+  for (const [slider, to] of [['brightness', 0.8], ['saturation', 0.95], ['hue', 0.66]]) {
+    const rectangle = await panel.part(`${slider}:background`);
+    await tab.drag(along(rectangle, 0.3), along(rectangle, to));
+  }
+  const blue = /^#[0-3].[0-7].[a-f].$/;
+  await panel.value('background', 'a bright blue', (value) => blue.test(value));
+  await tab.frames(4);
+  const corner = (await tab.firePicture()).part(0, 0, 0.05, 0.05);
+  assert.ok(corner.share((r, g, b) => b > 150 && b > 2 * r) > 0.9, 'the corner is blue');
+});
+
+test('a seed is typed over the number, and the fire starts anew from it', async () => {
+  const { tab, panel } = await openPage();
+  const before = await stat(tab, 'time');
+  await tab.click(along(await panel.reveal('seed'), 0.95));
+  await tab.page.keyboard.type('4711');
+  await tab.key('Enter');
+  await panel.value('seed', 4711, (value) => value === 4711);
+  await tab.until(
+    'the time starts anew',
+    (time) => /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < time,
+    before,
+  );
+});
+
+test('the pause button stops time and picture, and lets them go on', async () => {
+  const { tab, panel } = await openPage();
+  await panel.press('pause');
+  await tab.until(
+    'the fire is paused',
+    () => /** @type {any} */ (document.querySelector('hearth-fire')).stats.paused,
+  );
+  const region = { x: 0, y: 0, width: 380, height: 600 };
+  const [time, picture] = [await stat(tab, 'time'), await tab.picture(region)];
+  await tab.frames(20);
+  assert.equal(await stat(tab, 'time'), time);
+  assert.equal((await tab.picture(region)).difference(picture), 0);
+  await panel.press('pause');
+  await tab.burnt(time + 0.5);
+  await assertBurns(tab);
+});
+
+test('the restart button starts the fire anew with the same values', async () => {
+  const { tab, panel } = await openPage();
+  await tab.fire((fire) => fire.set('buoyancy', 0.5));
+  const before = await stat(tab, 'time');
+  await panel.press('reset');
+  await tab.until(
+    'the time starts anew',
+    (time) => /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < time,
+    before,
+  );
+  assert.equal(await tab.fire((fire) => fire.params.buoyancy), 0.5);
+});
+
+test('one value, and then all of them, go back to their defaults', async () => {
+  const { tab, panel } = await openPage();
+  const changes = { buoyancy: 0.5, viscosity: 0.02, walls: 'solid', printed_euler: true };
+  await tab.fire((fire, values) => fire.set(values), changes);
+  await panel.restore('buoyancy');
+  await panel.value('buoyancy', 'the default', (value) => value === DEFAULTS.buoyancy);
+  assert.equal(await tab.fire((fire) => fire.params.viscosity), 0.02);
+  await panel.press('reset-all');
+  for (const id of Object.keys(changes)) {
+    await panel.value(id, 'the default', (value) => value === DEFAULTS[id]);
+  }
+});
+
+test('a preset button brings the preset’s values', async () => {
+  const { panel } = await openPage();
+  for (const name of ['seed', 'default']) {
+    await panel.press(`preset:${name}`);
+    const { values } = PRESETS.find((preset) => preset.name === name);
+    for (const [id, expected] of Object.entries({ ...DEFAULTS, ...values })) {
+      await panel.value(id, expected, (now) => now === expected);
+    }
+  }
+});
+
+test('every slider of the table moves its own value and no other', async () => {
+  const { tab, panel } = await openPage();
+  await tab.fire((fire) => fire.pause());
+  const sliders = PARAMETERS.filter(({ kind }) => kind === 'number' || kind === 'integer');
+  assert.ok(sliders.length > 30, `${sliders.length} sliders`);
+  for (const slider of sliders) {
+    const before = await tab.fire((fire) => fire.params);
+    const from = fractionOf(slider, before[slider.id]);
+    const to = from > 0.5 ? 0.3 : 0.7;
+    await panel.dragSlider(slider.id, from, to);
+    const near = (value) => Math.abs(fractionOf(slider, value) - to) < AIM;
+    const value = await panel.value(slider.id, `at ${to} of its slider`, near);
+    const now = await tab.fire((fire) => fire.params);
+    assert.deepEqual(now, { ...before, [slider.id]: value });
+  }
+  assert.deepEqual(tab.problems, []);
+});

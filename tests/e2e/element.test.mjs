@@ -1,0 +1,323 @@
+/**
+ * How `<hearth-fire>` behaves as a guest on somebody's page: hidden, moved,
+ * resized, removed, doubled, robbed of its context. It burns again each time.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { assertBurns, events, recording } from './laws.mjs';
+import { table } from './site.mjs';
+
+const { PARAMETERS, PRESETS, DEFAULTS } = await table();
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+const FIRE = '<hearth-fire id="fire"></hearth-fire>';
+
+/** The fire's own time, a few frames apart: where it is now, and what it gains. */
+async function progress(tab) {
+  const read = () => tab.fire(async (fire) => {
+    await new Promise((resolve) => setTimeout(resolve, 600));
+    return fire.stats.time;
+  });
+  const start = await read();
+  return { start, gain: (await read()) - start };
+}
+
+test('a fire of no size breaks nothing and burns once it has a size', async () => {
+  const tab = await browser.open('<hearth-fire style="width: 0; height: 0"></hearth-fire>');
+  await tab.ready();
+  await tab.frames(5);
+  await tab.fire((fire) => fire.removeAttribute('style'));
+  await tab.burnt(1);
+  await assertBurns(tab);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a fire that is not displayed burns once it is shown', async () => {
+  const tab = await browser.open('<hearth-fire style="display: none"></hearth-fire>');
+  await tab.ready();
+  await tab.frames(5);
+  await tab.fire((fire) => fire.removeAttribute('style'));
+  await tab.burnt(1);
+  await assertBurns(tab);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a fire out of sight makes no steps and burns on when it is back', async () => {
+  const tab = await browser.open(`${FIRE}<div style="height: 3000px"></div>`);
+  await tab.burnt(0.5);
+  await tab.evaluate(() => window.scrollTo(0, 2000));
+  await tab.frames(10);
+  const { start, gain } = await progress(tab);
+  assert.equal(gain, 0);
+  await tab.evaluate(() => window.scrollTo(0, 0));
+  await tab.burnt(start + 1);
+  await assertBurns(tab);
+});
+
+test('a fire that is removed and put back burns on with its values', async () => {
+  const tab = await browser.open('<hearth-fire viscosity="0.02"></hearth-fire>');
+  await tab.burnt(0.5);
+  await tab.fire(async (fire) => {
+    const parent = fire.parentElement;
+    fire.remove();
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    parent.append(fire);
+    await fire.ready;
+  });
+  await tab.burnt(1.5);
+  await assertBurns(tab);
+  assert.equal(await tab.fire((fire) => fire.params.viscosity), 0.02);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a fire that is moved in the document burns on', async () => {
+  const tab = await browser.open(`${FIRE}<section></section>`);
+  await tab.burnt(0.5);
+  await tab.fire((fire) => {
+    for (const parent of ['section', 'body', 'section']) {
+      document.querySelector(parent)?.append(fire);
+    }
+  });
+  await tab.burnt(1.5);
+  await assertBurns(tab);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('twenty fires that come and go leave nothing behind', async () => {
+  const tab = await browser.open(FIRE);
+  await tab.burnt(0.2);
+  await tab.evaluate(async () => {
+    for (let round = 0; round < 20; round += 1) {
+      const fire = /** @type {any} */ (document.createElement('hearth-fire'));
+      document.body.append(fire);
+      await fire.ready;
+      fire.remove();
+      await new Promise(requestAnimationFrame);
+    }
+  });
+  await tab.burnt(1.5);
+  await assertBurns(tab);
+  const living = await tab.evaluate(
+    () => /** @type {any} */ (window).contexts.filter((context) => !context.isContextLost()).length,
+  );
+  assert.ok(living <= 4, `${living} contexts are still held`);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('two fires on one page each burn with their own values', async () => {
+  const tab = await browser.open(
+    `${FIRE}<hearth-fire emission-rate="400" seed="7"></hearth-fire>`,
+    { height: 520 },
+  );
+  await tab.burnt(1.5);
+  const [large, small] = await tab.evaluate(() => [...document.querySelectorAll('hearth-fire')].map(
+    (fire) => {
+      const { params, stats } = /** @type {any} */ (fire);
+      return { rate: params.emission_rate, seed: params.seed, particles: stats.particles };
+    },
+  ));
+  assert.deepEqual([large.rate, large.seed], [DEFAULTS.emission_rate, DEFAULTS.seed]);
+  assert.deepEqual([small.rate, small.seed], [400, 7]);
+  assert.ok(small.particles < large.particles * 0.7, `${small.particles} of ${large.particles}`);
+  await assertBurns(tab);
+  const second = await tab.rectangle('hearth-fire:last-of-type');
+  const glow = (await tab.picture(second)).part(0.3, 0.5, 0.7, 1).glowing();
+  assert.ok(glow > 0.01, `${glow} of the second fire’s lower middle glows`);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a fire whose context is lost says so and burns again when it is back', async () => {
+  const tab = await browser.open(recording(FIRE));
+  await tab.burnt(1);
+  await tab.fire((fire) => {
+    const drawn = fire.shadowRoot.querySelector('canvas');
+    const context = /** @type {any} */ (window).contexts.find(({ canvas }) => canvas === drawn);
+    const extension = context.getExtension('WEBGL_lose_context');
+    extension.loseContext();
+    setTimeout(() => extension.restoreContext(), 500);
+  });
+  await tab.until(
+    'an error event',
+    () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'),
+  );
+  const [{ kind }] = await events(tab, 'error');
+  assert.equal(kind, 'context-lost');
+  const { start } = await progress(tab);
+  await tab.burnt(start + 1);
+  await assertBurns(tab);
+  assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+});
+
+test('the drawing follows the size of the element', async () => {
+  const tab = await browser.open(FIRE, { ratio: 2 });
+  await tab.burnt(0.2);
+  for (const [width, height] of [[240, 240], [400, 120], [100, 300]]) {
+    await tab.fire((fire, size) => {
+      fire.style.cssText = `width: ${size[0]}px; height: ${size[1]}px`;
+    }, [width, height]);
+    await tab.until(
+      `${2 * width} × ${2 * height} pixels`,
+      (size) => {
+        const canvas = /** @type {any} */ (
+          document.querySelector('hearth-fire')?.shadowRoot?.querySelector('canvas')
+        );
+        return canvas.width === 2 * size[0] && canvas.height === 2 * size[1];
+      },
+      [width, height],
+    );
+  }
+  assert.deepEqual(tab.problems, []);
+});
+
+test('every attribute sets its value, and removing it brings the default back', async () => {
+  const tab = await browser.open(FIRE);
+  await tab.ready();
+  const wanted = PARAMETERS.map(anotherValue);
+  await tab.fire((fire, changes) => {
+    for (const { attribute, value } of changes) fire.setAttribute(attribute, String(value));
+  }, wanted);
+  await tab.until('every attribute is taken', (changes) => {
+    const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
+    return changes.every(({ id, value }) => params[id] === value);
+  }, wanted);
+  await tab.fire((fire, changes) => {
+    for (const { attribute } of changes) fire.removeAttribute(attribute);
+  }, wanted);
+  await tab.until('every default is back', (defaults) => {
+    const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
+    return defaults.every(([id, value]) => params[id] === value);
+  }, Object.entries(DEFAULTS));
+  assert.deepEqual(tab.problems, []);
+});
+
+/** An allowed value of a parameter that is not its default. */
+function anotherValue(entry) {
+  const { id, attribute, kind } = entry;
+  const value = {
+    number: () => (entry.default === entry.max ? entry.min : entry.max),
+    integer: () => entry.min,
+    seed: () => 4_294_967_295,
+    choice: () => entry.choices.find((name) => name !== entry.default),
+    flag: () => !entry.default,
+    colour: () => '#204060',
+  }[kind]();
+  return { id, attribute, value };
+}
+
+test('properties set before the element exists are kept', async () => {
+  const tab = await browser.open(`${FIRE}<script>
+    fire.viscosity = 0.03;
+    fire.seed = 7;
+  </script>`);
+  await tab.ready();
+  const { viscosity, seed } = await tab.fire((fire) => fire.params);
+  assert.deepEqual([viscosity, seed], [0.03, 7]);
+});
+
+test('a preset brings its values, and the defaults for all others', async () => {
+  const tab = await browser.open('<hearth-fire preset="seed"></hearth-fire>');
+  await tab.ready();
+  const seed = PRESETS.find(({ name }) => name === 'seed').values;
+  assert.deepEqual(await tab.fire((fire) => fire.params), { ...DEFAULTS, ...seed });
+  await tab.fire((fire) => fire.setAttribute('viscosity', '0.03'));
+  await tab.until(
+    'an attribute goes before the preset',
+    () => /** @type {any} */ (document.querySelector('hearth-fire')).params.viscosity === 0.03,
+  );
+  await tab.fire((fire) => fire.removeAttribute('viscosity'));
+  await tab.fire((fire) => {
+    fire.preset = 'default';
+  });
+  await tab.until('the defaults', (all) => {
+    const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
+    return Object.entries(all).every(([id, value]) => params[id] === value);
+  }, DEFAULTS);
+});
+
+test('a change is told to those who listen, with its value', async () => {
+  const tab = await browser.open(recording(FIRE));
+  await tab.ready();
+  await tab.fire((fire) => fire.set('viscosity', 0.02));
+  await tab.fire((fire) => fire.restore('viscosity'));
+  const changes = await events(tab, 'params-change');
+  assert.deepEqual(
+    changes.map(({ id, value }) => [id, value]),
+    [['viscosity', 0.02], ['viscosity', DEFAULTS.viscosity]],
+  );
+});
+
+test('pause stops the fire, step moves it, play lets it burn on, reset starts anew', async () => {
+  const tab = await browser.open(recording(FIRE));
+  await tab.burnt(1);
+  await tab.fire((fire) => fire.pause());
+  assert.equal(await tab.fire((fire) => fire.paused), true);
+  const paused = await progress(tab);
+  assert.equal(paused.gain, 0);
+  assert.equal((await tab.firePicture()).difference(await tab.firePicture()), 0);
+
+  await tab.fire((fire) => fire.step(60));
+  const stepped = await progress(tab);
+  const gained = stepped.start - paused.start;
+  assert.ok(Math.abs(gained - 60 * DEFAULTS.time_step) < 1e-3, `sixty steps gain ${gained} s`);
+
+  await tab.fire((fire) => fire.play());
+  await tab.burnt(stepped.start + 0.5);
+  await tab.fire((fire) => fire.reset());
+  await tab.until(
+    'the time starts anew',
+    (time) => /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < time,
+    stepped.start,
+  );
+  assert.deepEqual((await events(tab, 'pause')).length, 1);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a paused fire waits until it may play', async () => {
+  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  await tab.ready();
+  assert.equal(await tab.fire((fire) => fire.paused), true);
+  assert.equal((await progress(tab)).gain, 0);
+  await tab.fire((fire) => fire.removeAttribute('paused'));
+  await tab.burnt(1);
+  await assertBurns(tab);
+});
+
+test('with reduced motion a still of the fire waits for its play button', async () => {
+  const tab = await browser.open(FIRE, { reducedMotion: true });
+  await tab.ready();
+  await tab.frames(10);
+  const still = await tab.firePicture();
+  await tab.frames(10);
+  assert.equal(still.difference(await tab.firePicture()), 0);
+  assert.ok(still.part(0.3, 0.4, 0.7, 1).glowing() > 0.02, 'the still shows a fire');
+  const button = await tab.fire((fire) => {
+    const found = [...fire.shadowRoot.querySelectorAll('button')].find((one) => one.checkVisibility());
+    const { x, y, width, height } = found.getBoundingClientRect();
+    return { x: x + width / 2, y: y + height / 2, label: found.ariaLabel || found.textContent };
+  });
+  assert.match(button.label, /play/i);
+  await tab.click(button);
+  await tab.frames(20);
+  await assertBurns(tab);
+});
+
+test('whoever cannot see it is told what it is', async () => {
+  const tab = await browser.open('<hearth-fire alt="A camp fire"></hearth-fire>');
+  await tab.ready();
+  const tree = await tab.page.accessibility.snapshot({ interestingOnly: false });
+  assert.match(JSON.stringify(tree), /"A camp fire"/);
+});
+
+test('the host page scrolls with a finger on the fire', async () => {
+  const tab = await browser.open(`${FIRE}<div style="height: 3000px"></div>`, { touch: true });
+  await tab.burnt(0.2);
+  await tab.touchDrag({ x: 120, y: 200 }, { x: 120, y: 40 });
+  await tab.until('the page has scrolled', () => window.scrollY > 50);
+});

@@ -1,0 +1,138 @@
+/**
+ * The mirror of native controls, for keyboards and screen readers: it is in
+ * step with the fire and with egui both ways, has a name for everything, and
+ * never holds the keyboard captive.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { Panel, along, mirrorOf } from './panel.mjs';
+import { table } from './site.mjs';
+
+const { PARAMETERS, DEFAULTS, entry } = await table();
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+async function openPage() {
+  const tab = await browser.open('index.html', { width: 760, height: 600 });
+  await tab.ready();
+  return { tab, panel: await new Panel(tab).mounted() };
+}
+
+/** What the mirror's control of a parameter shows. */
+function shown(tab, id) {
+  return tab.page.$eval(mirrorOf(id), (control) => {
+    const { type, checked, value } = /** @type {HTMLInputElement} */ (control);
+    return type === 'checkbox' ? checked : value;
+  });
+}
+
+test('every parameter has a native control with a name', async () => {
+  const { tab } = await openPage();
+  const controls = await tab.page.$$eval('[data-parameter]', (found) => found.map((control) => {
+    const { labels, ariaLabel, dataset } = /** @type {HTMLInputElement} */ (control);
+    return { id: dataset.parameter, name: ariaLabel || labels?.[0]?.textContent?.trim() };
+  }));
+  assert.deepEqual(controls.map(({ id }) => id), PARAMETERS.map(({ id }) => id));
+  for (const { id, name } of controls) {
+    assert.ok(name?.includes(entry[id].label), `${id} is called ${name}`);
+  }
+});
+
+test('an arrow key on the mirror’s slider moves the value, and egui shows it', async () => {
+  const { tab, panel } = await openPage();
+  const rectangle = await panel.reveal('buoyancy');
+  const picture = await tab.picture(rectangle);
+  await tab.page.focus(mirrorOf('buoyancy'));
+  for (let press = 0; press < 10; press += 1) await tab.key('ArrowRight');
+  await panel.value('buoyancy', 'more', (value) => value > DEFAULTS.buoyancy);
+  await tab.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
+  await tab.frames(4);
+  const after = await tab.picture(await panel.reveal('buoyancy'));
+  assert.ok(after.difference(picture) > 0.5, 'egui’s slider has moved');
+});
+
+test('native choices, flags, colours and seeds set the fire', async () => {
+  const { tab, panel } = await openPage();
+  for (const [id, value] of [
+    ['walls', 'solid'],
+    ['printed_kernel', true],
+    ['background', '#204060'],
+    ['seed', '4711'],
+  ]) {
+    await tab.page.$eval(mirrorOf(String(id)), (control, to) => {
+      const input = /** @type {HTMLInputElement} */ (control);
+      if (typeof to === 'boolean') input.checked = to;
+      else input.value = String(to);
+      input.dispatchEvent(new Event('input', { bubbles: true }));
+      input.dispatchEvent(new Event('change', { bubbles: true }));
+    }, value);
+    await panel.value(String(id), String(value), (now) => String(now) === String(value));
+  }
+});
+
+test('the mirror follows attributes of the fire', async () => {
+  const { tab } = await openPage();
+  await tab.fire((fire) => {
+    fire.setAttribute('walls', 'periodic');
+    fire.setAttribute('printed-euler', '');
+    fire.setAttribute('seed', '99');
+  });
+  await tab.until('the mirror shows them', () => {
+    const of = (id) => /** @type {HTMLInputElement} */ (
+      document.querySelector(`[data-parameter="${id}"]`)
+    );
+    return of('walls').value === 'periodic' && of('printed_euler').checked && of('seed').value === '99';
+  });
+});
+
+test('the mirror follows the mouse on egui', async () => {
+  const { tab, panel } = await openPage();
+  const before = await shown(tab, 'viscosity');
+  await panel.dragSlider('viscosity', 0.1, 0.9);
+  await tab.until(
+    'the mirror’s slider has moved',
+    (selector, old) => document.querySelector(selector).value !== old,
+    mirrorOf('viscosity'),
+    before,
+  );
+});
+
+test('the panel takes no focus at the start', async () => {
+  const { tab } = await openPage();
+  await tab.frames(10);
+  assert.equal(await tab.evaluate(() => document.activeElement?.tagName), 'BODY');
+});
+
+test('the Tab key leaves the panel, forwards and backwards', async () => {
+  const { tab, panel } = await openPage();
+  const inPanel = () => tab.evaluate(
+    () => document.activeElement?.closest('#panel') !== null,
+  );
+  for (const backwards of [false, true]) {
+    await tab.click(along(await panel.reveal('buoyancy'), 0.5));
+    if (backwards) await tab.page.keyboard.down('Shift');
+    let presses = 0;
+    do {
+      await tab.page.keyboard.press('Tab');
+      presses += 1;
+    } while (presses < 200 && (await inPanel()));
+    if (backwards) await tab.page.keyboard.up('Shift');
+    assert.ok(presses < 200, 'Tab goes round in the panel for ever');
+  }
+});
+
+test('the H key hides the panel and shows it again', async () => {
+  const { tab } = await openPage();
+  const visible = () => tab.page.$eval('#panel', (panel) => panel.checkVisibility());
+  assert.equal(await visible(), true);
+  await tab.key('h');
+  assert.equal(await visible(), false);
+  await tab.key('h');
+  assert.equal(await visible(), true);
+});

@@ -1,0 +1,120 @@
+/**
+ * The page as a visitor meets it: it loads without a complaint, the fire
+ * burns where fire should be, moves, and goes on burning.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { assertBurns } from './laws.mjs';
+import { table } from './site.mjs';
+
+const { DEFAULTS } = await table();
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+test('the page loads without a complaint and its fire becomes ready', async () => {
+  const tab = await browser.open('index.html');
+  await tab.ready();
+  await tab.burnt(0.5);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('fire burns in the lower middle and nowhere else, and it moves', async () => {
+  const tab = await browser.open('index.html', { width: 1000, height: 500 });
+  await tab.burnt(1.5);
+  await assertBurns(tab);
+  const picture = await tab.firePicture();
+  assert.ok(picture.part(0, 0, 0.15, 1).dark() > 0.98, 'the left edge is dark');
+  assert.ok(picture.part(0, 0, 0.6, 0.05).dark() > 0.95, 'the upper edge is dark');
+});
+
+test('the fire still burns after ten seconds, with a whole fire of particles', async () => {
+  const tab = await browser.open('index.html');
+  await tab.burnt(10);
+  await assertBurns(tab);
+  const { particles, fps, time } = await tab.fire((fire) => fire.stats);
+  assert.ok(particles >= 500 && particles <= 1000, `${particles} particles`);
+  assert.ok(fps > 0, `${fps} frames a second`);
+  assert.ok(time >= 10, `${time} s of fire`);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('the fire burns at the speed of the clock unless it says that it is slowed', async () => {
+  const tab = await browser.open('<hearth-fire></hearth-fire>', { width: 260, height: 260 });
+  await tab.burnt(0.5);
+  const { ratio, slowed } = await tab.fire(async (fire) => {
+    const next = () => new Promise((resolve) => {
+      fire.addEventListener('stats', () => resolve([fire.stats.time, performance.now() / 1000]), {
+        once: true,
+      });
+    });
+    const [fireStart, clockStart] = await next();
+    let slow = false;
+    let [fireNow, clockNow] = [fireStart, clockStart];
+    while (clockNow - clockStart < 4) {
+      [fireNow, clockNow] = await next();
+      // Below ten frames a second the clock itself stops to make up for it.
+      slow ||= fire.stats.slowed === true || fire.stats.fps < 12;
+    }
+    return { ratio: (fireNow - fireStart) / (clockNow - clockStart), slowed: slow };
+  });
+  assert.ok(ratio < 1.15, `${ratio} seconds of fire a second`);
+  assert.ok(slowed || ratio > 0.85, `${ratio} seconds of fire a second`);
+});
+
+test('values in the address set the fire, and bad ones are refused aloud', async () => {
+  const tab = await browser.open('index.html?viscosity=0.02&buoyancy=99&seed=7');
+  await tab.ready();
+  await tab.burnt(1);
+  const { viscosity, buoyancy, seed } = await tab.fire((fire) => fire.params);
+  assert.deepEqual({ viscosity, buoyancy, seed }, {
+    viscosity: 0.02,
+    buoyancy: DEFAULTS.buoyancy,
+    seed: 7,
+  });
+  const [warning, ...more] = tab.problems;
+  assert.match(warning, /^console\.warn.*buoyancy.*99.*0.*1/);
+  assert.deepEqual(more, []);
+  await assertBurns(tab);
+});
+
+for (const [width, height, ratio] of [
+  [360, 640, 3],
+  [768, 1024, 2],
+  [1280, 720, 1],
+  [2560, 1440, 1],
+]) {
+  test(`the page fits ${width} × ${height} at ${ratio} device pixels`, async () => {
+    const touch = width < 720;
+    const tab = await browser.open('index.html', { width, height, ratio, touch });
+    await tab.burnt(0.5);
+    const seen = await tab.evaluate(() => {
+      const root = document.documentElement;
+      const fire = /** @type {Element} */ (document.querySelector('hearth-fire'));
+      const { width: cssWidth, height: cssHeight } = fire.getBoundingClientRect();
+      const canvas = /** @type {any} */ (fire.shadowRoot?.querySelector('canvas'));
+      return {
+        overflow: root.scrollWidth - root.clientWidth,
+        cssWidth,
+        cssHeight,
+        pixelWidth: canvas.width,
+        pixelHeight: canvas.height,
+      };
+    });
+    assert.ok(seen.overflow <= 0, 'no horizontal scroll bar');
+    assert.ok(seen.cssWidth > width / 2, `the fire is ${seen.cssWidth} wide`);
+    assert.ok(seen.cssHeight > height / 2, `the fire is ${seen.cssHeight} high`);
+    const scale = seen.pixelWidth / seen.cssWidth;
+    assert.ok(scale <= ratio + 0.01, `${scale} pixels drawn for each CSS pixel`);
+    assert.ok(scale >= 0.99, `${scale} pixels drawn for each CSS pixel`);
+    // A cap on the pixels may lower both sides, never one.
+    const otherScale = seen.pixelHeight / seen.cssHeight;
+    assert.ok(Math.abs(scale / otherScale - 1) < 0.02, 'pixels are square');
+    assert.deepEqual(tab.problems, []);
+  });
+}

@@ -1,0 +1,167 @@
+/**
+ * The egui panel as a hand finds it. egui paints into a canvas, so its
+ * controls are found through the mirror of native controls that the panel
+ * keeps: focusing a mirror control scrolls the panel to its row, and its
+ * `data-rect` tells where the row's control stands on the page.
+ */
+
+/** @typedef {import('./driver.mjs').Tab} Tab */
+/** @typedef {import('./driver.mjs').Point} Point */
+/** @typedef {import('./picture.mjs').Rectangle} Rectangle */
+
+/** The mirror control of a parameter. */
+export const mirrorOf = (/** @type {string} */ id) => `[data-parameter="${id}"]`;
+
+/** The mirror of a button: pause, reset, reset-all, preset:seed, restore:viscosity … */
+export const actionOf = (/** @type {string} */ name) => `[data-action="${name}"]`;
+
+/** The point inside a rectangle at a fraction of its width, half way down. */
+export function along(/** @type {Rectangle} */ rectangle, /** @type {number} */ fraction) {
+  const { x, y, width, height } = rectangle;
+  return { x: x + width * fraction, y: y + height / 2 };
+}
+
+/** The panel of the page in a tab. */
+export class Panel {
+  /** @param {Tab} tab */
+  constructor(tab) {
+    this.tab = tab;
+  }
+
+  /** Waits until the panel has painted its controls. */
+  async mounted() {
+    await this.tab.until(
+      'the panel shows its controls',
+      () => document.querySelector('[data-action="pause"][data-rect]') !== null,
+    );
+    await this.tab.evaluate(rememberRectangles);
+    return this;
+  }
+
+  /**
+   * Brings a parameter's row into sight and waits until it stands still.
+   * @param {string} id
+   * @returns {Promise<Rectangle>}  Where egui shows its control, in CSS pixels of the page.
+   */
+  async reveal(id) {
+    await this.tab.page.focus(mirrorOf(id));
+    const rectangle = await this.standing(mirrorOf(id));
+    // A focused mirror control shows itself, and could stand in the mouse's way.
+    await this.tab.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
+    return rectangle;
+  }
+
+  /**
+   * Where egui shows what a mirror control stands for, once it stands still.
+   * @param {string} selector
+   * @returns {Promise<Rectangle>}
+   */
+  async standing(selector) {
+    const rectangle = await this.tab.until(`${selector} is in sight`, async (wanted) => {
+      const mirror = /** @type {HTMLElement} */ (document.querySelector(wanted));
+      const first = mirror.dataset.rect;
+      for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
+      return first !== undefined && first === mirror.dataset.rect && first;
+    }, selector);
+    const [x, y, width, height] = rectangle.split(' ').map(Number);
+    return { x, y, width, height };
+  }
+
+  /**
+   * Where egui shows a part that has no mirror of its own: a name of a choice,
+   * a colour's hue.
+   * @param {string} name
+   * @returns {Promise<Rectangle>}
+   */
+  part(name) {
+    return this.tab.until(`the panel shows ${name}`, (wanted) => {
+      const found = /** @type {any} */ (window).panelRectangles?.[wanted];
+      const canvas = document.querySelector('#panel canvas')?.getBoundingClientRect();
+      if (!found || !canvas) return null;
+      const [x, y, width, height] = found;
+      return { x: canvas.x + x, y: canvas.y + y, width, height };
+    }, name);
+  }
+
+  /**
+   * Drags a parameter's slider with the mouse between two fractions of its length.
+   * @param {string} id @param {number} from @param {number} to
+   */
+  async dragSlider(id, from, to) {
+    const rectangle = await this.reveal(id);
+    await this.tab.drag(along(rectangle, from), along(rectangle, to));
+  }
+
+  /**
+   * Clicks a button of the header with the mouse.
+   * @param {string} action
+   */
+  async press(action) {
+    await this.tab.click(along(await this.standing(actionOf(action)), 0.5));
+  }
+
+  /**
+   * Clicks the button that brings a parameter's default back.
+   * @param {string} id
+   */
+  async restore(id) {
+    await this.reveal(id);
+    await this.press(`restore:${id}`);
+  }
+
+  /**
+   * Clicks one of a choice's names.
+   * @param {string} id @param {string} name
+   */
+  async choose(id, name) {
+    await this.reveal(id);
+    await this.tab.click(along(await this.part(`choice:${id}:${name}`), 0.5));
+  }
+
+  /**
+   * Waits until the fire's parameter satisfies `holds`, and gives its value.
+   * @param {string} id @param {string} what @param {(value: any) => boolean} holds
+   */
+  async value(id, what, holds) {
+    for (let patience = 200; patience > 0; patience -= 1) {
+      const value = await this.tab.fire((fire, name) => fire.params[name], id);
+      if (holds(value)) return value;
+      await this.tab.frames();
+    }
+    const value = await this.tab.fire((fire, name) => fire.params[name], id);
+    throw new Error(`${id} should be ${what} and is ${JSON.stringify(value)}`);
+  }
+}
+
+/**
+ * The value that stands at a fraction of a slider.
+ * @param {{min: number, max: number, scale: string}} entry  From the parameter table.
+ * @param {number} fraction
+ */
+export function valueAt({ min, max, scale }, fraction) {
+  return scale === 'log' ? min * (max / min) ** fraction : min + (max - min) * fraction;
+}
+
+/**
+ * Where a value stands on its slider, as a fraction.
+ * @param {{min: number, max: number, scale: string}} entry  From the parameter table.
+ * @param {number} value
+ */
+export function fractionOf({ min, max, scale }, value) {
+  return scale === 'log'
+    ? Math.log(value / min) / Math.log(max / min)
+    : (value - min) / (max - min);
+}
+
+/**
+ * Runs in the page: keeps what the panel's wasm tells about all its places in
+ * `window.panelRectangles`. The page asks it after every painted frame.
+ */
+async function rememberRectangles() {
+  const load = (/** @type {string} */ url) => import(url);
+  const { Panel: inWasm } = await load(new URL('web/wasm/hearth-panel.js', document.baseURI).href);
+  const original = inWasm.prototype.rectangles;
+  inWasm.prototype.rectangles = function rectangles() {
+    return (/** @type {any} */ (window).panelRectangles = original.call(this));
+  };
+}

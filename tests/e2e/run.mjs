@@ -1,0 +1,26 @@
+/**
+ * Runs the tests one file after another: fires side by side would only slow
+ * each other down. `npm test`, or `npm test -- page mirror` for some files.
+ *
+ * Node's own `--test-concurrency` would do the same, from Node 20.10 on.
+ */
+import { readdirSync } from 'node:fs';
+import path from 'node:path';
+import { run } from 'node:test';
+import { spec as Spec } from 'node:test/reporters';
+import { fileURLToPath } from 'node:url';
+
+const HERE = path.dirname(fileURLToPath(import.meta.url));
+const wanted = process.argv.slice(2).filter((argument) => !argument.startsWith('-'));
+const files = readdirSync(HERE)
+  .filter((file) => file.endsWith('.test.mjs'))
+  .filter((file) => wanted.length === 0 || wanted.some((name) => file.startsWith(name)))
+  .map((file) => path.join(HERE, file));
+if (files.length === 0) throw new Error(`no test file begins with ${wanted.join(' or ')}`);
+
+run({ files, concurrency: 1 })
+  .on('test:fail', () => {
+    process.exitCode = 1;
+  })
+  .compose(new Spec())
+  .pipe(process.stdout);

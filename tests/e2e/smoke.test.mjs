@@ -1,0 +1,26 @@
+/**
+ * The least that any build of the site must do, whoever built it: load, become
+ * ready, burn, show its panel, complain about nothing. Run it alone against
+ * another folder: `HEARTH_SITE=… node --test smoke.test.mjs`.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { assertBurns } from './laws.mjs';
+import { Panel } from './panel.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+test('the site loads, burns and shows its panel without a complaint', async () => {
+  const tab = await browser.open('index.html', { width: 1000, height: 600 });
+  await tab.ready();
+  await tab.burnt(1.5);
+  await assertBurns(tab);
+  await new Panel(tab).mounted();
+  assert.deepEqual(tab.problems, []);
+});

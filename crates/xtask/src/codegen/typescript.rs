@@ -1,0 +1,123 @@
+//! `web/parameters.d.ts`: the types of everything that depends on which
+//! parameters there are. The element's own types, which do not, are written by
+//! hand in `web/hearth-fire.d.ts` and build on these.
+
+use std::fmt::Write as _;
+
+use hearth_core::params::{Kind, PARAMETERS, Param};
+use hearth_core::preset::PRESETS;
+
+use super::{MODELS, domains, json_string, json_value, model_name, property};
+
+const HEADER: &str = "\
+// Generated from the parameter table of hearth-core by `cargo xtask codegen`;
+// edit crates/hearth-core/src/params.rs instead.
+";
+
+const TABLE: &str = "
+/** Any id of a parameter. */
+export type ParameterId = keyof HearthParameters;
+
+/** Default and range of a parameter in one model; only numbers have a range. */
+export interface ParameterDomain {
+  default: number | string | boolean;
+  min?: number;
+  max?: number;
+}
+
+/** What is known about a parameter; default and range are those of the default model. */
+export interface Parameter extends ParameterDomain {
+  id: ParameterId;
+  /** The attribute of `<hearth-fire>`. */
+  attribute: string;
+  /** The property of `<hearth-fire>`. */
+  property: keyof HearthProperties;
+  label: string;
+  group: string;
+  /** Empty for a pure number. */
+  unit: string;
+  doc: string;
+  kind: 'number' | 'integer' | 'choice' | 'flag' | 'colour' | 'seed';
+  /** Numbers and integers: how a slider spreads the range. */
+  scale?: 'linear' | 'log';
+  /** Choices: every name. */
+  choices?: string[];
+  /** The models that use it. */
+  models: ModelName[];
+  domains: Partial<Record<ModelName, ParameterDomain>>;
+}
+
+/** A named set of values: the defaults, with these changed. */
+export interface Preset {
+  name: PresetName;
+  label: string;
+  values: Partial<HearthParameters>;
+}
+
+/** Every parameter, in the order in which a panel shows them. */
+export declare const PARAMETERS: Parameter[];
+
+/** Every preset, the default one first. */
+export declare const PRESETS: Preset[];
+";
+
+/// The whole file of declarations.
+pub(super) fn declarations() -> String {
+    let mut text = String::from(HEADER);
+    let models = MODELS.iter().map(|&model| model_name(model));
+    let presets = PRESETS.iter().map(|preset| preset.name);
+    let _ = write!(
+        text,
+        "\n/** Which equations move the particles. */\n\
+         export type ModelName = {};\n\
+         \n/** The name of a preset. */\n\
+         export type PresetName = {};\n",
+        union(models),
+        union(presets)
+    );
+    text.push_str("\n/** The value of every parameter, by its id. */\n");
+    interface(&mut text, "HearthParameters", |param| param.id.to_owned());
+    text.push_str("\n/** The value of every parameter, as the element's properties name it. */\n");
+    interface(&mut text, "HearthProperties", |param| property(param.id));
+    text.push_str(TABLE);
+    text
+}
+
+fn interface(text: &mut String, name: &str, field: impl Fn(&Param) -> String) {
+    let _ = writeln!(text, "export interface {name} {{");
+    for param in PARAMETERS {
+        let _ = writeln!(text, "  /** {} */", comment(param));
+        let _ = writeln!(text, "  {}: {};", field(param), value_type(param.kind));
+    }
+    text.push_str("}\n");
+}
+
+/// The doc, the unit, and range and default of the first model.
+fn comment(param: &Param) -> String {
+    let mut comment = param.description().doc.to_owned();
+    if !param.unit.is_empty() {
+        let _ = write!(comment, " [{}]", param.unit);
+    }
+    if let Some((_, domain)) = domains(param).next() {
+        let _ = write!(comment, " Default {}", json_value(domain.default));
+        if matches!(param.kind, Kind::Number(_) | Kind::Integer(_)) {
+            let _ = write!(comment, ", from {} to {}", domain.range.0, domain.range.1);
+        }
+        comment.push('.');
+    }
+    comment.replace("*/", "*\\/")
+}
+
+fn value_type(kind: Kind) -> String {
+    match kind {
+        Kind::Number(_) | Kind::Integer(_) | Kind::Seed => "number".to_owned(),
+        Kind::Flag => "boolean".to_owned(),
+        Kind::Colour => "string".to_owned(),
+        Kind::Choice(names) => union(names.iter().copied()),
+    }
+}
+
+fn union<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let names: Vec<_> = names.map(json_string).collect();
+    names.join(" | ")
+}

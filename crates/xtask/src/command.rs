@@ -1,0 +1,216 @@
+//! The command line: what may be asked for, and who answers.
+
+use std::process::ExitCode;
+
+use anyhow::{Result, bail};
+
+use crate::{bench, codegen, paths, serve, site, size, stages};
+
+/// What a person reads who asks for help.
+const HELP: &str = "\
+cargo xtask <command>
+
+  serve [--port N] [--no-open]          build the site, serve it on this machine, open it
+  build                                 build the static site in dist/site
+  test [--skip-browser] [STAGE...]      check everything, or only these stages
+  bench                                 measure, and write docs/evaluation.md
+  size                                  print the download sizes of the built site
+  codegen                               write the files that come from the parameter table
+  help                                  this text
+";
+
+/// A command with its options.
+#[derive(Debug, PartialEq, Eq)]
+pub enum Command {
+    /// Build and serve.
+    Serve {
+        /// The port that was asked for; none: a usual one, or any free one.
+        port: Option<u16>,
+        /// Whether to open a browser.
+        open: bool,
+    },
+    /// Build the static site.
+    Build,
+    /// Check everything, or the named stages.
+    Test {
+        /// Leave out what needs a browser.
+        skip_browser: bool,
+        /// The stages to run; none: all.
+        names: Vec<String>,
+    },
+    /// Measure.
+    Bench,
+    /// Print download sizes.
+    Size,
+    /// Write generated files.
+    Codegen,
+    /// Print the help.
+    Help,
+}
+
+impl Command {
+    /// Reads the arguments after `cargo xtask`.
+    ///
+    /// # Errors
+    /// An unknown command or option, said in words.
+    pub fn parse(arguments: &[String]) -> Result<Command> {
+        let Some((name, options)) = arguments.split_first() else {
+            return Ok(Command::Help);
+        };
+        let mut options = options.iter().map(String::as_str);
+        let command = match name.as_str() {
+            "serve" => {
+                let (mut port, mut open) = (None, true);
+                while let Some(option) = options.next() {
+                    match option {
+                        "--no-open" => open = false,
+                        "--port" => port = Some(port_number(options.next().unwrap_or_default())?),
+                        other => match other.strip_prefix("--port=") {
+                            Some(number) => port = Some(port_number(number)?),
+                            None => return unknown(name, other),
+                        },
+                    }
+                }
+                Command::Serve { port, open }
+            }
+            "test" => {
+                let (mut skip_browser, mut names) = (false, Vec::new());
+                for option in options.by_ref() {
+                    match option {
+                        "--skip-browser" => skip_browser = true,
+                        other if other.starts_with('-') => return unknown(name, other),
+                        stage => names.push(stage.to_owned()),
+                    }
+                }
+                Command::Test {
+                    skip_browser,
+                    names,
+                }
+            }
+            "build" => Command::Build,
+            "bench" => Command::Bench,
+            "size" => Command::Size,
+            "codegen" => Command::Codegen,
+            "help" | "--help" | "-h" => Command::Help,
+            other => bail!("there is no command \"{other}\"\n\n{HELP}"),
+        };
+        match options.next() {
+            Some(extra) => unknown(name, extra),
+            None => Ok(command),
+        }
+    }
+}
+
+fn unknown(command: &str, option: &str) -> Result<Command> {
+    bail!("`{command}` does not know \"{option}\"\n\n{HELP}")
+}
+
+fn port_number(text: &str) -> Result<u16> {
+    match text.parse() {
+        Ok(port) if port > 0 => Ok(port),
+        _ => bail!("--port wants a number from 1 to 65535, not \"{text}\""),
+    }
+}
+
+/// Runs `command` to its end.
+///
+/// # Errors
+/// Whatever stopped it.
+pub fn run(command: Command) -> Result<ExitCode> {
+    match command {
+        Command::Serve { port, open } => {
+            site::build()?;
+            serve::serve(&paths::site(), port, open)?;
+        }
+        Command::Build => {
+            site::build()?;
+            println!(
+                "The site is in {}: copy it to any static host.",
+                paths::shown(&paths::site())
+            );
+        }
+        Command::Test {
+            skip_browser,
+            names,
+        } => {
+            return Ok(if stages::run(skip_browser, &names)? {
+                ExitCode::SUCCESS
+            } else {
+                ExitCode::FAILURE
+            });
+        }
+        Command::Bench => bench::run()?,
+        Command::Size => {
+            site::build()?;
+            size::check()?;
+        }
+        Command::Codegen => {
+            let written = codegen::refresh(&paths::root())?;
+            for path in &written {
+                println!("wrote {path}");
+            }
+            if written.is_empty() {
+                println!("every generated file is up to date");
+            }
+        }
+        Command::Help => print!("{HELP}"),
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(line: &str) -> Result<Command> {
+        let words: Vec<_> = line.split_whitespace().map(str::to_owned).collect();
+        Command::parse(&words)
+    }
+
+    #[test]
+    fn options_are_understood() -> Result<()> {
+        assert_eq!(parse("")?, Command::Help);
+        assert_eq!(
+            parse("serve")?,
+            Command::Serve {
+                port: None,
+                open: true
+            }
+        );
+        for line in ["serve --port 90 --no-open", "serve --no-open --port=90"] {
+            assert_eq!(
+                parse(line)?,
+                Command::Serve {
+                    port: Some(90),
+                    open: false
+                }
+            );
+        }
+        assert_eq!(
+            parse("test --skip-browser lint native")?,
+            Command::Test {
+                skip_browser: true,
+                names: vec!["lint".to_owned(), "native".to_owned()]
+            }
+        );
+        Ok(())
+    }
+
+    #[test]
+    fn nonsense_is_refused_with_the_help() {
+        for line in [
+            "bake",
+            "build now",
+            "test --fast",
+            "serve --host x",
+            "size 3",
+        ] {
+            let said = parse(line).err().map(|error| error.to_string());
+            assert!(said.is_some_and(|said| said.contains("cargo xtask <command>")));
+        }
+        for line in ["serve --port", "serve --port 0", "serve --port 70000"] {
+            let said = parse(line).err().map(|error| error.to_string());
+            assert!(said.is_some_and(|said| said.contains("65535")));
+        }
+    }
+}

@@ -1,0 +1,17 @@
+//! Hearth's commands, run as `cargo xtask <command>`.
+//!
+//! Everything that is built, checked or served goes through here, so that the
+//! one command of the README, a developer's machine and a build server do the
+//! same thing. The parts are a library, so that tests reach them.
+
+pub mod bench;
+pub mod codegen;
+pub mod command;
+pub mod paths;
+pub mod process;
+pub mod report;
+pub mod serve;
+pub mod site;
+pub mod size;
+pub mod stages;
+pub mod tools;

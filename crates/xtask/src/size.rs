@@ -1,0 +1,140 @@
+//! What a visitor downloads: measured as brotli of quality 11 makes it, and
+//! held under a ceiling.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail};
+
+use crate::{paths, process, tools};
+
+/// Files that one need makes a browser load together.
+struct Download {
+    name: &'static str,
+    /// Largest allowed size in bytes, compressed.
+    ceiling: u64,
+    /// Whether the file of that path in `web/` belongs to it.
+    holds: fn(&str) -> bool,
+}
+
+const DOWNLOADS: [Download; 2] = [
+    Download {
+        name: "element and engine",
+        ceiling: 100_000,
+        holds: |path| is_code(path) && !is_of_panel(path) && !is_of_page(path),
+    },
+    Download {
+        name: "panel, on request",
+        ceiling: 850_000,
+        holds: |path| is_code(path) && is_of_panel(path),
+    },
+];
+
+fn is_code(path: &str) -> bool {
+    [".js", ".css", ".wasm"]
+        .iter()
+        .any(|ending| path.ends_with(ending))
+}
+
+fn is_of_panel(path: &str) -> bool {
+    ["panel", "mirror", "wasm/hearth-panel"]
+        .iter()
+        .any(|start| path.starts_with(start))
+}
+
+/// The page itself is an example; who embeds the element does not load it.
+fn is_of_page(path: &str) -> bool {
+    path.starts_with("page")
+}
+
+/// Prints the sizes of the built site; fails where one is over its ceiling.
+///
+/// # Errors
+/// No site, no Node, or a download that is too large.
+pub fn check() -> Result<()> {
+    tools::node()?;
+    let web = paths::site().join("web");
+    let files = files(&web).context("there is no built site; run `cargo xtask build` first")?;
+    let mut too_large = Vec::new();
+    for download in &DOWNLOADS {
+        println!("{}", download.name);
+        let (mut raw_sum, mut small_sum) = (0, 0);
+        for file in &files {
+            let name = file
+                .strip_prefix(&web)
+                .unwrap_or(file)
+                .to_string_lossy()
+                .replace('\\', "/");
+            if !(download.holds)(&name) {
+                continue;
+            }
+            let (raw, small) = (fs::metadata(file)?.len(), brotli(file)?);
+            println!("  {name:<32}{raw:>12}{small:>12}");
+            raw_sum += raw;
+            small_sum += small;
+        }
+        println!(
+            "  {:<32}{raw_sum:>12}{small_sum:>12} of at most {}",
+            "bytes, and compressed", download.ceiling
+        );
+        if small_sum > download.ceiling {
+            too_large.push(download.name);
+        }
+    }
+    if !too_large.is_empty() {
+        bail!("too large to download: {}", too_large.join(", "));
+    }
+    Ok(())
+}
+
+/// Every file under `folder`, in a steady order.
+fn files(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        if entry.file_type()?.is_dir() {
+            found.extend(files(&entry.path())?);
+        } else {
+            found.push(entry.path());
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+/// The size of `file` after brotli, which Node brings along.
+fn brotli(file: &Path) -> Result<u64> {
+    let script = "const { brotliCompressSync: pack } = require('zlib'); \
+                  console.log(pack(require('fs').readFileSync(process.argv[1])).length)";
+    let printed = process::output(process::command("node").args(["-e", script]).arg(file))?;
+    printed
+        .trim()
+        .parse()
+        .with_context(|| format!("Node says \"{}\" instead of a size", printed.trim()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_downloaded_once() {
+        let downloads = |path: &str| -> Vec<_> {
+            let holding = DOWNLOADS.iter().filter(|download| (download.holds)(path));
+            holding.map(|download| download.name).collect()
+        };
+        for path in [
+            "hearth-fire.js",
+            "parameters.js",
+            "wasm/hearth-widget_bg.wasm",
+        ] {
+            assert_eq!(downloads(path), ["element and engine"]);
+        }
+        for path in ["panel.js", "panel.css", "mirror.js", "wasm/hearth-panel.js"] {
+            assert_eq!(downloads(path), ["panel, on request"]);
+        }
+        for path in ["page.js", "page.css", "package.json", "parameters.d.ts"] {
+            assert!(downloads(path).is_empty());
+        }
+    }
+}

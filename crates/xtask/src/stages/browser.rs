@@ -1,0 +1,92 @@
+//! Stages that run wasm, in Node and in headless Chromium.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::Result;
+
+use crate::{paths, process, tools};
+
+/// Longest time for one wasm test program, in seconds: a browser that draws
+/// without a GPU on two cores is slow.
+const PATIENCE: &str = "600";
+
+pub(super) fn wasm_in_node() -> Result<()> {
+    tools::wasm_target()?;
+    tools::node()?;
+    tools::wasm_bindgen_cli()?;
+    process::run(&mut wasm_test("determinism"))
+}
+
+pub(super) fn wasm_in_chromium() -> Result<()> {
+    tools::wasm_target()?;
+    let browser = tools::browser()?;
+    tools::wasm_bindgen_cli()?;
+    process::run(wasm_test("browser").env("CHROMEDRIVER", browser.driver))
+}
+
+/// `.cargo/config.toml` names the runner of wasm tests, and
+/// `tests/webdriver.json` holds the browser's flags.
+fn wasm_test(name: &str) -> Command {
+    let mut test = process::cargo();
+    test.args(["test", "--target", tools::WASM, "--package", "hearth-tests"])
+        .args(["--test", name])
+        .env("WASM_BINDGEN_TEST_TIMEOUT", PATIENCE);
+    test
+}
+
+pub(super) fn end_to_end() -> Result<()> {
+    drive(in_e2e("node").arg("run.mjs"), &paths::site())
+}
+
+/// The smallest of the tests end to end, against the site in `folder`.
+pub(super) fn smoke(folder: &Path) -> Result<()> {
+    drive(in_e2e("node").args(["run.mjs", "smoke"]), folder)
+}
+
+/// Runs a test that drives Chromium against the site in `folder`.
+fn drive(test: &mut Command, folder: &Path) -> Result<()> {
+    let browser = tools::browser()?;
+    packages()?;
+    process::run(
+        test.env("HEARTH_CHROMIUM", browser.chromium)
+            .env("HEARTH_SITE", folder),
+    )
+}
+
+/// Makes sure that what drives the browser is installed.
+///
+/// # Errors
+/// No Node, or npm cannot install.
+pub(crate) fn packages() -> Result<()> {
+    tools::node()?;
+    if packages_are_fresh() {
+        return Ok(());
+    }
+    process::run(in_e2e("npm").arg("ci"))
+}
+
+fn e2e() -> PathBuf {
+    paths::root().join("tests").join("e2e")
+}
+
+fn in_e2e(program: &str) -> Command {
+    // On Windows npm is a script, which only its full path starts.
+    let program = process::find(program).unwrap_or_else(|| program.into());
+    let mut command = process::command(program);
+    command.current_dir(e2e());
+    command
+}
+
+/// Whether npm has installed what the lock file says since that was written.
+fn packages_are_fresh() -> bool {
+    let written = |file: &str| fs::metadata(e2e().join(file)).and_then(|about| about.modified());
+    match (
+        written("node_modules/.package-lock.json"),
+        written("package-lock.json"),
+    ) {
+        (Ok(installed), Ok(locked)) => installed >= locked,
+        _ => false,
+    }
+}

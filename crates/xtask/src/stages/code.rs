@@ -1,0 +1,48 @@
+//! Stages that read and run the code without a browser.
+
+use anyhow::Result;
+
+use crate::{process, tools};
+
+/// Crates that are libraries for other people.
+const LIBRARIES: [&str; 2] = ["hearth-core", "hearth-render"];
+/// Crates with code that only a browser runs.
+const FOR_THE_BROWSER: [&str; 3] = ["hearth-widget", "hearth-panel", "hearth-tests"];
+
+pub(super) fn format() -> Result<()> {
+    process::run(process::cargo().args(["fmt", "--all", "--check"]))
+}
+
+pub(super) fn lint() -> Result<()> {
+    process::run(process::cargo().args([
+        "clippy",
+        "--workspace",
+        "--all-targets",
+        "--",
+        "--deny",
+        "warnings",
+    ]))
+}
+
+pub(super) fn lint_wasm() -> Result<()> {
+    tools::wasm_target()?;
+    let mut clippy = process::cargo();
+    clippy.args(["clippy", "--target", tools::WASM, "--all-targets"]);
+    for package in FOR_THE_BROWSER {
+        clippy.args(["--package", package]);
+    }
+    process::run(clippy.args(["--", "--deny", "warnings"]))
+}
+
+pub(super) fn docs() -> Result<()> {
+    let mut doc = process::cargo();
+    doc.args(["doc", "--no-deps"]);
+    for package in LIBRARIES {
+        doc.args(["--package", package]);
+    }
+    process::run(doc.env("RUSTDOCFLAGS", "--deny warnings"))
+}
+
+pub(super) fn native() -> Result<()> {
+    process::run(process::cargo().args(["test", "--workspace"]))
+}

@@ -1,0 +1,142 @@
+//! The stage that builds the page with Trunk and compares it with ours.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result, bail};
+
+use super::browser;
+use crate::{paths, process, tools};
+
+/// `trunk build --release` gives the same files, and the page burns.
+pub(super) fn same_page(skip_browser: bool) -> Result<()> {
+    tools::wasm_target()?;
+    tools::wasm_bindgen_cli()?;
+    tools::trunk()?;
+    process::run(
+        process::command("trunk")
+            .args(["build", "--release", "--offline"])
+            // Trunk takes the usual value of this one, 1, for a mistake.
+            .env_remove("NO_COLOR"),
+    )?;
+    compare(&paths::site(), &paths::trunk_site())?;
+    if skip_browser {
+        return Ok(());
+    }
+    browser::smoke(&paths::trunk_site())
+}
+
+/// Fails unless both folders hold the same files. A page may differ in blank
+/// space, and wasm in the names of functions, which our build leaves out.
+fn compare(ours: &Path, theirs: &Path) -> Result<()> {
+    let (ours, theirs) = (files(ours)?, files(theirs)?);
+    let mut complaints = Vec::new();
+    for (name, content) in &ours {
+        match theirs.get(name) {
+            None => complaints.push(format!("Trunk leaves out {name}")),
+            Some(_) if name.ends_with(".wasm") => {}
+            Some(other) if name.ends_with(".html") => {
+                if words(content) != words(other) {
+                    complaints.push(format!("Trunk's {name} is another"));
+                }
+            }
+            Some(other) if content != other => {
+                complaints.push(format!("Trunk's {name} is another"));
+            }
+            Some(_) => {}
+        }
+    }
+    let added = theirs.keys().filter(|name| !ours.contains_key(*name));
+    complaints.extend(added.map(|name| format!("Trunk adds {name}")));
+    if !complaints.is_empty() {
+        bail!("{}", complaints.join("\n"));
+    }
+    Ok(())
+}
+
+/// Every file under `folder`: its path there, with `/` between, and its content.
+fn files(folder: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
+    let mut found = BTreeMap::new();
+    let mut open = vec![(String::new(), folder.to_path_buf())];
+    while let Some((prefix, folder)) = open.pop() {
+        let listed =
+            fs::read_dir(&folder).with_context(|| format!("cannot read {}", folder.display()))?;
+        for entry in listed {
+            let entry = entry?;
+            let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
+            if entry.file_type()?.is_dir() {
+                open.push((format!("{name}/"), entry.path()));
+            } else {
+                found.insert(name, fs::read(entry.path())?);
+            }
+        }
+    }
+    Ok(found)
+}
+
+fn words(html: &[u8]) -> Vec<String> {
+    String::from_utf8_lossy(html)
+        .split_whitespace()
+        .map(str::to_owned)
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn site(name: &str, files: &[(&str, &str)]) -> Result<std::path::PathBuf> {
+        let folder =
+            std::env::temp_dir().join(format!("hearth-trunk-{}-{name}", std::process::id()));
+        fs::create_dir_all(folder.join("web"))?;
+        for (path, content) in files {
+            fs::write(folder.join(path), content)?;
+        }
+        Ok(folder)
+    }
+
+    #[test]
+    fn differences_that_matter_are_named() -> Result<()> {
+        let ours = site(
+            "ours",
+            &[
+                ("index.html", "<p>a</p>\n\n<p>b</p>\n"),
+                ("web/a.wasm", "1"),
+                ("web/a.js", "1"),
+                ("web/b.js", "1"),
+            ],
+        )?;
+        let same = site(
+            "same",
+            &[
+                ("index.html", "<p>a</p>\n<p>b</p>"),
+                ("web/a.wasm", "2"),
+                ("web/a.js", "1"),
+                ("web/b.js", "1"),
+            ],
+        )?;
+        let other = site(
+            "other",
+            &[
+                ("index.html", "<p>a</p>"),
+                ("web/a.wasm", "1"),
+                ("web/a.js", "2"),
+                ("web/c.js", "1"),
+            ],
+        )?;
+        compare(&ours, &same)?;
+        let said = compare(&ours, &other).err().map(|error| error.to_string());
+        assert_eq!(
+            said.as_deref(),
+            Some(
+                "Trunk's index.html is another\nTrunk's web/a.js is another\n\
+                 Trunk leaves out web/b.js\nTrunk adds web/c.js"
+            )
+        );
+        for folder in [ours, same, other] {
+            fs::remove_dir_all(folder)?;
+        }
+        Ok(())
+    }
+}

@@ -79,7 +79,8 @@ export class FireLink {
     /** @type {Promise<unknown>} */
     let answered = Promise.resolve();
     const fire = port.open((message) => {
-      if (message.type === 'done' && message.request === REMOVAL) {
+      // A fire that could not be made is refused its removal; it is gone as well.
+      if (message.request === REMOVAL) {
         port.close(fire);
         this.#requests.abandon(fire, new Error('the fire was removed'));
         return;

@@ -48,6 +48,7 @@ let sheet;
 
 /** The inside of one element. */
 export class FireView {
+  #host;
   #root;
   #message;
   #button;
@@ -60,6 +61,7 @@ export class FireView {
    * @param {() => void} play what the play button does
    */
   constructor(host, play) {
+    this.#host = host;
     const shadow = host.attachShadow({ mode: 'open' });
     shadow.innerHTML = TEMPLATE;
     if ('adoptedStyleSheets' in shadow && 'replaceSync' in CSSStyleSheet.prototype) {
@@ -93,6 +95,24 @@ export class FireView {
   dropCanvas() {
     this.canvas?.remove();
     this.canvas = undefined;
+  }
+
+  /**
+   * How the picture maps to the fire's world, whose height fits it; null
+   * without a picture.
+   * @param {number} domainHeight in metres
+   */
+  place(domainHeight) {
+    const outer = this.#host.getBoundingClientRect();
+    const inner = this.canvas?.getBoundingClientRect();
+    if (!inner?.height) return null;
+    const scale = inner.height / domainHeight;
+    const middle = inner.left - outer.left + inner.width / 2;
+    const floor = inner.bottom - outer.top;
+    return {
+      toMetres: (x, y) => ({ x: (x - middle) / scale, y: (floor - y) / scale }),
+      toPixels: (x, y) => ({ x: middle + x * scale, y: floor - y * scale }),
+    };
   }
 
   /**

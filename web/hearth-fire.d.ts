@@ -17,13 +17,13 @@ export interface HearthStats {
   stepMs: number;
   /** Time of drawing, as the processor sees it [ms]. */
   drawMs: number;
-  /** Steps in the last picture. */
+  /** Steps made for each picture, smoothed. */
   stepsPerFrame: number;
   /** Parts that stability divided the last step into. */
   substeps: number;
   /** Neighbours of a particle, on average. */
   neighbours: number;
-  /** Share of particles at the speed limit, 0–1. */
+  /** Particles at the speed limit. */
   atSpeedLimit: number;
   /** Age of the fire [s]. */
   time: number;
@@ -32,6 +32,12 @@ export interface HearthStats {
   paused: boolean;
   /** The format of the textures that it is drawn into. */
   targetFormat: string;
+}
+
+/** A point: of the element in CSS pixels, y down, or of the fire's world in metres, y up. */
+export interface HearthPoint {
+  x: number;
+  y: number;
 }
 
 /** A value that a fire refused. Every value of the same call is refused with it. */
@@ -85,7 +91,10 @@ export class HearthFire extends HTMLElement {
   readonly params: HearthParameters;
   /** What it last said about itself; null before it did. */
   readonly stats: HearthStats | null;
-  /** Resolves when it burns; rejects where it cannot. */
+  /**
+   * Resolves when it burns; rejects where it cannot. An element that was taken off the page
+   * has a new one.
+   */
   readonly ready: Promise<void>;
   paused: boolean;
   autoplay: boolean;
@@ -101,7 +110,7 @@ export class HearthFire extends HTMLElement {
   set<Id extends ParameterId>(id: Id, value: HearthParameters[Id]): Promise<void>;
   /** Sets all of these or none; rejects with a {@link HearthRangeError}. */
   set(values: Partial<HearthParameters>): Promise<void>;
-  /** Puts these, or all, back to their defaults. */
+  /** Puts these, or all, back to their defaults; all: without a preset as well. */
   restore(...ids: ParameterId[]): Promise<void>;
   play(): Promise<void>;
   pause(): Promise<void>;
@@ -109,6 +118,13 @@ export class HearthFire extends HTMLElement {
   reset(): Promise<void>;
   /** Makes some steps, burning or not, then draws. */
   step(steps?: number): Promise<void>;
+  /**
+   * The place [m] that a point [CSS pixels from the element's upper left corner]
+   * shows: from the middle of the floor, y up. Null while there is no picture.
+   */
+  toMetres(x: number, y: number): HearthPoint | null;
+  /** Where a place [m] is shown [CSS pixels]: the inverse of `toMetres`. */
+  toPixels(x: number, y: number): HearthPoint | null;
 
   addEventListener<Type extends keyof HearthFireEventMap>(
     type: Type,

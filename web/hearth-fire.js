@@ -13,6 +13,7 @@
  */
 
 import { EngineError } from './engine.js';
+import { FireAttributes, ID_OF_ATTRIBUTE } from './fire-attributes.js';
 import { FireLink } from './fire-link.js';
 import { FireView } from './fire-view.js';
 import { PARAMETERS } from './parameters.js';
@@ -22,23 +23,14 @@ import { motionIsReduced } from './watch.js';
 /** Seconds of fire that a still picture has burnt, so that it shows a fire. */
 const STILL_AFTER = 2;
 
-const ID_OF_ATTRIBUTE = new Map(PARAMETERS.map(({ attribute, id }) => [attribute, id]));
-const OWN_ATTRIBUTES = ['preset', 'paused', 'autoplay', 'alt', 'reduced-motion'];
-const OWN_PROPERTIES = ['preset', 'paused', 'autoplay', 'alt', 'reducedMotion'];
-
-/** @type {typeof HTMLElement} */
-const Base = globalThis.HTMLElement ?? class {};
-
 /** The element's class. */
-export class HearthFire extends Base {
+export class HearthFire extends FireAttributes {
   /**
    * Where the wasm file is, if it is not at `wasm/hearth-widget_bg.wasm` beside
    * this module. It counts when it is set before the first fire is on the page.
    * @type {string | URL | undefined}
    */
   static wasmUrl;
-
-  static observedAttributes = [...OWN_ATTRIBUTES, ...ID_OF_ATTRIBUTE.keys()];
 
   #requests = new Requests();
   /** @type {FireView} */
@@ -53,6 +45,8 @@ export class HearthFire extends Base {
   /** Whether the engine was ever given a fire of this element. */
   #started = false;
   #announced = false;
+  /** Whether the preset's attribute is taken away without a wish for other values. */
+  #dropping = false;
   /** @type {FireLink | null} */
   #link = null;
   #ready = deferred();
@@ -72,7 +66,10 @@ export class HearthFire extends Base {
     return this.#stats && { ...this.#stats };
   }
 
-  /** Resolves when the fire burns; rejects where it cannot. */
+  /**
+   * Resolves when the fire burns; rejects where it cannot. An element that was taken off the page
+   * has a new one.
+   */
   get ready() {
     return this.#ready.promise;
   }
@@ -84,42 +81,6 @@ export class HearthFire extends Base {
 
   set paused(paused) {
     this.#setPaused(Boolean(paused));
-  }
-
-  /** The name of the preset that was last asked for. */
-  get preset() {
-    return this.getAttribute('preset') ?? 'default';
-  }
-
-  set preset(name) {
-    this.setAttribute('preset', String(name));
-  }
-
-  /** Whether it plays from the start. */
-  get autoplay() {
-    return this.getAttribute('autoplay') !== 'false';
-  }
-
-  set autoplay(autoplay) {
-    this.setAttribute('autoplay', String(Boolean(autoplay)));
-  }
-
-  /** What a screen reader says of it; without it the fire is decoration. */
-  get alt() {
-    return this.getAttribute('alt') ?? '';
-  }
-
-  set alt(alt) {
-    this.setAttribute('alt', String(alt));
-  }
-
-  /** `auto`: a still fire where the visitor wants less motion; `ignore`: never. */
-  get reducedMotion() {
-    return this.getAttribute('reduced-motion') === 'ignore' ? 'ignore' : 'auto';
-  }
-
-  set reducedMotion(value) {
-    this.setAttribute('reduced-motion', String(value));
   }
 
   /**
@@ -141,13 +102,15 @@ export class HearthFire extends Base {
   }
 
   /**
-   * Puts parameters back to their defaults; without ids: all of them.
+   * Puts parameters back to their defaults; without ids: all of them, and no
+   * preset is left.
    * @param {...string} ids
    * @returns {Promise<void>}
    */
   restore(...ids) {
-    const all = PARAMETERS.map(({ id }) => id);
-    return this.#ask({ type: 'restore', source: 'property', ids: ids.length ? ids.map(String) : all });
+    if (ids.length === 0) this.#dropPreset();
+    const wanted = ids.length > 0 ? ids.map(String) : PARAMETERS.map(({ id }) => id);
+    return this.#ask({ type: 'restore', source: 'property', ids: wanted });
   }
 
   /** Lets it burn. */
@@ -174,8 +137,29 @@ export class HearthFire extends Base {
     return this.#ask({ type: 'step', steps: postable(steps) });
   }
 
+  /**
+   * Which place of the fire's world a point of the page shows.
+   * @param {number} x CSS pixels from the element's left edge
+   * @param {number} y CSS pixels from its upper edge
+   * @returns {{x: number, y: number} | null} in metres, from the middle of the
+   *   floor, y up; null while there is no picture
+   */
+  toMetres(x, y) {
+    return this.#view.place(this.#params.domain_height)?.toMetres(x, y) ?? null;
+  }
+
+  /**
+   * Where a place of the fire's world is shown: the inverse of `toMetres`.
+   * @param {number} x metres from the middle
+   * @param {number} y metres above the floor
+   * @returns {{x: number, y: number} | null} CSS pixels from the element's upper left corner
+   */
+  toPixels(x, y) {
+    return this.#view.place(this.#params.domain_height)?.toPixels(x, y) ?? null;
+  }
+
   connectedCallback() {
-    this.#keepEarlyProperties();
+    this.keepEarlyProperties();
     if (!this.#link) this.#open();
   }
 
@@ -197,25 +181,23 @@ export class HearthFire extends Base {
       else this.#ask({ type: 'restore', source: 'attribute', ids: [id] });
     } else if (name === 'preset') {
       // The first fire starts from its preset, wherever the attribute stands.
-      if (this.#started) this.#ask({ type: 'preset', source: 'preset', name: value ?? 'default' });
+      if (this.#started && !this.#dropping) this.#ask({ type: 'preset', source: 'preset', name: value ?? 'default' });
     } else if (name === 'paused') {
       if ((value !== null) !== this.#paused) this.#setPaused(value !== null);
     } else if (name === 'alt') {
       this.#view.describe(value ?? '');
+    } else if (name === 'autoplay') {
+      if (this.#link && !this.#started && !this.autoplay) this.#setPaused(true);
     } else if (name === 'reduced-motion' && this.#link) {
       this.#motion(motionIsReduced());
     }
   }
 
-  /** Properties set before the element was defined hide its own; they are handed over. */
-  #keepEarlyProperties() {
-    for (const name of [...OWN_PROPERTIES, ...PARAMETERS.map(({ property }) => property)]) {
-      if (Object.hasOwn(this, name)) {
-        const value = this[name];
-        delete this[name];
-        this[name] = value;
-      }
-    }
+  /** The attribute goes; its values are somebody else's to change. */
+  #dropPreset() {
+    this.#dropping = true;
+    this.removeAttribute('preset');
+    this.#dropping = false;
   }
 
   /** @param {Message} message */
@@ -298,6 +280,8 @@ export class HearthFire extends Base {
 
   /** Frees the fire and all that belongs to it. */
   #close() {
+    // Who waits from now on waits for the next one.
+    if (this.#announced) this.#ready = deferred();
     this.#link?.close();
     this.#link = null;
     this.#announced = false;
@@ -369,6 +353,8 @@ export class HearthFire extends Base {
     this.#view.offerPlay(false);
     const error = new EngineError(kind, message);
     this.#link?.abandon(error);
+    // A promise that was kept cannot be broken; what comes now is refused.
+    if (this.#announced) this.#ready = deferred();
     this.#ready.reject(error);
     console.warn(`<hearth-fire>: ${message}`);
     this.#emit('error', { kind, message });

@@ -74,7 +74,7 @@ export function mountMirror({ host, fire, reveal }) {
       fire.preset = preset.name;
     });
   }
-  addButton('reset-all', 'Reset all parameters', () => fire.restore(...PARAMETERS.map((p) => p.id)));
+  addButton('reset-all', 'Reset all parameters', () => fire.restore());
 
   for (const parameter of PARAMETERS) {
     const id = parameter.id;
@@ -114,7 +114,14 @@ export function mountMirror({ host, fire, reveal }) {
     shows.get(id)?.(value);
   };
   const failed = (event) => say(event.detail?.message ?? '');
-  const heard = { ready: showAll, play: showPlaying, pause: showPlaying, 'params-change': changed, error: failed };
+  const heard = {
+    ready: showAll,
+    play: showPlaying,
+    pause: showPlaying,
+    'params-change': changed,
+    error: failed,
+    restored: () => say(''),
+  };
   for (const [name, listener] of Object.entries(heard)) fire.addEventListener(name, listener);
   showAll();
 

@@ -1,11 +1,13 @@
 /**
  * The full page: one fire, its panel, and parameters in the address.
  *
- * `?preset=seed&viscosity=0.01` sets what it says; whatever of it is refused is
- * said in the console and on the page. The panel is loaded after the fire burns
+ * `?preset=seed&viscosity=0.01&paused` sets what it says, by the names of the
+ * element's attributes; whatever of it is refused is said in the console and on
+ * the page. The panel is loaded after the fire burns
  * and a page without it still has a fire.
  */
 
+import { OWN_ATTRIBUTES } from './fire-attributes.js';
 import './hearth-fire.js';
 
 /** How long a message stays on the page [ms]. */
@@ -34,11 +36,13 @@ function setFromAddress() {
   };
   fire.addEventListener('error', refused);
   fire.ready.catch(() => {}).then(() => fire.removeEventListener('error', refused));
-  const preset = wanted.get('preset');
-  if (preset !== null) fire.preset = preset;
-  for (const [key, value] of wanted) {
-    if (key !== 'preset') fire.set(key.replaceAll('-', '_'), value);
+  // The element's own attributes first: a preset would replace single values.
+  for (const name of OWN_ATTRIBUTES) {
+    const value = wanted.get(name);
+    if (value !== null) fire.setAttribute(name, value);
+    wanted.delete(name);
   }
+  for (const [key, value] of wanted) fire.set(key.replaceAll('-', '_'), value);
 }
 
 /** @param {boolean} shown */

@@ -178,6 +178,7 @@ export async function mountPanel({ host, fire }) {
     } catch (error) {
       place.remove();
       canvas = undefined;
+      if (ended) return;
       say(error instanceof Error ? error.message : String(error));
     }
   }

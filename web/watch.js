@@ -9,6 +9,8 @@ const DENSEST = 2;
 const DENSEST_TOUCH = 1.5;
 /** Most pixels of a canvas: a 1440p screen's. */
 const MOST_PIXELS = 2560 * 1440;
+/** Longest side of a canvas: what nearly every graphics card can draw. */
+const LONGEST_SIDE = 8192;
 
 const REDUCED_MOTION = '(prefers-reduced-motion: reduce)';
 
@@ -28,7 +30,13 @@ export function motionIsReduced() {
 export function cappedSize(width, height, density, touch) {
   const densest = touch ? DENSEST_TOUCH : DENSEST;
   const pixels = Math.max(width * height, 1);
-  const scale = Math.min(1, densest / density, Math.sqrt(MOST_PIXELS / pixels));
+  const longest = Math.max(width, height, 1);
+  const scale = Math.min(
+    1,
+    densest / density,
+    Math.sqrt(MOST_PIXELS / pixels),
+    LONGEST_SIDE / longest,
+  );
   return { width: Math.round(width * scale), height: Math.round(height * scale) };
 }
 

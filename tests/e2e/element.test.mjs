@@ -39,6 +39,12 @@ test('a fire of no size breaks nothing and burns once it has a size', async () =
   assert.deepEqual(tab.problems, []);
 });
 
+test('a fire longer than any canvas may be burns all the same', async () => {
+  const tab = await browser.open('<hearth-fire style="width: 20000px; height: 40px"></hearth-fire>');
+  await tab.burnt(0.2);
+  assert.deepEqual(tab.problems, []);
+});
+
 test('a fire that is not displayed burns once it is shown', async () => {
   const tab = await browser.open('<hearth-fire style="display: none"></hearth-fire>');
   await tab.ready();
@@ -75,6 +81,26 @@ test('a fire that is removed and put back burns on with its values', async () =>
   await assertBurns(tab);
   assert.equal(await tab.fire((fire) => fire.params.viscosity), 0.02);
   assert.deepEqual(tab.problems, []);
+});
+
+test('a fire that was removed is ready when it is back, and does then what it was asked', async () => {
+  const tab = await browser.open(FIRE);
+  await tab.ready();
+  const seen = await tab.fire(async (fire) => {
+    const wait = () => new Promise((resolve) => setTimeout(resolve, 200));
+    fire.remove();
+    await wait();
+    let ready = false;
+    fire.ready.then(() => (ready = true));
+    const set = fire.set('viscosity', 0.02);
+    await wait();
+    const early = ready;
+    document.body.append(fire);
+    await fire.ready;
+    await set;
+    return { early, viscosity: fire.params.viscosity };
+  });
+  assert.deepEqual(seen, { early: false, viscosity: 0.02 });
 });
 
 test('a fire that is moved in the document burns on', async () => {
@@ -239,6 +265,19 @@ test('a preset brings its values, and the defaults for all others', async () => 
     const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
     return Object.entries(all).every(([id, value]) => params[id] === value);
   }, DEFAULTS);
+});
+
+test('restoring everything leaves no preset, restoring one value leaves it', async () => {
+  const tab = await browser.open(recording('<hearth-fire preset="seed"></hearth-fire>'));
+  await tab.ready();
+  await tab.fire((fire) => fire.restore('walls'));
+  assert.equal(await tab.fire((fire) => fire.preset), 'seed');
+  await tab.fire((fire) => fire.restore());
+  const { preset, params } = await tab.fire((fire) => ({ preset: fire.preset, params: fire.params }));
+  assert.equal(preset, 'default');
+  assert.deepEqual(params, DEFAULTS);
+  const sources = new Set((await events(tab, 'params-change')).map(({ source }) => source));
+  assert.deepEqual([...sources], ['property']);
 });
 
 test('a change is told to those who listen, with its value', async () => {

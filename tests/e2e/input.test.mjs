@@ -217,6 +217,27 @@ test('an engine that cannot be loaded shows words and the poster', async () => {
   assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
 });
 
+test('a fire that gets no context says so once, and goes in silence', async () => {
+  const tab = await browser.open(recording('<hearth-fire></hearth-fire>'), {
+    before: () => {
+      // The probe of what the browser can has its canvas outside of the page.
+      const original = /** @type {any} */ (HTMLCanvasElement.prototype.getContext);
+      HTMLCanvasElement.prototype.getContext = function getContext(...args) {
+        return this.isConnected ? null : original.apply(this, args);
+      };
+    },
+  });
+  await tab.until('an error event', () => /** @type {any} */ (window).events.length > 0);
+  await tab.fire(async (fire) => {
+    fire.remove();
+    await new Promise((resolve) => setTimeout(resolve, 200));
+    await new Promise(requestAnimationFrame);
+  });
+  const errors = await events(tab, 'error');
+  assert.deepEqual(errors.map(({ kind }) => kind), ['unsupported']);
+  assert.equal(tab.problems.length, 1);
+});
+
 test('a panel that cannot be loaded says so, and the fire burns without it', async () => {
   const tab = await browser.open('index.html', {
     width: 1000,

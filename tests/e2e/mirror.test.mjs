@@ -103,6 +103,31 @@ test('the mirror follows the mouse on egui', async () => {
   );
 });
 
+test('a lost context is told, and no longer once it is back', async () => {
+  const { tab, panel } = await openPage();
+  // Above the rows: a line of words there moves what stands below it.
+  const rows = () => panel.part('group:World');
+  const top = (await rows()).y;
+  await tab.fire((fire) => {
+    const drawn = fire.shadowRoot.querySelector('canvas');
+    const context = /** @type {any} */ (window).contexts.find(({ canvas }) => canvas === drawn);
+    const extension = context.getExtension('WEBGL_lose_context');
+    extension.loseContext();
+    /** @type {any} */ (window).giveBack = () => extension.restoreContext();
+  });
+  await tab.until('the mirror says so', () => /context was lost/.test(
+    document.querySelector('.hearth-mirror [role="status"]')?.textContent ?? '',
+  ));
+  await tab.frames(10);
+  assert.ok((await rows()).y > top + 5, 'the panel says so above its rows');
+  await tab.evaluate(() => /** @type {any} */ (window).giveBack());
+  await tab.until('the mirror says no more', () => (
+    document.querySelector('.hearth-mirror [role="status"]')?.textContent === ''
+  ));
+  await tab.frames(10);
+  assert.equal((await rows()).y, top);
+});
+
 test('the panel takes no focus at the start', async () => {
   const { tab } = await openPage();
   await tab.frames(10);

@@ -83,6 +83,19 @@ test('values in the address set the fire, and bad ones are refused aloud', async
   await assertBurns(tab);
 });
 
+for (const address of ['?paused', '?autoplay=false']) {
+  test(`${address} in the address lets the fire stand still`, async () => {
+    const tab = await browser.open(`index.html${address}&alt=Embers`);
+    await tab.ready();
+    await tab.frames(10);
+    const { paused, alt, time } = await tab.fire((fire) => (
+      { paused: fire.paused, alt: fire.alt, time: fire.stats?.time ?? 0 }
+    ));
+    assert.deepEqual({ paused, alt, time }, { paused: true, alt: 'Embers', time: 0 });
+    assert.deepEqual(tab.problems, []);
+  });
+}
+
 for (const [width, height, ratio] of [
   [360, 640, 3],
   [768, 1024, 2],

@@ -19,6 +19,8 @@ pub enum Command {
     Set(&'static str, Value),
     /// Put these parameters back to their defaults.
     Restore(Vec<&'static str>),
+    /// Put all of them back.
+    RestoreAll,
     /// Take a preset.
     Preset(&'static str),
     /// Let time pass.
@@ -156,12 +158,9 @@ impl Fire {
         self.history.push_back(stats.fps as f32);
     }
 
-    /// The ids whose value is not the default.
-    pub fn changed(&self) -> Vec<&'static str> {
-        self.parameters
-            .changed()
-            .map(|(param, _)| param.id)
-            .collect()
+    /// Whether any value is not the default.
+    pub fn is_changed(&self) -> bool {
+        self.parameters.changed().next().is_some()
     }
 }
 

@@ -210,7 +210,6 @@ fn presets(panel: &mut Panel, ui: &mut Ui) {
 
 fn search(panel: &mut Panel, ui: &mut Ui) {
     let rect = strip(ui, panel.measures.control);
-    let changed = panel.fire.changed();
     let (field, reset) = rect.split_left_right_at_x(rect.right() - 100.0);
     let field = field.with_max_x(field.right() - 6.0);
 
@@ -249,7 +248,7 @@ fn search(panel: &mut Panel, ui: &mut Ui) {
     }
 
     let face = Face {
-        enabled: !changed.is_empty(),
+        enabled: panel.fire.is_changed(),
         ..Face::new(Icon::Reset, "Reset all")
     };
     let name = "action:reset-all";
@@ -258,6 +257,6 @@ fn search(panel: &mut Panel, ui: &mut Ui) {
     panel.place(ui, name, reset);
     if response.clicked() {
         panel.fire.refusals.clear();
-        panel.ask(Command::Restore(changed));
+        panel.ask(Command::RestoreAll);
     }
 }

@@ -208,6 +208,8 @@ impl Panel {
     }
 
     pub(crate) fn ask(&mut self, command: Command) {
+        // What went wrong before has been read by whoever goes on.
+        self.fire.notice = None;
         self.commands.push(command);
     }
 

@@ -266,7 +266,7 @@ fn buttons_ask_for_what_they_say() {
         ("action:pause", Command::Pause),
         ("action:reset", Command::Reset),
         ("action:preset:seed", Command::Preset("seed")),
-        ("action:reset-all", Command::Restore(vec!["gravity"])),
+        ("action:reset-all", Command::RestoreAll),
     ] {
         hands.click(button);
         assert_eq!(hands.panel.take_commands(), [asked], "{button}");
@@ -275,6 +275,16 @@ fn buttons_ask_for_what_they_say() {
     hands.click("action:pause");
     hands.click("action:step");
     assert_eq!(hands.panel.take_commands(), [Command::Play, Command::Step]);
+}
+
+#[test]
+fn a_notice_stays_until_somebody_goes_on() {
+    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    hands.panel.fire.notice = Some("the fire refused something".to_owned());
+    hands.wait();
+    assert!(hands.panel.fire.notice.is_some());
+    hands.click("action:pause");
+    assert_eq!(hands.panel.fire.notice, None);
 }
 
 #[test]

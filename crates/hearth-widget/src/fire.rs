@@ -158,7 +158,8 @@ impl Fire {
         } else {
             None
         };
-        let asked: u32 = self.asked.iter().map(|asked| asked.left).sum();
+        let left = self.asked.iter().map(|asked| asked.left);
+        let asked = left.fold(0, u32::saturating_add);
         let owed = due.unwrap_or(0).saturating_add(asked);
 
         let start = host.now();

@@ -36,7 +36,16 @@ impl Element {
         let words = |_| "the fire cannot be listened to".to_owned();
         let target: &EventTarget = fire.unchecked_ref();
         let mut listeners = Vec::new();
-        for name in ["params-change", "stats", "play", "pause", "ready", "error"] {
+        let names = [
+            "params-change",
+            "stats",
+            "play",
+            "pause",
+            "ready",
+            "restored",
+            "error",
+        ];
+        for name in names {
             let (fire, panel, ctx) = (fire.clone(), Rc::downgrade(&panel), ctx.clone());
             let heard = move |event: Event| {
                 if let Some(panel) = panel.upgrade()
@@ -95,6 +104,8 @@ impl Element {
                 arguments.extend(ids.into_iter().map(JsValue::from_str));
                 "restore"
             }
+            // Without ids: every one, whatever the fire has.
+            Command::RestoreAll => "restore",
             Command::Preset(name) => {
                 Reflect::set(&self.fire, &"preset".into(), &name.into())?;
                 return Ok(JsValue::UNDEFINED);

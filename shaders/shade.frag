@@ -12,7 +12,7 @@ uniform vec4 part;    // used part of the field target, largest coordinate in it
 uniform vec4 range;   // what the target's range took of each field
 uniform vec4 rise;    // noise tiles per metre, tiles risen, warp [m], erosion
 uniform vec4 matter;  // optical depth, weight of the air, its temperature [kK], smoke
-uniform vec4 shine;   // luminance exponent, gain, 1 / light range
+uniform vec4 shine;   // luminance exponent, gain, 1 / light range, 1 / half the source's width
 uniform vec4 table;   // kK to table coordinate: scale, offset
 
 out vec4 light; // square root of light / range; coverage
@@ -43,10 +43,16 @@ void main() {
     float left = gas.z - eaten * (0.16 + 0.45 * max(growth, 0.6 * base)) - 4.0 * base * max(0.6 - depth, 0.0);
     left = max(left, 0.0) * (1.0 - 0.3 * min(eaten, 1.0));
 
+    // The flame stands on its source as in a bowl, whose rim is higher than its
+    // middle, and thins towards it.
+    float rim = min(abs(place.x) * shine.w, 1.5);
+    float over = abs(place.y - view.z) * shine.w - 0.8 * rim * rim + 0.25 * grain * min(rise.w, 1.0);
+    left *= smoothstep(-0.35, 0.4, over);
+
     // The thicker the flame around, the brighter; air has mixed in where it is
     // thin, and cools it.
     float hot = around.y / around.x;
-    float kilokelvin = mix(max(matter.z, 0.5 * hot), hot, depth * left / (left + 0.08)) - 0.19 * grain * rise.w;
+    float kilokelvin = mix(max(matter.z, 0.5 * hot), hot, depth * left / (left + 0.08)) - 0.24 * grain * rise.w;
     vec4 body = texture(black_body, vec2(kilokelvin * table.x + table.y, 0.5));
 
     float covered = (1.0 - exp(-matter.x * left * depth)) * smoothstep(0.7, 1.1, kilokelvin);

@@ -23,9 +23,9 @@ void main() {
                                                 + corner.y * radii.y * along);
 
     // Nothing pops: a particle comes from nothing, catches fire, and goes to
-    // nothing.
-    float born = smoothstep(0.0, 0.15, lived);
-    float lit = smoothstep(0.0, 0.30, lived);
+    // nothing. However long it lives, it does not wait to catch fire.
+    float born = smoothstep(0.0, 1.0, max(lived / 0.15, particle.age / 0.15));
+    float lit = smoothstep(0.0, 1.0, max(lived / 0.30, particle.age / 0.30));
     float weight = kernel.z * born * smoothstep(0.0, 0.45, particle.life) / (widened * widened);
     float kilokelvin = particle.kelvin * 1e-3 * mix(0.62, 1.0, lit);
     float glow = smoothstep(0.6, 0.95, kilokelvin);

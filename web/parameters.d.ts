@@ -13,7 +13,7 @@ export interface HearthParameters {
   domain_width: number;
   /** Height of the simulated domain; the picture fits it. [m] Default 1.5, from 0.1 to 6. */
   domain_height: number;
-  /** What happens at the left, right and lower edge: particles leave, are held back, or come back in on the other side. Default "open". */
+  /** What happens at the left and the right edge: particles leave, are held back, or come back in on the other side. The floor holds them back, unless the edges are open; the top is always open. Default "open". */
   walls: "open" | "solid" | "periodic";
   /** Acceleration of gravity, as buoyancy feels it. [m/s²] Default 9.81, from 0 to 20. */
   gravity: number;
@@ -105,7 +105,7 @@ export interface HearthProperties {
   domainWidth: number;
   /** Height of the simulated domain; the picture fits it. [m] Default 1.5, from 0.1 to 6. */
   domainHeight: number;
-  /** What happens at the left, right and lower edge: particles leave, are held back, or come back in on the other side. Default "open". */
+  /** What happens at the left and the right edge: particles leave, are held back, or come back in on the other side. The floor holds them back, unless the edges are open; the top is always open. Default "open". */
   walls: "open" | "solid" | "periodic";
   /** Acceleration of gravity, as buoyancy feels it. [m/s²] Default 9.81, from 0 to 20. */
   gravity: number;

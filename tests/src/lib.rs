@@ -8,7 +8,7 @@
 
 pub mod fires;
 
-use hearth_core::params::Parameters;
+use hearth_core::params::{Input, PARAMETERS, Parameters};
 use hearth_core::preset::PRESETS;
 use hearth_core::{Particle, Simulation};
 
@@ -41,18 +41,30 @@ pub fn fingerprint(parameters: Parameters) -> u64 {
     hash.finish()
 }
 
-/// The fingerprint of every preset, a line each: what one platform tells
-/// another for comparison.
+/// The fingerprint of every preset, and of fires that take the ways that no
+/// preset takes, a line each: what one platform tells another for comparison.
 pub fn fingerprints() -> String {
-    PRESETS
+    let presets = PRESETS
         .iter()
-        .map(|preset| {
-            format!(
-                "{} {:016x}\n",
-                preset.name,
-                fingerprint(preset.parameters())
-            )
-        })
+        .map(|preset| (preset.name, preset.parameters()));
+    let printed = PARAMETERS
+        .iter()
+        .filter(|param| param.id.starts_with("printed_"))
+        .map(|param| (param.id, Input::Flag(true)));
+    let others = [
+        ("as printed", fires::with(printed)),
+        (
+            "periodic",
+            fires::with([
+                ("walls", Input::Text("periodic")),
+                ("domain_width", Input::Number(0.4)),
+                ("emission_noise", Input::Number(1.0)),
+            ]),
+        ),
+    ];
+    presets
+        .chain(others)
+        .map(|(name, parameters)| format!("{name} {:016x}\n", fingerprint(parameters)))
         .collect()
 }
 

@@ -131,6 +131,30 @@ fn births_come_at_the_emission_rate() {
 }
 
 #[test]
+fn births_come_at_the_emission_rate_whatever_the_time_step() {
+    // At 50/s and 17 ms, a step brings less than one birth, and more than half of one.
+    for (rate, time_step) in [(50.0, 0.002), (50.0, 0.017), (90.0, 0.017), (400.0, 0.017)] {
+        let fire = burn(
+            with(&[
+                ("emission_rate", rate),
+                ("time_step", time_step),
+                ("emission_noise", 0.0),
+                ("lifetime_min", 3.0),
+                ("lifetime_max", 3.0),
+                ("domain_height", 6.0),
+                ("domain_width", 6.0),
+            ]),
+            2.0,
+        );
+        let count = fire.count() as f64;
+        assert!(
+            (count / (2.0 * rate) - 1.0).abs() < 0.03,
+            "{count} at {rate}/s, {time_step} s"
+        );
+    }
+}
+
+#[test]
 fn a_source_without_room_gives_what_can_leave_it() {
     let crowded = burn(with(&[("emission_rate", 1e5), ("max_particles", 1e5)]), 2.0);
     let most = crowded.report().most_neighbours;

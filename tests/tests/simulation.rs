@@ -1,7 +1,7 @@
 //! What a user of the simulation relies on: walls, own
 //! initial states, live parameters, refusals.
 
-use hearth_core::params::{Input, Refusal};
+use hearth_core::params::{Input, Kind, PARAMETERS, Param, Refusal};
 use hearth_core::{Parameters, Particle, Simulation, Vec2};
 use hearth_tests::fires::with;
 
@@ -173,6 +173,54 @@ fn parameters_are_live() {
         .expect("in range");
     burn(&mut fire, 480);
     assert!(fire.count() < before / 4);
+}
+
+/// Values of a parameter that are not its default.
+fn others(param: &Param) -> Vec<Input<'static>> {
+    let domain = &param.domains[0];
+    match (param.kind, domain.default) {
+        (Kind::Choice(names), _) => names.iter().map(|&name| Input::Text(name)).collect(),
+        (Kind::Flag, _) => vec![Input::Flag(true)],
+        (Kind::Colour, _) => vec![Input::Text("#123456")],
+        _ => [domain.range.0, domain.range.1].map(Input::Number).to_vec(),
+    }
+}
+
+#[test]
+fn every_parameter_of_the_fire_changes_it_and_none_of_its_look_does() {
+    for param in PARAMETERS {
+        // Nothing reaches the speed limit but gas that is lifted as printed.
+        let wild = ("printed_divisor", Input::Flag(param.id == "speed_limit"));
+        // The domain is no wider than the source, so that there are walls to meet.
+        let narrow = ("domain_width", Input::Number(0.36));
+        let burnt = |more: Option<(&'static str, Input<'static>)>| {
+            let mut fire = Simulation::new(with([wild, narrow].into_iter().chain(more)));
+            while fire.time() < 1.0 {
+                fire.step();
+            }
+            fire.particles()
+        };
+        let plain = burnt(None);
+        let changed = others(param)
+            .into_iter()
+            .any(|value| burnt(Some((param.id, value))) != plain);
+        let shown_only = param.group == "Look" || param.id == "time_scale";
+        assert_eq!(changed, !shown_only, "{}", param.id);
+    }
+}
+
+#[test]
+fn whole_numbers_end_exactly_at_their_range_and_there_is_one_zero() {
+    let mut parameters = Parameters::default();
+    let beyond = f64::from(u32::MAX) + 1.0;
+    assert!(parameters.set("seed", Input::Number(beyond)).is_err());
+    assert!(
+        parameters
+            .set("max_particles", Input::Number(100_001.0))
+            .is_err()
+    );
+    assert_eq!(parameters.set("viscosity", Input::Number(-0.0)), Ok(()));
+    assert!(parameters.viscosity.is_sign_positive());
 }
 
 #[test]

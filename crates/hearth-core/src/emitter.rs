@@ -24,7 +24,7 @@ const ROOM: f32 = 0.75;
 /// Places that are tried for a birth before it has to wait.
 const TRIES: usize = 12;
 
-/// Longest time whose births may wait for room or for a place under the cap [s].
+/// Longest time whose births may wait for room or for a place under the cap \[s\].
 const PATIENCE: f32 = 1.0 / 60.0;
 
 /// The golden ratio's fraction: successive multiples, taken modulo one, fill
@@ -34,7 +34,7 @@ const GOLDEN: f32 = 0.618_034;
 /// Lattice cells of the emission noise for each metre of the source.
 const NOISE_PER_METRE: f32 = 12.0;
 /// Lattice cells of the emission noise for each second.
-const NOISE_PER_SECOND: f32 = 3.0;
+const NOISE_PER_SECOND: f64 = 3.0;
 
 /// The source of particles.
 #[derive(Clone, Debug, Default)]
@@ -59,11 +59,13 @@ impl Emitter {
         particles: &mut Particles,
         values: &Values,
         random: &mut Random,
-        time: f32,
+        time: f64,
     ) {
         let flicker = perlin(values.seed, 0.5, time * NOISE_PER_SECOND);
         let rate = values.emission_rate * (1.0 + values.emission_noise * flicker);
-        let patience = (values.emission_rate * PATIENCE).max(1.0);
+        // What a step itself brings is never cut: beyond it, and beyond the
+        // part of a birth that is left over, nothing waits longer.
+        let patience = 1.0 + rate * values.time_step.max(PATIENCE);
         self.owed = (self.owed + rate * values.time_step).min(patience);
         if self.owed < 1.0 {
             return;
@@ -143,22 +145,23 @@ impl Emitter {
     }
 }
 
-/// Angle by which a spread of one turns the velocity aside at most [rad].
+/// Angle by which a spread of one turns the velocity aside at most \[rad\].
 const TILT: f32 = std::f32::consts::FRAC_PI_4;
 
 /// The source during one step.
 struct Source {
     middle: Vec2,
     half_width: f32,
-    /// How far a particle may rise within the step in which it is born [m].
+    /// How far a particle may rise within the step in which it is born \[m\].
     rise: f32,
-    /// Least distance from another particle [m].
+    /// Least distance from another particle \[m\].
     room: f32,
-    time: f32,
+    /// Time of the fire \[s\].
+    time: f64,
 }
 
 impl Source {
-    fn new(values: &Values, time: f32) -> Source {
+    fn new(values: &Values, time: f64) -> Source {
         let rise = values.emission_speed * values.time_step;
         let top = (values.domain_height - rise).max(0.0);
         Source {
@@ -170,7 +173,7 @@ impl Source {
         }
     }
 
-    /// Longest life of a particle that is born at `x` [s].
+    /// Longest life of a particle that is born at `x` \[s\].
     fn longest_life(&self, values: &Values, x: f32) -> f32 {
         let longest = values.lifetime_max.max(values.lifetime_min);
         let off_centre = (x / self.half_width).abs();

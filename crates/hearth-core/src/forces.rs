@@ -15,7 +15,8 @@
 //! ```
 //!
 //! The paper prints some of this differently. Each printed form can be chosen
-//! by itself; [`Printed`] says how it differs.
+//! by itself; [`Printed`] says how it differs
+//! and reckons with it.
 
 use glam::Vec2;
 
@@ -23,19 +24,7 @@ use crate::density::{DENSITY_FLOOR, Neighbours};
 use crate::kernel::Kernel;
 use crate::params::Values;
 use crate::particles::Particles;
-
-/// The paper's equations as they are printed, each to be chosen by itself.
-#[derive(Clone, Copy, Debug)]
-struct Printed {
-    /// Equation 3, f = − m (pᵢ + pⱼ)/(2 ρⱼ) ∇W: the ½ halves the gradient of
-    /// the pressure, and the density of force is taken for an acceleration.
-    pressure: bool,
-    /// Equation 4, f = μ m (vⱼ − vᵢ)/ρⱼ ∇²W with the kernel's own Laplacian.
-    viscosity: bool,
-    /// Equations 5 and 7, a = f/m: a density of force is divided by the mass
-    /// instead of the density, and temperature lifts nothing.
-    divisor: bool,
-}
+use crate::printed::Printed;
 
 /// Sums the acceleration of every particle.
 ///
@@ -47,14 +36,10 @@ pub(crate) fn accelerate(
     values: &Values,
     viscosity: f32,
 ) {
-    let printed = Printed {
-        pressure: values.printed_pressure,
-        viscosity: values.printed_viscosity,
-        divisor: values.printed_divisor,
-    };
+    let printed = Printed::chosen(values);
     particles.acceleration.fill(Vec2::ZERO);
-    if printed.pressure || printed.viscosity || printed.divisor {
-        push_pairs_as_printed(particles, neighbours, kernel, values, viscosity, printed);
+    if printed.any() {
+        printed.push_pairs(particles, neighbours, kernel, values, viscosity);
     } else {
         push_pairs(particles, neighbours, kernel, values, viscosity);
     }
@@ -96,60 +81,6 @@ fn push_pairs(
             acceleration[j] -= a;
         }
         acceleration[i] += sum;
-    }
-}
-
-/// The same, where at least one equation is taken as printed. The two ends of
-/// a pair may then feel different forces.
-fn push_pairs_as_printed(
-    particles: &mut Particles,
-    neighbours: &Neighbours,
-    kernel: &Kernel,
-    values: &Values,
-    viscosity: f32,
-    printed: Printed,
-) {
-    let Particles {
-        velocity,
-        acceleration,
-        density,
-        pressure,
-        ..
-    } = particles;
-    let mass = values.particle_mass;
-    let softening = 0.01 * kernel.smoothing_length() * kernel.smoothing_length();
-
-    // Densities of force [N/m³] to accelerations [m/s²].
-    let by = |density: f32, half_pressure: bool| {
-        if printed.divisor {
-            1.0 / mass
-        } else if half_pressure {
-            1.0
-        } else {
-            1.0 / density
-        }
-    };
-    for (i, pairs) in neighbours.iter() {
-        let density_i = density[i].max(DENSITY_FLOOR);
-        for pair in pairs {
-            let j = pair.j as usize;
-            let density_j = density[j].max(DENSITY_FLOOR);
-            let share = if printed.pressure { 0.5 } else { 1.0 };
-            let push = pair.offset * (-share * mass * (pressure[i] + pressure[j]) * pair.gradient);
-
-            let distance_squared = pair.offset.length_squared();
-            let drag = if printed.viscosity {
-                -kernel.laplacian(distance_squared.sqrt())
-            } else {
-                2.0 * pair.gradient * distance_squared / (distance_squared + softening)
-            };
-            let rub = (velocity[i] - velocity[j]) * (viscosity * mass * drag);
-
-            acceleration[i] += push / density_j * by(density_i, printed.pressure)
-                + rub / density_j * by(density_i, false);
-            acceleration[j] -= push / density_i * by(density_j, printed.pressure)
-                + rub / density_i * by(density_j, false);
-        }
     }
 }
 

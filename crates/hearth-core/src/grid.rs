@@ -20,6 +20,12 @@ pub(crate) struct Bounds {
 }
 
 impl Bounds {
+    /// Whether `position` is inside; what is no number is not.
+    #[inline]
+    pub fn hold(&self, position: Vec2) -> bool {
+        position.x.abs() <= 0.5 * self.width && (0.0..=self.height).contains(&position.y)
+    }
+
     /// The offset from `b` to `a`, the short way round.
     #[inline]
     pub fn offset(&self, a: Vec2, b: Vec2) -> Vec2 {

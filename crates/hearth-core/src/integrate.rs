@@ -4,8 +4,6 @@
 //! with the *new* velocity. The paper's equation 6 prints forward Euler, which
 //! moves with the old one and lets energy drift; it can be chosen.
 
-use glam::Vec2;
-
 use crate::density::DENSITY_FLOOR;
 use crate::grid::Bounds;
 use crate::params::{Values, Walls};
@@ -20,7 +18,7 @@ pub(crate) const MOST_SUBSTEPS: u32 = 32;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Substeps {
     pub count: u32,
-    /// Length of each [s].
+    /// Length of each \[s\].
     pub length: f32,
     /// Viscosity that such a substep can bear [Pa·s].
     pub viscosity: f32,
@@ -126,10 +124,7 @@ pub(crate) fn bound(particles: &mut Particles, values: &Values, bounds: &Bounds)
             }
         }
     }
-    let inside = |position: Vec2| {
-        (-half..=half).contains(&position.x) && (0.0..=bounds.height).contains(&position.y)
-    };
-    particles.retain(|p, i| p.age[i] < p.lifetime[i] && inside(p.position[i]));
+    particles.retain(|p, i| p.age[i] < p.lifetime[i] && bounds.hold(p.position[i]));
 }
 
 fn stop_at(x: &mut f32, v: &mut f32, low: f32, high: f32) {
@@ -150,13 +145,17 @@ fn stop_at(x: &mut f32, v: &mut f32, low: f32, high: f32) {
 
 fn wrap(x: f32, half: f32) -> f32 {
     let width = 2.0 * half;
-    (x - width * ((x + half) / width).floor()).clamp(-half, half)
+    (x - width * ((x + half) / width).floor())
+        .max(-half)
+        .min(half)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::params::{Input, Parameters};
+    use crate::particles::Particle;
+    use glam::Vec2;
 
     fn with(values: &[(&str, f64)]) -> Parameters {
         let mut parameters = Parameters::default();
@@ -195,6 +194,58 @@ mod tests {
         let substeps = Substeps::divide(&parameters, 0.0, 0.0);
         assert_eq!(substeps.count, MOST_SUBSTEPS);
         assert!(substeps.viscosity < 0.1);
+    }
+
+    fn one_falling(velocity: f32) -> Particles {
+        let mut particles = Particles::default();
+        particles.push(Particle {
+            position: Vec2::new(0.0, 1.0),
+            velocity: Vec2::new(0.0, velocity),
+            temperature: 400.0,
+            age: 0.0,
+            lifetime: 1.0,
+        });
+        particles.acceleration[0] = Vec2::new(0.0, -10.0);
+        particles
+    }
+
+    #[test]
+    fn the_new_velocity_moves_it_and_as_printed_the_old_one() {
+        for (printed, expected) in [(false, -0.002), (true, 0.002)] {
+            let mut parameters = Parameters::default();
+            assert_eq!(
+                parameters.set("printed_euler", Input::Flag(printed)),
+                Ok(())
+            );
+            let mut particles = one_falling(0.1);
+            // From 0.1 m/s to −0.1 m/s.
+            integrate(&mut particles, &parameters, 0.02);
+            let fallen = particles.position[0].y - 1.0;
+            assert!((fallen - expected).abs() < 1e-6, "{fallen}");
+            assert!((particles.velocity[0].y + 0.1).abs() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn nothing_is_faster_than_the_speed_limit_and_what_is_held_back_is_counted() {
+        let parameters = Parameters::default();
+        let mut particles = one_falling(-100.0);
+        let motion = integrate(&mut particles, &parameters, 0.01);
+        assert!((particles.velocity[0].y + parameters.speed_limit).abs() < 1e-5);
+        assert_eq!(motion.limited, 1);
+        let mut particles = one_falling(-1.0);
+        assert_eq!(integrate(&mut particles, &parameters, 0.01).limited, 0);
+    }
+
+    #[test]
+    fn gas_cools_at_the_rate_that_is_set_and_not_below_the_air() {
+        let parameters = with(&[("cooling_rate", 500.0), ("ambient_temperature", 300.0)]);
+        let mut particles = one_falling(0.0);
+        cool_and_age(&mut particles, &parameters, 0.1);
+        assert!((particles.temperature[0] - 350.0).abs() < 1e-3);
+        cool_and_age(&mut particles, &parameters, 0.2);
+        assert_eq!(particles.temperature[0], 300.0);
+        assert!((particles.age[0] - 0.3).abs() < 1e-6);
     }
 
     #[test]

@@ -23,7 +23,7 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    /// The kernel of smoothing length `h` [m], normalised in two dimensions.
+    /// The kernel of smoothing length `h` \[m\], normalised in two dimensions.
     pub fn new(h: f32) -> Kernel {
         Kernel {
             h,
@@ -40,12 +40,12 @@ impl Kernel {
         }
     }
 
-    /// Smoothing length h [m].
+    /// Smoothing length h \[m\].
     pub fn smoothing_length(&self) -> f32 {
         self.h
     }
 
-    /// Radius of the disc outside of which the kernel is zero [m].
+    /// Radius of the disc outside of which the kernel is zero \[m\].
     pub fn support(&self) -> f32 {
         2.0 * self.h
     }

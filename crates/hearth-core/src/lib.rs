@@ -32,6 +32,7 @@ mod noise;
 pub mod params;
 mod particles;
 pub mod preset;
+mod printed;
 pub mod random;
 pub mod simulation;
 

@@ -4,11 +4,12 @@
 //! is no table to fill and the noise never repeats.
 
 /// Smooth noise of that seed at (x, y): zero on average and at every whole
-/// (x, y), within −1 and 1, one lattice cell per unit.
-pub fn perlin(seed: u32, x: f32, y: f32) -> f32 {
+/// (x, y), within −1 and 1, one lattice cell per unit. `y` is a time, and an `f32` would
+/// make it jump after a day.
+pub fn perlin(seed: u32, x: f32, y: f64) -> f32 {
     let (cell_x, cell_y) = (x.floor(), y.floor());
-    let (fx, fy) = (x - cell_x, y - cell_y);
-    let (ix, iy) = (cell_x as i32, cell_y as i32);
+    let (fx, fy) = (x - cell_x, (y - cell_y) as f32);
+    let (ix, iy) = (cell_x as i32, cell_y as i64 as i32);
     let corner = |dx: i32, dy: i32| {
         let (gx, gy) = gradient(seed, ix.wrapping_add(dx), iy.wrapping_add(dy));
         gx * (fx - dx as f32) + gy * (fy - dy as f32)
@@ -54,7 +55,7 @@ mod tests {
         let (mut sum, mut n) = (0.0, 0);
         for i in 0..300 {
             for j in 0..300 {
-                let (x, y) = (i as f32 * 0.37 - 50.0, j as f32 * 0.41 - 60.0);
+                let (x, y) = (i as f32 * 0.37 - 50.0, f64::from(j) * 0.41 - 60.0);
                 let value = perlin(3, x, y);
                 assert!(value.abs() <= 1.0, "{value} at {x}, {y}");
                 assert!((perlin(3, x + 1e-3, y) - value).abs() < 0.02);
@@ -63,6 +64,17 @@ mod tests {
             }
         }
         assert!((sum / f64::from(n)).abs() < 0.02);
+    }
+
+    #[test]
+    fn it_is_as_smooth_after_a_year() {
+        let year = 365.0 * 86_400.0 * 3.0;
+        let values: Vec<f32> = (0..500)
+            .map(|i| perlin(1, 0.3, year + f64::from(i) * 0.01))
+            .collect();
+        let moves = |pair: &[f32]| (pair[1] - pair[0]).abs();
+        assert!(values.windows(2).all(|pair| moves(pair) < 0.1));
+        assert!(values.windows(2).filter(|pair| moves(pair) > 0.0).count() > 490);
     }
 
     #[test]

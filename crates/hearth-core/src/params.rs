@@ -10,6 +10,7 @@
 //! slice of one metre's depth, so a mass is in kg/m.
 
 mod choices;
+mod decimal;
 mod table;
 mod value;
 
@@ -27,8 +28,9 @@ parameters! {
         domain_width: number "Width" ["m"] Log { Every(1.2, 0.1..=6.0) }
         /// Height of the simulated domain; the picture fits it.
         domain_height: number "Height" ["m"] Log { Every(1.5, 0.1..=6.0) }
-        /// What happens at the left, right and lower edge: particles leave, are
-        /// held back, or come back in on the other side.
+        /// What happens at the left and the right edge: particles leave, are held
+        /// back, or come back in on the other side. The floor holds them back,
+        /// unless the edges are open; the top is always open.
         walls: (choice Walls) "Walls" { Classic(Open) }
         /// Acceleration of gravity, as buoyancy feels it.
         gravity: number "Gravity" ["m/s²"] Linear { Every(9.81, 0.0..=20.0) }

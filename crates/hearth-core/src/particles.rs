@@ -10,15 +10,15 @@ use glam::Vec2;
 /// A particle as it is put in and read out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Particle {
-    /// Position [m]; the origin is the middle of the floor, y points up.
+    /// Position \[m\]; the origin is the middle of the floor, y points up.
     pub position: Vec2,
     /// Velocity [m/s].
     pub velocity: Vec2,
-    /// Temperature [K].
+    /// Temperature \[K\].
     pub temperature: f32,
-    /// Time since birth [s].
+    /// Time since birth \[s\].
     pub age: f32,
-    /// Age at which it dies [s].
+    /// Age at which it dies \[s\].
     pub lifetime: f32,
 }
 
@@ -33,8 +33,9 @@ pub(crate) struct Particles {
     pub lifetime: Vec<f32>,
     pub density: Vec<f32>,
     pub pressure: Vec<f32>,
-    pub id: Vec<u32>,
-    born: u32,
+    pub id: Vec<u64>,
+    /// Never runs out: a large source would have used up 32 bits in a day.
+    born: u64,
     /// The second half of each reordering.
     scratch: Scratch,
 }
@@ -43,7 +44,7 @@ pub(crate) struct Particles {
 struct Scratch {
     vector: Vec<Vec2>,
     scalar: Vec<f32>,
-    id: Vec<u32>,
+    id: Vec<u64>,
 }
 
 impl Particles {
@@ -67,7 +68,7 @@ impl Particles {
         self.density.push(0.0);
         self.pressure.push(0.0);
         self.id.push(self.born);
-        self.born = self.born.wrapping_add(1);
+        self.born += 1;
     }
 
     pub fn get(&self, i: usize) -> Particle {

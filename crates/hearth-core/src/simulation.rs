@@ -14,12 +14,12 @@ use crate::forces;
 use crate::grid::{Bounds, Grid};
 use crate::integrate::{self, Motion, Substeps};
 use crate::kernel::Kernel;
-use crate::params::{Input, PARAMETERS, ParamError, Parameters, Walls};
+use crate::params::{Input, Param, ParamError, Parameters, Walls};
 use crate::particles::{Particle, Particles};
 use crate::random::Random;
 
-/// One particle as the renderer gets it: x, y [m], vx, vy [m/s], temperature
-/// [K], density [kg/m³], age [s], remaining life [0–1].
+/// One particle as the renderer gets it: x, y \[m\], vx, vy [m/s], temperature
+/// \[K\], density [kg/m³], age \[s\], remaining life [0–1].
 pub type Instance = [f32; 8];
 
 /// What the last step did.
@@ -72,12 +72,8 @@ impl Simulation {
     /// Burns on by one time step.
     pub fn step(&mut self) {
         let values = &self.parameters;
-        self.emitter.emit(
-            &mut self.particles,
-            values,
-            &mut self.random,
-            self.time as f32,
-        );
+        self.emitter
+            .emit(&mut self.particles, values, &mut self.random, self.time);
         let substeps = Substeps::divide(values, self.motion.fastest, self.motion.hardest);
         for _ in 0..substeps.count {
             self.substep(&substeps);
@@ -150,10 +146,10 @@ impl Simulation {
         // A smaller domain leaves particles outside; solid walls would sweep
         // them onto each other, so they are gone instead.
         let bounds = bounds(&self.parameters);
-        self.particles.retain(|p, i| inside(p.position[i], &bounds));
+        self.particles.retain(|p, i| bounds.hold(p.position[i]));
     }
 
-    /// Simulated time since the start [s].
+    /// Simulated time since the start \[s\].
     pub fn time(&self) -> f64 {
         self.time
     }
@@ -198,7 +194,7 @@ impl Simulation {
         self.read(|p, i| p.get(i))
     }
 
-    /// Positions [m], in the order of birth.
+    /// Positions \[m\], in the order of birth.
     pub fn positions(&self) -> Vec<Vec2> {
         self.read(|p, i| p.position[i])
     }
@@ -208,12 +204,12 @@ impl Simulation {
         self.read(|p, i| p.velocity[i])
     }
 
-    /// Temperatures [K], in the order of birth.
+    /// Temperatures \[K\], in the order of birth.
     pub fn temperatures(&self) -> Vec<f32> {
         self.read(|p, i| p.temperature[i])
     }
 
-    /// Times since birth [s], in the order of birth.
+    /// Times since birth \[s\], in the order of birth.
     pub fn ages(&self) -> Vec<f32> {
         self.read(|p, i| p.age[i])
     }
@@ -223,7 +219,7 @@ impl Simulation {
         self.read(|p, i| p.density[i])
     }
 
-    /// Pressures [Pa] as the last step found them, in the order of birth.
+    /// Pressures \[Pa\] as the last step found them, in the order of birth.
     pub fn pressures(&self) -> Vec<f32> {
         self.read(|p, i| p.pressure[i])
     }
@@ -271,8 +267,7 @@ impl Simulation {
 impl Parameters {
     /// The range of the parameter `id`, where it has one.
     fn find_range(id: &str) -> Option<(f64, f64)> {
-        let param = PARAMETERS.iter().find(|param| param.id == id)?;
-        param.domains.first().map(|domain| domain.range)
+        Param::find(id)?.domains.first().map(|domain| domain.range)
     }
 }
 
@@ -284,10 +279,6 @@ fn bounds(parameters: &Parameters) -> Bounds {
     }
 }
 
-fn inside(position: Vec2, bounds: &Bounds) -> bool {
-    position.x.abs() <= 0.5 * bounds.width && (0.0..=bounds.height).contains(&position.y)
-}
-
 /// What is wrong with a particle that somebody wants to put in.
 fn fault(particle: &Particle, bounds: &Bounds) -> Option<&'static str> {
     let Particle {
@@ -297,7 +288,7 @@ fn fault(particle: &Particle, bounds: &Bounds) -> Option<&'static str> {
         age,
         lifetime,
     } = *particle;
-    if !position.is_finite() || !inside(position, bounds) {
+    if !bounds.hold(position) {
         Some("position must be inside the domain")
     } else if !velocity.is_finite() {
         Some("velocity must be finite")

@@ -8,14 +8,14 @@
 
 use crate::cie::{FIRST, OBSERVER, STEP};
 
-/// Coolest temperature of the look-up table [K].
+/// Coolest temperature of the look-up table \[K\].
 pub(crate) const COOLEST: f32 = 600.0;
-/// Hottest temperature of the look-up table [K]. The parameters allow 2500 K.
+/// Hottest temperature of the look-up table \[K\]. The parameters allow 2500 K.
 pub(crate) const HOTTEST: f32 = 2600.0;
 /// Entries of the look-up table.
 pub(crate) const ENTRIES: usize = 128;
 
-/// Temperature whose luminance counts as 1 [K]: the middle of a flame.
+/// Temperature whose luminance counts as 1 \[K\]: the middle of a flame.
 const REFERENCE: f64 = 1500.0;
 
 /// CIE 1931 chromaticity coordinates.
@@ -27,7 +27,7 @@ pub struct Chromaticity {
     pub y: f64,
 }
 
-/// Where a black body of `temperature` [K] lies in the CIE 1931 diagram.
+/// Where a black body of `temperature` \[K\] lies in the CIE 1931 diagram.
 pub fn chromaticity(temperature: f64) -> Chromaticity {
     let [x, y, z] = tristimulus(temperature);
     let sum = x + y + z;
@@ -37,12 +37,12 @@ pub fn chromaticity(temperature: f64) -> Chromaticity {
     }
 }
 
-/// Luminance of a black body of `temperature` [K], as a multiple of that at 1500 K.
+/// Luminance of a black body of `temperature` \[K\], as a multiple of that at 1500 K.
 pub fn luminance(temperature: f64) -> f64 {
     tristimulus(temperature)[1] / tristimulus(REFERENCE)[1]
 }
 
-/// Linear sRGB of unit luminance of a black body of `temperature` [K]. Blue,
+/// Linear sRGB of unit luminance of a black body of `temperature` \[K\]. Blue,
 /// which is negative below about 1900 K, is clamped.
 pub fn linear_srgb(temperature: f64) -> [f64; 3] {
     let [x, y, z] = tristimulus(temperature);

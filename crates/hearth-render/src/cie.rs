@@ -5,9 +5,9 @@
 //! colorimetric observer, every 10 nm. A flame's spectrum is smooth, so this
 //! step moves a chromaticity by less than 0.0005 against the table's own 1 nm.
 
-/// First wavelength of [`OBSERVER`] [nm].
+/// First wavelength of [`OBSERVER`] \[nm\].
 pub const FIRST: f64 = 380.0;
-/// Distance between two wavelengths of [`OBSERVER`] [nm].
+/// Distance between two wavelengths of [`OBSERVER`] \[nm\].
 pub const STEP: f64 = 10.0;
 
 /// x̄, ȳ, z̄ at 380, 390, … 780 nm.

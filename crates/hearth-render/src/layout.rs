@@ -69,7 +69,7 @@ impl Layout {
     }
 
     /// The lower left part of the field target that is worth filling with
-    /// `count` kernels of `radius` [m] in a picture `height` [m] high.
+    /// `count` kernels of `radius` \[m\] in a picture `height` \[m\] high.
     pub fn used_field(&self, count: usize, radius: f32, height: f32) -> [u32; 2] {
         let needed = TEXELS_PER_RADIUS * height / radius;
         let affordable = (SPLAT_BUDGET / count.max(1) as f32).sqrt() * height / (2.0 * radius);
@@ -95,12 +95,12 @@ pub struct Rectangle {
 /// Where the world stands in the picture: its height fits, x is centred.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Width and height of what the picture shows [m].
+    /// Width and height of what the picture shows \[m\].
     pub metres: [f32; 2],
 }
 
 impl Place {
-    /// The place of a domain `height` [m] high in a picture of that size.
+    /// The place of a domain `height` \[m\] high in a picture of that size.
     pub fn new(picture: [u32; 2], height: f32) -> Place {
         let aspect = picture[0] as f32 / picture[1].max(1) as f32;
         Place {
@@ -114,14 +114,14 @@ impl Place {
     }
 
     /// The texels of a target of that size that `bounds` (left, lower, right,
-    /// upper [m]) touches.
+    /// upper \[m\]) touches.
     pub fn rectangle(self, bounds: [f32; 4], size: [u32; 2]) -> Rectangle {
         let [left, lower, right, upper] = bounds;
         let [width, height] = size.map(|side| side as f32);
         let column = |x: f32| (x / self.metres[0] + 0.5) * width;
         let row = |y: f32| y / self.metres[1] * height;
         // A float that is too large, or no number, becomes an edge: `as` saturates.
-        let clamp = |at: f32, most: f32| at.clamp(0.0, most) as i32;
+        let clamp = |at: f32, most: f32| at.max(0.0).min(most) as i32;
         let (x, y) = (
             clamp(column(left).floor(), width),
             clamp(row(lower).floor(), height),

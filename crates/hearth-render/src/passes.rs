@@ -18,7 +18,7 @@ pub struct Passes {
     pub spread: Program,
     /// Fields to light.
     pub shade: Program,
-    /// Light to a blurred copy of half its size.
+    /// Light to a blurred copy a quarter as wide, and that to ones of half its size.
     pub shrink: Program,
     /// Blurred copies joined, from the widest to the sharpest.
     pub widen: Program,

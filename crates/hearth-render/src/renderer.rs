@@ -34,7 +34,7 @@ pub struct View {
     /// Height of the picture in device pixels.
     pub height: u32,
     /// Seconds of fire, for structure that moves.
-    pub time: f32,
+    pub time: f64,
 }
 
 /// Draws a fire into the default framebuffer, with premultiplied alpha.

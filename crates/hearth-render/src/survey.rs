@@ -10,15 +10,15 @@ use hearth_core::simulation::Instance;
 
 /// Seconds of fire after which a change has reached the smoothed figures.
 const SMOOTHING: f32 = 0.5;
-/// Longest time between two pictures that still counts as motion [s].
+/// Longest time between two pictures that still counts as motion \[s\].
 const LONGEST_FRAME: f32 = 0.1;
 
 /// A look at all particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Survey {
-    /// Left, lower, right and upper edge of all particles [m]; empty: left > right.
+    /// Left, lower, right and upper edge of all particles \[m\]; empty: left > right.
     pub bounds: [f32; 4],
-    /// Mean height of the gas that is still alive [m].
+    /// Mean height of the gas that is still alive \[m\].
     height: f32,
     /// Mean upward speed of it [m/s].
     speed: f32,
@@ -53,19 +53,22 @@ impl Survey {
 /// The smoothed figures.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rise {
-    time: Option<f32>,
-    /// Mean height of the gas [m].
+    time: Option<f64>,
+    /// Mean height of the gas \[m\].
     height: f32,
     /// Mean upward speed of it [m/s].
     speed: f32,
-    /// How far the gas has risen since the start [m].
-    pub distance: f32,
+    /// How far the gas has risen since the start \[m\].
+    /// A day of it is a hundred kilometres: too many for the steps of an `f32`.
+    pub distance: f64,
 }
 
 impl Rise {
-    /// Takes in what was seen at `time` [s].
-    pub fn advance(&mut self, survey: &Survey, time: f32) {
-        let elapsed = self.time.map_or(f32::INFINITY, |before| time - before);
+    /// Takes in what was seen at `time` \[s\].
+    pub fn advance(&mut self, survey: &Survey, time: f64) {
+        let elapsed = self
+            .time
+            .map_or(f32::INFINITY, |before| (time - before) as f32);
         self.time = Some(time);
         // The first look counts fully; a clock that was set back or a long
         // pause is no motion.
@@ -85,11 +88,11 @@ impl Rise {
             }
         }
         if !first {
-            self.distance += elapsed * self.speed;
+            self.distance += f64::from(elapsed * self.speed);
         }
     }
 
-    /// Height of the flame above `source` [m]: the gas thins out upward, so
+    /// Height of the flame above `source` \[m\]: the gas thins out upward, so
     /// its tip is about twice as high as its mean.
     pub fn flame_height(&self, source: f32) -> f32 {
         2.2 * (self.height - source)
@@ -117,7 +120,7 @@ mod tests {
         let survey = Survey::of(&[particle(0.0, 0.5, 1.6)]);
         let mut rise = Rise::default();
         for frame in 0..=60 {
-            rise.advance(&survey, frame as f32 / 60.0);
+            rise.advance(&survey, f64::from(frame) / 60.0);
         }
         assert!((rise.distance - 1.6).abs() < 0.01, "{rise:?}");
     }

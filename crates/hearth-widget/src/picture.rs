@@ -208,7 +208,7 @@ impl Picture {
             // A browser short of memory gives less than was asked for.
             width: self.context.drawing_buffer_width().max(0).unsigned_abs(),
             height: self.context.drawing_buffer_height().max(0).unsigned_abs(),
-            time: time as f32,
+            time,
         };
         renderer.upload(gl, instances);
         match renderer.paint(gl, &view, parameters) {

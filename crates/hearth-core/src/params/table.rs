@@ -109,7 +109,8 @@ impl Param {
                 .filter(|x| !whole || x.fract() == 0.0)
                 // The bounds are decimals; a slider sends the nearest f32.
                 .filter(|&x| {
-                    (min..=max).contains(&x) || x as f32 == min as f32 || x as f32 == max as f32
+                    (min..=max).contains(&x)
+                        || !whole && [min, max].iter().any(|&end| x as f32 == end as f32)
                 })
                 .ok_or_else(|| {
                     refuse(Refusal::OutOfRange {
@@ -121,7 +122,8 @@ impl Param {
                 })
         };
         match self.kind {
-            Kind::Number(_) => in_range(false).map(|x| Value::Number(x as f32)),
+            // −0 + 0 is 0: a fire must not depend on which zero was sent.
+            Kind::Number(_) => in_range(false).map(|x| Value::Number(x as f32 + 0.0)),
             Kind::Integer(_) => in_range(true).map(|x| Value::Integer(x as u32)),
             Kind::Seed => in_range(true).map(|x| Value::Seed(x as u32)),
             Kind::Choice(choices) => match input {

@@ -6,6 +6,8 @@
 
 use std::fmt;
 
+use super::decimal::{self, Decimal};
+
 /// A colour with opacity, 8 bits a channel, sRGB, not premultiplied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Colour {
@@ -48,7 +50,11 @@ impl Colour {
             }
             _ => return None,
         }
-        Some(Colour { rgba })
+        // What cannot be seen has no colour, so it reads back as it was written.
+        Some(match rgba {
+            [.., 0] => Colour::TRANSPARENT,
+            _ => Colour { rgba },
+        })
     }
 }
 
@@ -86,7 +92,7 @@ impl Value {
     /// 0.05. `None` for a choice, a flag or a colour.
     pub fn as_number(&self) -> Option<f64> {
         match *self {
-            Value::Number(x) => x.to_string().parse().ok(),
+            Value::Number(x) => Some(decimal::shortest(x)),
             Value::Integer(n) | Value::Seed(n) => Some(f64::from(n)),
             Value::Choice(_) | Value::Flag(_) | Value::Colour(_) => None,
         }
@@ -96,7 +102,7 @@ impl Value {
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Value::Number(x) => write!(f, "{x}"),
+            Value::Number(x) => write!(f, "{}", Decimal(decimal::shortest(*x))),
             Value::Integer(n) | Value::Seed(n) => write!(f, "{n}"),
             Value::Choice(name) => f.write_str(name),
             Value::Flag(on) => write!(f, "{on}"),
@@ -120,7 +126,7 @@ impl Input<'_> {
     pub(super) fn number(&self) -> Option<f64> {
         match *self {
             Input::Number(x) => Some(x),
-            Input::Text(text) => text.trim().parse().ok(),
+            Input::Text(text) => decimal::parse(text.trim()),
             Input::Flag(_) => None,
         }
         .filter(|x: &f64| x.is_finite())
@@ -141,7 +147,7 @@ impl Input<'_> {
 impl fmt::Display for Input<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Input::Number(x) => write!(f, "{x}"),
+            Input::Number(x) => write!(f, "{}", Decimal(*x)),
             Input::Flag(on) => write!(f, "{on}"),
             // A hostile text must not flood a console.
             Input::Text(text) => match text.char_indices().nth(40) {
@@ -213,6 +219,7 @@ impl fmt::Display for ParamError {
             } => {
                 let kind = if *whole { "a whole number" } else { "a number" };
                 let space = if unit.is_empty() { "" } else { " " };
+                let (min, max) = (Decimal(*min), Decimal(*max));
                 write!(
                     f,
                     "{id} = {value} is refused: it must be {kind} from {min} to {max}{space}{unit}"

@@ -1,4 +1,4 @@
-//! The fire's own four passes: fields, light, glow, picture.
+//! The fire's own passes: fields, light, glow, picture.
 
 use hearth_core::Parameters;
 
@@ -12,7 +12,7 @@ use crate::targets::Targets;
 /// The diameter of a kernel at half its height is 1.08 of its radius; this
 /// radius makes that diameter the particle's size.
 const RADII_PER_SIZE: f32 = 0.92;
-/// A kernel is drawn out by the way that its particle moves in this time [s].
+/// A kernel is drawn out by the way that its particle moves in this time \[s\].
 const STRETCH: f32 = 0.02;
 /// The farthest that a drawn-out, widened kernel reaches, in its radii.
 const REACH: f32 = 2.3;
@@ -41,6 +41,11 @@ fn kernel_weight(radius: f32, parameters: &Parameters) -> f32 {
     (OVERLAP / overlap).sqrt().clamp(0.1, 4.0)
 }
 
+/// Width of what of the source is inside the domain \[m\].
+fn source_width(parameters: &Parameters) -> f32 {
+    parameters.source_width.min(parameters.domain_width)
+}
+
 /// One frame of fire.
 pub struct Fire<'a> {
     gl: Gl<'a>,
@@ -48,13 +53,13 @@ pub struct Fire<'a> {
     targets: &'a Targets,
     place: Place,
     parameters: &'a Parameters,
-    /// Radius of a kernel [m].
+    /// Radius of a kernel \[m\].
     radius: f32,
-    /// Size of the broadest fine structure [m].
+    /// Size of the broadest fine structure \[m\].
     grain: f32,
     /// The part of the field target that is used.
     used: [u32; 2],
-    /// What the fire, but not its glow, can reach [m].
+    /// What the fire, but not its glow, can reach \[m\].
     reach: [f32; 4],
 }
 
@@ -73,7 +78,7 @@ impl<'a> Fire<'a> {
             .used_field(renderer.particles.count(), radius, place.metres[1]);
         // A kernel narrower than the texels would flicker as it moves.
         let radius = radius.max(1.5 * place.metres[1] / used[1] as f32);
-        let grain = (0.35 * parameters.source_width).max(parameters.particle_size);
+        let grain = (0.35 * source_width(parameters)).max(parameters.particle_size);
         let margin = REACH * radius + 2.0 * parameters.detail * WARP * grain;
         let [left, lower, right, upper] = renderer.survey.bounds;
         Fire {
@@ -167,10 +172,10 @@ impl<'a> Fire<'a> {
         );
         program.set(gl, "range", renderer.format.field_range());
         // The tile repeats, also where the shader scrolls it at 0.62 and 1.05
-        // of the speed, so whole hundreds make no difference: a float stays
-        // exact however long the fire burns.
+        // of the speed, so whole hundreds make no difference, and what the
+        // shader gets stays small, however long the fire burns.
         let tiles = 1.0 / (noise::CELLS as f32 * self.grain);
-        let risen = (renderer.rise.distance * tiles).rem_euclid(100.0);
+        let risen = (renderer.rise.distance * f64::from(tiles)).rem_euclid(100.0) as f32;
         let warp = parameters.detail * WARP * self.grain;
         program.set(gl, "rise", [tiles, risen, warp, parameters.detail]);
         program.set(
@@ -190,7 +195,7 @@ impl<'a> Fire<'a> {
                 parameters.luminance_exponent,
                 gain(parameters),
                 1.0 / renderer.format.light_range(),
-                0.0,
+                2.0 / source_width(parameters),
             ],
         );
         program.set(gl, "table", table_coordinates());
@@ -272,7 +277,7 @@ impl<'a> Fire<'a> {
         self.cover(self.place.rectangle(self.halo(), targets.layout.picture));
     }
 
-    /// What the fire and its glow can reach [m]: the glow ends a few texels of
+    /// What the fire and its glow can reach \[m\]: the glow ends a few texels of
     /// its widest copy away from the fire.
     fn halo(&self) -> [f32; 4] {
         let lines = self.targets.blurs[BLURS - 1].size()[1] as f32;

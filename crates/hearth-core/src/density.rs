@@ -144,13 +144,10 @@ mod tests {
             let mut random = Random::new(seed);
             let mut particles = Particles::default();
             for _ in 0..500 {
-                particles.push(Particle {
-                    position: Vec2::new(random.between(-0.4, 0.4), random.between(0.0, 0.6)),
-                    velocity: Vec2::ZERO,
-                    temperature: 300.0,
-                    age: 0.0,
-                    lifetime: 1.0,
-                });
+                particles.push(Particle::at(Vec2::new(
+                    random.between(-0.4, 0.4),
+                    random.between(0.0, 0.6),
+                )));
             }
             let (kernel, mass) = (Kernel::new(0.03), 1e-3);
             let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
@@ -181,13 +178,7 @@ mod tests {
         let mut particles = Particles::default();
         let n = 6000;
         for _ in 0..n {
-            particles.push(Particle {
-                position: Vec2::new(0.0, 0.5),
-                velocity: Vec2::ZERO,
-                temperature: 300.0,
-                age: 0.0,
-                lifetime: 1.0,
-            });
+            particles.push(Particle::at(Vec2::new(0.0, 0.5)));
         }
         let bounds = Bounds {
             width: 1.0,
@@ -214,13 +205,7 @@ mod tests {
         let parameters = crate::Parameters::default();
         let mut particles = Particles::default();
         for density in [0.1, 1.0, 2.0] {
-            particles.push(Particle {
-                position: Vec2::ZERO,
-                velocity: Vec2::ZERO,
-                temperature: 300.0,
-                age: 0.0,
-                lifetime: 1.0,
-            });
+            particles.push(Particle::at(Vec2::ZERO));
             *particles.density.last_mut().expect("just pushed") = density;
         }
         pressure(&mut particles, &parameters);

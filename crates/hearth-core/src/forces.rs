@@ -139,11 +139,12 @@ mod tests {
         let mut particles = Particles::default();
         for _ in 0..600 {
             particles.push(Particle {
-                position: Vec2::new(random.between(-0.5, 0.5), random.between(0.2, 0.5)),
                 velocity: Vec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0)),
                 temperature: random.between(300.0, 1900.0),
-                age: 0.0,
-                lifetime: 1.0,
+                ..Particle::at(Vec2::new(
+                    random.between(-0.5, 0.5),
+                    random.between(0.2, 0.5),
+                ))
             });
         }
         let kernel = Kernel::new(parameters.smoothing_radius);
@@ -238,11 +239,8 @@ mod tests {
             let mut particles = Particles::default();
             for side in [-1.0, 1.0] {
                 particles.push(Particle {
-                    position: Vec2::new(side * 0.2 * parameters.smoothing_radius, 0.5),
                     velocity: Vec2::new(0.0, side),
-                    temperature: 300.0,
-                    age: 0.0,
-                    lifetime: 1.0,
+                    ..Particle::at(Vec2::new(side * 0.2 * parameters.smoothing_radius, 0.5))
                 });
             }
             let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
@@ -275,13 +273,7 @@ mod tests {
         let mut particles = Particles::default();
         for i in -10..=10 {
             for j in 0..=20 {
-                particles.push(Particle {
-                    position: Vec2::new(i as f32 * dx, 0.1 + j as f32 * dx),
-                    velocity: Vec2::ZERO,
-                    temperature: 300.0,
-                    age: 0.0,
-                    lifetime: 1.0,
-                });
+                particles.push(Particle::at(Vec2::new(i as f32 * dx, 0.1 + j as f32 * dx)));
             }
         }
         let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
@@ -340,11 +332,9 @@ mod tests {
         let parameters = with(more);
         let mut particles = Particles::default();
         particles.push(Particle {
-            position: Vec2::new(0.0, 0.5),
             velocity: Vec2::new(0.0, vy),
             temperature,
-            age: 0.0,
-            lifetime: 1.0,
+            ..Particle::at(Vec2::new(0.0, 0.5))
         });
         particles.density[0] = density;
         lift(&mut particles, &parameters);

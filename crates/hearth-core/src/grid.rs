@@ -168,16 +168,10 @@ mod tests {
         let mut random = Random::new(seed);
         let mut particles = Particles::default();
         for _ in 0..n {
-            particles.push(Particle {
-                position: Vec2::new(
-                    random.between(-0.5 * bounds.width, 0.5 * bounds.width),
-                    random.between(0.0, bounds.height),
-                ),
-                velocity: Vec2::ZERO,
-                temperature: 300.0,
-                age: 0.0,
-                lifetime: 1.0,
-            });
+            particles.push(Particle::at(Vec2::new(
+                random.between(-0.5 * bounds.width, 0.5 * bounds.width),
+                random.between(0.0, bounds.height),
+            )));
         }
         particles
     }

@@ -22,6 +22,20 @@ pub struct Particle {
     pub lifetime: f32,
 }
 
+#[cfg(test)]
+impl Particle {
+    /// One for tests: at rest, as warm as a room.
+    pub(crate) fn at(position: Vec2) -> Particle {
+        Particle {
+            position,
+            velocity: Vec2::ZERO,
+            temperature: 300.0,
+            age: 0.0,
+            lifetime: 1.0,
+        }
+    }
+}
+
 /// All particles that are alive.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Particles {

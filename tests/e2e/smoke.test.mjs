@@ -1,13 +1,16 @@
 /**
  * The least that any build of the site must do, whoever built it: load, become
  * ready, burn, show its panel, complain about nothing. Run it alone against
- * another folder: `HEARTH_SITE=… node --test smoke.test.mjs`.
+ * another folder, `HEARTH_SITE=… node --test smoke.test.mjs`, or against a page
+ * that somebody serves, `HEARTH_PAGE=http://…`.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { assertBurns } from './laws.mjs';
 import { Panel } from './panel.mjs';
+
+const PAGE = process.env.HEARTH_PAGE ?? 'index.html';
 
 /** @type {Browser} */
 let browser;
@@ -17,7 +20,7 @@ before(async () => {
 after(() => browser?.close());
 
 test('the site loads, burns and shows its panel without a complaint', async () => {
-  const tab = await browser.open('index.html', { width: 1000, height: 600 });
+  const tab = await browser.open(PAGE, { width: 1000, height: 600 });
   await tab.ready();
   await tab.burnt(1.5);
   await assertBurns(tab);

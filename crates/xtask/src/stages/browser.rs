@@ -40,9 +40,15 @@ pub(super) fn end_to_end() -> Result<()> {
     drive(in_e2e("node").arg("run.mjs"), &paths::site())
 }
 
-/// The smallest of the tests end to end, against the site in `folder`.
-pub(super) fn smoke(folder: &Path) -> Result<()> {
-    drive(in_e2e("node").args(["run.mjs", "smoke"]), folder)
+/// The smallest of the tests end to end, against the site in `folder`, or
+/// against the one that somebody else serves at `address`.
+pub(super) fn smoke(folder: &Path, address: Option<&str>) -> Result<()> {
+    let mut test = in_e2e("node");
+    test.args(["run.mjs", "smoke"]);
+    if let Some(address) = address {
+        test.env("HEARTH_PAGE", address);
+    }
+    drive(&mut test, folder)
 }
 
 /// Runs a test that drives Chromium against the site in `folder`.

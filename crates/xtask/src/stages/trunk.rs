@@ -1,30 +1,80 @@
-//! The stage that builds the page with Trunk and compares it with ours.
+//! The stage that builds and serves the page with Trunk, as those do who have
+//! it, and compares it with ours.
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::net::{Ipv4Addr, TcpListener, TcpStream};
 use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::thread;
+use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
 
 use super::browser;
 use crate::{paths, process, tools};
 
-/// `trunk build --release` gives the same files, and the page burns.
+/// `trunk build --release` gives the same files, and the page burns; so does the
+/// one that `trunk serve` serves.
 pub(super) fn same_page(skip_browser: bool) -> Result<()> {
     tools::wasm_target()?;
     tools::wasm_bindgen_cli()?;
     tools::trunk()?;
-    process::run(
-        process::command("trunk")
-            .args(["build", "--release", "--offline"])
-            // Trunk takes the usual value of this one, 1, for a mistake.
-            .env_remove("NO_COLOR"),
-    )?;
+    process::run(trunk().args(["build", "--release"]))?;
     compare(&paths::site(), &paths::trunk_site())?;
     if skip_browser {
         return Ok(());
     }
-    browser::smoke(&paths::trunk_site())
+    browser::smoke(&paths::trunk_site(), None)?;
+    let served = Served::start()?;
+    browser::smoke(&paths::trunk_site(), Some(&served.address))
+}
+
+fn trunk() -> Command {
+    let mut trunk = process::command("trunk");
+    // Trunk takes the usual value of this one, 1, for a mistake.
+    trunk.env_remove("NO_COLOR").env("TRUNK_OFFLINE", "true");
+    trunk
+}
+
+/// A `trunk serve` that ends when this is dropped.
+struct Served {
+    trunk: Child,
+    address: String,
+}
+
+impl Served {
+    /// Starts it and waits until it answers. It does so when it has built.
+    fn start() -> Result<Served> {
+        // Nobody else is given this port at once, so it is still free for Trunk.
+        let port = TcpListener::bind((Ipv4Addr::LOCALHOST, 0))?
+            .local_addr()?
+            .port();
+        let trunk = trunk()
+            .args(["serve", "--port", &port.to_string()])
+            .stdin(Stdio::null())
+            .spawn()
+            .context("cannot start `trunk serve`")?;
+        let mut served = Served {
+            trunk,
+            address: format!("http://127.0.0.1:{port}/"),
+        };
+        while TcpStream::connect((Ipv4Addr::LOCALHOST, port)).is_err() {
+            if let Some(status) = served.trunk.try_wait()? {
+                bail!("`trunk serve` ended instead of serving ({status})");
+            }
+            thread::sleep(Duration::from_millis(200));
+        }
+        Ok(served)
+    }
+}
+
+impl Drop for Served {
+    fn drop(&mut self) {
+        // It may have ended by itself; either way it is gone afterwards.
+        let _ = self.trunk.kill();
+        let _ = self.trunk.wait();
+    }
 }
 
 /// Fails unless both folders hold the same files. A page may differ in blank

@@ -6,6 +6,11 @@
 /// Weight of the newest frame.
 pub const ALPHA: f64 = 0.1;
 
+/// Shortest time between two frames of a display, in seconds. Callbacks that come closer
+/// together, as they can at a page's start, belong to one frame; a single rate of
+/// a thousand would take seconds to fade from the average.
+const SHORTEST_FRAME: f64 = 1.0 / 500.0;
+
 /// The exponential moving average of the frame rate.
 #[derive(Clone, Debug, Default)]
 pub struct FpsCounter {
@@ -24,6 +29,9 @@ impl FpsCounter {
         if let Some(last) = self.last
             && now > last
         {
+            if now - last < SHORTEST_FRAME {
+                return;
+            }
             let rate = 1.0 / (now - last);
             self.average = Some(match self.average {
                 Some(average) => average + ALPHA * (rate - average),
@@ -64,6 +72,16 @@ mod tests {
         counter.frame(1.0 / 60.0);
         counter.frame(1.0 / 60.0 + 1.0 / 30.0);
         assert!((counter.fps() - (60.0 + 0.1 * (30.0 - 60.0))).abs() < 1e-6);
+    }
+
+    #[test]
+    fn callbacks_closer_than_any_display_draws_are_one_frame() {
+        let mut counter = FpsCounter::new();
+        for frame in 0..10 {
+            counter.frame(f64::from(frame) / 60.0);
+            counter.frame(f64::from(frame) / 60.0 + 0.0005);
+        }
+        assert!((counter.fps() - 60.0).abs() < 1e-6);
     }
 
     #[test]

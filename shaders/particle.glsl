@@ -12,9 +12,7 @@ uniform vec4 count; // particles
 struct Particle {
     vec2 place;    // [m]
     vec2 velocity; // [m/s]
-    float kelvin;
-    float age;     // [s]
-    float life;    // what remains of it, 1–0
+    vec4 state;    // temperature [K] and what else its model says of it
     vec2 corner;   // which corner of its quad this vertex is, −1 or 1
     bool real;     // the last block may not be full
 };
@@ -26,7 +24,7 @@ Particle this_particle() {
     vec4 state = texelFetch(particles, texel + ivec2(1, 0), 0);
     int at = gl_VertexID % 6; // two triangles: 0 1 2, 2 1 3
     int corner = at < 3 ? at : at == 3 ? 2 : at == 4 ? 1 : 3;
-    return Particle(motion.xy, motion.zw, state.x, state.z, clamp(state.w, 0.0, 1.0),
+    return Particle(motion.xy, motion.zw, state,
                     vec2(corner & 1, corner >> 1) * 2.0 - 1.0, float(number) < count.x);
 }
 

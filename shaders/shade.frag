@@ -13,7 +13,7 @@ uniform vec4 range;   // what the target's range took of each field
 uniform vec4 rise;    // noise tiles per metre, tiles risen, warp [m], erosion
 uniform vec4 matter;  // optical depth, weight of the air, its temperature [kK], smoke
 uniform vec4 shine;   // luminance exponent, gain, 1 / light range, 1 / half the source's width
-uniform vec4 table;   // kK to table coordinate: scale, offset
+uniform vec4 table;   // kK to table coordinate: scale, offset; share of fire
 
 out vec4 light; // square root of light / range; coverage
 
@@ -28,14 +28,14 @@ void main() {
     vec2 tile = place * rise.x;
 
     // The gas has moved by what broad noise says, farther the higher it is.
-    vec4 broad = texture(noise, vec2(tile.x, (tile.y - rise.y) * 0.62)) * 2.0 - 1.0;
+    vec4 broad = textureLod(noise, vec2(tile.x, (tile.y - rise.y) * 0.62), 0.0) * 2.0 - 1.0;
     float growth = smoothstep(0.0, 0.6, above);
     vec2 moved = broad.xy * vec2(1.0, 1.4) * rise.z * (0.3 + growth) / view.xy;
     vec4 gas = texture(field, min((uv + moved) * part.xy, part.zw)) * range;
 
     // Tongues and dark gaps: finer noise eats the glow, more of it higher up,
     // and at the base, which would end in a line and two corners otherwise.
-    vec4 fine = texture(noise, vec2(tile.x * 2.1, (tile.y - rise.y) * 1.05) + broad.yx * 0.06) * 2.0 - 1.0;
+    vec4 fine = textureLod(noise, vec2(tile.x * 2.1, (tile.y - rise.y) * 1.05) + broad.yx * 0.06, 0.0) * 2.0 - 1.0;
     float grain = 0.9 * broad.z + 0.7 * fine.w;
     float eaten = clamp(0.45 + grain, 0.0, 1.6) * rise.w;
     float depth = around.z / (around.z + matter.y);
@@ -55,7 +55,7 @@ void main() {
     float kilokelvin = mix(max(matter.z, 0.5 * hot), hot, depth * left / (left + 0.08)) - 0.24 * grain * rise.w;
     vec4 body = texture(black_body, vec2(kilokelvin * table.x + table.y, 0.5));
 
-    float covered = (1.0 - exp(-matter.x * left * depth)) * smoothstep(0.7, 1.1, kilokelvin);
+    float covered = (1.0 - exp(-matter.x * left * depth)) * smoothstep(0.7, 1.1, kilokelvin) * table.z;
     float opaque = covered * smoothstep(0.7, 1.05, kilokelvin) * min(2.5 * depth, 1.0);
     float hidden = 1.0 - exp(-matter.w * around.w);
     vec3 emitted = body.rgb * exp(shine.x * body.a) * (shine.y * depth * (0.25 + 0.75 * depth) * covered);

@@ -4,13 +4,20 @@
  * their attribute have their properties here.
  */
 
-import { PARAMETERS } from './parameters.js';
+import { DEFAULTS } from './defaults.js';
 
-/** The attributes that are no parameters. */
-export const OWN_ATTRIBUTES = ['preset', 'paused', 'autoplay', 'alt', 'reduced-motion'];
+/** The attributes that are no parameters, and the one that says what the others mean. */
+export const OWN_ATTRIBUTES = ['preset', 'model', 'paused', 'autoplay', 'alt', 'reduced-motion'];
+
+const IDS = Object.keys(DEFAULTS);
 
 /** The id of the parameter that an attribute sets. */
-export const ID_OF_ATTRIBUTE = new Map(PARAMETERS.map(({ attribute, id }) => [attribute, id]));
+export const ID_OF_ATTRIBUTE = new Map(IDS.map((id) => [id.replaceAll('_', '-'), id]));
+
+/** The id of the parameter that a property sets. */
+export const ID_OF_PROPERTY = new Map(
+  IDS.map((id) => [id.replace(/_(.)/g, (_, letter) => letter.toUpperCase()), id]),
+);
 
 const OWN_PROPERTIES = ['preset', 'paused', 'autoplay', 'alt', 'reducedMotion'];
 
@@ -59,7 +66,7 @@ export class FireAttributes extends Base {
 
   /** Properties set before the element was defined hide its own; they are handed over. */
   keepEarlyProperties() {
-    for (const name of [...OWN_PROPERTIES, ...PARAMETERS.map(({ property }) => property)]) {
+    for (const name of [...OWN_PROPERTIES, ...ID_OF_PROPERTY.keys()]) {
       if (Object.hasOwn(this, name)) {
         const value = this[name];
         delete this[name];

@@ -6,7 +6,7 @@
  * fire and its graphics context.
  *
  * @typedef {import('./engine.js').Message} Message
- * @typedef {{values: object, preset?: string, paused: boolean}} Start
+ * @typedef {{preset?: string, kept?: object, values: object, paused: boolean}} Start
  */
 
 import { connect } from './engine.js';

@@ -27,8 +27,16 @@ export interface HearthStats {
   atSpeedLimit: number;
   /** Age of the fire [s]. */
   time: number;
-  /** Whether the fire fell behind the clock, so that the page would not freeze. */
+  /** Whether the fire lately fell behind the clock, so that the page would not freeze. */
   slowed: boolean;
+  /** Seconds of fire for each second of the clock, as it lately was. */
+  timeScale: number;
+  /** Length of a step in seconds of fire, on average. */
+  stepLength: number;
+  /** Power that burns [kW/m]; 0 in the classic model. */
+  power: number;
+  /** Embers that glow. */
+  embers: number;
   paused: boolean;
   /** The format of the textures that it is drawn into. */
   targetFormat: string;
@@ -110,7 +118,7 @@ export class HearthFire extends HTMLElement {
   set<Id extends ParameterId>(id: Id, value: HearthParameters[Id]): Promise<void>;
   /** Sets all of these or none; rejects with a {@link HearthRangeError}. */
   set(values: Partial<HearthParameters>): Promise<void>;
-  /** Puts these, or all, back to their defaults; all: without a preset as well. */
+  /** Puts these, or all, back to their defaults; all: the model as well, and without a preset. */
   restore(...ids: ParameterId[]): Promise<void>;
   play(): Promise<void>;
   pause(): Promise<void>;

@@ -12,11 +12,11 @@
  * @typedef {import('./requests.js').Refusal} Refusal
  */
 
+import { DEFAULTS } from './defaults.js';
 import { EngineError } from './engine.js';
-import { FireAttributes, ID_OF_ATTRIBUTE } from './fire-attributes.js';
+import { FireAttributes, ID_OF_ATTRIBUTE, ID_OF_PROPERTY } from './fire-attributes.js';
 import { FireLink } from './fire-link.js';
 import { FireView } from './fire-view.js';
-import { PARAMETERS } from './parameters.js';
 import { Requests, deferred, postable, postableValues } from './requests.js';
 import { motionIsReduced } from './watch.js';
 
@@ -36,7 +36,9 @@ export class HearthFire extends FireAttributes {
   /** @type {FireView} */
   #view;
   /** @type {{[id: string]: any}} */
-  #params = Object.fromEntries(PARAMETERS.map(({ id, default: value }) => [id, value]));
+  #params = { ...DEFAULTS };
+  /** The values as they were before the model changed, for the way back. */
+  #kept = {};
   /** @type {{[name: string]: any} | null} */
   #stats = null;
   #paused = false;
@@ -102,15 +104,15 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Puts parameters back to their defaults; without ids: all of them, and no
-   * preset is left.
+   * Puts parameters back to their defaults; without ids: all of them, the model
+   * too, and no preset is left.
    * @param {...string} ids
    * @returns {Promise<void>}
    */
   restore(...ids) {
-    if (ids.length === 0) this.#dropPreset();
-    const wanted = ids.length > 0 ? ids.map(String) : PARAMETERS.map(({ id }) => id);
-    return this.#ask({ type: 'restore', source: 'property', ids: wanted });
+    if (ids.length > 0) return this.#ask({ type: 'restore', source: 'property', ids: ids.map(String) });
+    this.#dropPreset();
+    return this.#ask({ type: 'preset', source: 'property', name: 'default' });
   }
 
   /** Lets it burn. */
@@ -176,7 +178,9 @@ export class HearthFire extends FireAttributes {
   /** @type {(name: string, old: string | null, value: string | null) => void} */
   attributeChangedCallback(name, old, value) {
     const id = ID_OF_ATTRIBUTE.get(name);
-    if (id !== undefined) {
+    if (name === 'model' && !this.#started) {
+      // The first fire starts with its model, wherever the attribute stands.
+    } else if (id !== undefined) {
       if (value !== null) this.#set({ [id]: value }, 'attribute');
       else this.#ask({ type: 'restore', source: 'attribute', ids: [id] });
     } else if (name === 'preset') {
@@ -252,12 +256,14 @@ export class HearthFire extends FireAttributes {
     opened.catch((error) => link.closed || this.#fail(error.kind ?? 'load', error.message));
   }
 
-  /** What the fire starts from: the preset at first, what it was when it comes back. */
+  /** What the fire starts from: preset and model at first, what it was when it comes back. */
   #start() {
-    const preset = this.#started ? null : this.getAttribute('preset');
-    const values = this.#started ? this.#params : {};
+    const paused = this.#paused;
+    if (this.#started) return { kept: this.#kept, values: this.#params, paused };
     this.#started = true;
-    return { values, paused: this.#paused, ...(preset === null ? {} : { preset }) };
+    const preset = this.getAttribute('preset') ?? undefined;
+    const model = this.getAttribute('model');
+    return { preset, values: model === null ? {} : { model }, paused };
   }
 
   /**
@@ -267,8 +273,7 @@ export class HearthFire extends FireAttributes {
    */
   async #begin(link, warm) {
     if (warm) {
-      const steps = Math.ceil(STILL_AFTER / this.#params.time_step);
-      await this.step(steps).catch(() => {});
+      await this.#ask({ type: 'burn', seconds: STILL_AFTER }).catch(() => {});
       if (link.closed) return;
     }
     this.#view.show('shown');
@@ -297,6 +302,8 @@ export class HearthFire extends FireAttributes {
         this.#params = { ...this.#params, ...message.values };
         break;
       case 'changed':
+        if (message.anew) this.#kept = {};
+        else if ('model' in message.values) this.#kept = this.#params;
         this.#params = { ...this.#params, ...message.values };
         if (!this.#announced) break;
         for (const [id, value] of Object.entries(message.values)) {
@@ -366,7 +373,7 @@ export class HearthFire extends FireAttributes {
   }
 }
 
-for (const { id, property } of PARAMETERS) {
+for (const [property, id] of ID_OF_PROPERTY) {
   Object.defineProperty(HearthFire.prototype, property, {
     configurable: true,
     enumerable: true,

@@ -4,7 +4,8 @@
  * A canvas says nothing to a screen reader and has no stops for the Tab key.
  * So each parameter has a labelled native control here, and each button of the
  * panel a button: out of sight until it has the focus, and in step with the
- * fire both ways. Each carries in `data-rect` where the panel shows its like:
+ * fire both ways. As on the panel, only those are there that the fire's model
+ * uses. Each carries in `data-rect` where the panel shows its like:
  * `x y width height` in CSS pixels of the window, absent while that is out of
  * sight; a real mouse can press there.
  */
@@ -13,6 +14,12 @@ import { PARAMETERS, PRESETS } from './parameters.js';
 
 /** How many presses of an arrow key cross a logarithmic range. */
 const LOG_STEPS = 100;
+
+/** The id of the parameter that decides which others there are. */
+const MODEL = 'model';
+
+/** The model of a fire that says nothing of it. */
+const DEFAULT_MODEL = PARAMETERS.find(({ id }) => id === MODEL).default;
 
 /**
  * @typedef {object} Mirror
@@ -35,8 +42,11 @@ export function mountMirror({ host, fire, reveal }) {
   status.setAttribute('role', 'status');
   /** @type {Map<string, HTMLElement>} by the name that the panel gives it */
   const places = new Map();
-  /** @type {Map<string, (value: any) => void>} */
+  /** @type {Map<string, () => void>} */
   const shows = new Map();
+  const valueOf = (id) => (fire.params ?? {})[id];
+  /** What a parameter has in the present model; nothing where that does not use it. */
+  const domainOf = (parameter) => parameter.domains[valueOf(MODEL) ?? DEFAULT_MODEL];
 
   /** @param {any} answer */
   const quietly = (answer) => {
@@ -74,14 +84,15 @@ export function mountMirror({ host, fire, reveal }) {
       fire.preset = preset.name;
     });
   }
-  addButton('reset-all', 'Reset all parameters', () => fire.restore());
+  addButton('reset-all', 'Reset all parameters of the model', () => {
+    const used = PARAMETERS.filter((one) => one.id !== MODEL && domainOf(one));
+    return fire.restore(...used.map(({ id }) => id));
+  });
 
   for (const parameter of PARAMETERS) {
     const id = parameter.id;
     const { row, control, show } = makeControl(parameter, fire, (value) => {
-      quietly(
-        Promise.resolve(fire.set(id, value)).finally(() => show(fire.params[id])),
-      );
+      quietly(Promise.resolve(fire.set(id, value)).finally(shows.get(id)));
     });
     control.dataset.parameter = id;
     control.title = parameter.doc;
@@ -91,9 +102,12 @@ export function mountMirror({ host, fire, reveal }) {
       control.focus();
       return fire.restore(id);
     });
-    shows.set(id, (value) => {
-      show(value);
-      restore.hidden = value === parameter.default;
+    shows.set(id, () => {
+      const domain = domainOf(parameter);
+      const value = valueOf(id);
+      row.hidden = !domain;
+      restore.hidden = !domain || value === domain.default;
+      if (domain) show(value, domain);
     });
     control.addEventListener('focus', () => reveal(id));
     control.addEventListener('blur', () => reveal(''));
@@ -102,16 +116,17 @@ export function mountMirror({ host, fire, reveal }) {
   host.append(root);
 
   const showAll = () => {
-    const values = fire.params ?? {};
-    for (const [id, show] of shows) show(values[id]);
+    for (const show of shows.values()) show();
     showPlaying();
   };
   const showPlaying = () => {
     pause.textContent = fire.paused ? 'Play' : 'Pause';
   };
   const changed = (event) => {
-    const { id, value } = event.detail ?? {};
-    shows.get(id)?.(value);
+    const { id } = event.detail ?? {};
+    // Another model has other controls, and its own values in those that stay.
+    if (id === MODEL) showAll();
+    else shows.get(id)?.();
   };
   const failed = (event) => say(event.detail?.message ?? '');
   const heard = {
@@ -181,9 +196,8 @@ function makeControl(parameter, fire, wish) {
 }
 
 function slider(parameter, control, wish, row) {
+  let { min, max } = parameter;
   control.type = 'range';
-  control.min = String(parameter.min);
-  control.max = String(parameter.max);
   control.step = parameter.kind === 'integer' ? '1' : 'any';
   const output = document.createElement('output');
   output.htmlFor.add(control.id);
@@ -200,8 +214,8 @@ function slider(parameter, control, wish, row) {
   if (parameter.scale === 'log') {
     // Equal presses are equal ratios, as on the panel; the browser would take
     // equal differences and leave out the lower half of the range.
-    const ratio = (parameter.max / parameter.min) ** (1 / LOG_STEPS);
     control.addEventListener('keydown', (event) => {
+      const ratio = (max / min) ** (1 / LOG_STEPS);
       const up = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
       if (!up || event.ctrlKey || event.altKey || event.metaKey) return;
       event.preventDefault();
@@ -210,11 +224,14 @@ function slider(parameter, control, wish, row) {
       if (parameter.kind === 'integer') {
         next = Math.round(next) === old ? old + up : Math.round(next);
       }
-      control.value = String(Math.min(parameter.max, Math.max(parameter.min, next)));
+      control.value = String(Math.min(max, Math.max(min, next)));
       control.dispatchEvent(new Event('input', { bubbles: true }));
     });
   }
-  return (value) => {
+  return (value, domain) => {
+    ({ min, max } = domain);
+    control.min = String(min);
+    control.max = String(max);
     if (value === undefined) return;
     control.value = String(value);
     say();

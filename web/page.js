@@ -42,7 +42,10 @@ function setFromAddress() {
     if (value !== null) fire.setAttribute(name, value);
     wanted.delete(name);
   }
-  for (const [key, value] of wanted) fire.set(key.replaceAll('-', '_'), value);
+  // Then the model, which decides what the others may be.
+  const values = [...wanted].map(([key, value]) => [key.replaceAll('-', '_'), value]);
+  values.sort(([a], [b]) => Number(b === 'model') - Number(a === 'model'));
+  for (const [id, value] of values) fire.set(id, value);
 }
 
 /** @param {boolean} shown */

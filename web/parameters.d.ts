@@ -2,18 +2,20 @@
 // edit crates/hearth-core/src/params.rs instead.
 
 /** Which equations move the particles. */
-export type ModelName = "classic";
+export type ModelName = "classic" | "combustion";
 
 /** The name of a preset. */
-export type PresetName = "default" | "seed";
+export type PresetName = "default" | "classic" | "seed";
 
 /** The value of every parameter, by its id. */
 export interface HearthParameters {
-  /** Width of the simulated domain. The source stands in the middle of its floor. [m] Default 1.2, from 0.1 to 6. */
+  /** Which equations move the particles. Classic: the paper's, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
+  model: "classic" | "combustion";
+  /** Width of the simulated domain; the source stands in its middle. In the combustion model what leaves on one side comes back in on the other. [m] Default 1.2, from 0.1 to 6. */
   domain_width: number;
-  /** Height of the simulated domain; the picture fits it. [m] Default 1.5, from 0.1 to 6. */
+  /** Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
   domain_height: number;
-  /** What happens at the left and the right edge: particles leave, are held back, or come back in on the other side. The floor holds them back, unless the edges are open; the top is always open. Default "open". */
+  /** What happens at the left and the right edge: particles leave, are held back, or come back in on the other side. The floor holds them back, unless the edges are open; the top is always open. Default in classic: "open". */
   walls: "open" | "solid" | "periodic";
   /** Acceleration of gravity, as buoyancy feels it. [m/s²] Default 9.81, from 0 to 20. */
   gravity: number;
@@ -21,69 +23,125 @@ export interface HearthParameters {
   ambient_temperature: number;
   /** Density of the air around the fire. [kg/m³] Default 1.2, from 0.5 to 2. */
   ambient_density: number;
-  /** Smoothing length h: particles feel each other up to twice this distance. [m] Default 0.026, from 0.005 to 0.1. */
-  smoothing_radius: number;
-  /** Mass of one particle, for each metre of depth. [kg/m] Default 0.00025, from 0.0001 to 0.002. */
-  particle_mass: number;
-  /** Density at which the gas has no pressure. [kg/m³] Default 1, from 0.5 to 2. */
-  rest_density: number;
-  /** Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound: how hard compressed gas pushes apart. More of it widens the fire. [m²/s²] Default 0.6, from 0.05 to 6. */
-  gas_constant: number;
-  /** Dynamic viscosity: how strongly neighbours share their motion. [Pa·s] Default 0.005, from 0 to 0.1. */
-  viscosity: number;
-  /** Lift β of gas that is thinner than the air. More of it narrows the fire. Default 0.12, from 0 to 1. */
-  buoyancy: number;
-  /** Lift of gas that is hotter than the air. Default 0.2, from 0 to 1. */
-  thermal_buoyancy: number;
-  /** Weight added to every particle, as if gravity counted a second time. [m/s²] Default 0, from 0 to 20. */
-  extra_weight: number;
-  /** Speed at which lift and the resistance of the air, which this model leaves out otherwise, balance. [m/s] Default 2.5, from 0.5 to 3.5. */
-  terminal_speed: number;
-  /** A net, not a law: no particle moves faster. [m/s] Default 4, from 4 to 8. */
-  speed_limit: number;
-  /** Most particles alive at one time. Default 1000, from 100 to 100000. */
+  /** How much of the height, at the top and at the bottom, gas becomes fresh air again. 0 closes the domain upon itself, and then nothing is lifted: nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
+  seam: number;
+  /** Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided; more of them are finer, and slower. Default in combustion: 3000, from 1000 to 100000. Default in classic: 1000, from 100 to 100000. */
   max_particles: number;
-  /** Particles born each second, as long as the source has room and the number of particles allows it. [1/s] Default 1500, from 50 to 100000. */
+  /** Smoothing length h: particles feel each other up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
+  smoothing_radius: number;
+  /** Smoothing length h in spacings of the particles: they feel each other up to twice this distance. More of it is smoother, and slower. Default in combustion: 1.5, from 1.3 to 2. */
+  smoothing_ratio: number;
+  /** Mass of one particle, for each metre of depth. [kg/m] Default in classic: 0.00025, from 0.0001 to 0.002. */
+  particle_mass: number;
+  /** Density at which the gas has no pressure. [kg/m³] Default in classic: 1, from 0.5 to 2. */
+  rest_density: number;
+  /** Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound: how hard compressed gas pushes apart. More of it widens the fire. [m²/s²] Default in classic: 0.6, from 0.05 to 6. */
+  gas_constant: number;
+  /** Speed of sound in the simulated gas, far below the real one: how hard compressed gas pushes apart. More of it keeps the density more even and makes the steps shorter. [m/s] Default in combustion: 6, from 4 to 15. */
+  stiffness: number;
+  /** Dynamic viscosity: how strongly neighbours share their motion. [Pa·s] Default in classic: 0.005, from 0 to 0.1. */
+  viscosity: number;
+  /** Viscosity divided by density: how fast neighbours share their motion. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
+  kinematic_viscosity: number;
+  /** Viscosity between particles that approach each other and none else: it damps the noise of the particles. Default in combustion: 0.1, from 0.02 to 0.5. */
+  artificial_viscosity: number;
+  /** How strongly whirls that are too small to be resolved mix motion, heat and gases: Smagorinsky's constant. Default in combustion: 0.2, from 0 to 0.4. */
+  eddy_viscosity: number;
+  /** How fast heat, fuel, oxygen and soot spread by themselves, without any flow. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
+  diffusion: number;
+  /** How far hot gas takes more room: 1 is the ideal gas, 0 the paper's equation of state, in which only density makes pressure. Default in combustion: 0.5, from 0 to 1. */
+  gas_expansion: number;
+  /** How strongly particles are moved from where they crowd to where they are sparse, so that they stay evenly spread. Default in combustion: 1, from 0 to 1. */
+  shifting: number;
+  /** Classic: lift β of gas that is thinner than the air; more of it narrows the fire. Combustion: lift of gas that is hotter than the air; 1 is nature's. Default in combustion: 1, from 0 to 2. Default in classic: 0.12, from 0 to 1. */
+  buoyancy: number;
+  /** Lift of gas that is hotter than the air. Default in classic: 0.2, from 0 to 1. */
+  thermal_buoyancy: number;
+  /** Weight added to every particle, as if gravity counted a second time. [m/s²] Default in classic: 0, from 0 to 20. */
+  extra_weight: number;
+  /** Speed at which lift and the resistance of the air, which this model leaves out otherwise, balance. [m/s] Default in classic: 2.5, from 0.5 to 3.5. */
+  terminal_speed: number;
+  /** A net, not a law: no particle moves faster. [m/s] Default in classic: 4, from 4 to 8. */
+  speed_limit: number;
+  /** Speed of the fresh air from left to right; below 0 it blows from right to left. [m/s] Default in combustion: 0, from -3 to 3. */
+  wind: number;
+  /** Strength of a random field of drifting whirls that stirs the gas and compresses it nowhere. [m/s²] Default 0, from 0 to 10. */
+  turbulence: number;
+  /** Size of the whirls that turbulence stirs. [m] Default 0.15, from 0.03 to 0.6. */
+  turbulence_scale: number;
+  /** How strongly small whirls are kept spinning that would be smeared out otherwise. Default in combustion: 0, from 0 to 1. */
+  vorticity_confinement: number;
+  /** Particles born each second, as long as the source has room and the number of particles allows it. [1/s] Default in classic: 1500, from 50 to 100000. */
   emission_rate: number;
-  /** Shortest life of a particle. [s] Default 0.3, from 0.1 to 3. */
+  /** Shortest life of a particle. [s] Default in classic: 0.3, from 0.1 to 3. */
   lifetime_min: number;
-  /** Longest life of a particle. A life below the shortest one counts as the shortest. [s] Default 1.2, from 0.1 to 3. */
+  /** Longest life of a particle. A life below the shortest one counts as the shortest. [s] Default in classic: 1.2, from 0.1 to 3. */
   lifetime_max: number;
-  /** How much shorter particles live that are born towards the rim of the source, within the shortest and the longest life: it gives the fire its tip. Default 0.8, from 0 to 1. */
+  /** How much shorter particles live that are born towards the rim of the source, within the shortest and the longest life: it gives the fire its tip. Default in classic: 0.8, from 0 to 1. */
   taper: number;
-  /** Upward speed at birth. [m/s] Default 1, from 0 to 3. */
+  /** Power of the burner: the heat of the fuel that it feeds, for each metre of depth; 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
+  fuel_power: number;
+  /** Upward speed of what leaves the source: of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   emission_speed: number;
-  /** Random part of the velocity at birth. Default 0.25, from 0 to 1. */
+  /** Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   emission_spread: number;
-  /** How unevenly the source burns: Perlin noise in place and time. Default 0.5, from 0 to 1. */
+  /** How unevenly the source burns: Perlin noise in place and time. Default in combustion: 0.2, from 0 to 1. Default in classic: 0.5, from 0 to 1. */
   emission_noise: number;
-  /** Width of the source. [m] Default 0.36, from 0.05 to 0.6. */
+  /** Width of the source. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
   source_width: number;
-  /** Height of the source above the floor. [m] Default 0, from 0 to 1. */
+  /** Height of the source above the floor. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
   source_height: number;
-  /** Temperature of a particle at birth. [K] Default 1900, from 1000 to 2500. */
+  /** Temperature of a particle at birth. [K] Default in classic: 1900, from 1000 to 2500. */
   maximum_temperature: number;
-  /** How fast a particle cools towards the air. [K/s] Default 900, from 0 to 5000. */
+  /** How fast a particle cools towards the air. [K/s] Default in classic: 900, from 0 to 5000. */
   cooling_rate: number;
+  /** Temperature of the gas in the burner. [K] Default in combustion: 700, from 500 to 1200. */
+  source_temperature: number;
+  /** Oxygen that the fuel brings along: with 0 it burns only where it meets the air, hottest at the rim of the flame; 1 is as much as the air has. Default in combustion: 0.5, from 0 to 1. */
+  source_oxygen: number;
+  /** Temperature above which fuel burns where there is oxygen. [K] Default in combustion: 500, from 400 to 900. */
+  ignition_temperature: number;
+  /** How much hotter gas becomes where fuel and air burn up without a remainder. [K] Default in combustion: 1500, from 600 to 2500. */
+  flame_rise: number;
+  /** Parts of air that one part of fuel needs to burn. Default in combustion: 1.5, from 0.5 to 6. */
+  air_demand: number;
+  /** Time in which hot fuel with enough oxygen burns down to about a third. [s] Default in combustion: 0.1, from 0.02 to 0.5. */
+  burn_time: number;
+  /** How fast gas of 1500 K cools by what it radiates; that grows with the fourth power of the temperature. [K/s] Default in combustion: 500, from 0 to 2000. */
+  radiative_cooling: number;
+  /** Time in which hot soot, which makes a flame glow, burns away to about a third. [s] Default in combustion: 0.25, from 0.05 to 2. */
+  soot_life: number;
+  /** Time in which smoke, soot that has cooled, thins out to about a third. [s] Default in combustion: 1.5, from 0.1 to 10. */
+  smoke_life: number;
+  /** Embers thrown each second: sparks that the flow carries off. [1/s] Default in combustion: 40, from 0 to 1000. */
+  ember_rate: number;
+  /** Shortest life of an ember. [s] Default in combustion: 0.5, from 0.1 to 5. */
+  ember_life_min: number;
+  /** Longest life of an ember. A life below the shortest one counts as the shortest. [s] Default in combustion: 2, from 0.1 to 5. */
+  ember_life_max: number;
+  /** Size of an ember. [m] Default in combustion: 0.004, from 0.001 to 0.02. */
+  ember_size: number;
   /** Seconds of fire for each second of the clock: below 1 is slow motion. Default 1, from 0.1 to 2. */
   time_scale: number;
-  /** Length of one step; it is divided further where stability asks for it. [s] Default 0.004166667, from 0.002 to 0.017. */
+  /** Length of one step; it is divided further where stability asks for it. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
   time_step: number;
   /** Start of the random generator: the same seed gives the same fire. Default 1. */
   seed: number;
-  /** Equation 1 as printed: the kernel with the factor of three dimensions. Default false. */
+  /** Equation 1 as printed: the kernel with the factor of three dimensions. Default in classic: false. */
   printed_kernel: boolean;
-  /** Equation 3 as printed: half the pressure force, not divided by the particle's own density. Default false. */
+  /** Equation 3 as printed: half the pressure force, not divided by the particle's own density. Default in classic: false. */
   printed_pressure: boolean;
-  /** Equation 4 as printed: viscosity by the kernel's own Laplacian, which changes sign. Default false. */
+  /** Equation 4 as printed: viscosity by the kernel's own Laplacian, which changes sign. Default in classic: false. */
   printed_viscosity: boolean;
-  /** Equations 5 and 7 as printed: densities of force divided by the mass instead of the density, and no lift by temperature. Default false. */
+  /** Equations 5 and 7 as printed: densities of force divided by the mass instead of the density, and no lift by temperature. Default in classic: false. */
   printed_divisor: boolean;
-  /** Equation 6 as printed: forward Euler, the position moves with the old velocity. Default false. */
+  /** Equation 6 as printed: forward Euler, the position moves with the old velocity. Default in classic: false. */
   printed_euler: boolean;
-  /** What is drawn. Default "fire". */
+  /** How the particles are drawn: melted into fire, or as the hard round sprites of the paper. Default "fire". */
   display_mode: "fire" | "paper";
-  /** Size at which a particle is drawn. [m] Default 0.04, from 0.01 to 0.1. */
+  /** What is drawn: fire and smoke, the fire alone, or the smoke alone. Default "both". */
+  layers: "both" | "fire" | "smoke";
+  /** Size at which a particle is drawn. [m] Default in classic: 0.04, from 0.01 to 0.1. */
   particle_size: number;
   /** Brightness, in steps that each double it. [EV] Default 0, from -4 to 4. */
   exposure: number;
@@ -101,11 +159,13 @@ export interface HearthParameters {
 
 /** The value of every parameter, as the element's properties name it. */
 export interface HearthProperties {
-  /** Width of the simulated domain. The source stands in the middle of its floor. [m] Default 1.2, from 0.1 to 6. */
+  /** Which equations move the particles. Classic: the paper's, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
+  model: "classic" | "combustion";
+  /** Width of the simulated domain; the source stands in its middle. In the combustion model what leaves on one side comes back in on the other. [m] Default 1.2, from 0.1 to 6. */
   domainWidth: number;
-  /** Height of the simulated domain; the picture fits it. [m] Default 1.5, from 0.1 to 6. */
+  /** Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
   domainHeight: number;
-  /** What happens at the left and the right edge: particles leave, are held back, or come back in on the other side. The floor holds them back, unless the edges are open; the top is always open. Default "open". */
+  /** What happens at the left and the right edge: particles leave, are held back, or come back in on the other side. The floor holds them back, unless the edges are open; the top is always open. Default in classic: "open". */
   walls: "open" | "solid" | "periodic";
   /** Acceleration of gravity, as buoyancy feels it. [m/s²] Default 9.81, from 0 to 20. */
   gravity: number;
@@ -113,69 +173,125 @@ export interface HearthProperties {
   ambientTemperature: number;
   /** Density of the air around the fire. [kg/m³] Default 1.2, from 0.5 to 2. */
   ambientDensity: number;
-  /** Smoothing length h: particles feel each other up to twice this distance. [m] Default 0.026, from 0.005 to 0.1. */
-  smoothingRadius: number;
-  /** Mass of one particle, for each metre of depth. [kg/m] Default 0.00025, from 0.0001 to 0.002. */
-  particleMass: number;
-  /** Density at which the gas has no pressure. [kg/m³] Default 1, from 0.5 to 2. */
-  restDensity: number;
-  /** Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound: how hard compressed gas pushes apart. More of it widens the fire. [m²/s²] Default 0.6, from 0.05 to 6. */
-  gasConstant: number;
-  /** Dynamic viscosity: how strongly neighbours share their motion. [Pa·s] Default 0.005, from 0 to 0.1. */
-  viscosity: number;
-  /** Lift β of gas that is thinner than the air. More of it narrows the fire. Default 0.12, from 0 to 1. */
-  buoyancy: number;
-  /** Lift of gas that is hotter than the air. Default 0.2, from 0 to 1. */
-  thermalBuoyancy: number;
-  /** Weight added to every particle, as if gravity counted a second time. [m/s²] Default 0, from 0 to 20. */
-  extraWeight: number;
-  /** Speed at which lift and the resistance of the air, which this model leaves out otherwise, balance. [m/s] Default 2.5, from 0.5 to 3.5. */
-  terminalSpeed: number;
-  /** A net, not a law: no particle moves faster. [m/s] Default 4, from 4 to 8. */
-  speedLimit: number;
-  /** Most particles alive at one time. Default 1000, from 100 to 100000. */
+  /** How much of the height, at the top and at the bottom, gas becomes fresh air again. 0 closes the domain upon itself, and then nothing is lifted: nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
+  seam: number;
+  /** Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided; more of them are finer, and slower. Default in combustion: 3000, from 1000 to 100000. Default in classic: 1000, from 100 to 100000. */
   maxParticles: number;
-  /** Particles born each second, as long as the source has room and the number of particles allows it. [1/s] Default 1500, from 50 to 100000. */
+  /** Smoothing length h: particles feel each other up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
+  smoothingRadius: number;
+  /** Smoothing length h in spacings of the particles: they feel each other up to twice this distance. More of it is smoother, and slower. Default in combustion: 1.5, from 1.3 to 2. */
+  smoothingRatio: number;
+  /** Mass of one particle, for each metre of depth. [kg/m] Default in classic: 0.00025, from 0.0001 to 0.002. */
+  particleMass: number;
+  /** Density at which the gas has no pressure. [kg/m³] Default in classic: 1, from 0.5 to 2. */
+  restDensity: number;
+  /** Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound: how hard compressed gas pushes apart. More of it widens the fire. [m²/s²] Default in classic: 0.6, from 0.05 to 6. */
+  gasConstant: number;
+  /** Speed of sound in the simulated gas, far below the real one: how hard compressed gas pushes apart. More of it keeps the density more even and makes the steps shorter. [m/s] Default in combustion: 6, from 4 to 15. */
+  stiffness: number;
+  /** Dynamic viscosity: how strongly neighbours share their motion. [Pa·s] Default in classic: 0.005, from 0 to 0.1. */
+  viscosity: number;
+  /** Viscosity divided by density: how fast neighbours share their motion. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
+  kinematicViscosity: number;
+  /** Viscosity between particles that approach each other and none else: it damps the noise of the particles. Default in combustion: 0.1, from 0.02 to 0.5. */
+  artificialViscosity: number;
+  /** How strongly whirls that are too small to be resolved mix motion, heat and gases: Smagorinsky's constant. Default in combustion: 0.2, from 0 to 0.4. */
+  eddyViscosity: number;
+  /** How fast heat, fuel, oxygen and soot spread by themselves, without any flow. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
+  diffusion: number;
+  /** How far hot gas takes more room: 1 is the ideal gas, 0 the paper's equation of state, in which only density makes pressure. Default in combustion: 0.5, from 0 to 1. */
+  gasExpansion: number;
+  /** How strongly particles are moved from where they crowd to where they are sparse, so that they stay evenly spread. Default in combustion: 1, from 0 to 1. */
+  shifting: number;
+  /** Classic: lift β of gas that is thinner than the air; more of it narrows the fire. Combustion: lift of gas that is hotter than the air; 1 is nature's. Default in combustion: 1, from 0 to 2. Default in classic: 0.12, from 0 to 1. */
+  buoyancy: number;
+  /** Lift of gas that is hotter than the air. Default in classic: 0.2, from 0 to 1. */
+  thermalBuoyancy: number;
+  /** Weight added to every particle, as if gravity counted a second time. [m/s²] Default in classic: 0, from 0 to 20. */
+  extraWeight: number;
+  /** Speed at which lift and the resistance of the air, which this model leaves out otherwise, balance. [m/s] Default in classic: 2.5, from 0.5 to 3.5. */
+  terminalSpeed: number;
+  /** A net, not a law: no particle moves faster. [m/s] Default in classic: 4, from 4 to 8. */
+  speedLimit: number;
+  /** Speed of the fresh air from left to right; below 0 it blows from right to left. [m/s] Default in combustion: 0, from -3 to 3. */
+  wind: number;
+  /** Strength of a random field of drifting whirls that stirs the gas and compresses it nowhere. [m/s²] Default 0, from 0 to 10. */
+  turbulence: number;
+  /** Size of the whirls that turbulence stirs. [m] Default 0.15, from 0.03 to 0.6. */
+  turbulenceScale: number;
+  /** How strongly small whirls are kept spinning that would be smeared out otherwise. Default in combustion: 0, from 0 to 1. */
+  vorticityConfinement: number;
+  /** Particles born each second, as long as the source has room and the number of particles allows it. [1/s] Default in classic: 1500, from 50 to 100000. */
   emissionRate: number;
-  /** Shortest life of a particle. [s] Default 0.3, from 0.1 to 3. */
+  /** Shortest life of a particle. [s] Default in classic: 0.3, from 0.1 to 3. */
   lifetimeMin: number;
-  /** Longest life of a particle. A life below the shortest one counts as the shortest. [s] Default 1.2, from 0.1 to 3. */
+  /** Longest life of a particle. A life below the shortest one counts as the shortest. [s] Default in classic: 1.2, from 0.1 to 3. */
   lifetimeMax: number;
-  /** How much shorter particles live that are born towards the rim of the source, within the shortest and the longest life: it gives the fire its tip. Default 0.8, from 0 to 1. */
+  /** How much shorter particles live that are born towards the rim of the source, within the shortest and the longest life: it gives the fire its tip. Default in classic: 0.8, from 0 to 1. */
   taper: number;
-  /** Upward speed at birth. [m/s] Default 1, from 0 to 3. */
+  /** Power of the burner: the heat of the fuel that it feeds, for each metre of depth; 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
+  fuelPower: number;
+  /** Upward speed of what leaves the source: of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   emissionSpeed: number;
-  /** Random part of the velocity at birth. Default 0.25, from 0 to 1. */
+  /** Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   emissionSpread: number;
-  /** How unevenly the source burns: Perlin noise in place and time. Default 0.5, from 0 to 1. */
+  /** How unevenly the source burns: Perlin noise in place and time. Default in combustion: 0.2, from 0 to 1. Default in classic: 0.5, from 0 to 1. */
   emissionNoise: number;
-  /** Width of the source. [m] Default 0.36, from 0.05 to 0.6. */
+  /** Width of the source. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
   sourceWidth: number;
-  /** Height of the source above the floor. [m] Default 0, from 0 to 1. */
+  /** Height of the source above the floor. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
   sourceHeight: number;
-  /** Temperature of a particle at birth. [K] Default 1900, from 1000 to 2500. */
+  /** Temperature of a particle at birth. [K] Default in classic: 1900, from 1000 to 2500. */
   maximumTemperature: number;
-  /** How fast a particle cools towards the air. [K/s] Default 900, from 0 to 5000. */
+  /** How fast a particle cools towards the air. [K/s] Default in classic: 900, from 0 to 5000. */
   coolingRate: number;
+  /** Temperature of the gas in the burner. [K] Default in combustion: 700, from 500 to 1200. */
+  sourceTemperature: number;
+  /** Oxygen that the fuel brings along: with 0 it burns only where it meets the air, hottest at the rim of the flame; 1 is as much as the air has. Default in combustion: 0.5, from 0 to 1. */
+  sourceOxygen: number;
+  /** Temperature above which fuel burns where there is oxygen. [K] Default in combustion: 500, from 400 to 900. */
+  ignitionTemperature: number;
+  /** How much hotter gas becomes where fuel and air burn up without a remainder. [K] Default in combustion: 1500, from 600 to 2500. */
+  flameRise: number;
+  /** Parts of air that one part of fuel needs to burn. Default in combustion: 1.5, from 0.5 to 6. */
+  airDemand: number;
+  /** Time in which hot fuel with enough oxygen burns down to about a third. [s] Default in combustion: 0.1, from 0.02 to 0.5. */
+  burnTime: number;
+  /** How fast gas of 1500 K cools by what it radiates; that grows with the fourth power of the temperature. [K/s] Default in combustion: 500, from 0 to 2000. */
+  radiativeCooling: number;
+  /** Time in which hot soot, which makes a flame glow, burns away to about a third. [s] Default in combustion: 0.25, from 0.05 to 2. */
+  sootLife: number;
+  /** Time in which smoke, soot that has cooled, thins out to about a third. [s] Default in combustion: 1.5, from 0.1 to 10. */
+  smokeLife: number;
+  /** Embers thrown each second: sparks that the flow carries off. [1/s] Default in combustion: 40, from 0 to 1000. */
+  emberRate: number;
+  /** Shortest life of an ember. [s] Default in combustion: 0.5, from 0.1 to 5. */
+  emberLifeMin: number;
+  /** Longest life of an ember. A life below the shortest one counts as the shortest. [s] Default in combustion: 2, from 0.1 to 5. */
+  emberLifeMax: number;
+  /** Size of an ember. [m] Default in combustion: 0.004, from 0.001 to 0.02. */
+  emberSize: number;
   /** Seconds of fire for each second of the clock: below 1 is slow motion. Default 1, from 0.1 to 2. */
   timeScale: number;
-  /** Length of one step; it is divided further where stability asks for it. [s] Default 0.004166667, from 0.002 to 0.017. */
+  /** Length of one step; it is divided further where stability asks for it. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
   timeStep: number;
   /** Start of the random generator: the same seed gives the same fire. Default 1. */
   seed: number;
-  /** Equation 1 as printed: the kernel with the factor of three dimensions. Default false. */
+  /** Equation 1 as printed: the kernel with the factor of three dimensions. Default in classic: false. */
   printedKernel: boolean;
-  /** Equation 3 as printed: half the pressure force, not divided by the particle's own density. Default false. */
+  /** Equation 3 as printed: half the pressure force, not divided by the particle's own density. Default in classic: false. */
   printedPressure: boolean;
-  /** Equation 4 as printed: viscosity by the kernel's own Laplacian, which changes sign. Default false. */
+  /** Equation 4 as printed: viscosity by the kernel's own Laplacian, which changes sign. Default in classic: false. */
   printedViscosity: boolean;
-  /** Equations 5 and 7 as printed: densities of force divided by the mass instead of the density, and no lift by temperature. Default false. */
+  /** Equations 5 and 7 as printed: densities of force divided by the mass instead of the density, and no lift by temperature. Default in classic: false. */
   printedDivisor: boolean;
-  /** Equation 6 as printed: forward Euler, the position moves with the old velocity. Default false. */
+  /** Equation 6 as printed: forward Euler, the position moves with the old velocity. Default in classic: false. */
   printedEuler: boolean;
-  /** What is drawn. Default "fire". */
+  /** How the particles are drawn: melted into fire, or as the hard round sprites of the paper. Default "fire". */
   displayMode: "fire" | "paper";
-  /** Size at which a particle is drawn. [m] Default 0.04, from 0.01 to 0.1. */
+  /** What is drawn: fire and smoke, the fire alone, or the smoke alone. Default "both". */
+  layers: "both" | "fire" | "smoke";
+  /** Size at which a particle is drawn. [m] Default in classic: 0.04, from 0.01 to 0.1. */
   particleSize: number;
   /** Brightness, in steps that each double it. [EV] Default 0, from -4 to 4. */
   exposure: number;
@@ -201,7 +317,10 @@ export interface ParameterDomain {
   max?: number;
 }
 
-/** What is known about a parameter; default and range are those of the default model. */
+/**
+ * What is known about a parameter. Default and range are those of the default
+ * model, or of the one that uses it; `domains` has those of each.
+ */
 export interface Parameter extends ParameterDomain {
   id: ParameterId;
   /** The attribute of `<hearth-fire>`. */

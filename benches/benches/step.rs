@@ -7,12 +7,13 @@ use hearth_benches::Scene;
 
 fn fires(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("fire");
-    let presets = ["default", "seed"].map(|name| (name, Scene::preset(name)));
+    let presets = ["default", "classic", "seed"].map(|name| (name, Scene::preset(name)));
     for (name, scene) in presets {
         if let Some(scene) = scene {
             measure(&mut group, name, scene);
         }
     }
+    measure(&mut group, "fine", Scene::fine());
     measure(&mut group, "bonfire", Scene::bonfire());
 }
 

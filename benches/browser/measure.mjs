@@ -30,6 +30,8 @@ const ROUND_MS = 120;
 export function measureHearth(Scene) {
   const scenes = [
     ['default', Scene.preset('default')],
+    ['fine', Scene.fine()],
+    ['classic', Scene.preset('classic')],
     ['seed preset', Scene.preset('seed')],
     ['block of 1,000', Scene.block(1000)],
     ['block of 5,000', Scene.block(5000)],

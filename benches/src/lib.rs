@@ -4,7 +4,7 @@
 //! particles it holds and how many neighbours each has, and both are printed
 //! beside every figure.
 
-use hearth_core::params::{Input, Parameters};
+use hearth_core::params::{Input, Model, Parameters};
 use hearth_core::preset::Preset;
 use hearth_core::{Particle, Simulation};
 use wasm_bindgen::prelude::*;
@@ -36,7 +36,17 @@ impl Scene {
         Some(Scene::burnt(parameters))
     }
 
-    /// A fire with a wide source and far more particles.
+    /// The combustion model as fine as a large picture deserves.
+    pub fn fine() -> Scene {
+        let mut parameters = Parameters::new(Model::Combustion);
+        for (id, value) in [("max_particles", 6700.0), ("stiffness", 10.0)] {
+            let set = parameters.set(id, Input::Number(value));
+            debug_assert!(set.is_ok(), "{set:?}");
+        }
+        Scene::burnt(parameters)
+    }
+
+    /// A fire of the classic model with a wide source and far more particles.
     pub fn bonfire() -> Scene {
         Scene::burnt(with(&[
             ("max_particles", 20_000.0),
@@ -91,7 +101,7 @@ impl Scene {
     /// Steps in a frame of a 60 Hz display.
     #[wasm_bindgen(js_name = stepsPerFrame)]
     pub fn steps_per_frame(&self) -> f32 {
-        1.0 / 60.0 / self.simulation.parameters().time_step
+        (1.0 / 60.0 / self.simulation.step_length()) as f32
     }
 
     /// Particles alive.
@@ -112,9 +122,8 @@ impl Scene {
 
 impl Scene {
     fn burnt(parameters: Parameters) -> Scene {
-        let steps = 3.0 / parameters.time_step;
         let mut simulation = Simulation::new(parameters);
-        for _ in 0..steps as u32 {
+        while simulation.time() < 3.0 {
             simulation.step();
         }
         Scene::from(simulation)
@@ -132,9 +141,9 @@ impl From<Simulation> for Scene {
     }
 }
 
-/// The defaults with some values changed.
+/// The classic model's defaults with some values changed.
 fn with(values: &[(&str, f64)]) -> Parameters {
-    let mut parameters = Parameters::default();
+    let mut parameters = Parameters::new(Model::Classic);
     for &(id, value) in values {
         let set = parameters.set(id, Input::Number(value));
         debug_assert!(set.is_ok(), "{set:?}");
@@ -154,11 +163,9 @@ fn at_rest(index: u32, columns: u32, spacing: f32) -> Particle {
     let row = (index / columns) as f32 + MARGIN as f32 + 0.2 * jitter(0xa7);
     let half = 0.5 * (columns as f32 - 1.0);
     Particle {
-        position: [(column - half) * spacing, row * spacing].into(),
-        velocity: [0.0; 2].into(),
         temperature: 1000.0,
-        age: 0.0,
         lifetime: 1e6,
+        ..Particle::at([(column - half) * spacing, row * spacing].into())
     }
 }
 

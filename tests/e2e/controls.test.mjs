@@ -6,10 +6,12 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { assertBurns } from './laws.mjs';
-import { Panel, along, fractionOf } from './panel.mjs';
+import { Panel, along, entriesOf, fractionOf } from './panel.mjs';
 import { table } from './site.mjs';
 
-const { PARAMETERS, PRESETS, DEFAULTS, entry } = await table();
+const { PARAMETERS, PRESETS, DEFAULTS: PAGE, defaultsOf } = await table();
+const DEFAULTS = defaultsOf('classic');
+const entry = entriesOf(PARAMETERS, 'classic');
 
 /** How far the hand may miss a place on a slider, as a fraction of its length. */
 const AIM = 0.06;
@@ -22,8 +24,8 @@ before(async () => {
 after(() => browser?.close());
 
 /** The page with its panel, in a window that is wide enough for both. */
-async function openPage() {
-  const tab = await browser.open('index.html', { width: 760, height: 600 });
+async function openPage(model = 'classic') {
+  const tab = await browser.open(`index.html?model=${model}`, { width: 760, height: 600 });
   await tab.burnt(1);
   return { tab, panel: await new Panel(tab).mounted() };
 }
@@ -164,29 +166,88 @@ test('one value, and then all of them, go back to their defaults', async () => {
 
 test('a preset button brings the preset’s values', async () => {
   const { panel } = await openPage();
-  for (const name of ['seed', 'default']) {
+  for (const name of ['seed', 'default', 'classic']) {
     await panel.press(`preset:${name}`);
     const { values } = PRESETS.find((preset) => preset.name === name);
-    for (const [id, expected] of Object.entries({ ...DEFAULTS, ...values })) {
-      await panel.value(id, expected, (now) => now === expected);
+    const expected = { ...defaultsOf(values.model ?? PAGE.model), ...values };
+    for (const [id, value] of Object.entries(expected)) {
+      await panel.value(id, value, (now) => now === value);
     }
   }
 });
 
-test('every slider of the table moves its own value and no other', async () => {
+test('another model has its own controls and values, and the way back brings the old ones', async () => {
   const { tab, panel } = await openPage();
-  await tab.fire((fire) => fire.pause());
-  const sliders = PARAMETERS.filter(({ kind }) => kind === 'number' || kind === 'integer');
-  assert.ok(sliders.length > 30, `${sliders.length} sliders`);
-  for (const slider of sliders) {
-    const before = await tab.fire((fire) => fire.params);
-    const from = fractionOf(slider, before[slider.id]);
-    const to = from > 0.5 ? 0.3 : 0.7;
-    await panel.dragSlider(slider.id, from, to);
-    const near = (value) => Math.abs(fractionOf(slider, value) - to) < AIM;
-    const value = await panel.value(slider.id, `at ${to} of its slider`, near);
-    const now = await tab.fire((fire) => fire.params);
-    assert.deepEqual(now, { ...before, [slider.id]: value });
+  const there = entriesOf(PARAMETERS, 'combustion');
+  const changes = { buoyancy: 0.5, max_particles: 400, viscosity: 0.02, bloom: 0.5 };
+  await tab.fire((fire, values) => fire.set(values), changes);
+
+  await panel.choose('model', 'combustion');
+  await panel.value('model', 'combustion', (value) => value === 'combustion');
+  // What both models share came along; what each has of its own did not.
+  await panel.value('bloom', 'kept', (value) => value === changes.bloom);
+  for (const id of ['buoyancy', 'max_particles']) {
+    await panel.value(id, 'its default', (value) => value === there[id].default);
   }
+  const used = Object.values(there).filter((one) => one.used).map(({ id }) => id);
+  assert.deepEqual(await panel.controls(), used);
+  await panel.reveal('fuel_power');
+  await panel.dragSlider('buoyancy', 0.5, 0.8);
+  const near = (value) => Math.abs(fractionOf(there.buoyancy, value) - 0.8) < AIM;
+  const burning = await panel.value('buoyancy', 'about 0.8 of this model’s range', near);
+
+  await panel.choose('model', 'classic');
+  for (const [id, expected] of Object.entries(changes)) {
+    await panel.value(id, expected, (value) => value === expected);
+  }
+  assert.ok(!(await panel.controls()).includes('fuel_power'));
+  await panel.reveal('viscosity');
+  await panel.choose('model', 'combustion');
+  await panel.value('buoyancy', burning, (value) => value === burning);
   assert.deepEqual(tab.problems, []);
 });
+
+test('the panel follows a model that somebody else chose', async () => {
+  const { tab, panel } = await openPage();
+  // As many particles as the classic model had: no event tells that they stay.
+  await tab.fire((fire) => fire.set({ model: 'combustion', max_particles: 1000 }));
+  await panel.dragSlider('fuel_power', 0.4, 0.8);
+  const near = (value) => Math.abs(fractionOf(entriesOf(PARAMETERS, 'combustion').fuel_power, value) - 0.8) < AIM;
+  await panel.value('fuel_power', 'where the mouse let go', near);
+  const rectangle = await panel.reveal('max_particles');
+  const least = await tab.picture(rectangle);
+  await tab.fire((fire) => fire.set('max_particles', 90_000));
+  await tab.frames(4);
+  const most = await tab.picture(await panel.reveal('max_particles'));
+  assert.ok(least.difference(most) > 0.5, 'the slider stood at its left end');
+});
+
+test('reset all resets the model that burns and leaves the other one alone', async () => {
+  const { tab, panel } = await openPage();
+  await tab.fire((fire) => fire.set({ viscosity: 0.02, wind: 1.5 }));
+  await panel.press('reset-all');
+  await panel.value('viscosity', 'the default', (value) => value === DEFAULTS.viscosity);
+  const { model, wind } = await tab.fire((fire) => fire.params);
+  assert.deepEqual({ model, wind }, { model: 'classic', wind: 1.5 });
+});
+
+for (const model of ['classic', 'combustion']) {
+  test(`every slider of the ${model} model moves its own value and no other`, async () => {
+    const { tab, panel } = await openPage(model);
+    await tab.fire((fire) => fire.pause());
+    const sliders = Object.values(entriesOf(PARAMETERS, model))
+      .filter(({ used, kind }) => used && (kind === 'number' || kind === 'integer'));
+    assert.ok(sliders.length > 30, `${sliders.length} sliders`);
+    for (const slider of sliders) {
+      const before = await tab.fire((fire) => fire.params);
+      const from = fractionOf(slider, before[slider.id]);
+      const to = from > 0.5 ? 0.3 : 0.7;
+      await panel.dragSlider(slider.id, from, to);
+      const near = (value) => Math.abs(fractionOf(slider, value) - to) < AIM;
+      const value = await panel.value(slider.id, `at ${to} of its slider`, near);
+      const now = await tab.fire((fire) => fire.params);
+      assert.deepEqual(now, { ...before, [slider.id]: value });
+    }
+    assert.deepEqual(tab.problems, []);
+  });
+}

@@ -19,7 +19,7 @@ import { SITE } from './site.mjs';
 /** @typedef {import('./picture.mjs').Rectangle} Rectangle */
 
 /** Longest wait for anything a page should do soon; slow machines need it, no law does. */
-const PATIENCE = 30_000;
+const PATIENCE = 60_000;
 
 const FLAGS = [
   '--no-sandbox',

@@ -6,9 +6,9 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { assertBurns, events, recording } from './laws.mjs';
-import { table } from './site.mjs';
+import { domainOf, table } from './site.mjs';
 
-const { PARAMETERS, PRESETS, DEFAULTS } = await table();
+const { PARAMETERS, PRESETS, DEFAULTS, defaultsOf } = await table();
 
 /** @type {Browser} */
 let browser;
@@ -139,7 +139,8 @@ test('twenty fires that come and go leave nothing behind', async () => {
 
 test('two fires on one page each burn with their own values', async () => {
   const tab = await browser.open(
-    `${FIRE}<hearth-fire emission-rate="400" seed="7"></hearth-fire>`,
+    `<hearth-fire model="classic"></hearth-fire>
+     <hearth-fire model="classic" emission-rate="400" seed="7"></hearth-fire>`,
     { height: 520 },
   );
   await tab.burnt(1.5);
@@ -202,36 +203,39 @@ test('the drawing follows the size of the element', async () => {
   assert.deepEqual(tab.problems, []);
 });
 
-test('every attribute sets its value, and removing it brings the default back', async () => {
-  const tab = await browser.open(FIRE);
-  await tab.ready();
-  const wanted = PARAMETERS.map(anotherValue);
-  await tab.fire((fire, changes) => {
-    for (const { attribute, value } of changes) fire.setAttribute(attribute, String(value));
-  }, wanted);
-  await tab.until('every attribute is taken', (changes) => {
-    const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
-    return changes.every(({ id, value }) => params[id] === value);
-  }, wanted);
-  await tab.fire((fire, changes) => {
-    for (const { attribute } of changes) fire.removeAttribute(attribute);
-  }, wanted);
-  await tab.until('every default is back', (defaults) => {
-    const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
-    return defaults.every(([id, value]) => params[id] === value);
-  }, Object.entries(DEFAULTS));
-  assert.deepEqual(tab.problems, []);
-});
+for (const model of ['classic', 'combustion']) {
+  test(`in the ${model} model every attribute sets its value, and without it the default is back`, async () => {
+    const tab = await browser.open(`<hearth-fire paused model="${model}"></hearth-fire>`);
+    await tab.ready();
+    const wanted = PARAMETERS.filter(({ id }) => id !== 'model').map((one) => anotherValue(one, model));
+    await tab.fire((fire, changes) => {
+      for (const { attribute, value } of changes) fire.setAttribute(attribute, String(value));
+    }, wanted);
+    await tab.until('every attribute is taken', (changes) => {
+      const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
+      return changes.every(({ id, value }) => params[id] === value);
+    }, wanted);
+    await tab.fire((fire, changes) => {
+      for (const { attribute } of changes) fire.removeAttribute(attribute);
+    }, wanted);
+    await tab.until('every default is back', (defaults) => {
+      const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
+      return defaults.every(([id, value]) => params[id] === value);
+    }, Object.entries(defaultsOf(model)));
+    assert.deepEqual(tab.problems, []);
+  });
+}
 
-/** An allowed value of a parameter that is not its default. */
-function anotherValue(entry) {
-  const { id, attribute, kind } = entry;
+/** An allowed value of a parameter in a model that is not its default there. */
+function anotherValue(one, model) {
+  const { id, attribute, kind } = one;
+  const domain = domainOf(one, model);
   const value = {
-    number: () => (entry.default === entry.max ? entry.min : entry.max),
-    integer: () => entry.min,
+    number: () => (domain.default === domain.max ? domain.min : domain.max),
+    integer: () => domain.min,
     seed: () => 4_294_967_295,
-    choice: () => entry.choices.find((name) => name !== entry.default),
-    flag: () => !entry.default,
+    choice: () => one.choices.find((name) => name !== domain.default),
+    flag: () => !domain.default,
     colour: () => '#204060',
   }[kind]();
   return { id, attribute, value };
@@ -251,7 +255,7 @@ test('a preset brings its values, and the defaults for all others', async () => 
   const tab = await browser.open('<hearth-fire preset="seed"></hearth-fire>');
   await tab.ready();
   const seed = PRESETS.find(({ name }) => name === 'seed').values;
-  assert.deepEqual(await tab.fire((fire) => fire.params), { ...DEFAULTS, ...seed });
+  assert.deepEqual(await tab.fire((fire) => fire.params), { ...defaultsOf(seed.model), ...seed });
   await tab.fire((fire) => fire.setAttribute('viscosity', '0.03'));
   await tab.until(
     'an attribute goes before the preset',
@@ -293,7 +297,7 @@ test('a change is told to those who listen, with its value', async () => {
 });
 
 test('pause stops the fire, step moves it, play lets it burn on, reset starts anew', async () => {
-  const tab = await browser.open(recording(FIRE));
+  const tab = await browser.open(recording('<hearth-fire model="classic"></hearth-fire>'));
   await tab.burnt(1);
   await tab.fire((fire) => fire.pause());
   assert.equal(await tab.fire((fire) => fire.paused), true);

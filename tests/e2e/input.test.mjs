@@ -62,6 +62,7 @@ for (const [attribute, text, reason] of [
   ['background', 'reddish', /reddish/],
   ['seed', '-1', /-1/],
   ['preset', 'volcano', /volcano/],
+  ['model', 'volcano', /volcano.*classic, combustion/],
 ]) {
   test(`${attribute}="${text}" is refused aloud`, async () => {
     const body = recording(`<hearth-fire ${attribute}="${text}"></hearth-fire>`);

@@ -6,10 +6,11 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { Panel, along, mirrorOf } from './panel.mjs';
+import { Panel, along, entriesOf, mirrorOf } from './panel.mjs';
 import { table } from './site.mjs';
 
-const { PARAMETERS, DEFAULTS, entry } = await table();
+const { PARAMETERS, defaultsOf } = await table();
+const DEFAULTS = defaultsOf('classic');
 
 /** @type {Browser} */
 let browser;
@@ -19,7 +20,7 @@ before(async () => {
 after(() => browser?.close());
 
 async function openPage() {
-  const tab = await browser.open('index.html', { width: 760, height: 600 });
+  const tab = await browser.open('index.html?model=classic', { width: 760, height: 600 });
   await tab.ready();
   return { tab, panel: await new Panel(tab).mounted() };
 }
@@ -32,16 +33,43 @@ function shown(tab, id) {
   });
 }
 
-test('every parameter has a native control with a name', async () => {
-  const { tab } = await openPage();
-  const controls = await tab.page.$$eval('[data-parameter]', (found) => found.map((control) => {
-    const { labels, ariaLabel, dataset } = /** @type {HTMLInputElement} */ (control);
-    return { id: dataset.parameter, name: ariaLabel || labels?.[0]?.textContent?.trim() };
+test('every parameter of the model has a native control with a name', async () => {
+  const { tab, panel } = await openPage();
+  const names = await tab.page.$$eval('[data-parameter]', (found) => found.map((control) => {
+    const { labels, ariaLabel } = /** @type {HTMLInputElement} */ (control);
+    return ariaLabel || labels?.[0]?.textContent?.trim();
   }));
-  assert.deepEqual(controls.map(({ id }) => id), PARAMETERS.map(({ id }) => id));
-  for (const { id, name } of controls) {
-    assert.ok(name?.includes(entry[id].label), `${id} is called ${name}`);
+  for (const [at, { id, label }] of PARAMETERS.entries()) {
+    assert.ok(names[at]?.includes(label), `${id} is called ${names[at]}`);
   }
+  for (const model of ['combustion', 'classic']) {
+    await tab.fire((fire, name) => fire.set('model', name), model);
+    const used = PARAMETERS.filter(({ models }) => models.includes(model)).map(({ id }) => id);
+    assert.deepEqual(await panel.controls(), used);
+  }
+});
+
+test('the mirror’s sliders have the ranges of the model, and its keys keep to them', async () => {
+  const { tab, panel } = await openPage();
+  const range = (id) => tab.page.$eval(mirrorOf(id), (control) => {
+    const { min, max, value } = /** @type {HTMLInputElement} */ (control);
+    return [min, max, value].map(Number);
+  });
+  for (const model of ['combustion', 'classic']) {
+    const entries = entriesOf(PARAMETERS, model);
+    await tab.page.select(mirrorOf('model'), model);
+    await panel.value('model', model, (value) => value === model);
+    for (const id of ['source_width', 'max_particles']) {
+      const { min, max, default: value } = entries[id];
+      assert.deepEqual(await range(id), [min, max, value], `${id} of ${model}`);
+    }
+    await tab.fire((fire, least) => fire.set('max_particles', least), entries.max_particles.min);
+    await tab.page.focus(mirrorOf('max_particles'));
+    await tab.key('ArrowLeft');
+    await tab.frames(4);
+    assert.equal((await range('max_particles'))[2], entries.max_particles.min);
+  }
+  assert.deepEqual(tab.problems, []);
 });
 
 test('an arrow key on the mirror’s slider moves the value, and egui shows it', async () => {

@@ -8,7 +8,7 @@ import { Browser } from './driver.mjs';
 import { assertBurns } from './laws.mjs';
 import { table } from './site.mjs';
 
-const { DEFAULTS } = await table();
+const { defaultsOf } = await table();
 
 /** @type {Browser} */
 let browser;
@@ -34,11 +34,13 @@ test('fire burns in the lower middle and nowhere else, and it moves', async () =
 });
 
 test('the fire still burns after ten seconds, with a whole fire of particles', async () => {
-  const tab = await browser.open('index.html');
+  // Few of them, so that a slow machine comes to the end of it as well.
+  const most = 1000;
+  const tab = await browser.open(`index.html?max-particles=${most}`);
   await tab.burnt(10);
   await assertBurns(tab);
   const { particles, fps, time } = await tab.fire((fire) => fire.stats);
-  assert.ok(particles >= 500 && particles <= 1000, `${particles} particles`);
+  assert.ok(particles >= 0.5 * most && particles <= most, `${particles} particles`);
   assert.ok(fps > 0, `${fps} frames a second`);
   assert.ok(time >= 10, `${time} s of fire`);
   assert.deepEqual(tab.problems, []);
@@ -68,13 +70,14 @@ test('the fire burns at the speed of the clock unless it says that it is slowed'
 });
 
 test('values in the address set the fire, and bad ones are refused aloud', async () => {
-  const tab = await browser.open('index.html?viscosity=0.02&buoyancy=99&seed=7');
+  const values = 'model=classic&viscosity=0.02&buoyancy=99&seed=7';
+  const tab = await browser.open(`index.html?${values}`);
   await tab.ready();
   await tab.burnt(1);
   const { viscosity, buoyancy, seed } = await tab.fire((fire) => fire.params);
   assert.deepEqual({ viscosity, buoyancy, seed }, {
     viscosity: 0.02,
-    buoyancy: DEFAULTS.buoyancy,
+    buoyancy: defaultsOf('classic').buoyancy,
     seed: 7,
   });
   const [warning, ...more] = tab.problems;

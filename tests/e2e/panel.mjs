@@ -5,6 +5,8 @@
  * `data-rect` tells where the row's control stands on the page.
  */
 
+import { domainOf } from './site.mjs';
+
 /** @typedef {import('./driver.mjs').Tab} Tab */
 /** @typedef {import('./driver.mjs').Point} Point */
 /** @typedef {import('./picture.mjs').Rectangle} Rectangle */
@@ -14,6 +16,18 @@ export const mirrorOf = (/** @type {string} */ id) => `[data-parameter="${id}"]`
 
 /** The mirror of a button: pause, reset, reset-all, preset:seed, restore:viscosity … */
 export const actionOf = (/** @type {string} */ name) => `[data-action="${name}"]`;
+
+/**
+ * The table as one model has it, by id: with its ranges and defaults, and
+ * whether it uses the parameter.
+ * @param {any[]} PARAMETERS @param {string} model
+ */
+export function entriesOf(PARAMETERS, model) {
+  return Object.fromEntries(PARAMETERS.map((one) => [
+    one.id,
+    { ...one, ...domainOf(one, model), used: one.models.includes(model) },
+  ]));
+}
 
 /** The point inside a rectangle at a fraction of its width, half way down. */
 export function along(/** @type {Rectangle} */ rectangle, /** @type {number} */ fraction) {
@@ -116,6 +130,13 @@ export class Panel {
   async choose(id, name) {
     await this.reveal(id);
     await this.tab.click(along(await this.part(`choice:${id}:${name}`), 0.5));
+  }
+
+  /** The ids of the parameters that have a control at present, in their order. */
+  controls() {
+    return this.tab.page.$$eval('[data-parameter]', (controls) => controls
+      .filter((control) => control.checkVisibility())
+      .map((control) => /** @type {HTMLElement} */ (control).dataset.parameter));
   }
 
   /**

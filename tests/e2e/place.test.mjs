@@ -55,8 +55,8 @@ test('they follow the height of the world, and say nothing without a picture', a
 });
 
 test('particles are born where toPixels says that their source is', async () => {
-  const tab = await browser.open(`<hearth-fire paused display-mode="paper" source-width="0.05"
-    source-height="0.1" emission-speed="0"></hearth-fire>`);
+  const tab = await browser.open(`<hearth-fire paused model="classic" display-mode="paper"
+    source-width="0.05" source-height="0.1" emission-speed="0"></hearth-fire>`);
   await tab.ready();
   await tab.fire((fire) => fire.step(10));
   await tab.frames(4);

@@ -13,7 +13,7 @@ export const SITE = path.resolve(process.env.HEARTH_SITE ?? path.join(HERE, '../
 
 /**
  * The parameter table and the presets, as the site ships them, the table by id
- * as well, and every default.
+ * as well, every value of a new fire, and of one whose model somebody chose.
  */
 export async function table() {
   const file = path.join(SITE, 'web/parameters.js');
@@ -21,5 +21,18 @@ export async function table() {
   const { PARAMETERS, PRESETS } = await import(pathToFileURL(file).href);
   const entry = Object.fromEntries(PARAMETERS.map((one) => [one.id, one]));
   const DEFAULTS = Object.fromEntries(PARAMETERS.map((one) => [one.id, one.default]));
-  return { PARAMETERS, PRESETS, DEFAULTS, entry };
+  const defaultsOf = (/** @type {string} */ model) => {
+    const values = PARAMETERS.map((one) => [one.id, domainOf(one, model).default]);
+    return { ...Object.fromEntries(values), model };
+  };
+  return { PARAMETERS, PRESETS, DEFAULTS, defaultsOf, entry };
+}
+
+/**
+ * Default and range of a parameter in a model or, where that does not use it,
+ * in the model that it belongs to: its value waits there.
+ * @param {any} one @param {string} model
+ */
+export function domainOf(one, model) {
+  return one.domains[model] ?? Object.values(one.domains)[0];
 }

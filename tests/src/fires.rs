@@ -1,14 +1,56 @@
 //! Fires to test with.
 
-use hearth_core::params::Input;
-use hearth_core::{Parameters, Simulation};
+use hearth_core::params::{Input, Model};
+use hearth_core::random::Random;
+use hearth_core::{Parameters, Particle, Simulation, Vec2};
 
-/// The defaults with these values changed.
+/// The classic model's defaults with these values changed.
 ///
 /// # Panics
 /// Where the table refuses a value: the test that asks for it is wrong.
 pub fn with<'a>(values: impl IntoIterator<Item = (&'a str, Input<'a>)>) -> Parameters {
-    let mut parameters = Parameters::default();
+    changed(Model::Classic, values)
+}
+
+/// The classic model's defaults with these numbers changed.
+///
+/// # Panics
+/// As [`with`].
+pub fn with_numbers(values: &[(&str, f64)]) -> Parameters {
+    with(numbers(values))
+}
+
+/// The combustion model's defaults with 1000 particles, which is quick, and
+/// with these numbers changed.
+///
+/// # Panics
+/// As [`with`].
+pub fn combustion(values: &[(&str, f64)]) -> Parameters {
+    let few = [("max_particles", 1000.0)];
+    changed(Model::Combustion, numbers(&few).chain(numbers(values)))
+}
+
+/// A combustion fire that uses all that its model has.
+pub fn everything() -> Parameters {
+    combustion(&[
+        ("gas_expansion", 1.0),
+        ("kinematic_viscosity", 1e-3),
+        ("turbulence", 3.0),
+        ("vorticity_confinement", 0.3),
+        ("wind", 0.5),
+        ("emission_noise", 1.0),
+        ("source_oxygen", 0.2),
+        ("ember_rate", 500.0),
+        ("ember_life_max", 0.8),
+    ])
+}
+
+fn numbers<'a>(values: &'a [(&'a str, f64)]) -> impl Iterator<Item = (&'a str, Input<'a>)> {
+    values.iter().map(|&(id, value)| (id, Input::Number(value)))
+}
+
+fn changed<'a>(model: Model, values: impl IntoIterator<Item = (&'a str, Input<'a>)>) -> Parameters {
+    let mut parameters = Parameters::new(model);
     for (id, value) in values {
         if let Err(refusal) = parameters.set(id, value) {
             panic!("{refusal}");
@@ -17,18 +59,73 @@ pub fn with<'a>(values: impl IntoIterator<Item = (&'a str, Input<'a>)>) -> Param
     parameters
 }
 
-/// The defaults with these numbers changed.
-///
-/// # Panics
-/// As [`with`].
-pub fn with_numbers(values: &[(&str, f64)]) -> Parameters {
-    with(values.iter().map(|&(id, value)| (id, Input::Number(value))))
+/// A fire that has burned for so many simulated seconds.
+pub fn burn(parameters: Parameters, seconds: f64) -> Simulation {
+    let mut fire = Simulation::new(parameters);
+    burn_on(&mut fire, seconds);
+    fire
 }
 
-/// A fire that has burned for so many simulated seconds.
-pub fn burn(parameters: Parameters, seconds: f32) -> Simulation {
-    let steps = (seconds / parameters.time_step) as u32;
+/// Burns on for so many simulated seconds.
+pub fn burn_on(fire: &mut Simulation, seconds: f64) {
+    watch(fire, seconds, |_| ());
+}
+
+/// Burns on for so many simulated seconds and looks after every step.
+pub fn watch(fire: &mut Simulation, seconds: f64, mut look: impl FnMut(&Simulation)) {
+    // Half a step early is not early: the time is a sum of rounded steps.
+    let until = fire.time() + seconds;
+    while fire.time() + 0.5 * fire.step_length() < until {
+        fire.step();
+        look(fire);
+    }
+}
+
+/// A closed box, 0.8 m wide and high, of combustion gas that no burner heats:
+/// nothing acts on it but itself, and what `values` switch on.
+pub fn closed_box(values: &[(&str, f64)]) -> Parameters {
+    let closed = [
+        ("domain_width", 0.8),
+        ("domain_height", 0.8),
+        ("seam", 0.0),
+        ("gravity", 0.0),
+        ("fuel_power", 0.0),
+        ("radiative_cooling", 0.0),
+    ];
+    combustion(&[&closed, values].concat())
+}
+
+/// A simulation of that many columns and rows of gas, evenly spread over the
+/// domain but for a little disorder, each particle given to `shape`.
+///
+/// # Panics
+/// Where a particle is refused: the test that made it is wrong.
+pub fn filled(parameters: Parameters, side: u32, shape: impl Fn(&mut Particle)) -> Simulation {
+    let size = Vec2::new(parameters.domain_width, parameters.domain_height);
+    let mut random = Random::new(11);
+    let gas: Vec<Particle> = (0..side * side)
+        .map(|i| {
+            let cell = Vec2::new((i % side) as f32, (i / side) as f32);
+            let off = Vec2::new(random.between(0.4, 0.6), random.between(0.4, 0.6));
+            let place = (cell + off) / side as f32;
+            let mut particle = Particle::at((place - Vec2::new(0.5, 0.0)) * size);
+            shape(&mut particle);
+            particle
+        })
+        .collect();
     let mut fire = Simulation::new(parameters);
-    (0..steps).for_each(|_| fire.step());
+    if let Err(refusal) = fire.set_particles(&gas) {
+        panic!("{refusal}");
+    }
     fire
+}
+
+/// The mean of what there is, in double precision; no number where there is nothing.
+pub fn mean(numbers: impl IntoIterator<Item = f32>) -> f64 {
+    let (mut sum, mut n) = (0.0, 0.0);
+    for number in numbers {
+        sum += f64::from(number);
+        n += 1.0;
+    }
+    sum / n
 }

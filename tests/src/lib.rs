@@ -7,17 +7,21 @@
 //! needs no new numbers here.
 
 pub mod fires;
+pub mod sweep;
+pub mod validation;
 
 use hearth_core::params::{Input, PARAMETERS, Parameters};
 use hearth_core::preset::PRESETS;
 use hearth_core::{Particle, Simulation};
 
-/// Steps in a fingerprinted run: about four seconds of fire, so that particles
-/// have been born, have pushed each other, and have died.
+/// Steps in a fingerprinted run: about four seconds of the classic fire, so that
+/// particles have been born, have pushed each other, and have died; two of the
+/// combustion's, so that it has puffed and embers have died.
 pub const STEPS: u32 = 1000;
 
 /// Runs a fire of these parameters for [`STEPS`] steps and folds its time and
-/// every bit of its particles, in the order of their birth, into one number.
+/// every bit of its particles, in the order of their birth, and of its embers
+/// into one number.
 pub fn fingerprint(parameters: Parameters) -> u64 {
     let mut simulation = Simulation::new(parameters);
     for _ in 0..STEPS {
@@ -32,11 +36,20 @@ pub fn fingerprint(parameters: Parameters) -> u64 {
             temperature,
             age,
             lifetime,
+            fuel,
+            oxygen,
+            soot,
         } = particle;
         let motion = [position.x, position.y, velocity.x, velocity.y];
-        for number in motion.into_iter().chain([temperature, age, lifetime]) {
+        let rest = [temperature, age, lifetime, fuel, oxygen, soot];
+        for number in motion.into_iter().chain(rest) {
             hash.write(&number.to_bits().to_le_bytes());
         }
+    }
+    let mut embers = Vec::new();
+    simulation.write_embers(&mut embers);
+    for number in embers.into_iter().flatten() {
+        hash.write(&number.to_bits().to_le_bytes());
     }
     hash.finish()
 }
@@ -59,8 +72,11 @@ pub fn fingerprints() -> String {
                 ("walls", Input::Text("periodic")),
                 ("domain_width", Input::Number(0.4)),
                 ("emission_noise", Input::Number(1.0)),
+                ("turbulence", Input::Number(3.0)),
             ]),
         ),
+        ("few", fires::combustion(&[])),
+        ("everything", fires::everything()),
     ];
     presets
         .chain(others)

@@ -7,7 +7,7 @@
 
 #[cfg(not(target_arch = "wasm32"))]
 mod natively {
-    use hearth_core::params::{Input, Parameters};
+    use hearth_core::params::{Input, Model, Parameters};
     use hearth_tests::{fingerprint, fingerprints};
 
     #[test]
@@ -17,9 +17,11 @@ mod natively {
 
     #[test]
     fn another_seed_gives_another_fire() {
-        let mut other = Parameters::default();
-        assert_eq!(other.set("seed", Input::Number(2.0)), Ok(()));
-        assert_ne!(fingerprint(Parameters::default()), fingerprint(other));
+        for model in [Model::Classic, Model::Combustion] {
+            let mut other = Parameters::new(model);
+            assert_eq!(other.set("seed", Input::Number(2.0)), Ok(()));
+            assert_ne!(fingerprint(Parameters::new(model)), fingerprint(other));
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The laws that the paper states of its fire (§4.1.1), and what its emitter
 //! and lifetimes promise.
 
+use hearth_core::params::Model;
 use hearth_core::{Parameters, Particle, Simulation};
 use hearth_tests::fires::{burn, with_numbers as with};
 
@@ -80,7 +81,7 @@ fn heat_lifts_and_extra_weight_holds_down() {
 
 #[test]
 fn every_particle_reddens_before_it_dies() {
-    let fire = burn(Parameters::default(), 3.0);
+    let fire = burn(Parameters::new(Model::Classic), 3.0);
     let p = fire.parameters().clone();
     for particle in fire.particles() {
         let cooled = p.maximum_temperature - p.cooling_rate * particle.age;
@@ -240,7 +241,7 @@ fn the_number_of_particles_keeps_the_cap() {
 
 #[test]
 fn the_default_has_700_to_1000_particles_and_15_to_30_neighbours() {
-    let mut fire = burn(Parameters::default(), 2.0);
+    let mut fire = burn(Parameters::new(Model::Classic), 2.0);
     let (mut count, mut neighbours, steps) = (0.0, 0.0, 720);
     for _ in 0..steps {
         fire.step();

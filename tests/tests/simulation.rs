@@ -1,9 +1,9 @@
-//! What a user of the simulation relies on: walls, own
-//! initial states, live parameters, refusals.
+//! What a user of the simulation relies on: walls, own initial states and
+//! forces, live parameters.
 
-use hearth_core::params::{Input, Kind, PARAMETERS, Param, Refusal};
+use hearth_core::params::{Input, Model};
 use hearth_core::{Parameters, Particle, Simulation, Vec2};
-use hearth_tests::fires::with;
+use hearth_tests::fires::{self, with};
 
 fn burn(fire: &mut Simulation, steps: u32) {
     (0..steps).for_each(|_| fire.step());
@@ -11,11 +11,10 @@ fn burn(fire: &mut Simulation, steps: u32) {
 
 fn particle(x: f32, y: f32, vx: f32, vy: f32) -> Particle {
     Particle {
-        position: Vec2::new(x, y),
         velocity: Vec2::new(vx, vy),
         temperature: 1000.0,
-        age: 0.0,
         lifetime: 100.0,
+        ..Particle::at(Vec2::new(x, y))
     }
 }
 
@@ -31,7 +30,7 @@ fn still(walls: &str) -> Parameters {
 
 #[test]
 fn a_reset_fire_burns_the_same_again() {
-    let mut fire = Simulation::new(Parameters::default());
+    let mut fire = Simulation::new(Parameters::new(Model::Classic));
     burn(&mut fire, 300);
     let first = fire.particles();
     fire.reset();
@@ -42,8 +41,8 @@ fn a_reset_fire_burns_the_same_again() {
 
 #[test]
 fn reading_does_not_disturb() {
-    let mut read = Simulation::new(Parameters::default());
-    let mut left = Simulation::new(Parameters::default());
+    let mut read = Simulation::new(Parameters::new(Model::Classic));
+    let mut left = Simulation::new(Parameters::new(Model::Classic));
     for _ in 0..300 {
         read.step();
         left.step();
@@ -55,7 +54,7 @@ fn reading_does_not_disturb() {
 
 #[test]
 fn readers_keep_the_order_of_birth() {
-    let mut fire = Simulation::new(Parameters::default());
+    let mut fire = Simulation::new(Parameters::new(Model::Classic));
     burn(&mut fire, 200);
     // Ages in the order of birth never rise: whoever is younger comes later,
     // but for those born within the same step.
@@ -101,6 +100,132 @@ fn bad_particles_are_refused_and_change_nothing() {
         assert!(error.to_string().contains("particle 1"), "{error}");
         assert_eq!(fire.particles(), [good]);
     }
+}
+
+/// Air that fills the domain of the combustion model, thinly.
+fn gas() -> Vec<Particle> {
+    let place = |i: i32| Vec2::new((i % 12) as f32 * 0.1 - 0.55, (i / 12) as f32 * 0.15 + 0.05);
+    let wild = |i: i32| Particle {
+        velocity: Vec2::new(0.01 * i as f32, -0.5),
+        temperature: 300.0 + i as f32,
+        fuel: 0.002 * i as f32,
+        oxygen: 1.0 - 0.003 * i as f32,
+        soot: 0.004 * i as f32,
+        ..Particle::at(place(i))
+    };
+    (0..144).map(wild).collect()
+}
+
+#[test]
+fn gas_that_is_put_in_comes_out_again_and_burns() {
+    let mut fire = Simulation::new(fires::combustion(&[]));
+    let mut given = gas();
+    fire.set_particles(&given).expect("it is fine");
+    assert_eq!(fire.particles(), given);
+    assert_eq!(fire.count(), given.len());
+    let of = |figure: fn(&Particle) -> f32| given.iter().map(figure).collect::<Vec<_>>();
+    assert_eq!(fire.temperatures(), of(|p| p.temperature));
+    assert_eq!(fire.fuels(), of(|p| p.fuel));
+    assert_eq!(fire.oxygens(), of(|p| p.oxygen));
+    assert_eq!(fire.soots(), of(|p| p.soot));
+
+    // What came out goes in again, another time.
+    fires::burn_on(&mut fire, 0.2);
+    given = fire.particles();
+    assert!(given.iter().all(|p| p.age > 0.19));
+    fire.set_particles(&given).expect("it came from there");
+    assert_eq!(fire.particles(), given);
+}
+
+#[test]
+fn bad_gas_is_refused_by_name_and_changes_nothing() {
+    let mut fire = fires::burn(fires::combustion(&[]), 0.3);
+    let (before, embers) = (fire.particles(), fire.embers().to_vec());
+    let good = gas()[70];
+    type Spoil = fn(&mut Particle);
+    let spoilt: [(&str, Spoil); 16] = [
+        ("position", |p| p.position.x = f32::NAN),
+        ("position", |p| p.position.x = 0.61),
+        ("position", |p| p.position.y = -0.01),
+        ("position", |p| p.position.y = 1.81),
+        ("velocity", |p| p.velocity.y = f32::INFINITY),
+        ("temperature", |p| p.temperature = 0.5),
+        ("temperature", |p| p.temperature = f32::NAN),
+        ("age", |p| p.age = -1.0),
+        ("lifetime", |p| p.lifetime = 0.0),
+        ("fuel", |p| p.fuel = -0.1),
+        ("fuel", |p| p.fuel = f32::NAN),
+        ("fuel", |p| p.fuel = 1.1),
+        ("oxygen", |p| p.oxygen = 1.1),
+        ("oxygen", |p| p.oxygen = f32::NAN),
+        ("soot", |p| p.soot = -0.1),
+        ("soot", |p| p.soot = f32::INFINITY),
+    ];
+    for (what, spoil) in spoilt {
+        let mut gas = gas();
+        gas[70] = good;
+        spoil(&mut gas[70]);
+        let error = fire.set_particles(&gas).expect_err(what);
+        assert_eq!(error.index, 70, "{what}");
+        let text = error.to_string();
+        assert!(
+            text.contains("particle 70") && text.contains(what),
+            "{text}"
+        );
+    }
+    for (count, what) in [(0, "too few"), (99, "too few"), (100_001, "too many")] {
+        let error = fire.set_particles(&vec![good; count]).expect_err(what);
+        assert!(error.to_string().contains(what), "{error}");
+    }
+    assert_eq!(fire.particles(), before);
+    assert_eq!(fire.embers(), embers);
+    assert_eq!(fire.set_particles(&vec![good; 100]), Ok(()));
+}
+
+#[test]
+fn a_reset_combustion_fire_burns_the_same_again() {
+    let mut fire = fires::burn(fires::everything(), 0.6);
+    let (first, embers, time) = (fire.particles(), fire.embers().to_vec(), fire.time());
+    assert!(!embers.is_empty());
+    fire.reset();
+    assert_eq!((fire.time(), fire.embers().len()), (0.0, 0));
+    while fire.time() < time {
+        fire.step();
+    }
+    assert_eq!(fire.particles(), first);
+    assert_eq!(fire.embers(), embers);
+}
+
+#[test]
+fn steps_add_up_to_the_time_and_are_as_long_as_they_say() {
+    let mut fire = Simulation::new(fires::combustion(&[]));
+    assert!(fire.step_length() > 0.0);
+    let mut sum = 0.0;
+    for _ in 0..200 {
+        fire.step();
+        assert_eq!(fire.step_length() as f32, fire.report().length);
+        sum += fire.step_length();
+    }
+    assert_eq!(fire.time(), sum);
+    // The finer the gas, the shorter its steps.
+    let fine = fires::burn(fires::combustion(&[("max_particles", 4000.0)]), 0.1);
+    assert!(fine.step_length() < 0.7 * fire.step_length());
+}
+
+#[test]
+fn a_force_of_ones_own_accelerates_either_fire() {
+    let pushed = |parameters: &Parameters, strength: f32| {
+        let mut fire = Simulation::new(parameters.clone());
+        while fire.time() < 0.2 {
+            fire.step_with(|_, _| Vec2::new(strength, 0.0));
+        }
+        fires::mean(fire.velocities().iter().map(|v| v.x))
+    };
+    // 5 m/s² for 0.2 s. The seam would hold the air, so the box is closed.
+    let air = fires::closed_box(&[]);
+    assert!((pushed(&air, 5.0) - 1.0).abs() < 0.05);
+    let classic = Parameters::new(Model::Classic);
+    assert!(pushed(&classic, 5.0) > pushed(&classic, 0.0) + 0.3);
 }
 
 /// Where a particle that flies at a side wall is afterwards, if anywhere.
@@ -166,126 +291,11 @@ fn a_smaller_domain_takes_away_what_stands_outside() {
 
 #[test]
 fn parameters_are_live() {
-    let mut fire = Simulation::new(Parameters::default());
+    let mut fire = Simulation::new(Parameters::new(Model::Classic));
     burn(&mut fire, 480);
     let before = fire.count();
     fire.set("emission_rate", Input::Number(100.0))
         .expect("in range");
     burn(&mut fire, 480);
     assert!(fire.count() < before / 4);
-}
-
-/// Values of a parameter that are not its default.
-fn others(param: &Param) -> Vec<Input<'static>> {
-    let domain = &param.domains[0];
-    match (param.kind, domain.default) {
-        (Kind::Choice(names), _) => names.iter().map(|&name| Input::Text(name)).collect(),
-        (Kind::Flag, _) => vec![Input::Flag(true)],
-        (Kind::Colour, _) => vec![Input::Text("#123456")],
-        _ => [domain.range.0, domain.range.1].map(Input::Number).to_vec(),
-    }
-}
-
-#[test]
-fn every_parameter_of_the_fire_changes_it_and_none_of_its_look_does() {
-    for param in PARAMETERS {
-        // Nothing reaches the speed limit but gas that is lifted as printed.
-        let wild = ("printed_divisor", Input::Flag(param.id == "speed_limit"));
-        // The domain is no wider than the source, so that there are walls to meet.
-        let narrow = ("domain_width", Input::Number(0.36));
-        let burnt = |more: Option<(&'static str, Input<'static>)>| {
-            let mut fire = Simulation::new(with([wild, narrow].into_iter().chain(more)));
-            while fire.time() < 1.0 {
-                fire.step();
-            }
-            fire.particles()
-        };
-        let plain = burnt(None);
-        let changed = others(param)
-            .into_iter()
-            .any(|value| burnt(Some((param.id, value))) != plain);
-        let shown_only = param.group == "Look" || param.id == "time_scale";
-        assert_eq!(changed, !shown_only, "{}", param.id);
-    }
-}
-
-#[test]
-fn whole_numbers_end_exactly_at_their_range_and_there_is_one_zero() {
-    let mut parameters = Parameters::default();
-    let beyond = f64::from(u32::MAX) + 1.0;
-    assert!(parameters.set("seed", Input::Number(beyond)).is_err());
-    assert!(
-        parameters
-            .set("max_particles", Input::Number(100_001.0))
-            .is_err()
-    );
-    assert_eq!(parameters.set("viscosity", Input::Number(-0.0)), Ok(()));
-    assert!(parameters.viscosity.is_sign_positive());
-}
-
-#[test]
-fn a_refused_value_changes_nothing_and_says_what_is_allowed() {
-    let mut fire = Simulation::new(Parameters::default());
-    let before = fire.parameters().clone();
-    let error = fire
-        .set("viscosity", Input::Number(5.0))
-        .expect_err("out of range");
-    assert_eq!(
-        error.to_string(),
-        "viscosity = 5 is refused: it must be a number from 0 to 0.1 Pa·s"
-    );
-    for (id, input) in [
-        ("viscosity", Input::Number(f64::NAN)),
-        ("viscosity", Input::Text("lots")),
-        ("viscosity", Input::Flag(true)),
-        ("max_particles", Input::Number(200.5)),
-        ("walls", Input::Text("rubber")),
-        ("printed_euler", Input::Text("perhaps")),
-        ("background", Input::Text("#12")),
-        ("seed", Input::Number(-1.0)),
-    ] {
-        let error = fire.set(id, input).expect_err(id);
-        assert!(error.to_string().contains(id), "{error}");
-    }
-    assert_eq!(*fire.parameters(), before);
-}
-
-#[test]
-fn an_unknown_id_names_the_nearest_known_one() {
-    let nearest = |id| match Parameters::default()
-        .set(id, Input::Number(0.0))
-        .expect_err("unknown")
-        .reason
-    {
-        Refusal::UnknownId { nearest } => nearest,
-        other => panic!("{other:?}"),
-    };
-    assert_eq!(nearest("viscosty"), Some("viscosity"));
-    assert_eq!(nearest("bouyancy"), Some("buoyancy"));
-    assert_eq!(nearest("xyzzy"), None);
-}
-
-#[test]
-fn texts_spell_every_kind_of_value() {
-    let parameters = with([
-        ("viscosity", Input::Text(" 0.02 ")),
-        ("max_particles", Input::Text("500")),
-        ("walls", Input::Text("solid")),
-        ("printed_euler", Input::Text("")),
-        ("background", Input::Text("#102030")),
-        ("seed", Input::Text("4294967295")),
-    ]);
-    assert_eq!(parameters.viscosity, 0.02);
-    assert_eq!(parameters.max_particles, 500);
-    assert!(parameters.printed_euler);
-    assert_eq!(parameters.background.rgba, [16, 32, 48, 255]);
-    assert_eq!(parameters.seed, u32::MAX);
-    // What is written reads back as the same.
-    for (param, value) in parameters.changed() {
-        let mut again = Parameters::default();
-        again
-            .set(param.id, Input::Text(&value.to_string()))
-            .expect(param.id);
-        assert_eq!(again.get(param.id), Some(value));
-    }
 }

@@ -1,9 +1,9 @@
-//! Fixed simulation steps from the frames of a wall clock.
+//! Whole simulation steps from the frames of a wall clock.
 //!
 //! A display draws at 30, 60, 120 or 144 Hz, or at no steady rate at all; the
-//! fire must burn at the same speed on each. The clock turns the passing of
-//! time into whole steps of a fixed length and keeps the remainder for the
-//! next frame. It never asks the time: the caller tells it.
+//! fire must burn at the same speed on each. The clock holds the fire time that
+//! is owed: frames add to it, steps take from it, however long each of them
+//! turns out to be. It never asks the time: the caller tells it.
 
 /// Longest time that one frame may make up for, in seconds of the wall clock.
 /// A page that was hidden or blocked must not come back with a burst of work.
@@ -22,19 +22,38 @@ impl Clock {
         Clock::default()
     }
 
-    /// The number of steps of `step` seconds to make for a frame at the time
-    /// `now` (seconds of any steady clock), where a second of the clock is
-    /// `time_scale` seconds of fire. The first frame makes none. A clock that
-    /// runs backwards counts as one that stands still.
-    pub fn advance(&mut self, now: f64, step: f64, time_scale: f64) -> u32 {
-        let passed = self.last.map_or(0.0, |last| now - last);
+    /// A frame at the time `now` (seconds of any steady clock), where a second of
+    /// the clock is `time_scale` seconds of fire. Returns how long ago the last
+    /// frame was \[s\]: zero at the first one, and where the clock runs backwards.
+    /// What one frame adds is limited by [`LONGEST_FRAME`].
+    pub fn advance(&mut self, now: f64, time_scale: f64) -> f64 {
+        let passed = self.last.map_or(0.0, |last| (now - last).max(0.0));
         self.last = Some(now);
-        self.owed += passed.clamp(0.0, LONGEST_FRAME) * time_scale;
-        // A display's frames are not exactly a whole number of steps long; the
-        // tiny slack keeps 1/60 s at four steps of 1/240 s instead of 3, 5, 3 ….
-        let steps = (self.owed / step + 1e-6).floor().max(0.0);
-        self.owed = (self.owed - steps * step).max(0.0);
-        steps as u32
+        self.owed += passed.min(LONGEST_FRAME) * time_scale;
+        passed
+    }
+
+    /// Whether another whole step of about `length` seconds of fire is due. It is
+    /// when at least half of it is owed: what the frames bring and the steps take
+    /// is then the same on average, and a display whose frames are a whole number
+    /// of steps long gets that number each time, although its frames jitter.
+    pub fn due(&self, length: f64) -> bool {
+        self.owed > 0.5 * length
+    }
+
+    /// A step of `length` seconds of fire was made. It may be longer than what
+    /// was owed; the next frames owe less then.
+    pub fn spend(&mut self, length: f64) {
+        self.owed -= length;
+    }
+
+    /// Forgets what is still owed, because there is no time to make it, and returns
+    /// how much that is \[s\]. A fire on a slow machine burns slowly; it does not
+    /// fall ever further behind.
+    pub fn drop_rest(&mut self) -> f64 {
+        let rest = self.owed.max(0.0);
+        self.owed -= rest;
+        rest
     }
 
     /// Forgets the last frame and what is owed: after a pause, the time that
@@ -48,47 +67,126 @@ impl Clock {
 mod tests {
     use super::*;
 
-    fn steps_in(seconds: f64, frames_per_second: f64, scale: f64) -> u32 {
+    const STEP: f64 = 1.0 / 240.0;
+
+    /// Makes all steps that are due; `length` says how long each one is. Returns
+    /// how many there were and how long all of them.
+    fn make_due(clock: &mut Clock, mut length: impl FnMut() -> f64) -> (u32, f64) {
+        let (mut steps, mut made) = (0, 0.0);
+        let mut guess = STEP;
+        while clock.due(guess) {
+            guess = length();
+            clock.spend(guess);
+            steps += 1;
+            made += guess;
+        }
+        (steps, made)
+    }
+
+    /// Seconds of fire in `seconds` of a display, with steps of such lengths.
+    fn burnt_in(seconds: f64, rate: f64, scale: f64, mut length: impl FnMut() -> f64) -> f64 {
         let mut clock = Clock::new();
-        let frames = (seconds * frames_per_second).round() as u32;
+        let frames = (seconds * rate).round() as u32;
         (0..=frames)
-            .map(|frame| clock.advance(f64::from(frame) / frames_per_second, 1.0 / 240.0, scale))
+            .map(|frame| {
+                clock.advance(f64::from(frame) / rate, scale);
+                make_due(&mut clock, &mut length).1
+            })
             .sum()
     }
 
     #[test]
     fn a_fire_burns_at_the_same_speed_on_every_display() {
         for rate in [30.0, 50.0, 60.0, 75.0, 120.0, 144.0, 240.0] {
-            let steps = steps_in(10.0, rate, 1.0);
-            assert!(steps.abs_diff(2400) <= 1, "{steps} steps at {rate} Hz");
+            for length in [STEP, 0.0002, 0.017] {
+                let burnt = burnt_in(10.0, rate, 1.0, || length);
+                let off = (burnt - 10.0).abs();
+                assert!(
+                    off <= length,
+                    "{burnt} s of steps of {length} s at {rate} Hz"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn steps_of_changing_length_keep_the_speed() {
+        for rate in [30.0, 60.0, 144.0] {
+            let mut count = 0_u32;
+            // From 0.2 to 1.4 ms, in no order that the frames would know.
+            let length = || {
+                count += 1;
+                0.0002 * f64::from(1 + count * 5 % 7)
+            };
+            let burnt = burnt_in(10.0, rate, 1.0, length);
+            assert!((burnt - 10.0).abs() < 0.0015, "{burnt} s at {rate} Hz");
+        }
+    }
+
+    #[test]
+    fn frames_that_jitter_bring_the_same_number_of_steps_each() {
+        let mut clock = Clock::new();
+        clock.advance(0.0, 1.0);
+        for frame in 1..1000 {
+            let jitter = [0.0, 0.0015, -0.0009, 0.0004, -0.0015][frame % 5];
+            clock.advance(frame as f64 / 60.0 + jitter, 1.0);
+            let (steps, _) = make_due(&mut clock, || STEP);
+            assert_eq!(steps, 4, "in frame {frame}");
         }
     }
 
     #[test]
     fn the_time_scale_scales() {
-        assert!(steps_in(10.0, 60.0, 0.5).abs_diff(1200) <= 1);
-        assert!(steps_in(10.0, 60.0, 2.0).abs_diff(4800) <= 1);
+        for scale in [0.1, 0.5, 2.0] {
+            let burnt = burnt_in(10.0, 60.0, scale, || STEP);
+            assert!((burnt - 10.0 * scale).abs() <= STEP, "{burnt} s at {scale}");
+        }
     }
 
     #[test]
-    fn catching_up_is_clamped() {
+    fn the_first_frame_makes_no_step() {
         let mut clock = Clock::new();
-        clock.advance(0.0, 1.0 / 240.0, 1.0);
-        assert_eq!(clock.advance(3600.0, 1.0 / 240.0, 1.0), 24);
+        assert_eq!(clock.advance(1000.0, 1.0), 0.0);
+        assert!(!clock.due(STEP));
+    }
+
+    #[test]
+    fn catching_up_is_clamped_and_what_really_passed_is_told() {
+        let mut clock = Clock::new();
+        clock.advance(0.0, 1.0);
+        assert_eq!(clock.advance(3600.0, 1.0), 3600.0);
+        assert_eq!(make_due(&mut clock, || STEP).0, 24);
+    }
+
+    #[test]
+    fn what_is_dropped_is_not_owed_on() {
+        let mut clock = Clock::new();
+        clock.advance(0.0, 1.0);
+        clock.advance(0.1, 1.0);
+        clock.spend(STEP);
+        assert!((clock.drop_rest() - (0.1 - STEP)).abs() < 1e-9);
+        assert!(!clock.due(STEP));
+        // A step that was longer than what was owed stays paid in advance.
+        clock.spend(STEP);
+        assert_eq!(clock.drop_rest(), 0.0);
+        clock.advance(0.1 + STEP, 1.0);
+        assert!(!clock.due(STEP));
     }
 
     #[test]
     fn time_that_runs_backwards_makes_no_step() {
         let mut clock = Clock::new();
-        clock.advance(10.0, 1.0 / 240.0, 1.0);
-        assert_eq!(clock.advance(5.0, 1.0 / 240.0, 1.0), 0);
+        clock.advance(10.0, 1.0);
+        assert_eq!(clock.advance(5.0, 1.0), 0.0);
+        assert!(!clock.due(STEP));
     }
 
     #[test]
     fn a_pause_is_not_made_up_for() {
         let mut clock = Clock::new();
-        clock.advance(0.0, 1.0 / 240.0, 1.0);
+        clock.advance(0.0, 1.0);
         clock.restart();
-        assert_eq!(clock.advance(0.05, 1.0 / 240.0, 1.0), 0);
+        assert_eq!(clock.advance(0.05, 1.0), 0.0);
+        assert!(!clock.due(STEP));
     }
 }

@@ -6,37 +6,38 @@
 //! use hearth_core::{Parameters, Simulation, params::Input};
 //!
 //! let mut parameters = Parameters::default();
-//! parameters.set("buoyancy", Input::Number(0.2))?;
+//! parameters.set("fuel_power", Input::Number(150.0))?;
 //! let mut fire = Simulation::new(parameters);
-//! for _ in 0..240 {
+//! while fire.time() < 0.5 {
 //!     fire.step();
 //! }
-//! assert!(fire.count() > 300);
+//! assert!(fire.temperatures().iter().any(|&kelvin| kelvin > 1000.0));
 //! # Ok::<(), hearth_core::params::ParamError>(())
 //! ```
 //!
-//! One step is: emitter → neighbour grid → density → pressure → forces →
-//! motion; [`Simulation::step`] reads that way. Everything is `f32`, the step
-//! is fixed, and the one random generator is seeded, so the same seed gives the
-//! same bits, natively and in wasm.
+//! There are two [models](params::Model): *combustion*, in which air fills the
+//! domain and fuel burns in it, and *classic*, the student paper's. Everything
+//! is `f32`, the length of a step follows from parameters and state alone, and
+//! the one random generator is seeded, so the same seed gives the same bits,
+//! natively and in wasm.
 
+mod classic;
 pub mod clock;
-mod density;
-mod emitter;
-mod forces;
+mod combustion;
 pub mod fps;
 mod grid;
-mod integrate;
 pub mod kernel;
+mod neighbours;
 mod noise;
 pub mod params;
-mod particles;
+mod particle;
 pub mod preset;
-mod printed;
 pub mod random;
 pub mod simulation;
+mod turbulence;
 
+pub use combustion::Ember;
 pub use glam::Vec2;
 pub use params::Parameters;
-pub use particles::Particle;
-pub use simulation::{Instance, Simulation, StepReport};
+pub use particle::{Instance, Particle};
+pub use simulation::{Simulation, StepReport};

@@ -3,6 +3,8 @@
 //! The gradients come from a hash of the lattice point and the seed, so there
 //! is no table to fill and the noise never repeats.
 
+use glam::Vec2;
+
 /// Smooth noise of that seed at (x, y): zero on average and at every whole
 /// (x, y), within −1 and 1, one lattice cell per unit. `y` is a time, and an `f32` would
 /// make it jump after a day.
@@ -20,9 +22,43 @@ pub fn perlin(seed: u32, x: f32, y: f64) -> f32 {
     lower + v * (upper - lower)
 }
 
+/// The slope of such noise at `at`, in a lattice that repeats after so many
+/// cells across and up.
+pub fn perlin_slope(seed: u32, at: Vec2, repeats: [u32; 2]) -> Vec2 {
+    let cell = at.floor();
+    let inside = at - cell;
+    let place = |axis: f32, repeats: u32| (axis as i32).rem_euclid(repeats.max(1) as i32);
+    let (left, lower) = (place(cell.x, repeats[0]), place(cell.y, repeats[1]));
+    let right = place(left as f32 + 1.0, repeats[0]);
+    let upper = place(lower as f32 + 1.0, repeats[1]);
+    let corner = |ix, iy, dx: f32, dy: f32| {
+        let (gx, gy) = gradient(seed, ix, iy);
+        let slope = Vec2::new(gx, gy);
+        (slope, slope.dot(inside - Vec2::new(dx, dy)))
+    };
+    let (a, at_a) = corner(left, lower, 0.0, 0.0);
+    let (b, at_b) = corner(right, lower, 1.0, 0.0);
+    let (c, at_c) = corner(left, upper, 0.0, 1.0);
+    let (d, at_d) = corner(right, upper, 1.0, 1.0);
+    let (u, v) = (fade(inside.x), fade(inside.y));
+    let twist = at_a - at_b - at_c + at_d;
+    a + (b - a) * u
+        + (c - a) * v
+        + (a - b - c + d) * (u * v)
+        + Vec2::new(
+            steepness(inside.x) * (at_b - at_a + v * twist),
+            steepness(inside.y) * (at_c - at_a + u * twist),
+        )
+}
+
 /// 6t⁵ − 15t⁴ + 10t³: the noise has no crease in its slope.
 fn fade(t: f32) -> f32 {
     t * t * t * (t * (t * 6.0 - 15.0) + 10.0)
+}
+
+/// The slope of [`fade`].
+fn steepness(t: f32) -> f32 {
+    30.0 * t * t * (t * (t - 2.0) + 1.0)
 }
 
 /// One of eight gradients, each of length √2, so that the noise reaches ±1.
@@ -64,6 +100,25 @@ mod tests {
             }
         }
         assert!((sum / f64::from(n)).abs() < 0.02);
+    }
+
+    #[test]
+    fn its_slope_is_how_it_changes() {
+        let mut checked = 0;
+        for i in 0..400 {
+            // Inside the part of the lattice in which nothing repeats yet.
+            let at = Vec2::new((i % 20) as f32 * 0.37, (i / 20) as f32 * 0.31);
+            let noise = |x: f32, y: f32| perlin(3, x, f64::from(y));
+            let d = 1e-3;
+            let slope = Vec2::new(
+                noise(at.x + d, at.y) - noise(at.x - d, at.y),
+                noise(at.x, at.y + d) - noise(at.x, at.y - d),
+            ) / (2.0 * d);
+            let said = perlin_slope(3, at, [64, 64]);
+            assert!(slope.distance(said) < 5e-3, "{slope} and {said} at {at}");
+            checked += i32::from(said.length() > 0.1);
+        }
+        assert!(checked > 300);
     }
 
     #[test]

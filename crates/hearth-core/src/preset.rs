@@ -21,6 +21,11 @@ pub static PRESETS: &[Preset] = &[
         values: &[],
     },
     Preset {
+        name: "classic",
+        label: "Classic",
+        values: &[("model", Input::Text("classic"))],
+    },
+    Preset {
         name: "seed",
         label: "Seed",
         // The program that Hearth grew from: 600 pixels, here 1.5 m, other
@@ -28,6 +33,7 @@ pub static PRESETS: &[Preset] = &[
         // chosen so that its picture, a narrow column of sparse dots, and the
         // effect of each of its sliders come out alike.
         values: &[
+            ("model", Input::Text("classic")),
             ("domain_width", Input::Number(1.5)),
             ("domain_height", Input::Number(1.5)),
             ("walls", Input::Text("solid")),
@@ -63,10 +69,8 @@ impl Preset {
     /// Its values.
     pub fn parameters(&self) -> Parameters {
         let mut parameters = Parameters::default();
-        for &(id, input) in self.values {
-            let set = parameters.set(id, input);
-            debug_assert!(set.is_ok(), "preset {}: {set:?}", self.name);
-        }
+        let set = parameters.set_all(self.values.iter().copied());
+        debug_assert!(set.is_ok(), "preset {}: {set:?}", self.name);
         parameters
     }
 }
@@ -78,10 +82,8 @@ mod tests {
     #[test]
     fn every_value_of_every_preset_is_accepted() {
         for preset in PRESETS {
-            let mut parameters = Parameters::default();
-            for &(id, input) in preset.values {
-                assert_eq!(parameters.set(id, input), Ok(()), "preset {}", preset.name);
-            }
+            let set = Parameters::default().set_all(preset.values.iter().copied());
+            assert_eq!(set, Ok(()), "preset {}", preset.name);
         }
     }
 }

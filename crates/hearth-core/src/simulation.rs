@@ -1,31 +1,25 @@
-//! A fire, step by step.
+//! A fire, step by step, whichever model burns it.
 //!
-//! [`Simulation::step`] reads as the algorithm. Parameters go in by reference;
-//! nothing flows backward: emitter → grid → density → pressure → forces →
-//! motion.
+//! Parameters go in by reference; nothing flows backward.
+//! [`Classic`](crate::params::Model::Classic) and
+//! [`Combustion`](crate::params::Model::Combustion) each say how they step.
 
 use std::fmt;
 
 use glam::Vec2;
 
-use crate::density::{self, Neighbours};
-use crate::emitter::Emitter;
-use crate::forces;
-use crate::grid::{Bounds, Grid};
-use crate::integrate::{self, Motion, Substeps};
-use crate::kernel::Kernel;
-use crate::params::{Input, Param, ParamError, Parameters, Walls};
-use crate::particles::{Particle, Particles};
+use crate::classic::{self, Classic};
+use crate::combustion::{self, Combustion, Ember};
+use crate::grid::Bounds;
+use crate::params::{Input, Model, Param, ParamError, Parameters};
+use crate::particle::{Instance, Particle};
 use crate::random::Random;
-
-/// One particle as the renderer gets it: x, y \[m\], vx, vy [m/s], temperature
-/// \[K\], density [kg/m³], age \[s\], remaining life [0–1].
-pub type Instance = [f32; 8];
 
 /// What the last step did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepReport {
-    /// Parts the step was divided into.
+    /// Parts the step was divided into; one in the combustion model, whose
+    /// steps are as long as they may be.
     pub substeps: u32,
     /// Neighbours of a particle within 2h, on average.
     pub mean_neighbours: f32,
@@ -33,8 +27,14 @@ pub struct StepReport {
     pub most_neighbours: u32,
     /// Particles that the speed limit held back in the last substep.
     pub at_speed_limit: u32,
+    /// Particles that any net held; the speed limit is the only one.
+    pub at_guard: u32,
     /// Speed of the fastest particle [m/s].
     pub fastest: f32,
+    /// Length of the step \[s\].
+    pub length: f32,
+    /// Power that the burning gave [kW/m]; zero in the classic model.
+    pub power: f32,
 }
 
 /// A fire.
@@ -43,79 +43,71 @@ pub struct StepReport {
 #[derive(Clone, Debug)]
 pub struct Simulation {
     parameters: Parameters,
-    particles: Particles,
-    grid: Grid,
-    neighbours: Neighbours,
-    emitter: Emitter,
+    gas: Gas,
     random: Random,
-    motion: Motion,
-    substeps: u32,
     time: f64,
+}
+
+/// The particles of the model that burns.
+// There is one of them, so the larger one's room costs nothing.
+#[allow(clippy::large_enum_variant)]
+#[derive(Clone, Debug)]
+enum Gas {
+    Classic(Classic),
+    Combustion(Combustion),
+}
+
+impl Gas {
+    // Three callers; a copy in each would be a kilobyte of download.
+    #[inline(never)]
+    fn of(parameters: &Parameters, random: &mut Random) -> Gas {
+        match parameters.model() {
+            Model::Classic => Gas::Classic(Classic::default()),
+            Model::Combustion => Gas::Combustion(Combustion::new(parameters, random)),
+        }
+    }
+
+    fn model(&self) -> Model {
+        match self {
+            Gas::Classic(_) => Model::Classic,
+            Gas::Combustion(_) => Model::Combustion,
+        }
+    }
 }
 
 impl Simulation {
     /// A source that is about to be lit.
     pub fn new(parameters: Parameters) -> Simulation {
+        let mut random = Random::new(parameters.seed);
         Simulation {
-            random: Random::new(parameters.seed),
+            gas: Gas::of(&parameters, &mut random),
+            random,
             parameters,
-            particles: Particles::default(),
-            grid: Grid::default(),
-            neighbours: Neighbours::default(),
-            emitter: Emitter::default(),
-            motion: Motion::default(),
-            substeps: 0,
             time: 0.0,
         }
     }
 
-    /// Burns on by one time step.
+    /// Burns on by one step: one [`time_step`](crate::params::Values::time_step)
+    /// in the classic model; in the combustion model as long as is stable, which
+    /// [`report`](Simulation::report) and [`time`](Simulation::time) tell.
     pub fn step(&mut self) {
-        let values = &self.parameters;
-        self.emitter
-            .emit(&mut self.particles, values, &mut self.random, self.time);
-        let substeps = Substeps::divide(values, self.motion.fastest, self.motion.hardest);
-        for _ in 0..substeps.count {
-            self.substep(&substeps);
-        }
-        self.substeps = substeps.count;
-        self.time += f64::from(self.parameters.time_step);
+        self.step_with(|_, _| Vec2::ZERO);
     }
 
-    fn substep(&mut self, substeps: &Substeps) {
-        let values = &self.parameters;
-        let kernel = if values.printed_kernel {
-            Kernel::as_printed(values.smoothing_radius)
-        } else {
-            Kernel::new(values.smoothing_radius)
+    /// As [`step`](Simulation::step), with a force of your own: `push` gives the
+    /// acceleration [m/s²] at a position \[m\] and velocity [m/s].
+    pub fn step_with(&mut self, push: impl Fn(Vec2, Vec2) -> Vec2) {
+        let (parameters, random) = (&self.parameters, &mut self.random);
+        self.time += match &mut self.gas {
+            Gas::Classic(classic) => classic.step(parameters, random, self.time, &push),
+            Gas::Combustion(gas) => gas.step(parameters, random, self.time, &push),
         };
-        let bounds = bounds(values);
-        let particles = &mut self.particles;
-        let neighbours = &mut self.neighbours;
-
-        self.grid.sort(particles, &bounds, kernel.support());
-        density::sum_density(
-            particles,
-            neighbours,
-            &self.grid,
-            &bounds,
-            &kernel,
-            values.particle_mass,
-        );
-        density::pressure(particles, values);
-        forces::accelerate(particles, neighbours, &kernel, values, substeps.viscosity);
-        self.motion = integrate::integrate(particles, values, substeps.length);
-        integrate::cool_and_age(particles, values, substeps.length);
-        integrate::bound(particles, values, &bounds);
     }
 
-    /// Starts again: no particle, time zero, the generator at its seed.
+    /// Starts again: as at first, time zero, the generator at its seed.
     pub fn reset(&mut self) {
-        self.particles.clear();
-        self.emitter.reset();
         self.random = Random::new(self.parameters.seed);
-        self.motion = Motion::default();
-        self.substeps = 0;
+        self.gas = Gas::of(&self.parameters, &mut self.random);
         self.time = 0.0;
     }
 
@@ -125,7 +117,7 @@ impl Simulation {
     }
 
     /// Sets one parameter while it burns, or says why not and changes nothing.
-    /// A new seed starts the fire again.
+    /// A new seed or another model starts the fire again.
     ///
     /// # Errors
     /// An unknown id, a value of the wrong kind or one outside the range.
@@ -136,17 +128,18 @@ impl Simulation {
         Ok(())
     }
 
-    /// Sets all parameters while it burns. A new seed starts the fire again.
+    /// Sets all parameters while it burns. A new seed or another model starts
+    /// the fire again.
     pub fn set_parameters(&mut self, parameters: Parameters) {
         let reseeded = parameters.seed != self.parameters.seed;
         self.parameters = parameters;
-        if reseeded {
+        if reseeded || self.parameters.model() != self.gas.model() {
             self.reset();
         }
-        // A smaller domain leaves particles outside; solid walls would sweep
-        // them onto each other, so they are gone instead.
-        let bounds = bounds(&self.parameters);
-        self.particles.retain(|p, i| bounds.hold(p.position[i]));
+        match &mut self.gas {
+            Gas::Classic(classic) => classic.adapt(&self.parameters),
+            Gas::Combustion(gas) => gas.adapt(&self.parameters, &mut self.random),
+        }
     }
 
     /// Simulated time since the start \[s\].
@@ -154,92 +147,156 @@ impl Simulation {
         self.time
     }
 
+    /// Length of a step \[s\]: of the last one where the state decides.
+    pub fn step_length(&self) -> f64 {
+        match &self.gas {
+            Gas::Classic(_) => f64::from(self.parameters.time_step),
+            Gas::Combustion(gas) => gas.step_length(&self.parameters),
+        }
+    }
+
     /// Number of particles alive.
     pub fn count(&self) -> usize {
-        self.particles.len()
+        match &self.gas {
+            Gas::Classic(classic) => classic.particles().len(),
+            Gas::Combustion(gas) => gas.gas().len(),
+        }
     }
 
     /// What the last step did.
     pub fn report(&self) -> StepReport {
-        let seen = self.neighbours.count.len();
-        StepReport {
-            substeps: self.substeps,
-            mean_neighbours: 2.0 * self.neighbours.pair_count() as f32 / seen.max(1) as f32,
-            most_neighbours: self.neighbours.count.iter().copied().max().unwrap_or(0),
-            at_speed_limit: self.motion.limited,
-            fastest: self.motion.fastest,
+        match &self.gas {
+            Gas::Classic(classic) => StepReport {
+                length: self.parameters.time_step,
+                ..classic.report()
+            },
+            Gas::Combustion(gas) => gas.report(),
         }
     }
 
-    /// Copies out what the renderer needs, in no particular order.
+    /// Speed of sound in the gas [m/s], which is numerical and far below that
+    /// of air: the square root of the gas constant, or c₀.
+    pub fn sound_speed(&self) -> f32 {
+        match &self.gas {
+            Gas::Classic(_) => self.parameters.gas_constant.sqrt(),
+            Gas::Combustion(_) => combustion::sound_speed(&self.parameters),
+        }
+    }
+
+    /// Copies out what the renderer needs, in no particular order; in the
+    /// combustion model only what can be seen.
     pub fn write_instances(&self, out: &mut Vec<Instance>) {
-        let p = &self.particles;
         out.clear();
-        out.extend((0..p.len()).map(|i| {
-            [
-                p.position[i].x,
-                p.position[i].y,
-                p.velocity[i].x,
-                p.velocity[i].y,
-                p.temperature[i],
-                p.density[i],
-                p.age[i],
-                1.0 - p.age[i] / p.lifetime[i],
-            ]
-        }));
+        match &self.gas {
+            Gas::Classic(classic) => classic.write_instances(out),
+            Gas::Combustion(gas) => gas.write_instances(out),
+        }
+    }
+
+    /// Copies out the embers for the renderer.
+    pub fn write_embers(&self, out: &mut Vec<Instance>) {
+        out.clear();
+        if let Gas::Combustion(gas) = &self.gas {
+            gas.write_embers(out);
+        }
+    }
+
+    /// The embers that fly; none in the classic model.
+    pub fn embers(&self) -> &[Ember] {
+        match &self.gas {
+            Gas::Classic(_) => &[],
+            Gas::Combustion(gas) => gas.embers(),
+        }
     }
 
     /// Copies of all particles, in the order of their birth.
     pub fn particles(&self) -> Vec<Particle> {
-        self.read(|p, i| p.get(i))
+        self.read(|p, i| p.get(i), |gas, i| gas.particle(i, self.time))
     }
 
     /// Positions \[m\], in the order of birth.
     pub fn positions(&self) -> Vec<Vec2> {
-        self.read(|p, i| p.position[i])
+        self.read(|p, i| p.position[i], |gas, i| gas.position[i])
     }
 
     /// Velocities [m/s], in the order of birth.
     pub fn velocities(&self) -> Vec<Vec2> {
-        self.read(|p, i| p.velocity[i])
+        self.read(|p, i| p.velocity[i], |gas, i| gas.velocity[i])
     }
 
     /// Temperatures \[K\], in the order of birth.
     pub fn temperatures(&self) -> Vec<f32> {
-        self.read(|p, i| p.temperature[i])
+        self.read(|p, i| p.temperature[i], |gas, i| gas.state[i].x)
     }
 
-    /// Times since birth \[s\], in the order of birth.
+    /// Times since birth \[s\], in the order of birth; the air of the combustion
+    /// model is as old as the fire.
     pub fn ages(&self) -> Vec<f32> {
-        self.read(|p, i| p.age[i])
+        self.read(|p, i| p.age[i], |_, _| self.time as f32)
     }
 
     /// Densities [kg/m³] as the last step found them, in the order of birth.
     pub fn densities(&self) -> Vec<f32> {
-        self.read(|p, i| p.density[i])
+        self.read(|p, i| p.density[i], |gas, i| gas.mass / gas.volume[i])
     }
 
-    /// Pressures \[Pa\] as the last step found them, in the order of birth.
+    /// Pressures \[Pa\] as the last step found them, in the order of birth; in the
+    /// combustion model above the mean of the domain.
     pub fn pressures(&self) -> Vec<f32> {
-        self.read(|p, i| p.pressure[i])
+        self.read(|p, i| p.pressure[i], |gas, i| gas.pressure[i])
     }
 
-    fn read<T>(&self, property: impl Fn(&Particles, usize) -> T) -> Vec<T> {
-        let order = self.particles.by_id();
-        order
-            .into_iter()
-            .map(|i| property(&self.particles, i))
-            .collect()
+    /// Fuel \[share of the gas\], in the order of birth; none in the classic model.
+    pub fn fuels(&self) -> Vec<f32> {
+        self.read(|_, _| 0.0, |gas, i| gas.state[i].y)
+    }
+
+    /// Oxygen \[share of that of air\], in the order of birth; one in the classic model.
+    pub fn oxygens(&self) -> Vec<f32> {
+        self.read(|_, _| 1.0, |gas, i| gas.state[i].z)
+    }
+
+    /// Soot, in the order of birth; none in the classic model.
+    pub fn soots(&self) -> Vec<f32> {
+        self.read(|_, _| 0.0, |gas, i| gas.state[i].w)
+    }
+
+    /// Fuel burnt in a second [1/s] in the last step, in the order of birth;
+    /// none in the classic model.
+    pub fn burn_rates(&self) -> Vec<f32> {
+        self.read(|_, _| 0.0, |gas, i| gas.burn[i])
+    }
+
+    fn read<T>(
+        &self,
+        of_classic: impl Fn(&classic::Particles, usize) -> T,
+        of_gas: impl Fn(&combustion::Gas, usize) -> T,
+    ) -> Vec<T> {
+        match &self.gas {
+            Gas::Classic(classic) => {
+                let particles = classic.particles();
+                let order = particles.by_id().into_iter();
+                order.map(|i| of_classic(particles, i)).collect()
+            }
+            Gas::Combustion(combustion) => {
+                let gas = combustion.gas();
+                let order = gas.by_id().into_iter();
+                order.map(|i| of_gas(gas, i)).collect()
+            }
+        }
     }
 
     /// Puts these particles in the place of all that there are. Their order is
-    /// the order in which they are read out again. The source goes on as long
-    /// as their number is below `max_particles`.
+    /// the order in which they are read out again. In the classic model, the
+    /// source goes on as long as their number is below `max_particles`. In the
+    /// combustion model they fill the domain, each with the same share of the
+    /// mass of its air.
     ///
     /// # Errors
-    /// More particles than `max_particles` may ever be, or a particle with a
-    /// value that is not finite, outside the domain, colder than 1 K, or
-    /// without a lifetime; nothing changes then.
+    /// More particles than `max_particles` may ever be, in the combustion model
+    /// fewer than 100, or a particle with a value that is not finite, outside
+    /// the domain, colder than 1 K, without a lifetime, or with a share of fuel
+    /// or oxygen that is not from 0 to 1; nothing changes then.
     pub fn set_particles(&mut self, particles: &[Particle]) -> Result<(), ParticleError> {
         let most =
             Parameters::find_range("max_particles").map_or(usize::MAX, |(_, max)| max as usize);
@@ -249,33 +306,40 @@ impl Simulation {
                 what: "too many particles",
             });
         }
-        let bounds = bounds(&self.parameters);
+        if self.gas.model() == Model::Combustion && particles.len() < FEWEST {
+            return Err(ParticleError {
+                index: particles.len(),
+                what: "too few particles to fill the domain; at least 100 do",
+            });
+        }
+        let bounds = self.bounds();
         for (index, particle) in particles.iter().enumerate() {
             if let Some(what) = fault(particle, &bounds) {
                 return Err(ParticleError { index, what });
             }
         }
-        self.particles.clear();
-        for &particle in particles {
-            self.particles.push(particle);
+        match &mut self.gas {
+            Gas::Classic(classic) => classic.set_particles(particles),
+            Gas::Combustion(gas) => gas.set_particles(particles, &self.parameters),
         }
-        self.motion = Motion::default();
         Ok(())
     }
+
+    fn bounds(&self) -> Bounds {
+        match &self.gas {
+            Gas::Classic(_) => classic::bounds(&self.parameters),
+            Gas::Combustion(_) => combustion::bounds(&self.parameters),
+        }
+    }
 }
+
+/// Fewest particles that somebody may fill the domain of the combustion model with.
+const FEWEST: usize = 100;
 
 impl Parameters {
     /// The range of the parameter `id`, where it has one.
     fn find_range(id: &str) -> Option<(f64, f64)> {
         Param::find(id)?.domains.first().map(|domain| domain.range)
-    }
-}
-
-fn bounds(parameters: &Parameters) -> Bounds {
-    Bounds {
-        width: parameters.domain_width,
-        height: parameters.domain_height,
-        periodic: parameters.walls == Walls::Periodic,
     }
 }
 
@@ -287,7 +351,11 @@ fn fault(particle: &Particle, bounds: &Bounds) -> Option<&'static str> {
         temperature,
         age,
         lifetime,
+        fuel,
+        oxygen,
+        soot,
     } = *particle;
+    let share = 0.0..=1.0;
     if !bounds.hold(position) {
         Some("position must be inside the domain")
     } else if !velocity.is_finite() {
@@ -296,6 +364,10 @@ fn fault(particle: &Particle, bounds: &Bounds) -> Option<&'static str> {
         Some("temperature must be from 1 to 100000 K")
     } else if !(age >= 0.0 && lifetime > age) {
         Some("age must be at least 0 and less than the lifetime")
+    } else if !(share.contains(&fuel) && share.contains(&oxygen)) {
+        Some("fuel and oxygen must be from 0 to 1")
+    } else if !(0.0..=10.0).contains(&soot) {
+        Some("soot must be from 0 to 10")
     } else {
         None
     }

@@ -161,26 +161,37 @@ pub fn choice(
 ) {
     const IN_A_LINE: usize = 4;
     row::line(panel, ui, param, panel.measures.line);
-    let now = param.get(&panel.fire.parameters);
     let mut whole: Option<Rect> = None;
     for names in names.chunks(IN_A_LINE) {
         let rect = strip(ui, panel.measures.control);
         whole = Some(whole.map_or(rect, |so_far| so_far.union(rect)));
-        for (rect, &name) in button::split(rect, names.len(), 4.0).zip(names) {
-            let face = Face {
-                lit: now == Value::Choice(name),
-                ..Face::text(name)
-            };
-            let key = format!("choice:{}:{name}", param.id);
-            let clicked = button::show(ui, rect, Id::unique(&key), face).clicked();
-            panel.place(ui, key, rect);
-            if clicked && let Ok(now) = panel.fire.wish(param, Input::Text(name)) {
-                panel.ask_for(param, now);
-            }
-        }
+        choices(panel, ui, param, names, rect);
         ui.add_space(4.0);
     }
     if let Some(whole) = whole {
         panel.place(ui, param.id, whole);
+    }
+}
+
+/// These names of a choice side by side in `rect`.
+pub fn choices(
+    panel: &mut Panel,
+    ui: &Ui,
+    param: &'static Param,
+    names: &'static [&'static str],
+    rect: Rect,
+) {
+    let now = param.get(&panel.fire.parameters);
+    for (rect, &name) in button::split(rect, names.len(), 4.0).zip(names) {
+        let face = Face {
+            lit: now == Value::Choice(name),
+            ..Face::text(name)
+        };
+        let key = format!("choice:{}:{name}", param.id);
+        let clicked = button::show(ui, rect, Id::unique(&key), face).clicked();
+        panel.place(ui, key, rect);
+        if clicked && let Ok(now) = panel.fire.wish(param, Input::Text(name)) {
+            panel.ask_for(param, now);
+        }
     }
 }

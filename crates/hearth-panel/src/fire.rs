@@ -7,7 +7,10 @@
 
 use std::collections::{BTreeMap, VecDeque};
 
-use hearth_core::params::{Input, Model, PARAMETERS, Param, ParamError, Parameters, Value};
+use hearth_core::params::{Domain, Input, Model, PARAMETERS, Param, ParamError, Parameters, Value};
+
+/// The id of the parameter that decides which others there are.
+pub const MODEL: &str = "model";
 
 /// How many samples the history keeps: half a minute at four a second.
 pub const HISTORY: usize = 120;
@@ -19,8 +22,6 @@ pub enum Command {
     Set(&'static str, Value),
     /// Put these parameters back to their defaults.
     Restore(Vec<&'static str>),
-    /// Put all of them back.
-    RestoreAll,
     /// Take a preset.
     Preset(&'static str),
     /// Let time pass.
@@ -78,29 +79,33 @@ pub struct Fire {
 impl Fire {
     /// The default of a parameter in the present model.
     pub fn default_of(&self, param: &Param) -> Value {
-        self.domain_of(param).0
+        self.domain_of(param).default
     }
 
     /// The range of a parameter in the present model.
     pub fn range_of(&self, param: &Param) -> (f64, f64) {
-        self.domain_of(param).1
+        self.domain_of(param).range
     }
 
-    fn domain_of(&self, param: &Param) -> (Value, (f64, f64)) {
-        param
-            .domain(self.parameters.model())
-            .or(param.domains.first())
-            .map_or((Value::Flag(false), (0.0, 1.0)), |domain| {
-                (domain.default, domain.range)
-            })
+    fn domain_of(&self, param: &Param) -> &'static Domain {
+        param.any_domain(self.parameters.model())
     }
 
-    /// The parameters that the present model uses.
+    /// The parameters that the present model uses, without the model itself.
     pub fn used(&self) -> impl Iterator<Item = &'static Param> + use<> {
         let model: Model = self.parameters.model();
         PARAMETERS
             .iter()
-            .filter(move |param| param.domain(model).is_some())
+            .filter(move |param| param.id != MODEL && param.domain(model).is_some())
+    }
+
+    /// Whether the model and all that it uses are as in `parameters`. What it
+    /// does not use cannot be seen, and does not count.
+    pub fn looks_like(&self, parameters: &Parameters) -> bool {
+        self.parameters.model() == parameters.model()
+            && self
+                .used()
+                .all(|param| param.get(&self.parameters) == param.get(parameters))
     }
 
     /// Checks a wish and shows it at once.
@@ -158,9 +163,11 @@ impl Fire {
         self.history.push_back(stats.fps as f32);
     }
 
-    /// Whether any value is not the default.
+    /// Whether any value of the model is not its default.
     pub fn is_changed(&self) -> bool {
-        self.parameters.changed().next().is_some()
+        self.parameters
+            .changed()
+            .any(|(param, _)| param.id != MODEL)
     }
 }
 
@@ -168,9 +175,32 @@ impl Fire {
 mod tests {
     use super::*;
 
+    fn classic() -> Fire {
+        Fire {
+            parameters: Parameters::new(Model::Classic),
+            ..Fire::default()
+        }
+    }
+
+    #[test]
+    fn what_the_model_does_not_use_does_not_count() {
+        let mut fire = classic();
+        fire.learn("wind", Input::Number(2.0));
+        assert!(!fire.is_changed());
+        assert!(fire.looks_like(&Parameters::new(Model::Classic)));
+        assert!(!fire.looks_like(&Parameters::new(Model::Combustion)));
+        fire.learn("viscosity", Input::Number(0.02));
+        assert!(fire.is_changed());
+        assert!(!fire.looks_like(&Parameters::new(Model::Classic)));
+        fire.learn(MODEL, Input::Text("combustion"));
+        assert_eq!(fire.parameters.wind, 2.0);
+        assert!(fire.used().all(|param| param.id != "viscosity"));
+        assert!(fire.is_changed());
+    }
+
     #[test]
     fn old_news_does_not_move_a_slider_that_is_being_dragged() {
-        let mut fire = Fire::default();
+        let mut fire = classic();
         let viscosity = Param::find("viscosity").expect("the table has viscosity");
         fire.wish(viscosity, Input::Number(0.08)).expect("in range");
         fire.sent("viscosity");
@@ -185,7 +215,7 @@ mod tests {
 
     #[test]
     fn a_refused_wish_changes_nothing_and_says_why() {
-        let mut fire = Fire::default();
+        let mut fire = classic();
         let viscosity = Param::find("viscosity").expect("the table has viscosity");
         let before = fire.parameters.clone();
         let refused = fire

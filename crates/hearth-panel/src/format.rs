@@ -130,7 +130,7 @@ pub fn value_at(fraction: f64, range: (f64, f64), scale: Scale, whole: bool) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use hearth_core::params::{Kind, Model, PARAMETERS};
+    use hearth_core::params::{Kind, PARAMETERS};
 
     #[test]
     fn shown_numbers_are_short_and_true() {
@@ -159,23 +159,22 @@ mod tests {
                 continue;
             };
             let whole = matches!(param.kind, Kind::Integer(_));
-            let range = param
-                .domain(Model::Classic)
-                .expect("all belong to it")
-                .range;
-            assert_eq!(value_at(0.0, range, scale, whole), range.0, "{}", param.id);
-            assert_eq!(value_at(1.0, range, scale, whole), range.1, "{}", param.id);
-            let mut last = range.0;
-            for percent in 0..=100 {
-                let at = f64::from(percent) / 100.0;
-                let x = value_at(at, range, scale, whole);
-                assert!(x >= last && x <= range.1, "{} at {percent} %", param.id);
-                assert!(
-                    (fraction(x, range, scale) - at).abs() < 0.02,
-                    "{} at {percent} % shows {x}",
-                    param.id
-                );
-                last = x;
+            for domain in param.domains {
+                let (min, max) = domain.range;
+                let value = |at| value_at(at, domain.range, scale, whole);
+                assert_eq!((value(0.0), value(1.0)), (min, max), "{}", param.id);
+                let mut last = min;
+                for percent in 0..=100 {
+                    let at = f64::from(percent) / 100.0;
+                    let x = value(at);
+                    assert!(x >= last && x <= max, "{} at {percent} %", param.id);
+                    assert!(
+                        (fraction(x, domain.range, scale) - at).abs() < 0.02,
+                        "{} at {percent} % shows {x}",
+                        param.id
+                    );
+                    last = x;
+                }
             }
         }
     }

@@ -1,15 +1,19 @@
-//! The header: how the fire does, play and pause, presets, search.
+//! The header: how the fire does, play and pause, model, presets, search.
 
 use egui::{Align2, Color32, Id, Rect, TextEdit, Ui, UiBuilder, pos2, vec2};
+use hearth_core::params::{Kind, Param};
 use hearth_core::preset::PRESETS;
 
 use crate::button::{self, Face};
-use crate::fire::Command;
+use crate::fire::{Command, MODEL};
 use crate::format::{count_text, significant};
 use crate::history;
 use crate::icons::Icon;
 use crate::panel::{Panel, strip};
-use crate::{row, theme};
+use crate::{control, row, theme};
+
+/// Width of the words before the models and the presets.
+const LABEL: f32 = 56.0;
 
 /// The part that never scrolls: one line where there is little height.
 pub fn fixed(panel: &mut Panel, ui: &mut Ui, low: bool) {
@@ -28,7 +32,7 @@ pub fn fixed(panel: &mut Panel, ui: &mut Ui, low: bool) {
         let buttons = strip(ui, panel.measures.control);
         transport(panel, ui, buttons, false);
         ui.add_space(8.0);
-        movable_rows(panel, ui);
+        movable_rows(panel, ui, false);
     }
     if let Some(notice) = panel.fire.notice.clone() {
         ui.add_space(6.0);
@@ -39,16 +43,35 @@ pub fn fixed(panel: &mut Panel, ui: &mut Ui, low: bool) {
 /// The part that scrolls with the rows where there is little height.
 pub fn movable(panel: &mut Panel, ui: &mut Ui) {
     ui.add_space(4.0);
-    movable_rows(panel, ui);
+    movable_rows(panel, ui, true);
     ui.add_space(6.0);
     let plot = strip(ui, 30.0);
     history::show(ui, plot, &panel.fire.history);
 }
 
-fn movable_rows(panel: &mut Panel, ui: &mut Ui) {
+fn movable_rows(panel: &mut Panel, ui: &mut Ui, scrolls: bool) {
+    model(panel, ui, scrolls);
+    ui.add_space(8.0);
     presets(panel, ui);
     ui.add_space(8.0);
     search(panel, ui);
+}
+
+/// The model, before all else: it decides which parameters there are.
+fn model(panel: &mut Panel, ui: &mut Ui, scrolls: bool) {
+    let Some(param) = Param::find(MODEL) else {
+        return;
+    };
+    let Kind::Choice(names) = param.kind else {
+        return;
+    };
+    row::framed(panel, ui, param, scrolls, |panel, ui| {
+        let mut rect = strip(ui, panel.measures.control);
+        row::name(panel, ui, param, rect);
+        rect.min.x += LABEL;
+        control::choices(panel, ui, param, names, rect);
+        panel.place(ui, param.id, rect);
+    });
 }
 
 /// Frame rate in large figures, particles and milliseconds beside it.
@@ -178,6 +201,9 @@ fn transport(panel: &mut Panel, ui: &Ui, rect: Rect, bare: bool) {
 
 fn presets(panel: &mut Panel, ui: &mut Ui) {
     const IN_A_LINE: usize = 3;
+    let lit = PRESETS
+        .iter()
+        .position(|preset| panel.fire.looks_like(&preset.parameters()));
     for (line, presets) in PRESETS.chunks(IN_A_LINE).enumerate() {
         if line > 0 {
             ui.add_space(6.0);
@@ -190,11 +216,14 @@ fn presets(panel: &mut Panel, ui: &mut Ui) {
             theme::small(),
             theme::WEAK,
         );
-        rect.min.x += 56.0;
+        rect.min.x += LABEL;
         let parts = presets.len().max(PRESETS.len().min(IN_A_LINE));
-        for (rect, preset) in button::split(rect, parts, 6.0).zip(presets) {
+        for ((rect, preset), at) in button::split(rect, parts, 6.0)
+            .zip(presets)
+            .zip(line * IN_A_LINE..)
+        {
             let face = Face {
-                lit: preset.parameters() == panel.fire.parameters,
+                lit: lit == Some(at),
                 ..Face::text(preset.label)
             };
             let name = format!("action:preset:{}", preset.name);
@@ -253,10 +282,11 @@ fn search(panel: &mut Panel, ui: &mut Ui) {
     };
     let name = "action:reset-all";
     let response = button::show(ui, reset, Id::unique(name), face)
-        .on_hover_text("Every parameter back to its default");
+        .on_hover_text("Every parameter of this model back to its default");
     panel.place(ui, name, reset);
     if response.clicked() {
         panel.fire.refusals.clear();
-        panel.ask(Command::RestoreAll);
+        let ids = panel.fire.used().map(|param| param.id).collect();
+        panel.ask(Command::Restore(ids));
     }
 }

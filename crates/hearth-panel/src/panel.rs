@@ -9,12 +9,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use egui::style::ScrollAnimation;
 use egui::{Align, Frame, Id, Margin, Rect, ScrollArea, Sense, Ui, UiBuilder, pos2, vec2};
-use hearth_core::params::{Param, Value};
+use hearth_core::params::{Model, Param, Value};
 
 use crate::colour::OpenColour;
 use crate::field::Typing;
-use crate::fire::{Command, Fire};
+use crate::fire::{Command, Fire, MODEL};
 use crate::slider::Gesture;
 use crate::theme::{self, Measures};
 use crate::{header, icons, row, search};
@@ -48,6 +49,10 @@ pub struct Panel {
     pub(crate) revealing: bool,
     pub(crate) gesture: Option<(Id, Gesture)>,
     closed: BTreeSet<&'static str>,
+    /// The model whose rows were shown last.
+    model: Model,
+    /// Where each row in sight began, the uppermost first.
+    tops: Vec<(&'static str, f32)>,
     rectangles: BTreeMap<String, Rect>,
     commands: Vec<Command>,
 }
@@ -68,6 +73,8 @@ impl Panel {
             revealing: false,
             gesture: None,
             closed: BTreeSet::new(),
+            model: Model::default(),
+            tops: Vec::new(),
             rectangles: BTreeMap::new(),
             commands: Vec::new(),
         }
@@ -125,6 +132,7 @@ impl Panel {
     }
 
     fn groups(&mut self, ui: &mut Ui) {
+        let anchor = self.anchor();
         let searching = !self.search.trim().is_empty();
         let found: Vec<&'static Param> = self
             .fire
@@ -140,11 +148,38 @@ impl Panel {
             let open = self.heading(ui, name, searching);
             if open {
                 for param in group {
+                    let top = ui.cursor().top();
+                    match anchor {
+                        Some((id, wanted)) if id == param.id => {
+                            let delta = vec2(0.0, wanted - top);
+                            ui.scroll_with_delta_animation(delta, ScrollAnimation::none());
+                        }
+                        _ => {}
+                    }
+                    if top >= ui.clip_rect().top() {
+                        self.tops.push((param.id, top));
+                    }
                     row::show(self, ui, param);
                 }
                 ui.add_space(4.0);
             }
         }
+    }
+
+    /// Another model has other rows. The uppermost row in sight that both have
+    /// stays where it is: this one, at that height.
+    fn anchor(&mut self) -> Option<(&'static str, f32)> {
+        let tops = std::mem::take(&mut self.tops);
+        let model = self.fire.parameters.model();
+        if model == self.model {
+            return None;
+        }
+        self.model = model;
+        let used = |id: &str| self.fire.used().any(|param| param.id == id);
+        if self.typing.as_ref().is_some_and(|typing| !used(typing.id)) {
+            self.typing = None;
+        }
+        tops.into_iter().find(|&(id, _)| used(id))
     }
 
     fn heading(&mut self, ui: &mut Ui, name: &'static str, searching: bool) -> bool {
@@ -179,12 +214,13 @@ impl Panel {
     /// Brings the row of a parameter into sight and marks it; an id that is
     /// none takes the mark away.
     pub fn reveal(&mut self, id: &str) {
-        let param = Param::find(id);
+        let model = self.fire.parameters.model();
+        let param = Param::find(id).filter(|param| param.domain(model).is_some());
         self.shown = param.map(|param| param.id);
         if let Some(param) = param {
             self.revealing = true;
             self.closed.remove(param.group);
-            if !search::matches(&self.search, param) {
+            if param.id != MODEL && !search::matches(&self.search, param) {
                 self.search.clear();
             }
         }

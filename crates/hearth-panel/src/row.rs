@@ -13,16 +13,30 @@ use crate::{control, theme};
 
 /// Shows the row of `param`.
 pub fn show(panel: &mut Panel, ui: &mut Ui, param: &'static Param) {
-    let ground = ui.painter().add(Shape::Noop);
-    let top = ui.cursor().top();
-    match param.kind {
+    framed(panel, ui, param, true, |panel, ui| match param.kind {
         Kind::Number(scale) => control::number(panel, ui, param, scale, false),
         Kind::Integer(scale) => control::number(panel, ui, param, scale, true),
         Kind::Seed => control::seed(panel, ui, param),
         Kind::Flag => control::flag(panel, ui, param),
         Kind::Choice(names) => control::choice(panel, ui, param, names),
         Kind::Colour => crate::colour::show(panel, ui, param),
-    }
+    });
+    ui.add_space(panel.measures.gap);
+}
+
+/// Shows what `content` shows of a parameter, below it what there is to say of
+/// it, and behind it a mark where it is pointed at. `scrolls`: whether it can be
+/// brought into sight.
+pub fn framed(
+    panel: &mut Panel,
+    ui: &mut Ui,
+    param: &'static Param,
+    scrolls: bool,
+    content: impl FnOnce(&mut Panel, &mut Ui),
+) {
+    let ground = ui.painter().add(Shape::Noop);
+    let top = ui.cursor().top();
+    content(panel, ui);
     if let Some(refusal) = panel.fire.refusals.get(param.id) {
         paragraph(ui, refusal, theme::ERROR);
     }
@@ -34,11 +48,10 @@ pub fn show(panel: &mut Panel, ui: &mut Ui, param: &'static Param) {
     if panel.shown == Some(param.id) {
         let fill = Shape::rect_filled(rect.expand2(vec2(8.0, 2.0)), 6.0, theme::RAISED);
         ui.painter().set(ground, fill);
-        if panel.revealing {
+        if panel.revealing && scrolls {
             in_sight(ui, rect);
         }
     }
-    ui.add_space(panel.measures.gap);
 }
 
 /// The first line of a row: the name, and beside it the way back to the
@@ -46,6 +59,22 @@ pub fn show(panel: &mut Panel, ui: &mut Ui, param: &'static Param) {
 /// the line, for the value or the control.
 pub fn line(panel: &mut Panel, ui: &mut Ui, param: &'static Param, height: f32) -> Rect {
     let rect = strip(ui, height);
+    let name = name(panel, ui, param, rect);
+    let slot = if panel.finger { 36.0 } else { 24.0 };
+    let back = Rect::from_min_size(name.right_top(), vec2(slot, rect.height()));
+    if param.get(&panel.fire.parameters) != panel.fire.default_of(param) {
+        let key = format!("action:restore:{}", param.id);
+        let response = button::show(ui, back, Id::unique(&key), Face::bare(Icon::Reset));
+        panel.place(ui, key, back);
+        if response.on_hover_text("Back to the default").clicked() {
+            restore(panel, param);
+        }
+    }
+    Rect::from_min_max(pos2(back.right() + 4.0, rect.top()), rect.max)
+}
+
+/// The name of a parameter at the left of `rect`, which tells about it.
+pub fn name(panel: &mut Panel, ui: &mut Ui, param: &'static Param, rect: Rect) -> Rect {
     let label = ui.painter().layout_no_wrap(
         param.description().label.to_owned(),
         theme::body(),
@@ -68,18 +97,7 @@ pub fn line(panel: &mut Panel, ui: &mut Ui, param: &'static Param, height: f32) 
     if !panel.finger {
         response.on_hover_text(about);
     }
-
-    let slot = if panel.finger { 36.0 } else { 24.0 };
-    let back = Rect::from_min_size(name.right_top(), vec2(slot, rect.height()));
-    if param.get(&panel.fire.parameters) != panel.fire.default_of(param) {
-        let key = format!("action:restore:{}", param.id);
-        let response = button::show(ui, back, Id::unique(&key), Face::bare(Icon::Reset));
-        panel.place(ui, key, back);
-        if response.on_hover_text("Back to the default").clicked() {
-            restore(panel, param);
-        }
-    }
-    Rect::from_min_max(pos2(back.right() + 4.0, rect.top()), rect.max)
+    name
 }
 
 /// A finger has no hover: it taps the name to read about it.

@@ -5,9 +5,9 @@
 //! is painted without boxes.
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, vec2};
-use hearth_core::params::{Input, Kind, PARAMETERS, Value};
+use hearth_core::params::{Choice, Input, Kind, Model, Param, Value};
 use hearth_panel::Panel;
-use hearth_panel::fire::Command;
+use hearth_panel::fire::{Command, MODEL};
 use hearth_panel::theme::{self, Measures};
 
 struct Hands {
@@ -18,7 +18,12 @@ struct Hands {
 }
 
 impl Hands {
-    fn new(width: f32, height: f32, measures: Measures) -> Hands {
+    /// A panel of the classic model.
+    fn new(size: Size) -> Hands {
+        Hands::of_model(Model::Classic, size)
+    }
+
+    fn of_model(model: Model, (width, height, measures): Size) -> Hands {
         let ctx = egui::Context::default();
         theme::apply(&ctx);
         ctx.set_missing_glyph_policy(egui::MissingGlyphPolicy::Panic);
@@ -28,8 +33,14 @@ impl Hands {
             size: vec2(width, height),
             time: 0.0,
         };
+        hands.panel.fire.learn(MODEL, Input::Text(model.name()));
         hands.wait();
         hands
+    }
+
+    /// What the panel shows of the table.
+    fn used(&self) -> Vec<&'static Param> {
+        self.panel.fire.used().collect()
     }
 
     fn frame(&mut self, events: Vec<Event>) {
@@ -113,33 +124,43 @@ impl Hands {
     }
 }
 
-const SIZES: [(f32, f32, Measures); 3] = [
-    (340.0, 900.0, Measures::FINE),
-    (340.0, 600.0, Measures::FINE),
-    (360.0, 288.0, Measures::COARSE),
-];
+/// Width, height, and for whose hand.
+type Size = (f32, f32, Measures);
+
+const TALL: Size = (340.0, 900.0, Measures::FINE);
+const LOWER: Size = (340.0, 600.0, Measures::FINE);
+const PHONE: Size = (360.0, 288.0, Measures::COARSE);
+
+/// Every model.
+fn models() -> impl Iterator<Item = Model> {
+    Model::NAMES
+        .iter()
+        .filter_map(|name| Model::from_name(name))
+}
 
 #[test]
 fn every_parameter_has_a_control_in_sight_once_it_is_revealed() {
-    for (width, height, measures) in SIZES {
-        let mut hands = Hands::new(width, height, measures);
-        for param in PARAMETERS {
-            hands.reveal(param.id);
-            let place = hands.place(param.id);
-            assert!(
-                place.left() >= 0.0 && place.right() <= width,
-                "{}",
-                param.id
-            );
-            assert!(place.bottom() <= height, "{}", param.id);
+    for (model, size) in models().flat_map(|model| [TALL, LOWER, PHONE].map(|size| (model, size))) {
+        let (width, height, _) = size;
+        let mut hands = Hands::of_model(model, size);
+        for id in hands.used().iter().map(|param| param.id).chain([MODEL]) {
+            hands.reveal(id);
+            let place = hands.place(id);
+            assert!(place.left() >= 0.0 && place.right() <= width, "{id}");
+            assert!(place.bottom() <= height, "{id}");
         }
     }
 }
 
 #[test]
 fn dragging_changes_every_slider_and_reset_brings_it_back() {
-    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
-    for param in PARAMETERS {
+    for model in models() {
+        drag_every_slider(Hands::of_model(model, TALL));
+    }
+}
+
+fn drag_every_slider(mut hands: Hands) {
+    for param in hands.used() {
         let (Kind::Number(_) | Kind::Integer(_)) = param.kind else {
             continue;
         };
@@ -147,14 +168,17 @@ fn dragging_changes_every_slider_and_reset_brings_it_back() {
         let place = hands.place(param.id);
         let before = hands.value(param.id);
         let (low, high) = (place.left_center(), place.right_center());
-        let (_, max) = hands.panel.fire.range_of(param);
-        hands.drag(low, high);
-        assert_eq!(
-            hands.value(param.id).as_number(),
-            Some(max),
-            "{} dragged to its right end",
-            param.id
-        );
+        let (min, max) = hands.panel.fire.range_of(param);
+        // To the end where there is a way back to the default.
+        let end = if before.as_number() == Some(max) {
+            hands.drag(high, low);
+            min
+        } else {
+            hands.drag(low, high);
+            max
+        };
+        let value = hands.value(param.id).as_number();
+        assert_eq!(value, Some(end), "{} dragged to its end", param.id);
         let last = hands.panel.take_commands().pop();
         assert_eq!(last, Some(Command::Set(param.id, hands.value(param.id))));
         hands.click(&format!("action:restore:{}", param.id));
@@ -165,7 +189,7 @@ fn dragging_changes_every_slider_and_reset_brings_it_back() {
 
 #[test]
 fn what_is_typed_out_of_range_is_refused_aloud_and_changes_nothing() {
-    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    let mut hands = Hands::new(TALL);
     hands.reveal("viscosity");
     let before = hands.value("viscosity");
     hands.click("value:viscosity");
@@ -189,7 +213,7 @@ fn what_is_typed_out_of_range_is_refused_aloud_and_changes_nothing() {
 
 #[test]
 fn a_finger_slides_sideways_and_scrolls_up_and_down() {
-    let mut hands = Hands::new(360.0, 288.0, Measures::COARSE);
+    let mut hands = Hands::new(PHONE);
     hands.panel.finger = true;
     hands.reveal("viscosity");
     let before = hands.value("viscosity");
@@ -209,7 +233,7 @@ fn a_finger_slides_sideways_and_scrolls_up_and_down() {
 
 #[test]
 fn a_double_click_on_the_name_resets() {
-    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    let mut hands = Hands::new(TALL);
     hands.panel.fire.learn("gravity", Input::Number(3.0));
     hands.reveal("gravity");
     let pos = hands.place("label:gravity").center();
@@ -223,15 +247,22 @@ fn a_double_click_on_the_name_resets() {
 
 #[test]
 fn flags_choices_and_colours_ask_for_what_was_pressed() {
-    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
-    for param in PARAMETERS {
+    for model in models() {
+        press_every_button(Hands::of_model(model, TALL));
+    }
+}
+
+fn press_every_button(mut hands: Hands) {
+    for param in hands.used() {
         let before = hands.value(param.id);
         hands.reveal(param.id);
         match param.kind {
             Kind::Flag => hands.click(param.id),
             Kind::Choice(names) => {
                 let other = names.iter().find(|&&name| Value::Choice(name) != before);
-                let other = other.expect("a choice has two names");
+                let Some(other) = other else {
+                    panic!("{} has only one name", param.id);
+                };
                 hands.click(&format!("choice:{}:{other}", param.id));
             }
             Kind::Colour => {
@@ -250,7 +281,7 @@ fn flags_choices_and_colours_ask_for_what_was_pressed() {
 
 #[test]
 fn the_dice_throws_another_seed() {
-    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    let mut hands = Hands::new(TALL);
     hands.reveal("seed");
     let before = hands.value("seed");
     hands.click("dice:seed");
@@ -259,14 +290,15 @@ fn the_dice_throws_another_seed() {
 
 #[test]
 fn buttons_ask_for_what_they_say() {
-    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    let mut hands = Hands::new(TALL);
     hands.panel.fire.learn("gravity", Input::Number(3.0));
     hands.wait();
+    let all = hands.used().iter().map(|param| param.id).collect();
     for (button, asked) in [
         ("action:pause", Command::Pause),
         ("action:reset", Command::Reset),
         ("action:preset:seed", Command::Preset("seed")),
-        ("action:reset-all", Command::RestoreAll),
+        ("action:reset-all", Command::Restore(all)),
     ] {
         hands.click(button);
         assert_eq!(hands.panel.take_commands(), [asked], "{button}");
@@ -279,7 +311,7 @@ fn buttons_ask_for_what_they_say() {
 
 #[test]
 fn a_notice_stays_until_somebody_goes_on() {
-    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    let mut hands = Hands::new(TALL);
     hands.panel.fire.notice = Some("the fire refused something".to_owned());
     hands.wait();
     assert!(hands.panel.fire.notice.is_some());
@@ -289,7 +321,7 @@ fn a_notice_stays_until_somebody_goes_on() {
 
 #[test]
 fn a_search_leaves_what_it_finds_and_a_reveal_ends_it() {
-    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    let mut hands = Hands::new(TALL);
     hands.click("search");
     hands.frame(vec![Event::Text("viscosity".to_owned())]);
     hands.wait();
@@ -301,7 +333,7 @@ fn a_search_leaves_what_it_finds_and_a_reveal_ends_it() {
 
 #[test]
 fn a_heading_folds_its_group_and_a_reveal_unfolds_it() {
-    let mut hands = Hands::new(340.0, 900.0, Measures::FINE);
+    let mut hands = Hands::new(TALL);
     hands.click("group:World");
     assert!(!hands.panel.rectangles().contains_key("gravity"));
     hands.reveal("gravity");
@@ -310,9 +342,79 @@ fn a_heading_folds_its_group_and_a_reveal_unfolds_it() {
 
 #[test]
 fn a_panel_without_room_paints_nothing_and_comes_back() {
-    let mut hands = Hands::new(0.0, 0.0, Measures::FINE);
+    let mut hands = Hands::new((0.0, 0.0, Measures::FINE));
     assert!(hands.panel.rectangles().is_empty());
     hands.size = vec2(340.0, 900.0);
     hands.wait();
     hands.place("action:pause");
+}
+
+#[test]
+fn another_model_brings_its_own_rows_ranges_and_defaults() {
+    let mut hands = Hands::new(TALL);
+    hands.panel.fire.learn("source_width", Input::Number(0.2));
+    hands.click("choice:model:combustion");
+    let asked = hands.panel.take_commands();
+    assert_eq!(asked, [Command::Set(MODEL, Value::Choice("combustion"))]);
+    assert!(hands.panel.rectangles().contains_key("group:Gas"));
+    hands.reveal("walls");
+    assert!(!hands.panel.rectangles().contains_key("walls"));
+    hands.reveal("fuel_power");
+    hands.place("fuel_power");
+    let width = Param::find("source_width").expect("the table has it");
+    assert_eq!(hands.panel.fire.range_of(width), (0.01, 1.0));
+    assert_eq!(hands.value("source_width"), Value::Number(0.4));
+
+    hands.click("choice:model:classic");
+    assert_eq!(hands.value("source_width"), Value::Number(0.2));
+    hands.reveal("fuel_power");
+    assert!(!hands.panel.rectangles().contains_key("fuel_power"));
+    assert!(!hands.panel.rectangles().contains_key("group:Embers"));
+    hands.reveal("walls");
+    hands.place("walls");
+}
+
+fn label(param: &Param) -> String {
+    format!("label:{}", param.id)
+}
+
+#[test]
+fn another_model_keeps_search_and_place() {
+    let mut hands = Hands::new(TALL);
+    hands.reveal("emission_noise");
+    for name in ["combustion", "classic"] {
+        let shared = hands.used().into_iter().filter(|param| {
+            models().all(|model| param.domain(model).is_some())
+                && hands.panel.rectangles().contains_key(&label(param))
+        });
+        let uppermost = shared.map(label).min_by(|a, b| {
+            let top = |name: &str| hands.place(name).top();
+            top(a).total_cmp(&top(b))
+        });
+        let uppermost = uppermost.expect("both models have some row in sight");
+        let before = hands.place(&uppermost);
+        hands.click(&format!("choice:model:{name}"));
+        let now = hands.place(&uppermost);
+        assert!((now.top() - before.top()).abs() < 1.0, "{before} → {now}");
+    }
+
+    hands.click("search");
+    hands.frame(vec![Event::Text("source height".to_owned())]);
+    hands.click("choice:model:combustion");
+    hands.place("source_height");
+    assert!(!hands.panel.rectangles().contains_key("exposure"));
+}
+
+#[test]
+fn what_is_being_typed_goes_with_its_row() {
+    let mut hands = Hands::new(TALL);
+    hands.reveal("viscosity");
+    hands.click("value:viscosity");
+    hands.frame(vec![Event::Text("0.09".to_owned())]);
+    hands.panel.fire.learn(MODEL, Input::Text("combustion"));
+    hands.wait();
+    hands.panel.fire.learn(MODEL, Input::Text("classic"));
+    hands.wait();
+    assert_eq!(hands.value("viscosity"), Value::Number(0.005));
+    assert!(hands.panel.take_commands().is_empty());
 }

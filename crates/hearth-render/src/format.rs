@@ -53,6 +53,15 @@ impl TargetFormat {
         }
     }
 
+    /// The same for the combustion model, whose kernels sum up to about 1:
+    /// weight, weight × kK, soot, burning [1/s].
+    pub(crate) const fn gas_range(self) -> [f32; 4] {
+        match self {
+            TargetFormat::Rgba16F => [1.0; 4],
+            TargetFormat::Rgba8 => [1.25, 1.25 * 2.6, 1.0, 4.0],
+        }
+    }
+
     /// Largest radiance that is kept before the tone map, which shows
     /// everything above it as nearly white.
     pub(crate) const fn light_range(self) -> f32 {

@@ -102,6 +102,15 @@ impl Gl<'_> {
         }
     }
 
+    /// Makes ever smaller copies of the bound texture, to be read where it is
+    /// seen from farther away.
+    pub fn mipmaps(self) {
+        let filter = glow::LINEAR_MIPMAP_NEAREST as i32;
+        self.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_MIN_FILTER, filter);
+        // SAFETY: see the module's text.
+        unsafe { self.0.generate_mipmap(glow::TEXTURE_2D) }
+    }
+
     /// Replaces a part of the bound texture of four floats a texel.
     pub fn replace_texels(self, [x, y]: [u32; 2], [width, height]: [u32; 2], texels: &[f32]) {
         debug_assert_eq!(texels.len(), (width * height * 4) as usize);

@@ -33,6 +33,10 @@ pub struct Layout {
     pub field: [u32; 2],
     /// The fields as seen from farther away.
     pub wide: [u32; 2],
+    /// How fast the gas moves.
+    pub flow: [u32; 2],
+    /// How far it has carried the fine structure.
+    pub drift: [u32; 2],
     /// The light before the tone map.
     pub light: [u32; 2],
     /// The blurred copies of it.
@@ -63,6 +67,8 @@ impl Layout {
             picture,
             field,
             wide: field.map(|side| side.div_ceil(SPREAD)),
+            flow: field.map(|side| side.div_ceil(3)),
+            drift: field.map(|side| side.div_ceil(2)),
             light,
             blurs,
         })
@@ -157,10 +163,13 @@ mod tests {
             [30_000, 30_000],
         ] {
             let layout = Layout::new(size, 2048).expect("there are pixels");
-            let sizes = layout
-                .blurs
-                .into_iter()
-                .chain([layout.field, layout.wide, layout.light]);
+            let sizes = layout.blurs.into_iter().chain([
+                layout.field,
+                layout.wide,
+                layout.flow,
+                layout.drift,
+                layout.light,
+            ]);
             for [width, height] in sizes {
                 assert!((1..=2048).contains(&width) && (1..=2048).contains(&height));
             }

@@ -1,15 +1,17 @@
 //! Draws a fire with WebGL2, from particles to pixels.
 //!
 //! Particles are splatted as smooth kernels into fields (weight, temperature,
-//! glow, smoke), so the picture shows continuous gas instead of dots. The
-//! fields are warped and eroded by rising noise, shine as a black body, bloom,
-//! and are tone mapped into premultiplied sRGB.
+//! soot or glow and smoke), so the picture shows continuous gas instead of
+//! dots. The fields are warped and eroded by noise, which rises with the classic
+//! model's flame and is carried along by the combustion model's gas; they shine
+//! as a black body, bloom, and are tone mapped into premultiplied sRGB.
 //!
 //! A [`Renderer`] owns its handles and borrows the context in each call. It
 //! knows neither the page nor any user interface.
 
 mod blackbody;
 mod cie;
+mod drift;
 mod error;
 mod format;
 mod gl;

@@ -5,7 +5,7 @@
 //! instance for each quad would be shorter to write, but a software renderer
 //! pays some eight microseconds for every instance: with 5000 particles, 40 ms.
 
-use hearth_core::simulation::Instance;
+use hearth_core::Instance;
 
 use crate::error::RenderError;
 use crate::gl::Gl;

@@ -6,28 +6,69 @@ use crate::program::{Program, Source};
 
 macro_rules! shader {
     ($name:literal) => {
-        include_str!(concat!("../../../shaders/", $name))
+        include_str!(concat!(env!("OUT_DIR"), "/", $name))
     };
 }
 
-/// All passes, compiled.
-pub struct Passes {
-    /// Particles to fields.
-    pub splat: Program,
+macro_rules! passes {
+    ($( $(#[$doc:meta])* $name:ident = $source:ident, )+) => {
+        /// All passes, compiled.
+        pub struct Passes { $( $(#[$doc])* pub $name: Program, )+ }
+
+        const SOURCES: &[Source] = &[$($source),+];
+
+        impl Passes {
+            /// Compiles every pass, or says which one the driver refuses.
+            pub fn new(gl: Gl<'_>) -> Result<Passes, RenderError> {
+                let mut compiled = Vec::with_capacity(SOURCES.len());
+                for source in SOURCES {
+                    match Program::new(gl, source) {
+                        Ok(program) => compiled.push(program),
+                        Err(error) => {
+                            compiled.iter().for_each(|program: &Program| program.destroy(gl));
+                            return Err(error);
+                        }
+                    }
+                }
+                match <[Program; SOURCES.len()]>::try_from(compiled) {
+                    Ok([$($name),+]) => Ok(Passes { $($name),+ }),
+                    Err(_) => Err(RenderError::NoTarget),
+                }
+            }
+
+            /// Frees every program.
+            pub fn destroy(&self, gl: Gl<'_>) {
+                $( self.$name.destroy(gl); )+
+            }
+        }
+    };
+}
+
+passes! {
+    /// Particles of the classic model to fields.
+    splat = SPLAT,
     /// Fields to their view from farther away.
-    pub spread: Program,
+    spread = SPREAD,
     /// Fields to light.
-    pub shade: Program,
+    shade = SHADE,
+    /// Gas of the combustion model to fields, or to velocities.
+    gas = GAS,
+    /// Velocities to how far the fine structure was carried.
+    drift = DRIFT,
+    /// Fields of burning gas to light.
+    flame = FLAME,
+    /// Embers to light.
+    ember = EMBER,
     /// Light to a blurred copy a quarter as wide, and that to ones of half its size.
-    pub shrink: Program,
+    shrink = SHRINK,
     /// Blurred copies joined, from the widest to the sharpest.
-    pub widen: Program,
+    widen = WIDEN,
     /// Light and glow to displayed colours.
-    pub develop: Program,
+    develop = DEVELOP,
     /// Displayed colours to the picture, in front of its background.
-    pub present: Program,
+    present = PRESENT,
     /// Particles to the picture, as in the paper.
-    pub paper: Program,
+    paper = PAPER,
 }
 
 const SPLAT: Source = Source {
@@ -52,6 +93,40 @@ const SHADE: Source = Source {
     fragment: &[shader!("shade.frag")],
     samplers: &["field", "wide", "noise", "black_body"],
     uniforms: &["view", "part", "range", "rise", "matter", "shine", "table"],
+};
+
+const GAS: Source = Source {
+    pass: "gas",
+    vertex: &[shader!("particle.glsl"), shader!("gas.vert")],
+    fragment: &[shader!("splat.frag")],
+    samplers: &["particles"],
+    uniforms: &["world", "count", "kernel", "scale"],
+};
+
+const DRIFT: Source = Source {
+    pass: "drift",
+    vertex: &[shader!("screen.vert")],
+    fragment: &[shader!("drift.frag")],
+    samplers: &["flow", "before"],
+    uniforms: &["carried"],
+};
+
+const FLAME: Source = Source {
+    pass: "flame",
+    vertex: &[shader!("screen.vert")],
+    fragment: &[shader!("flame.frag")],
+    samplers: &["field", "drift", "noise", "black_body"],
+    uniforms: &[
+        "view", "part", "range", "grain", "start", "seen", "matter", "shine", "table",
+    ],
+};
+
+const EMBER: Source = Source {
+    pass: "ember",
+    vertex: &[shader!("particle.glsl"), shader!("ember.vert")],
+    fragment: &[shader!("ember.frag")],
+    samplers: &["particles", "black_body"],
+    uniforms: &["world", "count", "spark", "shine", "table"],
 };
 
 const SHRINK: Source = Source {
@@ -94,69 +169,13 @@ const PAPER: Source = Source {
     uniforms: &["world", "count", "sprite", "heat", "table"],
 };
 
-impl Passes {
-    /// Compiles every pass, or says which one the driver refuses.
-    pub fn new(gl: Gl<'_>) -> Result<Passes, RenderError> {
-        let compiled = [SPLAT, SPREAD, SHADE, SHRINK, WIDEN, DEVELOP, PRESENT, PAPER]
-            .map(|source| Program::new(gl, &source));
-        match compiled {
-            [
-                Ok(splat),
-                Ok(spread),
-                Ok(shade),
-                Ok(shrink),
-                Ok(widen),
-                Ok(develop),
-                Ok(present),
-                Ok(paper),
-            ] => Ok(Passes {
-                splat,
-                spread,
-                shade,
-                shrink,
-                widen,
-                develop,
-                present,
-                paper,
-            }),
-            compiled => {
-                let mut first = RenderError::NoTarget;
-                for program in compiled.into_iter().rev() {
-                    match program {
-                        Ok(program) => program.destroy(gl),
-                        Err(error) => first = error,
-                    }
-                }
-                Err(first)
-            }
-        }
-    }
-
-    /// Frees every program.
-    pub fn destroy(&self, gl: Gl<'_>) {
-        let Passes {
-            splat,
-            spread,
-            shade,
-            shrink,
-            widen,
-            develop,
-            present,
-            paper,
-        } = self;
-        for program in [splat, spread, shade, shrink, widen, develop, present, paper] {
-            program.destroy(gl);
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn every_pass_declares_exactly_what_is_set() {
-        for source in [SPLAT, SPREAD, SHADE, SHRINK, WIDEN, DEVELOP, PRESENT, PAPER] {
+        for source in SOURCES {
             let text = source.vertex.concat() + &source.fragment.concat();
             // A uniform that both stages read is declared in both.
             let mut declared: Vec<&str> = text

@@ -3,14 +3,17 @@
 //! [`Renderer::paint`] reads as the picture is made: fields, light, glow,
 //! picture. Only what the fire can reach is drawn; the rest is cleared.
 
+mod classic;
+mod combustion;
 mod fire;
 
 use glow::Context;
+use hearth_core::Instance;
 use hearth_core::Parameters;
-use hearth_core::params::{Colour, DisplayMode};
-use hearth_core::simulation::Instance;
+use hearth_core::params::{Colour, DisplayMode, Layers, Model};
 
 use crate::blackbody::{self, COOLEST, ENTRIES, HOTTEST};
+use crate::drift::Drift;
 use crate::error::RenderError;
 use crate::format::TargetFormat;
 use crate::gl::Gl;
@@ -45,11 +48,15 @@ pub struct Renderer {
     noise: glow::Texture,
     black_body: glow::Texture,
     particles: Particles,
+    embers: Particles,
     /// Without attributes: no pass reads a buffer, whatever else the context holds.
     nothing: glow::VertexArray,
     targets: Option<Targets>,
     survey: Survey,
     rise: Rise,
+    drift: Drift,
+    /// Which of the two pictures of the drift is the newest.
+    newest: usize,
 }
 
 impl Renderer {
@@ -88,6 +95,7 @@ impl Renderer {
                 let noise = texture(gl, glow::REPEAT).map_err(refuse)?;
                 let size = [noise::SIZE as u32; 2];
                 gl.texels(glow::RGBA8, glow::UNSIGNED_BYTE, size, Some(&noise::tile()));
+                gl.mipmaps();
                 noise
             },
             black_body: {
@@ -97,10 +105,13 @@ impl Renderer {
                 black_body
             },
             particles: Particles::new(gl, most)?,
+            embers: Particles::new(gl, most)?,
             nothing: gl.create_vertex_array().map_err(refuse)?,
             targets: None,
-            survey: Survey::of(&[]),
+            survey: Survey::of(&[], &[]),
             rise: Rise::default(),
+            drift: Drift::default(),
+            newest: 0,
         })
     }
 
@@ -109,10 +120,11 @@ impl Renderer {
         self.format
     }
 
-    /// Sends the particles to the graphics card.
-    pub fn upload(&mut self, gl: &Context, instances: &[Instance]) {
-        self.survey = Survey::of(instances);
+    /// Sends the particles and the embers to the graphics card.
+    pub fn upload(&mut self, gl: &Context, instances: &[Instance], embers: &[Instance]) {
+        self.survey = Survey::of(instances, embers);
         self.particles.upload(Gl(gl), instances);
+        self.embers.upload(Gl(gl), embers);
     }
 
     /// Draws the uploaded particles. A picture without a pixel is no trouble.
@@ -129,7 +141,8 @@ impl Renderer {
         let Some(layout) = Layout::new([view.width, view.height], self.most) else {
             return Ok(());
         };
-        self.rise.advance(&self.survey, view.time);
+        self.rise
+            .advance(&self.survey, view.time, parameters.model());
         let place = Place::new(layout.picture, parameters.domain_height);
         for capability in [
             glow::DEPTH_TEST,
@@ -144,16 +157,11 @@ impl Renderer {
         match parameters.display_mode {
             DisplayMode::Fire => {
                 self.fit_targets(gl, layout)?;
+                self.drift
+                    .advance(view.time, combustion::period(parameters));
+                self.newest = 1 - self.newest;
                 if let Some(targets) = &self.targets {
-                    let fire = Fire::new(gl, self, targets, place, parameters);
-                    fire.splat();
-                    fire.spread();
-                    fire.shade();
-                    if parameters.bloom > 0.0 {
-                        fire.blur();
-                    }
-                    fire.develop();
-                    fire.present();
+                    Fire::new(gl, self, targets, place, parameters).paint();
                 }
             }
             DisplayMode::Paper => self.paper(gl, layout, place, parameters),
@@ -167,6 +175,7 @@ impl Renderer {
         let gl = Gl(gl);
         self.passes.destroy(gl);
         self.particles.destroy(gl);
+        self.embers.destroy(gl);
         if let Some(targets) = &self.targets {
             targets.destroy(gl);
         }
@@ -186,6 +195,7 @@ impl Renderer {
                 old.destroy(gl);
             }
             self.targets = Some(Targets::new(gl, self.format, layout)?);
+            self.drift.forget();
         }
         Ok(())
     }
@@ -193,13 +203,21 @@ impl Renderer {
     /// Draws the particles as the paper does.
     fn paper(&self, gl: Gl<'_>, layout: Layout, place: Place, parameters: &Parameters) {
         let program = &self.passes.paper;
-        let radius = 0.5 * parameters.particle_size;
+        // The classic model's sprites have one size and one colour, as in the
+        // paper; gas that burns shows how large and how hot it is.
+        let (size, hottest) = match parameters.model() {
+            Model::Classic => (
+                parameters.particle_size,
+                parameters.maximum_temperature * 1e-3,
+            ),
+            Model::Combustion => (parameters.spacing(), 0.0),
+        };
+        let radius = 0.5 * size;
         let pixels = radius / place.metres[1] * layout.picture[1] as f32;
         clear_picture(gl, layout, parameters.background);
         program.activate(gl);
         program.set(gl, "world", place.to_clip());
         program.set(gl, "sprite", [radius, pixels, 0.0, 0.0]);
-        let hottest = parameters.maximum_temperature * 1e-3;
         program.set(
             gl,
             "heat",
@@ -210,7 +228,7 @@ impl Renderer {
                 0.0,
             ],
         );
-        program.set(gl, "table", table_coordinates());
+        program.set(gl, "table", table_coordinates(1.0));
         bind(gl, 1, self.black_body);
         gl.enable(glow::BLEND);
         gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
@@ -219,16 +237,30 @@ impl Renderer {
 }
 
 /// Where a temperature in kK stands in the black body's table: scale, offset.
-/// The first and the last entry stand in the middle of their texels.
-fn table_coordinates() -> [f32; 4] {
+/// The first and the last entry stand in the middle of their texels. Third: how
+/// much of the glow is seen.
+fn table_coordinates(fire: f32) -> [f32; 4] {
     let entries = ENTRIES as f32;
     let scale = (entries - 1.0) / entries * 1e3 / (HOTTEST - COOLEST);
-    [scale, 0.5 / entries - scale * COOLEST * 1e-3, 0.0, 0.0]
+    [scale, 0.5 / entries - scale * COOLEST * 1e-3, fire, 0.0]
 }
 
 /// Brightness of gas of 1500 K.
 fn gain(parameters: &Parameters) -> f32 {
     GAIN * parameters.exposure.exp2()
+}
+
+/// Whether fire is seen: 1, or 0.
+fn fire_share(parameters: &Parameters) -> f32 {
+    f32::from(parameters.layers != Layers::Smoke)
+}
+
+/// How strongly smoke hides, if it is seen.
+fn smoke_opacity(parameters: &Parameters) -> f32 {
+    match parameters.layers {
+        Layers::Fire => 0.0,
+        Layers::Both | Layers::Smoke => parameters.smoke_opacity,
+    }
 }
 
 /// What stands behind the fire: premultiplied, sRGB.
@@ -250,10 +282,11 @@ fn clear_picture(gl: Gl<'_>, layout: Layout, behind: Colour) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use hearth_core::params::Model;
 
     #[test]
     fn the_ends_of_the_black_body_table_are_its_outer_texels() {
-        let [scale, offset, ..] = table_coordinates();
+        let [scale, offset, ..] = table_coordinates(1.0);
         let half = 0.5 / ENTRIES as f32;
         let at = |kelvin: f32| kelvin * 1e-3 * scale + offset;
         assert!((at(COOLEST) - half).abs() < 1e-5);
@@ -262,7 +295,7 @@ mod tests {
 
     #[test]
     fn one_step_of_exposure_doubles_the_light() {
-        let mut parameters = Parameters::default();
+        let mut parameters = Parameters::new(Model::Classic);
         let before = gain(&parameters);
         let set = parameters.set("exposure", hearth_core::params::Input::Number(1.0));
         assert_eq!(set, Ok(()));

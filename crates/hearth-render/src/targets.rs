@@ -7,7 +7,7 @@ use crate::layout::{BLURS, Layout};
 use crate::target::Target;
 
 /// Targets of which there is one.
-const SINGLE: usize = 4;
+const SINGLE: usize = 7;
 
 /// Everything that is drawn into before the picture itself.
 pub struct Targets {
@@ -17,6 +17,10 @@ pub struct Targets {
     pub field: Target,
     /// The same, as seen from farther away.
     pub wide: Target,
+    /// Velocities of the gas.
+    pub flow: Target,
+    /// How far the gas has carried the fine structure: before and now, in turn.
+    pub drift: [Target; 2],
     /// Light before the tone map.
     pub light: Target,
     /// Colours as displayed.
@@ -34,6 +38,9 @@ impl Targets {
         let wanted = [
             ("splat", layout.field),
             ("spread", layout.wide),
+            ("flow", layout.flow),
+            ("drift", layout.drift),
+            ("drift", layout.drift),
             ("shade", layout.light),
             ("develop", layout.light),
         ]
@@ -58,10 +65,12 @@ impl Targets {
         let joined = made.split_off(SINGLE + BLURS);
         let blurs = made.split_off(SINGLE);
         match <[Target; SINGLE]>::try_from(made) {
-            Ok([field, wide, light, shown]) => Ok(Targets {
+            Ok([field, wide, flow, before, now, light, shown]) => Ok(Targets {
                 layout,
                 field,
                 wide,
+                flow,
+                drift: [before, now],
                 light,
                 shown,
                 blurs,
@@ -73,8 +82,15 @@ impl Targets {
 
     /// Frees them all.
     pub fn destroy(&self, gl: Gl<'_>) {
-        let single = [&self.field, &self.wide, &self.light, &self.shown];
-        for target in single.into_iter().chain(&self.blurs).chain(&self.joined) {
+        let single = [
+            &self.field,
+            &self.wide,
+            &self.flow,
+            &self.light,
+            &self.shown,
+        ];
+        let many = self.drift.iter().chain(&self.blurs).chain(&self.joined);
+        for target in single.into_iter().chain(many) {
             target.destroy(gl);
         }
     }

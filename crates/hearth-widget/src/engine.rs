@@ -2,7 +2,6 @@
 //! that runs only while a fire has something to do.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
 use std::rc::{Rc, Weak};
 
 use js_sys::{Function, Reflect};
@@ -42,7 +41,7 @@ impl Engine {
                 act(&frames, &answer, |fires, out| fires.frame(now, out));
             });
             RefCell::new(Fires {
-                fires: BTreeMap::new(),
+                fires: Vec::new(),
                 host,
                 frame,
                 requested: None,
@@ -86,7 +85,8 @@ fn act(shared: &Weak<RefCell<Fires>>, post: &Function, what: impl FnOnce(&mut Fi
 
 /// All fires of an engine, and its frame loop.
 struct Fires {
-    fires: BTreeMap<u32, Fire>,
+    /// Few, so that looking for one is quick, and a map’s code not worth its size.
+    fires: Vec<Fire>,
     host: Host,
     frame: Closure<dyn FnMut(f64)>,
     requested: Option<JsValue>,
@@ -94,7 +94,7 @@ struct Fires {
 
 impl Fires {
     fn schedule(&mut self) {
-        if self.requested.is_none() && self.fires.values().any(Fire::wants_frame) {
+        if self.requested.is_none() && self.fires.iter().any(Fire::wants_frame) {
             self.requested = self.host.request_frame(self.frame.as_ref());
         }
     }
@@ -102,8 +102,8 @@ impl Fires {
     fn frame(&mut self, now: f64, out: &mut Outbox) {
         self.requested = None;
         let end = self.host.now() + STEPS_BUDGET_MS;
-        let mut left = self.fires.values().filter(|f| f.wants_frame()).count();
-        for fire in self.fires.values_mut().filter(|f| f.wants_frame()) {
+        let mut left = self.fires.iter().filter(|f| f.wants_frame()).count();
+        for fire in self.fires.iter_mut().filter(|f| f.wants_frame()) {
             let deadline = share(self.host.now(), end, left);
             left -= 1;
             fire.frame(now, deadline, &self.host, out);
@@ -111,7 +111,7 @@ impl Fires {
     }
 
     fn context(&mut self, fire: u32, event: ContextEvent, out: &mut Outbox) {
-        if let Some(fire) = self.fires.get_mut(&fire) {
+        if let Some(fire) = self.fires.iter_mut().find(|known| known.id() == fire) {
             fire.context(event, out);
         }
     }
@@ -135,24 +135,24 @@ impl Fires {
             source: source.clone(),
             errors,
         };
-        let Some(fire) = self.fires.get_mut(&id) else {
+        let Some(fire) = self.fires.iter_mut().find(|fire| fire.id() == id) else {
             let Order::Add(start) = order else {
                 return out.refused(refuse(vec![Refused::fire(id)]));
             };
-            let (parameters, errors) = starting_values(start.preset.as_deref(), &start.values);
+            let (parameters, errors) = starting_values(&start);
             if !errors.is_empty() {
                 out.refused(refuse(errors));
             }
             match Picture::new(canvas, move |event| tell(id, event)) {
                 Ok(picture) => {
                     out.ready(id, &parameters);
-                    self.fires
-                        .insert(id, Fire::new(id, picture, parameters, &start));
+                    self.fires.push(Fire::new(id, picture, parameters, &start));
                 }
                 Err(words) => out.error(id, Trouble::Unsupported, &words),
             }
             return out.done(id, request);
         };
+        let anew = matches!(order, Order::Preset(_));
         let mut parameters = None;
         match order {
             Order::Add(_) => return out.refused(refuse(vec![Refused::fire(id)])),
@@ -164,15 +164,16 @@ impl Fires {
             Order::Play => fire.set_playing(true, out),
             Order::Pause => fire.set_playing(false, out),
             Order::Reset => fire.reset(),
-            Order::Step(steps) => return fire.ask_steps(steps, request),
+            Order::Step(steps) => return fire.ask_steps(steps, 0.0, request),
+            Order::Burn(seconds) => return fire.ask_steps(0, seconds, request),
             Order::Remove => {
-                self.fires.remove(&id);
+                self.fires.retain(|fire| fire.id() != id);
                 return out.done(id, request);
             }
         }
         match parameters {
             Some(Err(errors)) => return out.refused(refuse(errors)),
-            Some(Ok(parameters)) => fire.set_parameters(parameters, &source, out),
+            Some(Ok(parameters)) => fire.set_parameters(parameters, &source, anew, out),
             None => {}
         }
         out.done(id, request);

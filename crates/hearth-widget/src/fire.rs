@@ -4,8 +4,7 @@ use std::collections::VecDeque;
 
 use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
-use hearth_core::simulation::Instance;
-use hearth_core::{Parameters, Simulation};
+use hearth_core::{Instance, Parameters, Simulation};
 
 use crate::budget::{Pace, make_steps};
 use crate::host::Host;
@@ -16,13 +15,40 @@ use crate::picture::{ContextEvent, Picture};
 /// Time between two messages about how a fire is doing, in ms.
 const STATS_EVERY_MS: f64 = 250.0;
 
-/// Weight of the newest frame in the smoothed times of a step and of drawing.
+/// Weight of the newest frame in the smoothed figures of steps and of drawing.
 const SMOOTHING: f64 = 0.1;
 
-/// Steps that somebody asked for, apart from those that time brings.
-struct AskedSteps {
+/// Steps that somebody asked for, apart from those that time brings: so many of
+/// them, or as many as so much fire needs.
+struct Asked {
     request: Option<f64>,
-    left: u32,
+    steps: u32,
+    seconds: f64,
+}
+
+impl Asked {
+    fn is_open(&self) -> bool {
+        self.steps > 0 || self.seconds > 0.0
+    }
+
+    /// A step of `length` seconds was made for it.
+    fn take(&mut self, length: f64) {
+        self.steps = self.steps.saturating_sub(1);
+        self.seconds -= length;
+    }
+}
+
+/// The steps of a frame.
+#[derive(Default)]
+struct Made {
+    /// How many there were.
+    steps: u32,
+    /// Seconds of fire that they made.
+    seconds: f64,
+    /// How many of them time brought.
+    played: u32,
+    /// Seconds of fire that those made.
+    burnt: f64,
 }
 
 /// A fire and all that belongs to it.
@@ -31,18 +57,23 @@ pub struct Fire {
     simulation: Simulation,
     picture: Picture,
     instances: Vec<Instance>,
+    embers: Vec<Instance>,
     size: (u32, u32),
     visible: bool,
     playing: bool,
     /// Whether the picture is not what it should show.
     stale: bool,
-    asked: VecDeque<AskedSteps>,
+    asked: VecDeque<Asked>,
     clock: Clock,
+    /// Length of the last step in seconds of fire: about what the next will have.
+    last_step: f64,
     fps: FpsCounter,
     pace: Pace,
     step_ms: f64,
     draw_ms: f64,
     steps_per_frame: f64,
+    step_length: f64,
+    power: f64,
     told_at: f64,
 }
 
@@ -54,19 +85,28 @@ impl Fire {
             simulation: Simulation::new(parameters),
             picture,
             instances: Vec::new(),
+            embers: Vec::new(),
             size: start.size,
             visible: start.visible,
             playing: !start.paused,
             stale: true,
             asked: VecDeque::new(),
             clock: Clock::new(),
+            last_step: 0.0,
             fps: FpsCounter::new(),
             pace: Pace::default(),
             step_ms: 0.0,
             draw_ms: 0.0,
             steps_per_frame: 0.0,
+            step_length: 0.0,
+            power: 0.0,
             told_at: f64::NEG_INFINITY,
         }
+    }
+
+    /// Its number.
+    pub fn id(&self) -> u32 {
+        self.id
     }
 
     /// Its values.
@@ -74,9 +114,23 @@ impl Fire {
         self.simulation.parameters()
     }
 
-    /// Gives it other values, which the next step and picture use.
-    pub fn set_parameters(&mut self, parameters: Parameters, source: &str, out: &mut Outbox) {
-        out.changed(self.id, source, self.simulation.parameters(), &parameters);
+    /// Gives it other values, which the next step and picture use; `anew`: they
+    /// owe nothing to those before.
+    pub fn set_parameters(
+        &mut self,
+        parameters: Parameters,
+        source: &str,
+        anew: bool,
+        out: &mut Outbox,
+    ) {
+        let old = self.simulation.parameters();
+        out.changed(self.id, source, anew, old, &parameters);
+        if parameters.model != old.model {
+            // Averages over two models say nothing about either.
+            self.step_ms = 0.0;
+            self.step_length = 0.0;
+            self.power = 0.0;
+        }
         self.simulation.set_parameters(parameters);
         self.stale = true;
     }
@@ -113,12 +167,14 @@ impl Fire {
         self.restart_clock();
     }
 
-    /// Takes on steps to be made as the frames allow; the answer to `request`
-    /// follows when they are made and drawn.
-    pub fn ask_steps(&mut self, steps: u32, request: Option<f64>) {
-        self.asked.push_back(AskedSteps {
+    /// Takes on steps to be made as the frames allow: so many of them, or enough
+    /// for so many seconds of fire. The answer to `request` follows when they are
+    /// made and drawn.
+    pub fn ask_steps(&mut self, steps: u32, seconds: f64, request: Option<f64>) {
+        self.asked.push_back(Asked {
             request,
-            left: steps,
+            steps,
+            seconds,
         });
     }
 
@@ -150,35 +206,37 @@ impl Fire {
     /// One frame: the steps that are due, as far as `deadline` allows, and the
     /// picture of them. `now` is the time of the frame, in ms.
     pub fn frame(&mut self, now: f64, deadline: f64, host: &Host, out: &mut Outbox) {
-        let due = if self.playing && self.seen() {
+        let scale = f64::from(self.parameters().time_scale);
+        let passed = if self.playing && self.seen() {
             self.fps.frame(now / 1000.0);
-            let (step, scale) = (self.parameters().time_step, self.parameters().time_scale);
-            let due = self.clock.advance(now / 1000.0, step.into(), scale.into());
-            Some(due)
+            Some(self.clock.advance(now / 1000.0, scale))
         } else {
             None
         };
-        let left = self.asked.iter().map(|asked| asked.left);
-        let asked = left.fold(0, u32::saturating_add);
-        let owed = due.unwrap_or(0).saturating_add(asked);
 
         let start = host.now();
-        let simulation = &mut self.simulation;
-        let made = make_steps(owed, || host.now() < deadline, || simulation.step());
-        if made > 0 {
-            let took = (host.now() - start) / f64::from(made);
-            smooth(&mut self.step_ms, took);
+        let made = self.make_steps(passed.is_some(), || host.now() < deadline);
+        if made.steps > 0 {
+            let steps = f64::from(made.steps);
+            smooth(&mut self.step_ms, (host.now() - start) / steps);
+            smooth(&mut self.step_length, made.seconds / steps);
+            let power = f64::from(self.simulation.report().power);
+            smooth(&mut self.power, power);
             self.stale = true;
         }
-        let finished = self.take_asked(made);
-        if let Some(due) = due {
-            let played = made.saturating_sub(asked);
-            self.pace.frame(due, played);
-            smooth(&mut self.steps_per_frame, f64::from(played));
+        if let Some(passed) = passed {
+            let dropped = if self.clock.due(self.last_step) {
+                self.clock.drop_rest()
+            } else {
+                0.0
+            };
+            self.pace.frame(passed, scale, made.burnt, dropped);
+            smooth(&mut self.steps_per_frame, f64::from(made.played));
         }
+        let finished = self.take_finished();
 
         // Asked-for steps are a jump: what lies between is not shown.
-        let stands = due.is_none();
+        let stands = passed.is_none();
         let drawn = self.stale && self.asked.is_empty() && self.seen();
         if drawn {
             self.draw(host, out);
@@ -192,19 +250,36 @@ impl Fire {
         }
     }
 
-    /// Counts steps against those that were asked for; returns the requests
-    /// that are carried out.
-    fn take_asked(&mut self, mut made: u32) -> Vec<Option<f64>> {
-        let mut finished = Vec::new();
-        while let Some(first) = self.asked.front_mut() {
-            let taken = first.left.min(made);
-            first.left -= taken;
-            made -= taken;
-            if first.left > 0 {
-                break;
+    /// Makes the steps that were asked for and, if it `burns`, those that are due,
+    /// as far as there is time.
+    fn make_steps(&mut self, burns: bool, in_time: impl FnMut() -> bool) -> Made {
+        let mut made = Made::default();
+        let steps = make_steps(in_time, || {
+            let asked = self.asked.iter_mut().find(|asked| asked.is_open());
+            if asked.is_none() && !(burns && self.clock.due(self.last_step)) {
+                return false;
             }
-            finished.push(first.request);
-            self.asked.pop_front();
+            let length = step(&mut self.simulation);
+            self.last_step = length;
+            made.seconds += length;
+            match asked {
+                Some(asked) => asked.take(length),
+                None => {
+                    self.clock.spend(length);
+                    made.played += 1;
+                    made.burnt += length;
+                }
+            }
+            true
+        });
+        Made { steps, ..made }
+    }
+
+    /// Takes away the requests that are carried out, and returns them.
+    fn take_finished(&mut self) -> Vec<Option<f64>> {
+        let mut finished = Vec::new();
+        while let Some(asked) = self.asked.pop_front_if(|asked| !asked.is_open()) {
+            finished.push(asked.request);
         }
         finished
     }
@@ -212,10 +287,12 @@ impl Fire {
     fn draw(&mut self, host: &Host, out: &mut Outbox) {
         let start = host.now();
         self.simulation.write_instances(&mut self.instances);
+        self.simulation.write_embers(&mut self.embers);
         let drawn = self.picture.draw(
             self.size,
             self.simulation.time(),
             &self.instances,
+            &self.embers,
             self.simulation.parameters(),
         );
         if let Err(words) = drawn {
@@ -238,7 +315,11 @@ impl Fire {
             at_speed_limit: report.at_speed_limit,
             time: self.simulation.time(),
             paused: !self.playing,
-            slowed: self.pace.take_slowed(),
+            slowed: self.pace.slowed(),
+            time_scale: self.pace.time_scale(),
+            step_length: self.step_length,
+            power: self.power,
+            embers: self.simulation.embers().len(),
             target_format: self.picture.target_format(),
         };
         out.stats(self.id, &stats);
@@ -259,6 +340,15 @@ impl Fire {
         self.clock.restart();
         self.fps.skip();
     }
+}
+
+/// Makes a step; returns its length in seconds of fire.
+// The whole solver would be there twice if the loop around it took it in.
+#[inline(never)]
+fn step(simulation: &mut Simulation) -> f64 {
+    let start = simulation.time();
+    simulation.step();
+    simulation.time() - start
 }
 
 fn smooth(average: &mut f64, newest: f64) {

@@ -6,8 +6,8 @@
 //! change to anybody's API. It asks its surroundings for nothing but
 //! `requestAnimationFrame` and `performance`, which both places have.
 //!
-//! A frame goes one way: the clock says how many steps are due, the simulation
-//! makes as many of them as the frame's [`budget`] allows, the renderer draws
+//! A frame goes one way: the clock says how much fire is due, the simulation makes
+//! whole steps for it as far as the frame's [`budget`] allows, the renderer draws
 //! what came of it. Nothing of it allocates once it is warm.
 
 // Plain logic, which needs no browser and is tested without one.

@@ -2,13 +2,14 @@
 //!
 //! | type | other fields | what it does |
 //! |---|---|---|
-//! | `add` | `canvas`, `width`, `height`, `preset`?, `values`?, `paused`?, `visible`? | a new fire, drawn on that canvas |
+//! | `add` | `canvas`, `width`, `height`, `preset`?, `kept`?, `values`?, `paused`?, `visible`? | a new fire, drawn on that canvas |
 //! | `resize` | `width`, `height` | its size in device pixels; 0 is fine |
 //! | `set` | `request`, `source`, `values` | sets parameters, all or none |
 //! | `restore` | `request`, `source`, `ids` | puts parameters back to their defaults |
 //! | `preset` | `request`, `name` | sets every parameter to the preset's |
 //! | `play`, `pause`, `reset` | `request` | what they say |
 //! | `step` | `request`, `steps` | makes that many steps, playing or not |
+//! | `burn` | `request`, `seconds` | the same, as many as so much fire needs |
 //! | `visible` | `visible` | a fire that nobody sees does no work |
 //! | `remove` | | frees the fire and its context |
 //!
@@ -25,6 +26,9 @@ pub const LONGEST_SIDE: u32 = 16_384;
 
 /// Most steps that one message may ask for.
 pub const MOST_STEPS: u32 = 100_000;
+
+/// Most seconds of fire that one message may ask for.
+pub const MOST_SECONDS: f64 = 1000.0;
 
 /// Values as they were sent, by id.
 pub type SentValues = Vec<(String, Raw)>;
@@ -64,6 +68,8 @@ pub enum Order {
     Reset,
     /// Make so many steps.
     Step(u32),
+    /// Make steps for so many seconds of fire.
+    Burn(f64),
     /// Whether anybody sees it.
     Visible(bool),
     /// Free it.
@@ -77,7 +83,9 @@ pub struct Start {
     pub size: (u32, u32),
     /// The preset to start from.
     pub preset: Option<String>,
-    /// Values on top of it.
+    /// Values on top of it, of a model that it had before.
+    pub kept: SentValues,
+    /// Values on top of all that.
     pub values: SentValues,
     /// Whether it stands still at first.
     pub paused: bool,
@@ -173,21 +181,20 @@ impl Order {
             "add" => Ok(Order::Add(Start {
                 size: (side("width")?, side("height")?),
                 preset: optional_text(raw, "preset")?,
-                values: match raw.field("values") {
-                    Raw::Missing => Vec::new(),
-                    _ => values(raw)?,
-                },
+                kept: optional_values(raw, "kept")?,
+                values: optional_values(raw, "values")?,
                 paused: flag_or(raw, "paused", false)?,
                 visible: flag_or(raw, "visible", true)?,
             })),
             "resize" => Ok(Order::Resize(side("width")?, side("height")?)),
-            "set" => values(raw).map(Order::Set),
+            "set" => values(raw, "values").map(Order::Set),
             "restore" => ids(raw).map(Order::Restore),
             "preset" => text(raw, "name").map(Order::Preset),
             "play" => Ok(Order::Play),
             "pause" => Ok(Order::Pause),
             "reset" => Ok(Order::Reset),
             "step" => whole(raw, "steps", 1, MOST_STEPS).map(Order::Step),
+            "burn" => seconds(raw, "seconds").map(Order::Burn),
             "visible" => flag(raw, "visible").map(Order::Visible),
             "remove" => Ok(Order::Remove),
             _ => Err(Refused::field("type", kind, "the name of a message")),
@@ -199,6 +206,19 @@ fn whole(raw: &Raw, id: &str, min: u32, max: u32) -> Result<u32, Refused> {
     match *raw.field(id) {
         Raw::Number(x) if x.fract() == 0.0 && x >= min.into() && x <= max.into() => Ok(x as u32),
         ref other => Err(Refused::whole(id, other, min, max)),
+    }
+}
+
+fn seconds(raw: &Raw, id: &str) -> Result<f64, Refused> {
+    match *raw.field(id) {
+        Raw::Number(x) if x > 0.0 && x <= MOST_SECONDS => Ok(x),
+        ref other => {
+            // In words: formatting a number of its own would bring 20 KB of code.
+            Err(Refused {
+                range: Some((0.0, MOST_SECONDS)),
+                ..Refused::field(id, other, "a number above 0, up to 1000")
+            })
+        }
     }
 }
 
@@ -238,14 +258,21 @@ fn optional_text(raw: &Raw, id: &str) -> Result<Option<String>, Refused> {
     }
 }
 
-fn values(raw: &Raw) -> Result<SentValues, Refused> {
-    match raw.field("values") {
+fn values(raw: &Raw, id: &str) -> Result<SentValues, Refused> {
+    match raw.field(id) {
         Raw::Object(values) => Ok(values.clone()),
         other => Err(Refused::field(
-            "values",
+            id,
             other,
             "an object of values by their ids",
         )),
+    }
+}
+
+fn optional_values(raw: &Raw, id: &str) -> Result<SentValues, Refused> {
+    match raw.field(id) {
+        Raw::Missing => Ok(Vec::new()),
+        _ => values(raw, id),
     }
 }
 
@@ -262,7 +289,8 @@ fn ids(raw: &Raw) -> Result<Vec<String>, Refused> {
         .collect()
 }
 
-/// `parameters` with these values, all of them or none.
+/// `parameters` with these values, all of them or none. The model comes first,
+/// wherever it stands.
 ///
 /// # Errors
 /// Every value that is refused.
@@ -271,33 +299,31 @@ pub fn with_values(
     values: &[(String, Raw)],
 ) -> Result<Parameters, Vec<Refused>> {
     let mut new = parameters.clone();
-    let refused: Vec<Refused> = values
-        .iter()
-        .filter_map(|(id, value)| {
-            let error = new.set(id, value.input()).err()?;
-            Some(Refused {
-                id: error.id.clone(),
-                value: value.clone(),
-                message: error.to_string(),
-                range: error.range(),
-            })
-        })
-        .collect();
-    if refused.is_empty() {
-        Ok(new)
-    } else {
-        Err(refused)
-    }
+    let inputs = values.iter().map(|(id, raw)| (id.as_str(), raw.input()));
+    let set = new.set_all(inputs).map_err(|errors| {
+        let refused = errors.iter().map(|error| Refused {
+            id: error.id.clone(),
+            // An unknown id may be cut in the error.
+            value: values
+                .iter()
+                .find(|(id, _)| *id == error.id)
+                .map_or(Raw::Missing, |(_, raw)| raw.clone()),
+            message: error.to_string(),
+            range: error.range(),
+        });
+        refused.collect()
+    });
+    set.map(|()| new)
 }
 
-/// `parameters` with the default values of these ids, all of them or none.
+/// `parameters` with the default values of these ids, all of them or none. The
+/// model comes first here, too.
 ///
 /// # Errors
 /// Every id that is not known.
 pub fn with_defaults(parameters: &Parameters, ids: &[String]) -> Result<Parameters, Vec<Refused>> {
     let mut new = parameters.clone();
-    let refused: Vec<Refused> = ids
-        .iter()
+    let refused: Vec<Refused> = model_first(ids, |id| id)
         .filter_map(|id| {
             let error = new.restore(id).err()?;
             Some(Refused {
@@ -315,6 +341,14 @@ pub fn with_defaults(parameters: &Parameters, ids: &[String]) -> Result<Paramete
     }
 }
 
+/// The same items, before all others that of the model: it decides which values
+/// the others may have, and which default.
+fn model_first<T>(items: &[T], id: fn(&T) -> &String) -> impl Iterator<Item = &T> {
+    let of_model = move |item: &&T| id(item) == "model";
+    let others = items.iter().filter(move |item| !of_model(item));
+    items.iter().filter(of_model).chain(others)
+}
+
 /// The values of the preset of that name.
 ///
 /// # Errors
@@ -330,21 +364,20 @@ pub fn of_preset(name: &str) -> Result<Parameters, Vec<Refused>> {
 /// The values that a new fire starts with, and what was refused of those that
 /// were asked for. Here one bad value must not keep the good ones from a fire
 /// that has no other values yet.
-pub fn starting_values(
-    preset: Option<&str>,
-    values: &[(String, Raw)],
-) -> (Parameters, Vec<Refused>) {
+pub fn starting_values(start: &Start) -> (Parameters, Vec<Refused>) {
     let mut errors = Vec::new();
     let mut parameters = Parameters::default();
-    match preset.map(of_preset) {
+    match start.preset.as_deref().map(of_preset) {
         Some(Ok(preset)) => parameters = preset,
         Some(Err(refused)) => errors.extend(refused),
         None => {}
     }
-    for value in values {
-        match with_values(&parameters, std::slice::from_ref(value)) {
-            Ok(new) => parameters = new,
-            Err(refused) => errors.extend(refused),
+    for values in [&start.kept, &start.values] {
+        for value in model_first(values, |(id, _)| id) {
+            match with_values(&parameters, std::slice::from_ref(value)) {
+                Ok(new) => parameters = new,
+                Err(refused) => errors.extend(refused),
+            }
         }
     }
     (parameters, errors)

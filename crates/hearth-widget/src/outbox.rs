@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `ready` | `fire`, `values`: all of them |
 //! | `done` | `fire`, `request` |
-//! | `changed` | `fire`, `source`, `values`: only those that changed |
+//! | `changed` | `fire`, `source`, `values`: only those that changed; `anew`: whether those of every model were replaced |
 //! | `refused` | `fire`, `request`, `source`, `errors`: id, value, message and, where there is a range, min and max |
 //! | `stats` | `fire`, `stats`: see [`Stats`] |
 //! | `state` | `fire`, `playing` |
@@ -56,6 +56,14 @@ pub struct Stats {
     pub paused: bool,
     /// Whether steps had to be dropped to keep the page quick.
     pub slowed: bool,
+    /// Seconds of fire for each second of the clock, as it lately was.
+    pub time_scale: f64,
+    /// Length of a step in seconds of fire.
+    pub step_length: f64,
+    /// Power that burns [kW/m].
+    pub power: f64,
+    /// Embers that glow.
+    pub embers: usize,
     /// Format of the render targets; empty while nothing can be drawn.
     pub target_format: &'static str,
 }
@@ -88,11 +96,20 @@ impl Outbox {
         }
     }
 
-    /// Values changed; nothing is sent where none did.
-    pub fn changed(&mut self, fire: u32, source: &str, old: &Parameters, new: &Parameters) {
+    /// Values changed; nothing is sent where none did. `anew`: also those that
+    /// the model before kept for its return, if there are any, are new.
+    pub fn changed(
+        &mut self,
+        fire: u32,
+        source: &str,
+        anew: bool,
+        old: &Parameters,
+        new: &Parameters,
+    ) {
         let changed = |param: &hearth_core::params::Param| param.get(old) != param.get(new);
-        if PARAMETERS.iter().any(changed) {
+        if anew || PARAMETERS.iter().any(changed) {
             let message = about("changed", fire);
+            put(&message, "anew", &anew.into());
             put(&message, "source", &source.into());
             put(&message, "values", &values(new, changed));
             self.0.push(message.into());
@@ -117,7 +134,7 @@ impl Outbox {
 
     /// How a fire is doing.
     pub fn stats(&mut self, fire: u32, stats: &Stats) {
-        let fields: [(&str, JsValue); 12] = [
+        let fields: [(&str, JsValue); 16] = [
             ("fps", stats.fps.into()),
             ("particles", (stats.particles as f64).into()),
             ("stepMs", stats.step_ms.into()),
@@ -129,6 +146,10 @@ impl Outbox {
             ("time", stats.time.into()),
             ("paused", stats.paused.into()),
             ("slowed", stats.slowed.into()),
+            ("timeScale", stats.time_scale.into()),
+            ("stepLength", stats.step_length.into()),
+            ("power", stats.power.into()),
+            ("embers", (stats.embers as f64).into()),
             ("targetFormat", stats.target_format.into()),
         ];
         let object = Object::new();

@@ -5,8 +5,7 @@
 //! it is gone then, so the renderer is made anew when the context comes back;
 //! the fire itself is not touched.
 
-use hearth_core::Parameters;
-use hearth_core::simulation::Instance;
+use hearth_core::{Instance, Parameters};
 use hearth_render::{RenderError, Renderer, View};
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
@@ -196,6 +195,7 @@ impl Picture {
         size: (u32, u32),
         time: f64,
         instances: &[Instance],
+        embers: &[Instance],
         parameters: &Parameters,
     ) -> Result<(), String> {
         let Some(Drawing { gl, renderer }) = &mut self.drawing else {
@@ -210,7 +210,7 @@ impl Picture {
             height: self.context.drawing_buffer_height().max(0).unsigned_abs(),
             time,
         };
-        renderer.upload(gl, instances);
+        renderer.upload(gl, instances, embers);
         match renderer.paint(gl, &view, parameters) {
             Ok(()) => Ok(()),
             // The event that says so is on its way.

@@ -1,9 +1,10 @@
 //! What the engine makes of messages, good and bad, without a browser.
 
 use hearth_core::Parameters;
+use hearth_core::params::Model;
 use hearth_widget::message::{
-    LONGEST_SIDE, MOST_STEPS, Message, Order, RefusedMessage, of_preset, starting_values,
-    with_defaults, with_values,
+    LONGEST_SIDE, MOST_SECONDS, MOST_STEPS, Message, Order, RefusedMessage, SentValues, Start,
+    of_preset, starting_values, with_defaults, with_values,
 };
 use hearth_widget::raw::Raw;
 
@@ -24,6 +25,26 @@ fn message(kind: &str, field: &str, value: Raw) -> Raw {
         ("source", text("test")),
         (field, value),
     ])
+}
+
+/// A start with these values and nothing else.
+fn start(values: SentValues) -> Start {
+    Start {
+        size: (1, 1),
+        preset: None,
+        kept: Vec::new(),
+        values,
+        paused: false,
+        visible: true,
+    }
+}
+
+/// The values of a model, by id.
+fn values<const N: usize>(model: &str, values: [(&str, Raw); N]) -> SentValues {
+    let values = values.map(|(id, value)| (id.to_owned(), value));
+    std::iter::once(("model".to_owned(), text(model)))
+        .chain(values)
+        .collect()
 }
 
 fn order(raw: &Raw) -> Option<Order> {
@@ -60,6 +81,10 @@ fn every_order_has_its_form() {
         Some(Order::Step(5))
     );
     assert_eq!(
+        order(&message("burn", "seconds", Raw::Number(0.5))),
+        Some(Order::Burn(0.5))
+    );
+    assert_eq!(
         order(&message("visible", "visible", Raw::Flag(false))),
         Some(Order::Visible(false))
     );
@@ -85,6 +110,7 @@ fn a_fire_may_start_without_a_size() {
         panic!("{:?}", Message::parse(&raw));
     };
     assert_eq!(start.size, (0, 0));
+    assert!(start.values.is_empty() && start.kept.is_empty());
     assert!(start.visible && !start.paused);
 }
 
@@ -97,6 +123,13 @@ fn numbers_that_are_no_counts_are_refused_with_their_range() {
             panic!("{bad} steps were accepted");
         };
         assert_eq!(errors[0].range, Some((1.0, most)), "{bad}");
+    }
+    for bad in [-1.0, 0.0, MOST_SECONDS + 1.0, f64::NAN, f64::INFINITY] {
+        let error = refused(&message("burn", "seconds", Raw::Number(bad)));
+        let Some(RefusedMessage { errors, .. }) = error else {
+            panic!("{bad} seconds were accepted");
+        };
+        assert!(errors[0].message.contains(&MOST_SECONDS.to_string()));
     }
     let sides = [("width", -1.0), ("height", f64::from(LONGEST_SIDE) + 1.0)];
     for (side, bad) in sides {
@@ -153,7 +186,7 @@ fn what_is_no_message_is_refused() {
 
 #[test]
 fn values_are_set_all_or_none() {
-    let old = Parameters::default();
+    let old = Parameters::new(Model::Classic);
     let good = ("viscosity".to_owned(), Raw::Number(0.02));
     let bad = ("bloom".to_owned(), Raw::Number(99.0));
     let unknown = ("viscositty".to_owned(), Raw::Number(0.02));
@@ -176,9 +209,9 @@ fn restoring_gives_the_default_and_nothing_else() {
         ("viscosity".to_owned(), Raw::Number(0.02)),
         ("bloom".to_owned(), Raw::Number(0.5)),
     ];
-    let restored = with_values(&Parameters::default(), &values)
+    let default = Parameters::new(Model::Classic);
+    let restored = with_values(&default, &values)
         .and_then(|new| with_defaults(&new, &["viscosity".to_owned()]));
-    let default = Parameters::default();
     assert_eq!(
         restored.map(|new| (new.viscosity, new.bloom)),
         Ok((default.viscosity, 0.5))
@@ -188,11 +221,14 @@ fn restoring_gives_the_default_and_nothing_else() {
 
 #[test]
 fn a_new_fire_keeps_the_good_values_beside_a_bad_one() {
-    let values = [
-        ("viscosity".to_owned(), Raw::Number(0.02)),
-        ("bloom".to_owned(), text("much")),
-    ];
-    let (parameters, errors) = starting_values(Some("no such preset"), &values);
+    let values = values(
+        "classic",
+        [("viscosity", Raw::Number(0.02)), ("bloom", text("much"))],
+    );
+    let (parameters, errors) = starting_values(&Start {
+        preset: Some("no such preset".to_owned()),
+        ..start(values)
+    });
     assert_eq!(parameters.viscosity, 0.02);
     assert_eq!(parameters.bloom, Parameters::default().bloom);
     let ids: Vec<&str> = errors.iter().map(|error| error.id.as_str()).collect();
@@ -205,4 +241,92 @@ fn an_unknown_preset_is_refused_with_the_known_names() {
         .err()
         .map(|errors| errors[0].message.clone());
     assert!(refused.is_some_and(|words| words.contains("seed") && words.contains("sead")));
+}
+
+#[test]
+fn a_model_comes_before_the_values_that_it_decides_about() {
+    // One that both models have, each with a range of its own, and one of each.
+    let wanted = values(
+        "classic",
+        [
+            ("emission_speed", Raw::Number(2.5)),
+            ("gas_constant", Raw::Number(1.0)),
+            ("fuel_power", Raw::Number(100.0)),
+        ],
+    );
+    for model in [Model::Classic, Model::Combustion] {
+        let old = Parameters::new(model);
+        let new = with_values(&old, &wanted);
+        let seen = new.map(|new| (new.model(), new.emission_speed, new.gas_constant));
+        assert_eq!(seen, Ok((Model::Classic, 2.5, 1.0)));
+
+        let mut reversed = wanted.clone();
+        reversed.reverse();
+        assert_eq!(with_values(&old, &reversed), with_values(&old, &wanted));
+
+        // In the other model that speed is out of range, and nothing is taken.
+        let mut other = wanted.clone();
+        other[0].1 = text("combustion");
+        let refused = with_values(&old, &other).err();
+        let ids = refused.map(|all| all.iter().map(|one| one.id.clone()).collect::<Vec<_>>());
+        assert_eq!(ids, Some(vec!["emission_speed".to_owned()]));
+    }
+}
+
+#[test]
+fn a_fire_starts_the_same_in_whatever_order_its_values_come() {
+    let mut wanted = values(
+        "classic",
+        [
+            ("emission_speed", Raw::Number(2.5)),
+            ("domain_height", Raw::Number(1.0)),
+        ],
+    );
+    let (parameters, errors) = starting_values(&start(wanted.clone()));
+    assert_eq!(errors, []);
+    assert_eq!(parameters.model(), Model::Classic);
+    assert_eq!(
+        (parameters.emission_speed, parameters.domain_height),
+        (2.5, 1.0)
+    );
+    wanted.reverse();
+    assert_eq!(starting_values(&start(wanted)), (parameters, Vec::new()));
+}
+
+#[test]
+fn a_model_goes_before_that_of_the_preset() {
+    let (parameters, errors) = starting_values(&Start {
+        preset: Some("classic".to_owned()),
+        ..start(values("combustion", []))
+    });
+    assert_eq!(errors, []);
+    assert_eq!(parameters, Parameters::new(Model::Combustion));
+}
+
+#[test]
+fn a_fire_that_comes_back_has_the_values_of_both_models() {
+    let (mut parameters, errors) = starting_values(&Start {
+        kept: values("combustion", [("domain_height", Raw::Number(3.0))]),
+        ..start(values("classic", [("domain_height", Raw::Number(2.0))]))
+    });
+    assert_eq!(errors, []);
+    assert_eq!(
+        (parameters.model(), parameters.domain_height),
+        (Model::Classic, 2.0)
+    );
+    assert_eq!(parameters.set("model", text("combustion").input()), Ok(()));
+    assert_eq!(parameters.domain_height, 3.0);
+}
+
+#[test]
+fn the_model_is_restored_before_the_values_that_it_decides_about() {
+    for model in [Model::Classic, Model::Combustion] {
+        let old = Parameters::new(model);
+        let high = with_values(&old, &[("domain_height".to_owned(), Raw::Number(4.0))]);
+        let ids = ["domain_height", "model"].map(str::to_owned);
+        let restored = high.and_then(|high| with_defaults(&high, &ids));
+        let default = Parameters::default();
+        let seen = restored.map(|new| (new.model(), new.domain_height));
+        assert_eq!(seen, Ok((default.model(), default.domain_height)));
+    }
 }

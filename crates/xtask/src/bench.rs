@@ -11,7 +11,7 @@ use anyhow::{Context, Result};
 use serde_json::Value;
 
 use crate::stages::browser;
-use crate::{paths, process, site, tools};
+use crate::{marks, paths, process, site, tools};
 use site::Module;
 
 /// The scenes of the benchmarks as a wasm module, compiled as the page's engine is.
@@ -53,7 +53,7 @@ pub fn run() -> Result<()> {
     let page = paths::root().join("docs").join("evaluation.md");
     let present = fs::read_to_string(&page)
         .with_context(|| format!("cannot read {}", paths::shown(&page)))?;
-    let updated = evaluation::with_measured(&present, &measured)
+    let updated = marks::with(&present, "measured", &measured)
         .with_context(|| format!("{} lacks its marks", paths::shown(&page)))?;
     fs::write(&page, updated)?;
     println!("wrote {}", paths::shown(&page));

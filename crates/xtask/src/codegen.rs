@@ -13,7 +13,7 @@ mod typescript;
 use std::path::Path;
 use std::{fs, io};
 
-use hearth_core::params::{Domain, Model, Param, Value};
+use hearth_core::params::{Choice, Domain, Model, Param, Value};
 
 /// A generated file: where it lies in the checkout, and what it must hold.
 #[derive(Debug)]
@@ -27,6 +27,10 @@ pub struct Generated {
 /// Every generated file, fresh from the table.
 pub fn generate() -> Vec<Generated> {
     vec![
+        Generated {
+            path: "web/defaults.js",
+            text: javascript::defaults(),
+        },
         Generated {
             path: "web/parameters.js",
             text: javascript::module(),
@@ -75,20 +79,20 @@ fn ensure_contents(path: &Path, text: &str) -> io::Result<bool> {
 }
 
 /// Every model, the default one first.
-const MODELS: &[Model] = &[Model::Classic];
-
-/// A model's name in attributes and files.
-fn model_name(model: Model) -> &'static str {
-    match model {
-        Model::Classic => "classic",
-    }
+fn models() -> Vec<Model> {
+    let mut models: Vec<_> = Model::NAMES
+        .iter()
+        .filter_map(|name| Model::from_name(name))
+        .collect();
+    models.sort_by_key(|&model| model != Model::DEFAULT);
+    models
 }
 
 /// The models that use `param`, each with its default and range.
 fn domains(param: &Param) -> impl Iterator<Item = (Model, &'static Domain)> {
-    MODELS
-        .iter()
-        .filter_map(|&model| Some((model, param.domain(model)?)))
+    models()
+        .into_iter()
+        .filter_map(|model| Some((model, param.domain(model)?)))
 }
 
 /// `viscosity_limit` → `viscosity-limit`.

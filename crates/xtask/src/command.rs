@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use anyhow::{Result, bail};
 
-use crate::{bench, codegen, paths, serve, site, size, stages};
+use crate::{bench, codegen, paths, serve, site, size, soak, stages, validate};
 
 /// What a person reads who asks for help.
 const HELP: &str = "\
@@ -13,6 +13,8 @@ cargo xtask <command>
   serve [--port N] [--no-open]          build the site, serve it on this machine, open it
   build                                 build the static site in dist/site
   test [--skip-browser] [STAGE...]      check everything, or only these stages
+  validate [CASE...]                    hold the physics against theory, and write docs/evaluation.md
+  soak [--corners N] [--seed S]         drive fires to random corners of all ranges, and back
   bench                                 measure, and write docs/evaluation.md
   size                                  print the download sizes of the built site
   codegen                               write the files that come from the parameter table
@@ -37,6 +39,18 @@ pub enum Command {
         skip_browser: bool,
         /// The stages to run; none: all.
         names: Vec<String>,
+    },
+    /// Hold the physics against theory.
+    Validate {
+        /// How the names of the cases begin that are wanted; none: all.
+        names: Vec<String>,
+    },
+    /// Drive fires to the corners of all ranges.
+    Soak {
+        /// How many corners of each model; none: as many as are usual.
+        corners: Option<u32>,
+        /// The seed of their choice; none: always the same.
+        seed: Option<u32>,
     },
     /// Measure.
     Bench,
@@ -87,6 +101,28 @@ impl Command {
                     names,
                 }
             }
+            "validate" => {
+                let mut names = Vec::new();
+                for case in options.by_ref() {
+                    if case.starts_with('-') {
+                        return unknown(name, case);
+                    }
+                    names.push(case.to_owned());
+                }
+                Command::Validate { names }
+            }
+            "soak" => {
+                let (mut corners, mut seed) = (None, None);
+                while let Some(option) = options.next() {
+                    let value = match option {
+                        "--corners" => &mut corners,
+                        "--seed" => &mut seed,
+                        other => return unknown(name, other),
+                    };
+                    *value = Some(whole_number(option, options.next().unwrap_or_default())?);
+                }
+                Command::Soak { corners, seed }
+            }
             "build" => Command::Build,
             "bench" => Command::Bench,
             "size" => Command::Size,
@@ -109,6 +145,13 @@ fn port_number(text: &str) -> Result<u16> {
     match text.parse() {
         Ok(port) if port > 0 => Ok(port),
         _ => bail!("--port wants a number from 1 to 65535, not \"{text}\""),
+    }
+}
+
+fn whole_number(option: &str, text: &str) -> Result<u32> {
+    match text.parse() {
+        Ok(number) => Ok(number),
+        Err(_) => bail!("{option} wants a whole number, not \"{text}\""),
     }
 }
 
@@ -139,6 +182,8 @@ pub fn run(command: Command) -> Result<ExitCode> {
                 ExitCode::FAILURE
             });
         }
+        Command::Validate { names } => validate::run(&names)?,
+        Command::Soak { corners, seed } => soak::run(corners, seed)?,
         Command::Bench => bench::run()?,
         Command::Size => {
             site::build()?;
@@ -193,6 +238,19 @@ mod tests {
                 names: vec!["lint".to_owned(), "native".to_owned()]
             }
         );
+        assert_eq!(
+            parse("validate plume puffing")?,
+            Command::Validate {
+                names: vec!["plume".to_owned(), "puffing".to_owned()]
+            }
+        );
+        assert_eq!(
+            parse("soak --seed 7")?,
+            Command::Soak {
+                corners: None,
+                seed: Some(7)
+            }
+        );
         Ok(())
     }
 
@@ -204,6 +262,8 @@ mod tests {
             "test --fast",
             "serve --host x",
             "size 3",
+            "validate --fast",
+            "soak 3",
         ] {
             let said = parse(line).err().map(|error| error.to_string());
             assert!(said.is_some_and(|said| said.contains("cargo xtask <command>")));
@@ -212,5 +272,7 @@ mod tests {
             let said = parse(line).err().map(|error| error.to_string());
             assert!(said.is_some_and(|said| said.contains("65535")));
         }
+        let said = parse("soak --corners many").err().map(|e| e.to_string());
+        assert!(said.is_some_and(|said| said.contains("--corners wants a whole number")));
     }
 }

@@ -7,11 +7,15 @@
 pub mod bench;
 pub mod codegen;
 pub mod command;
+pub mod marks;
 pub mod paths;
 pub mod process;
 pub mod report;
+pub mod script;
 pub mod serve;
 pub mod site;
 pub mod size;
+pub mod soak;
 pub mod stages;
 pub mod tools;
+pub mod validate;

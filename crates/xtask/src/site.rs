@@ -13,7 +13,7 @@ use std::time::Instant;
 use anyhow::{Context, Result, anyhow, bail};
 use wasm_bindgen_cli_support::Bindgen;
 
-use crate::{paths, process, tools};
+use crate::{paths, process, script, tools};
 
 /// A crate that becomes a wasm module.
 pub(crate) struct Module {
@@ -65,6 +65,7 @@ pub fn build() -> Result<()> {
     for module in &MODULES {
         bind(module, module.package, &site.join("web").join("wasm"))?;
     }
+    strip_scripts(&site)?;
     let page = paths::root().join("index.html");
     let html = fs::read_to_string(&page)
         .with_context(|| format!("cannot read {}", paths::shown(&page)))?;
@@ -137,6 +138,21 @@ fn copy_folder(from: &Path, to: &Path) -> Result<()> {
             copy_folder(&entry.path(), &target)?;
         } else {
             fs::copy(entry.path(), target)?;
+        }
+    }
+    Ok(())
+}
+
+/// Takes the comments out of every script under `folder`.
+fn strip_scripts(folder: &Path) -> Result<()> {
+    let listed =
+        fs::read_dir(folder).with_context(|| format!("cannot read {}", paths::shown(folder)))?;
+    for entry in listed {
+        let path = entry?.path();
+        if path.is_dir() {
+            strip_scripts(&path)?;
+        } else if path.extension().is_some_and(|ending| ending == "js") {
+            fs::write(&path, script::without_comments(&fs::read_to_string(&path)?))?;
         }
     }
     Ok(())

@@ -37,7 +37,7 @@ fn is_code(path: &str) -> bool {
 }
 
 fn is_of_panel(path: &str) -> bool {
-    ["panel", "mirror", "wasm/hearth-panel"]
+    ["panel", "mirror", "parameters", "wasm/hearth-panel"]
         .iter()
         .any(|start| path.starts_with(start))
 }
@@ -125,12 +125,18 @@ mod tests {
         };
         for path in [
             "hearth-fire.js",
-            "parameters.js",
+            "defaults.js",
             "wasm/hearth-widget_bg.wasm",
         ] {
             assert_eq!(downloads(path), ["element and engine"]);
         }
-        for path in ["panel.js", "panel.css", "mirror.js", "wasm/hearth-panel.js"] {
+        for path in [
+            "panel.js",
+            "panel.css",
+            "mirror.js",
+            "parameters.js",
+            "wasm/hearth-panel.js",
+        ] {
             assert_eq!(downloads(path), ["panel, on request"]);
         }
         for path in ["page.js", "page.css", "package.json", "parameters.d.ts"] {

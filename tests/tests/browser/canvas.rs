@@ -1,7 +1,7 @@
 //! A real canvas with a real WebGL2 context, and what was painted on it.
 
+use hearth_core::Instance;
 use hearth_core::params::Parameters;
-use hearth_core::simulation::Instance;
 use hearth_render::{Renderer, View};
 use js_sys::{Function, Reflect};
 use wasm_bindgen::prelude::*;
@@ -94,10 +94,21 @@ impl Canvas {
         instances: &[Instance],
         parameters: &Parameters,
     ) -> Result<Pixels, JsValue> {
-        renderer.upload(&self.gl, instances);
-        renderer
-            .paint(&self.gl, &self.view, parameters)
-            .map_err(words)?;
+        self.paint_at(renderer, self.view.time, [instances, &[]], parameters)
+    }
+
+    /// Paints particles and embers as they are at `time` \[s\] and reads the
+    /// picture.
+    pub fn paint_at(
+        &self,
+        renderer: &mut Renderer,
+        time: f64,
+        [particles, embers]: [&[Instance]; 2],
+        parameters: &Parameters,
+    ) -> Result<Pixels, JsValue> {
+        renderer.upload(&self.gl, particles, embers);
+        let view = View { time, ..self.view };
+        renderer.paint(&self.gl, &view, parameters).map_err(words)?;
         let View { width, height, .. } = self.view;
         let mut rgba = vec![0; (width * height * 4) as usize];
         self.context

@@ -6,10 +6,11 @@
 #![cfg(target_arch = "wasm32")]
 
 mod canvas;
+mod combustion;
 
 use canvas::{Canvas, Pixels, words};
-use hearth_core::params::{Input, Parameters};
-use hearth_core::simulation::Instance;
+use hearth_core::Instance;
+use hearth_core::params::{Input, Model, Parameters};
 use hearth_render::{Renderer, TargetFormat, View};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -44,7 +45,7 @@ fn puff((x, y): (f32, f32), temperature: f32) -> Vec<Instance> {
 
 /// The defaults with some values changed.
 fn with(values: &[(&str, Input<'_>)]) -> Result<Parameters, JsValue> {
-    let mut parameters = Parameters::default();
+    let mut parameters = Parameters::new(Model::Classic);
     for &(id, input) in values {
         parameters.set(id, input).map_err(words)?;
     }
@@ -87,7 +88,7 @@ fn every_shader_compiles_and_links() -> Result<(), JsValue> {
 fn light_stands_where_the_particles_are() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     for place in PLACES {
-        let pixels = canvas.paint(&puff(place, 1900.0), &Parameters::default())?;
+        let pixels = canvas.paint(&puff(place, 1900.0), &Parameters::new(Model::Classic))?;
         assert_light_only_at(place, &pixels);
     }
     assert_eq!(canvas.gl_error(), 0);
@@ -108,7 +109,7 @@ fn the_papers_drawing_stands_where_the_particles_are() -> Result<(), JsValue> {
 #[wasm_bindgen_test]
 fn without_particles_nothing_is_painted() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
-    for parameters in [Parameters::default(), as_in_the_paper()?] {
+    for parameters in [Parameters::new(Model::Classic), as_in_the_paper()?] {
         let pixels = canvas.paint(&[], &parameters)?;
         assert!(pixels.all().all(|(_, _, pixel)| pixel == [0; 4]));
     }
@@ -119,7 +120,7 @@ fn without_particles_nothing_is_painted() -> Result<(), JsValue> {
 fn particles_that_are_gone_leave_no_light_behind() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-    let parameters = Parameters::default();
+    let parameters = Parameters::new(Model::Classic);
     canvas.paint_with(&mut renderer, &puff((0.0, 0.5), 1900.0), &parameters)?;
     let pixels = canvas.paint_with(&mut renderer, &[], &parameters)?;
     renderer.destroy(&canvas.gl);
@@ -142,7 +143,7 @@ fn a_background_shows_where_no_fire_is() -> Result<(), JsValue> {
 #[wasm_bindgen_test]
 fn the_page_shows_through_as_far_as_alpha_says() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
-    let pixels = canvas.paint(&puff((0.0, 0.3), 1900.0), &Parameters::default())?;
+    let pixels = canvas.paint(&puff((0.0, 0.3), 1900.0), &Parameters::new(Model::Classic))?;
     for (x, y, pixel) in pixels.all() {
         // Premultiplied: a colour above its alpha is undefined on a page.
         assert!(light(pixel) <= pixel[3], "{pixel:?} at {x}, {y}");
@@ -182,7 +183,8 @@ fn a_device_without_float_targets_shows_the_fire_as_well() -> Result<(), JsValue
     assert_eq!(renderer.target_format(), TargetFormat::Rgba8);
     for place in PLACES {
         let instances = puff(place, 1900.0);
-        let pixels = canvas.paint_with(&mut renderer, &instances, &Parameters::default())?;
+        let pixels =
+            canvas.paint_with(&mut renderer, &instances, &Parameters::new(Model::Classic))?;
         assert_light_only_at(place, &pixels);
     }
     renderer.destroy(&canvas.gl);
@@ -201,7 +203,7 @@ fn one_renderer_follows_a_change_of_size() -> Result<(), JsValue> {
             height: 32,
             time: 0.0,
         };
-        let parameters = Parameters::default();
+        let parameters = Parameters::new(Model::Classic);
         renderer
             .paint(&canvas.gl, &small, &parameters)
             .map_err(words)?;
@@ -217,7 +219,7 @@ fn one_renderer_follows_a_change_of_size() -> Result<(), JsValue> {
 fn a_view_of_no_size_is_nothing_to_paint() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-    renderer.upload(&canvas.gl, &puff((0.0, 0.3), 1900.0));
+    renderer.upload(&canvas.gl, &puff((0.0, 0.3), 1900.0), &[]);
     for (width, height) in [(0, 0), (0, HEIGHT), (WIDTH, 0)] {
         let view = View {
             width,
@@ -225,7 +227,7 @@ fn a_view_of_no_size_is_nothing_to_paint() -> Result<(), JsValue> {
             time: 0.0,
         };
         renderer
-            .paint(&canvas.gl, &view, &Parameters::default())
+            .paint(&canvas.gl, &view, &Parameters::new(Model::Classic))
             .map_err(words)?;
         assert_eq!(canvas.gl_error(), 0, "{width} × {height}");
     }
@@ -255,11 +257,11 @@ fn a_context_lost_on_the_way_is_survived() -> Result<(), JsValue> {
         height: HEIGHT,
         time: 0.0,
     };
-    renderer.upload(&canvas.gl, &puff((0.0, 0.3), 1900.0));
+    renderer.upload(&canvas.gl, &puff((0.0, 0.3), 1900.0), &[]);
     canvas.lose_context()?;
-    renderer.upload(&canvas.gl, &puff((0.1, 0.3), 1900.0));
+    renderer.upload(&canvas.gl, &puff((0.1, 0.3), 1900.0), &[]);
     // Whether it says so or paints into nothing: the page goes on.
-    let _ = renderer.paint(&canvas.gl, &view, &Parameters::default());
+    let _ = renderer.paint(&canvas.gl, &view, &Parameters::new(Model::Classic));
     renderer.destroy(&canvas.gl);
     Ok(())
 }

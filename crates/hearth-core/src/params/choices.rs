@@ -34,6 +34,14 @@ macro_rules! choices {
 }
 
 choices! {
+    /// Which equations move the particles.
+    Model {
+        /// The paper's: emitted particles live, cool and die, and alone carry the fire.
+        Classic = "classic",
+        /// Air fills the domain, fuel enters it, mixes and burns.
+        Combustion = "combustion",
+    }
+
     /// What happens to a particle at the left, right and lower edge of the
     /// domain. The upper edge is always open.
     Walls {
@@ -45,12 +53,33 @@ choices! {
         Periodic = "periodic",
     }
 
-    /// What is drawn.
+    /// What is drawn of fire and smoke.
+    Layers {
+        /// Fire and smoke.
+        Both = "both",
+        /// The fire alone.
+        Fire = "fire",
+        /// The smoke alone.
+        Smoke = "smoke",
+    }
+
+    /// How particles are drawn.
     DisplayMode {
         /// Fire: particles melt into fields of temperature that glow as a black body.
         Fire = "fire",
         /// The paper's own drawing: hard round sprites, coloured by the
         /// distance from the sprite's centre.
         Paper = "paper",
+    }
+}
+
+impl Model {
+    /// The model that a fire burns by where nobody asks for another.
+    pub const DEFAULT: Model = Model::Combustion;
+}
+
+impl Default for Model {
+    fn default() -> Model {
+        Model::DEFAULT
     }
 }

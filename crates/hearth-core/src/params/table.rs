@@ -2,15 +2,9 @@
 //! that turns the table of [`crate::params`] into a struct, its defaults and
 //! its one validator.
 
+use super::choices::Model;
 use super::value::{Colour, Input, ParamError, Refusal, Value};
-use super::{Parameters, Values};
-
-/// Which equations move the particles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Model {
-    /// The paper's: emitted particles live, cool and die, and alone carry the fire.
-    Classic,
-}
+use super::{Field, Parameters};
 
 /// How a slider spreads a range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,8 +57,7 @@ pub struct Param {
     pub kind: Kind,
     /// The models it belongs to, each with a default and a range.
     pub domains: &'static [Domain],
-    pub(super) get: fn(&Values) -> Value,
-    pub(super) put: fn(&mut Values, Value),
+    pub(super) field: Field,
 }
 
 /// What a person reads about a parameter. It stands in an array of its own, so
@@ -85,19 +78,25 @@ impl Param {
             .find(|d| d.model.is_none_or(|m| m == model))
     }
 
-    /// The value in `parameters`.
+    /// Default and range in `model` or, where that does not use it, in the
+    /// model that it belongs to: its value is kept there, so it has to be right
+    /// even while it is hidden.
+    pub fn any_domain(&self, model: Model) -> &'static Domain {
+        self.domain(model).unwrap_or(&self.domains[0])
+    }
+
+    /// The value in `parameters`: the present model's or, where that does not
+    /// use it, the value that it has in the model it belongs to.
     pub fn get(&self, parameters: &Parameters) -> Value {
-        (self.get)(parameters)
+        match self.domain(parameters.model) {
+            Some(_) => parameters.current.get(self.field),
+            None => parameters.other.get(self.field),
+        }
     }
 
     /// Checks `input` against the kind and the range: **the** validator.
     pub(super) fn check(&self, model: Model, input: Input<'_>) -> Result<Value, ParamError> {
-        // A parameter that the model does not use keeps its value, so it is
-        // still checked, by the model it belongs to.
-        let (min, max) = self
-            .domain(model)
-            .or(self.domains.first())
-            .map_or((0.0, 0.0), |d| d.range);
+        let (min, max) = self.any_domain(model).range;
         let refuse = |reason| ParamError {
             id: self.id.to_owned(),
             value: input.to_string(),
@@ -196,16 +195,37 @@ macro_rules! parameters {
             pub $id: parameters!(@type $kind),
         )+)+ }
 
+        /// Names each field of [`Values`]: with two functions that know them all
+        /// an engine is smaller than with two functions for each.
+        #[expect(non_camel_case_types, reason = "named as the fields are")]
+        #[derive(Clone, Copy, Debug)]
+        enum Field { $($( $id, )+)+ }
+
         impl Values {
+            #[inline(never)]
+            fn get(&self, field: Field) -> Value {
+                match field { $($(
+                    Field::$id => parameters!(@value $kind, self.$id),
+                )+)+ }
+            }
+
+            #[inline(never)]
+            fn put(&mut self, field: Field, value: Value) {
+                match field { $($(
+                    Field::$id => parameters!(@put $kind, self.$id, value),
+                )+)+ }
+            }
+
             fn of_model(model: Model) -> Values {
                 let mut values = Values { $($(
                     $id: parameters!(@first $kind, $($domain)+),
                 )+)+ };
                 for param in PARAMETERS {
                     if let Some(domain) = param.domain(model) {
-                        (param.put)(&mut values, domain.default);
+                        values.put(param.field, domain.default);
                     }
                 }
+                values.model = model;
                 values
             }
         }
@@ -224,8 +244,7 @@ macro_rules! parameters {
                         range: parameters!(@range $kind, $domain),
                     },
                 )+ ],
-                get: |values| parameters!(@value $kind, values.$id),
-                put: |values, value| parameters!(@put $kind, values.$id, value),
+                field: Field::$id,
             },
         )+)+ ];
 

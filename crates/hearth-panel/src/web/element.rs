@@ -16,7 +16,7 @@ use web_sys::{CustomEvent, Event, EventTarget};
 
 use super::listener::Listener;
 use crate::Panel;
-use crate::fire::{Command, Stats};
+use crate::fire::{Command, MODEL, Stats};
 
 /// The fire, as seen from the panel.
 pub struct Element {
@@ -104,8 +104,6 @@ impl Element {
                 arguments.extend(ids.into_iter().map(JsValue::from_str));
                 "restore"
             }
-            // Without ids: every one, whatever the fire has.
-            Command::RestoreAll => "restore",
             Command::Preset(name) => {
                 Reflect::set(&self.fire, &"preset".into(), &name.into())?;
                 return Ok(JsValue::UNDEFINED);
@@ -138,8 +136,8 @@ fn settle(
     match id {
         Some(id) => {
             if panel.fire.answered(id) {
-                let values = property(fire, "params");
-                learn(&mut panel, id, &property(&values, id));
+                let value = property(&property(fire, "params"), id);
+                hear_value(&mut panel, fire, id, &value);
             }
             if let Some(refusal) = refusal {
                 panel.fire.refusals.insert(id, refusal);
@@ -166,7 +164,7 @@ fn hear(panel: &mut Panel, fire: &JsValue, name: &str, event: &Event) {
         }
         "params-change" => {
             if let Some(id) = text(&detail, "id") {
-                learn(panel, &id, &property(&detail, "value"));
+                hear_value(panel, fire, &id, &property(&detail, "value"));
             }
         }
         "play" => panel.fire.paused = false,
@@ -191,11 +189,25 @@ fn hear(panel: &mut Panel, fire: &JsValue, name: &str, event: &Event) {
     }
 }
 
-fn read_all(panel: &mut Panel, fire: &JsValue) {
+/// The fire has this value now. Another model has other values as well, also
+/// where they are the same as the last one's, of which no event tells.
+fn hear_value(panel: &mut Panel, fire: &JsValue, id: &str, value: &JsValue) {
+    if id == MODEL {
+        read_values(panel, fire);
+    } else {
+        learn(panel, id, value);
+    }
+}
+
+fn read_values(panel: &mut Panel, fire: &JsValue) {
     let values = property(fire, "params");
     for param in PARAMETERS {
         learn(panel, param.id, &property(&values, param.id));
     }
+}
+
+fn read_all(panel: &mut Panel, fire: &JsValue) {
+    read_values(panel, fire);
     panel.fire.paused = property(fire, "paused").is_truthy();
     panel.fire.stats = stats(&property(fire, "stats"));
 }

@@ -1,19 +1,9 @@
-//! The figures as tables, and their place in `docs/evaluation.md`.
+//! The figures as tables.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use serde_json::Value;
-
-const BEGIN: &str = "<!-- measured: begin -->";
-const END: &str = "<!-- measured: end -->";
-
-/// `page` with what stands between its marks replaced; `None` without marks.
-pub(super) fn with_measured(page: &str, measured: &str) -> Option<String> {
-    let (before, rest) = page.split_once(BEGIN)?;
-    let (_, after) = rest.split_once(END)?;
-    Some(format!("{before}{BEGIN}\n\n{measured}\n{END}{after}"))
-}
 
 /// The figures that `benches/browser/run.mjs` gives and criterion's times of a
 /// step, as Markdown.
@@ -87,15 +77,6 @@ fn number(value: &Value, digits: usize) -> String {
 mod tests {
     use super::*;
     use serde_json::json;
-
-    #[test]
-    fn only_what_stands_between_the_marks_is_replaced() {
-        let page = format!("before\n{BEGIN}\nold\n{END}\nafter\n");
-        let once = with_measured(&page, "new\n").unwrap_or_default();
-        assert_eq!(once, format!("before\n{BEGIN}\n\nnew\n\n{END}\nafter\n"));
-        assert_eq!(with_measured(&once, "new\n"), Some(once));
-        assert_eq!(with_measured("no marks", "new"), None);
-    }
 
     #[test]
     fn every_figure_has_its_cell() {

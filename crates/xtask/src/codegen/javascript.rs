@@ -1,19 +1,39 @@
-//! `web/parameters.js`: the table as data for the element, the panel's native
-//! mirror and any tool. `observedAttributes` is read before wasm is loaded, so
-//! the element cannot ask the engine for it.
+//! `web/defaults.js`: the little of the table that the element needs.
+//! `observedAttributes` is read before wasm is loaded, so the element cannot ask
+//! the engine for it. `web/parameters.js`: all of the table, for the panel's
+//! native mirror and any tool.
 
 use std::fmt::Write as _;
 
-use hearth_core::params::{Input, Kind, PARAMETERS, Param, Scale};
+use hearth_core::params::{Domain, Input, Kind, Model, PARAMETERS, Param, Scale};
 use hearth_core::preset::{PRESETS, Preset};
 
-use super::{attribute, domains, json_string, json_value, model_name, property};
+use super::{attribute, domains, json_string, json_value, property};
 
-/// The whole module.
+const HEADER: &str = "\
+// Generated from the parameter table of hearth-core by `cargo xtask codegen`;
+// edit crates/hearth-core/src/params.rs instead.
+";
+
+/// The module of ids and defaults.
+pub(super) fn defaults() -> String {
+    let mut text = format!(
+        "{HEADER}\n\
+         /** What a new fire burns with: every parameter, the model first. */\n\
+         export const DEFAULTS = {{\n"
+    );
+    for param in PARAMETERS {
+        let default = param.any_domain(Model::DEFAULT).default;
+        let _ = writeln!(text, "  {}: {},", param.id, json_value(default));
+    }
+    text.push_str("};\n");
+    text
+}
+
+/// The module of the whole table.
 pub(super) fn module() -> String {
-    let mut text = String::from(
-        "// Generated from the parameter table of hearth-core by `cargo xtask codegen`;\n\
-         // edit crates/hearth-core/src/params.rs instead.\n\n\
+    let mut text = format!(
+        "{HEADER}\n\
          /** Every parameter, in the order in which a panel shows them. */\n\
          export const PARAMETERS = [\n",
     );
@@ -61,18 +81,15 @@ fn entry(param: &Param) -> String {
         if models.is_empty() {
             fields.extend(domain.clone());
         }
-        models.push(json_string(model_name(model)));
-        by_model.push((model_name(model), object(&domain)));
+        models.push(json_string(model.name()));
+        by_model.push((model.name(), object(&domain)));
     }
     fields.push(("models", format!("[{}]", models.join(", "))));
     fields.push(("domains", object(&by_model)));
     object(&fields)
 }
 
-fn domain_fields(
-    param: &Param,
-    domain: &hearth_core::params::Domain,
-) -> Vec<(&'static str, String)> {
+fn domain_fields(param: &Param, domain: &Domain) -> Vec<(&'static str, String)> {
     let mut fields = vec![("default", json_value(domain.default))];
     if matches!(param.kind, Kind::Number(_) | Kind::Integer(_) | Kind::Seed) {
         let (min, max) = domain.range;
@@ -131,5 +148,18 @@ fn scale_name(scale: Scale) -> &'static str {
     match scale {
         Scale::Linear => "linear",
         Scale::Log => "log",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_new_fire_has_every_parameter_and_the_model_first() {
+        let text = defaults();
+        let lines: Vec<_> = text.lines().filter(|line| line.starts_with("  ")).collect();
+        assert_eq!(lines.len(), PARAMETERS.len());
+        assert_eq!(lines[0], format!("  model: \"{}\",", Model::DEFAULT.name()));
     }
 }

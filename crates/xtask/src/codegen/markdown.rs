@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
-use hearth_core::params::{Domain, Input, Kind, PARAMETERS, Param, Scale, Value};
+use hearth_core::params::{Domain, Input, Kind, Model, PARAMETERS, Param, Scale, Value};
 use hearth_core::preset::PRESETS;
 
-use super::{MODELS, attribute, domains, model_name};
+use super::{attribute, models};
 
 const INTRODUCTION: &str = "\
 <!-- Generated from the parameter table of hearth-core by `cargo xtask codegen`;
@@ -17,6 +17,12 @@ The **id** names a parameter in JavaScript (`fire.set('id', value)`) and in the
 panel; the **attribute** names it in HTML (`<hearth-fire attribute=\"value\">`). A
 value outside its range is refused aloud and the last good one stays. Sliders of
 a range marked *log* spread it by ratios.
+
+There are two models, and `model` says by which of them the fire burns. Below
+the name of each stand a parameter's default and, in brackets, its range; a dash
+where the model does not use it. A parameter whose default and range are the
+same in both has one value for both; any other keeps one for each model. What the
+model does not use can be set all the same: it waits until the model changes.
 ";
 
 /// The whole page.
@@ -26,11 +32,13 @@ pub(super) fn reference() -> String {
     for param in PARAMETERS {
         if param.group != group {
             group = param.group;
+            let models: Vec<_> = models().into_iter().map(Model::name).collect();
             let _ = write!(
                 text,
                 "\n## {group}\n\n\
-                 | id | attribute | unit | default | range | models | |\n\
-                 |---|---|---|---|---|---|---|\n"
+                 | id | attribute | unit | {} | |\n\
+                 |---|---|---|---|---|---|\n",
+                models.join(" | ")
             );
         }
         let _ = writeln!(text, "{}", row(param));
@@ -62,41 +70,27 @@ pub(super) fn reference() -> String {
 }
 
 fn row(param: &Param) -> String {
-    let all: Vec<_> = domains(param).collect();
-    let models: Vec<_> = all.iter().map(|&(model, _)| model_name(model)).collect();
-    let models = if all.len() == MODELS.len() {
-        "all".to_owned()
-    } else {
-        models.join(", ")
-    };
+    let by_model: Vec<_> = models()
+        .into_iter()
+        .map(|model| match param.domain(model) {
+            Some(domain) => cell(&format!(
+                "{} ({})",
+                default_text(domain.default),
+                range_text(param.kind, domain)
+            )),
+            None => "–".to_owned(),
+        })
+        .collect();
     let description = param.description();
     format!(
-        "| `{}` | `{}` | {} | {} | {} | {models} | **{}.** {} |",
+        "| `{}` | `{}` | {} | {} | **{}.** {} |",
         param.id,
         attribute(param.id),
         cell(param.unit),
-        per_model(param, |domain| default_text(domain.default)),
-        per_model(param, |domain| range_text(param.kind, domain)),
+        by_model.join(" | "),
         cell(description.label),
         cell(description.doc),
     )
-}
-
-/// One text where the models agree, else one for each.
-fn per_model(param: &Param, text: impl Fn(&Domain) -> String) -> String {
-    let texts: Vec<_> = domains(param)
-        .map(|(model, domain)| (model_name(model), text(domain)))
-        .collect();
-    match texts.as_slice() {
-        [(_, first), rest @ ..] if rest.iter().all(|(_, text)| text == first) => first.clone(),
-        texts => {
-            let texts: Vec<_> = texts
-                .iter()
-                .map(|(model, text)| format!("{model}: {text}"))
-                .collect();
-            texts.join("; ")
-        }
-    }
 }
 
 fn default_text(default: Value) -> String {
@@ -159,6 +153,21 @@ mod tests {
         let page = reference();
         for param in PARAMETERS {
             assert!(page.contains(&format!("\n| `{}` |", param.id)));
+        }
+    }
+
+    #[test]
+    fn each_model_has_its_column() {
+        for param in PARAMETERS {
+            let row = row(param);
+            let cells: Vec<_> = row.split(" | ").skip(3).collect();
+            for (model, cell) in models().into_iter().zip(cells) {
+                let expected = match param.domain(model) {
+                    Some(domain) => default_text(domain.default),
+                    None => "–".to_owned(),
+                };
+                assert!(cell.starts_with(&expected), "{} of {model:?}", param.id);
+            }
         }
     }
 

@@ -4,10 +4,10 @@
 
 use std::fmt::Write as _;
 
-use hearth_core::params::{Kind, PARAMETERS, Param};
+use hearth_core::params::{Choice, Domain, Kind, Model, PARAMETERS, Param};
 use hearth_core::preset::PRESETS;
 
-use super::{MODELS, domains, json_string, json_value, model_name, property};
+use super::{domains, json_string, json_value, property};
 
 const HEADER: &str = "\
 // Generated from the parameter table of hearth-core by `cargo xtask codegen`;
@@ -25,7 +25,10 @@ export interface ParameterDomain {
   max?: number;
 }
 
-/** What is known about a parameter; default and range are those of the default model. */
+/**
+ * What is known about a parameter. Default and range are those of the default
+ * model, or of the one that uses it; `domains` has those of each.
+ */
 export interface Parameter extends ParameterDomain {
   id: ParameterId;
   /** The attribute of `<hearth-fire>`. */
@@ -64,7 +67,7 @@ export declare const PRESETS: Preset[];
 /// The whole file of declarations.
 pub(super) fn declarations() -> String {
     let mut text = String::from(HEADER);
-    let models = MODELS.iter().map(|&model| model_name(model));
+    let models = Model::NAMES.iter().copied();
     let presets = PRESETS.iter().map(|preset| preset.name);
     let _ = write!(
         text,
@@ -92,20 +95,34 @@ fn interface(text: &mut String, name: &str, field: impl Fn(&Param) -> String) {
     text.push_str("}\n");
 }
 
-/// The doc, the unit, and range and default of the first model.
+/// The doc, the unit, and default and range, for each model where they differ.
 fn comment(param: &Param) -> String {
     let mut comment = param.description().doc.to_owned();
     if !param.unit.is_empty() {
         let _ = write!(comment, " [{}]", param.unit);
     }
-    if let Some((_, domain)) = domains(param).next() {
-        let _ = write!(comment, " Default {}", json_value(domain.default));
-        if matches!(param.kind, Kind::Number(_) | Kind::Integer(_)) {
-            let _ = write!(comment, ", from {} to {}", domain.range.0, domain.range.1);
+    let all: Vec<_> = domains(param).collect();
+    match all.as_slice() {
+        [(_, domain), (_, other)] if domain == other => {
+            let _ = write!(comment, " Default {}.", values(param, domain));
         }
-        comment.push('.');
+        all => {
+            for (model, domain) in all {
+                let values = values(param, domain);
+                let _ = write!(comment, " Default in {}: {values}.", model.name());
+            }
+        }
     }
     comment.replace("*/", "*\\/")
+}
+
+/// The default and, of a number, the range.
+fn values(param: &Param, domain: &Domain) -> String {
+    let mut text = json_value(domain.default);
+    if matches!(param.kind, Kind::Number(_) | Kind::Integer(_)) {
+        let _ = write!(text, ", from {} to {}", domain.range.0, domain.range.1);
+    }
+    text
 }
 
 fn value_type(kind: Kind) -> String {

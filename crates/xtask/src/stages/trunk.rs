@@ -12,7 +12,7 @@ use std::time::Duration;
 use anyhow::{Context, Result, bail};
 
 use super::browser;
-use crate::{paths, process, tools};
+use crate::{paths, process, script, tools};
 
 /// `trunk build --release` gives the same files, and the page burns; so does the
 /// one that `trunk serve` serves.
@@ -78,7 +78,8 @@ impl Drop for Served {
 }
 
 /// Fails unless both folders hold the same files. A page may differ in blank
-/// space, and wasm in the names of functions, which our build leaves out.
+/// space, a script in comments, and wasm in the names of functions, which our build
+/// leaves out.
 fn compare(ours: &Path, theirs: &Path) -> Result<()> {
     let (ours, theirs) = (files(ours)?, files(theirs)?);
     let mut complaints = Vec::new();
@@ -88,6 +89,11 @@ fn compare(ours: &Path, theirs: &Path) -> Result<()> {
             Some(_) if name.ends_with(".wasm") => {}
             Some(other) if name.ends_with(".html") => {
                 if words(content) != words(other) {
+                    complaints.push(format!("Trunk's {name} is another"));
+                }
+            }
+            Some(other) if name.ends_with(".js") => {
+                if code(content) != code(other) {
                     complaints.push(format!("Trunk's {name} is another"));
                 }
             }
@@ -123,6 +129,10 @@ fn files(folder: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
         }
     }
     Ok(found)
+}
+
+fn code(content: &[u8]) -> String {
+    script::without_comments(&String::from_utf8_lossy(content))
 }
 
 fn words(html: &[u8]) -> Vec<String> {
@@ -162,7 +172,7 @@ mod tests {
             &[
                 ("index.html", "<p>a</p>\n<p>b</p>"),
                 ("web/a.wasm", "2"),
-                ("web/a.js", "1"),
+                ("web/a.js", "// One.\n1"),
                 ("web/b.js", "1"),
             ],
         )?;

@@ -20,11 +20,13 @@
 
 use glam::Vec2;
 
-use crate::density::{DENSITY_FLOOR, Neighbours};
+use super::density::DENSITY_FLOOR;
+use super::particles::Particles;
+use super::printed::Printed;
 use crate::kernel::Kernel;
+use crate::neighbours::Neighbours;
 use crate::params::Values;
-use crate::particles::Particles;
-use crate::printed::Printed;
+use crate::turbulence::Turbulence;
 
 /// Sums the acceleration of every particle.
 ///
@@ -106,6 +108,18 @@ fn lift(particles: &mut Particles, values: &Values) {
     }
 }
 
+/// Turbulence of the air, which drives gas no faster than the air lets it rise.
+pub(crate) fn stir(particles: &mut Particles, turbulence: &Turbulence, values: &Values) {
+    if !turbulence.stirs() {
+        return;
+    }
+    for (i, acceleration) in particles.acceleration.iter_mut().enumerate() {
+        let push = turbulence.push(particles.position[i]);
+        let along = particles.velocity[i].dot(push.normalize_or_zero());
+        *acceleration += push * resisted(1.0, along, values.terminal_speed);
+    }
+}
+
 /// The share of an acceleration `a` that is left at the speed `v` along it.
 ///
 /// This model has no air around the fire, so nothing would stop what rises. In
@@ -121,16 +135,17 @@ fn resisted(a: f32, v: f32, terminal_speed: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::density::{pressure, sum_density};
+    use crate::Particle;
+    use crate::classic::density::{pressure, sum_density};
     use crate::grid::{Bounds, Grid};
-    use crate::params::{Input, Parameters};
-    use crate::particles::Particle;
+    use crate::params::{Input, Model, Parameters};
     use crate::random::Random;
 
     const BOUNDS: Bounds = Bounds {
         width: 1.0,
         height: 1.0,
         periodic: true,
+        endless: false,
     };
 
     /// A dense random cloud in random motion, with its densities and pressures.
@@ -149,12 +164,11 @@ mod tests {
         }
         let kernel = Kernel::new(parameters.smoothing_radius);
         let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
-        grid.sort(&mut particles, &BOUNDS, kernel.support());
+        particles.reorder(grid.sort(&particles.position, &BOUNDS, kernel.support()));
         sum_density(
             &mut particles,
             &mut neighbours,
             &grid,
-            &BOUNDS,
             &kernel,
             parameters.particle_mass,
         );
@@ -163,7 +177,7 @@ mod tests {
     }
 
     fn with(values: &[(&str, Input<'_>)]) -> Parameters {
-        let mut parameters = Parameters::default();
+        let mut parameters = Parameters::new(Model::Classic);
         for &(id, value) in values {
             parameters.set(id, value).expect(id);
         }
@@ -244,15 +258,8 @@ mod tests {
                 });
             }
             let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
-            grid.sort(&mut particles, &BOUNDS, kernel.support());
-            sum_density(
-                &mut particles,
-                &mut neighbours,
-                &grid,
-                &BOUNDS,
-                &kernel,
-                1e-3,
-            );
+            particles.reorder(grid.sort(&particles.position, &BOUNDS, kernel.support()));
+            sum_density(&mut particles, &mut neighbours, &grid, &kernel, 1e-3);
             accelerate(
                 &mut particles,
                 &neighbours,
@@ -277,16 +284,9 @@ mod tests {
             }
         }
         let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
-        grid.sort(&mut particles, &BOUNDS, kernel.support());
+        particles.reorder(grid.sort(&particles.position, &BOUNDS, kernel.support()));
         let mass = parameters.particle_mass;
-        sum_density(
-            &mut particles,
-            &mut neighbours,
-            &grid,
-            &BOUNDS,
-            &kernel,
-            mass,
-        );
+        sum_density(&mut particles, &mut neighbours, &grid, &kernel, mass);
         for (pressure, position) in particles.pressure.iter_mut().zip(&particles.position) {
             *pressure = position.x;
         }
@@ -354,7 +354,7 @@ mod tests {
 
     #[test]
     fn at_the_terminal_speed_nothing_lifts_any_more() {
-        let terminal = Parameters::default().terminal_speed;
+        let terminal = Parameters::new(Model::Classic).terminal_speed;
         let free = lone_lift(&[], 1900.0, 0.6, 0.0);
         assert!(lone_lift(&[], 1900.0, 0.6, terminal).abs() < 1e-5 * free);
         assert!(lone_lift(&[], 1900.0, 0.6, 1.3 * terminal) < 0.0);
@@ -364,7 +364,7 @@ mod tests {
     #[test]
     fn the_printed_divisor_lifts_by_one_over_the_mass_and_not_by_heat() {
         let flag = ("printed_divisor", Input::Flag(true));
-        let p = Parameters::default();
+        let p = Parameters::new(Model::Classic);
         let expected = p.buoyancy * (p.ambient_density - 0.6) * p.gravity / p.particle_mass;
         let printed = lone_lift(&[flag], 1900.0, 0.6, 0.0);
         assert!((printed / expected - 1.0).abs() < 1e-5);

@@ -11,9 +11,10 @@
 
 use glam::Vec2;
 
+use super::particles::Particles;
 use crate::noise::perlin;
 use crate::params::Values;
-use crate::particles::{Particle, Particles};
+use crate::particle::Particle;
 use crate::random::Random;
 
 /// Least distance between a birth and any other particle, in units of the
@@ -48,11 +49,6 @@ pub(crate) struct Emitter {
 }
 
 impl Emitter {
-    pub fn reset(&mut self) {
-        self.owed = 0.0;
-        self.along = 0.0;
-    }
-
     /// Lets the particles be born that are due in a step from `time` on.
     pub fn emit(
         &mut self,
@@ -114,14 +110,13 @@ impl Emitter {
                 continue;
             }
 
-            // The spread turns the jet aside and takes from its speed; it never
-            // adds, so that the emission speed is the fastest.
+            // The spread turns the jet aside, by 45° at most, and takes from its
+            // speed; it never adds, so that the emission speed is the fastest.
             let aside = values.emission_spread * random.between(-1.0, 1.0);
             let inward = -0.5 * values.taper * x / source.half_width;
-            let tilt = (aside + inward) * TILT;
             let slower = 1.0 - 0.5 * values.emission_spread * random.unit();
-            let (sin, cos) = libm::sincosf(tilt);
-            let velocity = Vec2::new(sin, cos) * (values.emission_speed * slower * vigour.min(1.0));
+            let speed = values.emission_speed * slower * vigour.min(1.0);
+            let velocity = Vec2::new(aside + inward, 1.0).normalize() * speed;
 
             let age = random.unit() * values.time_step;
             let position = source.middle + Vec2::new(x, velocity.y * age);
@@ -134,19 +129,16 @@ impl Emitter {
                 continue;
             }
             return Some(Particle {
-                position,
                 velocity,
                 temperature: values.maximum_temperature,
                 age,
                 lifetime: random.between(values.lifetime_min, source.longest_life(values, x)),
+                ..Particle::at(position)
             });
         }
         None
     }
 }
-
-/// Angle by which a spread of one turns the velocity aside at most \[rad\].
-const TILT: f32 = std::f32::consts::FRAC_PI_4;
 
 /// The source during one step.
 struct Source {

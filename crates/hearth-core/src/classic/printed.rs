@@ -4,10 +4,11 @@
 //! does. They stand apart because the two ends of a pair may then feel
 //! different forces, and because the usual forces need not ask at every pair.
 
-use crate::density::{DENSITY_FLOOR, Neighbours};
+use super::density::DENSITY_FLOOR;
+use super::particles::Particles;
 use crate::kernel::Kernel;
+use crate::neighbours::Neighbours;
 use crate::params::Values;
-use crate::particles::Particles;
 
 /// The paper's equations as they are printed, each to be chosen by itself.
 #[derive(Clone, Copy, Debug)]

@@ -7,34 +7,7 @@
 
 use glam::Vec2;
 
-/// A particle as it is put in and read out.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Particle {
-    /// Position \[m\]; the origin is the middle of the floor, y points up.
-    pub position: Vec2,
-    /// Velocity [m/s].
-    pub velocity: Vec2,
-    /// Temperature \[K\].
-    pub temperature: f32,
-    /// Time since birth \[s\].
-    pub age: f32,
-    /// Age at which it dies \[s\].
-    pub lifetime: f32,
-}
-
-#[cfg(test)]
-impl Particle {
-    /// One for tests: at rest, as warm as a room.
-    pub(crate) fn at(position: Vec2) -> Particle {
-        Particle {
-            position,
-            velocity: Vec2::ZERO,
-            temperature: 300.0,
-            age: 0.0,
-            lifetime: 1.0,
-        }
-    }
-}
+use crate::particle::Particle;
 
 /// All particles that are alive.
 #[derive(Clone, Debug, Default)]
@@ -48,6 +21,8 @@ pub(crate) struct Particles {
     pub density: Vec<f32>,
     pub pressure: Vec<f32>,
     pub id: Vec<u64>,
+    /// What each gives to the density around it, its mass [kg/m].
+    pub shares: Vec<f32>,
     /// Never runs out: a large source would have used up 32 bits in a day.
     born: u64,
     /// The second half of each reordering.
@@ -92,6 +67,14 @@ impl Particles {
             temperature: self.temperature[i],
             age: self.age[i],
             lifetime: self.lifetime[i],
+            ..Particle::at(self.position[i])
+        }
+    }
+
+    /// Adds the accelerations `push` of a position and a velocity.
+    pub fn push_by(&mut self, push: &impl Fn(Vec2, Vec2) -> Vec2) {
+        for (i, acceleration) in self.acceleration.iter_mut().enumerate() {
+            *acceleration += push(self.position[i], self.velocity[i]);
         }
     }
 

@@ -1,0 +1,228 @@
+//! The combustion model: air that fills the domain, and a burner in it.
+//!
+//! Fuel flows in, mixes, burns, and the hot gas rises. Nothing is scripted: the
+//! taper of the flame, its flicker and its puffing come from the equations. One
+//! step is: neighbour grid → pressure → forces and exchange → time step →
+//! motion → burning → burner → seam.
+
+mod burner;
+mod chemistry;
+mod embers;
+mod forces;
+mod gas;
+mod resample;
+mod seam;
+mod time_step;
+
+use glam::Vec2;
+
+use crate::Particle;
+use crate::grid::Grid;
+use crate::kernel::Kernel;
+use crate::params::{Parameters, Values};
+use crate::particle::Instance;
+use crate::random::Random;
+use crate::simulation::StepReport;
+use crate::turbulence::Turbulence;
+
+use burner::Burner;
+pub use embers::Ember;
+use embers::{Air, Embers};
+use forces::Forces;
+pub(crate) use gas::{Gas, bounds};
+use time_step::Motion;
+pub(crate) use time_step::sound_speed;
+
+/// Gas that is warmer \[K\], or sootier, can be seen.
+const SEEN_TEMPERATURE: f32 = 400.0;
+const SEEN_SOOT: f32 = 0.002;
+
+/// The gas of the combustion model and what moves it.
+#[derive(Clone, Debug)]
+pub(crate) struct Combustion {
+    gas: Gas,
+    grid: Grid,
+    forces: Forces,
+    embers: Embers,
+    /// What the shape of the domain and the number of particles were made for.
+    made_for: Made,
+    motion: Motion,
+    /// Of the burning in the last step [kW/m].
+    power: f32,
+    length: f32,
+}
+
+/// What the gas depends on as a whole: where it changes, the gas is made anew.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Made {
+    width: f32,
+    height: f32,
+    particles: u32,
+}
+
+impl Made {
+    fn by(values: &Values) -> Made {
+        Made {
+            width: values.domain_width,
+            height: values.domain_height,
+            particles: values.max_particles,
+        }
+    }
+}
+
+impl Combustion {
+    /// Air at rest.
+    pub fn new(parameters: &Parameters, random: &mut Random) -> Combustion {
+        Combustion {
+            gas: Gas::air(parameters, parameters.spacing(), random),
+            grid: Grid::default(),
+            forces: Forces::default(),
+            embers: Embers::default(),
+            made_for: Made::by(parameters),
+            motion: Motion::default(),
+            power: 0.0,
+            length: 0.0,
+        }
+    }
+
+    /// Burns on by one step from `time` on, with the accelerations `push` besides
+    /// its own. Returns the length of the step \[s\].
+    pub fn step(
+        &mut self,
+        parameters: &Parameters,
+        random: &mut Random,
+        time: f64,
+        push: &impl Fn(Vec2, Vec2) -> Vec2,
+    ) -> f64 {
+        let values: &Values = parameters;
+        let kernel = Kernel::new(parameters.smoothing_length());
+        let sound = sound_speed(values);
+        let bounds = bounds(values);
+        let gas = &mut self.gas;
+
+        gas.reorder(self.grid.sort(&gas.position, &bounds, kernel.support()));
+        self.forces.fill(gas, &self.grid, &kernel, values, sound);
+        self.forces.exchange(gas, &kernel, values, sound);
+        self.forces
+            .confine(gas, &kernel, values.vorticity_confinement);
+        lift(gas, values);
+        Turbulence::new(values, time).stir(&gas.position, &mut gas.acceleration);
+        seam::blow(gas, values);
+        for (i, acceleration) in gas.acceleration.iter_mut().enumerate() {
+            *acceleration += push(gas.position[i], gas.velocity[i]);
+        }
+
+        let dt = time_step::longest(gas, values, kernel.smoothing_length(), sound);
+        let air = Air {
+            gas,
+            grid: &self.grid,
+            bounds: &bounds,
+            kernel: &kernel,
+        };
+        self.embers.drift(&air, values, random, dt);
+        self.motion = time_step::accelerate(gas, sound, dt);
+        self.power = chemistry::react(gas, values, dt);
+        if let Some(burner) = Burner::new(values, parameters.spacing()) {
+            burner.feed(gas, values, time, dt);
+        }
+        seam::freshen(gas, values, dt);
+        let (h, fastest) = (kernel.smoothing_length(), self.motion.fastest);
+        time_step::advance(gas, &bounds, values.shifting, h, fastest, dt);
+        self.length = dt;
+        f64::from(dt)
+    }
+
+    /// Takes up changed values. Where the domain or the number of particles
+    /// changed, new particles take over what the old ones carried.
+    pub fn adapt(&mut self, parameters: &Parameters, random: &mut Random) {
+        let made_for = Made::by(parameters);
+        if made_for != self.made_for {
+            self.gas = resample::take_over(&self.gas, &self.made_for, parameters, random);
+            self.made_for = made_for;
+        }
+        self.gas.weigh(parameters);
+    }
+
+    /// Puts these particles in the place of all that there are.
+    pub fn set_particles(&mut self, particles: &[Particle], values: &Values) {
+        self.gas = Gas::of(particles, values);
+        self.embers = Embers::default();
+        self.power = 0.0;
+    }
+
+    /// Length of the last step, or about that of the first \[s\].
+    pub fn step_length(&self, parameters: &Parameters) -> f64 {
+        f64::from(if self.length > 0.0 {
+            self.length
+        } else {
+            let h = parameters.smoothing_length();
+            time_step::longest(&self.gas, parameters, h, sound_speed(parameters))
+        })
+    }
+
+    /// All particles, in no particular order.
+    pub fn gas(&self) -> &Gas {
+        &self.gas
+    }
+
+    /// All embers.
+    pub fn embers(&self) -> &[Ember] {
+        self.embers.alive()
+    }
+
+    pub fn report(&self) -> StepReport {
+        let (mean_neighbours, most_neighbours) = self.forces.neighbours.mean_and_most();
+        StepReport {
+            substeps: 1,
+            mean_neighbours,
+            most_neighbours,
+            at_speed_limit: self.motion.limited,
+            at_guard: self.motion.limited,
+            fastest: self.motion.fastest,
+            length: self.length,
+            power: self.power,
+        }
+    }
+
+    /// Copies out the gas that can be seen.
+    pub fn write_instances(&self, out: &mut Vec<Instance>) {
+        let gas = &self.gas;
+        out.extend((0..gas.len()).filter_map(|i| {
+            let [temperature, _, _, soot] = gas.state[i].to_array();
+            let seen = temperature > SEEN_TEMPERATURE || soot > SEEN_SOOT;
+            seen.then(|| {
+                [
+                    gas.position[i].x,
+                    gas.position[i].y,
+                    gas.velocity[i].x,
+                    gas.velocity[i].y,
+                    temperature,
+                    gas.volume[i],
+                    soot,
+                    gas.burn[i],
+                ]
+            })
+        }));
+    }
+
+    /// Copies out the embers.
+    pub fn write_embers(&self, out: &mut Vec<Instance>) {
+        self.embers.write_instances(out);
+    }
+}
+
+/// Buoyancy: b g (1 − Tₐ/T) θ. For the ideal gas that is b g (T/Tₐ − 1), the weight of
+/// the air that the gas displaces less its own. In a domain without a seam nothing
+/// would ever stop what rises, so there nothing is lifted.
+fn lift(gas: &mut Gas, values: &Values) {
+    if values.seam == 0.0 {
+        return;
+    }
+    let air = values.ambient_temperature;
+    let strength = values.buoyancy * values.gravity;
+    for (acceleration, state) in gas.acceleration.iter_mut().zip(&gas.state) {
+        let temperature = state.x;
+        let warm = 1.0 - air / temperature;
+        acceleration.y += strength * warm * forces::expansion(temperature, values);
+    }
+}

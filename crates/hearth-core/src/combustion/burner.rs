@@ -1,0 +1,225 @@
+//! The burner: a block of gas, three spacings high, into which fuel flows.
+//!
+//! It is driven by its power, so it burns alike at every resolution: the fuel of
+//! a step is spread over whatever gas is in the block, and what finds no room
+//! there over the gas above. Perlin noise lets some
+//! places of it burn more than others, and drift (the paper's §5.3), without a
+//! change to the sum.
+
+use super::chemistry::heat_of_combustion;
+use super::gas::Gas;
+use crate::noise::perlin;
+use crate::params::Values;
+
+/// Height of the block, in spacings of the particles.
+const ROWS: f32 = 3.0;
+/// How fast gas in the block takes on its velocity [1/s].
+const GRIP: f32 = 400.0;
+/// Least width of the block, in spacings: a burner between two particles would
+/// heat neither.
+const NARROWEST: f32 = 4.0;
+/// So many layers as high as the block take fuel that the block cannot.
+const MOST_LAYERS: u32 = 8;
+/// A pilot flame: gas in the block is hotter than it needs to be to burn, by this.
+const PILOT: f32 = 1.02;
+/// Lattice cells of the emission noise across the burner.
+const NOISE_CELLS: f32 = 5.0;
+/// Lattice cells of the emission noise for each second.
+const NOISE_PER_SECOND: f64 = 3.0;
+
+/// The block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Burner {
+    pub half_width: f32,
+    pub bottom: f32,
+    pub top: f32,
+}
+
+impl Burner {
+    /// The burner of these values, inside the seams; `None` where it is off.
+    pub fn new(values: &Values, spacing: f32) -> Option<Burner> {
+        if values.fuel_power == 0.0 {
+            return None;
+        }
+        let height = ROWS * spacing;
+        let (low, high) = (values.seam, 1.0 - values.seam);
+        let highest = (high * values.domain_height - height).max(0.0);
+        let lowest = (low * values.domain_height).min(highest);
+        let bottom = values.source_height.max(lowest).min(highest);
+        let width = values
+            .source_width
+            .max(NARROWEST * spacing)
+            .min(values.domain_width);
+        Some(Burner {
+            half_width: 0.5 * width,
+            bottom,
+            top: bottom + height,
+        })
+    }
+
+    /// Feeds the gas in the block for `dt`.
+    pub fn feed(&self, gas: &mut Gas, values: &Values, time: f64, dt: f32) {
+        self.hold(gas, values, dt);
+        let mut left = values.fuel_power / heat_of_combustion(values) * dt;
+        let height = self.top - self.bottom;
+        for layer in 0..MOST_LAYERS {
+            left = self.mix_in(gas, values, time, layer as f32 * height, left);
+            if left <= 0.0 {
+                break;
+            }
+        }
+    }
+
+    /// Gives gas in the block its temperature, its oxygen and its velocity.
+    fn hold(&self, gas: &mut Gas, values: &Values, dt: f32) {
+        let grip = (GRIP * dt).min(1.0);
+        let hot = values
+            .source_temperature
+            .max(PILOT * values.ignition_temperature);
+        for i in 0..gas.len() {
+            if self.holds(gas, i, 0.0) {
+                let state = &mut gas.state[i];
+                state.x = state.x.max(hot);
+                // Air comes into the block from below, as it would not into a
+                // burner; what the source brings displaces it.
+                state.z = state.z.min(values.source_oxygen);
+                let velocity = &mut gas.velocity[i];
+                velocity.x -= velocity.x * grip;
+                velocity.y += (values.emission_speed - velocity.y) * grip;
+            }
+        }
+    }
+
+    /// Spreads `fuel` [kg/m] over the gas so far above the block, and returns
+    /// what it cannot take, since no gas can be more than fuel.
+    fn mix_in(&self, gas: &mut Gas, values: &Values, time: f64, above: f32, fuel: f32) -> f32 {
+        let share = |x: f32| {
+            let across = x / self.half_width * (0.5 * NOISE_CELLS);
+            let noise = perlin(values.seed, across, time * NOISE_PER_SECOND);
+            1.0 + values.emission_noise * noise
+        };
+        let mut shares = 0.0;
+        for i in 0..gas.len() {
+            if self.holds(gas, i, above) {
+                shares += share(gas.position[i].x);
+            }
+        }
+        if shares <= 0.0 {
+            return fuel;
+        }
+        let each = fuel / (gas.mass * shares);
+        let mut left = 0.0;
+        for i in 0..gas.len() {
+            if self.holds(gas, i, above) {
+                let wanted = gas.state[i].y + each * share(gas.position[i].x);
+                gas.state[i].y = wanted.min(1.0);
+                left += (wanted - 1.0).max(0.0) * gas.mass;
+            }
+        }
+        left
+    }
+
+    fn holds(&self, gas: &Gas, i: usize, above: f32) -> bool {
+        let at = gas.position[i];
+        let height = at.y - above;
+        at.x.abs() < self.half_width && height > self.bottom && height < self.top
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::combustion::gas::tests::with;
+    use crate::params::Parameters;
+    use crate::random::Random;
+
+    fn fed(parameters: &Parameters, seconds: f32) -> Option<Gas> {
+        let spacing = parameters.spacing();
+        let mut gas = Gas::air(parameters, spacing, &mut Random::new(1));
+        Burner::new(parameters, spacing)?.feed(&mut gas, parameters, 0.4, seconds);
+        Some(gas)
+    }
+
+    #[test]
+    fn it_gives_its_power_at_any_width_resolution_and_noise() {
+        for (n, width, noise) in [
+            (1000.0, 0.4, 0.0),
+            (12_000.0, 0.4, 1.0),
+            (3000.0, 1.0, 0.5),
+            (3000.0, 0.01, 0.2),
+        ] {
+            let parameters = with(&[
+                ("max_particles", n),
+                ("source_width", width),
+                ("emission_noise", noise),
+            ]);
+            let seconds = 1e-3;
+            let gas = fed(&parameters, seconds).expect("a burner");
+            let fuel: f32 = gas.state.iter().map(|state| state.y * gas.mass).sum();
+            let power = fuel * heat_of_combustion(&parameters) / seconds;
+            assert!(
+                (power / parameters.fuel_power - 1.0).abs() < 1e-3,
+                "{power} at {n}, {width}, {noise}"
+            );
+        }
+    }
+
+    #[test]
+    fn without_power_there_is_no_burner() {
+        assert!(fed(&with(&[("fuel_power", 0.0)]), 1e-3).is_none());
+    }
+
+    #[test]
+    fn its_gas_is_hot_enough_to_burn_wherever_the_sliders_stand() {
+        let parameters = with(&[
+            ("source_temperature", 500.0),
+            ("ignition_temperature", 900.0),
+        ]);
+        let gas = fed(&parameters, 1e-3).expect("a burner");
+        assert!(
+            gas.state
+                .iter()
+                .any(|state| state.x > parameters.ignition_temperature)
+        );
+    }
+
+    #[test]
+    fn it_stays_between_the_seams() {
+        for (height, seam) in [(0.0, 0.2), (1.0, 0.2), (1.0, 0.0)] {
+            let parameters = with(&[
+                ("source_height", height),
+                ("seam", seam),
+                ("domain_height", 0.5),
+            ]);
+            let burner = Burner::new(&parameters, parameters.spacing()).expect("a burner");
+            let thickness = parameters.seam * parameters.domain_height;
+            assert!(burner.bottom >= thickness - 1e-6);
+            assert!(burner.top <= parameters.domain_height - thickness + 1e-6);
+        }
+    }
+
+    #[test]
+    fn what_the_block_cannot_take_goes_to_the_gas_above() {
+        // In a quarter of a second far more fuel than the block can hold.
+        let parameters = with(&[
+            ("fuel_power", 600.0),
+            ("source_width", 0.1),
+            ("emission_noise", 0.0),
+        ]);
+        let gas = fed(&parameters, 0.25).expect("a burner");
+        let fuel: f32 = gas.state.iter().map(|state| state.y * gas.mass).sum();
+        let expected = 600.0 / heat_of_combustion(&parameters) * 0.25;
+        assert!((fuel / expected - 1.0).abs() < 1e-3, "{fuel} of {expected}");
+        assert!(gas.state.iter().all(|state| state.y <= 1.0));
+    }
+
+    #[test]
+    fn its_gas_has_as_much_oxygen_as_the_slider_says() {
+        for oxygen in [0.0, 0.4, 1.0] {
+            let gas = fed(&with(&[("source_oxygen", oxygen)]), 1e-3).expect("a burner");
+            let inside = gas.state.iter().filter(|state| state.y > 0.0);
+            let most = inside.map(|state| state.z).fold(0.0, f32::max);
+            assert!((f64::from(most) - oxygen).abs() < 1e-6);
+        }
+    }
+}

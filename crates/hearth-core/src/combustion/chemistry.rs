@@ -1,0 +1,171 @@
+//! Burning and radiating.
+//!
+//! One reaction, as fast as its time allows and as far as fuel and oxygen reach:
+//!
+//! ```text
+//! burn = min(F, O/s, (T_max − T)/(ΔT (1 + s))) (1 − e^(−dt/τ))   where T > T_ign
+//! F −= burn    O −= s burn    T += ΔT (1 + s) burn    S += (1 + s) burn
+//! dT/dt = − K [(T/1500)⁴ − (Tₐ/1500)⁴]
+//! dS/dt = − S/τ_s where it is hot, − S/τ_smoke where it is not
+//! ```
+//!
+//! ΔT is what a mixture with just enough air heats up by, its adiabatic flame
+//! temperature less the air's. T_max is that on top of what the source brings:
+//! hotter gas would fall apart as fast as it burns. Soot burns away where it glows; what leaves the
+//! flame is smoke, which thins slowly.
+
+use super::gas::{Gas, State};
+use crate::params::Values;
+
+/// Heat capacity of the gas [kJ/(kg·K)].
+pub(crate) const HEAT_CAPACITY: f32 = 1.0;
+
+/// Temperatures between which soot goes from lasting to burning away \[K\].
+const SOOT_BURNS: (f32, f32) = (850.0, 1150.0);
+
+/// Heat that a unit of fuel gives [kJ/kg], for each kg of the mixture.
+pub(crate) fn heat_of_combustion(values: &Values) -> f32 {
+    HEAT_CAPACITY * values.flame_rise * (1.0 + values.air_demand)
+}
+
+/// Lets the gas diffuse, burn and radiate for `dt`. Returns the power of the
+/// burning [kW/m].
+pub(crate) fn react(gas: &mut Gas, values: &Values, dt: f32) -> f32 {
+    let demand = values.air_demand;
+    let fast = 1.0 - libm::expf(-dt / values.burn_time);
+    let rise = values.flame_rise * (1.0 + demand);
+    let air = values.ambient_temperature;
+    let radiated = |t: f32| {
+        let relative = t * (1.0 / 1500.0);
+        let square = relative * relative;
+        square * square
+    };
+    let from_air = radiated(air);
+    let source = values.source_temperature.max(values.ignition_temperature);
+    let equilibrium = source + values.flame_rise;
+    let smoke_left = 1.0 / (1.0 + dt / values.smoke_life);
+    let soot_left = 1.0 / (1.0 + dt / values.soot_life);
+    let (cool, hot) = SOOT_BURNS;
+    let mut burnt = 0.0_f64;
+
+    for (i, state) in gas.state.iter_mut().enumerate() {
+        let [t, fuel, oxygen, soot] = (*state + gas.change[i] * dt).to_array();
+        let fuel = fuel.clamp(0.0, 1.0);
+        let oxygen = oxygen.clamp(0.0, 1.0);
+        let burn = if t > values.ignition_temperature {
+            let lacking = ((equilibrium - t) / rise).clamp(0.0, 1.0);
+            fuel.min(oxygen / demand).min(lacking) * fast
+        } else {
+            0.0
+        };
+        burnt += f64::from(burn);
+        gas.burn[i] = burn / dt;
+
+        let lost = dt * values.radiative_cooling * (radiated(t) - from_air);
+        // Radiation stops at the temperature of the air, however long the step.
+        let cooled = (t - lost).max(air.min(t));
+        let t = cooled + rise * burn;
+        let glowing = ((t - cool) / (hot - cool)).clamp(0.0, 1.0);
+        let left = smoke_left + glowing * (soot_left - smoke_left);
+        *state = State::new(
+            t,
+            fuel - burn,
+            oxygen - demand * burn,
+            (soot.clamp(0.0, f32::MAX) + (1.0 + demand) * burn) * left,
+        );
+    }
+    let per_second = burnt / f64::from(dt) * f64::from(gas.mass * heat_of_combustion(values));
+    per_second as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::combustion::gas::tests::with;
+    use crate::params::Parameters;
+    use crate::random::Random;
+
+    /// Gas of one mixture, and nothing that diffuses.
+    fn mixture(parameters: &Parameters, state: [f32; 4]) -> Gas {
+        let mut gas = Gas::air(parameters, parameters.spacing(), &mut Random::new(1));
+        gas.state.fill(State::from_array(state));
+        gas
+    }
+
+    #[test]
+    fn fuel_and_oxygen_go_in_the_proportion_of_the_demand_and_their_heat_stays() {
+        let parameters = with(&[("radiative_cooling", 0.0), ("soot_life", 2.0)]);
+        let mut gas = mixture(&parameters, [900.0, 0.3, 0.8, 0.0]);
+        let power = react(&mut gas, &parameters, 0.01);
+        let [t, fuel, oxygen, soot] = gas.state[0].to_array();
+        let burnt = 0.3 - fuel;
+        assert!(burnt > 0.01);
+        let (demand, rise) = (parameters.air_demand, parameters.flame_rise);
+        assert!(((0.8 - oxygen) / (demand * burnt) - 1.0).abs() < 1e-4);
+        assert!(((t - 900.0) / (rise * (1.0 + demand) * burnt) - 1.0).abs() < 1e-3);
+        assert!((soot / ((1.0 + demand) * burnt) - 1.0).abs() < 0.02);
+        let mass = gas.mass * gas.len() as f32;
+        let heat = mass * HEAT_CAPACITY * (t - 900.0);
+        assert!((power * 0.01 / heat - 1.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn cold_gas_fuel_alone_and_air_alone_do_not_burn() {
+        let parameters = with(&[]);
+        let cold = parameters.ignition_temperature - 1.0;
+        for state in [
+            [cold, 0.5, 0.5, 0.0],
+            [1500.0, 1.0, 0.0, 0.0],
+            [1500.0, 0.0, 1.0, 0.0],
+        ] {
+            let mut gas = mixture(&parameters, state);
+            assert_eq!(react(&mut gas, &parameters, 0.01), 0.0, "{state:?}");
+        }
+    }
+
+    #[test]
+    fn a_mixture_without_losses_ends_at_its_flame_temperature() {
+        let parameters = with(&[("radiative_cooling", 0.0)]);
+        let demand = parameters.air_demand;
+        let start = parameters.ignition_temperature + 1.0;
+        let exact = [start, 1.0 / (1.0 + demand), demand / (1.0 + demand), 0.0];
+        let mut gas = mixture(&parameters, exact);
+        for _ in 0..3000 {
+            react(&mut gas, &parameters, 1e-3);
+        }
+        let rise = gas.state[0].x - start;
+        assert!((rise / parameters.flame_rise - 1.0).abs() < 0.01, "{rise}");
+    }
+
+    #[test]
+    fn gas_radiates_down_to_the_air_and_the_hotter_the_faster() {
+        let parameters = with(&[("radiative_cooling", 2000.0)]);
+        let lost = |from: f32| {
+            let mut gas = mixture(&parameters, [from, 0.0, 1.0, 0.0]);
+            react(&mut gas, &parameters, 1e-3);
+            from - gas.state[0].x
+        };
+        assert!(lost(2000.0) > 10.0 * lost(1000.0));
+        assert_eq!(lost(parameters.ambient_temperature), 0.0);
+        let mut gas = mixture(&parameters, [400.0, 0.0, 1.0, 0.0]);
+        for _ in 0..1000 {
+            react(&mut gas, &parameters, 1.0 / 60.0);
+        }
+        assert!(gas.state[0].x >= parameters.ambient_temperature);
+    }
+
+    #[test]
+    fn soot_burns_away_in_the_flame_and_lasts_as_smoke() {
+        let parameters = with(&[("radiative_cooling", 0.0)]);
+        let left = |temperature: f32| {
+            let mut gas = mixture(&parameters, [temperature, 0.0, 1.0, 1.0]);
+            for _ in 0..250 {
+                react(&mut gas, &parameters, 1e-3);
+            }
+            f64::from(gas.state[0].w).ln()
+        };
+        let decay = |life: f32| -0.25 / f64::from(life);
+        assert!((left(1500.0) / decay(parameters.soot_life) - 1.0).abs() < 0.01);
+        assert!((left(400.0) / decay(parameters.smoke_life) - 1.0).abs() < 0.01);
+    }
+}

@@ -1,0 +1,247 @@
+//! The gas that fills the domain, and its lattice at the start.
+//!
+//! Every particle has the same mass; what differs is how much room it takes.
+//! One array a property, sorted by grid cell at every step; readers get copies
+//! in the order of the ids.
+
+use glam::{Vec2, Vec4};
+
+use super::forces::expansion;
+use crate::Particle;
+use crate::grid::Bounds;
+use crate::params::Values;
+use crate::random::Random;
+
+/// What diffuses from particle to particle: temperature \[K\], fuel, oxygen, soot.
+/// One vector, since one law moves all four.
+pub(crate) type State = Vec4;
+
+/// Part of the spacing by which the lattice of the start is disturbed: a
+/// perfect lattice would stay one, and shear along its rows.
+const JITTER: f32 = 0.1;
+
+/// What rounding may take from a whole number of rows.
+const ALMOST: f32 = 1e-3;
+
+/// All particles of the gas.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Gas {
+    pub position: Vec<Vec2>,
+    pub velocity: Vec<Vec2>,
+    pub state: Vec<State>,
+    pub id: Vec<u32>,
+    /// Mass of each particle [kg/m].
+    pub mass: f32,
+
+    // Made anew at every step.
+    pub acceleration: Vec<Vec2>,
+    /// Change of the state by diffusion [1/s].
+    pub change: Vec<State>,
+    /// Y = Σ yⱼ Wᵢⱼ, how full of gas the place is, in mass of cold air [kg/m³].
+    pub filling: Vec<f32>,
+    /// Volume \[m²\].
+    pub volume: Vec<f32>,
+    pub pressure: Vec<f32>,
+    /// Gradient of the particle concentration, ΣV∇W [1/m].
+    pub crowding: Vec<Vec2>,
+    /// Fuel burnt in a second [1/s].
+    pub burn: Vec<f32>,
+    scratch: Scratch,
+}
+
+#[derive(Clone, Debug, Default)]
+struct Scratch {
+    vector: Vec<Vec2>,
+    state: Vec<State>,
+    id: Vec<u32>,
+}
+
+impl Gas {
+    /// Air at rest that fills the domain.
+    pub fn air(values: &Values, spacing: f32, random: &mut Random) -> Gas {
+        let mut gas = Gas::default();
+        for place in lattice(values, spacing, random).points {
+            gas.push(&Particle {
+                temperature: values.ambient_temperature,
+                velocity: Vec2::new(values.wind, 0.0),
+                ..Particle::at(place)
+            });
+        }
+        gas.settle(values);
+        gas
+    }
+
+    /// Gas of these particles.
+    pub fn of(particles: &[Particle], values: &Values) -> Gas {
+        let mut gas = Gas::default();
+        for particle in particles {
+            gas.push(particle);
+        }
+        gas.settle(values);
+        gas
+    }
+
+    pub fn push(&mut self, particle: &Particle) {
+        self.id.push(self.len() as u32);
+        self.position.push(particle.position);
+        self.velocity.push(particle.velocity);
+        self.state.push(Vec4::new(
+            particle.temperature,
+            particle.fuel,
+            particle.oxygen,
+            particle.soot,
+        ));
+        self.acceleration.push(Vec2::ZERO);
+        self.change.push(Vec4::ZERO);
+        self.filling.push(0.0);
+        self.pressure.push(0.0);
+        self.crowding.push(Vec2::ZERO);
+        self.burn.push(0.0);
+    }
+
+    /// Gives every particle its mass: together they fill the domain with air.
+    pub fn weigh(&mut self, values: &Values) {
+        let area = values.domain_width * values.domain_height;
+        self.mass = values.ambient_density * area / self.len().max(1) as f32;
+    }
+
+    /// Gives every particle its mass and the room that it will take, which the
+    /// next step finds out better.
+    pub fn settle(&mut self, values: &Values) {
+        self.weigh(values);
+        self.volume.clear();
+        self.volume
+            .extend(self.state.iter().map(|state| expansion(state.x, values)));
+        let area = values.domain_width * values.domain_height;
+        let share = area / self.volume.iter().sum::<f32>().max(1e-6);
+        for volume in &mut self.volume {
+            *volume *= share;
+        }
+    }
+
+    pub fn len(&self) -> usize {
+        self.id.len()
+    }
+
+    pub fn particle(&self, i: usize, time: f64) -> Particle {
+        let [temperature, fuel, oxygen, soot] = self.state[i].to_array();
+        Particle {
+            velocity: self.velocity[i],
+            temperature,
+            fuel,
+            oxygen,
+            soot,
+            age: time as f32,
+            ..Particle::at(self.position[i])
+        }
+    }
+
+    /// Puts the particles into the order `order`: what was at `order[i]` comes
+    /// to `i`. What every step makes anew stays where it is.
+    pub fn reorder(&mut self, order: &[u32]) {
+        let scratch = &mut self.scratch;
+        gather(&mut self.position, &mut scratch.vector, order);
+        gather(&mut self.velocity, &mut scratch.vector, order);
+        gather(&mut self.state, &mut scratch.state, order);
+        gather(&mut self.id, &mut scratch.id, order);
+    }
+
+    /// The indices of all particles in the order of their ids.
+    pub fn by_id(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.len()).collect();
+        order.sort_unstable_by_key(|&i| self.id[i]);
+        order
+    }
+}
+
+/// Places that fill the domain, row by row.
+pub(crate) struct Lattice {
+    pub points: Vec<Vec2>,
+    pub columns: usize,
+}
+
+/// A lattice of that spacing, slightly disturbed. Its rows are as many as come
+/// next to the number of places that this makes, and no more.
+pub(crate) fn lattice(values: &Values, spacing: f32, random: &mut Random) -> Lattice {
+    let (width, height) = (values.domain_width, values.domain_height);
+    let columns = ((width / spacing) as usize).max(1);
+    let places = width * height / (spacing * spacing);
+    let rows = ((places / columns as f32 + ALMOST) as usize).max(1);
+    let cell = Vec2::new(width / columns as f32, height / rows as f32);
+    let corner = Vec2::new(-0.5 * width, 0.0);
+    let bounds = bounds(values);
+    let mut points = Vec::with_capacity(columns * rows);
+    for row in 0..rows {
+        for column in 0..columns {
+            let mut place = |at: usize| at as f32 + 0.5 + random.between(-JITTER, JITTER);
+            points.push(bounds.wrap(corner + Vec2::new(place(column), place(row)) * cell));
+        }
+    }
+    Lattice { points, columns }
+}
+
+fn gather<T: Copy>(values: &mut Vec<T>, scratch: &mut Vec<T>, order: &[u32]) {
+    scratch.clear();
+    scratch.extend(order.iter().map(|&from| values[from as usize]));
+    std::mem::swap(values, scratch);
+}
+
+/// The domain of the combustion model: each edge is the opposite one.
+pub(crate) fn bounds(values: &Values) -> Bounds {
+    Bounds {
+        width: values.domain_width,
+        height: values.domain_height,
+        periodic: true,
+        endless: true,
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::params::{Input, Model, Parameters};
+
+    /// The combustion model's defaults with these numbers changed.
+    pub fn with(values: &[(&str, f64)]) -> Parameters {
+        let mut parameters = Parameters::new(Model::Combustion);
+        for &(id, value) in values {
+            assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
+        }
+        parameters
+    }
+
+    /// Gas in random motion, of every temperature and mixture.
+    pub fn wild(parameters: &Parameters, seed: u32) -> Gas {
+        let mut random = Random::new(seed);
+        let mut gas = Gas::air(parameters, parameters.spacing(), &mut random);
+        for (velocity, state) in gas.velocity.iter_mut().zip(&mut gas.state) {
+            let mut any = |low, high| random.between(low, high);
+            *velocity = Vec2::new(any(-1.0, 1.0), any(-1.0, 1.0));
+            *state = State::new(
+                any(300.0, 2000.0),
+                any(0.0, 1.0),
+                any(0.0, 1.0),
+                any(0.0, 1.0),
+            );
+        }
+        gas
+    }
+
+    #[test]
+    fn air_fills_the_domain_with_as_many_particles_as_are_asked_for() {
+        for (width, height, n) in [(1.2, 1.8, 3000.0), (0.1, 6.0, 1000.0), (6.0, 0.3, 5000.0)] {
+            let parameters = with(&[
+                ("domain_width", width),
+                ("domain_height", height),
+                ("max_particles", n),
+            ]);
+            let gas = Gas::air(&parameters, parameters.spacing(), &mut Random::new(1));
+            let count = gas.len() as f64;
+            assert!(count <= n && count > 0.8 * n, "{count} of {n}");
+            let mass = f64::from(gas.mass) * count;
+            let air = width * height * f64::from(parameters.ambient_density);
+            assert!((mass / air - 1.0).abs() < 1e-4);
+            assert!(gas.position.iter().all(|&at| bounds(&parameters).hold(at)));
+        }
+    }
+}

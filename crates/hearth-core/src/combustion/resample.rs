@@ -1,0 +1,233 @@
+//! Another number of particles, or another domain, without putting the fire out.
+//!
+//! New particles lie in a fresh lattice and take over what the old ones
+//! carried at the same place: the mean of the old neighbours by kernel and mass,
+//! which keeps heat and matter. Where there was no domain before, there is air.
+//!
+//! All particles have the same mass, so hot gas, which is thin, must get fewer of
+//! them, or it would weigh too much and burst. The lattice is as fine as cold air
+//! needs, and of its places as many are taken as there were particles, spread
+//! evenly by passing on what rounding leaves (Floyd & Steinberg 1976).
+
+use glam::{Vec2, Vec4};
+
+use super::Made;
+use super::forces::expansion;
+use super::gas::{Gas, lattice};
+use crate::Particle;
+use crate::grid::{Bounds, Grid};
+use crate::kernel::Kernel;
+use crate::params::Parameters;
+use crate::random::Random;
+
+/// How much finer than for cold air the lattice is, for gas that is compressed.
+const FINER: f32 = 1.04;
+/// Most that is passed on from place to place.
+const MOST_PASSED: f32 = 1.0;
+
+/// Gas for the domain and number of particles of `parameters` with what `old`
+/// gas, made for `was`, carried.
+pub(super) fn take_over(
+    old: &Gas,
+    was: &Made,
+    parameters: &Parameters,
+    random: &mut Random,
+) -> Gas {
+    let sampler = Sampler::new(old, was, parameters);
+    let spacing = parameters.spacing() * (sampler.mean_density(parameters) / FINER).sqrt();
+    let places = lattice(parameters, spacing, random);
+    let mut gas = Gas::default();
+    // What rounding left, for the places of this row and of the next.
+    let mut error = vec![0.0_f32; places.columns + 2];
+    let mut next = error.clone();
+    for row in places.points.chunks(places.columns) {
+        for (column, &place) in row.iter().enumerate() {
+            let (particle, density) = sampler.at(place);
+            let wanted = density / FINER + error[column + 1];
+            let taken = wanted > 0.5;
+            let rest = wanted - f32::from(u8::from(taken));
+            let rest = rest.clamp(-MOST_PASSED, MOST_PASSED);
+            error[column + 2] += rest * (7.0 / 16.0);
+            next[column] += rest * (3.0 / 16.0);
+            next[column + 1] += rest * (5.0 / 16.0);
+            next[column + 2] += rest * (1.0 / 16.0);
+            if taken {
+                gas.push(&particle);
+            }
+        }
+        std::mem::swap(&mut error, &mut next);
+        next.fill(0.0);
+    }
+    gas.settle(parameters);
+    gas
+}
+
+/// The old gas, to be asked anywhere.
+struct Sampler<'a> {
+    old: &'a Gas,
+    bounds: Bounds,
+    grid: Grid,
+    order: Vec<u32>,
+    kernel: Kernel,
+    /// Particles in a square metre where the old domain is filled with air [1/m²].
+    air_density: f32,
+    air: f32,
+}
+
+impl<'a> Sampler<'a> {
+    fn new(old: &'a Gas, was: &Made, parameters: &Parameters) -> Sampler<'a> {
+        let bounds = Bounds {
+            width: was.width,
+            height: was.height,
+            periodic: true,
+            endless: true,
+        };
+        let spacing = (was.width * was.height / old.len().max(1) as f32).sqrt();
+        let kernel = Kernel::new(parameters.smoothing_ratio * spacing);
+        let mut grid = Grid::default();
+        let order = grid.sort(&old.position, &bounds, kernel.support()).to_vec();
+        let states = old.state.iter();
+        let room: f32 = states.map(|state| expansion(state.x, parameters)).sum();
+        Sampler {
+            old,
+            bounds,
+            grid,
+            order,
+            kernel,
+            air_density: room / (was.width * was.height),
+            air: parameters.ambient_temperature,
+        }
+    }
+
+    /// Density of the gas in the new domain, on average, in units of air's.
+    fn mean_density(&self, parameters: &Parameters) -> f32 {
+        let (width, height) = (parameters.domain_width, parameters.domain_height);
+        let stays = |at: &&Vec2| at.x.abs() <= 0.5 * width && at.y <= height;
+        let kept = self.old.position.iter().filter(stays).count() as f32;
+        let common = width.min(self.bounds.width) * height.min(self.bounds.height);
+        let area = width * height;
+        (kept / self.air_density + area - common) / area
+    }
+
+    /// What the gas is like at a place, and its density in units of air's.
+    fn at(&self, place: Vec2) -> (Particle, f32) {
+        let mut particle = Particle::at(place);
+        particle.temperature = self.air;
+        if !self.bounds.hold(place) {
+            return (particle, 1.0);
+        }
+        let (mut velocity, mut state) = (Vec2::ZERO, Vec4::ZERO);
+        let mut weights = 0.0;
+        self.grid.candidates(place, |run, shift| {
+            for &j in &self.order[run] {
+                let j = j as usize;
+                let distance = (place - shift).distance(self.old.position[j]);
+                let weight = self.kernel.value(distance);
+                velocity += self.old.velocity[j] * weight;
+                state += self.old.state[j] * weight;
+                weights += weight;
+            }
+        });
+        if weights <= 0.0 {
+            return (particle, 1.0);
+        }
+        let [temperature, fuel, oxygen, soot] = (state / weights).to_array();
+        particle.velocity = velocity / weights;
+        particle.temperature = temperature;
+        particle.fuel = fuel;
+        particle.oxygen = oxygen;
+        particle.soot = soot;
+        (particle, weights / self.air_density)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::combustion::gas::tests::with;
+
+    fn air(parameters: &Parameters) -> Gas {
+        Gas::air(parameters, parameters.spacing(), &mut Random::new(3))
+    }
+
+    fn taken_over(old: &Gas, was: &Parameters, parameters: &Parameters) -> Gas {
+        take_over(old, &made_for(was), parameters, &mut Random::new(4))
+    }
+
+    fn made_for(parameters: &Parameters) -> Made {
+        Made::by(parameters)
+    }
+
+    #[test]
+    fn a_field_stays_where_it_is_at_another_resolution() {
+        let coarse = with(&[("max_particles", 3000.0)]);
+        let field = |at: Vec2| Vec4::new(900.0 + 500.0 * at.x + 200.0 * at.y, 0.3 * at.y, 0.5, 0.1);
+        let mut old = air(&coarse);
+        for i in 0..old.len() {
+            old.state[i] = field(old.position[i]);
+            old.velocity[i] = Vec2::new(0.5, 1.0);
+        }
+        for n in [1000.0, 12_000.0] {
+            let parameters = with(&[("max_particles", n)]);
+            let new = taken_over(&old, &coarse, &parameters);
+            for i in 0..new.len() {
+                let at = new.position[i];
+                // The field jumps where the domain closes upon itself.
+                if at.x.abs() < 0.5 && (0.1..1.7).contains(&at.y) {
+                    let off = (new.state[i] - field(at)).abs();
+                    assert!(off.x < 12.0 && off.y < 0.02, "{off} at {at}");
+                    assert!(new.velocity[i].distance(Vec2::new(0.5, 1.0)) < 1e-4);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn where_there_was_no_domain_there_is_air() {
+        let small = with(&[]);
+        let mut old = air(&small);
+        old.state.fill(Vec4::new(1500.0, 0.2, 0.1, 0.5));
+        let large = with(&[("domain_width", 2.4), ("domain_height", 3.0)]);
+        let new = taken_over(&old, &small, &large);
+        for i in 0..new.len() {
+            let at = new.position[i];
+            let inside = at.x.abs() < 0.6 && at.y < 1.8;
+            let expected = if inside {
+                1500.0
+            } else {
+                large.ambient_temperature
+            };
+            assert!((new.state[i].x - expected).abs() < 0.1, "{at}");
+        }
+    }
+
+    #[test]
+    fn hot_gas_keeps_its_mass_and_its_heat() {
+        let parameters = with(&[("gas_expansion", 1.0)]);
+        let air = parameters.ambient_temperature;
+        let mut fire = crate::Simulation::new(parameters.clone());
+        while fire.time() < 0.6 {
+            fire.step();
+        }
+        let heat = |particles: &[crate::Particle], mass: f64| {
+            let excess = particles.iter().map(|p| f64::from(p.temperature - air));
+            mass * excess.sum::<f64>()
+        };
+        let each = |fire: &crate::Simulation| 1.0 / fire.count() as f64;
+        let before = heat(&fire.particles(), each(&fire));
+        for n in [1500.0, 6000.0, 3000.0] {
+            let set = fire.set("max_particles", crate::params::Input::Number(n));
+            assert_eq!(set, Ok(()));
+            assert!(
+                (fire.count() as f64 / n - 1.0).abs() < 0.06,
+                "{} of {n}",
+                fire.count()
+            );
+            let after = heat(&fire.particles(), each(&fire));
+            assert!(
+                (after / before - 1.0).abs() < 0.1,
+                "{before} before, {after} after"
+            );
+        }
+    }
+}

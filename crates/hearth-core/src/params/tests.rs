@@ -1,0 +1,227 @@
+//! Laws of the table that concern two models at once.
+
+use super::*;
+
+/// Some value of the entry's kind that is not its default in that domain.
+fn another(param: &Param, domain: &Domain) -> Value {
+    match domain.default {
+        Value::Number(x) if x == domain.range.1 as f32 => Value::Number(domain.range.0 as f32),
+        Value::Number(_) => Value::Number(domain.range.1 as f32),
+        Value::Integer(_) => Value::Integer(domain.range.0 as u32),
+        Value::Seed(n) => Value::Seed(n + 1),
+        Value::Flag(on) => Value::Flag(!on),
+        Value::Colour(_) => Value::Colour(Colour::rgb(1, 2, 3)),
+        Value::Choice(name) => match param.kind {
+            Kind::Choice(names) => Value::Choice(names.iter().find(|&&n| n != name).unwrap()),
+            _ => panic!("{} is no choice", param.id),
+        },
+    }
+}
+
+fn set(parameters: &mut Parameters, id: &str, value: Value) {
+    let text = value.to_string();
+    assert_eq!(parameters.set(id, Input::Text(&text)), Ok(()), "{id}");
+}
+
+fn switch(parameters: &mut Parameters, model: Model) {
+    set(parameters, "model", Value::Choice(model.name()));
+}
+
+const BOTH: [(Model, Model); 2] = [
+    (Model::Classic, Model::Combustion),
+    (Model::Combustion, Model::Classic),
+];
+
+#[test]
+fn switching_the_model_back_and_forth_loses_nothing() {
+    for (here, there) in BOTH {
+        let mut parameters = Parameters::new(here);
+        for param in PARAMETERS.iter().filter(|param| param.id != "model") {
+            if let Some(domain) = param.domain(here) {
+                set(&mut parameters, param.id, another(param, domain));
+            }
+        }
+        let before = parameters.clone();
+        switch(&mut parameters, there);
+        assert_eq!(parameters.model(), there);
+        assert_ne!(parameters, before);
+        for param in PARAMETERS.iter().filter(|param| param.id != "model") {
+            let domain = param.any_domain(there);
+            let expected = match (param.domain(there), param.domain(here)) {
+                // Of both models, with one value: it came along.
+                (Some(Domain { model: None, .. }), _) => another(param, domain),
+                // Of both, with a value for each: this model's is untouched.
+                (Some(_), _) => domain.default,
+                // Hidden, and kept.
+                (None, _) => another(param, domain),
+            };
+            assert_eq!(param.get(&parameters), expected, "{}", param.id);
+        }
+        switch(&mut parameters, here);
+        assert_eq!(parameters, before);
+    }
+}
+
+#[test]
+fn what_the_model_does_not_use_is_checked_by_its_own_model_and_kept() {
+    for (here, there) in BOTH {
+        let hidden = |param: &&Param| param.domain(here).is_none();
+        for param in PARAMETERS.iter().filter(hidden) {
+            let domain = param.domain(there).unwrap();
+            let mut parameters = Parameters::new(here);
+            set(&mut parameters, param.id, another(param, domain));
+            assert_eq!(param.get(&parameters), another(param, domain));
+            assert_eq!(parameters.model(), here);
+            if domain.range.1 > domain.range.0 {
+                let beyond = Input::Number(domain.range.1 * 2.0 + 1.0);
+                let refusal = parameters.set(param.id, beyond).unwrap_err();
+                assert_eq!(refusal.range(), Some(domain.range), "{}", param.id);
+            }
+            switch(&mut parameters, there);
+            assert_eq!(param.get(&parameters), another(param, domain));
+            switch(&mut parameters, here);
+            assert_eq!(parameters.restore(param.id), Ok(()));
+            assert_eq!(parameters, Parameters::new(here), "{}", param.id);
+        }
+    }
+}
+
+#[test]
+fn each_model_has_its_own_range() {
+    let mut parameters = Parameters::new(Model::Combustion);
+    assert_eq!(parameters.set("source_width", Input::Number(0.9)), Ok(()));
+    assert!(
+        parameters
+            .set("max_particles", Input::Number(500.0))
+            .is_err()
+    );
+    switch(&mut parameters, Model::Classic);
+    assert!(parameters.set("source_width", Input::Number(0.9)).is_err());
+    assert_eq!(
+        parameters.set("max_particles", Input::Number(500.0)),
+        Ok(())
+    );
+    assert_eq!(parameters.max_particles, 500);
+    switch(&mut parameters, Model::Combustion);
+    assert_eq!(parameters.source_width, 0.9);
+    assert_eq!(parameters.max_particles, 3000);
+}
+
+#[test]
+fn several_values_take_the_model_first() {
+    // 500 particles are too few for combustion, 0.9 m too wide for the classic model.
+    let classic = [
+        ("max_particles", Input::Number(500.0)),
+        ("bloom", Input::Number(0.5)),
+        ("model", Input::Text("classic")),
+    ];
+    let combustion = [
+        ("source_width", Input::Number(0.9)),
+        ("model", Input::Text("combustion")),
+    ];
+    for model in [Model::Classic, Model::Combustion] {
+        let mut parameters = Parameters::new(model);
+        assert_eq!(parameters.set_all(classic), Ok(()));
+        assert_eq!(parameters.model(), Model::Classic);
+        assert_eq!((parameters.max_particles, parameters.bloom), (500, 0.5));
+        assert_eq!(parameters.set_all(combustion), Ok(()));
+        assert_eq!(parameters.model(), Model::Combustion);
+        assert_eq!((parameters.source_width, parameters.bloom), (0.9, 0.5));
+    }
+}
+
+#[test]
+fn several_values_are_taken_all_or_none() {
+    for model in [Model::Classic, Model::Combustion] {
+        let mut parameters = Parameters::new(model);
+        let before = parameters.clone();
+        let refused = parameters
+            .set_all([
+                ("bloom", Input::Number(0.5)),
+                ("wind", Input::Number(99.0)),
+                ("model", Input::Text("combustion")),
+                ("viscocity", Input::Number(0.0)),
+            ])
+            .unwrap_err();
+        let ids: Vec<&str> = refused.iter().map(|error| error.id.as_str()).collect();
+        assert_eq!(ids, ["wind", "viscocity"]);
+        assert_eq!(parameters, before);
+        assert!(
+            parameters
+                .set_all([("model", Input::Text("paper"))])
+                .is_err()
+        );
+        assert_eq!(parameters, before);
+    }
+}
+
+#[test]
+fn changed_is_what_differs_from_the_defaults_of_the_model() {
+    let changed = |parameters: &Parameters| -> Vec<&'static str> {
+        parameters.changed().map(|(param, _)| param.id).collect()
+    };
+    for (here, there) in BOTH {
+        let model: &[&str] = if here == Model::DEFAULT {
+            &[]
+        } else {
+            &["model"]
+        };
+        let mut parameters = Parameters::new(here);
+        assert_eq!(changed(&parameters), model);
+        // A value of the other model is none of this one's.
+        let hidden = |param: &&Param| param.domain(here).is_none();
+        let param = PARAMETERS.iter().find(hidden).unwrap();
+        set(
+            &mut parameters,
+            param.id,
+            another(param, param.any_domain(there)),
+        );
+        assert_eq!(changed(&parameters), model);
+        set(&mut parameters, "seed", Value::Seed(7));
+        assert_eq!(changed(&parameters), [model, &["seed"]].concat());
+        assert_eq!(parameters.restore("seed"), Ok(()));
+        assert_eq!(changed(&parameters), model);
+    }
+}
+
+#[test]
+fn restoring_the_model_restores_nothing_else() {
+    let mut parameters = Parameters::default();
+    set(&mut parameters, "bloom", Value::Number(0.5));
+    let before = parameters.clone();
+    for name in Model::NAMES {
+        set(&mut parameters, "model", Value::Choice(name));
+        assert_eq!(parameters.restore("model"), Ok(()));
+        assert_eq!(parameters, before);
+    }
+}
+
+#[test]
+fn every_default_is_in_its_own_range() {
+    for param in PARAMETERS {
+        for domain in param.domains {
+            for model in [Model::Classic, Model::Combustion] {
+                if domain.model.is_none_or(|own| own == model) {
+                    let text = domain.default.to_string();
+                    let set = Parameters::new(model).set(param.id, Input::Text(&text));
+                    assert_eq!(set, Ok(()), "{}", param.id);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_smoothing_length_follows_the_number_of_particles() {
+    let mut parameters = Parameters::new(Model::Combustion);
+    let spacing = (1.2_f32 * 1.8 / 3000.0).sqrt();
+    assert!((parameters.spacing() - spacing).abs() < 1e-6);
+    assert!((parameters.smoothing_length() - 1.5 * spacing).abs() < 1e-6);
+    set(&mut parameters, "max_particles", Value::Integer(12_000));
+    assert!((parameters.spacing() - spacing / 2.0).abs() < 1e-6);
+    let classic = Parameters::new(Model::Classic);
+    assert_eq!(classic.smoothing_length(), classic.smoothing_radius);
+    // A lattice of that spacing is as dense as the gas at rest.
+    let density = classic.particle_mass / (classic.spacing() * classic.spacing());
+    assert!((density / classic.rest_density - 1.0).abs() < 1e-6);
+}

@@ -1,0 +1,181 @@
+//! Turbulence: a push that swirls and neither compresses nor drives.
+//!
+//! The finest eddies are below what particles can carry. Their push is drawn at
+//! random instead (Stam & Fiume, SIGGRAPH 1993), as the curl of a noise, which
+//! makes it divergence-free (Bridson, Hourihan, Nordenstam, SIGGRAPH 2007):
+//!
+//! ```text
+//! a = A (∂ψ/∂y, −∂ψ/∂x)
+//! ```
+//!
+//! ψ is the sum of two layers of Perlin noise that scroll past each other, so that
+//! swirls come and go while the whole rises. It repeats with the domain.
+
+use glam::Vec2;
+
+use crate::noise::perlin_slope;
+use crate::params::Values;
+
+/// Root of the mean square of the slope of one layer, in a lattice cell: what
+/// makes `turbulence` the usual strength of the push.
+const USUAL_SLOPE: f32 = 1.22;
+
+/// How each layer moves, in metres a second, across and up; another seed each.
+const LAYERS: [(u32, f64, f64); 2] = [(0xC0_FFEE, 0.13, 0.7), (0xBEEF, -0.19, -0.25)];
+
+/// The push at one moment.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Turbulence {
+    strength: f32,
+    /// Lattice cells in a metre, across and up.
+    cells: Vec2,
+    /// After so many cells the noise repeats, across and up.
+    repeats: [u32; 2],
+    layers: [Layer; 2],
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Layer {
+    seed: u32,
+    /// What has scrolled past, in cells.
+    scrolled: Vec2,
+}
+
+impl Turbulence {
+    /// The push at `time`.
+    pub fn new(values: &Values, time: f64) -> Turbulence {
+        let repeat = |length: f32| (length / values.turbulence_scale).round().max(1.0);
+        let (width, height) = (values.domain_width, values.domain_height);
+        let repeats = Vec2::new(repeat(width), repeat(height));
+        let cells = repeats / Vec2::new(width, height);
+        let scrolled = |speed: f64, cells: f32, repeats: f32| {
+            let turns = time * speed * f64::from(cells / repeats);
+            (turns - turns.floor()) as f32 * repeats
+        };
+        Turbulence {
+            strength: values.turbulence,
+            cells,
+            repeats: [repeats.x as u32, repeats.y as u32],
+            layers: LAYERS.map(|(seed, across, up)| Layer {
+                seed: values.seed ^ seed,
+                scrolled: Vec2::new(
+                    scrolled(across, cells.x, repeats.x),
+                    scrolled(up, cells.y, repeats.y),
+                ),
+            }),
+        }
+    }
+
+    /// Whether there is any push at all.
+    pub fn stirs(&self) -> bool {
+        self.strength > 0.0
+    }
+
+    /// Adds the push to the acceleration of every particle.
+    pub fn stir(&self, positions: &[Vec2], accelerations: &mut [Vec2]) {
+        if !self.stirs() {
+            return;
+        }
+        for (position, acceleration) in positions.iter().zip(accelerations) {
+            *acceleration += self.push(*position);
+        }
+    }
+
+    /// The push at one place [m/s²].
+    pub fn push(&self, position: Vec2) -> Vec2 {
+        let mut slope = Vec2::ZERO;
+        for layer in &self.layers {
+            let at = position * self.cells - layer.scrolled;
+            slope += perlin_slope(layer.seed, at, self.repeats);
+        }
+        // The slope by metres, not by cells: cells are not quite square, and
+        // the curl of the one would not be free of divergence in the other.
+        let by_metres = slope * self.cells / self.cells.max_element();
+        let usual = USUAL_SLOPE * std::f32::consts::SQRT_2;
+        Vec2::new(by_metres.y, -by_metres.x) * (self.strength / usual)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Parameters;
+    use crate::params::Input;
+    use crate::random::Random;
+
+    fn of(values: &[(&str, f64)]) -> Parameters {
+        let mut parameters = Parameters::default();
+        for &(id, value) in [("turbulence", 2.0)].iter().chain(values) {
+            assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
+        }
+        parameters
+    }
+
+    fn places(seed: u32) -> Vec<Vec2> {
+        let mut random = Random::new(seed);
+        let mut place = || Vec2::new(random.between(-0.6, 0.6), random.between(0.0, 1.5));
+        (0..4000).map(|_| place()).collect()
+    }
+
+    #[test]
+    fn it_neither_compresses_nor_drives() {
+        for scale in [0.05, 0.15, 0.6] {
+            let push = Turbulence::new(&of(&[("turbulence_scale", scale)]), 12.3);
+            let d = 2e-3 * scale as f32;
+            let (mut divergence, mut shear, mut sum) = (0.0, 0.0, Vec2::ZERO);
+            for at in places(1) {
+                let (x, y) = (Vec2::new(d, 0.0), Vec2::new(0.0, d));
+                let along_x = (push.push(at + x) - push.push(at - x)) / (2.0 * d);
+                let along_y = (push.push(at + y) - push.push(at - y)) / (2.0 * d);
+                divergence += (along_x.x + along_y.y).abs();
+                shear += along_x.x.abs() + along_y.y.abs();
+                sum += push.push(at);
+            }
+            assert!(divergence < 0.02 * shear, "{divergence} of {shear}");
+            assert!((sum / 4000.0).length() < 0.15, "{sum}");
+        }
+    }
+
+    #[test]
+    fn its_usual_strength_is_what_the_parameter_says() {
+        for scale in [0.05, 0.15] {
+            let push = Turbulence::new(&of(&[("turbulence_scale", scale)]), 3.0);
+            let squares = places(2)
+                .into_iter()
+                .map(|at| push.push(at).length_squared());
+            let usual = (squares.sum::<f32>() / 4000.0).sqrt();
+            assert!((usual / 2.0 - 1.0).abs() < 0.15, "{usual}");
+        }
+    }
+
+    #[test]
+    fn it_repeats_with_the_domain_and_moves_on() {
+        let values = of(&[]);
+        let push = Turbulence::new(&values, 5.0);
+        let domain = Vec2::new(values.domain_width, values.domain_height);
+        for at in places(3) {
+            for across in [Vec2::new(domain.x, 0.0), Vec2::new(0.0, domain.y)] {
+                assert!(push.push(at).distance(push.push(at + across)) < 1e-2);
+            }
+        }
+        let later = Turbulence::new(&values, 6.0);
+        let moved = places(3)
+            .iter()
+            .filter(|&&at| push.push(at).distance(later.push(at)) > 0.2)
+            .count();
+        assert!(moved > 2000, "{moved} of 4000");
+    }
+
+    #[test]
+    fn it_changes_little_from_step_to_step_even_after_a_year() {
+        let values = of(&[]);
+        let year = 365.0 * 86_400.0;
+        let (now, next) = (
+            Turbulence::new(&values, year),
+            Turbulence::new(&values, year + 1e-3),
+        );
+        for at in places(4) {
+            assert!(now.push(at).distance(next.push(at)) < 0.1);
+        }
+    }
+}

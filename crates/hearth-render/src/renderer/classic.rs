@@ -1,0 +1,182 @@
+//! The classic model's passes: particles to fields to light.
+
+use hearth_core::Parameters;
+
+use super::fire::{Body, Fire};
+use super::{fire_share, gain, smoke_opacity, table_coordinates};
+use crate::noise;
+use crate::target::bind;
+
+/// A kernel is drawn out by the way that its particle moves in this time \[s\].
+const STRETCH: f32 = 0.02;
+/// Optical depth of the glow in the middle of one kernel.
+const OPTICAL_DEPTH: f32 = 2.6;
+/// Weight of the air that cools thin gas, in kernels.
+const AIR: f32 = 0.6;
+/// Optical depth of the smoke in the middle of one kernel, at a smoke opacity of 1.
+const SMOKE: f32 = 2.2;
+/// How far fine structure moves the gas, as a share of its size.
+const WARP: f32 = 0.6;
+
+/// The diameter of a kernel at half its height is 1.08 of its radius; this
+/// radius makes that diameter the particle's size.
+const RADII_PER_SIZE: f32 = 0.92;
+/// The farthest that a drawn-out, widened kernel reaches, in its radii.
+const REACH: f32 = 2.3;
+
+/// Kernels that overlap at a place inside undisturbed gas where a kernel weighs 1.
+const OVERLAP: f32 = 3.6;
+
+/// What a kernel weighs. Small or few particles weigh more, so that the fire
+/// keeps its body, but not so much more that their size makes no difference.
+fn kernel_weight(radius: f32, parameters: &Parameters) -> f32 {
+    let per_area = parameters.rest_density / parameters.particle_mass;
+    // The kernel (1 − q²)² covers a third of its circle.
+    let overlap = per_area * std::f32::consts::PI / 3.0 * radius * radius;
+    (OVERLAP / overlap).sqrt().clamp(0.1, 4.0)
+}
+
+/// Width of what of the source is inside the domain \[m\].
+fn source_width(parameters: &Parameters) -> f32 {
+    parameters.source_width.min(parameters.domain_width)
+}
+
+/// Kernels as wide as the particles.
+pub(super) fn body(parameters: &Parameters) -> Body {
+    let radius = RADII_PER_SIZE * parameters.particle_size;
+    let grain = (0.35 * source_width(parameters)).max(parameters.particle_size);
+    Body {
+        radius,
+        grain,
+        margin: REACH * radius + 2.0 * parameters.detail * WARP * grain,
+    }
+}
+
+impl Fire<'_> {
+    /// Particles to fields: sums of smooth kernels.
+    pub(super) fn splat(&self) {
+        let Fire { gl, renderer, .. } = *self;
+        let program = &renderer.passes.splat;
+        self.targets.field.draw_here(gl, self.used);
+        gl.clear_color(0.0, 0.0, 0.0, 0.0);
+        gl.clear(glow::COLOR_BUFFER_BIT);
+        program.activate(gl);
+        program.set(gl, "world", self.place.to_clip());
+        let weight = kernel_weight(self.body.radius, self.parameters);
+        program.set(gl, "kernel", [self.body.radius, STRETCH, weight, 0.0]);
+        let scale = renderer.format.field_range().map(|range| 1.0 / range);
+        program.set(gl, "scale", scale);
+        gl.enable(glow::BLEND);
+        gl.blend_func(glow::ONE, glow::ONE);
+        renderer.particles.draw(gl, program);
+        gl.disable(glow::BLEND);
+    }
+
+    /// Fields to their view from farther away.
+    pub(super) fn spread(&self) {
+        let Fire {
+            gl,
+            renderer,
+            targets,
+            ..
+        } = *self;
+        let program = &renderer.passes.spread;
+        program.activate(gl);
+        let [width, height] = targets.field.size().map(|side| side as f32);
+        let [across, up] = self.used.map(|side| side as f32);
+        // Five reads each way span six radii of a kernel.
+        let texels = 1.0 * self.body.radius / self.place.metres[1] * up;
+        let step = [texels / width, texels / height, across / width, up / height];
+        program.set(gl, "step", step);
+        targets.field.read_here(gl, 0);
+        self.fill(&targets.wide);
+    }
+
+    /// Fields to light.
+    pub(super) fn shade(&self) {
+        let Fire {
+            gl,
+            renderer,
+            targets,
+            place,
+            parameters,
+            ..
+        } = *self;
+        let [width, height] = place.metres;
+        let program = &renderer.passes.shade;
+        targets.light.draw_here(gl, targets.light.size());
+        gl.clear(glow::COLOR_BUFFER_BIT);
+        program.activate(gl);
+
+        let flame = renderer
+            .rise
+            .flame_height(parameters.source_height)
+            .max(2.0 * self.body.grain);
+        program.set(
+            gl,
+            "view",
+            [width, height, parameters.source_height, 1.0 / flame],
+        );
+        let whole = targets.field.size();
+        let share = |axis: usize, inset: f32| (self.used[axis] as f32 - inset) / whole[axis] as f32;
+        program.set(
+            gl,
+            "part",
+            [share(0, 0.0), share(1, 0.0), share(0, 0.5), share(1, 0.5)],
+        );
+        program.set(gl, "range", renderer.format.field_range());
+        // The tile repeats, also where the shader scrolls it at 0.62 and 1.05
+        // of the speed, so whole hundreds make no difference, and what the
+        // shader gets stays small, however long the fire burns.
+        let tiles = 1.0 / (noise::CELLS as f32 * self.body.grain);
+        let risen = (renderer.rise.distance * f64::from(tiles)).rem_euclid(100.0) as f32;
+        let warp = parameters.detail * WARP * self.body.grain;
+        program.set(gl, "rise", [tiles, risen, warp, parameters.detail]);
+        program.set(
+            gl,
+            "matter",
+            [
+                OPTICAL_DEPTH,
+                AIR,
+                parameters.ambient_temperature * 1e-3,
+                SMOKE * smoke_opacity(parameters),
+            ],
+        );
+        program.set(
+            gl,
+            "shine",
+            [
+                parameters.luminance_exponent,
+                gain(parameters),
+                1.0 / renderer.format.light_range(),
+                2.0 / source_width(parameters),
+            ],
+        );
+        program.set(gl, "table", table_coordinates(fire_share(parameters)));
+        targets.field.read_here(gl, 0);
+        targets.wide.read_here(gl, 1);
+        bind(gl, 2, renderer.noise);
+        bind(gl, 3, renderer.black_body);
+        self.cover(self.place.rectangle(self.reach, targets.light.size()));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hearth_core::params::Model;
+
+    #[test]
+    fn larger_particles_weigh_less_but_cover_more() {
+        let parameters = Parameters::new(Model::Classic);
+        let body = |size: f32| {
+            let radius = RADII_PER_SIZE * size;
+            kernel_weight(radius, &parameters) * radius * radius
+        };
+        let sizes = [0.01, 0.02, 0.04, 0.08, 0.1];
+        for pair in sizes.windows(2) {
+            assert!(kernel_weight(pair[1], &parameters) < kernel_weight(pair[0], &parameters));
+            assert!(body(pair[1]) > body(pair[0]));
+        }
+    }
+}

@@ -1,0 +1,254 @@
+/**
+ * The two models of one fire: whoever names a model, by attribute, property or
+ * address, gets that one with its values, in whatever order they come; a switch
+ * loses nothing; and a fire that is asked for too much burns slowly and says so.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { assertBurns, events, recording } from './laws.mjs';
+import { table } from './site.mjs';
+
+const { defaultsOf, entry } = await table();
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+/** Values that only the named model takes: the other one’s range ends before them. */
+const ONLY = {
+  classic: { emission_speed: 2.5, max_particles: 500 },
+  combustion: { source_width: 0.9, buoyancy: 1.5 },
+};
+
+/** Some of the fire's values. */
+function values(tab, ids) {
+  return tab.fire((fire, wanted) => Object.fromEntries(wanted.map((id) => [id, fire.params[id]])), ids);
+}
+
+for (const [model, only] of Object.entries(ONLY)) {
+  const pairs = Object.entries({ ...only, model });
+  const orders = [pairs, [...pairs].reverse()];
+
+  test(`${model} as an attribute decides about all others, wherever it stands`, async () => {
+    for (const order of orders) {
+      const attributes = order.map(([id, value]) => `${entry[id].attribute}="${value}"`).join(' ');
+      const tab = await browser.open(`<hearth-fire paused ${attributes}></hearth-fire>`);
+      await tab.ready();
+      assert.deepEqual(await tab.fire((fire) => fire.params), { ...defaultsOf(model), ...only, model });
+      assert.deepEqual(tab.problems, []);
+    }
+  });
+
+  test(`${model} in the address decides about all others, wherever it stands`, async () => {
+    for (const order of orders) {
+      const address = new URLSearchParams([...order.map(([id, value]) => [id, `${value}`]), ['paused', '']]);
+      const tab = await browser.open(`index.html?${address}`);
+      await tab.ready();
+      assert.deepEqual(await tab.fire((fire) => fire.params), { ...defaultsOf(model), ...only, model });
+      assert.deepEqual(tab.problems, []);
+    }
+  });
+
+  test(`${model} is set with its values in one call, in any order, or not at all`, async () => {
+    const [other] = Object.keys(ONLY).filter((name) => name !== model);
+    for (const order of orders) {
+      const tab = await browser.open(`<hearth-fire paused model="${other}"></hearth-fire>`);
+      await tab.ready();
+      const refused = await tab.fire(
+        (fire, all) => fire.set({ ...all, bloom: 99 }).catch((error) => error.id),
+        Object.fromEntries(order),
+      );
+      assert.equal(refused, 'bloom');
+      assert.deepEqual(await tab.fire((fire) => fire.params), defaultsOf(other));
+      await tab.fire((fire, all) => fire.set(all), Object.fromEntries(order));
+      assert.deepEqual(await tab.fire((fire) => fire.params), { ...defaultsOf(model), ...only, model });
+    }
+  });
+
+  test(`what ${model} does not take is refused aloud, and the model with it`, async () => {
+    const [[other, alien]] = Object.entries(ONLY).filter(([name]) => name !== model);
+    const tab = await browser.open(recording(`<hearth-fire paused model="${other}"></hearth-fire>`));
+    await tab.ready();
+    const refused = await tab.fire(
+      (fire, all) => fire.set(all).catch((error) => error.errors.map(({ id }) => id)),
+      { ...alien, model },
+    );
+    assert.deepEqual(refused.sort(), Object.keys(alien).sort());
+    assert.equal(await tab.fire((fire) => fire.model), other);
+    assert.equal((await events(tab, 'error')).length, refused.length);
+  });
+}
+
+test('a model goes before the preset’s, and values before both', async () => {
+  const tab = await browser.open(
+    '<hearth-fire paused source-width="0.9" preset="seed" model="combustion"></hearth-fire>',
+  );
+  await tab.ready();
+  const seen = await values(tab, ['model', 'source_width', 'walls']);
+  assert.deepEqual(seen, { model: 'combustion', source_width: 0.9, walls: 'solid' });
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a change of the model tells every value that is another one now', async () => {
+  const tab = await browser.open(recording('<hearth-fire paused model="classic"></hearth-fire>'));
+  await tab.ready();
+  for (const [before, now, change, source] of [
+    ['classic', 'combustion', (fire) => fire.setAttribute('model', 'combustion'), 'attribute'],
+    ['combustion', 'classic', (fire) => { fire.model = 'classic'; }, 'property'],
+  ]) {
+    await tab.evaluate(() => { /** @type {any} */ (window).events.length = 0; });
+    await tab.fire(change);
+    await tab.until(
+      `the model is ${now}`,
+      (name) => /** @type {any} */ (document.querySelector('hearth-fire')).model === name,
+      now,
+    );
+    const told = await events(tab, 'params-change');
+    assert.deepEqual([...new Set(told.map((one) => one.source))], [source]);
+    const other = defaultsOf(/** @type {string} */ (before));
+    const differing = Object.entries(defaultsOf(/** @type {string} */ (now)))
+      .filter(([id, value]) => other[id] !== value);
+    assert.deepEqual(Object.fromEntries(told.map(({ id, value }) => [id, value])), Object.fromEntries(differing));
+  }
+});
+
+test('a model that comes back has the values that it had', async () => {
+  const tab = await browser.open('<hearth-fire paused model="classic" domain-height="1"></hearth-fire>');
+  await tab.ready();
+  const ids = ['domain_height', 'viscosity', 'fuel_power', 'exposure'];
+  await tab.fire((fire) => fire.set({ viscosity: 0.02, fuel_power: 100 }));
+  assert.deepEqual(Object.values(await values(tab, ids)), [1, 0.02, 100, 0]);
+  await tab.fire((fire) => fire.set({ model: 'combustion', domain_height: 2, exposure: 1 }));
+  assert.deepEqual(Object.values(await values(tab, ids)), [2, 0.02, 100, 1]);
+  // Off the page and back: nothing is lost on the way either.
+  await tab.fire(async (fire) => {
+    fire.remove();
+    await new Promise((resolve) => setTimeout(resolve, 200));
+    document.body.append(fire);
+    await fire.ready;
+  });
+  assert.deepEqual(Object.values(await values(tab, ids)), [2, 0.02, 100, 1]);
+  await tab.fire((fire) => fire.set('model', 'classic'));
+  assert.deepEqual(Object.values(await values(tab, ids)), [1, 0.02, 100, 1]);
+  await tab.fire((fire) => fire.restore());
+  await tab.fire((fire) => fire.set('model', 'classic'));
+  assert.deepEqual(await tab.fire((fire) => fire.params), defaultsOf('classic'));
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a burning fire changes its model and burns on', async () => {
+  const tab = await browser.open('<hearth-fire model="classic"></hearth-fire>');
+  await tab.burnt(1);
+  await assertBurns(tab);
+  await tab.fire((fire) => fire.set('model', 'combustion'));
+  await tab.until(
+    'the gas fire burns',
+    () => /** @type {any} */ (document.querySelector('hearth-fire')).stats.power > 50,
+  );
+  await assertBurns(tab);
+  await tab.fire((fire) => fire.set('model', 'classic'));
+  await tab.until(
+    'the classic fire burns',
+    () => {
+      const { power, particles } = /** @type {any} */ (document.querySelector('hearth-fire')).stats;
+      return power === 0 && particles > 300 && particles < 1500;
+    },
+  );
+  await assertBurns(tab);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('steps that are asked for are made, however long each of them is', async () => {
+  for (const model of Object.keys(ONLY)) {
+    const tab = await browser.open(`<hearth-fire paused model="${model}"></hearth-fire>`);
+    await tab.ready();
+    const { time, stepLength } = await tab.fire(async (fire) => {
+      await fire.step(1);
+      await fire.step(29);
+      return fire.stats;
+    });
+    assert.ok(time > 0 && stepLength > 0, `${time} s in steps of ${stepLength} s`);
+    // The mean leans towards the last steps; their lengths change slowly.
+    const steps = time / stepLength;
+    assert.ok(steps > 20 && steps < 45, `thirty steps of ${stepLength} s last ${time} s`);
+  }
+});
+
+test('what a fire says of itself fits its model', async () => {
+  const tab = await browser.open('<hearth-fire model="classic"></hearth-fire>');
+  await tab.burnt(0.5);
+  const classic = await tab.fire((fire) => fire.stats);
+  assert.deepEqual([classic.power, classic.embers], [0, 0]);
+  const step = defaultsOf('classic').time_step;
+  assert.ok(Math.abs(classic.stepLength - step) < 1e-3 * step, `steps of ${classic.stepLength} s`);
+
+  await tab.fire((fire) => fire.set('model', 'combustion'));
+  await tab.until(
+    'power, embers and steps of a gas fire',
+    () => {
+      const { power, embers, stepLength, timeScale, particles } = /** @type {any} */ (
+        document.querySelector('hearth-fire')
+      ).stats;
+      return power > 50 && power < 600 && embers > 0 && stepLength > 0 && stepLength < 0.004
+        && timeScale > 0 && timeScale < 1.2 && particles > 2500;
+    },
+  );
+});
+
+test('the time scale that a fire tells is the one that its clock shows', async () => {
+  for (const scale of [1, 0.25]) {
+    const tab = await browser.open(
+      `<hearth-fire model="classic" time-scale="${scale}"></hearth-fire>`,
+      { width: 260, height: 260 },
+    );
+    await tab.burnt(0.5);
+    const { told, shown } = await tab.fire(async (fire) => {
+      const next = () => new Promise((resolve) => {
+        fire.addEventListener('stats', () => resolve([fire.stats.time, performance.now() / 1000]), {
+          once: true,
+        });
+      });
+      const [fireStart, clockStart] = await next();
+      let [fireNow, clockNow] = [fireStart, clockStart];
+      const scales = [];
+      while (clockNow - clockStart < 4) {
+        [fireNow, clockNow] = await next();
+        scales.push(fire.stats.timeScale);
+      }
+      return {
+        told: scales.reduce((sum, one) => sum + one, 0) / scales.length,
+        shown: (fireNow - fireStart) / (clockNow - clockStart),
+      };
+    });
+    assert.ok(Math.abs(told / shown - 1) < 0.2, `it tells ${told}, the clock shows ${shown}`);
+    assert.ok(shown < 1.1 * scale, `${shown} seconds of fire a second, of at most ${scale}`);
+  }
+});
+
+for (const model of Object.keys(ONLY)) {
+  test(`a ${model} fire of far too many particles burns slowly, says so, and frames keep coming`, async () => {
+    const tab = await browser.open(
+      `<hearth-fire model="${model}" max-particles="100000" emission-rate="100000" lifetime-min="3"
+        lifetime-max="3" domain-width="6" domain-height="6" source-width="0.6"
+        smoothing-radius="0.05"></hearth-fire>`,
+    );
+    await tab.ready();
+    await tab.until('it says that it is slowed', () => {
+      const { slowed, timeScale, time } = /** @type {any} */ (document.querySelector('hearth-fire')).stats;
+      return slowed === true && timeScale > 0 && timeScale < 0.9 && time > 0;
+    });
+    await tab.frames(10);
+    // Asked for less, it is as quick as it was asked to be, and says that, too.
+    await tab.fire((fire) => fire.set({ max_particles: 1000, time_scale: 0.1 }));
+    await tab.fire((fire) => fire.reset());
+    await tab.until('it is no longer slowed', () => {
+      const { slowed, timeScale } = /** @type {any} */ (document.querySelector('hearth-fire')).stats;
+      return slowed === false && timeScale < 0.2;
+    });
+    assert.deepEqual(tab.problems, []);
+  });
+}

@@ -1,0 +1,241 @@
+//! The ranges hold: what a fire must do at whatever corner its sliders stand.
+//!
+//! A corner has every parameter that moves particles at one end of its range.
+//! There the fire stays finite, stays inside, and is not held together by a
+//! guard; back at the defaults it recovers. `tests/tests/corners.rs` asks this of a
+//! sample of corners, `cargo xtask soak` of hundreds.
+
+use std::fmt::Write as _;
+
+use hearth_core::params::{Choice, Input, Kind, Model, PARAMETERS, Param, Walls};
+use hearth_core::random::Random;
+use hearth_core::{Parameters, Particle, Simulation, Vec2};
+
+/// Share of all steps of all particles that a guard may hold.
+pub const MOST_HELD: f64 = 0.05;
+
+/// Simulated time after which a fire that was driven to a corner burns as ever
+/// again \[s\]: in the classic model the longest life there is, in the combustion
+/// model the time in which gas rises through the domain twice.
+const fn recovery(model: Model) -> f64 {
+    match model {
+        Model::Classic => 3.0,
+        Model::Combustion => 1.5,
+    }
+}
+
+/// Time for which it is looked at then \[s\].
+const LOOKED_AT: f64 = 1.0;
+
+/// Most steps of a simulated second. The stiffest corner needs half as many: who
+/// needs more has steps that shrink to nothing.
+const MOST_STEPS: f64 = 200_000.0;
+
+/// Particles of a corner, from and to: enough for every neighbourhood that
+/// there is, and few enough for a test.
+pub const PARTICLES: (f64, f64) = (1000.0, 1500.0);
+
+/// The parameters of `model` that move particles and have a range, without those
+/// that only say how the result is shown or how fast it is played, and without
+/// the classic model's speed limit, whose own corner is the stricter the lower
+/// it is.
+pub fn swept(model: Model) -> impl Iterator<Item = &'static Param> {
+    PARAMETERS
+        .iter()
+        .filter(move |p| p.domain(model).is_some())
+        .filter(|p| matches!(p.kind, Kind::Number(_) | Kind::Integer(_)))
+        .filter(|p| p.group != "Look" && !["time_scale", "speed_limit"].contains(&p.id))
+}
+
+/// One end of a parameter's range, with as many particles as a test can have.
+pub fn end(model: Model, param: &Param, upper: bool) -> f64 {
+    let (min, max) = param.any_domain(model).range;
+    let end = if upper { max } else { min };
+    if param.id == "max_particles" {
+        end.min(if upper { PARTICLES.1 } else { PARTICLES.0 })
+    } else {
+        end
+    }
+}
+
+/// The model's defaults with fewer particles in the combustion model, so that
+/// it is quick.
+pub fn usual(model: Model) -> Parameters {
+    let mut parameters = Parameters::new(model);
+    let least = Input::Number(PARTICLES.0);
+    set(&mut parameters, "max_particles", least);
+    parameters
+}
+
+/// The defaults with one slider at its end.
+pub fn at_end(model: Model, param: &Param, upper: bool) -> Parameters {
+    let mut parameters = usual(model);
+    let end = end(model, param, upper);
+    set(&mut parameters, param.id, Input::Number(end));
+    parameters
+}
+
+/// Each slider at one of its ends.
+pub fn corner(model: Model, random: &mut Random) -> Parameters {
+    let mut parameters = Parameters::new(model);
+    for param in swept(model) {
+        let end = end(model, param, random.bits() & 1 == 1);
+        set(&mut parameters, param.id, Input::Number(end));
+    }
+    if model == Model::Classic {
+        let walls = Walls::NAMES[random.bits() as usize % Walls::NAMES.len()];
+        set(&mut parameters, "walls", Input::Text(walls));
+    }
+    let seed = f64::from(random.bits());
+    set(&mut parameters, "seed", Input::Number(seed));
+    parameters
+}
+
+/// Every value that is not the default, as one line.
+pub fn described(parameters: &Parameters) -> String {
+    let mut text = format!("{:?}", parameters.model());
+    for (param, value) in parameters.changed() {
+        let _ = write!(text, " {}={value}", param.id);
+    }
+    text
+}
+
+fn set(parameters: &mut Parameters, id: &str, input: Input<'_>) {
+    if let Err(refusal) = parameters.set(id, input) {
+        panic!("{refusal}");
+    }
+}
+
+/// How a fire fared.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Fared {
+    /// Share of all steps of all particles that a guard held.
+    pub held: f64,
+    /// The part of it that the guard of the speed held.
+    pub held_back: f64,
+    /// What broke, if anything did.
+    pub broken: Option<String>,
+}
+
+impl Fared {
+    /// What is wrong, if anything is.
+    pub fn fault(&self) -> Option<String> {
+        let [all, speed] = [self.held, self.held_back].map(|share| 100.0 * share);
+        let held =
+            || format!("guards hold {all:.1} % of the particles, that of speed {speed:.1} %");
+        self.broken
+            .clone()
+            .or_else(|| (self.held >= MOST_HELD).then(held))
+    }
+}
+
+/// Burns `seconds` at these values, then returns to the defaults and looks
+/// whether it recovers.
+pub fn there_and_back(parameters: &Parameters, seconds: f64) -> Fared {
+    let model = parameters.model();
+    let mut fire = Simulation::new(parameters.clone());
+    let mut fared = burn(&mut fire, seconds);
+    if fared.broken.is_none() {
+        fire.set_parameters(usual(model));
+        fared.broken = recovers(&mut fire).map(|fault| format!("afterwards, {fault}"));
+    }
+    fared
+}
+
+/// Burns so long and looks whether all is well.
+pub fn burn(fire: &mut Simulation, seconds: f64) -> Fared {
+    let until = fire.time() + seconds;
+    let (mut steps, mut held, mut held_back, mut moved) = (0_u32, 0.0, 0.0, 0.0);
+    let mut broken = None;
+    while fire.time() < until && broken.is_none() {
+        fire.step();
+        steps += 1;
+        let report = fire.report();
+        held += f64::from(report.at_guard);
+        held_back += f64::from(report.at_speed_limit);
+        moved += fire.count() as f64;
+        if steps.is_multiple_of(256) {
+            broken = fault(fire);
+        }
+        if f64::from(steps) > MOST_STEPS * seconds {
+            broken = Some(format!("steps have shrunk to {} s", report.length));
+        }
+    }
+    let moved = f64::max(moved, 1.0);
+    Fared {
+        held: held / moved,
+        held_back: held_back / moved,
+        broken: broken.or_else(|| fault(fire)),
+    }
+}
+
+/// What is wrong with the fire as it is now.
+fn fault(fire: &Simulation) -> Option<String> {
+    let p = fire.parameters();
+    let inside =
+        |at: Vec2| at.x.abs() <= 0.5 * p.domain_width && (0.0..=p.domain_height).contains(&at.y);
+    for particle in fire.particles() {
+        let [x, y] = particle.velocity.to_array();
+        let Particle {
+            temperature,
+            fuel,
+            oxygen,
+            soot,
+            ..
+        } = particle;
+        let numbers = [x, y, temperature, fuel, oxygen, soot];
+        let share = -1e-6..=1.0 + 1e-6;
+        let sane = temperature > 0.0
+            && soot >= 0.0
+            && share.contains(&fuel)
+            && share.contains(&oxygen)
+            && numbers.iter().all(|number| number.is_finite());
+        // A position that is no number is not inside.
+        if !sane || !inside(particle.position) {
+            return Some(format!("there is {particle:?}"));
+        }
+    }
+    for ember in fire.embers() {
+        let [x, y] = ember.velocity.to_array();
+        let sane = [x, y, ember.temperature].iter().all(|n| n.is_finite());
+        if !sane || !inside(ember.position) {
+            return Some(format!("there is {ember:?}"));
+        }
+    }
+    let report = fire.report();
+    let sane = report.power.is_finite() && report.power >= 0.0 && fire.time().is_finite();
+    (!sane).then(|| format!("there is {report:?}"))
+}
+
+/// What is wrong with a fire that has the defaults again, a while later.
+fn recovers(fire: &mut Simulation) -> Option<String> {
+    let model = fire.parameters().model();
+    if let Some(fault) = burn(fire, recovery(model)).broken {
+        return Some(fault);
+    }
+    let from = fire.time();
+    let (mut energy, mut particle_seconds, mut held) = (0.0, 0.0, 0);
+    while fire.time() < from + LOOKED_AT {
+        let before = fire.time();
+        fire.step();
+        let length = fire.time() - before;
+        energy += f64::from(fire.report().power) * length;
+        particle_seconds += fire.count() as f64 * length;
+        held += fire.report().at_guard;
+    }
+    if let Some(fault) = fault(fire) {
+        return Some(fault);
+    }
+    if held > 0 {
+        return Some(format!("guards still hold particles, {held} times"));
+    }
+    let (power, count) = (energy / LOOKED_AT, particle_seconds / LOOKED_AT);
+    let asked = f64::from(fire.parameters().fuel_power);
+    match model {
+        // What the paper's test calls the default's number of particles.
+        Model::Classic => (!(700.0..=1000.0).contains(&count))
+            .then(|| format!("there are {count:.0} particles, which is not usual")),
+        Model::Combustion => ((power / asked - 1.0).abs() > 0.25)
+            .then(|| format!("{power:.0} kW/m burn where {asked:.0} are fed")),
+    }
+}

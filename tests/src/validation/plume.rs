@@ -1,0 +1,138 @@
+//! The plume far above a small flame: velocity, temperature, entrainment.
+
+use super::boxes::combustion;
+use super::measure::fit;
+use super::plot::{Plot, Series};
+use super::record::watch;
+use super::{Case, Expected, Outcome, Pace, Row};
+
+pub(super) const CASES: &[Case] = &[Case {
+    name: "plume",
+    pace: Pace::Long(60),
+    run: plume,
+}];
+
+/// A line plume of constant buoyancy flux B = gQ'/(ρ cp T): no radiation. Its
+/// velocity on the axis does not change with height, its excess temperature
+/// falls as 1/z, and the air that it takes in widens it.
+fn plume() -> Outcome {
+    const POWER: f64 = 30.0;
+    let parameters = combustion([
+        ("fuel_power", POWER),
+        ("source_width", 0.1),
+        ("source_height", 0.25),
+        ("domain_width", 2.0),
+        ("domain_height", 3.0),
+        ("max_particles", 6000.0),
+        ("radiative_cooling", 0.0),
+    ]);
+    let p = &parameters;
+    let ambient = f64::from(p.ambient_temperature);
+    let flux = f64::from(p.gravity) * POWER / (f64::from(p.ambient_density) * ambient);
+    let record = watch(parameters.clone(), 5.0, 30.0);
+    let sampler = &record.sampler;
+    // Well above the flame, and well below the seam, which swallows the plume.
+    let from = sampler.row(record.base + 0.8);
+    let to = sampler.row(record.base + 1.6);
+    let rows: Vec<_> = (from..to).collect();
+    let height = |row: usize| sampler.y(row) - record.base;
+    let bells: Vec<_> = rows
+        .iter()
+        .map(|&row| {
+            let velocity = fit::bell(&record.across(&record.rise, row));
+            let excess = record
+                .across(&record.temperature, row)
+                .into_iter()
+                .map(|(x, t)| (x, t - ambient));
+            (
+                height(row),
+                velocity,
+                fit::bell(&excess.collect::<Vec<_>>()),
+            )
+        })
+        .collect();
+    let speed = fit::mean(bells.iter().map(|bell| bell.1.height));
+    let law = flux.cbrt();
+    let trend = fit::line(bells.iter().map(|bell| (bell.0, bell.1.height)));
+    let unevenness = bells
+        .iter()
+        .map(|bell| (trend.intercept + trend.slope * bell.0) / speed - 1.0)
+        .map(f64::abs)
+        .fold(0.0, f64::max);
+    // The plume seems to come from where its thermal width vanishes.
+    let widening = fit::line(bells.iter().map(|bell| (bell.0, bell.2.width)));
+    let origin = -widening.intercept / widening.slope;
+    let exponent =
+        |from: f64| fit::exponent(bells.iter().map(|bell| (bell.0 - from, bell.2.height)));
+    let cooling = exponent(origin);
+    // A bell's flux is √π U b, and what it gains in height comes in from two
+    // sides at the speed αU.
+    let flow = fit::line(
+        bells
+            .iter()
+            .map(|(z, bell, _)| (*z, std::f64::consts::PI.sqrt() * bell.height * bell.width)),
+    );
+    let alpha = flow.slope / (2.0 * speed);
+    let ends = [bells.first(), bells.last()].into_iter().flatten();
+    let plot = Plot::new(
+        "plume",
+        "A line plume",
+        "height above the burner [m]",
+        "U / B^⅓, ΔT / 100 K, b [m]",
+    )
+    .showing(Series::line("", ends.map(|bell| (bell.0, 1.73))))
+    .showing(Series::dots(
+        "velocity",
+        bells.iter().map(|b| (b.0, b.1.height / law)),
+    ))
+    .showing(Series::line("", []))
+    .showing(Series::dots(
+        "excess temperature",
+        bells.iter().map(|b| (b.0, b.2.height / 100.0)),
+    ))
+    .showing(Series::line("", []))
+    .showing(Series::dots(
+        "half width",
+        bells.iter().map(|b| (b.0, b.1.width)),
+    ));
+    Outcome::rows([
+        Row::new(
+            "plume-constant",
+            "line plume: trend of the velocity on the axis, end to middle",
+            Expected::AtMost(0.1),
+            unevenness,
+        ),
+        Row::new(
+            "plume-velocity",
+            "line plume: velocity on the axis / B^⅓",
+            // From 20 % below 1.66 to 20 % above 1.8.
+            Expected::Between(1.66 * 0.8, 1.8 * 1.2),
+            speed / law,
+        )
+        .noting("1.66 to 1.8, each ± 20 %"),
+        Row::new(
+            "plume-temperature",
+            "line plume: exponent of the excess temperature over the height above its virtual origin",
+            Expected::Value {
+                value: -1.0,
+                tolerance: 0.4,
+            },
+            cooling,
+        )
+        .noting(format!(
+            "origin {origin:.2} m above the burner; {:.2} from the burner itself",
+            exponent(0.0)
+        )),
+        Row::new(
+            "entrainment",
+            "line plume: entrainment α, of the velocity on the axis",
+            Expected::Share {
+                value: 0.11,
+                tolerance: 0.3,
+            },
+            alpha,
+        )
+        .noting("Richardson and Hunt 2022; velocity trend and temperature of 0.8 to 1.6 m"),
+    ])
+    .with(plot)
+}

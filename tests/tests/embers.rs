@@ -1,0 +1,147 @@
+//! Embers are born in the flames, fly, cool and die.
+#![cfg(not(target_arch = "wasm32"))]
+
+use std::collections::HashMap;
+
+use hearth_core::params::Model;
+use hearth_core::{Ember, Parameters};
+use hearth_tests::fires::{burn, burn_on, combustion, watch};
+
+/// What tells one ember from all others.
+fn name(ember: &Ember) -> (u32, u32) {
+    (ember.size.to_bits(), ember.lifetime.to_bits())
+}
+
+/// Embers in the air, on average, as a share of those that would be thrown in
+/// the mean of their lives.
+fn share_of_expected(rate: f64, low: f64, high: f64) -> f64 {
+    let values = [
+        ("ember_rate", rate),
+        ("ember_life_min", low),
+        ("ember_life_max", high),
+    ];
+    let mut fire = burn(combustion(&values), 1.0);
+    let (mut alive, mut n) = (0.0, 0.0);
+    watch(&mut fire, 3.0, |fire| {
+        alive += fire.embers().len() as f64;
+        n += 1.0;
+    });
+    alive / n / (rate * 0.5 * (low + high))
+}
+
+#[test]
+fn as_many_fly_as_are_thrown_in_a_life() {
+    for (rate, low, high) in [(40.0, 0.2, 0.4), (300.0, 0.1, 0.3), (300.0, 0.2, 0.2)] {
+        let share = share_of_expected(rate, low, high);
+        assert!((share - 1.0).abs() < 0.1, "{share} at {rate}/s");
+    }
+    // At the highest rate some births find no flames in time.
+    let share = share_of_expected(1000.0, 0.2, 0.2);
+    assert!((0.75..1.1).contains(&share), "{share}");
+}
+
+#[test]
+fn each_has_the_life_and_the_size_that_it_may_have() {
+    let mut fire = burn(
+        combustion(&[
+            ("ember_rate", 200.0),
+            ("ember_life_min", 0.3),
+            ("ember_life_max", 0.8),
+            ("ember_size", 0.01),
+        ]),
+        1.0,
+    );
+    let (mut shortest, mut longest) = (f32::INFINITY, 0.0_f32);
+    watch(&mut fire, 1.0, |fire| {
+        for ember in fire.embers() {
+            shortest = shortest.min(ember.lifetime);
+            longest = longest.max(ember.lifetime);
+            assert!(ember.age < ember.lifetime, "{ember:?}");
+            assert!(ember.size > 0.0 && ember.size <= 0.01, "{ember:?}");
+        }
+    });
+    // All of the range is used, and nothing beyond.
+    assert!((0.3..0.35).contains(&shortest), "{shortest} s");
+    assert!((0.75..=0.8).contains(&longest), "{longest} s");
+}
+
+#[test]
+fn each_cools_rises_with_the_flow_and_dies() {
+    let lives = [("ember_life_min", 0.3), ("ember_life_max", 1.0)];
+    let rate = [("ember_rate", 150.0)];
+    let mut fire = burn(combustion(&[&lives[..], &rate].concat()), 1.0);
+    let (mut first, mut last) = (HashMap::new(), HashMap::new());
+    watch(&mut fire, 2.0, |fire| {
+        for ember in fire.embers() {
+            first.entry(name(ember)).or_insert(*ember);
+            if let Some(before) = last.insert(name(ember), *ember) {
+                assert!(ember.temperature < before.temperature, "{ember:?}");
+                assert!(ember.age > before.age, "{ember:?}");
+            }
+        }
+    });
+    let flown: Vec<_> = first.iter().filter(|(_, ember)| ember.age < 0.1).collect();
+    assert!(flown.len() > 200, "{}", flown.len());
+    let risen = flown
+        .iter()
+        .map(|(name, ember)| last[*name].position.y - ember.position.y)
+        .sum::<f32>()
+        / flown.len() as f32;
+    assert!(risen > 0.3, "{risen} m");
+
+    let alive = fire.embers().len();
+    let dead = first.keys().filter(|&name| {
+        let alive = |ember: &Ember| self::name(ember) == *name;
+        !fire.embers().iter().any(alive)
+    });
+    assert!(dead.count() > 2 * alive);
+}
+
+#[test]
+fn without_a_rate_none_are_thrown_and_those_that_fly_die() {
+    assert_eq!(burn(combustion(&[("ember_rate", 0.0)]), 1.0).embers(), []);
+
+    let mut fire = burn(combustion(&[("ember_life_max", 0.6)]), 1.0);
+    assert!(!fire.embers().is_empty());
+    let none = hearth_core::params::Input::Number(0.0);
+    assert_eq!(fire.set("ember_rate", none), Ok(()));
+    burn_on(&mut fire, 0.65);
+    assert_eq!(fire.embers(), []);
+}
+
+#[test]
+fn there_are_none_without_flames_and_none_in_the_classic_model() {
+    let many = ("ember_rate", 1000.0);
+    assert_eq!(
+        burn(combustion(&[many, ("fuel_power", 0.0)]), 1.0).embers(),
+        []
+    );
+
+    let classic = burn(Parameters::new(Model::Classic), 1.0);
+    let mut instances = vec![[1.0; 8]];
+    classic.write_embers(&mut instances);
+    assert_eq!((classic.embers(), &instances[..]), (&[][..], &[][..]));
+}
+
+#[test]
+fn embers_do_not_stir_the_gas() {
+    // They draw from the same generator, but the gas draws nothing after its start.
+    let with = burn(combustion(&[("ember_rate", 1000.0)]), 0.5);
+    let without = burn(combustion(&[("ember_rate", 0.0)]), 0.5);
+    assert_eq!(with.particles(), without.particles());
+}
+
+#[test]
+fn the_renderer_gets_every_ember() {
+    let fire = burn(combustion(&[("ember_rate", 300.0)]), 1.0);
+    let mut instances = Vec::new();
+    fire.write_embers(&mut instances);
+    assert_eq!(instances.len(), fire.embers().len());
+    assert!(!instances.is_empty());
+    for (i, ember) in instances.iter().zip(fire.embers()) {
+        assert_eq!(i[..2], ember.position.to_array());
+        assert_eq!(i[2..4], ember.velocity.to_array());
+        assert_eq!(i[4..7], [ember.temperature, ember.size, ember.age]);
+        assert_eq!(i[7], 1.0 - ember.age / ember.lifetime);
+    }
+}

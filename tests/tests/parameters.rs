@@ -1,0 +1,164 @@
+//! Every parameter does something, and whatever cannot be is refused in words.
+#![cfg(not(target_arch = "wasm32"))]
+
+use hearth_core::params::{Input, Kind, Model, PARAMETERS, Param, Refusal};
+use hearth_core::{Parameters, Simulation};
+use hearth_tests::fires::{self, with};
+
+/// Values of a parameter that are not its default.
+fn others(model: Model, param: &Param) -> Vec<Input<'static>> {
+    let domain = param.any_domain(model);
+    match (param.kind, domain.default) {
+        (Kind::Choice(names), _) => names.iter().map(|&name| Input::Text(name)).collect(),
+        (Kind::Flag, _) => vec![Input::Flag(true)],
+        (Kind::Colour, _) => vec![Input::Text("#123456")],
+        // A few particles more are as different as very many, and quicker.
+        _ if param.id == "max_particles" && model == Model::Combustion => {
+            vec![Input::Number(1200.0)]
+        }
+        _ => [domain.range.0, domain.range.1].map(Input::Number).to_vec(),
+    }
+}
+
+/// Whether a value of the parameter, of those that `burnt` takes, makes another
+/// fire than none does, and whether it should.
+fn changes<Fire: PartialEq>(
+    model: Model,
+    param: &Param,
+    burnt: impl Fn(Option<(&'static str, Input<'static>)>) -> Fire,
+) -> (bool, bool) {
+    let plain = burnt(None);
+    let changed = others(model, param)
+        .into_iter()
+        .any(|value| burnt(Some((param.id, value))) != plain);
+    let shown_only = param.group == "Look" || param.id == "time_scale";
+    (changed, !shown_only)
+}
+
+fn used_by(model: Model) -> impl Iterator<Item = &'static Param> {
+    let used = move |param: &&Param| param.id != "model" && param.domain(model).is_some();
+    PARAMETERS.iter().filter(used)
+}
+
+#[test]
+fn every_parameter_of_the_classic_fire_changes_it_and_none_of_its_look_does() {
+    for param in used_by(Model::Classic) {
+        // Nothing reaches the speed limit but gas that is lifted as printed.
+        let wild = ("printed_divisor", Input::Flag(param.id == "speed_limit"));
+        // Whirls have a size where there are whirls.
+        let strength = if param.id == "turbulence_scale" {
+            3.0
+        } else {
+            0.0
+        };
+        let stirred = ("turbulence", Input::Number(strength));
+        // The domain is no wider than the source, so that there are walls to meet.
+        let narrow = ("domain_width", Input::Number(0.36));
+        let burnt = |more: Option<(&'static str, Input<'static>)>| {
+            let values = [wild, stirred, narrow].into_iter().chain(more);
+            fires::burn(with(values), 1.0).particles()
+        };
+        let (changed, should) = changes(Model::Classic, param, burnt);
+        assert_eq!(changed, should, "{}", param.id);
+    }
+}
+
+#[test]
+fn every_parameter_of_the_combustion_fire_changes_it_and_none_of_its_look_does() {
+    for param in used_by(Model::Combustion) {
+        let strength = if param.id == "turbulence_scale" {
+            3.0
+        } else {
+            0.0
+        };
+        let burnt = |more: Option<(&'static str, Input<'static>)>| {
+            let mut parameters = fires::combustion(&[("turbulence", strength)]);
+            assert_eq!(parameters.set_all(more), Ok(()), "{}", param.id);
+            let fire = fires::burn(parameters, 0.6);
+            (fire.particles(), fire.embers().to_vec())
+        };
+        let (changed, should) = changes(Model::Combustion, param, burnt);
+        assert_eq!(changed, should, "{}", param.id);
+    }
+}
+
+#[test]
+fn whole_numbers_end_exactly_at_their_range_and_there_is_one_zero() {
+    let mut parameters = Parameters::new(Model::Classic);
+    let beyond = f64::from(u32::MAX) + 1.0;
+    assert!(parameters.set("seed", Input::Number(beyond)).is_err());
+    assert!(
+        parameters
+            .set("max_particles", Input::Number(100_001.0))
+            .is_err()
+    );
+    assert_eq!(parameters.set("viscosity", Input::Number(-0.0)), Ok(()));
+    assert!(parameters.viscosity.is_sign_positive());
+}
+
+#[test]
+fn a_refused_value_changes_nothing_and_says_what_is_allowed() {
+    let mut fire = Simulation::new(Parameters::new(Model::Classic));
+    let before = fire.parameters().clone();
+    let error = fire
+        .set("viscosity", Input::Number(5.0))
+        .expect_err("out of range");
+    assert_eq!(
+        error.to_string(),
+        "viscosity = 5 is refused: it must be a number from 0 to 0.1 Pa·s"
+    );
+    for (id, input) in [
+        ("viscosity", Input::Number(f64::NAN)),
+        ("viscosity", Input::Text("lots")),
+        ("viscosity", Input::Flag(true)),
+        ("max_particles", Input::Number(200.5)),
+        ("walls", Input::Text("rubber")),
+        ("printed_euler", Input::Text("perhaps")),
+        ("background", Input::Text("#12")),
+        ("seed", Input::Number(-1.0)),
+    ] {
+        let error = fire.set(id, input).expect_err(id);
+        assert!(error.to_string().contains(id), "{error}");
+    }
+    assert_eq!(*fire.parameters(), before);
+}
+
+#[test]
+fn an_unknown_id_names_the_nearest_known_one() {
+    let nearest = |id| match Parameters::new(Model::Classic)
+        .set(id, Input::Number(0.0))
+        .expect_err("unknown")
+        .reason
+    {
+        Refusal::UnknownId { nearest } => nearest,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(nearest("viscosty"), Some("viscosity"));
+    assert_eq!(nearest("bouyancy"), Some("buoyancy"));
+    assert_eq!(nearest("xyzzy"), None);
+}
+
+#[test]
+fn texts_spell_every_kind_of_value() {
+    let parameters = with([
+        ("viscosity", Input::Text(" 0.02 ")),
+        ("max_particles", Input::Text("500")),
+        ("walls", Input::Text("solid")),
+        ("printed_euler", Input::Text("")),
+        ("background", Input::Text("#102030")),
+        ("seed", Input::Text("4294967295")),
+    ]);
+    assert_eq!(parameters.viscosity, 0.02);
+    assert_eq!(parameters.max_particles, 500);
+    assert!(parameters.printed_euler);
+    assert_eq!(parameters.background.rgba, [16, 32, 48, 255]);
+    assert_eq!(parameters.seed, u32::MAX);
+    // What is written reads back as the same.
+    for (param, value) in parameters.changed() {
+        let mut again = Parameters::new(Model::Classic);
+        again
+            .set(param.id, Input::Text(&value.to_string()))
+            .expect(param.id);
+        assert_eq!(again.get(param.id), Some(value));
+    }
+}

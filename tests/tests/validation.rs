@@ -1,0 +1,56 @@
+//! The quick rows of the validation table: theory, to its tolerance.
+//!
+//! `cargo xtask validate` runs the long ones as well and prints all figures.
+#![cfg(not(target_arch = "wasm32"))]
+
+use hearth_tests::validation::{self, Pace, Verdict, not_reached::NOT_REACHED, table};
+
+/// Every row of the case holds, or is known not to.
+fn holds(name: &str) {
+    let case = validation::case(name).expect("a case of that name");
+    assert_eq!(case.pace, Pace::Quick);
+    let outcome = (case.run)();
+    assert!(!outcome.rows.is_empty());
+    for row in outcome.rows {
+        assert_ne!(row.verdict(), Verdict::Fails, "{}", table::line(&row));
+    }
+}
+
+macro_rules! quick {
+    ($($test:ident: $case:literal,)*) => {
+        const TESTED: &[&str] = &[$($case),*];
+        $(#[test] fn $test() { holds($case); })*
+    };
+}
+
+quick! {
+    the_kernel_has_the_volume_one: "kernel",
+    a_lattice_has_the_density_of_rest: "lattice-density",
+    a_linear_pressure_pushes_as_its_gradient: "pressure-gradient",
+    a_parabola_has_its_laplacian: "laplacian",
+    viscosity_only_ever_takes_energy: "dissipation",
+    a_closed_box_keeps_its_momentum: "momentum",
+    a_standing_wave_swings_at_c_over_l: "standing-wave",
+    a_column_at_rest_is_hydrostatic: "hydrostatic",
+    heat_spreads_as_fourier_says: "heat",
+    vortices_decay_at_reynolds_20: "taylor-green-20",
+    vortices_decay_at_reynolds_100: "taylor-green-100",
+    plates_drag_the_gas_as_couette_says: "couette",
+    a_force_makes_poiseuilles_parabola: "poiseuille",
+    the_burner_gives_its_power: "burner-power",
+    a_gas_flame_is_hottest_at_its_outer_sheet: "outer-sheet",
+}
+
+#[test]
+fn every_quick_case_is_tested() {
+    let quick = validation::cases().filter(|case| case.pace == Pace::Quick);
+    let names: Vec<_> = quick.map(|case| case.name).collect();
+    assert_eq!(names, TESTED);
+}
+
+#[test]
+fn what_is_not_reached_has_a_reason() {
+    for known in NOT_REACHED {
+        assert!(known.reason.len() > 20, "{}", known.row);
+    }
+}

@@ -59,7 +59,7 @@ export interface HearthParameters {
   thermal_buoyancy: number;
   /** Weight added to every particle, as if gravity counted a second time. [m/s²] Default in classic: 0, from 0 to 20. */
   extra_weight: number;
-  /** Speed at which lift and the resistance of the air, which this model leaves out otherwise, balance. [m/s] Default in classic: 2.5, from 0.5 to 3.5. */
+  /** Speed at which lift and the resistance of the air, which this model leaves out otherwise, balance. [m/s] Default in classic: 2.5, from 0.5 to 3. */
   terminal_speed: number;
   /** A net, not a law: no particle moves faster. [m/s] Default in classic: 4, from 4 to 8. */
   speed_limit: number;
@@ -209,7 +209,7 @@ export interface HearthProperties {
   thermalBuoyancy: number;
   /** Weight added to every particle, as if gravity counted a second time. [m/s²] Default in classic: 0, from 0 to 20. */
   extraWeight: number;
-  /** Speed at which lift and the resistance of the air, which this model leaves out otherwise, balance. [m/s] Default in classic: 2.5, from 0.5 to 3.5. */
+  /** Speed at which lift and the resistance of the air, which this model leaves out otherwise, balance. [m/s] Default in classic: 2.5, from 0.5 to 3. */
   terminalSpeed: number;
   /** A net, not a law: no particle moves faster. [m/s] Default in classic: 4, from 4 to 8. */
   speedLimit: number;

@@ -14,6 +14,8 @@
 
 use std::f32::consts::PI;
 
+use crate::extremes::larger;
+
 /// The kernel of one smoothing length.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
@@ -56,8 +58,8 @@ impl Kernel {
         let q = r * self.inverse_h;
         // (2 − q)³/4 − (1 − q)³ is the inner piece, so both pieces are one
         // expression without a branch: a term that is over counts as zero.
-        let outer = (2.0 - q).max(0.0);
-        let inner = (1.0 - q).max(0.0);
+        let outer = larger(2.0 - q, 0.0);
+        let inner = larger(1.0 - q, 0.0);
         self.norm * (0.25 * outer * outer * outer - inner * inner * inner)
     }
 
@@ -65,12 +67,12 @@ impl Kernel {
     #[inline]
     pub fn gradient_over_r(&self, r: f32) -> f32 {
         let q = r * self.inverse_h;
-        let outer = (2.0 - q).max(0.0);
-        let inner = (1.0 - q).max(0.0);
+        let outer = larger(2.0 - q, 0.0);
+        let inner = larger(1.0 - q, 0.0);
         // The limit at q = 0 is −3; the offset there is zero, so the force is
         // too, and any finite value will do.
         let slope = 3.0 * inner * inner - 0.75 * outer * outer;
-        self.norm * self.inverse_h * self.inverse_h * slope / q.max(1e-6)
+        self.norm * self.inverse_h * self.inverse_h * slope / larger(q, 1e-6)
     }
 
     /// ∇²W at the distance `r` [1/m⁴], the kernel's own Laplacian in two

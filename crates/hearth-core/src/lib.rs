@@ -24,6 +24,7 @@
 mod classic;
 pub mod clock;
 mod combustion;
+mod extremes;
 pub mod fps;
 mod grid;
 pub mod kernel;

@@ -25,87 +25,42 @@ pub(crate) struct Pair {
     pub gradient: f32,
 }
 
-/// The pairs of all particles, each pair once.
+/// The pairs of all particles, each pair once; one array a property.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Neighbours {
-    pairs: Vec<Pair>,
+    j: Vec<u32>,
+    offset: Vec<Vec2>,
+    gradient: Vec<f32>,
+    /// How many pairs the arrays hold; they themselves may be longer.
+    found: usize,
     /// Where each particle's pairs end.
     ends: Vec<u32>,
     /// How many neighbours each particle has, whichever end wrote the pair down.
     pub count: Vec<u32>,
-    near: Near,
-}
-
-/// The neighbours of one particle, one array a property.
-///
-/// Of three candidates one is a neighbour, in no order that a processor could
-/// foresee. So each is written down where the next neighbour belongs, and that
-/// place moves on only if it is one: a wrong guess costs more than the writing.
-#[derive(Clone, Debug, Default)]
-struct Near {
-    j: Vec<u32>,
-    offset: Vec<Vec2>,
-    distance_squared: Vec<f32>,
+    /// W of the pairs of one particle [1/m²].
     weight: Vec<f32>,
-    gradient: Vec<f32>,
-    found: usize,
-}
-
-impl Near {
-    /// Takes up which of `candidates`, numbered from `first` on, are within
-    /// reach, the square of a distance, of `here`.
-    #[inline]
-    fn sift(&mut self, first: usize, candidates: &[Vec2], here: Vec2, reach: f32) {
-        let room = self.found + candidates.len();
-        if room > self.j.len() {
-            self.j.resize(room, 0);
-            self.offset.resize(room, Vec2::ZERO);
-            self.distance_squared.resize(room, 0.0);
-            self.weight.resize(room, 0.0);
-            self.gradient.resize(room, 0.0);
-        }
-        let (js, offsets, distances) = (
-            &mut self.j[..room],
-            &mut self.offset[..room],
-            &mut self.distance_squared[..room],
-        );
-        let mut found = self.found;
-        for (at, &there) in candidates.iter().enumerate() {
-            let offset = here - there;
-            let distance_squared = offset.length_squared();
-            js[found] = (first + at) as u32;
-            offsets[found] = offset;
-            distances[found] = distance_squared;
-            found += usize::from(distance_squared < reach);
-        }
-        self.found = found;
-    }
-
-    /// Fills in the kernel of all that were found.
-    #[inline]
-    fn weigh(&mut self, kernel: &Kernel) {
-        let distances = &self.distance_squared[..self.found];
-        let (weights, gradients) = (&mut self.weight[..], &mut self.gradient[..]);
-        for ((&distance_squared, weight), gradient) in distances.iter().zip(weights).zip(gradients)
-        {
-            let distance = distance_squared.sqrt();
-            *weight = kernel.value(distance);
-            *gradient = kernel.gradient_over_r(distance);
-        }
-    }
 }
 
 impl Neighbours {
     pub fn pair_count(&self) -> usize {
-        self.pairs.len()
+        self.found
     }
 
     /// Every particle that wrote pairs down, with these.
-    pub fn iter(&self) -> impl Iterator<Item = (usize, &[Pair])> {
+    pub fn iter(&self) -> impl Iterator<Item = (usize, impl Iterator<Item = Pair>)> {
         let mut begin = 0;
         self.ends.iter().enumerate().map(move |(i, &end)| {
-            let pairs = &self.pairs[begin..end as usize];
-            begin = end as usize;
+            let range = begin..end as usize;
+            begin = range.end;
+            let pairs = self.j[range.clone()]
+                .iter()
+                .zip(&self.offset[range.clone()])
+                .zip(&self.gradient[range]);
+            let pairs = pairs.map(|((&j, &offset), &gradient)| Pair {
+                j,
+                offset,
+                gradient,
+            });
             (i, pairs)
         })
     }
@@ -121,45 +76,85 @@ impl Neighbours {
         shares: &[f32],
         sums: &mut [f32],
     ) {
-        let Neighbours {
-            pairs,
-            ends,
-            count,
-            near,
-        } = self;
-        pairs.clear();
-        ends.clear();
-        count.clear();
-        count.resize(positions.len(), 0);
+        self.found = 0;
+        self.ends.clear();
+        self.count.clear();
+        self.count.resize(positions.len(), 0);
         let reach = kernel.support() * kernel.support();
         let middle = kernel.value(0.0);
         for (sum, &share) in sums.iter_mut().zip(shares) {
             *sum = share * middle;
         }
         for (i, &here) in positions.iter().enumerate() {
-            if pairs.len() < MOST_PAIRS {
+            if self.found < MOST_PAIRS {
+                let begin = self.found;
                 grid.later_candidates(i, here, |run, shift| {
-                    near.sift(run.start, &positions[run], here - shift, reach);
+                    self.sift(run.start, &positions[run], here - shift, reach);
                 });
-                near.weigh(kernel);
-                let mut own = 0.0;
-                for at in 0..near.found {
-                    let j = near.j[at] as usize;
-                    own += shares[j] * near.weight[at];
-                    sums[j] += shares[i] * near.weight[at];
-                    count[j] += 1;
-                }
-                sums[i] += own;
-                count[i] += near.found as u32;
-                pairs.extend((0..near.found).map(|at| Pair {
-                    j: near.j[at],
-                    offset: near.offset[at],
-                    gradient: near.gradient[at],
-                }));
-                near.found = 0;
+                sums[i] += self.weigh(begin, kernel, shares, shares[i], sums);
+                self.count[i] += (self.found - begin) as u32;
             }
-            ends.push(pairs.len() as u32);
+            self.ends.push(self.found as u32);
         }
+    }
+
+    /// Writes down which of `candidates`, numbered from `first` on, are within
+    /// reach, the square of a distance, of `here`.
+    ///
+    /// Of three candidates one is a neighbour, in no order that a processor could
+    /// foresee. So each is written down where the next neighbour belongs, and that
+    /// place moves on only if it is one: a wrong guess costs more than the writing.
+    #[inline]
+    fn sift(&mut self, first: usize, candidates: &[Vec2], here: Vec2, reach: f32) {
+        let room = self.found + candidates.len();
+        if room > self.j.len() {
+            // By half as much again, so that a growing fire seldom asks for more.
+            let room = room.max(self.j.len() / 2 * 3);
+            self.j.resize(room, 0);
+            self.offset.resize(room, Vec2::ZERO);
+            self.gradient.resize(room, 0.0);
+        }
+        let (js, offsets) = (&mut self.j[..room], &mut self.offset[..room]);
+        let mut found = self.found;
+        for (at, &there) in candidates.iter().enumerate() {
+            let offset = here - there;
+            js[found] = (first + at) as u32;
+            offsets[found] = offset;
+            found += usize::from(offset.length_squared() < reach);
+        }
+        self.found = found;
+    }
+
+    /// Fills in the kernel of the pairs from `begin` on, which are one particle's.
+    /// Adds its share to the sums of the others; returns theirs.
+    #[inline]
+    fn weigh(
+        &mut self,
+        begin: usize,
+        kernel: &Kernel,
+        shares: &[f32],
+        own: f32,
+        sums: &mut [f32],
+    ) -> f32 {
+        let offsets = &self.offset[begin..self.found];
+        let gradients = &mut self.gradient[begin..self.found];
+        if self.weight.len() < offsets.len() {
+            self.weight.resize(offsets.len(), 0.0);
+        }
+        let weights = &mut self.weight[..offsets.len()];
+        for ((offset, weight), gradient) in offsets.iter().zip(&mut *weights).zip(gradients) {
+            let distance = offset.length();
+            *weight = kernel.value(distance);
+            *gradient = kernel.gradient_over_r(distance);
+        }
+        let mut sum = 0.0;
+        for (&j, &weight) in self.j[begin..self.found].iter().zip(&*weights) {
+            let j = j as usize;
+            sum += shares[j] * weight;
+            sums[j] += own * weight;
+            self.count[j] += 1;
+        }
+        sum
     }
 
     /// Neighbours of a particle, on average, and the most of one.

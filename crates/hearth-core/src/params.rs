@@ -99,7 +99,7 @@ parameters! {
         extra_weight: number "Extra weight" ["m/s²"] Linear { Classic(0.0, 0.0..=20.0) }
         /// Speed at which lift and the resistance of the air, which this model
         /// leaves out otherwise, balance.
-        terminal_speed: number "Terminal speed" ["m/s"] Linear { Classic(2.5, 0.5..=3.5) }
+        terminal_speed: number "Terminal speed" ["m/s"] Linear { Classic(2.5, 0.5..=3.0) }
         /// A net, not a law: no particle moves faster.
         speed_limit: number "Speed limit" ["m/s"] Linear { Classic(4.0, 4.0..=8.0) }
     }

@@ -5,6 +5,7 @@
 //! state).
 
 use super::particles::Particles;
+use crate::extremes::larger;
 use crate::grid::Grid;
 use crate::kernel::Kernel;
 use crate::neighbours::Neighbours;
@@ -40,7 +41,7 @@ pub(crate) fn pressure(particles: &mut Particles, values: &Values) {
         density, pressure, ..
     } = particles;
     for (p, &density) in pressure.iter_mut().zip(density.iter()) {
-        *p = (values.gas_constant * (density - values.rest_density)).max(0.0);
+        *p = larger(values.gas_constant * (density - values.rest_density), 0.0);
     }
 }
 

@@ -23,6 +23,7 @@ use glam::Vec2;
 use super::density::DENSITY_FLOOR;
 use super::particles::Particles;
 use super::printed::Printed;
+use crate::extremes::larger;
 use crate::kernel::Kernel;
 use crate::neighbours::Neighbours;
 use crate::params::Values;
@@ -67,13 +68,13 @@ fn push_pairs(
     let softening = 0.01 * kernel.smoothing_length() * kernel.smoothing_length();
 
     for (i, pairs) in neighbours.iter() {
-        let density_i = density[i].max(DENSITY_FLOOR);
+        let density_i = larger(density[i], DENSITY_FLOOR);
         let (pressure_i, velocity_i) = (pressure[i], velocity[i]);
         let mut sum = Vec2::ZERO;
         for pair in pairs {
             let j = pair.j as usize;
             // All particles have the same mass, so Vᵢ Vⱼ / m is this.
-            let volumes = mass / (density_i * density[j].max(DENSITY_FLOOR));
+            let volumes = mass / (density_i * larger(density[j], DENSITY_FLOOR));
             let distance_squared = pair.offset.length_squared();
             let push = -(pressure_i + pressure[j]);
             let drag = 2.0 * viscosity * distance_squared / (distance_squared + softening);
@@ -96,7 +97,7 @@ fn lift(particles: &mut Particles, values: &Values) {
         ..
     } = particles;
     for (i, acceleration) in acceleration.iter_mut().enumerate() {
-        let density = density[i].max(DENSITY_FLOOR);
+        let density = larger(density[i], DENSITY_FLOOR);
         let lift = if values.printed_divisor {
             values.buoyancy * (values.ambient_density - density) / values.particle_mass
         } else {

@@ -6,6 +6,7 @@
 
 use super::density::DENSITY_FLOOR;
 use super::particles::Particles;
+use crate::extremes::{larger, smaller};
 use crate::grid::Bounds;
 use crate::params::{Values, Walls};
 
@@ -89,8 +90,8 @@ pub(crate) fn integrate(particles: &mut Particles, values: &Values, dt: f32) -> 
             };
         particles.velocity[i] = velocity;
 
-        motion.fastest = motion.fastest.max(speed.min(limit));
-        motion.hardest = motion.hardest.max(acceleration.length());
+        motion.fastest = larger(motion.fastest, smaller(speed, limit));
+        motion.hardest = larger(motion.hardest, acceleration.length());
     }
     motion
 }
@@ -99,7 +100,8 @@ pub(crate) fn integrate(particles: &mut Particles, values: &Values, dt: f32) -> 
 /// the temperature of the air.
 pub(crate) fn cool_and_age(particles: &mut Particles, values: &Values, dt: f32) {
     for temperature in &mut particles.temperature {
-        *temperature = (*temperature - values.cooling_rate * dt).max(values.ambient_temperature);
+        let cooled = *temperature - values.cooling_rate * dt;
+        *temperature = larger(cooled, values.ambient_temperature);
     }
     for age in &mut particles.age {
         *age += dt;

@@ -15,6 +15,7 @@
 //! flame is smoke, which thins slowly.
 
 use super::gas::{Gas, State};
+use crate::extremes::{larger, smaller};
 use crate::params::Values;
 
 /// Heat capacity of the gas [kJ/(kg·K)].
@@ -54,7 +55,7 @@ pub(crate) fn react(gas: &mut Gas, values: &Values, dt: f32) -> f32 {
         let oxygen = oxygen.clamp(0.0, 1.0);
         let burn = if t > values.ignition_temperature {
             let lacking = ((equilibrium - t) / rise).clamp(0.0, 1.0);
-            fuel.min(oxygen / demand).min(lacking) * fast
+            smaller(smaller(fuel, oxygen / demand), lacking) * fast
         } else {
             0.0
         };
@@ -63,7 +64,7 @@ pub(crate) fn react(gas: &mut Gas, values: &Values, dt: f32) -> f32 {
 
         let lost = dt * values.radiative_cooling * (radiated(t) - from_air);
         // Radiation stops at the temperature of the air, however long the step.
-        let cooled = (t - lost).max(air.min(t));
+        let cooled = larger(t - lost, smaller(air, t));
         let t = cooled + rise * burn;
         let glowing = ((t - cool) / (hot - cool)).clamp(0.0, 1.0);
         let left = smoke_left + glowing * (soot_left - smoke_left);

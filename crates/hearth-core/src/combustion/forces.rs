@@ -23,6 +23,7 @@
 use glam::{Vec2, Vec4};
 
 use super::gas::{Gas, State};
+use crate::extremes::smaller;
 use crate::grid::Grid;
 use crate::kernel::Kernel;
 use crate::neighbours::Neighbours;
@@ -113,6 +114,10 @@ impl Forces {
         let eddy = values.eddy_viscosity * values.eddy_viscosity * h;
         let artificial = values.artificial_viscosity * sound * h;
         let parcels = &self.parcels[..];
+        let mass = gas.mass;
+        let acceleration = &mut gas.acceleration[..];
+        let change = &mut gas.change[..];
+        let crowding = &mut gas.crowding[..];
         for (i, pairs) in self.neighbours.iter() {
             let here = parcels[i];
             let mut push = Vec2::ZERO;
@@ -131,9 +136,9 @@ impl Forces {
                 let common = 2.0 * volumes / (here.volume + there.volume);
                 let stirred = eddy * apart.length();
                 let laplacian = 2.0 * common * pair.gradient * distance_squared * inverse;
-                let approach = apart.dot(pair.offset).min(0.0) * inverse;
+                let approach = smaller(apart.dot(pair.offset), 0.0) * inverse;
 
-                let pressure = -volumes * (here.pressure + there.pressure) / gas.mass;
+                let pressure = -volumes * (here.pressure + there.pressure) / mass;
                 let force = slope * (pressure + common * artificial * approach)
                     + apart * (laplacian * (values.kinematic_viscosity + stirred));
                 let flux = (here.state - there.state)
@@ -142,13 +147,13 @@ impl Forces {
                 push += force;
                 gain += flux;
                 crowd += slope * there.volume;
-                gas.acceleration[j] -= force;
-                gas.change[j] -= flux;
-                gas.crowding[j] -= slope * here.volume;
+                acceleration[j] -= force;
+                change[j] -= flux;
+                crowding[j] -= slope * here.volume;
             }
-            gas.acceleration[i] += push;
-            gas.change[i] += gain;
-            gas.crowding[i] += crowd;
+            acceleration[i] += push;
+            change[i] += gain;
+            crowding[i] += crowd;
         }
     }
 

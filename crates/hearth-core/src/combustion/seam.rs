@@ -9,6 +9,7 @@
 use glam::{Vec2, Vec4};
 
 use super::gas::Gas;
+use crate::extremes::{larger, smaller};
 use crate::params::Values;
 
 /// Speed at which the seam swallows motion and matter, in its own thickness a
@@ -51,17 +52,17 @@ pub(crate) fn freshen(gas: &mut Gas, values: &Values, dt: f32) {
     let sides = (values.wind.abs() / FRESH_WIND).min(1.0);
     for i in 0..gas.len() {
         let at = gas.position[i];
-        let from_edge = at.y.min(values.domain_height - at.y);
+        let from_edge = smaller(at.y, values.domain_height - at.y);
         let from_side = 0.5 * values.domain_width - at.x.abs();
         let depth = 1.0 - from_edge / thickness;
         if depth > 0.0 {
             let velocity = &mut gas.velocity[i];
-            *velocity = wind + (*velocity - wind) / (1.0 + calm * depth.min(1.0));
+            *velocity = wind + (*velocity - wind) / (1.0 + calm * smaller(depth, 1.0));
         }
-        let depth = depth.max((1.0 - from_side / thickness) * sides);
+        let depth = larger(depth, (1.0 - from_side / thickness) * sides);
         if depth > 0.0 {
             let state = &mut gas.state[i];
-            let swallowed = clean * (MATTER_EDGE * depth).min(1.0);
+            let swallowed = clean * smaller(MATTER_EDGE * depth, 1.0);
             *state = air + (*state - air) / (1.0 + swallowed);
         }
     }

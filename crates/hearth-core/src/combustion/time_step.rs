@@ -16,6 +16,7 @@
 use glam::Vec2;
 
 use super::gas::Gas;
+use crate::extremes::{larger, smaller};
 use crate::grid::Bounds;
 use crate::params::Values;
 
@@ -54,7 +55,7 @@ pub(crate) struct Motion {
 pub(crate) fn longest(gas: &Gas, values: &Values, h: f32, sound: f32) -> f32 {
     let largest = |vectors: &[Vec2]| {
         let squares = vectors.iter().map(|v| v.length_squared());
-        squares.fold(0.0, f32::max).sqrt()
+        squares.fold(0.0, larger).sqrt()
     };
     let (speed, hardest) = (largest(&gas.velocity), largest(&gas.acceleration));
     let eddy = values.eddy_viscosity * values.eddy_viscosity * h * speed;
@@ -78,7 +79,7 @@ pub(crate) fn accelerate(gas: &mut Gas, sound: f32, dt: f32) -> Motion {
             *velocity *= limit / speed;
             motion.limited += 1;
         }
-        motion.fastest = motion.fastest.max(speed.min(limit));
+        motion.fastest = larger(motion.fastest, smaller(speed, limit));
     }
     motion
 }

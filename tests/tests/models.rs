@@ -131,7 +131,7 @@ fn another_number_of_particles_or_another_domain_keeps_the_fire_burning() {
 
             let particles = f64::from(fire.parameters().max_particles);
             let share = fire.count() as f64 / particles;
-            assert!((0.9..=1.02).contains(&share), "{id}: {}", fire.count());
+            assert!((0.9..=1.0).contains(&share), "{id}: {}", fire.count());
 
             burns_well(&mut fire);
             assert!(warmth(&fire) > 800.0, "{id}: it went out");
@@ -149,17 +149,19 @@ fn heat(fire: &Simulation) -> f64 {
 
 #[test]
 fn live_changes_bring_no_heat_however_many_there_are() {
-    let drags: [(&str, fn(f64) -> f64); 3] = [
-        ("max_particles", |share| 2000.0 + 2000.0 * share),
-        ("domain_width", |share| 1.2 + 0.6 * share),
-        ("domain_height", |share| 1.8 + 0.6 * share),
+    let drags = [
+        ("max_particles", 2000.0, 4000.0),
+        ("domain_width", 1.2, 1.8),
+        ("domain_height", 1.8, 2.4),
     ];
-    for (id, value) in drags {
+    for (id, from, to) in drags {
         let mut fire = burn(combustion(&[("max_particles", 2000.0)]), 1.5);
         let before = heat(&fire);
         // As a slider that is dragged: a change a frame, and no time to burn between.
         for i in 1..=8 {
-            set(&mut fire, id, value(f64::from(i) / 8.0));
+            let share = f64::from(i) / 8.0;
+            let value: f64 = from + share * (to - from);
+            set(&mut fire, id, value);
             let ratio = heat(&fire) / before;
             assert!((ratio - 1.0).abs() < 0.15, "{id}, change {i}: {ratio}");
         }

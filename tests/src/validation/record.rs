@@ -22,8 +22,8 @@ pub(super) struct Record {
     pub base: f64,
     /// Whether the fire came to the end, and finite.
     pub came: bool,
-    /// Light of the whole fire, in arbitrary units, frame by frame.
-    pub light: Vec<f64>,
+    /// Light in arbitrary units, frame by frame, row by row.
+    pub light: Vec<Vec<f64>>,
     /// Height of the highest luminous gas above the burner \[m\], frame by frame.
     pub tips: Vec<f64>,
     /// Speed at which air flows in over the burner's two edges, together, frame
@@ -39,6 +39,8 @@ pub(super) struct Record {
     pub temperature: Field,
     /// Mean upward velocity [m/s].
     pub rise: Field,
+    /// Mean velocity to the right [m/s].
+    pub drift: Field,
     /// Mean power that came out of the burner [kW/m]: what burned, and what
     /// unburned fuel there is more of in the end.
     pub delivered: f64,
@@ -95,6 +97,7 @@ pub(super) fn watch(parameters: Parameters, settle: f64, seconds: f64) -> Record
         luminous: vec![0.0; cells],
         temperature: vec![0.0; cells],
         rise: vec![0.0; cells],
+        drift: vec![0.0; cells],
         delivered: 0.0,
         sampler,
         fire,
@@ -121,6 +124,7 @@ pub(super) fn watch(parameters: Parameters, settle: f64, seconds: f64) -> Record
         &mut record.luminous,
         &mut record.temperature,
         &mut record.rise,
+        &mut record.drift,
     ];
     for value in means.into_iter().flatten() {
         *value /= n;
@@ -148,7 +152,8 @@ impl Record {
         );
         let [temperature, soot, rise, along] = self.sampler.sample(particles);
         let columns = self.sampler.columns;
-        let (mut light, mut tip) = (0.0, 0.0);
+        let mut light = vec![0.0; self.sampler.rows];
+        let mut tip = 0.0;
         let mut breath = Vec::with_capacity(self.sampler.rows);
         let edge = 0.5 * f64::from(p.source_width);
         let (left, right) = (self.sampler.column(-edge), self.sampler.column(edge));
@@ -158,7 +163,7 @@ impl Record {
                 if temperature[at] > GLOWING && soot[at] > SOOTY {
                     lit += 1.0;
                     self.luminous[at] += 1.0;
-                    light += (temperature[at] / 1500.0).powi(4) * soot[at].min(1.5);
+                    light[row] += (temperature[at] / 1500.0).powi(4) * soot[at].min(1.5);
                 }
             }
             if lit > 0.0 {
@@ -168,7 +173,11 @@ impl Record {
             self.widths[row] += lit * self.sampler.cell;
             breath.push(along[row * columns + left] - along[row * columns + right]);
         }
-        for (sum, now) in [(&mut self.temperature, temperature), (&mut self.rise, rise)] {
+        for (sum, now) in [
+            (&mut self.temperature, temperature),
+            (&mut self.rise, rise),
+            (&mut self.drift, along),
+        ] {
             for (sum, now) in sum.iter_mut().zip(now) {
                 *sum += now;
             }
@@ -206,9 +215,16 @@ impl Record {
             .map_or(0, |(row, _)| row)
     }
 
-    /// Power over frequency of the whole fire's light.
-    pub fn light_spectrum(&self) -> Vec<(f64, f64)> {
-        signal::spectrum(&self.light, RATE, 8.0, 8.0)
+    /// Power over frequency of the light of the fire up to so high above the
+    /// burner \[m\].
+    pub fn light_spectrum(&self, top: f64) -> Vec<(f64, f64)> {
+        let row = self.sampler.row(self.base + top);
+        let swing: Vec<f64> = self
+            .light
+            .iter()
+            .map(|light| light[..=row].iter().sum())
+            .collect();
+        signal::spectrum(&swing, RATE, 8.0, 8.0)
     }
 
     /// Power over frequency of the air that flows in from both sides, so high

@@ -34,8 +34,6 @@ pub struct Ember {
 const GLOW: f32 = 1750.0;
 /// Gas hotter than this throws embers \[K\].
 const FLAMES: f32 = 900.0;
-/// Places that are tried for a birth before it has to wait.
-const TRIES: usize = 24;
 /// Time in which an ember of 4 mm takes on the speed of the gas around it \[s\];
 /// larger ones take longer. In the air they sink at g times this.
 const FOLLOWS: f32 = 0.035;
@@ -123,11 +121,11 @@ impl Embers {
     }
 }
 
-/// Some particle of the flames.
+/// Some particle of the flames, each with the same chance.
 fn flames(gas: &Gas, random: &mut Random) -> Option<usize> {
-    (0..TRIES)
-        .map(|_| (random.unit() * gas.len() as f32) as usize)
-        .find(|&i| gas.state.get(i).is_some_and(|state| state.x > FLAMES))
+    let flames = || (0..gas.len()).filter(|&i| gas.state[i].x > FLAMES);
+    let chosen = (random.unit() * flames().count() as f32) as usize;
+    flames().nth(chosen)
 }
 
 /// The gas that embers fly in, in the order of the grid.

@@ -37,6 +37,7 @@ pub(super) fn take_over(
     let spacing = parameters.spacing() * (sampler.mean_density(parameters) / FINER).sqrt();
     let places = lattice(parameters, spacing, random);
     let mut gas = Gas::default();
+    let most = parameters.max_particles as usize;
     // What rounding left, for the places of this row and of the next.
     let mut error = vec![0.0_f32; places.columns + 2];
     let mut next = error.clone();
@@ -51,7 +52,7 @@ pub(super) fn take_over(
             next[column] += rest * (3.0 / 16.0);
             next[column + 1] += rest * (5.0 / 16.0);
             next[column + 2] += rest * (1.0 / 16.0);
-            if taken {
+            if taken && gas.len() < most {
                 gas.push(&particle);
             }
         }

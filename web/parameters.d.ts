@@ -23,7 +23,7 @@ export interface HearthParameters {
   ambient_temperature: number;
   /** Density of the air around the fire. [kg/m³] Default 1.2, from 0.5 to 2. */
   ambient_density: number;
-  /** How much of the height, at the top and at the bottom, gas becomes fresh air again. 0 closes the domain upon itself, and then nothing is lifted: nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
+  /** How much of the height, at the top and at the bottom, gas becomes fresh air again. 0 closes the domain upon itself; then no wind blows, and nothing is lifted: nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
   seam: number;
   /** Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided; more of them are finer, and slower. Default in combustion: 3000, from 1000 to 100000. Default in classic: 1000, from 100 to 100000. */
   max_particles: number;
@@ -37,7 +37,7 @@ export interface HearthParameters {
   rest_density: number;
   /** Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound: how hard compressed gas pushes apart. More of it widens the fire. [m²/s²] Default in classic: 0.6, from 0.05 to 6. */
   gas_constant: number;
-  /** Speed of sound in the simulated gas, far below the real one: how hard compressed gas pushes apart. More of it keeps the density more even and makes the steps shorter. [m/s] Default in combustion: 6, from 4 to 15. */
+  /** Speed of sound in the simulated gas, far below the real one: how hard compressed gas pushes apart. More of it keeps the density more even and makes the steps shorter. It grows by itself for fires above 220 kW/m. [m/s] Default in combustion: 6, from 4 to 15. */
   stiffness: number;
   /** Dynamic viscosity: how strongly neighbours share their motion. [Pa·s] Default in classic: 0.005, from 0 to 0.1. */
   viscosity: number;
@@ -51,7 +51,7 @@ export interface HearthParameters {
   diffusion: number;
   /** How far hot gas takes more room: 1 is the ideal gas, 0 the paper's equation of state, in which only density makes pressure. Default in combustion: 0.5, from 0 to 1. */
   gas_expansion: number;
-  /** How strongly particles are moved from where they crowd to where they are sparse, so that they stay evenly spread. Default in combustion: 1, from 0 to 1. */
+  /** How strongly particles are moved from where they crowd to where they are sparse, so that they stay evenly spread. Default in combustion: 1, from 0.2 to 1. */
   shifting: number;
   /** Classic: lift β of gas that is thinner than the air; more of it narrows the fire. Combustion: lift of gas that is hotter than the air; 1 is nature's. Default in combustion: 1, from 0 to 2. Default in classic: 0.12, from 0 to 1. */
   buoyancy: number;
@@ -79,7 +79,7 @@ export interface HearthParameters {
   lifetime_max: number;
   /** How much shorter particles live that are born towards the rim of the source, within the shortest and the longest life: it gives the fire its tip. Default in classic: 0.8, from 0 to 1. */
   taper: number;
-  /** Power of the burner: the heat of the fuel that it feeds, for each metre of depth; 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
+  /** Power of the burner: the heat of the fuel that it feeds, for each metre of depth, on top of what its gas carries by being hot; 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
   fuel_power: number;
   /** Upward speed of what leaves the source: of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   emission_speed: number;
@@ -87,27 +87,27 @@ export interface HearthParameters {
   emission_spread: number;
   /** How unevenly the source burns: Perlin noise in place and time. Default in combustion: 0.2, from 0 to 1. Default in classic: 0.5, from 0 to 1. */
   emission_noise: number;
-  /** Width of the source. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
+  /** Width of the source; combustion: of the burner, which is at least four particles wide. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
   source_width: number;
-  /** Height of the source above the floor. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
+  /** Height of the source above the floor; combustion: of the burner, which stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
   source_height: number;
   /** Temperature of a particle at birth. [K] Default in classic: 1900, from 1000 to 2500. */
   maximum_temperature: number;
   /** How fast a particle cools towards the air. [K/s] Default in classic: 900, from 0 to 5000. */
   cooling_rate: number;
-  /** Temperature of the gas in the burner. [K] Default in combustion: 700, from 500 to 1200. */
+  /** Temperature of the gas in the burner, which is always hot enough to burn. [K] Default in combustion: 700, from 500 to 1200. */
   source_temperature: number;
   /** Oxygen that the fuel brings along: with 0 it burns only where it meets the air, hottest at the rim of the flame; 1 is as much as the air has. Default in combustion: 0.5, from 0 to 1. */
   source_oxygen: number;
-  /** Temperature above which fuel burns where there is oxygen. [K] Default in combustion: 500, from 400 to 900. */
+  /** Temperature above which fuel burns where there is oxygen. [K] Default in combustion: 450, from 400 to 900. */
   ignition_temperature: number;
   /** How much hotter gas becomes where fuel and air burn up without a remainder. [K] Default in combustion: 1500, from 600 to 2500. */
   flame_rise: number;
   /** Parts of air that one part of fuel needs to burn. Default in combustion: 1.5, from 0.5 to 6. */
   air_demand: number;
-  /** Time in which hot fuel with enough oxygen burns down to about a third. [s] Default in combustion: 0.1, from 0.02 to 0.5. */
+  /** Time in which hot fuel with enough oxygen burns down to about a third. [s] Default in combustion: 0.08, from 0.02 to 0.5. */
   burn_time: number;
-  /** How fast gas of 1500 K cools by what it radiates; that grows with the fourth power of the temperature. [K/s] Default in combustion: 500, from 0 to 2000. */
+  /** How fast gas and embers of 1500 K cool by what they radiate; that grows with the fourth power of the temperature. [K/s] Default in combustion: 500, from 0 to 2000. */
   radiative_cooling: number;
   /** Time in which hot soot, which makes a flame glow, burns away to about a third. [s] Default in combustion: 0.25, from 0.05 to 2. */
   soot_life: number;
@@ -173,7 +173,7 @@ export interface HearthProperties {
   ambientTemperature: number;
   /** Density of the air around the fire. [kg/m³] Default 1.2, from 0.5 to 2. */
   ambientDensity: number;
-  /** How much of the height, at the top and at the bottom, gas becomes fresh air again. 0 closes the domain upon itself, and then nothing is lifted: nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
+  /** How much of the height, at the top and at the bottom, gas becomes fresh air again. 0 closes the domain upon itself; then no wind blows, and nothing is lifted: nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
   seam: number;
   /** Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided; more of them are finer, and slower. Default in combustion: 3000, from 1000 to 100000. Default in classic: 1000, from 100 to 100000. */
   maxParticles: number;
@@ -187,7 +187,7 @@ export interface HearthProperties {
   restDensity: number;
   /** Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound: how hard compressed gas pushes apart. More of it widens the fire. [m²/s²] Default in classic: 0.6, from 0.05 to 6. */
   gasConstant: number;
-  /** Speed of sound in the simulated gas, far below the real one: how hard compressed gas pushes apart. More of it keeps the density more even and makes the steps shorter. [m/s] Default in combustion: 6, from 4 to 15. */
+  /** Speed of sound in the simulated gas, far below the real one: how hard compressed gas pushes apart. More of it keeps the density more even and makes the steps shorter. It grows by itself for fires above 220 kW/m. [m/s] Default in combustion: 6, from 4 to 15. */
   stiffness: number;
   /** Dynamic viscosity: how strongly neighbours share their motion. [Pa·s] Default in classic: 0.005, from 0 to 0.1. */
   viscosity: number;
@@ -201,7 +201,7 @@ export interface HearthProperties {
   diffusion: number;
   /** How far hot gas takes more room: 1 is the ideal gas, 0 the paper's equation of state, in which only density makes pressure. Default in combustion: 0.5, from 0 to 1. */
   gasExpansion: number;
-  /** How strongly particles are moved from where they crowd to where they are sparse, so that they stay evenly spread. Default in combustion: 1, from 0 to 1. */
+  /** How strongly particles are moved from where they crowd to where they are sparse, so that they stay evenly spread. Default in combustion: 1, from 0.2 to 1. */
   shifting: number;
   /** Classic: lift β of gas that is thinner than the air; more of it narrows the fire. Combustion: lift of gas that is hotter than the air; 1 is nature's. Default in combustion: 1, from 0 to 2. Default in classic: 0.12, from 0 to 1. */
   buoyancy: number;
@@ -229,7 +229,7 @@ export interface HearthProperties {
   lifetimeMax: number;
   /** How much shorter particles live that are born towards the rim of the source, within the shortest and the longest life: it gives the fire its tip. Default in classic: 0.8, from 0 to 1. */
   taper: number;
-  /** Power of the burner: the heat of the fuel that it feeds, for each metre of depth; 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
+  /** Power of the burner: the heat of the fuel that it feeds, for each metre of depth, on top of what its gas carries by being hot; 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
   fuelPower: number;
   /** Upward speed of what leaves the source: of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   emissionSpeed: number;
@@ -237,27 +237,27 @@ export interface HearthProperties {
   emissionSpread: number;
   /** How unevenly the source burns: Perlin noise in place and time. Default in combustion: 0.2, from 0 to 1. Default in classic: 0.5, from 0 to 1. */
   emissionNoise: number;
-  /** Width of the source. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
+  /** Width of the source; combustion: of the burner, which is at least four particles wide. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
   sourceWidth: number;
-  /** Height of the source above the floor. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
+  /** Height of the source above the floor; combustion: of the burner, which stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
   sourceHeight: number;
   /** Temperature of a particle at birth. [K] Default in classic: 1900, from 1000 to 2500. */
   maximumTemperature: number;
   /** How fast a particle cools towards the air. [K/s] Default in classic: 900, from 0 to 5000. */
   coolingRate: number;
-  /** Temperature of the gas in the burner. [K] Default in combustion: 700, from 500 to 1200. */
+  /** Temperature of the gas in the burner, which is always hot enough to burn. [K] Default in combustion: 700, from 500 to 1200. */
   sourceTemperature: number;
   /** Oxygen that the fuel brings along: with 0 it burns only where it meets the air, hottest at the rim of the flame; 1 is as much as the air has. Default in combustion: 0.5, from 0 to 1. */
   sourceOxygen: number;
-  /** Temperature above which fuel burns where there is oxygen. [K] Default in combustion: 500, from 400 to 900. */
+  /** Temperature above which fuel burns where there is oxygen. [K] Default in combustion: 450, from 400 to 900. */
   ignitionTemperature: number;
   /** How much hotter gas becomes where fuel and air burn up without a remainder. [K] Default in combustion: 1500, from 600 to 2500. */
   flameRise: number;
   /** Parts of air that one part of fuel needs to burn. Default in combustion: 1.5, from 0.5 to 6. */
   airDemand: number;
-  /** Time in which hot fuel with enough oxygen burns down to about a third. [s] Default in combustion: 0.1, from 0.02 to 0.5. */
+  /** Time in which hot fuel with enough oxygen burns down to about a third. [s] Default in combustion: 0.08, from 0.02 to 0.5. */
   burnTime: number;
-  /** How fast gas of 1500 K cools by what it radiates; that grows with the fourth power of the temperature. [K/s] Default in combustion: 500, from 0 to 2000. */
+  /** How fast gas and embers of 1500 K cool by what they radiate; that grows with the fourth power of the temperature. [K/s] Default in combustion: 500, from 0 to 2000. */
   radiativeCooling: number;
   /** Time in which hot soot, which makes a flame glow, burns away to about a third. [s] Default in combustion: 0.25, from 0.05 to 2. */
   sootLife: number;

@@ -96,7 +96,7 @@ fn bad_particles_are_refused_and_change_nothing() {
         },
     ] {
         let error = fire.set_particles(&[good, bad]).expect_err("it is bad");
-        assert_eq!(error.index, 1);
+        assert_eq!(error.index, Some(1));
         assert!(error.to_string().contains("particle 1"), "{error}");
         assert_eq!(fire.particles(), [good]);
     }
@@ -104,16 +104,16 @@ fn bad_particles_are_refused_and_change_nothing() {
 
 /// Air that fills the domain of the combustion model, thinly.
 fn gas() -> Vec<Particle> {
-    let place = |i: i32| Vec2::new((i % 12) as f32 * 0.1 - 0.55, (i / 12) as f32 * 0.15 + 0.05);
+    let place = |i: i32| Vec2::new((i % 30) as f32 * 0.04 - 0.58, (i / 30) as f32 * 0.09 + 0.04);
     let wild = |i: i32| Particle {
-        velocity: Vec2::new(0.01 * i as f32, -0.5),
-        temperature: 300.0 + i as f32,
-        fuel: 0.002 * i as f32,
-        oxygen: 1.0 - 0.003 * i as f32,
-        soot: 0.004 * i as f32,
+        velocity: Vec2::new(0.002 * i as f32, -0.5),
+        temperature: 300.0 + 0.25 * i as f32,
+        fuel: 0.0005 * i as f32,
+        oxygen: 1.0 - 0.0008 * i as f32,
+        soot: 0.001 * i as f32,
         ..Particle::at(place(i))
     };
-    (0..144).map(wild).collect()
+    (0..600).map(wild).collect()
 }
 
 #[test]
@@ -166,20 +166,35 @@ fn bad_gas_is_refused_by_name_and_changes_nothing() {
         gas[70] = good;
         spoil(&mut gas[70]);
         let error = fire.set_particles(&gas).expect_err(what);
-        assert_eq!(error.index, 70, "{what}");
+        assert_eq!(error.index, Some(70), "{what}");
         let text = error.to_string();
         assert!(
             text.contains("particle 70") && text.contains(what),
             "{text}"
         );
     }
-    for (count, what) in [(0, "too few"), (99, "too few"), (100_001, "too many")] {
-        let error = fire.set_particles(&vec![good; count]).expect_err(what);
-        assert!(error.to_string().contains(what), "{error}");
+    // The smoothing length goes with max_particles, which is 1000.
+    for count in [0, 499, 2001] {
+        let error = fire
+            .set_particles(&vec![good; count])
+            .expect_err("a wrong number");
+        assert_eq!(error.index, None);
+        assert!(error.to_string().contains("half to twice"), "{error}");
     }
     assert_eq!(fire.particles(), before);
     assert_eq!(fire.embers(), embers);
-    assert_eq!(fire.set_particles(&vec![good; 100]), Ok(()));
+    assert_eq!(fire.set_particles(&vec![good; 500]), Ok(()));
+}
+
+#[test]
+fn a_domain_that_leaves_all_gas_outside_is_filled_with_air() {
+    let mut fire = Simulation::new(fires::combustion(&[]));
+    let aside = Particle::at(Vec2::new(0.55, 0.9));
+    assert_eq!(fire.set_particles(&vec![aside; 800]), Ok(()));
+    assert_eq!(fire.set("domain_width", Input::Number(0.5)), Ok(()));
+    assert!((1..=1000).contains(&fire.count()), "{}", fire.count());
+    fire.step();
+    assert!(fire.positions().iter().all(|at| at.x.abs() <= 0.25));
 }
 
 #[test]

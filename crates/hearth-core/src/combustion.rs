@@ -2,8 +2,8 @@
 //!
 //! Fuel flows in, mixes, burns, and the hot gas rises. Nothing is scripted: the
 //! taper of the flame, its flicker and its puffing come from the equations. One
-//! step is: neighbour grid → pressure → forces and exchange → time step →
-//! motion → burning → burner → seam.
+//! step is: neighbour grid → pressure → forces and exchange → time step → embers →
+//! velocity → burning → burner → seam → position.
 
 mod burner;
 mod chemistry;
@@ -46,9 +46,14 @@ pub(crate) struct Combustion {
     embers: Embers,
     /// What the shape of the domain and the number of particles were made for.
     made_for: Made,
+    /// Temperature of the air that it was made of \[K\].
+    air: f32,
     motion: Motion,
-    /// Of the burning in the last step [kW/m].
+    /// Of the burning in the last step, and of what heated the source [kW/m].
     power: f32,
+    preheat: f32,
+    /// Particles that shifting would have moved too far.
+    held: u32,
     length: f32,
 }
 
@@ -79,8 +84,11 @@ impl Combustion {
             forces: Forces::default(),
             embers: Embers::default(),
             made_for: Made::by(parameters),
+            air: parameters.ambient_temperature,
             motion: Motion::default(),
             power: 0.0,
+            preheat: 0.0,
+            held: 0,
             length: 0.0,
         }
     }
@@ -122,12 +130,13 @@ impl Combustion {
         self.embers.drift(&air, values, random, dt);
         self.motion = time_step::accelerate(gas, sound, dt);
         self.power = chemistry::react(gas, values, dt);
-        if let Some(burner) = Burner::new(values, parameters.spacing()) {
-            burner.feed(gas, values, time, dt);
-        }
-        seam::freshen(gas, values, dt);
+        self.preheat = match Burner::new(values, parameters.spacing()) {
+            Some(burner) => burner.feed(gas, values, time, dt) / dt,
+            None => 0.0,
+        };
+        seam::freshen(gas, values, parameters.spacing(), dt);
         let (h, fastest) = (kernel.smoothing_length(), self.motion.fastest);
-        time_step::advance(gas, &bounds, values.shifting, h, fastest, dt);
+        self.held = time_step::advance(gas, &bounds, values.shifting, h, fastest, dt);
         self.length = dt;
         f64::from(dt)
     }
@@ -136,6 +145,13 @@ impl Combustion {
     /// changed, new particles take over what the old ones carried.
     pub fn adapt(&mut self, parameters: &Parameters, random: &mut Random) {
         let made_for = Made::by(parameters);
+        // Air that is warmer or colder is so everywhere at once, and what it
+        // carries with it; the old air would lift or sink as a whole.
+        let warmer = parameters.ambient_temperature - self.air;
+        if warmer != 0.0 {
+            self.gas.warm(warmer);
+            self.air = parameters.ambient_temperature;
+        }
         if made_for != self.made_for {
             self.gas = resample::take_over(&self.gas, &self.made_for, parameters, random);
             self.made_for = made_for;
@@ -147,7 +163,8 @@ impl Combustion {
     pub fn set_particles(&mut self, particles: &[Particle], values: &Values) {
         self.gas = Gas::of(particles, values);
         self.embers = Embers::default();
-        self.power = 0.0;
+        self.motion = Motion::default();
+        (self.power, self.preheat, self.length) = (0.0, 0.0, 0.0);
     }
 
     /// Length of the last step, or about that of the first \[s\].
@@ -177,10 +194,11 @@ impl Combustion {
             mean_neighbours,
             most_neighbours,
             at_speed_limit: self.motion.limited,
-            at_guard: self.motion.limited,
+            at_guard: self.motion.limited + self.held,
             fastest: self.motion.fastest,
             length: self.length,
             power: self.power,
+            preheat: self.preheat,
         }
     }
 

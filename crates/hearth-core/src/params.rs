@@ -46,8 +46,8 @@ parameters! {
         /// Density of the air around the fire.
         ambient_density: number "Air density" ["kg/m³"] Linear { Every(1.2, 0.5..=2.0) }
         /// How much of the height, at the top and at the bottom, gas becomes fresh
-        /// air again. 0 closes the domain upon itself, and then nothing is lifted:
-        /// nothing would ever stop it.
+        /// air again. 0 closes the domain upon itself; then no wind blows, and nothing is
+        /// lifted: nothing would ever stop it.
         seam: number "Seam" [""] Linear { Combustion(0.07, 0.0..=0.2) }
     }
     "Gas" {
@@ -68,7 +68,7 @@ parameters! {
         gas_constant: number "Gas constant" ["m²/s²"] Log { Classic(0.6, 0.05..=6.0) }
         /// Speed of sound in the simulated gas, far below the real one: how hard
         /// compressed gas pushes apart. More of it keeps the density more even and
-        /// makes the steps shorter.
+        /// makes the steps shorter. It grows by itself for fires above 220 kW/m.
         stiffness: number "Stiffness" ["m/s"] Log { Combustion(6.0, 4.0..=15.0) }
         /// Dynamic viscosity: how strongly neighbours share their motion.
         viscosity: number "Viscosity" ["Pa·s"] Linear { Classic(0.005, 0.0..=0.1) }
@@ -87,7 +87,7 @@ parameters! {
         gas_expansion: number "Gas expansion" [""] Linear { Combustion(0.5, 0.0..=1.0) }
         /// How strongly particles are moved from where they crowd to where they are
         /// sparse, so that they stay evenly spread.
-        shifting: number "Shifting" [""] Linear { Combustion(1.0, 0.0..=1.0) }
+        shifting: number "Shifting" [""] Linear { Combustion(1.0, 0.2..=1.0) }
     }
     "Lift" {
         /// Classic: lift β of gas that is thinner than the air; more of it narrows
@@ -126,7 +126,7 @@ parameters! {
         /// source, within the shortest and the longest life: it gives the fire its tip.
         taper: number "Taper" [""] Linear { Classic(0.8, 0.0..=1.0) }
         /// Power of the burner: the heat of the fuel that it feeds, for each metre of
-        /// depth; 0 turns it off.
+        /// depth, on top of what its gas carries by being hot; 0 turns it off.
         fuel_power: number "Fuel power" ["kW/m"] Linear { Combustion(220.0, 0.0..=600.0) }
         /// Upward speed of what leaves the source: of a particle at birth, or of the
         /// gas in the burner.
@@ -135,15 +135,17 @@ parameters! {
         emission_spread: number "Spread" [""] Linear { Classic(0.25, 0.0..=1.0) }
         /// How unevenly the source burns: Perlin noise in place and time.
         emission_noise: number "Emission noise" [""] Linear { Classic(0.5, 0.0..=1.0) Combustion(0.2, 0.0..=1.0) }
-        /// Width of the source.
+        /// Width of the source; combustion: of the burner, which is at least four
+        /// particles wide.
         source_width: number "Source width" ["m"] Linear { Classic(0.36, 0.05..=0.6) Combustion(0.4, 0.01..=1.0) }
-        /// Height of the source above the floor.
+        /// Height of the source above the floor; combustion: of the burner, which stays
+        /// above the seam.
         source_height: number "Source height" ["m"] Linear { Classic(0.0, 0.0..=1.0) Combustion(0.25, 0.0..=1.0) }
         /// Temperature of a particle at birth.
         maximum_temperature: number "Maximum temperature" ["K"] Linear { Classic(1900.0, 1000.0..=2500.0) }
         /// How fast a particle cools towards the air.
         cooling_rate: number "Cooling rate" ["K/s"] Linear { Classic(900.0, 0.0..=5000.0) }
-        /// Temperature of the gas in the burner.
+        /// Temperature of the gas in the burner, which is always hot enough to burn.
         source_temperature: number "Source temperature" ["K"] Linear { Combustion(700.0, 500.0..=1200.0) }
         /// Oxygen that the fuel brings along: with 0 it burns only where it meets
         /// the air, hottest at the rim of the flame; 1 is as much as the air has.
@@ -151,15 +153,15 @@ parameters! {
     }
     "Burning" {
         /// Temperature above which fuel burns where there is oxygen.
-        ignition_temperature: number "Ignition" ["K"] Linear { Combustion(500.0, 400.0..=900.0) }
+        ignition_temperature: number "Ignition" ["K"] Linear { Combustion(450.0, 400.0..=900.0) }
         /// How much hotter gas becomes where fuel and air burn up without a remainder.
         flame_rise: number "Flame rise" ["K"] Linear { Combustion(1500.0, 600.0..=2500.0) }
         /// Parts of air that one part of fuel needs to burn.
         air_demand: number "Air demand" [""] Linear { Combustion(1.5, 0.5..=6.0) }
         /// Time in which hot fuel with enough oxygen burns down to about a third.
-        burn_time: number "Burn time" ["s"] Log { Combustion(0.1, 0.02..=0.5) }
-        /// How fast gas of 1500 K cools by what it radiates; that grows with the
-        /// fourth power of the temperature.
+        burn_time: number "Burn time" ["s"] Log { Combustion(0.08, 0.02..=0.5) }
+        /// How fast gas and embers of 1500 K cool by what they radiate; that grows with
+        /// the fourth power of the temperature.
         radiative_cooling: number "Radiative cooling" ["K/s"] Linear { Combustion(500.0, 0.0..=2000.0) }
         /// Time in which hot soot, which makes a flame glow, burns away to about a third.
         soot_life: number "Soot life" ["s"] Log { Combustion(0.25, 0.05..=2.0) }

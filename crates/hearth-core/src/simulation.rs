@@ -11,7 +11,7 @@ use glam::Vec2;
 use crate::classic::{self, Classic};
 use crate::combustion::{self, Combustion, Ember};
 use crate::grid::Bounds;
-use crate::params::{Input, Model, Param, ParamError, Parameters};
+use crate::params::{Input, Model, ParamError, Parameters};
 use crate::particle::{Instance, Particle};
 use crate::random::Random;
 
@@ -27,7 +27,8 @@ pub struct StepReport {
     pub most_neighbours: u32,
     /// Particles that the speed limit held back in the last substep.
     pub at_speed_limit: u32,
-    /// Particles that any net held; the speed limit is the only one.
+    /// Particles that any net held: the speed limit or, in the combustion model,
+    /// the farthest that shifting may move one.
     pub at_guard: u32,
     /// Speed of the fastest particle [m/s].
     pub fastest: f32,
@@ -35,6 +36,9 @@ pub struct StepReport {
     pub length: f32,
     /// Power that the burning gave [kW/m]; zero in the classic model.
     pub power: f32,
+    /// Power that made the gas of the source as hot as it is, which comes on
+    /// top of that [kW/m]; zero in the classic model.
+    pub preheat: f32,
 }
 
 /// A fire.
@@ -293,29 +297,31 @@ impl Simulation {
     /// mass of its air.
     ///
     /// # Errors
-    /// More particles than `max_particles` may ever be, in the combustion model
-    /// fewer than 100, or a particle with a value that is not finite, outside
-    /// the domain, colder than 1 K, without a lifetime, or with a share of fuel
-    /// or oxygen that is not from 0 to 1; nothing changes then.
+    /// More than 100,000 particles in the classic model, fewer than half of
+    /// `max_particles` or more than twice as many in the combustion model, whose
+    /// smoothing length goes with it; or a particle outside the domain, faster
+    /// than 1000 m/s, not from 1 to 100,000 K, without a lifetime, or with fuel or
+    /// oxygen that are not from 0 to 1 or soot that is not from 0 to 10. Nothing
+    /// changes then.
     pub fn set_particles(&mut self, particles: &[Particle]) -> Result<(), ParticleError> {
-        let most =
-            Parameters::find_range("max_particles").map_or(usize::MAX, |(_, max)| max as usize);
-        if particles.len() > most {
-            return Err(ParticleError {
-                index: most,
-                what: "too many particles",
-            });
-        }
-        if self.gas.model() == Model::Combustion && particles.len() < FEWEST {
-            return Err(ParticleError {
-                index: particles.len(),
-                what: "too few particles to fill the domain; at least 100 do",
-            });
+        let few = self.parameters.max_particles as usize;
+        let refused = match self.gas.model() {
+            Model::Classic if particles.len() > MOST => Some(TOO_MANY),
+            Model::Combustion if !(few.div_ceil(2)..=2 * few).contains(&particles.len()) => {
+                Some(NOT_AS_MANY)
+            }
+            _ => None,
+        };
+        if let Some(what) = refused {
+            return Err(ParticleError { index: None, what });
         }
         let bounds = self.bounds();
         for (index, particle) in particles.iter().enumerate() {
             if let Some(what) = fault(particle, &bounds) {
-                return Err(ParticleError { index, what });
+                return Err(ParticleError {
+                    index: Some(index),
+                    what,
+                });
             }
         }
         match &mut self.gas {
@@ -333,15 +339,15 @@ impl Simulation {
     }
 }
 
-/// Fewest particles that somebody may fill the domain of the combustion model with.
-const FEWEST: usize = 100;
+/// Most particles that somebody may put into the classic model, and what is said
+/// of more; and of a number that does not go with the smoothing length.
+const MOST: usize = 100_000;
+const TOO_MANY: &str = "there may be 100000 of them at most";
+const NOT_AS_MANY: &str = "there must be from half to twice max_particles of them";
 
-impl Parameters {
-    /// The range of the parameter `id`, where it has one.
-    fn find_range(id: &str) -> Option<(f64, f64)> {
-        Param::find(id)?.domains.first().map(|domain| domain.range)
-    }
-}
+/// Fastest particle that can be put in [m/s]; what is thousands of times as
+/// fast as the gas would not move it but break it.
+const FASTEST: f32 = 1000.0;
 
 /// What is wrong with a particle that somebody wants to put in.
 fn fault(particle: &Particle, bounds: &Bounds) -> Option<&'static str> {
@@ -358,8 +364,8 @@ fn fault(particle: &Particle, bounds: &Bounds) -> Option<&'static str> {
     let share = 0.0..=1.0;
     if !bounds.hold(position) {
         Some("position must be inside the domain")
-    } else if !velocity.is_finite() {
-        Some("velocity must be finite")
+    } else if !(velocity.length() <= FASTEST) {
+        Some("velocity must be at most 1000 m/s")
     } else if !(1.0..=1e5).contains(&temperature) {
         Some("temperature must be from 1 to 100000 K")
     } else if !(age >= 0.0 && lifetime > age) {
@@ -376,15 +382,18 @@ fn fault(particle: &Particle, bounds: &Bounds) -> Option<&'static str> {
 /// Why particles were refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ParticleError {
-    /// The first particle that cannot be taken.
-    pub index: usize,
+    /// The first particle that cannot be taken, where it is not their number.
+    pub index: Option<usize>,
     /// What is wrong with it.
     pub what: &'static str,
 }
 
 impl fmt::Display for ParticleError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "particle {} is refused: {}", self.index, self.what)
+        match self.index {
+            Some(index) => write!(f, "particle {index} is refused: {}", self.what),
+            None => write!(f, "the particles are refused: {}", self.what),
+        }
     }
 }
 

@@ -142,7 +142,10 @@ fn planar_frequency(parameters: &Parameters) -> f64 {
 const FLAME_TEMPERATURE: f64 = 1093.0;
 
 /// Seconds that are watched where a spectrum is wanted.
-const SPECTRUM_SECONDS: f64 = 40.0;
+const SPECTRUM_SECONDS: f64 = 60.0;
+
+/// Time after which the first plume has risen through the domain \[s\].
+const SETTLED: f64 = 6.0;
 
 /// A burner of this width \[m\] in a domain that scales with it, at a power
 /// that keeps the flame's height over its width.
@@ -159,7 +162,7 @@ fn puffing(width: f64) -> Outcome {
             ("stiffness", 6.0 * scale.sqrt().min(1.0)),
             ("max_particles", 4000.0),
         ]),
-        2.0,
+        SETTLED,
         SPECTRUM_SECONDS,
     );
     let expected = planar_frequency(record.fire.parameters());
@@ -171,7 +174,7 @@ fn puffing(width: f64) -> Outcome {
         &id,
         &format!("Puffing of a slot flame, D = {width} m"),
         "f [Hz]",
-        "power / greatest",
+        "f × power / greatest",
     )
     .showing(Series::line("St = 0.55 Ri^0.45", mark(expected)))
     .showing(Series::dots("air drawn in", scaled(&spectrum)))
@@ -207,7 +210,7 @@ fn scaled(spectrum: &[(f64, f64)]) -> Vec<(f64, f64)> {
 
 /// The page's default fire by the figures of realism that need no pixels.
 fn default_flame() -> Outcome {
-    let record = watch(combustion([]), 2.0, SPECTRUM_SECONDS);
+    let record = watch(combustion([]), SETTLED, SPECTRUM_SECONDS);
     let expected = planar_frequency(record.fire.parameters());
     // Higher up, a flame of this length sways, and two puffs shine at a time.
     let spectrum = record.light_spectrum(f64::from(record.fire.parameters().source_width));
@@ -248,7 +251,7 @@ fn default_flame() -> Outcome {
         "flame-light",
         "Light of the default flame's lower part",
         "f [Hz]",
-        "power / greatest",
+        "f × power / greatest",
     )
     .showing(Series::line("St = 0.55 Ri^0.45", mark(expected)))
     .showing(Series::dots("measured", scaled(&spectrum)));

@@ -200,7 +200,8 @@ impl Plot {
             if !series.label.is_empty() {
                 let _ = writeln!(
                     svg,
-                    "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\" fill=\"{colour}\">{}</text>",
+                    "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\" fill=\"{colour}\" \
+                     stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\">{}</text>",
                     right - 4.0,
                     TOP + 12.0 + legend,
                     escaped(&series.label),

@@ -1,5 +1,7 @@
 //! The plume far above a small flame: velocity, temperature, entrainment.
 
+use hearth_core::Simulation;
+
 use super::boxes::combustion;
 use super::measure::fit;
 use super::plot::{Plot, Series};
@@ -11,6 +13,18 @@ pub(super) const CASES: &[Case] = &[Case {
     pace: Pace::Long(60),
     run: plume,
 }];
+
+/// The power that makes the gas of the source as hot as it is, over three
+/// seconds \[kW/m\].
+fn preheat(fire: &mut Simulation) -> f64 {
+    let (mut heat, start) = (0.0, fire.time());
+    while fire.time() < start + 3.0 {
+        fire.step();
+        let report = fire.report();
+        heat += f64::from(report.preheat) * f64::from(report.length);
+    }
+    heat / (fire.time() - start)
+}
 
 /// A line plume of constant buoyancy flux B = gQ'/(ρ cp T): no radiation. Its
 /// velocity on the axis does not change with height, its excess temperature
@@ -28,8 +42,10 @@ fn plume() -> Outcome {
     ]);
     let p = &parameters;
     let ambient = f64::from(p.ambient_temperature);
-    let flux = f64::from(p.gravity) * POWER / (f64::from(p.ambient_density) * ambient);
-    let record = watch(parameters.clone(), 5.0, 30.0);
+    let mut record = watch(parameters.clone(), 5.0, 30.0);
+    // The gas of the source is hot already; that lifts too.
+    let heat = POWER + preheat(&mut record.fire);
+    let flux = f64::from(p.gravity) * heat / (f64::from(p.ambient_density) * ambient);
     let sampler = &record.sampler;
     // Well above the flame, and well below the seam, which swallows the plume.
     let from = sampler.row(record.base + 0.8);

@@ -102,15 +102,18 @@ fn layers(hot_speed: f64, cold_speed: f64, values: &[(&str, f64)]) -> Layers {
 }
 
 /// How far the interface is from flat \[m\]: the wave of the area that the
-/// hot gas has around the middle.
+/// hot gas has up to it. Where that is counted from does not matter, as gas
+/// fills its place; it begins softly, since rows of particles are coarse.
 fn displacement(fire: &Simulation) -> f64 {
     let mass = f64::from(fire.parameters().ambient_density) / fire.count() as f64;
     let (mut re, mut im) = (0.0, 0.0);
     let state = fire.positions().into_iter().zip(fire.temperatures());
     for ((position, temperature), density) in state.zip(fire.densities()) {
         let (x, y) = wide(position);
-        if f64::from(temperature) > AMBIENT && (0.25..0.75).contains(&y) {
-            let area = mass / f64::from(density);
+        if f64::from(temperature) > AMBIENT && y < 0.75 {
+            let counted = ((y - 0.1) / 0.3).clamp(0.0, 1.0);
+            let counted = counted * counted * (3.0 - 2.0 * counted);
+            let area = counted * mass / f64::from(density);
             re += area * (K * x).cos();
             im += area * (K * x).sin();
         }

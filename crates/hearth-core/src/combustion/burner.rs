@@ -6,8 +6,9 @@
 //! places of it burn more than others, and drift (the paper's §5.3), without a
 //! change to the sum.
 
-use super::chemistry::heat_of_combustion;
+use super::chemistry::{HEAT_CAPACITY, heat_of_combustion};
 use super::gas::Gas;
+use crate::extremes::{larger, smaller};
 use crate::noise::perlin;
 use crate::params::Values;
 
@@ -18,8 +19,6 @@ const GRIP: f32 = 400.0;
 /// Least width of the block, in spacings: a burner between two particles would
 /// heat neither.
 const NARROWEST: f32 = 4.0;
-/// So many layers as high as the block take fuel that the block cannot.
-const MOST_LAYERS: u32 = 8;
 /// A pilot flame: gas in the block is hotter than it needs to be to burn, by this.
 const PILOT: f32 = 1.02;
 /// Lattice cells of the emission noise across the burner.
@@ -33,6 +32,8 @@ pub(crate) struct Burner {
     pub half_width: f32,
     pub bottom: f32,
     pub top: f32,
+    /// Below this, layers above the block take fuel that it cannot \[m\].
+    pub highest: f32,
 }
 
 impl Burner {
@@ -54,40 +55,46 @@ impl Burner {
             half_width: 0.5 * width,
             bottom,
             top: bottom + height,
+            highest: high * values.domain_height,
         })
     }
 
-    /// Feeds the gas in the block for `dt`.
-    pub fn feed(&self, gas: &mut Gas, values: &Values, time: f64, dt: f32) {
-        self.hold(gas, values, dt);
+    /// Feeds the gas in the block for `dt`. Returns the heat that it took to
+    /// make that gas as hot as the source [kJ/m], which comes on top of the power.
+    pub fn feed(&self, gas: &mut Gas, values: &Values, time: f64, dt: f32) -> f32 {
+        let heat = self.hold(gas, values, dt);
         let mut left = values.fuel_power / heat_of_combustion(values) * dt;
         let height = self.top - self.bottom;
-        for layer in 0..MOST_LAYERS {
-            left = self.mix_in(gas, values, time, layer as f32 * height, left);
-            if left <= 0.0 {
-                break;
-            }
+        let mut above = 0.0;
+        while left > 0.0 && self.top + above <= self.highest {
+            left = self.mix_in(gas, values, time, above, left);
+            above += height;
         }
+        heat
     }
 
     /// Gives gas in the block its temperature, its oxygen and its velocity.
-    fn hold(&self, gas: &mut Gas, values: &Values, dt: f32) {
+    /// Returns the heat that it took [kJ/m].
+    fn hold(&self, gas: &mut Gas, values: &Values, dt: f32) -> f32 {
         let grip = (GRIP * dt).min(1.0);
         let hot = values
             .source_temperature
             .max(PILOT * values.ignition_temperature);
+        let mut heated = 0.0;
         for i in 0..gas.len() {
             if self.holds(gas, i, 0.0) {
                 let state = &mut gas.state[i];
-                state.x = state.x.max(hot);
+                heated += larger(hot - state.x, 0.0);
+                state.x = larger(state.x, hot);
                 // Air comes into the block from below, as it would not into a
                 // burner; what the source brings displaces it.
-                state.z = state.z.min(values.source_oxygen);
+                state.z = smaller(state.z, values.source_oxygen);
                 let velocity = &mut gas.velocity[i];
                 velocity.x -= velocity.x * grip;
                 velocity.y += (values.emission_speed - velocity.y) * grip;
             }
         }
+        heated * gas.mass * HEAT_CAPACITY
     }
 
     /// Spreads `fuel` [kg/m] over the gas so far above the block, and returns
@@ -201,16 +208,19 @@ mod tests {
     #[test]
     fn what_the_block_cannot_take_goes_to_the_gas_above() {
         // In a quarter of a second far more fuel than the block can hold.
-        let parameters = with(&[
-            ("fuel_power", 600.0),
-            ("source_width", 0.1),
-            ("emission_noise", 0.0),
-        ]);
-        let gas = fed(&parameters, 0.25).expect("a burner");
-        let fuel: f32 = gas.state.iter().map(|state| state.y * gas.mass).sum();
-        let expected = 600.0 / heat_of_combustion(&parameters) * 0.25;
-        assert!((fuel / expected - 1.0).abs() < 1e-3, "{fuel} of {expected}");
-        assert!(gas.state.iter().all(|state| state.y <= 1.0));
+        for n in [1000.0, 3000.0, 20_000.0] {
+            let parameters = with(&[
+                ("fuel_power", 600.0),
+                ("source_width", 0.1),
+                ("emission_noise", 0.0),
+                ("max_particles", n),
+            ]);
+            let gas = fed(&parameters, 0.25).expect("a burner");
+            let fuel: f32 = gas.state.iter().map(|state| state.y * gas.mass).sum();
+            let expected = 600.0 / heat_of_combustion(&parameters) * 0.25;
+            assert!((fuel / expected - 1.0).abs() < 1e-3, "{fuel} of {expected}");
+            assert!(gas.state.iter().all(|state| state.y <= 1.0));
+        }
     }
 
     #[test]

@@ -7,8 +7,10 @@
 //! a flame, where a plain p(ρ, T) would act as a false surface tension
 //! (density-independent SPH: Saitoh & Makino, ApJ 768, 2013). ε = 1 is the ideal
 //! gas (the paper's equation 8), ε = 0 the paper's own equation of state. Ȳ is the
-//! mean of the domain: hot gas in a closed domain raises the pressure everywhere, which
-//! moves nothing, but its noise damps every instability.
+//! mean over the particles: hot gas in a closed domain raises the pressure everywhere,
+//! which moves nothing, but its noise damps every instability. Pressure below the mean
+//! pulls particles into crowds, which shifting dissolves; so there is no gas
+//! without any shifting.
 //!
 //! ```text
 //! m aᵢ = − Σ Vᵢ Vⱼ (pᵢ + pⱼ) ∇W

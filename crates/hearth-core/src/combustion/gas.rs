@@ -8,6 +8,7 @@ use glam::{Vec2, Vec4};
 
 use super::forces::expansion;
 use crate::Particle;
+use crate::extremes::larger;
 use crate::grid::Bounds;
 use crate::params::Values;
 use crate::random::Random;
@@ -116,6 +117,13 @@ impl Gas {
         let share = area / self.volume.iter().sum::<f32>().max(1e-6);
         for volume in &mut self.volume {
             *volume *= share;
+        }
+    }
+
+    /// Makes all of it warmer by `kelvin`.
+    pub fn warm(&mut self, kelvin: f32) {
+        for state in &mut self.state {
+            state.x = larger(state.x + kelvin, 1.0);
         }
     }
 

@@ -22,6 +22,8 @@ use crate::random::Random;
 
 /// How much finer than for cold air the lattice is, for gas that is compressed.
 const FINER: f32 = 1.04;
+/// Least density that the lattice is laid out for.
+const THINNEST: f32 = 0.05;
 /// Most that is passed on from place to place.
 const MOST_PASSED: f32 = 1.0;
 
@@ -107,7 +109,8 @@ impl<'a> Sampler<'a> {
         let kept = self.old.position.iter().filter(stays).count() as f32;
         let common = width.min(self.bounds.width) * height.min(self.bounds.height);
         let area = width * height;
-        (kept / self.air_density + area - common) / area
+        // Particles that somebody put in may all lie outside.
+        ((kept / self.air_density + area - common) / area).max(THINNEST)
     }
 
     /// What the gas is like at a place, and its density in units of air's.

@@ -3,8 +3,8 @@
 //! The domain has no edge: what leaves at the top comes in at the bottom, so the
 //! number of particles never changes and nothing is born or lost. In the seam, a
 //! strip at the top and at the bottom, velocity relaxes to the wind, and
-//! temperature, fuel, oxygen and soot to those of air. Where the wind blows it does so
-//! at the sides too, lest smoke that has left comes back on the other side.
+//! temperature, fuel, oxygen and soot to those of air. Where the wind blows, these four
+//! do so at the sides too, lest smoke that has left comes back on the other side.
 
 use glam::{Vec2, Vec4};
 
@@ -16,8 +16,10 @@ use crate::params::Values;
 /// second [m/s]: what passes through is air when it comes out.
 const SWALLOWS_MOTION: f32 = 3.0;
 const SWALLOWS_MATTER: f32 = 9.6;
-/// Matter is gone in this part of the seam, its outer edge.
+/// Matter is swallowed at full speed in all but the inner quarter of the seam.
 const MATTER_EDGE: f32 = 4.0;
+/// Least thickness of the seam, in spacings of the particles.
+const THINNEST: f32 = 2.0;
 /// Time in which the wind sets all of the air in motion \[s\].
 const WIND_TAKES: f32 = 0.3;
 /// Wind at which the sides swallow as much as the seam [m/s].
@@ -38,11 +40,14 @@ pub(crate) fn blow(gas: &mut Gas, values: &Values) {
 }
 
 /// Makes air of what is in the seam, for `dt`.
-pub(crate) fn freshen(gas: &mut Gas, values: &Values, dt: f32) {
-    let thickness = values.seam * values.domain_height;
-    if thickness == 0.0 {
+pub(crate) fn freshen(gas: &mut Gas, values: &Values, spacing: f32, dt: f32) {
+    if values.seam == 0.0 {
         return;
     }
+    // Thinner than this, particles would hop over it.
+    let thinnest = THINNEST * spacing;
+    let thickness = larger(values.seam * values.domain_height, thinnest);
+    let side = larger(values.seam * values.domain_width, thinnest);
     let air = Vec4::new(values.ambient_temperature, 0.0, 1.0, 0.0);
     let wind = Vec2::new(values.wind, 0.0);
     let (calm, clean) = (
@@ -59,7 +64,7 @@ pub(crate) fn freshen(gas: &mut Gas, values: &Values, dt: f32) {
             let velocity = &mut gas.velocity[i];
             *velocity = wind + (*velocity - wind) / (1.0 + calm * smaller(depth, 1.0));
         }
-        let depth = larger(depth, (1.0 - from_side / thickness) * sides);
+        let depth = larger(depth, (1.0 - from_side / side) * sides);
         if depth > 0.0 {
             let state = &mut gas.state[i];
             let swallowed = clean * smaller(MATTER_EDGE * depth, 1.0);
@@ -80,7 +85,12 @@ mod tests {
         let thickness = parameters.seam * parameters.domain_height;
         // As long as gas at 1 m/s takes to pass.
         for _ in 0..200 {
-            freshen(&mut gas, &parameters, thickness / 100.0);
+            freshen(
+                &mut gas,
+                &parameters,
+                parameters.spacing(),
+                thickness / 100.0,
+            );
         }
         for i in 0..gas.len() {
             let y = gas.position[i].y;
@@ -110,7 +120,7 @@ mod tests {
                 let push = gas.acceleration[i];
                 gas.velocity[i] += push * dt;
             }
-            freshen(&mut gas, &parameters, dt);
+            freshen(&mut gas, &parameters, parameters.spacing(), dt);
         }
         let mean = gas.velocity.iter().map(|v| v.x).sum::<f32>() / gas.len() as f32;
         assert!((mean - 2.0).abs() < 0.02, "{mean}");
@@ -127,7 +137,7 @@ mod tests {
     fn without_it_the_domain_is_left_alone() {
         let parameters = with(&[("seam", 0.0), ("wind", 3.0)]);
         let (before, mut gas) = (wild(&parameters, 5), wild(&parameters, 5));
-        freshen(&mut gas, &parameters, 0.01);
+        freshen(&mut gas, &parameters, parameters.spacing(), 0.01);
         blow(&mut gas, &parameters);
         assert_eq!(gas.state, before.state);
         assert_eq!(gas.velocity, before.velocity);

@@ -21,7 +21,9 @@ pub fn crossing_frequency(swing: &[(f64, f64)]) -> f64 {
     }
 }
 
-/// Power over frequency \[Hz\] of a signal of `rate` samples a second: the mean
+/// Frequency times power over frequency \[Hz\], the premultiplied spectrum, whose
+/// area over a logarithmic axis is energy, so that slow drift does not outweigh a
+/// beat; of a signal of `rate` samples a second: the mean
 /// over segments of so many seconds that overlap by half, each without its
 /// trend and under a Hann window (Welch's method). Frequencies are a quarter
 /// of a segment's resolution apart, up to `highest` \[Hz\].
@@ -56,7 +58,10 @@ pub fn spectrum(signal: &[f64], rate: f64, segment: f64, highest: f64) -> Vec<(f
     power
         .into_iter()
         .enumerate()
-        .map(|(k, p)| ((k as f64 + 1.0) * step, p / segments))
+        .map(|(k, p)| {
+            let frequency = (k as f64 + 1.0) * step;
+            (frequency, frequency * p / segments)
+        })
         .collect()
 }
 

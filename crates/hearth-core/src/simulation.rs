@@ -364,7 +364,7 @@ fn fault(particle: &Particle, bounds: &Bounds) -> Option<&'static str> {
     let share = 0.0..=1.0;
     if !bounds.hold(position) {
         Some("position must be inside the domain")
-    } else if !(velocity.length() <= FASTEST) {
+    } else if !(0.0..=FASTEST).contains(&velocity.length()) {
         Some("velocity must be at most 1000 m/s")
     } else if !(1.0..=1e5).contains(&temperature) {
         Some("temperature must be from 1 to 100000 K")

@@ -28,7 +28,7 @@ const SHIFT: f32 = 8.0;
 /// heat, and like it overshoots beyond a limit, here measured at 0.6.
 const MOST_SHIFT: f32 = 0.3;
 /// Most that a particle is shifted in a step, in h.
-const FARTHEST_SHIFT: f32 = 0.1;
+const FARTHEST_SHIFT: f32 = 0.3;
 /// No particle moves faster than this times the speed of sound: a net.
 const FASTEST: f32 = 1.5;
 /// Longest step \[s\].

@@ -34,15 +34,18 @@ const FASTEST: f32 = 1.5;
 /// Longest step \[s\].
 const LONGEST: f32 = 1.0 / 60.0;
 
+/// Least speed of sound, in speeds of the wind.
+const BLOWN: f32 = 3.0;
 /// Driven by this much [m/s²·kW/m] and no more, the parameter is the speed of sound.
 const USUAL_DRIVE: f32 = 9.81 * 220.0;
 
 /// The numerical speed of sound c₀ [m/s]: `stiffness`, and more for a stronger fire,
 /// so that the gas stays as hard to compress. A planar plume rises as the cube
-/// root of what drives it.
+/// root of what drives it; and no wind comes near it.
 pub(crate) fn sound_speed(values: &Values) -> f32 {
     let drive = values.buoyancy * values.gravity * values.fuel_power / USUAL_DRIVE;
-    values.stiffness * libm::cbrtf(drive.max(1.0))
+    let risen = values.stiffness * libm::cbrtf(larger(drive, 1.0));
+    larger(risen, BLOWN * values.wind.abs())
 }
 
 /// What a step's motion came to.
@@ -150,6 +153,7 @@ mod tests {
             ("buoyancy", 2.0),
         ]));
         assert!((strong / usual - 2.0).abs() < 1e-4);
+        assert_eq!(sound_speed(&with(&[("wind", -3.0)])), 9.0);
     }
 
     #[test]

@@ -4,35 +4,33 @@
 //! alone carry the fire. One step is: emitter → neighbour grid → density →
 //! pressure → forces → motion.
 
-mod density;
 mod emitter;
 mod forces;
 mod integrate;
+mod pairs;
 mod particles;
+mod pressure;
 mod printed;
 
-use glam::Vec2;
-
 use crate::Particle;
-use crate::grid::{Bounds, Grid};
+use crate::grid::Bounds;
 use crate::kernel::Kernel;
-use crate::neighbours::Neighbours;
 use crate::params::{Values, Walls};
 use crate::particle::Instance;
 use crate::random::Random;
-use crate::simulation::StepReport;
+use crate::simulation::{Push, Stage, StepReport};
 use crate::turbulence::Turbulence;
 
 use emitter::Emitter;
 use integrate::{Motion, Substeps};
-pub(crate) use particles::Particles;
+use pairs::Pairs;
+pub(crate) use particles::{Living, Particles};
 
 /// The particles of the classic model and what moves them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Classic {
     particles: Particles,
-    grid: Grid,
-    neighbours: Neighbours,
+    pairs: Pairs,
     emitter: Emitter,
     motion: Motion,
     substeps: u32,
@@ -46,13 +44,14 @@ impl Classic {
         values: &Values,
         random: &mut Random,
         time: f64,
-        push: &impl Fn(Vec2, Vec2) -> Vec2,
+        push: Option<Push<'_>>,
+        watch: &mut dyn FnMut(Stage),
     ) -> f64 {
         self.emitter.emit(&mut self.particles, values, random, time);
         let substeps = Substeps::divide(values, self.motion.fastest, self.motion.hardest);
         let turbulence = Turbulence::new(values, time);
         for _ in 0..substeps.count {
-            self.substep(values, &substeps, &turbulence, push);
+            self.substep(values, &substeps, &turbulence, push, watch);
         }
         self.substeps = substeps.count;
         f64::from(values.time_step)
@@ -63,7 +62,8 @@ impl Classic {
         values: &Values,
         substeps: &Substeps,
         turbulence: &Turbulence,
-        push: &impl Fn(Vec2, Vec2) -> Vec2,
+        push: Option<Push<'_>>,
+        watch: &mut dyn FnMut(Stage),
     ) {
         let kernel = if values.printed_kernel {
             Kernel::as_printed(values.smoothing_radius)
@@ -72,33 +72,28 @@ impl Classic {
         };
         let bounds = bounds(values);
         let particles = &mut self.particles;
-        let neighbours = &mut self.neighbours;
+        let pairs = &mut self.pairs;
 
-        particles.reorder(
-            self.grid
-                .sort(&particles.position, &bounds, kernel.support()),
-        );
-        density::sum_density(
-            particles,
-            neighbours,
-            &self.grid,
-            &kernel,
-            values.particle_mass,
-        );
-        density::pressure(particles, values);
-        forces::accelerate(particles, neighbours, &kernel, values, substeps.viscosity);
-        particles.push_by(push);
-        forces::stir(particles, turbulence, values);
-        self.motion = integrate::integrate(particles, values, substeps.length);
-        integrate::cool_and_age(particles, values, substeps.length);
+        pairs.sort(particles, &bounds, &kernel);
+        watch(Stage::Sort);
+        pairs.sum_density(particles, &kernel, values);
+        watch(Stage::Density);
+        forces::accelerate(particles, pairs, &kernel, values, substeps.viscosity);
+        if let Some(push) = push {
+            pairs.push_by(particles, push);
+        }
+        forces::stir(particles, pairs, turbulence, values);
+        watch(Stage::Forces);
+        self.motion = integrate::integrate(particles, pairs, values, substeps.length);
         integrate::bound(particles, values, &bounds);
+        watch(Stage::Integrate);
     }
 
     /// Takes up changed values: a smaller domain leaves particles outside;
     /// solid walls would sweep them onto each other, so they are gone instead.
     pub fn adapt(&mut self, values: &Values) {
         let bounds = bounds(values);
-        self.particles.retain(|p, i| bounds.hold(p.position[i]));
+        self.particles.retain(|one| bounds.hold(one.position));
     }
 
     /// Puts these particles in the place of all that there are.
@@ -116,7 +111,7 @@ impl Classic {
     }
 
     pub fn report(&self) -> StepReport {
-        let (mean_neighbours, most_neighbours) = self.neighbours.mean_and_most();
+        let (mean_neighbours, most_neighbours) = self.pairs.mean_and_most(self.particles.len());
         StepReport {
             substeps: self.substeps,
             mean_neighbours,
@@ -129,17 +124,16 @@ impl Classic {
     }
 
     pub fn write_instances(&self, out: &mut Vec<Instance>) {
-        let p = &self.particles;
-        out.extend((0..p.len()).map(|i| {
+        out.extend(self.particles.iter().map(|one| {
             [
-                p.position[i].x,
-                p.position[i].y,
-                p.velocity[i].x,
-                p.velocity[i].y,
-                p.temperature[i],
-                p.density[i],
-                p.age[i],
-                1.0 - p.age[i] / p.lifetime[i],
+                one.position.x,
+                one.position.y,
+                one.velocity.x,
+                one.velocity.y,
+                one.temperature,
+                one.density,
+                one.age,
+                1.0 - one.age / one.lifetime,
             ]
         }));
     }

@@ -13,8 +13,7 @@ mod gas;
 mod resample;
 mod seam;
 mod time_step;
-
-use glam::Vec2;
+mod whirls;
 
 use crate::Particle;
 use crate::grid::Grid;
@@ -22,7 +21,7 @@ use crate::kernel::Kernel;
 use crate::params::{Parameters, Values};
 use crate::particle::Instance;
 use crate::random::Random;
-use crate::simulation::StepReport;
+use crate::simulation::{Push, Stage, StepReport};
 use crate::turbulence::Turbulence;
 
 use burner::Burner;
@@ -100,7 +99,8 @@ impl Combustion {
         parameters: &Parameters,
         random: &mut Random,
         time: f64,
-        push: &impl Fn(Vec2, Vec2) -> Vec2,
+        push: Option<Push<'_>>,
+        watch: &mut dyn FnMut(Stage),
     ) -> f64 {
         let values: &Values = parameters;
         let kernel = Kernel::new(parameters.smoothing_length());
@@ -108,17 +108,25 @@ impl Combustion {
         let bounds = bounds(values);
         let gas = &mut self.gas;
 
-        gas.reorder(self.grid.sort(&gas.position, &bounds, kernel.support()));
-        self.forces.fill(gas, &self.grid, &kernel, values, sound);
-        self.forces.exchange(gas, &kernel, values, sound);
-        self.forces
-            .confine(gas, &kernel, values.vorticity_confinement);
+        let grid = &mut self.grid;
+        let positions = gas.position.iter().copied();
+        let places = grid.sort(positions, &bounds, kernel.support());
+        gas.reorder(places);
+        watch(Stage::Sort);
+        self.forces.fill(gas, grid, &kernel, values, sound);
+        watch(Stage::Density);
+        self.forces.exchange(gas, grid, &kernel, values, sound);
+        let confinement = values.vorticity_confinement;
+        self.forces.confine(gas, grid, &kernel, confinement);
         lift(gas, values);
         Turbulence::new(values, time).stir(&gas.position, &mut gas.acceleration);
         seam::blow(gas, values);
-        for (i, acceleration) in gas.acceleration.iter_mut().enumerate() {
-            *acceleration += push(gas.position[i], gas.velocity[i]);
+        if let Some(push) = push {
+            for (i, acceleration) in gas.acceleration.iter_mut().enumerate() {
+                *acceleration += push(gas.position[i], gas.velocity[i]);
+            }
         }
+        watch(Stage::Forces);
 
         let dt = time_step::longest(gas, values, kernel.smoothing_length(), sound);
         let air = Air {
@@ -138,6 +146,7 @@ impl Combustion {
         let (h, fastest) = (kernel.smoothing_length(), self.motion.fastest);
         self.held = time_step::advance(gas, &bounds, values.shifting, h, fastest, dt);
         self.length = dt;
+        watch(Stage::Integrate);
         f64::from(dt)
     }
 
@@ -187,8 +196,13 @@ impl Combustion {
         self.embers.alive()
     }
 
+    /// Power of the burning in the last step [kW/m].
+    pub fn power(&self) -> f32 {
+        self.power
+    }
+
     pub fn report(&self) -> StepReport {
-        let (mean_neighbours, most_neighbours) = self.forces.neighbours.mean_and_most();
+        let (mean_neighbours, most_neighbours) = self.forces.mean_and_most(self.gas.len());
         StepReport {
             substeps: 1,
             mean_neighbours,

@@ -1,12 +1,19 @@
 //! Fast neighbour search: a uniform grid.
 //!
-//! Cells are as wide as the kernel's support, so a particle's neighbours are
-//! in its own cell and the eight around it. A counting sort puts the particles
-//! of a cell, and the cells of a row, next to each other in memory: the
-//! candidates of a particle are then three runs of consecutive particles, and
-//! two if each pair is to be seen once.
+//! Rows are as high as a kernel reaches, so a particle's neighbours are in its own
+//! row and the two beside it. A counting sort puts the particles of a row, from
+//! left to right in narrow bins, next to each other in memory: the candidates of a
+//! particle are then three runs of consecutive particles.
+//!
+//! The solver takes four consecutive particles of a row at a time, a block, and the
+//! candidates of a block by whole blocks; if each pair is to be seen once, these are
+//! two runs, and few more beyond a periodic edge.
+
+use std::ops::Range;
 
 use glam::Vec2;
+
+use crate::lanes::LANES;
 
 /// The rectangle in which the fire burns.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,152 +74,257 @@ fn wrap(x: f32, turn: f32) -> f32 {
     (x - turn * (x / turn).floor()).max(0.0).min(turn)
 }
 
-/// Particles sorted by cell.
+/// Width of a bin, in reaches: the narrower, the fewer particles are looked at in
+/// vain, and the more bins there are to count.
+const BIN: f32 = 0.125;
+/// Most bins for each particle.
+const MOST_BINS: usize = 4;
+
+/// Particles sorted into rows, and along them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Grid {
-    columns: usize,
     rows: usize,
-    inverse_cell: Vec2,
+    /// Bins of a row.
+    bins: usize,
+    inverse_bin: f32,
+    inverse_row: f32,
     left: f32,
+    reach: f32,
+    width: f32,
     /// After so many metres a periodic row or column begins again.
     across: Option<f32>,
     up: Option<f32>,
-    /// Where each cell's particles begin; one more entry closes the last cell.
+    /// Where each bin's particles begin; one more entry closes the last one.
     starts: Vec<u32>,
-    cell_of: Vec<u32>,
-    order: Vec<u32>,
+    /// The first block of each row; one more entry closes the last row.
+    blocks: Vec<u32>,
+    /// The bin of each particle, then its place.
+    places: Vec<u32>,
 }
 
+/// A run of blocks, and what is to be added to the positions in it, which is not
+/// zero beyond a periodic edge.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Run {
+    pub start: usize,
+    pub end: usize,
+    pub shift: Vec2,
+}
+
+impl Run {
+    /// How many blocks it has.
+    #[inline(always)]
+    pub fn len(&self) -> usize {
+        self.end - self.start
+    }
+}
+
+/// Most runs that one block has to look at: two in its row, three in the next.
+pub(crate) const MOST_RUNS: usize = 5;
+
 impl Grid {
-    /// Sorts particles into cells at least as wide as `support`. Returns their
-    /// order: what is at `order[i]` belongs to place `i`. Whoever keeps the
-    /// particles puts them so; the grid then speaks of their new places.
-    pub fn sort(&mut self, positions: &[Vec2], bounds: &Bounds, support: f32) -> &[u32] {
-        self.lay_out(bounds, support);
+    /// Sorts particles whose kernels end at `reach`. Returns their places: what is
+    /// at `i` belongs to `places[i]`. Whoever keeps the particles puts them
+    /// so; the grid then speaks of their new places.
+    pub fn sort(
+        &mut self,
+        positions: impl ExactSizeIterator<Item = Vec2>,
+        bounds: &Bounds,
+        reach: f32,
+    ) -> &[u32] {
+        self.lay_out(bounds, reach, positions.len());
 
-        self.cell_of.clear();
         self.starts.clear();
-        self.starts.resize(self.columns * self.rows + 1, 0);
-        for &position in positions {
-            let cell = self.cell(position);
-            self.cell_of.push(cell as u32);
-            self.starts[cell + 1] += 1;
+        self.starts.resize(self.bins * self.rows + 1, 0);
+        let mut places = std::mem::take(&mut self.places);
+        places.clear();
+        places.extend(positions.map(|position| {
+            let bin = self.row(position.y) * self.bins + self.bin(position.x);
+            self.starts[bin + 1] += 1;
+            bin as u32
+        }));
+        let mut sum = 0;
+        for start in &mut self.starts[1..] {
+            (*start, sum) = (sum, sum + *start);
         }
-        for cell in 1..self.starts.len() {
-            self.starts[cell] += self.starts[cell - 1];
-        }
-
-        // Each cell's start serves as its cursor and is one cell ahead
-        // afterwards; shifting by one puts it right again.
-        self.order.clear();
-        self.order.resize(positions.len(), 0);
-        for (i, &cell) in self.cell_of.iter().enumerate() {
-            let cursor = &mut self.starts[cell as usize];
-            self.order[*cursor as usize] = i as u32;
+        // Each bin's start is kept one bin ahead and serves as its cursor; so it
+        // ends as the start of the next.
+        for place in &mut places {
+            let cursor = &mut self.starts[*place as usize + 1];
+            *place = *cursor;
             *cursor += 1;
         }
-        for cell in (1..self.starts.len()).rev() {
-            self.starts[cell] = self.starts[cell - 1];
+        self.places = places;
+
+        self.blocks.clear();
+        let mut blocks = 0;
+        for row in 0..self.rows {
+            self.blocks.push(blocks);
+            blocks += self.particles(row).len().div_ceil(LANES) as u32;
         }
-        self.starts[0] = 0;
-        &self.order
+        self.blocks.push(blocks);
+        &self.places
     }
 
-    fn lay_out(&mut self, bounds: &Bounds, support: f32) {
-        let cells = |length: f32| ((length / support).floor() as usize).max(1);
-        self.columns = cells(bounds.width);
-        self.rows = cells(bounds.height);
+    fn lay_out(&mut self, bounds: &Bounds, reach: f32, particles: usize) {
+        let parts = |length: f32, part: f32| ((length / part).floor() as usize).max(1);
+        self.rows = parts(bounds.height, reach);
+        let most = (MOST_BINS * particles / self.rows).max(1);
+        self.bins = parts(bounds.width, BIN * reach).min(most);
         self.across = bounds.periodic.then_some(bounds.width);
         self.up = bounds.endless.then_some(bounds.height);
         self.left = -0.5 * bounds.width;
-        self.inverse_cell = Vec2::new(
-            self.columns as f32 / bounds.width,
-            self.rows as f32 / bounds.height,
-        );
+        self.width = bounds.width;
+        self.reach = reach;
+        self.inverse_bin = self.bins as f32 / bounds.width;
+        self.inverse_row = self.rows as f32 / bounds.height;
     }
 
-    fn place(&self, position: Vec2) -> (usize, usize) {
-        let at = (position - Vec2::new(self.left, 0.0)) * self.inverse_cell;
-        // The cast brings whatever is outside, or not a number, to an edge.
-        (
-            (at.x as usize).min(self.columns - 1),
-            (at.y as usize).min(self.rows - 1),
-        )
+    // What is outside, or not a number, comes to an edge. To a signed number, since
+    // that takes a processor one instruction, and an unsigned one takes several.
+    #[inline(always)]
+    fn row(&self, y: f32) -> usize {
+        (((y * self.inverse_row) as i32).max(0) as usize).min(self.rows - 1)
     }
 
-    fn cell(&self, position: Vec2) -> usize {
-        let (column, row) = self.place(position);
-        row * self.columns + column
+    #[inline(always)]
+    fn bin(&self, x: f32) -> usize {
+        ((((x - self.left) * self.inverse_bin) as i32).max(0) as usize).min(self.bins - 1)
     }
 
-    /// The particles of the cells `first..=last` of a row.
-    fn run(&self, row: usize, first: usize, last: usize) -> std::ops::Range<usize> {
-        let base = row * self.columns;
+    /// How many rows there are.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// The particles of a row.
+    pub fn particles(&self, row: usize) -> Range<usize> {
+        let base = row * self.bins;
+        self.starts[base] as usize..self.starts[base + self.bins] as usize
+    }
+
+    /// The blocks of a row: four particles each, the last one fewer.
+    pub fn blocks(&self, row: usize) -> Range<usize> {
+        self.blocks[row] as usize..self.blocks[row + 1] as usize
+    }
+
+    /// How many blocks there are.
+    pub fn block_count(&self) -> usize {
+        self.blocks.last().map_or(0, |&end| end as usize)
+    }
+
+    /// Calls `see` with each block and its particles.
+    #[inline(always)]
+    pub fn each_block(&self, mut see: impl FnMut(usize, Range<usize>)) {
+        for row in 0..self.rows {
+            let particles = self.particles(row);
+            for (start, block) in particles.clone().step_by(LANES).zip(self.blocks(row)) {
+                see(block, start..(start + LANES).min(particles.end));
+            }
+        }
+    }
+
+    /// The particles of a row whose bins a stretch of it touches.
+    fn stretch(&self, row: usize, from: f32, to: f32) -> Range<usize> {
+        let base = row * self.bins;
+        let (first, last) = (self.bin(from), self.bin(to));
         self.starts[base + first] as usize..self.starts[base + last + 1] as usize
     }
 
-    /// Calls `see` with runs of particles that hold every neighbour `j` of
-    /// particle `i` such that each pair is seen from one of its two ends only;
-    /// with each run, what is to be added to the positions in it, which is not
-    /// zero beyond a periodic edge.
+    /// The blocks of a row that a stretch of it touches.
+    #[inline(always)]
+    fn run(&self, row: usize, from: f32, to: f32, shift: Vec2) -> Run {
+        let (first, begin) = (self.blocks[row] as usize, self.particles(row).start);
+        let particles = self.stretch(row, from, to);
+        Run {
+            start: first + (particles.start - begin) / LANES,
+            end: first + (particles.end - begin).div_ceil(LANES),
+            shift,
+        }
+    }
+
+    /// The runs that hold every neighbour of the particles in `block`, which is
+    /// in `row` and spans `from..=to` across, outside of it, such that each pair of
+    /// blocks is seen from one of its two ends only. Those without a shift come
+    /// first. Returns how many there are.
     #[inline]
-    pub fn later_candidates(
+    pub fn runs_after(
         &self,
-        i: usize,
-        position: Vec2,
-        mut see: impl FnMut(std::ops::Range<usize>, Vec2),
-    ) {
-        let (column, row) = self.place(position);
-        let last = (column + 1).min(self.columns - 1);
-        see(i + 1..self.run(row, column, last).end, Vec2::ZERO);
-        if let (Some(width), true) = (self.across, column + 1 == self.columns) {
-            see(self.run(row, 0, 0), Vec2::new(width, 0.0));
+        row: usize,
+        block: usize,
+        (from, to): (f32, f32),
+        runs: &mut [Run; MOST_RUNS],
+    ) -> usize {
+        let mut found = 0;
+        let mut see = |run: Run| {
+            runs[found] = run;
+            found += usize::from(run.start < run.end);
+        };
+        let right = self.left + self.width;
+        let (low, high) = (from - self.reach, to + self.reach);
+        see(Run {
+            start: block + 1,
+            ..self.run(row, to, high, Vec2::ZERO)
+        });
+        let above = if row + 1 < self.rows {
+            Some((row + 1, 0.0))
+        } else {
+            self.up.map(|height| (0, height))
+        };
+        if let Some((row, up)) = above {
+            see(self.run(row, low, high, Vec2::new(0.0, up)));
         }
-        if row + 1 < self.rows {
-            self.see_row(row + 1, column, 0.0, &mut see);
-        } else if let Some(height) = self.up {
-            self.see_row(0, column, height, &mut see);
+        let Some(width) = self.across else {
+            return found;
+        };
+        if high > right {
+            see(self.run(row, self.left, high - width, Vec2::new(width, 0.0)));
         }
+        if let Some((row, up)) = above {
+            if high > right {
+                see(self.run(row, self.left, high - width, Vec2::new(width, up)));
+            }
+            if low < self.left {
+                see(self.run(row, low + width, right, Vec2::new(-width, up)));
+            }
+        }
+        found
     }
 
     /// Calls `see` with runs of particles that hold every particle within the
-    /// support of `position`, wherever that is; with each run, what is to be
+    /// reach of `position`, wherever that is; with each run, what is to be
     /// added to the positions in it.
-    pub fn candidates(&self, position: Vec2, mut see: impl FnMut(std::ops::Range<usize>, Vec2)) {
-        let (column, row) = self.place(position);
-        self.see_row(row, column, 0.0, &mut see);
+    pub fn candidates(&self, position: Vec2, mut see: impl FnMut(Range<usize>, Vec2)) {
+        let row = self.row(position.y);
+        self.see_row(row, position.x, 0.0, &mut see);
         if row + 1 < self.rows {
-            self.see_row(row + 1, column, 0.0, &mut see);
+            self.see_row(row + 1, position.x, 0.0, &mut see);
         } else if let Some(height) = self.up {
-            self.see_row(0, column, height, &mut see);
+            self.see_row(0, position.x, height, &mut see);
         }
         if row > 0 {
-            self.see_row(row - 1, column, 0.0, &mut see);
+            self.see_row(row - 1, position.x, 0.0, &mut see);
         } else if let Some(height) = self.up {
-            self.see_row(self.rows - 1, column, -height, &mut see);
+            self.see_row(self.rows - 1, position.x, -height, &mut see);
         }
     }
 
-    /// Three cells of a row around a column.
+    /// What of a row is within the reach of `x`.
     #[inline]
-    fn see_row(
-        &self,
-        row: usize,
-        column: usize,
-        up: f32,
-        see: &mut impl FnMut(std::ops::Range<usize>, Vec2),
-    ) {
-        let (first, last) = (column.saturating_sub(1), (column + 1).min(self.columns - 1));
-        see(self.run(row, first, last), Vec2::new(0.0, up));
+    fn see_row(&self, row: usize, x: f32, up: f32, see: &mut impl FnMut(Range<usize>, Vec2)) {
+        let (low, high) = (x - self.reach, x + self.reach);
+        see(self.stretch(row, low, high), Vec2::new(0.0, up));
         let Some(width) = self.across else {
             return;
         };
-        let end = self.columns - 1;
-        if column == end {
-            see(self.run(row, 0, 0), Vec2::new(width, up));
+        let right = self.left + width;
+        if high > right {
+            let run = self.stretch(row, self.left, high - width);
+            see(run, Vec2::new(width, up));
         }
-        if column == 0 {
-            see(self.run(row, end, end), Vec2::new(-width, up));
+        if low < self.left {
+            let run = self.stretch(row, low + width, right);
+            see(run, Vec2::new(-width, up));
         }
     }
 }
@@ -253,37 +365,59 @@ mod tests {
         ]
     }
 
-    /// Sorts `positions` and returns whether two of them are within `support`.
-    fn sort(grid: &mut Grid, positions: &mut Vec<Vec2>, bounds: &Bounds, support: f32) {
-        let order = grid.sort(positions, bounds, support).to_vec();
-        *positions = order.iter().map(|&i| positions[i as usize]).collect();
+    /// Sorts `positions` and puts them in order.
+    fn sort(grid: &mut Grid, positions: &mut [Vec2], bounds: &Bounds, reach: f32) {
+        let before = positions.to_vec();
+        for (from, &to) in grid
+            .sort(before.iter().copied(), bounds, reach)
+            .iter()
+            .enumerate()
+        {
+            positions[to as usize] = before[from];
+        }
     }
 
     #[test]
     fn it_finds_the_pairs_that_comparing_all_with_all_finds() {
         let mut grid = Grid::default();
         for (seed, bounds) in bounds_to_test() {
-            let mut positions = cloud(400, &bounds, seed);
-            for support in [0.02, 0.07, 0.2] {
+            let mut positions = cloud(403, &bounds, seed);
+            for reach in [0.02, 0.07, 0.2] {
                 // A kernel as wide as half a ring would meet its own end.
-                if bounds.endless && support > 0.5 * bounds.height
-                    || bounds.periodic && support > 0.5 * bounds.width
+                if bounds.endless && reach > 0.5 * bounds.height
+                    || bounds.periodic && reach > 0.5 * bounds.width
                 {
                     continue;
                 }
-                sort(&mut grid, &mut positions, &bounds, support);
+                sort(&mut grid, &mut positions, &bounds, reach);
                 let close = |i: usize, j: usize| {
-                    bounds.offset(positions[i], positions[j]).length_squared() < support * support
+                    bounds.offset(positions[i], positions[j]).length_squared() < reach * reach
                 };
+                let mut members = Vec::new();
+                grid.each_block(|_, of| members.push(of));
                 let mut found = Vec::new();
-                for i in 0..positions.len() {
-                    grid.later_candidates(i, positions[i], |run, shift| {
-                        let near = |&j: &usize| {
-                            (positions[i] - shift - positions[j]).length_squared()
-                                < support * support
-                        };
-                        found.extend(run.filter(near).map(|j| (i.min(j), i.max(j))));
-                    });
+                let mut see = |i: usize, j: usize, shift: Vec2| {
+                    let offset = positions[i] - shift - positions[j];
+                    if offset.length_squared() < reach * reach {
+                        found.push((i.min(j), i.max(j)));
+                    }
+                };
+                for row in 0..grid.rows() {
+                    for block in grid.blocks(row) {
+                        let here = members[block].clone();
+                        let across = here.clone().map(|i| positions[i].x);
+                        let from = across.clone().fold(f32::INFINITY, f32::min);
+                        let to = across.fold(f32::NEG_INFINITY, f32::max);
+                        let mut runs = Default::default();
+                        let count = grid.runs_after(row, block, (from, to), &mut runs);
+                        for i in here.clone() {
+                            (i + 1..here.end).for_each(|j| see(i, j, Vec2::ZERO));
+                            for run in &runs[..count] {
+                                let there = (run.start..run.end).flat_map(|b| members[b].clone());
+                                there.for_each(|j| see(i, j, run.shift));
+                            }
+                        }
+                    }
                 }
                 let unique: BTreeSet<_> = found.iter().copied().collect();
                 assert_eq!(unique.len(), found.len(), "a pair was seen twice");
@@ -291,7 +425,29 @@ mod tests {
                     .flat_map(|i| (i + 1..positions.len()).map(move |j| (i, j)))
                     .filter(|&(i, j)| close(i, j))
                     .collect();
-                assert_eq!(unique, all, "seed {seed}, support {support}");
+                assert_eq!(unique, all, "seed {seed}, reach {reach}");
+            }
+        }
+    }
+
+    #[test]
+    fn blocks_hold_every_particle_once_and_its_row_alone() {
+        let mut grid = Grid::default();
+        for (seed, bounds) in bounds_to_test() {
+            for n in [0, 1, 5, 403] {
+                let mut positions = cloud(n, &bounds, seed);
+                sort(&mut grid, &mut positions, &bounds, 0.05);
+                let mut next = 0;
+                let mut number = 0;
+                grid.each_block(|block, members| {
+                    assert_eq!((number, next), (block, members.start));
+                    number += 1;
+                    assert!((1..=LANES).contains(&members.len()));
+                    let rows = members.clone().map(|i| grid.row(positions[i].y));
+                    assert_eq!(BTreeSet::from_iter(rows).len(), 1);
+                    next = members.end;
+                });
+                assert_eq!((number, next), (grid.block_count(), n));
             }
         }
     }
@@ -300,13 +456,13 @@ mod tests {
     fn it_finds_whoever_is_near_any_place() {
         let mut grid = Grid::default();
         for (seed, bounds) in bounds_to_test() {
-            let (mut positions, support) = (cloud(300, &bounds, seed), 0.05);
-            sort(&mut grid, &mut positions, &bounds, support);
+            let (mut positions, reach) = (cloud(300, &bounds, seed), 0.05);
+            sort(&mut grid, &mut positions, &bounds, reach);
             for place in cloud(100, &bounds, seed + 100) {
-                let near = |&j: &usize| bounds.offset(place, positions[j]).length() < support;
+                let near = |&j: &usize| bounds.offset(place, positions[j]).length() < reach;
                 let mut found = Vec::new();
                 grid.candidates(place, |run, shift| {
-                    let near = |&j: &usize| (place - shift).distance(positions[j]) < support;
+                    let near = |&j: &usize| (place - shift).distance(positions[j]) < reach;
                     found.extend(run.filter(near));
                 });
                 found.sort_unstable();
@@ -320,7 +476,8 @@ mod tests {
     fn sorting_is_a_permutation() {
         for (seed, bounds) in bounds_to_test() {
             let positions = cloud(1000, &bounds, seed);
-            let mut order = Grid::default().sort(&positions, &bounds, 0.05).to_vec();
+            let mut grid = Grid::default();
+            let mut order = grid.sort(positions.into_iter(), &bounds, 0.05).to_vec();
             order.sort_unstable();
             assert!(order.iter().enumerate().all(|(i, &at)| i == at as usize));
         }

@@ -15,6 +15,31 @@
 use std::f32::consts::PI;
 
 use crate::extremes::larger;
+use crate::lanes::Real;
+
+/// Both pieces of the kernel as one expression without a branch, of the distance
+/// in smoothing lengths: W = σ/4 · bell.
+#[inline(always)]
+pub(crate) fn bell<T: Real>(q: T) -> T {
+    let (outer, inner) = tails(q);
+    outer * outer * outer - T::of(4.0) * inner * inner * inner
+}
+
+/// Its slope: W' = −3σ/4h · steepness.
+#[inline(always)]
+pub(crate) fn steepness<T: Real>(q: T) -> T {
+    let (outer, inner) = tails(q);
+    outer * outer - T::of(4.0) * inner * inner
+}
+
+/// 2 − q and 1 − q, each zero from where it would be negative.
+#[inline(always)]
+fn tails<T: Real>(q: T) -> (T, T) {
+    // So written and not as the larger of 2 − q and 0: that takes compilers to
+    // wasm two instructions.
+    let (one, two) = (T::of(1.0), T::of(2.0));
+    (two - q.smaller(two), one - q.smaller(one))
+}
 
 /// The kernel of one smoothing length.
 #[derive(Clone, Copy, Debug)]
@@ -55,24 +80,27 @@ impl Kernel {
     /// W at the distance `r` [1/m²].
     #[inline]
     pub fn value(&self, r: f32) -> f32 {
-        let q = r * self.inverse_h;
-        // (2 − q)³/4 − (1 − q)³ is the inner piece, so both pieces are one
-        // expression without a branch: a term that is over counts as zero.
-        let outer = larger(2.0 - q, 0.0);
-        let inner = larger(1.0 - q, 0.0);
-        self.norm * (0.25 * outer * outer * outer - inner * inner * inner)
+        0.25 * self.norm * bell(r * self.inverse_h)
     }
 
     /// W'(r)/r [1/m⁴], never positive: ∇W at the offset **r** is this times **r**.
     #[inline]
     pub fn gradient_over_r(&self, r: f32) -> f32 {
         let q = r * self.inverse_h;
-        let outer = larger(2.0 - q, 0.0);
-        let inner = larger(1.0 - q, 0.0);
-        // The limit at q = 0 is −3; the offset there is zero, so the force is
-        // too, and any finite value will do.
-        let slope = 3.0 * inner * inner - 0.75 * outer * outer;
-        self.norm * self.inverse_h * self.inverse_h * slope / larger(q, 1e-6)
+        // At q = 0 the offset is zero, so the force is too, and any finite value
+        // will do.
+        -self.steepness_norm() * steepness(q) / larger(q, 1e-6)
+    }
+
+    /// What [`bell`] is to be multiplied by to be W [1/m²].
+    pub(crate) fn bell_norm(&self) -> f32 {
+        0.25 * self.norm
+    }
+
+    /// What [`steepness`] is to be multiplied by to be −W'/h [1/m⁴]: over q, that
+    /// is −W'/r.
+    pub(crate) fn steepness_norm(&self) -> f32 {
+        0.75 * self.norm * self.inverse_h * self.inverse_h
     }
 
     /// ∇²W at the distance `r` [1/m⁴], the kernel's own Laplacian in two

@@ -1,227 +1,316 @@
-//! The pairs of particles within each other's kernel.
+//! Passes over the pairs of particles within each other's kernel.
 //!
-//! One pass over the grid finds each pair once, sums what its caller wants
-//! summed over neighbours, and writes the pair down, so that the forces need no
-//! search of their own. The list keeps its memory and is bounded.
+//! Particles are taken four at a time, in blocks that hold each property of the
+//! four side by side ([`Block`]); places in them are in smoothing lengths. A pass
+//! holds one particle of a block against the four of another at once. Each pair of
+//! blocks is met from one of its ends, and both get their share.
+//!
+//! The first pass sums the kernels and notes for each particle which particles of
+//! which blocks are within its reach; what follows goes by these lists. They keep
+//! their memory and are bounded.
 
 use glam::Vec2;
 
-use crate::grid::Grid;
-use crate::kernel::Kernel;
+use crate::grid::{Grid, Run};
+use crate::kernel;
+use crate::lanes::{self, LANES, Lanes};
 
-/// Most pairs that are written down. It is a net for a browser's memory: many
+/// Most entries that the lists may have. It is a net for a browser's memory: many
 /// particles within a large smoothing radius would have thousands of
-/// neighbours each. A hundred thousand particles reach it at 335 neighbours.
-const MOST_PAIRS: usize = 1 << 24;
+/// neighbours each. A hundred thousand particles reach it at some 400 neighbours.
+const MOST_ENTRIES: usize = 1 << 24;
 
-/// Two particles within each other's kernel.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Pair {
-    /// The other particle.
-    pub j: u32,
-    /// Offset from j to i \[m\].
-    pub offset: Vec2,
-    /// W'(r)/r [1/m⁴].
-    pub gradient: f32,
+/// Where the lanes of a block lie that hold no particle, in smoothing lengths: out
+/// of every reach.
+pub(crate) const NOWHERE: f32 = 1e6;
+
+/// Square of a kernel's reach, in smoothing lengths.
+const REACH_SQUARED: Lanes = Lanes::splat(4.0);
+
+/// How many subsets four particles have.
+const SUBSETS: usize = 1 << LANES;
+
+/// The lanes of each subset, the rest filled up, and how many they are.
+const MEMBERS: [([u32; LANES], usize); SUBSETS] = {
+    let mut members = [([0; LANES], 0); SUBSETS];
+    let mut subset = 0;
+    while subset < SUBSETS {
+        let mut lane = 0;
+        while lane < LANES {
+            if subset & (1 << lane) != 0 {
+                let (lanes, count) = &mut members[subset];
+                lanes[*count] = lane as u32;
+                *count += 1;
+            }
+            lane += 1;
+        }
+        subset += 1;
+    }
+    members
+};
+
+/// Four particles, as the passes need them.
+pub(crate) trait Block: Copy {
+    /// Where they are, in smoothing lengths.
+    fn place(&self) -> (Lanes, Lanes);
+    /// What each gives to the sums of those around it.
+    fn share(&self) -> Lanes;
+    /// The sum of what each gets, Σⱼ yⱼ [`kernel::bell`].
+    fn sum(&mut self) -> &mut Lanes;
 }
 
-/// The pairs of all particles, each pair once; one array a property.
+/// What the particles of a pair do to each other.
+pub(crate) trait Law<const N: usize> {
+    /// The blocks that it is about.
+    type Block: Block;
+    /// One particle, each property of it in all lanes.
+    type One;
+
+    /// The particle in a lane of `block`, moved by `shift` smoothing lengths.
+    fn one(&self, block: &Self::Block, lane: usize, shift: Vec2) -> Self::One;
+
+    /// What `one` gains from each of the four `others`, and what these lose.
+    fn pair(&self, one: &Self::One, others: &Self::Block) -> ([Lanes; N], [Lanes; N]);
+
+    /// Where a block keeps what its particles gain.
+    fn gains(block: &mut Self::Block) -> &mut [Lanes; N];
+}
+
+/// A block that looks at others: in its own part of the domain, or, moved by
+/// `shift` smoothing lengths, beyond a periodic edge.
+#[derive(Clone, Copy, Debug)]
+struct Sweep {
+    block: u32,
+    /// Whether it looks at itself too.
+    own: bool,
+    /// Which of its own particles are within reach of each, from later lanes.
+    inner: [u8; LANES],
+    shift: Vec2,
+    /// The list of its first particle begins here, each other one so much later.
+    begin: u32,
+    stride: u32,
+    /// How many entries each list has.
+    counts: [u32; LANES],
+}
+
+impl Sweep {
+    #[inline(always)]
+    fn list<'a>(&self, entries: &'a [u32], lane: usize) -> &'a [u32] {
+        let begin = self.begin as usize + lane * self.stride as usize;
+        &entries[begin..begin + self.counts[lane] as usize]
+    }
+}
+
+/// Which blocks have neighbours of which particles.
+///
+/// An entry is the number of a block times [`SUBSETS`] and which of its particles
+/// are meant, a bit each.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Neighbours {
-    j: Vec<u32>,
-    offset: Vec<Vec2>,
-    gradient: Vec<f32>,
-    /// How many pairs the arrays hold; they themselves may be longer.
-    found: usize,
-    /// Where each particle's pairs end.
-    ends: Vec<u32>,
-    /// How many neighbours each particle has, whichever end wrote the pair down.
-    pub count: Vec<u32>,
-    /// W of the pairs of one particle [1/m²].
-    weight: Vec<f32>,
+    sweeps: Vec<Sweep>,
+    /// The lists.
+    entries: Vec<u32>,
+    used: usize,
 }
 
 impl Neighbours {
-    pub fn pair_count(&self) -> usize {
-        self.found
-    }
-
-    /// Every particle that wrote pairs down, with these.
-    pub fn iter(&self) -> impl Iterator<Item = (usize, impl Iterator<Item = Pair>)> {
-        let mut begin = 0;
-        self.ends.iter().enumerate().map(move |(i, &end)| {
-            let range = begin..end as usize;
-            begin = range.end;
-            let pairs = self.j[range.clone()]
-                .iter()
-                .zip(&self.offset[range.clone()])
-                .zip(&self.gradient[range]);
-            let pairs = pairs.map(|((&j, &offset), &gradient)| Pair {
-                j,
-                offset,
-                gradient,
-            });
-            (i, pairs)
-        })
-    }
-
-    /// Finds all pairs of particles that lie in the order of `grid`, and sets
-    /// `sums[i]` to what each particle gets from its neighbours, itself
-    /// included: Σⱼ yⱼ Wᵢⱼ, where `shares[j]` is yⱼ.
-    pub fn find(
-        &mut self,
-        positions: &[Vec2],
-        grid: &Grid,
-        kernel: &Kernel,
-        shares: &[f32],
-        sums: &mut [f32],
-    ) {
-        self.found = 0;
-        self.ends.clear();
-        self.count.clear();
-        self.count.resize(positions.len(), 0);
-        let reach = kernel.support() * kernel.support();
-        let middle = kernel.value(0.0);
-        for (sum, &share) in sums.iter_mut().zip(shares) {
-            *sum = share * middle;
-        }
-        for (i, &here) in positions.iter().enumerate() {
-            if self.found < MOST_PAIRS {
-                let begin = self.found;
-                grid.later_candidates(i, here, |run, shift| {
-                    self.sift(run.start, &positions[run], here - shift, reach);
-                });
-                sums[i] += self.weigh(begin, kernel, shares, shares[i], sums);
-                self.count[i] += (self.found - begin) as u32;
+    /// Sums what each particle gets from its neighbours, itself included, for
+    /// blocks that lie in the order of `grid`, whose smoothing length is `h`
+    /// \[m\]; and makes the lists.
+    pub fn find<B: Block>(&mut self, blocks: &mut [B], grid: &Grid, h: f32) {
+        self.used = 0;
+        self.sweeps.clear();
+        let inverse_h = 1.0 / h;
+        let mut runs = Default::default();
+        for row in 0..grid.rows() {
+            for block in grid.blocks(row) {
+                let (from, to) = span(blocks[block].place().0);
+                let count = grid.runs_after(row, block, (from * h, to * h), &mut runs);
+                let runs = &runs[..count];
+                let near = runs.iter().take_while(|run| run.shift == Vec2::ZERO);
+                let (near, beyond) = runs.split_at(near.count());
+                self.sweep(blocks, block, near, Vec2::ZERO, true);
+                for run in beyond {
+                    let shift = run.shift * inverse_h;
+                    self.sweep(blocks, block, std::slice::from_ref(run), shift, false);
+                }
             }
-            self.ends.push(self.found as u32);
         }
     }
 
-    /// Writes down which of `candidates`, numbered from `first` on, are within
-    /// reach, the square of a distance, of `here`.
-    ///
-    /// Of three candidates one is a neighbour, in no order that a processor could
-    /// foresee. So each is written down where the next neighbour belongs, and that
-    /// place moves on only if it is one: a wrong guess costs more than the writing.
     #[inline]
-    fn sift(&mut self, first: usize, candidates: &[Vec2], here: Vec2, reach: f32) {
-        let room = self.found + candidates.len();
-        if room > self.j.len() {
-            // By half as much again, so that a growing fire seldom asks for more.
-            let room = room.max(self.j.len() / 2 * 3);
-            self.j.resize(room, 0);
-            self.offset.resize(room, Vec2::ZERO);
-            self.gradient.resize(room, 0.0);
-        }
-        let (js, offsets) = (&mut self.j[..room], &mut self.offset[..room]);
-        let mut found = self.found;
-        for (at, &there) in candidates.iter().enumerate() {
-            let offset = here - there;
-            js[found] = (first + at) as u32;
-            offsets[found] = offset;
-            found += usize::from(offset.length_squared() < reach);
-        }
-        self.found = found;
-    }
-
-    /// Fills in the kernel of the pairs from `begin` on, which are one particle's.
-    /// Adds its share to the sums of the others; returns theirs.
-    #[inline]
-    fn weigh(
+    fn sweep<B: Block>(
         &mut self,
-        begin: usize,
-        kernel: &Kernel,
-        shares: &[f32],
-        own: f32,
-        sums: &mut [f32],
-    ) -> f32 {
-        let offsets = &self.offset[begin..self.found];
-        let gradients = &mut self.gradient[begin..self.found];
-        if self.weight.len() < offsets.len() {
-            self.weight.resize(offsets.len(), 0.0);
+        blocks: &mut [B],
+        block: usize,
+        mut runs: &[Run],
+        shift: Vec2,
+        own: bool,
+    ) {
+        let mut stride = runs.iter().map(Run::len).sum();
+        let begin = self.used;
+        if begin + LANES * stride > MOST_ENTRIES {
+            (runs, stride) = (&[], 0);
         }
-        let weights = &mut self.weight[..offsets.len()];
-        for ((offset, weight), gradient) in offsets.iter().zip(&mut *weights).zip(gradients) {
-            let distance = offset.length();
-            *weight = kernel.value(distance);
-            *gradient = kernel.gradient_over_r(distance);
+        let end = begin + LANES * stride;
+        if end > self.entries.len() {
+            // By half as much again, so that a growing fire seldom asks for more.
+            let room = end.max(self.entries.len() / 2 * 3);
+            self.entries.resize(room, 0);
         }
-        let mut sum = 0.0;
-        for (&j, &weight) in self.j[begin..self.found].iter().zip(&*weights) {
-            let j = j as usize;
-            sum += shares[j] * weight;
-            sums[j] += own * weight;
-            self.count[j] += 1;
+        self.used = end;
+        let (first, rest) = self.entries[begin..end].split_at_mut(stride);
+        let (second, rest) = rest.split_at_mut(stride);
+        let (third, fourth) = rest.split_at_mut(stride);
+        let lists = [first, second, third, fourth];
+        let mut counts = [0; LANES];
+
+        let ((x, y), share) = (blocks[block].place(), blocks[block].share());
+        let each = [0, 1, 2, 3].map(|lane| (x.spread(lane), y.spread(lane), share.spread(lane)));
+        let mut sums = [Lanes::ZERO; LANES];
+        let mut inner = [0; LANES];
+        if own {
+            for lane in 0..LANES {
+                let square = square(each[lane].0 - x, each[lane].1 - y);
+                sums[lane] = kernel::bell(square.sqrt()) * share;
+                let later = !((2 << lane) - 1);
+                inner[lane] = (square.less(REACH_SQUARED) & later) as u8;
+            }
         }
-        sum
+        let each = each.map(|(x, y, share)| (x - shift.x, y - shift.y, share));
+        for run in runs {
+            for (number, others) in (run.start..).zip(&mut blocks[run.start..run.end]) {
+                let ((x, y), share) = (others.place(), others.share());
+                let mut back = [Lanes::ZERO; LANES];
+                for lane in 0..LANES {
+                    let (one_x, one_y, one_share) = each[lane];
+                    let square = square(one_x - x, one_y - y);
+                    let bell = kernel::bell(square.sqrt());
+                    sums[lane] += bell * share;
+                    back[lane] = bell * one_share;
+                    // Written where the next entry belongs, and that place moves on
+                    // only if it is one: a wrong guess costs more than the writing.
+                    let within = square.less(REACH_SQUARED);
+                    lists[lane][counts[lane]] = (number * SUBSETS) as u32 + within;
+                    counts[lane] += usize::from(within != 0);
+                }
+                *others.sum() += (back[0] + back[1]) + (back[2] + back[3]);
+            }
+        }
+        *blocks[block].sum() += lanes::sums(sums);
+        self.sweeps.push(Sweep {
+            block: block as u32,
+            own,
+            inner,
+            shift,
+            begin: begin as u32,
+            stride: stride as u32,
+            counts: counts.map(|count| count as u32),
+        });
     }
 
-    /// Neighbours of a particle, on average, and the most of one.
-    pub fn mean_and_most(&self) -> (f32, u32) {
-        let mean = 2.0 * self.pair_count() as f32 / self.count.len().max(1) as f32;
-        (mean, self.count.iter().copied().max().unwrap_or(0))
+    /// Applies `law` to all pairs, from both ends.
+    pub fn apply<const N: usize, L: Law<N>>(&self, law: &L, blocks: &mut [L::Block]) {
+        for sweep in &self.sweeps {
+            let block = sweep.block as usize;
+            let sums = [0, 1, 2, 3].map(|lane| {
+                let one = law.one(&blocks[block], lane, sweep.shift);
+                let mut sum = [Lanes::ZERO; N];
+                if sweep.own {
+                    sum = law.pair(&one, &blocks[block]).0;
+                }
+                for &entry in sweep.list(&self.entries, lane) {
+                    let others = &mut blocks[entry as usize / SUBSETS];
+                    let (gain, loss) = law.pair(&one, others);
+                    let theirs = L::gains(others);
+                    for k in 0..N {
+                        sum[k] += gain[k];
+                        theirs[k] -= loss[k];
+                    }
+                }
+                sum
+            });
+            let gains = L::gains(&mut blocks[block]);
+            for (k, gain) in gains.iter_mut().enumerate() {
+                *gain += lanes::sums(sums.map(|sum| sum[k]));
+            }
+        }
+    }
+
+    /// Calls `see` with each particle of the `blocks`, the shift of those that it is
+    /// held against, in smoothing lengths, and these, so that each pair is met from
+    /// one of its ends. Particles are told by their places, four to a block; to make
+    /// the others a multiple of four, the place after the last block is added.
+    #[inline(always)]
+    pub fn each(
+        &self,
+        blocks: usize,
+        others: &mut Vec<u32>,
+        mut see: impl FnMut(usize, Vec2, &[u32]),
+    ) {
+        let nowhere = (LANES * blocks) as u32;
+        for sweep in &self.sweeps {
+            let first = sweep.block as usize * LANES;
+            for lane in 0..LANES {
+                let list = sweep.list(&self.entries, lane);
+                let room = LANES * (list.len() + 2);
+                if room > others.len() {
+                    others.resize(room, 0);
+                }
+                let inner = sweep.block * SUBSETS as u32 + u32::from(sweep.inner[lane]);
+                let mut count = 0;
+                for &entry in std::iter::once(&inner).chain(list) {
+                    let (lanes, members) = MEMBERS[entry as usize % SUBSETS];
+                    let base = entry / SUBSETS as u32 * LANES as u32;
+                    let written = &mut others[count..count + LANES];
+                    for (place, lane) in written.iter_mut().zip(lanes) {
+                        *place = base + lane;
+                    }
+                    count += members;
+                }
+                others[count..count + LANES].fill(nowhere);
+                if count > 0 {
+                    let padded = count.next_multiple_of(LANES);
+                    see(first + lane, sweep.shift, &others[..padded]);
+                }
+            }
+        }
+    }
+
+    /// Neighbours of a particle, on average, and the most of one, counted anew
+    /// for so many particles in so many blocks.
+    pub fn mean_and_most(&self, particles: usize, blocks: usize) -> (f32, u32) {
+        let nowhere = LANES * blocks;
+        let mut counts = vec![0_u32; nowhere + 1];
+        self.each(blocks, &mut Vec::new(), |one, _, others| {
+            for &other in others {
+                counts[one] += u32::from(other as usize != nowhere);
+                counts[other as usize] += 1;
+            }
+        });
+        let counts = &counts[..nowhere];
+        let sum: u32 = counts.iter().sum();
+        let mean = sum as f32 / particles.max(1) as f32;
+        (mean, counts.iter().copied().max().unwrap_or(0))
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::grid::Bounds;
-    use crate::random::Random;
+#[inline(always)]
+fn square(x: Lanes, y: Lanes) -> Lanes {
+    x * x + y * y
+}
 
-    #[test]
-    fn it_sums_what_comparing_all_with_all_sums() {
-        for (seed, periodic, endless) in [(1, false, false), (2, true, false), (3, true, true)] {
-            let bounds = Bounds {
-                width: 0.8,
-                height: 0.6,
-                periodic,
-                endless,
-            };
-            let mut random = Random::new(seed);
-            let mut place = || Vec2::new(random.between(-0.4, 0.4), random.between(0.0, 0.6));
-            let cloud: Vec<Vec2> = (0..500).map(|_| place()).collect();
-            let kernel = Kernel::new(0.03);
-            let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
-            let order = grid.sort(&cloud, &bounds, kernel.support());
-            let positions: Vec<Vec2> = order.iter().map(|&i| cloud[i as usize]).collect();
-            let shares: Vec<f32> = positions
-                .iter()
-                .map(|at| 1e-3 * (1.0 + at.x.abs()))
-                .collect();
-            let mut sums = vec![0.0; positions.len()];
-            neighbours.find(&positions, &grid, &kernel, &shares, &mut sums);
-            for (i, &here) in positions.iter().enumerate() {
-                let distance = |j: usize| bounds.offset(here, positions[j]).length();
-                let all = 0..positions.len();
-                let expected: f32 = all
-                    .clone()
-                    .map(|j| shares[j] * kernel.value(distance(j)))
-                    .sum();
-                assert!((sums[i] / expected - 1.0).abs() < 1e-5);
-                let others = all.filter(|&j| distance(j) < kernel.support()).count() - 1;
-                assert_eq!(neighbours.count[i] as usize, others);
-            }
+/// From where to where particles lie, those nowhere left out.
+#[inline]
+fn span(x: Lanes) -> (f32, f32) {
+    let (mut from, mut to) = (NOWHERE, -NOWHERE);
+    for x in x.to_array() {
+        if x < from {
+            from = x;
+        }
+        if x > to && x < 0.5 * NOWHERE {
+            to = x;
         }
     }
-
-    #[test]
-    fn what_memory_cannot_hold_is_not_written_down() {
-        let n = 6000;
-        let positions = vec![Vec2::new(0.0, 0.5); n];
-        let bounds = Bounds {
-            width: 1.0,
-            height: 1.0,
-            periodic: false,
-            endless: false,
-        };
-        let kernel = Kernel::new(0.02);
-        let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
-        grid.sort(&positions, &bounds, kernel.support());
-        let mut sums = vec![0.0; n];
-        neighbours.find(&positions, &grid, &kernel, &vec![1.0; n], &mut sums);
-        assert!((MOST_PAIRS..MOST_PAIRS + n).contains(&neighbours.pair_count()));
-        assert_eq!(neighbours.iter().count(), n);
-    }
+    (from, to)
 }

@@ -8,7 +8,7 @@ use std::fmt;
 
 use glam::Vec2;
 
-use crate::classic::{self, Classic};
+use crate::classic::{self, Classic, Living};
 use crate::combustion::{self, Combustion, Ember};
 use crate::grid::Bounds;
 use crate::params::{Input, Model, ParamError, Parameters};
@@ -40,6 +40,23 @@ pub struct StepReport {
     /// top of that [kW/m]; zero in the classic model.
     pub preheat: f32,
 }
+
+/// The parts of a step, in their order; for whoever wants to know how long each
+/// takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Births, and the order in which particles lie.
+    Sort,
+    /// Who is near whom, and how dense it is there.
+    Density,
+    /// Forces and exchange.
+    Forces,
+    /// Motion, burning, and what comes in and leaves.
+    Integrate,
+}
+
+/// An acceleration [m/s²] at a position \[m\] and velocity [m/s].
+pub(crate) type Push<'a> = &'a dyn Fn(Vec2, Vec2) -> Vec2;
 
 /// A fire.
 ///
@@ -95,16 +112,27 @@ impl Simulation {
     /// in the classic model; in the combustion model as long as is stable, which
     /// [`report`](Simulation::report) and [`time`](Simulation::time) tell.
     pub fn step(&mut self) {
-        self.step_with(|_, _| Vec2::ZERO);
+        self.step_watched(&mut |_| ());
+    }
+
+    /// As [`step`](Simulation::step); calls `watch` at the end of each stage,
+    /// several times for the substeps of the classic model. The core itself never
+    /// asks the time.
+    pub fn step_watched(&mut self, watch: &mut dyn FnMut(Stage)) {
+        self.advance(None, watch);
     }
 
     /// As [`step`](Simulation::step), with a force of your own: `push` gives the
     /// acceleration [m/s²] at a position \[m\] and velocity [m/s].
     pub fn step_with(&mut self, push: impl Fn(Vec2, Vec2) -> Vec2) {
+        self.advance(Some(&push), &mut |_| ());
+    }
+
+    fn advance(&mut self, push: Option<Push<'_>>, watch: &mut dyn FnMut(Stage)) {
         let (parameters, random) = (&self.parameters, &mut self.random);
         self.time += match &mut self.gas {
-            Gas::Classic(classic) => classic.step(parameters, random, self.time, &push),
-            Gas::Combustion(gas) => gas.step(parameters, random, self.time, &push),
+            Gas::Classic(classic) => classic.step(parameters, random, self.time, push, watch),
+            Gas::Combustion(gas) => gas.step(parameters, random, self.time, push, watch),
         };
     }
 
@@ -167,7 +195,8 @@ impl Simulation {
         }
     }
 
-    /// What the last step did.
+    /// What the last step did. It counts the neighbours anew, which takes about
+    /// as long as finding them.
     pub fn report(&self) -> StepReport {
         match &self.gas {
             Gas::Classic(classic) => StepReport {
@@ -175,6 +204,14 @@ impl Simulation {
                 ..classic.report()
             },
             Gas::Combustion(gas) => gas.report(),
+        }
+    }
+
+    /// Power that the burning gave in the last step [kW/m]; zero in the classic model.
+    pub fn power(&self) -> f32 {
+        match &self.gas {
+            Gas::Classic(_) => 0.0,
+            Gas::Combustion(gas) => gas.power(),
         }
     }
 
@@ -215,72 +252,72 @@ impl Simulation {
 
     /// Copies of all particles, in the order of their birth.
     pub fn particles(&self) -> Vec<Particle> {
-        self.read(|p, i| p.get(i), |gas, i| gas.particle(i, self.time))
+        self.read(Living::particle, |gas, i| gas.particle(i, self.time))
     }
 
     /// Positions \[m\], in the order of birth.
     pub fn positions(&self) -> Vec<Vec2> {
-        self.read(|p, i| p.position[i], |gas, i| gas.position[i])
+        self.read(|one| one.position, |gas, i| gas.position[i])
     }
 
     /// Velocities [m/s], in the order of birth.
     pub fn velocities(&self) -> Vec<Vec2> {
-        self.read(|p, i| p.velocity[i], |gas, i| gas.velocity[i])
+        self.read(|one| one.velocity, |gas, i| gas.velocity[i])
     }
 
     /// Temperatures \[K\], in the order of birth.
     pub fn temperatures(&self) -> Vec<f32> {
-        self.read(|p, i| p.temperature[i], |gas, i| gas.state[i].x)
+        self.read(|one| one.temperature, |gas, i| gas.state[i].x)
     }
 
     /// Times since birth \[s\], in the order of birth; the air of the combustion
     /// model is as old as the fire.
     pub fn ages(&self) -> Vec<f32> {
-        self.read(|p, i| p.age[i], |_, _| self.time as f32)
+        self.read(|one| one.age, |_, _| self.time as f32)
     }
 
     /// Densities [kg/m³] as the last step found them, in the order of birth.
     pub fn densities(&self) -> Vec<f32> {
-        self.read(|p, i| p.density[i], |gas, i| gas.mass / gas.volume[i])
+        self.read(|one| one.density, |gas, i| gas.mass / gas.volume[i])
     }
 
     /// Pressures \[Pa\] as the last step found them, in the order of birth; in the
     /// combustion model above the mean of the domain.
     pub fn pressures(&self) -> Vec<f32> {
-        self.read(|p, i| p.pressure[i], |gas, i| gas.pressure[i])
+        self.read(|one| one.pressure, |gas, i| gas.pressure[i])
     }
 
     /// Fuel \[share of the gas\], in the order of birth; none in the classic model.
     pub fn fuels(&self) -> Vec<f32> {
-        self.read(|_, _| 0.0, |gas, i| gas.state[i].y)
+        self.read(|_| 0.0, |gas, i| gas.state[i].y)
     }
 
     /// Oxygen \[share of that of air\], in the order of birth; one in the classic model.
     pub fn oxygens(&self) -> Vec<f32> {
-        self.read(|_, _| 1.0, |gas, i| gas.state[i].z)
+        self.read(|_| 1.0, |gas, i| gas.state[i].z)
     }
 
     /// Soot, in the order of birth; none in the classic model.
     pub fn soots(&self) -> Vec<f32> {
-        self.read(|_, _| 0.0, |gas, i| gas.state[i].w)
+        self.read(|_| 0.0, |gas, i| gas.state[i].w)
     }
 
     /// Fuel burnt in a second [1/s] in the last step, in the order of birth;
     /// none in the classic model.
     pub fn burn_rates(&self) -> Vec<f32> {
-        self.read(|_, _| 0.0, |gas, i| gas.burn[i])
+        self.read(|_| 0.0, |gas, i| gas.burn[i])
     }
 
     fn read<T>(
         &self,
-        of_classic: impl Fn(&classic::Particles, usize) -> T,
+        of_classic: impl Fn(&Living) -> T,
         of_gas: impl Fn(&combustion::Gas, usize) -> T,
     ) -> Vec<T> {
         match &self.gas {
             Gas::Classic(classic) => {
                 let particles = classic.particles();
                 let order = particles.by_id().into_iter();
-                order.map(|i| of_classic(particles, i)).collect()
+                order.map(|i| of_classic(&particles[i])).collect()
             }
             Gas::Combustion(combustion) => {
                 let gas = combustion.gas();

@@ -89,11 +89,15 @@ impl Emitter {
         } = *source;
         let reach = Vec2::new(half_width + room, source.rise + room);
         self.near.clear();
-        self.near
-            .extend(particles.position.iter().filter(|&&position| {
-                let offset = (position - middle).abs();
-                offset.x < reach.x && offset.y < reach.y
-            }));
+        self.near.extend(
+            particles
+                .iter()
+                .map(|one| one.position)
+                .filter(|&position| {
+                    let offset = (position - middle).abs();
+                    offset.x < reach.x && offset.y < reach.y
+                }),
+        );
     }
 
     fn newborn(

@@ -20,12 +20,12 @@
 
 use glam::Vec2;
 
-use super::density::DENSITY_FLOOR;
+use super::pairs::{Block, Pairs};
 use super::particles::Particles;
 use super::printed::Printed;
-use crate::extremes::larger;
-use crate::kernel::Kernel;
-use crate::neighbours::Neighbours;
+use crate::kernel::{self, Kernel};
+use crate::lanes::{LANES, Lanes, Real};
+use crate::neighbours::Law;
 use crate::params::Values;
 use crate::turbulence::Turbulence;
 
@@ -33,112 +33,170 @@ use crate::turbulence::Turbulence;
 ///
 /// `viscosity` [Pa·s] is what the substep can bear, at most the parameter's.
 pub(crate) fn accelerate(
-    particles: &mut Particles,
-    neighbours: &Neighbours,
+    particles: &Particles,
+    pairs: &mut Pairs,
     kernel: &Kernel,
     values: &Values,
     viscosity: f32,
 ) {
-    let printed = Printed::chosen(values);
-    particles.acceleration.fill(Vec2::ZERO);
+    let printed = Printed::new(kernel, values, viscosity);
     if printed.any() {
-        printed.push_pairs(particles, neighbours, kernel, values, viscosity);
+        pairs.apply(&printed);
     } else {
-        push_pairs(particles, neighbours, kernel, values, viscosity);
+        pairs.apply(&PushAndRub::new(kernel, values.particle_mass, viscosity));
     }
-    lift(particles, values);
+    lift(particles, pairs, values);
 }
 
-/// Pressure and viscosity between the particles of each pair.
-fn push_pairs(
-    particles: &mut Particles,
-    neighbours: &Neighbours,
-    kernel: &Kernel,
-    values: &Values,
-    viscosity: f32,
-) {
-    let Particles {
-        velocity,
-        acceleration,
-        density,
-        pressure,
-        ..
-    } = particles;
-    let mass = values.particle_mass;
-    let softening = 0.01 * kernel.smoothing_length() * kernel.smoothing_length();
+/// Square of the distance below which two particles count as this far apart, in
+/// smoothing lengths: their offset is as good as zero, and so is the force.
+const TOUCHING: f32 = 1e-12;
 
-    for (i, pairs) in neighbours.iter() {
-        let density_i = larger(density[i], DENSITY_FLOOR);
-        let (pressure_i, velocity_i) = (pressure[i], velocity[i]);
-        let mut sum = Vec2::ZERO;
-        for pair in pairs {
-            let j = pair.j as usize;
-            // All particles have the same mass, so Vᵢ Vⱼ / m is this.
-            let volumes = mass / (density_i * larger(density[j], DENSITY_FLOOR));
-            let distance_squared = pair.offset.length_squared();
-            let push = -(pressure_i + pressure[j]);
-            let drag = 2.0 * viscosity * distance_squared / (distance_squared + softening);
-            let a = (pair.offset * push + (velocity_i - velocity[j]) * drag)
-                * (volumes * pair.gradient);
-            sum += a;
-            acceleration[j] -= a;
+/// A particle, each property of it in all lanes.
+pub(crate) struct One {
+    pub place: [Lanes; 2],
+    pub velocity: [Lanes; 2],
+    pub volume: Lanes,
+    pub pressure: Lanes,
+}
+
+impl One {
+    #[inline(always)]
+    pub fn of(block: &Block, lane: usize, shift: Vec2) -> One {
+        One {
+            place: [
+                block.place[0].spread(lane) - shift.x,
+                block.place[1].spread(lane) - shift.y,
+            ],
+            velocity: block.velocity.map(|v| v.spread(lane)),
+            volume: block.volume.spread(lane),
+            pressure: block.pressure.spread(lane),
         }
-        acceleration[i] += sum;
+    }
+
+    /// Offset from each of the others, in smoothing lengths.
+    #[inline(always)]
+    pub fn offset(&self, others: &Block) -> [Lanes; 2] {
+        let [x, y] = others.place;
+        [self.place[0] - x, self.place[1] - y]
+    }
+
+    /// Velocity against each of the others [m/s].
+    #[inline(always)]
+    pub fn apart(&self, others: &Block) -> [Lanes; 2] {
+        let [vx, vy] = others.velocity;
+        [self.velocity[0] - vx, self.velocity[1] - vy]
+    }
+}
+
+/// Pressure and viscosity between the particles of a pair, with all factors that
+/// every pair has.
+struct PushAndRub {
+    /// h m, times that of W'.
+    push: Lanes,
+    /// 2 μ m, times that of W'.
+    rub: Lanes,
+}
+
+impl PushAndRub {
+    fn new(kernel: &Kernel, mass: f32, viscosity: f32) -> PushAndRub {
+        let each = mass * kernel.steepness_norm();
+        PushAndRub {
+            push: Lanes::splat(each * kernel.smoothing_length()),
+            rub: Lanes::splat(2.0 * viscosity * each),
+        }
+    }
+}
+
+impl Law<2> for PushAndRub {
+    type Block = Block;
+    type One = One;
+
+    #[inline(always)]
+    fn one(&self, block: &Block, lane: usize, shift: Vec2) -> One {
+        One::of(block, lane, shift)
+    }
+
+    #[inline(always)]
+    fn pair(&self, one: &One, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
+        let [x, y] = one.offset(others);
+        let square = x * x + y * y;
+        let q = square.larger(Lanes::splat(TOUCHING)).sqrt();
+        let softened = square + 0.01;
+        // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
+        // times q²: one division serves both.
+        let slope = kernel::steepness(q) * (one.volume * others.volume) / (q * softened);
+        let push = slope * softened * (one.pressure + others.pressure) * self.push;
+        let rub = slope * square * self.rub;
+        let [vx, vy] = one.apart(others);
+        let gain = [x * push - vx * rub, y * push - vy * rub];
+        (gain, gain)
+    }
+
+    #[inline(always)]
+    fn gains(block: &mut Block) -> &mut [Lanes; 2] {
+        &mut block.acceleration
     }
 }
 
 /// Buoyancy, and the weight that the paper counts besides it.
-fn lift(particles: &mut Particles, values: &Values) {
-    let Particles {
-        velocity,
-        acceleration,
-        temperature,
-        density,
-        ..
-    } = particles;
-    for (i, acceleration) in acceleration.iter_mut().enumerate() {
-        let density = larger(density[i], DENSITY_FLOOR);
+fn lift(particles: &Particles, pairs: &mut Pairs, values: &Values) {
+    let air = values.ambient_temperature;
+    pairs.each(|block, members| {
+        let mut temperature = [air; LANES];
+        for (lane, particle) in particles[members].iter().enumerate() {
+            temperature[lane] = particle.temperature;
+        }
+        let temperature = Lanes::new(temperature);
         let lift = if values.printed_divisor {
-            values.buoyancy * (values.ambient_density - density) / values.particle_mass
+            let density = Lanes::splat(1.0) / block.volume;
+            (Lanes::splat(values.ambient_density) - density)
+                * (values.buoyancy / values.particle_mass)
         } else {
-            values.buoyancy * (values.ambient_density / density - 1.0)
-                + values.thermal_buoyancy * (1.0 - values.ambient_temperature / temperature[i])
+            (block.volume * values.ambient_density - 1.0) * values.buoyancy
+                + (Lanes::splat(1.0) - Lanes::splat(air) / temperature) * values.thermal_buoyancy
         };
         let a = lift * values.gravity - values.extra_weight;
-        acceleration.y += a * resisted(a, velocity[i].y, values.terminal_speed);
-    }
+        let [_, vy] = block.velocity;
+        block.acceleration[1] += resisted(a, vy, values.terminal_speed);
+    });
 }
 
 /// Turbulence of the air, which drives gas no faster than the air lets it rise.
-pub(crate) fn stir(particles: &mut Particles, turbulence: &Turbulence, values: &Values) {
-    if !turbulence.stirs() {
-        return;
-    }
-    for (i, acceleration) in particles.acceleration.iter_mut().enumerate() {
-        let push = turbulence.push(particles.position[i]);
-        let along = particles.velocity[i].dot(push.normalize_or_zero());
-        *acceleration += push * resisted(1.0, along, values.terminal_speed);
+pub(crate) fn stir(
+    particles: &Particles,
+    pairs: &mut Pairs,
+    turbulence: &Turbulence,
+    values: &Values,
+) {
+    if turbulence.stirs() {
+        pairs.push_by(particles, |position, velocity| {
+            let push = turbulence.push(position);
+            let along = velocity.dot(push.normalize_or_zero());
+            push * resisted(1.0, along, values.terminal_speed)
+        });
     }
 }
 
-/// The share of an acceleration `a` that is left at the speed `v` along it.
+/// What the air leaves of an acceleration `a` at the speed `v` along it.
 ///
 /// This model has no air around the fire, so nothing would stop what rises. In
 /// air, lift meets a drag that grows with the square of the speed and balances
 /// it at the terminal speed: a (1 − v|v|/v_t²). The bounds keep a particle
 /// that is born faster from being hit harder than gravity hits it.
-fn resisted(a: f32, v: f32, terminal_speed: f32) -> f32 {
-    let along = if a < 0.0 { -v } else { v };
-    let drag = along * along.abs() / (terminal_speed * terminal_speed);
-    (1.0 - drag).clamp(-1.0, 2.0)
+fn resisted<T: Real>(a: T, v: T, terminal_speed: f32) -> T {
+    let (zero, one) = (T::of(0.0), T::of(1.0));
+    let drag = v * v.larger(zero - v) / T::of(terminal_speed * terminal_speed);
+    let left = |drag: T| (one - drag).larger(T::of(-1.0)).smaller(T::of(2.0));
+    // An acceleration downwards meets drag upwards.
+    a.larger(zero) * left(drag) + a.smaller(zero) * left(zero - drag)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::Particle;
-    use crate::classic::density::{pressure, sum_density};
-    use crate::grid::{Bounds, Grid};
+    use crate::grid::Bounds;
     use crate::params::{Input, Model, Parameters};
     use crate::random::Random;
 
@@ -150,7 +208,7 @@ mod tests {
     };
 
     /// A dense random cloud in random motion, with its densities and pressures.
-    fn cloud(parameters: &Parameters, seed: u32) -> (Particles, Neighbours, Kernel) {
+    fn cloud(parameters: &Parameters, seed: u32) -> (Particles, Pairs, Kernel) {
         let mut random = Random::new(seed);
         let mut particles = Particles::default();
         for _ in 0..600 {
@@ -164,17 +222,10 @@ mod tests {
             });
         }
         let kernel = Kernel::new(parameters.smoothing_radius);
-        let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
-        particles.reorder(grid.sort(&particles.position, &BOUNDS, kernel.support()));
-        sum_density(
-            &mut particles,
-            &mut neighbours,
-            &grid,
-            &kernel,
-            parameters.particle_mass,
-        );
-        pressure(&mut particles, parameters);
-        (particles, neighbours, kernel)
+        let mut pairs = Pairs::default();
+        pairs.sort(&mut particles, &BOUNDS, &kernel);
+        pairs.sum_density(&mut particles, &kernel, parameters);
+        (particles, pairs, kernel)
     }
 
     fn with(values: &[(&str, Input<'_>)]) -> Parameters {
@@ -208,15 +259,15 @@ mod tests {
     fn pair_forces_keep_momentum() {
         let parameters = weightless(&[("viscosity", Input::Number(0.05))]);
         for seed in 0..5 {
-            let (mut particles, neighbours, kernel) = cloud(&parameters, seed);
+            let (particles, mut pairs, kernel) = cloud(&parameters, seed);
             accelerate(
-                &mut particles,
-                &neighbours,
+                &particles,
+                &mut pairs,
                 &kernel,
                 &parameters,
                 parameters.viscosity,
             );
-            let (net, all) = sum(&particles.acceleration);
+            let (net, all) = sum(&pairs.accelerations());
             assert!(all > 1.0, "nothing pushes");
             assert!(net < 1e-6 * all, "seed {seed}: {net} of {all}");
         }
@@ -226,16 +277,17 @@ mod tests {
     fn viscosity_never_adds_energy() {
         let parameters = weightless(&[("viscosity", Input::Number(0.05))]);
         for seed in 0..5 {
-            let (mut particles, neighbours, kernel) = cloud(&parameters, seed);
-            particles.pressure.fill(0.0);
+            let (particles, mut pairs, kernel) = cloud(&parameters, seed);
+            pairs.set_pressure(&particles, |_| 0.0);
             accelerate(
-                &mut particles,
-                &neighbours,
+                &particles,
+                &mut pairs,
                 &kernel,
                 &parameters,
                 parameters.viscosity,
             );
-            let each = particles.velocity.iter().zip(&particles.acceleration);
+            let accelerations = pairs.accelerations();
+            let each = particles.iter().map(|p| p.velocity).zip(&accelerations);
             let power: f64 = each.map(|(v, a)| f64::from(v.dot(*a))).sum();
             assert!(power < 0.0, "seed {seed}: {power}");
         }
@@ -258,17 +310,18 @@ mod tests {
                     ..Particle::at(Vec2::new(side * 0.2 * parameters.smoothing_radius, 0.5))
                 });
             }
-            let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
-            particles.reorder(grid.sort(&particles.position, &BOUNDS, kernel.support()));
-            sum_density(&mut particles, &mut neighbours, &grid, &kernel, 1e-3);
+            let mut pairs = Pairs::default();
+            pairs.sort(&mut particles, &BOUNDS, &kernel);
+            pairs.sum_density(&mut particles, &kernel, &parameters);
             accelerate(
-                &mut particles,
-                &neighbours,
+                &particles,
+                &mut pairs,
                 &kernel,
                 &parameters,
                 parameters.viscosity,
             );
-            let each = particles.velocity.iter().zip(&particles.acceleration);
+            let accelerations = pairs.accelerations();
+            let each = particles.iter().map(|p| p.velocity).zip(&accelerations);
             each.map(|(v, a)| v.dot(*a)).sum::<f32>()
         };
         assert!(power(false) < 0.0);
@@ -284,20 +337,16 @@ mod tests {
                 particles.push(Particle::at(Vec2::new(i as f32 * dx, 0.1 + j as f32 * dx)));
             }
         }
-        let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
-        particles.reorder(grid.sort(&particles.position, &BOUNDS, kernel.support()));
-        let mass = parameters.particle_mass;
-        sum_density(&mut particles, &mut neighbours, &grid, &kernel, mass);
-        for (pressure, position) in particles.pressure.iter_mut().zip(&particles.position) {
-            *pressure = position.x;
-        }
-        accelerate(&mut particles, &neighbours, &kernel, parameters, 0.0);
+        let mut pairs = Pairs::default();
+        pairs.sort(&mut particles, &BOUNDS, &kernel);
+        pairs.sum_density(&mut particles, &kernel, parameters);
+        pairs.set_pressure(&particles, |position| position.x);
+        accelerate(&particles, &mut pairs, &kernel, parameters, 0.0);
         let middle = Vec2::new(0.0, 0.1 + 10.0 * dx);
         let at = particles
-            .position
             .iter()
-            .position(|p| p.distance(middle) < 0.1 * dx);
-        particles.acceleration[at.expect("the lattice has a middle")]
+            .position(|p| p.position.distance(middle) < 0.1 * dx);
+        pairs.accelerations()[at.expect("the lattice has a middle")]
     }
 
     #[test]
@@ -337,9 +386,11 @@ mod tests {
             temperature,
             ..Particle::at(Vec2::new(0.0, 0.5))
         });
-        particles.density[0] = density;
-        lift(&mut particles, &parameters);
-        particles.acceleration[0].y
+        let (mut pairs, kernel) = (Pairs::default(), Kernel::new(0.05));
+        pairs.sort(&mut particles, &BOUNDS, &kernel);
+        pairs.each(|block, _| block.volume = Lanes::splat(1.0 / density));
+        lift(&particles, &mut pairs, &parameters);
+        pairs.accelerations()[0].y
     }
 
     #[test]

@@ -4,10 +4,14 @@
 //! with the *new* velocity. The paper's equation 6 prints forward Euler, which
 //! moves with the old one and lets energy drift; it can be chosen.
 
-use super::density::DENSITY_FLOOR;
-use super::particles::Particles;
-use crate::extremes::{larger, smaller};
+use glam::Vec2;
+
+use super::pairs::Pairs;
+use super::particles::{Living, Particles};
+use super::pressure::DENSITY_FLOOR;
+use crate::extremes::larger;
 use crate::grid::Bounds;
+use crate::lanes::{LANES, Lanes, Real};
 use crate::params::{Values, Walls};
 
 /// Most parts that a step is divided into. The limits ask for more only in
@@ -69,53 +73,63 @@ pub(crate) struct Motion {
     pub limited: u32,
 }
 
-/// Moves every particle by `dt`.
-pub(crate) fn integrate(particles: &mut Particles, values: &Values, dt: f32) -> Motion {
-    let mut motion = Motion::default();
-    let limit = values.speed_limit;
-    for i in 0..particles.len() {
-        let old_velocity = particles.velocity[i];
-        let acceleration = particles.acceleration[i];
-        let mut velocity = old_velocity + acceleration * dt;
-        let speed = velocity.length();
-        if speed > limit {
-            velocity *= limit / speed;
-            motion.limited += 1;
-        }
-        particles.position[i] += dt
-            * if values.printed_euler {
-                old_velocity
-            } else {
-                velocity
-            };
-        particles.velocity[i] = velocity;
-
-        motion.fastest = larger(motion.fastest, smaller(speed, limit));
-        motion.hardest = larger(motion.hardest, acceleration.length());
-    }
-    motion
-}
-
-/// Cools and ages every particle by `dt`. It cools at a steady rate, down to
+/// Moves, cools and ages every particle by `dt`. It cools at a steady rate, down to
 /// the temperature of the air.
-pub(crate) fn cool_and_age(particles: &mut Particles, values: &Values, dt: f32) {
-    for temperature in &mut particles.temperature {
-        let cooled = *temperature - values.cooling_rate * dt;
-        *temperature = larger(cooled, values.ambient_temperature);
-    }
-    for age in &mut particles.age {
-        *age += dt;
+pub(crate) fn integrate(
+    particles: &mut Particles,
+    pairs: &mut Pairs,
+    values: &Values,
+    dt: f32,
+) -> Motion {
+    let limit = Lanes::splat(values.speed_limit);
+    let (mut fastest, mut hardest) = (Lanes::ZERO, Lanes::ZERO);
+    let mut limited = 0;
+    pairs.each(|block, members| {
+        if members.len() < LANES {
+            // Nothing moves where there is no particle.
+            block.acceleration = block.acceleration.map(|a| a.first(members.len()));
+        }
+        let [ax, ay] = block.acceleration;
+        let [old_x, old_y] = block.velocity;
+        let (x, y) = (old_x + ax * dt, old_y + ay * dt);
+        let speed = (x * x + y * y).sqrt();
+        limited += limit.less(speed).count_ones();
+        let held = limit / speed.larger(limit);
+        let velocity = [x * held, y * held];
+        fastest = fastest.larger(speed.smaller(limit));
+        hardest = hardest.larger((ax * ax + ay * ay).sqrt());
+
+        let moved = if values.printed_euler {
+            block.velocity
+        } else {
+            velocity
+        };
+        let moved = moved.map(|v| (v * dt).to_array());
+        let velocity = velocity.map(Lanes::to_array);
+        for (lane, particle) in particles[members].iter_mut().enumerate() {
+            particle.position += Vec2::new(moved[0][lane], moved[1][lane]);
+            particle.velocity = Vec2::new(velocity[0][lane], velocity[1][lane]);
+            let cooled = particle.temperature - values.cooling_rate * dt;
+            particle.temperature = larger(cooled, values.ambient_temperature);
+            particle.age += dt;
+        }
+    });
+    Motion {
+        fastest: fastest.largest(),
+        hardest: hardest.largest(),
+        limited,
     }
 }
 
 /// Applies the walls and takes away whoever has died or left.
 pub(crate) fn bound(particles: &mut Particles, values: &Values, bounds: &Bounds) {
     let half = 0.5 * bounds.width;
-    for i in 0..particles.len() {
-        let position = &mut particles.position[i];
-        let velocity = &mut particles.velocity[i];
+    for particle in particles.iter_mut() {
+        let Living {
+            position, velocity, ..
+        } = particle;
         match values.walls {
-            Walls::Open => {}
+            Walls::Open => break,
             Walls::Solid => {
                 stop_at(&mut position.x, &mut velocity.x, -half, half);
                 stop_at(&mut position.y, &mut velocity.y, 0.0, f32::INFINITY);
@@ -126,7 +140,7 @@ pub(crate) fn bound(particles: &mut Particles, values: &Values, bounds: &Bounds)
             }
         }
     }
-    particles.retain(|p, i| p.age[i] < p.lifetime[i] && bounds.hold(p.position[i]));
+    particles.retain(|one| one.age < one.lifetime && bounds.hold(one.position));
 }
 
 fn stop_at(x: &mut f32, v: &mut f32, low: f32, high: f32) {
@@ -150,7 +164,6 @@ mod tests {
     use super::*;
     use crate::Particle;
     use crate::params::{Input, Model, Parameters};
-    use glam::Vec2;
 
     fn with(values: &[(&str, f64)]) -> Parameters {
         let mut parameters = Parameters::new(Model::Classic);
@@ -191,6 +204,16 @@ mod tests {
         assert!(substeps.viscosity < 0.1);
     }
 
+    /// Moves the particles for `dt` with an acceleration of 10 m/s² downwards.
+    fn fall(particles: &mut Particles, parameters: &Parameters, dt: f32) -> Motion {
+        let mut pairs = Pairs::default();
+        let bounds = crate::classic::bounds(parameters);
+        let kernel = crate::kernel::Kernel::new(parameters.smoothing_radius);
+        pairs.sort(particles, &bounds, &kernel);
+        pairs.push_by(particles, |_, _| Vec2::new(0.0, -10.0));
+        integrate(particles, &mut pairs, parameters, dt)
+    }
+
     fn one_falling(velocity: f32) -> Particles {
         let mut particles = Particles::default();
         particles.push(Particle {
@@ -198,7 +221,6 @@ mod tests {
             temperature: 400.0,
             ..Particle::at(Vec2::new(0.0, 1.0))
         });
-        particles.acceleration[0] = Vec2::new(0.0, -10.0);
         particles
     }
 
@@ -212,10 +234,10 @@ mod tests {
             );
             let mut particles = one_falling(0.1);
             // From 0.1 m/s to −0.1 m/s.
-            integrate(&mut particles, &parameters, 0.02);
-            let fallen = particles.position[0].y - 1.0;
+            fall(&mut particles, &parameters, 0.02);
+            let fallen = particles[0].position.y - 1.0;
             assert!((fallen - expected).abs() < 1e-6, "{fallen}");
-            assert!((particles.velocity[0].y + 0.1).abs() < 1e-6);
+            assert!((particles[0].velocity.y + 0.1).abs() < 1e-6);
         }
     }
 
@@ -223,21 +245,21 @@ mod tests {
     fn nothing_is_faster_than_the_speed_limit_and_what_is_held_back_is_counted() {
         let parameters = Parameters::new(Model::Classic);
         let mut particles = one_falling(-100.0);
-        let motion = integrate(&mut particles, &parameters, 0.01);
-        assert!((particles.velocity[0].y + parameters.speed_limit).abs() < 1e-5);
+        let motion = fall(&mut particles, &parameters, 0.01);
+        assert!((particles[0].velocity.y + parameters.speed_limit).abs() < 1e-5);
         assert_eq!(motion.limited, 1);
         let mut particles = one_falling(-1.0);
-        assert_eq!(integrate(&mut particles, &parameters, 0.01).limited, 0);
+        assert_eq!(fall(&mut particles, &parameters, 0.01).limited, 0);
     }
 
     #[test]
     fn gas_cools_at_the_rate_that_is_set_and_not_below_the_air() {
         let parameters = with(&[("cooling_rate", 500.0), ("ambient_temperature", 300.0)]);
         let mut particles = one_falling(0.0);
-        cool_and_age(&mut particles, &parameters, 0.1);
-        assert!((particles.temperature[0] - 350.0).abs() < 1e-3);
-        cool_and_age(&mut particles, &parameters, 0.2);
-        assert_eq!(particles.temperature[0], 300.0);
-        assert!((particles.age[0] - 0.3).abs() < 1e-6);
+        fall(&mut particles, &parameters, 0.1);
+        assert!((particles[0].temperature - 350.0).abs() < 1e-3);
+        fall(&mut particles, &parameters, 0.2);
+        assert_eq!(particles[0].temperature, 300.0);
+        assert!((particles[0].age - 0.3).abs() < 1e-6);
     }
 }

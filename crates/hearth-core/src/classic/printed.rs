@@ -4,91 +4,107 @@
 //! does. They stand apart because the two ends of a pair may then feel
 //! different forces, and because the usual forces need not ask at every pair.
 
-use super::density::DENSITY_FLOOR;
-use super::particles::Particles;
-use crate::kernel::Kernel;
-use crate::neighbours::Neighbours;
+use glam::Vec2;
+
+use super::forces::One;
+use super::pairs::Block;
+use crate::kernel::{self, Kernel};
+use crate::lanes::{Lanes, Real};
+use crate::neighbours::Law;
 use crate::params::Values;
+
+/// Square of the distance below which two particles count as this far apart, in
+/// smoothing lengths.
+const TOUCHING: f32 = 1e-12;
 
 /// The paper's equations as they are printed, each to be chosen by itself.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Printed {
     /// Equation 3, f = − m (pᵢ + pⱼ)/(2 ρⱼ) ∇W: the ½ halves the gradient of
     /// the pressure, and the density of force is taken for an acceleration.
-    pub pressure: bool,
+    pressure: bool,
     /// Equation 4, f = μ m (vⱼ − vᵢ)/ρⱼ ∇²W with the kernel's own Laplacian.
-    pub viscosity: bool,
+    viscosity: bool,
     /// Equations 5 and 7, a = f/m: a density of force is divided by the mass
     /// instead of the density, and temperature lifts nothing.
-    pub divisor: bool,
+    divisor: bool,
+    mass: f32,
+    kernel: Kernel,
+    /// m μ [kg/m · Pa·s].
+    rub: f32,
 }
 
 impl Printed {
     /// Which of them `values` choose.
-    pub fn chosen(values: &Values) -> Printed {
+    pub fn new(kernel: &Kernel, values: &Values, viscosity: f32) -> Printed {
         Printed {
             pressure: values.printed_pressure,
             viscosity: values.printed_viscosity,
             divisor: values.printed_divisor,
+            mass: values.particle_mass,
+            kernel: *kernel,
+            rub: values.particle_mass * viscosity,
         }
     }
 
     /// Whether at least one of them is chosen.
-    pub fn any(self) -> bool {
+    pub fn any(&self) -> bool {
         self.pressure || self.viscosity || self.divisor
     }
 
-    /// Pressure and viscosity between the particles of each pair.
-    pub fn push_pairs(
-        self,
-        particles: &mut Particles,
-        neighbours: &Neighbours,
-        kernel: &Kernel,
-        values: &Values,
-        viscosity: f32,
-    ) {
-        let Particles {
-            velocity,
-            acceleration,
-            density,
-            pressure,
-            ..
-        } = particles;
-        let mass = values.particle_mass;
-        let softening = 0.01 * kernel.smoothing_length() * kernel.smoothing_length();
-
-        // Densities of force [N/m³] to accelerations [m/s²].
-        let by = |density: f32, half_pressure: bool| {
-            if self.divisor {
-                1.0 / mass
-            } else if half_pressure {
-                1.0
-            } else {
-                1.0 / density
-            }
-        };
-        for (i, pairs) in neighbours.iter() {
-            let density_i = density[i].max(DENSITY_FLOOR);
-            for pair in pairs {
-                let j = pair.j as usize;
-                let density_j = density[j].max(DENSITY_FLOOR);
-                let share = if self.pressure { 0.5 } else { 1.0 };
-                let push =
-                    pair.offset * (-share * mass * (pressure[i] + pressure[j]) * pair.gradient);
-
-                let distance_squared = pair.offset.length_squared();
-                let drag = if self.viscosity {
-                    -kernel.laplacian(distance_squared.sqrt())
-                } else {
-                    2.0 * pair.gradient * distance_squared / (distance_squared + softening)
-                };
-                let rub = (velocity[i] - velocity[j]) * (viscosity * mass * drag);
-
-                acceleration[i] += push / density_j * by(density_i, self.pressure)
-                    + rub / density_j * by(density_i, false);
-                acceleration[j] -= push / density_i * by(density_j, self.pressure)
-                    + rub / density_i * by(density_j, false);
-            }
+    /// What makes an acceleration [m/s²] of a density of force [N/m³] on gas of
+    /// so much volume a unit of mass.
+    fn by(&self, volume: Lanes, as_acceleration: bool) -> Lanes {
+        if self.divisor {
+            Lanes::splat(1.0 / self.mass)
+        } else if as_acceleration {
+            Lanes::splat(1.0)
+        } else {
+            volume
         }
+    }
+}
+
+impl Law<2> for Printed {
+    type Block = Block;
+    type One = One;
+
+    #[inline(always)]
+    fn one(&self, block: &Block, lane: usize, shift: Vec2) -> One {
+        One::of(block, lane, shift)
+    }
+
+    fn pair(&self, one: &One, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
+        let [x, y] = one.offset(others);
+        let square = x * x + y * y;
+        let q = square.larger(Lanes::splat(TOUCHING)).sqrt();
+        // −W'/r
+        let slope = kernel::steepness(q) * self.kernel.steepness_norm() / q;
+        let share = if self.pressure { 0.5 } else { 1.0 };
+        let push = slope
+            * (one.pressure + others.pressure)
+            * (share * self.mass * self.kernel.smoothing_length());
+        let drag = if self.viscosity {
+            let h = self.kernel.smoothing_length();
+            -Lanes::new(q.to_array().map(|q| self.kernel.laplacian(q * h)))
+        } else {
+            -(slope * 2.0 * square / (square + 0.01))
+        };
+        let rub = drag * self.rub;
+        let [vx, vy] = one.apart(others);
+        let ends = |mine: Lanes, theirs: Lanes| {
+            let pushed = push * theirs * self.by(mine, self.pressure);
+            let rubbed = rub * theirs * self.by(mine, false);
+            [x * pushed + vx * rubbed, y * pushed + vy * rubbed]
+        };
+        (
+            ends(one.volume, others.volume),
+            ends(others.volume, one.volume),
+        )
+    }
+
+    #[inline(always)]
+    fn gains(block: &mut Block) -> &mut [Lanes; 2] {
+        &mut block.acceleration
     }
 }

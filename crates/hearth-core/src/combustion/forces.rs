@@ -24,11 +24,12 @@
 
 use glam::{Vec2, Vec4};
 
-use super::gas::{Gas, State};
-use crate::extremes::smaller;
+use super::gas::Gas;
+use super::whirls::Whirls;
 use crate::grid::Grid;
-use crate::kernel::Kernel;
-use crate::neighbours::Neighbours;
+use crate::kernel::{self, Kernel};
+use crate::lanes::{LANES, Lanes, Real, sums, transposed};
+use crate::neighbours::{self, NOWHERE, Neighbours};
 use crate::params::Values;
 
 /// Prandtl and Schmidt number of the eddies: how much better they mix momentum
@@ -50,24 +51,185 @@ pub(crate) fn expansion(temperature: f32, values: &Values) -> f32 {
     }
 }
 
-/// What a pair needs to know of a particle, side by side in memory.
-#[derive(Clone, Copy, Debug, Default)]
-#[repr(C)]
-struct Parcel {
-    state: State,
-    velocity: Vec2,
-    volume: f32,
-    pressure: f32,
+/// Four particles, as the search for pairs takes them.
+#[derive(Clone, Copy, Debug)]
+struct Block {
+    /// Position, in smoothing lengths.
+    x: Lanes,
+    y: Lanes,
+    /// θ, what each gives to the sums.
+    share: Lanes,
+    /// What each gets of that.
+    sum: Lanes,
+}
+
+impl Block {
+    /// Lanes without a particle: nowhere.
+    const EMPTY: Block = Block {
+        x: Lanes::splat(NOWHERE),
+        y: Lanes::splat(NOWHERE),
+        share: Lanes::ZERO,
+        sum: Lanes::ZERO,
+    };
+}
+
+impl neighbours::Block for Block {
+    #[inline(always)]
+    fn place(&self) -> (Lanes, Lanes) {
+        (self.x, self.y)
+    }
+    #[inline(always)]
+    fn share(&self) -> Lanes {
+        self.share
+    }
+    #[inline(always)]
+    fn sum(&mut self) -> &mut Lanes {
+        &mut self.sum
+    }
+}
+
+/// A particle, as the exchange takes it: four numbers of it at a time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Parcel {
+    /// Position, in smoothing lengths, and velocity [m/s].
+    pub motion: Lanes,
+    /// Volume \[m²\] and pressure \[Pa\], and two that are not used.
+    pub room: Lanes,
+    /// Temperature \[K\], fuel, oxygen, soot.
+    pub state: Lanes,
+}
+
+impl Parcel {
+    /// Of no consequence: nowhere.
+    const NONE: Parcel = Parcel {
+        motion: Lanes::new([NOWHERE, NOWHERE, 0.0, 0.0]),
+        room: Lanes::new([1.0, 0.0, 0.0, 0.0]),
+        state: Lanes::ZERO,
+    };
+}
+
+/// What a particle gains from others.
+#[derive(Clone, Copy, Debug)]
+struct Gain {
+    /// Acceleration [m/s²], and crowding in the units of [`Exchange`].
+    motion: Lanes,
+    /// Change of its state [1/s].
+    state: Lanes,
+}
+
+/// Square of the distance below which two particles count as this far apart, in
+/// smoothing lengths: their offset is as good as zero, and so is the force.
+const TOUCHING: f32 = 1e-12;
+
+/// The exchange of a pair, with all factors that every pair has.
+struct Exchange {
+    /// h/m, times that of W'.
+    push: Lanes,
+    /// α c₀ h, times that of W'.
+    artificial: Lanes,
+    /// C_s² h
+    eddy: Lanes,
+    /// −2 ν and −2 D, times the factor of W'.
+    viscosity: Lanes,
+    diffusion: Lanes,
+    /// −2 and −2/Pr, times the factor of W'.
+    stirs: Lanes,
+    mixes: Lanes,
+}
+
+impl Exchange {
+    fn new(kernel: &Kernel, values: &Values, sound: f32, mass: f32) -> Exchange {
+        let (h, factor) = (kernel.smoothing_length(), kernel.steepness_norm());
+        Exchange {
+            push: Lanes::splat(factor * h / mass),
+            artificial: Lanes::splat(factor * values.artificial_viscosity * sound * h),
+            eddy: Lanes::splat(values.eddy_viscosity * values.eddy_viscosity * h),
+            viscosity: Lanes::splat(-2.0 * factor * values.kinematic_viscosity),
+            diffusion: Lanes::splat(-2.0 * factor * values.diffusion),
+            stirs: Lanes::splat(-2.0 * factor),
+            mixes: Lanes::splat(-2.0 * factor / PRANDTL),
+        }
+    }
+}
+
+/// What four others give to a particle, and lose.
+struct Flow {
+    /// Acceleration, lane by lane.
+    force: [Lanes; 2],
+    /// Offset, as steep as the kernel is there.
+    slope: [Lanes; 2],
+    /// Volume of the others.
+    volume: Lanes,
+    /// What the differences of the states are to be multiplied by.
+    mix: Lanes,
+}
+
+impl Exchange {
+    #[inline(always)]
+    fn flow(&self, one: &One, others: [Parcel; LANES]) -> Flow {
+        let [x, y, vx, vy] = transposed(others.map(|other| other.motion));
+        let [volume, pressure, ..] = transposed(others.map(|other| other.room));
+        let (x, y) = (one.motion[0] - x, one.motion[1] - y);
+        let (vx, vy) = (one.motion[2] - vx, one.motion[3] - vy);
+        let square = x * x + y * y;
+        let q = square.larger(Lanes::splat(TOUCHING)).sqrt();
+        let softened = square + 0.01;
+        // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
+        // times q²: one division serves both.
+        let slope = kernel::steepness(q) / (q * softened);
+        let steep = slope * softened;
+
+        // Vᵢ Vⱼ ρ̄/m, both ways.
+        let volumes = one.volume * volume;
+        let common = (volumes + volumes) / (one.volume + volume);
+        let stirred = (vx * vx + vy * vy).sqrt() * self.eddy;
+        let laplacian = common * slope * square;
+        let approach = (vx * x + vy * y).smaller(Lanes::ZERO);
+
+        let push = steep * volumes * (one.pressure + pressure) * self.push
+            - common * slope * approach * self.artificial;
+        let rub = laplacian * (self.viscosity + stirred * self.stirs);
+        Flow {
+            force: [x * push + vx * rub, y * push + vy * rub],
+            slope: [x * steep, y * steep],
+            volume,
+            mix: laplacian * (self.diffusion + stirred * self.mixes),
+        }
+    }
+}
+
+/// A particle, each property of it in all lanes.
+struct One {
+    motion: [Lanes; 4],
+    volume: Lanes,
+    pressure: Lanes,
+}
+
+impl One {
+    /// A particle, moved by so many smoothing lengths.
+    #[inline(always)]
+    fn of(parcel: &Parcel, shift: Vec2) -> One {
+        let [x, y, vx, vy] = [0, 1, 2, 3].map(|k| parcel.motion.spread(k));
+        One {
+            motion: [x - shift.x, y - shift.y, vx, vy],
+            volume: parcel.room.spread(0),
+            pressure: parcel.room.spread(1),
+        }
+    }
 }
 
 /// The passes over pairs, and their memory.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Forces {
-    pub neighbours: Neighbours,
-    shares: Vec<f32>,
+    neighbours: Neighbours,
+    blocks: Vec<Block>,
     parcels: Vec<Parcel>,
-    curl: Vec<f32>,
-    ascent: Vec<Vec2>,
+    gains: Vec<Gain>,
+    /// The others of one particle.
+    others: Vec<u32>,
+    /// θ
+    expansions: Vec<f32>,
+    whirls: Whirls,
 }
 
 impl Forces {
@@ -81,124 +243,141 @@ impl Forces {
         values: &Values,
         sound: f32,
     ) {
-        self.shares.clear();
-        self.shares.extend(
-            gas.state
-                .iter()
-                .map(|state| gas.mass * expansion(state.x, values)),
-        );
-        let shares = &self.shares;
-        self.neighbours
-            .find(&gas.position, grid, kernel, shares, &mut gas.filling);
-        let sum: f64 = gas.filling.iter().copied().map(f64::from).sum();
+        let Forces {
+            neighbours,
+            blocks,
+            expansions,
+            ..
+        } = self;
+        expansions.clear();
+        expansions.extend(gas.state.iter().map(|state| expansion(state.x, values)));
+        let inverse_h = 1.0 / kernel.smoothing_length();
+        blocks.clear();
+        blocks.resize(grid.block_count(), Block::EMPTY);
+        grid.each_block(|block, members| {
+            let mut place = [[NOWHERE; LANES]; 2];
+            let mut share = [0.0; LANES];
+            for (lane, i) in members.enumerate() {
+                let at = gas.position[i] * inverse_h;
+                (place[0][lane], place[1][lane]) = (at.x, at.y);
+                share[lane] = expansions[i];
+            }
+            let block = &mut blocks[block];
+            [block.x, block.y] = place.map(Lanes::new);
+            block.share = Lanes::new(share);
+        });
+        neighbours.find(blocks, grid, kernel.smoothing_length());
+
+        let each = gas.mass * kernel.bell_norm();
+        let mut sum = 0.0;
+        grid.each_block(|block, members| {
+            let filling = (blocks[block].sum * each).to_array();
+            for (i, filling) in members.zip(filling) {
+                gas.filling[i] = filling;
+                sum += f64::from(filling);
+            }
+        });
         let mean = (sum / gas.len().max(1) as f64) as f32;
         for (i, &filling) in gas.filling.iter().enumerate() {
-            gas.volume[i] = shares[i] / filling;
+            gas.volume[i] = gas.mass * expansions[i] / filling;
             gas.pressure[i] = sound * sound * (filling - mean);
         }
     }
 
     /// Sums acceleration, exchange and crowding over the pairs.
-    pub fn exchange(&mut self, gas: &mut Gas, kernel: &Kernel, values: &Values, sound: f32) {
-        self.parcels.clear();
-        self.parcels.extend((0..gas.len()).map(|i| Parcel {
-            state: gas.state[i],
-            velocity: gas.velocity[i],
-            volume: gas.volume[i],
-            pressure: gas.pressure[i],
-        }));
-        gas.acceleration.fill(Vec2::ZERO);
-        gas.change.fill(Vec4::ZERO);
-        gas.crowding.fill(Vec2::ZERO);
-
-        let h = kernel.smoothing_length();
-        let softening = 0.01 * h * h;
-        let eddy = values.eddy_viscosity * values.eddy_viscosity * h;
-        let artificial = values.artificial_viscosity * sound * h;
-        let parcels = &self.parcels[..];
-        let mass = gas.mass;
-        let acceleration = &mut gas.acceleration[..];
-        let change = &mut gas.change[..];
-        let crowding = &mut gas.crowding[..];
-        for (i, pairs) in self.neighbours.iter() {
-            let here = parcels[i];
-            let mut push = Vec2::ZERO;
-            let mut gain = Vec4::ZERO;
-            let mut crowd = Vec2::ZERO;
-            for pair in pairs {
-                let j = pair.j as usize;
-                let there = parcels[j];
-                let slope = pair.offset * pair.gradient;
-                let distance_squared = pair.offset.length_squared();
-                let inverse = 1.0 / (distance_squared + softening);
-                let apart = here.velocity - there.velocity;
-
-                // Vᵢ Vⱼ ρ̄/m, both ways.
-                let volumes = here.volume * there.volume;
-                let common = 2.0 * volumes / (here.volume + there.volume);
-                let stirred = eddy * apart.length();
-                let laplacian = 2.0 * common * pair.gradient * distance_squared * inverse;
-                let approach = smaller(apart.dot(pair.offset), 0.0) * inverse;
-
-                let pressure = -volumes * (here.pressure + there.pressure) / mass;
-                let force = slope * (pressure + common * artificial * approach)
-                    + apart * (laplacian * (values.kinematic_viscosity + stirred));
-                let flux = (here.state - there.state)
-                    * (laplacian * (values.diffusion + stirred * (1.0 / PRANDTL)));
-
-                push += force;
-                gain += flux;
-                crowd += slope * there.volume;
-                acceleration[j] -= force;
-                change[j] -= flux;
-                crowding[j] -= slope * here.volume;
+    pub fn exchange(
+        &mut self,
+        gas: &mut Gas,
+        grid: &Grid,
+        kernel: &Kernel,
+        values: &Values,
+        sound: f32,
+    ) {
+        let Forces {
+            neighbours,
+            blocks,
+            parcels,
+            gains,
+            others,
+            ..
+        } = self;
+        let inverse_h = 1.0 / kernel.smoothing_length();
+        // One more than there are places: the lists are filled up with it.
+        let places = LANES * blocks.len() + 1;
+        parcels.clear();
+        parcels.resize(places, Parcel::NONE);
+        grid.each_block(|block, members| {
+            let parcels = &mut parcels[LANES * block..];
+            for (parcel, i) in parcels.iter_mut().zip(members) {
+                let (at, v) = (gas.position[i] * inverse_h, gas.velocity[i]);
+                *parcel = Parcel {
+                    motion: Lanes::new([at.x, at.y, v.x, v.y]),
+                    room: Lanes::new([gas.volume[i], gas.pressure[i], 0.0, 0.0]),
+                    state: Lanes::new(gas.state[i].to_array()),
+                };
             }
-            acceleration[i] += push;
-            change[i] += gain;
-            crowding[i] += crowd;
+        });
+        gains.clear();
+        gains.resize(
+            places,
+            Gain {
+                motion: Lanes::ZERO,
+                state: Lanes::ZERO,
+            },
+        );
+
+        let law = Exchange::new(kernel, values, sound, gas.mass);
+        neighbours.each(blocks.len(), others, |here, shift, others| {
+            let parcel = parcels[here];
+            let one = One::of(&parcel, shift);
+            let mut motion = [Lanes::ZERO; 4];
+            let mut state = Lanes::ZERO;
+            for four in others.chunks_exact(LANES) {
+                let four = [0, 1, 2, 3].map(|k| four[k] as usize);
+                let theirs = four.map(|there| parcels[there]);
+                let flow = law.flow(&one, theirs);
+                let [fx, fy] = flow.force;
+                let [x, y] = flow.slope;
+                motion[0] += fx;
+                motion[1] += fy;
+                motion[2] += x * flow.volume;
+                motion[3] += y * flow.volume;
+                let lost = transposed([fx, fy, x * one.volume, y * one.volume]);
+                for k in 0..LANES {
+                    let flux = (parcel.state - theirs[k].state) * flow.mix.spread(k);
+                    state += flux;
+                    let gain = &mut gains[four[k]];
+                    gain.motion -= lost[k];
+                    gain.state -= flux;
+                }
+            }
+            let gain = &mut gains[here];
+            gain.motion += sums(motion);
+            gain.state += state;
+        });
+
+        let crowd = -kernel.steepness_norm() * kernel.smoothing_length();
+        grid.each_block(|block, members| {
+            for (gain, i) in gains[LANES * block..].iter().zip(members) {
+                let [ax, ay, x, y] = gain.motion.to_array();
+                gas.acceleration[i] = Vec2::new(ax, ay);
+                gas.crowding[i] = Vec2::new(x, y) * crowd;
+                gas.change[i] = Vec4::from_array(gain.state.to_array());
+            }
+        });
+    }
+
+    /// Adds vorticity confinement.
+    pub fn confine(&mut self, gas: &mut Gas, grid: &Grid, kernel: &Kernel, strength: f32) {
+        if strength != 0.0 {
+            self.whirls
+                .confine(gas, grid, &self.neighbours, &self.parcels, kernel, strength);
         }
     }
 
-    /// Adds vorticity confinement: a push around every vortex that gives back
-    /// the rotation that a coarse simulation loses (Fedkiw, Stam, Jensen,
-    /// SIGGRAPH 2001), a = ε h (∇|ω|/|∇|ω|| × ω).
-    pub fn confine(&mut self, gas: &mut Gas, kernel: &Kernel, strength: f32) {
-        if strength == 0.0 {
-            return;
-        }
-        let Forces {
-            neighbours,
-            parcels,
-            curl,
-            ascent,
-            ..
-        } = self;
-        curl.clear();
-        curl.resize(gas.len(), 0.0);
-        ascent.clear();
-        ascent.resize(gas.len(), Vec2::ZERO);
-        for (i, pairs) in neighbours.iter() {
-            for pair in pairs {
-                let j = pair.j as usize;
-                let apart = parcels[i].velocity - parcels[j].velocity;
-                let turn = (pair.offset * pair.gradient).perp_dot(apart);
-                curl[i] -= parcels[j].volume * turn;
-                curl[j] -= parcels[i].volume * turn;
-            }
-        }
-        for (i, pairs) in neighbours.iter() {
-            for pair in pairs {
-                let j = pair.j as usize;
-                let more = pair.offset * pair.gradient * (curl[j].abs() - curl[i].abs());
-                ascent[i] += more * parcels[j].volume;
-                ascent[j] += more * parcels[i].volume;
-            }
-        }
-        let strength = strength * kernel.smoothing_length();
-        for (i, a) in gas.acceleration.iter_mut().enumerate() {
-            let towards = ascent[i].normalize_or_zero();
-            *a += Vec2::new(towards.y, -towards.x) * (curl[i] * strength);
-        }
+    /// Neighbours of a particle, on average, and the most of one.
+    pub fn mean_and_most(&self, particles: usize) -> (f32, u32) {
+        self.neighbours.mean_and_most(particles, self.blocks.len())
     }
 }
 
@@ -210,14 +389,15 @@ mod tests {
     use crate::params::Parameters;
 
     /// The gas with its forces summed, and what summed them.
-    fn summed(parameters: &Parameters, seed: u32) -> (Gas, Forces, Kernel) {
+    fn summed(parameters: &Parameters, seed: u32) -> (Gas, Forces, Grid, Kernel) {
         let mut gas = wild(parameters, seed);
         let kernel = Kernel::new(parameters.smoothing_length());
         let (mut grid, mut forces) = (Grid::default(), Forces::default());
-        gas.reorder(grid.sort(&gas.position, &bounds(parameters), kernel.support()));
+        let positions = gas.position.clone().into_iter();
+        gas.reorder(grid.sort(positions, &bounds(parameters), kernel.support()));
         forces.fill(&mut gas, &grid, &kernel, parameters, 6.0);
-        forces.exchange(&mut gas, &kernel, parameters, 6.0);
-        (gas, forces, kernel)
+        forces.exchange(&mut gas, &grid, &kernel, parameters, 6.0);
+        (gas, forces, grid, kernel)
     }
 
     #[test]
@@ -295,19 +475,19 @@ mod tests {
     #[test]
     fn confinement_turns_vortices_and_leaves_still_air_alone() {
         let parameters = with(&[("max_particles", 1500.0)]);
-        let (mut gas, mut forces, kernel) = summed(&parameters, 9);
+        let (mut gas, mut forces, grid, kernel) = summed(&parameters, 9);
         let before = gas.acceleration.clone();
-        forces.confine(&mut gas, &kernel, 0.0);
+        forces.confine(&mut gas, &grid, &kernel, 0.0);
         assert_eq!(gas.acceleration, before);
-        forces.confine(&mut gas, &kernel, 0.5);
+        forces.confine(&mut gas, &grid, &kernel, 0.5);
         assert_ne!(gas.acceleration, before);
 
         for velocity in &mut gas.velocity {
             *velocity = Vec2::new(0.7, -0.2);
         }
-        forces.exchange(&mut gas, &kernel, &parameters, 6.0);
+        forces.exchange(&mut gas, &grid, &kernel, &parameters, 6.0);
         let before = gas.acceleration.clone();
-        forces.confine(&mut gas, &kernel, 0.5);
+        forces.confine(&mut gas, &grid, &kernel, 0.5);
         assert_eq!(gas.acceleration, before);
     }
 }

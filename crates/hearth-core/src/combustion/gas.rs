@@ -144,14 +144,14 @@ impl Gas {
         }
     }
 
-    /// Puts the particles into the order `order`: what was at `order[i]` comes
-    /// to `i`. What every step makes anew stays where it is.
-    pub fn reorder(&mut self, order: &[u32]) {
+    /// Puts each particle in its place: that at `i` goes to `places[i]`. What every
+    /// step makes anew stays where it is.
+    pub fn reorder(&mut self, places: &[u32]) {
         let scratch = &mut self.scratch;
-        gather(&mut self.position, &mut scratch.vector, order);
-        gather(&mut self.velocity, &mut scratch.vector, order);
-        gather(&mut self.state, &mut scratch.state, order);
-        gather(&mut self.id, &mut scratch.id, order);
+        scatter(&mut self.position, &mut scratch.vector, places);
+        scatter(&mut self.velocity, &mut scratch.vector, places);
+        scatter(&mut self.state, &mut scratch.state, places);
+        scatter(&mut self.id, &mut scratch.id, places);
     }
 
     /// The indices of all particles in the order of their ids.
@@ -188,9 +188,11 @@ pub(crate) fn lattice(values: &Values, spacing: f32, random: &mut Random) -> Lat
     Lattice { points, columns }
 }
 
-fn gather<T: Copy>(values: &mut Vec<T>, scratch: &mut Vec<T>, order: &[u32]) {
-    scratch.clear();
-    scratch.extend(order.iter().map(|&from| values[from as usize]));
+fn scatter<T: Copy + Default>(values: &mut Vec<T>, scratch: &mut Vec<T>, places: &[u32]) {
+    scratch.resize(values.len(), T::default());
+    for (&value, &place) in values.iter().zip(places) {
+        scratch[place as usize] = value;
+    }
     std::mem::swap(values, scratch);
 }
 

@@ -70,7 +70,7 @@ struct Sampler<'a> {
     old: &'a Gas,
     bounds: Bounds,
     grid: Grid,
-    order: Vec<u32>,
+    order: Vec<usize>,
     kernel: Kernel,
     /// Particles in a square metre where the old domain is filled with air [1/m²].
     air_density: f32,
@@ -88,7 +88,11 @@ impl<'a> Sampler<'a> {
         let spacing = (was.width * was.height / old.len().max(1) as f32).sqrt();
         let kernel = Kernel::new(parameters.smoothing_ratio * spacing);
         let mut grid = Grid::default();
-        let order = grid.sort(&old.position, &bounds, kernel.support()).to_vec();
+        let mut order = vec![0; old.len()];
+        let places = grid.sort(old.position.iter().copied(), &bounds, kernel.support());
+        for (i, &place) in places.iter().enumerate() {
+            order[place as usize] = i;
+        }
         let states = old.state.iter();
         let room: f32 = states.map(|state| expansion(state.x, parameters)).sum();
         Sampler {
@@ -124,7 +128,6 @@ impl<'a> Sampler<'a> {
         let mut weights = 0.0;
         self.grid.candidates(place, |run, shift| {
             for &j in &self.order[run] {
-                let j = j as usize;
                 let distance = (place - shift).distance(self.old.position[j]);
                 let weight = self.kernel.value(distance);
                 velocity += self.old.velocity[j] * weight;

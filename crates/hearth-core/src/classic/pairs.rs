@@ -1,0 +1,167 @@
+//! The particles as the passes over pairs take them: four to a block.
+//!
+//! During a substep the blocks are where the gas is reckoned with; at its end what
+//! has moved is written back to [`Particles`].
+
+use std::ops::Range;
+
+use glam::Vec2;
+
+use super::particles::Particles;
+use super::pressure;
+use crate::grid::{Bounds, Grid};
+use crate::kernel::Kernel;
+use crate::lanes::{LANES, Lanes};
+use crate::neighbours::{self, Law, NOWHERE, Neighbours};
+use crate::params::Values;
+
+/// Four particles.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Block {
+    /// Position, in smoothing lengths.
+    pub place: [Lanes; 2],
+    /// What the first pass sums; then the volume of a unit of mass [m³/kg].
+    pub volume: Lanes,
+    /// Pressure \[Pa\].
+    pub pressure: Lanes,
+    /// Velocity [m/s].
+    pub velocity: [Lanes; 2],
+    /// Sum of the accelerations [m/s²].
+    pub acceleration: [Lanes; 2],
+}
+
+impl Block {
+    /// Lanes without a particle: nowhere, and of no consequence.
+    const EMPTY: Block = Block {
+        place: [Lanes::splat(NOWHERE); 2],
+        volume: Lanes::ZERO,
+        pressure: Lanes::ZERO,
+        velocity: [Lanes::ZERO; 2],
+        acceleration: [Lanes::ZERO; 2],
+    };
+}
+
+impl neighbours::Block for Block {
+    #[inline(always)]
+    fn place(&self) -> (Lanes, Lanes) {
+        (self.place[0], self.place[1])
+    }
+    #[inline(always)]
+    fn share(&self) -> Lanes {
+        Lanes::splat(1.0)
+    }
+    #[inline(always)]
+    fn sum(&mut self) -> &mut Lanes {
+        &mut self.volume
+    }
+}
+
+/// The blocks, where they lie, and which are near which.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Pairs {
+    grid: Grid,
+    blocks: Vec<Block>,
+    neighbours: Neighbours,
+}
+
+impl Pairs {
+    /// Puts the particles into the order of their places, and into blocks.
+    pub fn sort(&mut self, particles: &mut Particles, bounds: &Bounds, kernel: &Kernel) {
+        let Pairs { grid, blocks, .. } = self;
+        let positions = particles.iter().map(|particle| particle.position);
+        let places = grid.sort(positions, bounds, kernel.support());
+        particles.reorder(places);
+        blocks.clear();
+        blocks.resize(grid.block_count(), Block::EMPTY);
+        let inverse_h = 1.0 / kernel.smoothing_length();
+        grid.each_block(|block, members| {
+            let block = &mut blocks[block];
+            let mut place = [[NOWHERE; LANES]; 2];
+            let mut velocity = [[0.0; LANES]; 2];
+            for (lane, particle) in particles[members].iter().enumerate() {
+                let (at, v) = (particle.position * inverse_h, particle.velocity);
+                (place[0][lane], place[1][lane]) = (at.x, at.y);
+                (velocity[0][lane], velocity[1][lane]) = (v.x, v.y);
+            }
+            block.place = place.map(Lanes::new);
+            block.velocity = velocity.map(Lanes::new);
+        });
+    }
+
+    /// Finds all pairs of sorted particles, and fills in every density,
+    /// ρᵢ = Σⱼ mⱼ W(rᵢⱼ), the particle itself included, and every pressure.
+    pub fn sum_density(&mut self, particles: &mut Particles, kernel: &Kernel, values: &Values) {
+        let Pairs {
+            grid,
+            blocks,
+            neighbours,
+        } = self;
+        neighbours.find(blocks, grid, kernel.smoothing_length());
+        let each = values.particle_mass * kernel.bell_norm();
+        grid.each_block(|block, members| {
+            let block = &mut blocks[block];
+            let density = block.volume * each;
+            block.volume = pressure::volume(density);
+            block.pressure = pressure::pressure(density, values);
+            let (density, pressure) = (density.to_array(), block.pressure.to_array());
+            for (lane, particle) in particles[members].iter_mut().enumerate() {
+                (particle.density, particle.pressure) = (density[lane], pressure[lane]);
+            }
+        });
+    }
+
+    /// Adds what `law` says of all pairs to the accelerations.
+    pub fn apply<L: Law<2, Block = Block>>(&mut self, law: &L) {
+        self.neighbours.apply(law, &mut self.blocks);
+    }
+
+    /// Calls `see` with each block and which particles it holds.
+    #[inline(always)]
+    pub fn each(&mut self, mut see: impl FnMut(&mut Block, Range<usize>)) {
+        let blocks = &mut self.blocks;
+        self.grid
+            .each_block(|block, members| see(&mut blocks[block], members));
+    }
+
+    /// Adds the acceleration `push` of a position \[m\] and a velocity [m/s].
+    pub fn push_by(&mut self, particles: &Particles, push: impl Fn(Vec2, Vec2) -> Vec2) {
+        self.each(|block, members| {
+            let [mut x, mut y] = block.acceleration.map(Lanes::to_array);
+            for (lane, particle) in particles[members].iter().enumerate() {
+                let a = push(particle.position, particle.velocity);
+                x[lane] += a.x;
+                y[lane] += a.y;
+            }
+            block.acceleration = [x, y].map(Lanes::new);
+        });
+    }
+
+    /// Neighbours of a particle, on average, and the most of one.
+    pub fn mean_and_most(&self, particles: usize) -> (f32, u32) {
+        self.neighbours.mean_and_most(particles, self.blocks.len())
+    }
+}
+
+#[cfg(test)]
+impl Pairs {
+    /// The accelerations, in the order of the sorted particles.
+    pub fn accelerations(&mut self) -> Vec<Vec2> {
+        let mut all = Vec::new();
+        self.each(|block, members| {
+            let [x, y] = block.acceleration.map(Lanes::to_array);
+            all.extend((0..members.len()).map(|lane| Vec2::new(x[lane], y[lane])));
+        });
+        all
+    }
+
+    /// Gives every particle the pressure `of` its place.
+    pub fn set_pressure(&mut self, particles: &Particles, of: impl Fn(Vec2) -> f32) {
+        self.each(|block, members| {
+            let mut pressures = [0.0; LANES];
+            for (lane, particle) in particles[members].iter().enumerate() {
+                pressures[lane] = of(particle.position);
+            }
+            block.pressure = Lanes::new(pressures);
+        });
+    }
+}

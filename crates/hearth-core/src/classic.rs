@@ -78,14 +78,14 @@ impl Classic {
         watch(Stage::Sort);
         pairs.sum_density(particles, &kernel, values);
         watch(Stage::Density);
-        forces::accelerate(particles, pairs, &kernel, values, substeps.viscosity);
+        forces::push_and_rub(pairs, &kernel, values, substeps.viscosity);
         if let Some(push) = push {
             pairs.push_by(particles, push);
         }
         forces::stir(particles, pairs, turbulence, values);
         watch(Stage::Forces);
         self.motion = integrate::integrate(particles, pairs, values, substeps.length);
-        integrate::bound(particles, values, &bounds);
+        integrate::bound(particles, values.walls, &bounds);
         watch(Stage::Integrate);
     }
 
@@ -93,7 +93,7 @@ impl Classic {
     /// solid walls would sweep them onto each other, so they are gone instead.
     pub fn adapt(&mut self, values: &Values) {
         let bounds = bounds(values);
-        self.particles.retain(|one| bounds.hold(one.position));
+        self.particles.retain(|one| bounds.hold(one.position()));
     }
 
     /// Puts these particles in the place of all that there are.
@@ -125,11 +125,12 @@ impl Classic {
 
     pub fn write_instances(&self, out: &mut Vec<Instance>) {
         out.extend(self.particles.iter().map(|one| {
+            let [x, y, vx, vy] = one.motion.to_array();
             [
-                one.position.x,
-                one.position.y,
-                one.velocity.x,
-                one.velocity.y,
+                x,
+                y,
+                vx,
+                vy,
                 one.temperature,
                 one.density,
                 one.age,

@@ -118,7 +118,7 @@ impl Combustion {
         self.forces.exchange(gas, grid, &kernel, values, sound);
         let confinement = values.vorticity_confinement;
         self.forces.confine(gas, grid, &kernel, confinement);
-        lift(gas, values);
+        lift(gas, self.forces.expansions(), values);
         Turbulence::new(values, time).stir(&gas.position, &mut gas.acceleration);
         seam::blow(gas, values);
         if let Some(push) = push {
@@ -246,15 +246,14 @@ impl Combustion {
 /// Buoyancy: b g (1 − Tₐ/T) θ. For the ideal gas that is b g (T/Tₐ − 1), the weight of
 /// the air that the gas displaces less its own. In a domain without a seam nothing
 /// would ever stop what rises, so there nothing is lifted.
-fn lift(gas: &mut Gas, values: &Values) {
+fn lift(gas: &mut Gas, expansions: &[f32], values: &Values) {
     if values.seam == 0.0 {
         return;
     }
     let air = values.ambient_temperature;
     let strength = values.buoyancy * values.gravity;
-    for (acceleration, state) in gas.acceleration.iter_mut().zip(&gas.state) {
-        let temperature = state.x;
-        let warm = 1.0 - air / temperature;
-        acceleration.y += strength * warm * forces::expansion(temperature, values);
+    let gained = gas.acceleration.iter_mut().zip(&gas.state);
+    for ((acceleration, state), expansion) in gained.zip(expansions) {
+        acceleration.y += strength * (1.0 - air / state.x) * expansion;
     }
 }

@@ -13,7 +13,7 @@ use std::ops::Range;
 
 use glam::Vec2;
 
-use crate::lanes::LANES;
+use crate::lanes::{LANES, Lanes, Real};
 
 /// The rectangle in which the fire burns.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,8 +86,10 @@ pub(crate) struct Grid {
     rows: usize,
     /// Bins of a row.
     bins: usize,
-    inverse_bin: f32,
-    inverse_row: f32,
+    /// From places, three across and one up, to bins and to a row.
+    scale: Lanes,
+    offset: Lanes,
+    last: Lanes,
     left: f32,
     reach: f32,
     width: f32,
@@ -139,7 +141,8 @@ impl Grid {
         let mut places = std::mem::take(&mut self.places);
         places.clear();
         places.extend(positions.map(|position| {
-            let bin = self.row(position.y) * self.bins + self.bin(position.x);
+            let ([bin, ..], row) = self.indices([position.x, 0.0, 0.0], position.y);
+            let bin = row * self.bins + bin;
             self.starts[bin + 1] += 1;
             bin as u32
         }));
@@ -176,20 +179,24 @@ impl Grid {
         self.left = -0.5 * bounds.width;
         self.width = bounds.width;
         self.reach = reach;
-        self.inverse_bin = self.bins as f32 / bounds.width;
-        self.inverse_row = self.rows as f32 / bounds.height;
+        let (bins, rows) = (self.bins as f32, self.rows as f32);
+        let (bin, row) = (bins / bounds.width, rows / bounds.height);
+        self.scale = Lanes::new([bin, bin, bin, row]);
+        // Rounded to the nearest whole number, which takes less than rounding down.
+        let middle = -self.left * bin - 0.5;
+        self.offset = Lanes::new([middle, middle, middle, -0.5]);
+        self.last = Lanes::new([bins - 1.0, bins - 1.0, bins - 1.0, rows - 1.0]);
     }
 
-    // What is outside, or not a number, comes to an edge. To a signed number, since
-    // that takes a processor one instruction, and an unsigned one takes several.
+    /// The bins of three places across and the row of one up. What is outside, or
+    /// not a number, comes to an edge.
     #[inline(always)]
-    fn row(&self, y: f32) -> usize {
-        (((y * self.inverse_row) as i32).max(0) as usize).min(self.rows - 1)
-    }
-
-    #[inline(always)]
-    fn bin(&self, x: f32) -> usize {
-        ((((x - self.left) * self.inverse_bin) as i32).max(0) as usize).min(self.bins - 1)
+    fn indices(&self, across: [f32; 3], up: f32) -> ([usize; 3], usize) {
+        let [a, b, c] = across;
+        let at = Lanes::new([a, b, c, up]) * self.scale + self.offset;
+        let inside = at.larger(Lanes::ZERO).smaller(self.last);
+        let [a, b, c, row] = inside.nearest_whole().map(|index| index as usize);
+        ([a, b, c], row)
     }
 
     /// How many rows there are.
@@ -227,7 +234,7 @@ impl Grid {
     /// The particles of a row whose bins a stretch of it touches.
     fn stretch(&self, row: usize, from: f32, to: f32) -> Range<usize> {
         let base = row * self.bins;
-        let (first, last) = (self.bin(from), self.bin(to));
+        let ([first, last, _], _) = self.indices([from, to, 0.0], 0.0);
         self.starts[base + first] as usize..self.starts[base + last + 1] as usize
     }
 
@@ -295,7 +302,7 @@ impl Grid {
     /// reach of `position`, wherever that is; with each run, what is to be
     /// added to the positions in it.
     pub fn candidates(&self, position: Vec2, mut see: impl FnMut(Range<usize>, Vec2)) {
-        let row = self.row(position.y);
+        let (_, row) = self.indices([0.0; 3], position.y);
         self.see_row(row, position.x, 0.0, &mut see);
         if row + 1 < self.rows {
             self.see_row(row + 1, position.x, 0.0, &mut see);
@@ -443,7 +450,9 @@ mod tests {
                     assert_eq!((number, next), (block, members.start));
                     number += 1;
                     assert!((1..=LANES).contains(&members.len()));
-                    let rows = members.clone().map(|i| grid.row(positions[i].y));
+                    let rows = members
+                        .clone()
+                        .map(|i| grid.indices([0.0; 3], positions[i].y).1);
                     assert_eq!(BTreeSet::from_iter(rows).len(), 1);
                     next = members.end;
                 });

@@ -212,6 +212,15 @@ impl Lanes {
         Lanes::splat(self.to_array()[lane])
     }
 
+    /// The nearest whole numbers, of numbers from 0 to 2²³ that are less.
+    #[inline(always)]
+    pub fn nearest_whole(self) -> [u32; LANES] {
+        // At 2²³ the last bit of a float is a whole one.
+        const WHOLE: f32 = 8_388_608.0;
+        let numbers = (self + WHOLE).to_array();
+        numbers.map(|number| number.to_bits() & (WHOLE as u32 - 1))
+    }
+
     /// The first so many; zero in the other lanes.
     #[inline]
     pub fn first(self, count: usize) -> Lanes {
@@ -378,6 +387,12 @@ mod tests {
                 assert_eq!(less, u32::from(a < b) + 4, "{a} {b}");
             }
         }
+    }
+
+    #[test]
+    fn whole_numbers_are_the_nearest() {
+        let numbers = Lanes::new([0.0, 0.49, 6.51, 8_388_607.0]);
+        assert_eq!(numbers.nearest_whole(), [0, 0, 7, 8_388_607]);
     }
 
     #[test]

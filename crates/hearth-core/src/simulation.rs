@@ -257,12 +257,12 @@ impl Simulation {
 
     /// Positions \[m\], in the order of birth.
     pub fn positions(&self) -> Vec<Vec2> {
-        self.read(|one| one.position, |gas, i| gas.position[i])
+        self.read(Living::position, |gas, i| gas.position[i])
     }
 
     /// Velocities [m/s], in the order of birth.
     pub fn velocities(&self) -> Vec<Vec2> {
-        self.read(|one| one.velocity, |gas, i| gas.velocity[i])
+        self.read(Living::velocity, |gas, i| gas.velocity[i])
     }
 
     /// Temperatures \[K\], in the order of birth.

@@ -11,7 +11,7 @@
 
 use glam::Vec2;
 
-use super::particles::Particles;
+use super::particles::{Living, Particles};
 use crate::noise::perlin;
 use crate::params::Values;
 use crate::particle::Particle;
@@ -89,15 +89,11 @@ impl Emitter {
         } = *source;
         let reach = Vec2::new(half_width + room, source.rise + room);
         self.near.clear();
-        self.near.extend(
-            particles
-                .iter()
-                .map(|one| one.position)
-                .filter(|&position| {
-                    let offset = (position - middle).abs();
-                    offset.x < reach.x && offset.y < reach.y
-                }),
-        );
+        self.near
+            .extend(particles.iter().map(Living::position).filter(|&position| {
+                let offset = (position - middle).abs();
+                offset.x < reach.x && offset.y < reach.y
+            }));
     }
 
     fn newborn(

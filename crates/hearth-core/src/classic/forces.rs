@@ -24,28 +24,21 @@ use super::pairs::{Block, Pairs};
 use super::particles::Particles;
 use super::printed::Printed;
 use crate::kernel::{self, Kernel};
-use crate::lanes::{LANES, Lanes, Real};
+use crate::lanes::{Lanes, Real};
 use crate::neighbours::Law;
 use crate::params::Values;
 use crate::turbulence::Turbulence;
 
-/// Sums the acceleration of every particle.
+/// Adds pressure and viscosity to the acceleration of every particle.
 ///
 /// `viscosity` [Pa·s] is what the substep can bear, at most the parameter's.
-pub(crate) fn accelerate(
-    particles: &Particles,
-    pairs: &mut Pairs,
-    kernel: &Kernel,
-    values: &Values,
-    viscosity: f32,
-) {
+pub(crate) fn push_and_rub(pairs: &mut Pairs, kernel: &Kernel, values: &Values, viscosity: f32) {
     let printed = Printed::new(kernel, values, viscosity);
     if printed.any() {
         pairs.apply(&printed);
     } else {
         pairs.apply(&PushAndRub::new(kernel, values.particle_mass, viscosity));
     }
-    lift(particles, pairs, values);
 }
 
 /// Square of the distance below which two particles count as this far apart, in
@@ -90,10 +83,8 @@ impl One {
 }
 
 /// Pressure and viscosity between the particles of a pair, with all factors that
-/// every pair has.
+/// every rub has.
 struct PushAndRub {
-    /// h m, times that of W'.
-    push: Lanes,
     /// 2 μ m, times that of W'.
     rub: Lanes,
 }
@@ -102,7 +93,6 @@ impl PushAndRub {
     fn new(kernel: &Kernel, mass: f32, viscosity: f32) -> PushAndRub {
         let each = mass * kernel.steepness_norm();
         PushAndRub {
-            push: Lanes::splat(each * kernel.smoothing_length()),
             rub: Lanes::splat(2.0 * viscosity * each),
         }
     }
@@ -126,7 +116,7 @@ impl Law<2> for PushAndRub {
         // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
         // times q²: one division serves both.
         let slope = kernel::steepness(q) * (one.volume * others.volume) / (q * softened);
-        let push = slope * softened * (one.pressure + others.pressure) * self.push;
+        let push = slope * softened * (one.pressure + others.pressure);
         let rub = slope * square * self.rub;
         let [vx, vy] = one.apart(others);
         let gain = [x * push - vx * rub, y * push - vy * rub];
@@ -139,27 +129,20 @@ impl Law<2> for PushAndRub {
     }
 }
 
-/// Buoyancy, and the weight that the paper counts besides it.
-fn lift(particles: &Particles, pairs: &mut Pairs, values: &Values) {
-    let air = values.ambient_temperature;
-    pairs.each(|block, members| {
-        let mut temperature = [air; LANES];
-        for (lane, particle) in particles[members].iter().enumerate() {
-            temperature[lane] = particle.temperature;
-        }
-        let temperature = Lanes::new(temperature);
-        let lift = if values.printed_divisor {
-            let density = Lanes::splat(1.0) / block.volume;
-            (Lanes::splat(values.ambient_density) - density)
-                * (values.buoyancy / values.particle_mass)
-        } else {
-            (block.volume * values.ambient_density - 1.0) * values.buoyancy
-                + (Lanes::splat(1.0) - Lanes::splat(air) / temperature) * values.thermal_buoyancy
-        };
-        let a = lift * values.gravity - values.extra_weight;
-        let [_, vy] = block.velocity;
-        block.acceleration[1] += resisted(a, vy, values.terminal_speed);
-    });
+/// Acceleration upwards of gas of that temperature: buoyancy, and the weight that
+/// the paper counts besides it.
+#[inline(always)]
+pub(crate) fn lift(block: &Block, temperature: Lanes, values: &Values) -> Lanes {
+    let lift = if values.printed_divisor {
+        let density = Lanes::splat(1.0) / block.volume;
+        (Lanes::splat(values.ambient_density) - density) * (values.buoyancy / values.particle_mass)
+    } else {
+        let warm = Lanes::splat(1.0) - Lanes::splat(values.ambient_temperature) / temperature;
+        (block.volume * values.ambient_density - 1.0) * values.buoyancy
+            + warm * values.thermal_buoyancy
+    };
+    let a = lift * values.gravity - values.extra_weight;
+    resisted(a, block.velocity[1], values.terminal_speed)
 }
 
 /// Turbulence of the air, which drives gas no faster than the air lets it rise.
@@ -259,14 +242,8 @@ mod tests {
     fn pair_forces_keep_momentum() {
         let parameters = weightless(&[("viscosity", Input::Number(0.05))]);
         for seed in 0..5 {
-            let (particles, mut pairs, kernel) = cloud(&parameters, seed);
-            accelerate(
-                &particles,
-                &mut pairs,
-                &kernel,
-                &parameters,
-                parameters.viscosity,
-            );
+            let (_, mut pairs, kernel) = cloud(&parameters, seed);
+            push_and_rub(&mut pairs, &kernel, &parameters, parameters.viscosity);
             let (net, all) = sum(&pairs.accelerations());
             assert!(all > 1.0, "nothing pushes");
             assert!(net < 1e-6 * all, "seed {seed}: {net} of {all}");
@@ -278,16 +255,10 @@ mod tests {
         let parameters = weightless(&[("viscosity", Input::Number(0.05))]);
         for seed in 0..5 {
             let (particles, mut pairs, kernel) = cloud(&parameters, seed);
-            pairs.set_pressure(&particles, |_| 0.0);
-            accelerate(
-                &particles,
-                &mut pairs,
-                &kernel,
-                &parameters,
-                parameters.viscosity,
-            );
+            pairs.set_pressure(&particles, &kernel, parameters.particle_mass, |_| 0.0);
+            push_and_rub(&mut pairs, &kernel, &parameters, parameters.viscosity);
             let accelerations = pairs.accelerations();
-            let each = particles.iter().map(|p| p.velocity).zip(&accelerations);
+            let each = particles.iter().map(|p| p.velocity()).zip(&accelerations);
             let power: f64 = each.map(|(v, a)| f64::from(v.dot(*a))).sum();
             assert!(power < 0.0, "seed {seed}: {power}");
         }
@@ -313,15 +284,9 @@ mod tests {
             let mut pairs = Pairs::default();
             pairs.sort(&mut particles, &BOUNDS, &kernel);
             pairs.sum_density(&mut particles, &kernel, &parameters);
-            accelerate(
-                &particles,
-                &mut pairs,
-                &kernel,
-                &parameters,
-                parameters.viscosity,
-            );
+            push_and_rub(&mut pairs, &kernel, &parameters, parameters.viscosity);
             let accelerations = pairs.accelerations();
-            let each = particles.iter().map(|p| p.velocity).zip(&accelerations);
+            let each = particles.iter().map(|p| p.velocity()).zip(&accelerations);
             each.map(|(v, a)| v.dot(*a)).sum::<f32>()
         };
         assert!(power(false) < 0.0);
@@ -340,12 +305,12 @@ mod tests {
         let mut pairs = Pairs::default();
         pairs.sort(&mut particles, &BOUNDS, &kernel);
         pairs.sum_density(&mut particles, &kernel, parameters);
-        pairs.set_pressure(&particles, |position| position.x);
-        accelerate(&particles, &mut pairs, &kernel, parameters, 0.0);
+        pairs.set_pressure(&particles, &kernel, parameters.particle_mass, |at| at.x);
+        push_and_rub(&mut pairs, &kernel, parameters, 0.0);
         let middle = Vec2::new(0.0, 0.1 + 10.0 * dx);
         let at = particles
             .iter()
-            .position(|p| p.position.distance(middle) < 0.1 * dx);
+            .position(|p| p.position().distance(middle) < 0.1 * dx);
         pairs.accelerations()[at.expect("the lattice has a middle")]
     }
 
@@ -380,17 +345,12 @@ mod tests {
 
     fn lone_lift(more: &[(&str, Input<'_>)], temperature: f32, density: f32, vy: f32) -> f32 {
         let parameters = with(more);
-        let mut particles = Particles::default();
-        particles.push(Particle {
-            velocity: Vec2::new(0.0, vy),
-            temperature,
-            ..Particle::at(Vec2::new(0.0, 0.5))
-        });
-        let (mut pairs, kernel) = (Pairs::default(), Kernel::new(0.05));
-        pairs.sort(&mut particles, &BOUNDS, &kernel);
-        pairs.each(|block, _| block.volume = Lanes::splat(1.0 / density));
-        lift(&particles, &mut pairs, &parameters);
-        pairs.accelerations()[0].y
+        let block = Block {
+            volume: Lanes::splat(1.0 / density),
+            velocity: [Lanes::ZERO, Lanes::splat(vy)],
+            ..Block::EMPTY
+        };
+        lift(&block, Lanes::splat(temperature), &parameters).to_array()[0]
     }
 
     #[test]

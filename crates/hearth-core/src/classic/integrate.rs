@@ -4,14 +4,13 @@
 //! with the *new* velocity. The paper's equation 6 prints forward Euler, which
 //! moves with the old one and lets energy drift; it can be chosen.
 
-use glam::Vec2;
-
+use super::forces;
 use super::pairs::Pairs;
 use super::particles::{Living, Particles};
 use super::pressure::DENSITY_FLOOR;
 use crate::extremes::larger;
 use crate::grid::Bounds;
-use crate::lanes::{LANES, Lanes, Real};
+use crate::lanes::{LANES, Lanes, Real, transposed};
 use crate::params::{Values, Walls};
 
 /// Most parts that a step is divided into. The limits ask for more only in
@@ -73,8 +72,11 @@ pub(crate) struct Motion {
     pub limited: u32,
 }
 
-/// Moves, cools and ages every particle by `dt`. It cools at a steady rate, down to
-/// the temperature of the air.
+/// Of a motion its position alone.
+const POSITION: Lanes = Lanes::new([1.0, 1.0, 0.0, 0.0]);
+
+/// Lifts, moves, cools and ages every particle by `dt`. It cools at a steady rate,
+/// down to the temperature of the air.
 pub(crate) fn integrate(
     particles: &mut Particles,
     pairs: &mut Pairs,
@@ -85,11 +87,18 @@ pub(crate) fn integrate(
     let (mut fastest, mut hardest) = (Lanes::ZERO, Lanes::ZERO);
     let mut limited = 0;
     pairs.each(|block, members| {
-        if members.len() < LANES {
-            // Nothing moves where there is no particle.
-            block.acceleration = block.acceleration.map(|a| a.first(members.len()));
+        let particles = &mut particles[members];
+        let mut temperature = [values.ambient_temperature; LANES];
+        for (temperature, particle) in temperature.iter_mut().zip(&*particles) {
+            *temperature = particle.temperature;
         }
         let [ax, ay] = block.acceleration;
+        let lift = forces::lift(block, Lanes::new(temperature), values);
+        let (mut ax, mut ay) = (ax, ay + lift);
+        if particles.len() < LANES {
+            // Nothing moves where there is no particle.
+            (ax, ay) = (ax.first(particles.len()), ay.first(particles.len()));
+        }
         let [old_x, old_y] = block.velocity;
         let (x, y) = (old_x + ax * dt, old_y + ay * dt);
         let speed = (x * x + y * y).sqrt();
@@ -104,11 +113,9 @@ pub(crate) fn integrate(
         } else {
             velocity
         };
-        let moved = moved.map(|v| (v * dt).to_array());
-        let velocity = velocity.map(Lanes::to_array);
-        for (lane, particle) in particles[members].iter_mut().enumerate() {
-            particle.position += Vec2::new(moved[0][lane], moved[1][lane]);
-            particle.velocity = Vec2::new(velocity[0][lane], velocity[1][lane]);
+        let motions = transposed([moved[0] * dt, moved[1] * dt, velocity[0], velocity[1]]);
+        for (particle, motion) in particles.iter_mut().zip(motions) {
+            particle.motion = particle.motion * POSITION + motion;
             let cooled = particle.temperature - values.cooling_rate * dt;
             particle.temperature = larger(cooled, values.ambient_temperature);
             particle.age += dt;
@@ -122,25 +129,25 @@ pub(crate) fn integrate(
 }
 
 /// Applies the walls and takes away whoever has died or left.
-pub(crate) fn bound(particles: &mut Particles, values: &Values, bounds: &Bounds) {
-    let half = 0.5 * bounds.width;
-    for particle in particles.iter_mut() {
-        let Living {
-            position, velocity, ..
-        } = particle;
-        match values.walls {
-            Walls::Open => break,
-            Walls::Solid => {
-                stop_at(&mut position.x, &mut velocity.x, -half, half);
-                stop_at(&mut position.y, &mut velocity.y, 0.0, f32::INFINITY);
-            }
-            Walls::Periodic => {
-                *position = bounds.wrap(*position);
-                stop_at(&mut position.y, &mut velocity.y, 0.0, f32::INFINITY);
-            }
+pub(crate) fn bound(particles: &mut Particles, walls: Walls, bounds: &Bounds) {
+    if walls != Walls::Open {
+        for particle in particles.iter_mut() {
+            meet(walls, bounds, particle);
         }
     }
-    particles.retain(|one| one.age < one.lifetime && bounds.hold(one.position));
+    particles.retain(|one| one.age < one.lifetime && bounds.hold(one.position()));
+}
+
+fn meet(walls: Walls, bounds: &Bounds, particle: &mut Living) {
+    let half = 0.5 * bounds.width;
+    let (mut at, mut v) = (particle.position(), particle.velocity());
+    match walls {
+        Walls::Open => return,
+        Walls::Solid => stop_at(&mut at.x, &mut v.x, -half, half),
+        Walls::Periodic => at = bounds.wrap(at),
+    }
+    stop_at(&mut at.y, &mut v.y, 0.0, f32::INFINITY);
+    particle.motion = Lanes::new([at.x, at.y, v.x, v.y]);
 }
 
 fn stop_at(x: &mut f32, v: &mut f32, low: f32, high: f32) {
@@ -164,6 +171,7 @@ mod tests {
     use super::*;
     use crate::Particle;
     use crate::params::{Input, Model, Parameters};
+    use glam::Vec2;
 
     fn with(values: &[(&str, f64)]) -> Parameters {
         let mut parameters = Parameters::new(Model::Classic);
@@ -204,8 +212,13 @@ mod tests {
         assert!(substeps.viscosity < 0.1);
     }
 
-    /// Moves the particles for `dt` with an acceleration of 10 m/s² downwards.
+    /// Moves the particles for `dt` with an acceleration of 10 m/s² downwards, and
+    /// no other.
     fn fall(particles: &mut Particles, parameters: &Parameters, dt: f32) -> Motion {
+        let mut parameters = parameters.clone();
+        let set = parameters.set("gravity", Input::Number(0.0));
+        assert_eq!(set, Ok(()));
+        let parameters = &parameters;
         let mut pairs = Pairs::default();
         let bounds = crate::classic::bounds(parameters);
         let kernel = crate::kernel::Kernel::new(parameters.smoothing_radius);
@@ -235,9 +248,9 @@ mod tests {
             let mut particles = one_falling(0.1);
             // From 0.1 m/s to −0.1 m/s.
             fall(&mut particles, &parameters, 0.02);
-            let fallen = particles[0].position.y - 1.0;
+            let fallen = particles[0].position().y - 1.0;
             assert!((fallen - expected).abs() < 1e-6, "{fallen}");
-            assert!((particles[0].velocity.y + 0.1).abs() < 1e-6);
+            assert!((particles[0].velocity().y + 0.1).abs() < 1e-6);
         }
     }
 
@@ -246,7 +259,7 @@ mod tests {
         let parameters = Parameters::new(Model::Classic);
         let mut particles = one_falling(-100.0);
         let motion = fall(&mut particles, &parameters, 0.01);
-        assert!((particles[0].velocity.y + parameters.speed_limit).abs() < 1e-5);
+        assert!((particles[0].velocity().y + parameters.speed_limit).abs() < 1e-5);
         assert_eq!(motion.limited, 1);
         let mut particles = one_falling(-1.0);
         assert_eq!(fall(&mut particles, &parameters, 0.01).limited, 0);

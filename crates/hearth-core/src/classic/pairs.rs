@@ -7,11 +7,11 @@ use std::ops::Range;
 
 use glam::Vec2;
 
-use super::particles::Particles;
+use super::particles::{Living, Particles};
 use super::pressure;
 use crate::grid::{Bounds, Grid};
 use crate::kernel::Kernel;
-use crate::lanes::{LANES, Lanes};
+use crate::lanes::{LANES, Lanes, transposed};
 use crate::neighbours::{self, Law, NOWHERE, Neighbours};
 use crate::params::Values;
 
@@ -22,7 +22,7 @@ pub(crate) struct Block {
     pub place: [Lanes; 2],
     /// What the first pass sums; then the volume of a unit of mass [m³/kg].
     pub volume: Lanes,
-    /// Pressure \[Pa\].
+    /// Pressure, times what every push has of it: m h, times the factor of W'.
     pub pressure: Lanes,
     /// Velocity [m/s].
     pub velocity: [Lanes; 2],
@@ -32,7 +32,7 @@ pub(crate) struct Block {
 
 impl Block {
     /// Lanes without a particle: nowhere, and of no consequence.
-    const EMPTY: Block = Block {
+    pub const EMPTY: Block = Block {
         place: [Lanes::splat(NOWHERE); 2],
         volume: Lanes::ZERO,
         pressure: Lanes::ZERO,
@@ -56,6 +56,11 @@ impl neighbours::Block for Block {
     }
 }
 
+/// m h, times the factor of W': what every push has [kg/m · 1/m³].
+fn push_factor(kernel: &Kernel, mass: f32) -> f32 {
+    mass * kernel.smoothing_length() * kernel.steepness_norm()
+}
+
 /// The blocks, where they lie, and which are near which.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pairs {
@@ -68,23 +73,25 @@ impl Pairs {
     /// Puts the particles into the order of their places, and into blocks.
     pub fn sort(&mut self, particles: &mut Particles, bounds: &Bounds, kernel: &Kernel) {
         let Pairs { grid, blocks, .. } = self;
-        let positions = particles.iter().map(|particle| particle.position);
+        let positions = particles.iter().map(Living::position);
         let places = grid.sort(positions, bounds, kernel.support());
         particles.reorder(places);
-        blocks.clear();
+        // Not cleared: every block is written as a whole.
         blocks.resize(grid.block_count(), Block::EMPTY);
         let inverse_h = 1.0 / kernel.smoothing_length();
+        let units = Lanes::new([inverse_h, inverse_h, 1.0, 1.0]);
+        let nowhere = Lanes::new([NOWHERE, NOWHERE, 0.0, 0.0]);
         grid.each_block(|block, members| {
-            let block = &mut blocks[block];
-            let mut place = [[NOWHERE; LANES]; 2];
-            let mut velocity = [[0.0; LANES]; 2];
-            for (lane, particle) in particles[members].iter().enumerate() {
-                let (at, v) = (particle.position * inverse_h, particle.velocity);
-                (place[0][lane], place[1][lane]) = (at.x, at.y);
-                (velocity[0][lane], velocity[1][lane]) = (v.x, v.y);
+            let mut motions = [nowhere; LANES];
+            for (motion, particle) in motions.iter_mut().zip(&particles[members]) {
+                *motion = particle.motion * units;
             }
-            block.place = place.map(Lanes::new);
-            block.velocity = velocity.map(Lanes::new);
+            let [x, y, vx, vy] = transposed(motions);
+            blocks[block] = Block {
+                place: [x, y],
+                velocity: [vx, vy],
+                ..Block::EMPTY
+            };
         });
     }
 
@@ -98,12 +105,14 @@ impl Pairs {
         } = self;
         neighbours.find(blocks, grid, kernel.smoothing_length());
         let each = values.particle_mass * kernel.bell_norm();
+        let push = push_factor(kernel, values.particle_mass);
         grid.each_block(|block, members| {
             let block = &mut blocks[block];
             let density = block.volume * each;
             block.volume = pressure::volume(density);
-            block.pressure = pressure::pressure(density, values);
-            let (density, pressure) = (density.to_array(), block.pressure.to_array());
+            let pressure = pressure::pressure(density, values);
+            block.pressure = pressure * push;
+            let (density, pressure) = (density.to_array(), pressure.to_array());
             for (lane, particle) in particles[members].iter_mut().enumerate() {
                 (particle.density, particle.pressure) = (density[lane], pressure[lane]);
             }
@@ -128,7 +137,7 @@ impl Pairs {
         self.each(|block, members| {
             let [mut x, mut y] = block.acceleration.map(Lanes::to_array);
             for (lane, particle) in particles[members].iter().enumerate() {
-                let a = push(particle.position, particle.velocity);
+                let a = push(particle.position(), particle.velocity());
                 x[lane] += a.x;
                 y[lane] += a.y;
             }
@@ -155,11 +164,18 @@ impl Pairs {
     }
 
     /// Gives every particle the pressure `of` its place.
-    pub fn set_pressure(&mut self, particles: &Particles, of: impl Fn(Vec2) -> f32) {
+    pub fn set_pressure(
+        &mut self,
+        particles: &Particles,
+        kernel: &Kernel,
+        mass: f32,
+        of: impl Fn(Vec2) -> f32,
+    ) {
+        let push = push_factor(kernel, mass);
         self.each(|block, members| {
             let mut pressures = [0.0; LANES];
             for (lane, particle) in particles[members].iter().enumerate() {
-                pressures[lane] = of(particle.position);
+                pressures[lane] = of(particle.position()) * push;
             }
             block.pressure = Lanes::new(pressures);
         });

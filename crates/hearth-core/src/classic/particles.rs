@@ -9,15 +9,14 @@ use std::ops::{Deref, DerefMut};
 
 use glam::Vec2;
 
+use crate::lanes::Lanes;
 use crate::particle::Particle;
 
 /// A particle that is alive. All of it lies together, since sorting moves all of it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Living {
-    /// Position \[m\].
-    pub position: Vec2,
-    /// Velocity [m/s].
-    pub velocity: Vec2,
+    /// Position \[m\] and velocity [m/s]: x, y, and x, y. They move together.
+    pub motion: Lanes,
     /// Temperature \[K\].
     pub temperature: f32,
     /// Time since birth \[s\].
@@ -32,15 +31,24 @@ pub(crate) struct Living {
 }
 
 impl Living {
+    pub fn position(&self) -> Vec2 {
+        let [x, y, ..] = self.motion.to_array();
+        Vec2::new(x, y)
+    }
+
+    pub fn velocity(&self) -> Vec2 {
+        let [.., x, y] = self.motion.to_array();
+        Vec2::new(x, y)
+    }
+
     /// What of it is told to others.
     pub fn particle(&self) -> Particle {
         Particle {
-            position: self.position,
-            velocity: self.velocity,
+            velocity: self.velocity(),
             temperature: self.temperature,
             age: self.age,
             lifetime: self.lifetime,
-            ..Particle::at(self.position)
+            ..Particle::at(self.position())
         }
     }
 }
@@ -76,9 +84,9 @@ impl Particles {
     }
 
     pub fn push(&mut self, particle: Particle) {
+        let (at, v) = (particle.position, particle.velocity);
         self.living.push(Living {
-            position: particle.position,
-            velocity: particle.velocity,
+            motion: Lanes::new([at.x, at.y, v.x, v.y]),
             temperature: particle.temperature,
             age: particle.age,
             lifetime: particle.lifetime,

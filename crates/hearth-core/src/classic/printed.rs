@@ -78,17 +78,14 @@ impl Law<2> for Printed {
         let [x, y] = one.offset(others);
         let square = x * x + y * y;
         let q = square.larger(Lanes::splat(TOUCHING)).sqrt();
-        // −W'/r
-        let slope = kernel::steepness(q) * self.kernel.steepness_norm() / q;
+        let steep = kernel::steepness(q) / q;
         let share = if self.pressure { 0.5 } else { 1.0 };
-        let push = slope
-            * (one.pressure + others.pressure)
-            * (share * self.mass * self.kernel.smoothing_length());
+        let push = steep * (one.pressure + others.pressure) * share;
         let drag = if self.viscosity {
             let h = self.kernel.smoothing_length();
             -Lanes::new(q.to_array().map(|q| self.kernel.laplacian(q * h)))
         } else {
-            -(slope * 2.0 * square / (square + 0.01))
+            -(steep * (2.0 * self.kernel.steepness_norm()) * square / (square + 0.01))
         };
         let rub = drag * self.rub;
         let [vx, vy] = one.apart(others);

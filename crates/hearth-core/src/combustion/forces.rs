@@ -46,6 +46,9 @@ pub(crate) fn expansion(temperature: f32, values: &Values) -> f32 {
     // Most of the domain is air, and a power takes as long as ten pairs.
     if excess.abs() < SLIGHT {
         1.0 + values.gas_expansion * excess
+    } else if values.gas_expansion == 0.5 {
+        // The default; and libm computes a root without the processor's help.
+        ratio.sqrt()
     } else {
         libm::powf(ratio, values.gas_expansion)
     }
@@ -304,10 +307,11 @@ impl Forces {
         let inverse_h = 1.0 / kernel.smoothing_length();
         // One more than there are places: the lists are filled up with it.
         let places = LANES * blocks.len() + 1;
-        parcels.clear();
         parcels.resize(places, Parcel::NONE);
+        parcels[places - 1] = Parcel::NONE;
         grid.each_block(|block, members| {
-            let parcels = &mut parcels[LANES * block..];
+            let parcels = &mut parcels[LANES * block..][..LANES];
+            parcels[members.len()..].fill(Parcel::NONE);
             for (parcel, i) in parcels.iter_mut().zip(members) {
                 let (at, v) = (gas.position[i] * inverse_h, gas.velocity[i]);
                 *parcel = Parcel {
@@ -373,6 +377,11 @@ impl Forces {
             self.whirls
                 .confine(gas, grid, &self.neighbours, &self.parcels, kernel, strength);
         }
+    }
+
+    /// θ of every particle, as the last search for pairs found it.
+    pub fn expansions(&self) -> &[f32] {
+        &self.expansions
     }
 
     /// Neighbours of a particle, on average, and the most of one.

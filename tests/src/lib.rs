@@ -7,6 +7,7 @@
 //! needs no new numbers here.
 
 pub mod fires;
+pub mod plain;
 pub mod sweep;
 pub mod validation;
 
@@ -75,7 +76,25 @@ pub fn fingerprints() -> String {
                 ("turbulence", Input::Number(3.0)),
             ]),
         ),
+        (
+            "solid",
+            fires::with([
+                ("walls", Input::Text("solid")),
+                ("domain_width", Input::Number(0.3)),
+                ("printed_pressure", Input::Flag(true)),
+                ("printed_viscosity", Input::Flag(true)),
+            ]),
+        ),
         ("few", fires::combustion(&[])),
+        (
+            "narrow",
+            fires::combustion(&[
+                ("domain_width", 0.25),
+                ("domain_height", 6.0),
+                ("vorticity_confinement", 1.0),
+                ("wind", -1.0),
+            ]),
+        ),
         ("everything", fires::everything()),
     ];
     presets

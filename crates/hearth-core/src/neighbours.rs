@@ -166,7 +166,16 @@ impl Neighbours {
         let mut counts = [0; LANES];
 
         let ((x, y), share) = (blocks[block].place(), blocks[block].share());
-        let each = [0, 1, 2, 3].map(|lane| (x.spread(lane), y.spread(lane), share.spread(lane)));
+        // Lanes that hold no particle lie all in one place: here, in another.
+        let held = x.less(Lanes::splat(0.5 * NOWHERE));
+        let each = [0, 1, 2, 3].map(|lane| {
+            let x = if held & (1 << lane) == 0 {
+                Lanes::splat(-NOWHERE)
+            } else {
+                x.spread(lane)
+            };
+            (x, y.spread(lane), share.spread(lane))
+        });
         let mut sums = [Lanes::ZERO; LANES];
         let mut inner = [0; LANES];
         if own {

@@ -65,6 +65,12 @@ pub fn spectrum(signal: &[f64], rate: f64, segment: f64, highest: f64) -> Vec<(f
         .collect()
 }
 
+/// Power over frequency \[Hz\] from frequency times power: the plain spectrum, in
+/// which whatever is slow weighs more.
+pub fn plain(premultiplied: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    premultiplied.iter().map(|&(f, p)| (f, p / f)).collect()
+}
+
 /// The frequency of the most power from `lowest` on.
 pub fn peak(spectrum: &[(f64, f64)], lowest: f64) -> f64 {
     spectrum
@@ -117,6 +123,19 @@ mod tests {
             .collect();
         let found = peak(&spectrum(&signal, 60.0, 8.0, 10.0), 0.4);
         assert!((found - 1.95).abs() < 0.05, "{found}");
+    }
+
+    #[test]
+    fn a_slow_drift_outweighs_a_beat_in_the_plain_spectrum_alone() {
+        let signal: Vec<f64> = (0..3000)
+            .map(|i| {
+                let t = f64::from(i) / 60.0;
+                1.3 * (TAU * 0.6 * t).sin() + (TAU * 1.8 * t).sin()
+            })
+            .collect();
+        let spectrum = spectrum(&signal, 60.0, 8.0, 10.0);
+        assert!((peak(&spectrum, 0.3) - 1.8).abs() < 0.05);
+        assert!((peak(&plain(&spectrum), 0.3) - 0.6).abs() < 0.05);
     }
 
     #[test]

@@ -1,0 +1,438 @@
+//! The combustion model, equation by equation.
+
+use glam::DVec2;
+use hearth_core::{Parameters, Particle};
+
+use super::{Crowd, Domain, Kernel, Mixture, Neighbour, Plain, Sum};
+
+/// Prandtl and Schmidt number of the eddies.
+const PRANDTL: f64 = 0.7;
+/// Heat capacity of the gas [kJ/(kg·K)].
+const HEAT_CAPACITY: f64 = 1.0;
+/// Longest step \[s\].
+const LONGEST: f64 = 1.0 / 60.0;
+/// How fast gas in the burner takes on its velocity [1/s].
+const GRIP: f64 = 400.0;
+/// What drives the strongest fire for which the parameter is the speed of sound.
+const USUAL_DRIVE: f64 = 9.81 * 220.0;
+
+/// The gas of the combustion model.
+#[derive(Clone, Debug)]
+pub struct Combustion {
+    /// The particles, in the order in which they were put in.
+    pub particles: Vec<Plain>,
+    /// The neighbours that each particle had.
+    pub crowd: Crowd,
+    /// Length of the last step \[s\].
+    pub length: f64,
+    /// Power of the burning [kW/m].
+    pub power: Sum<f64>,
+    /// What made the gas of the source as hot as it is [kW/m].
+    pub preheat: Sum<f64>,
+}
+
+/// The figures of a fire that all particles share.
+struct Common<'a> {
+    p: &'a Parameters,
+    kernel: Kernel,
+    domain: Domain,
+    spacing: f64,
+    /// Mass of a particle [kg/m].
+    mass: f64,
+    /// Speed of sound [m/s].
+    sound: f64,
+}
+
+/// What the others do to a particle.
+#[derive(Clone, Copy, Debug, Default)]
+struct Felt {
+    acceleration: Sum<DVec2>,
+    /// Change of the mixture [1/s].
+    change: Mixture,
+    /// ΣV∇W [1/m].
+    crowding: Sum<DVec2>,
+}
+
+impl Combustion {
+    /// Gas of these particles.
+    pub fn new(particles: &[Particle]) -> Combustion {
+        Combustion {
+            particles: particles.iter().map(Plain::new).collect(),
+            crowd: Crowd::new(),
+            length: 0.0,
+            power: Sum::default(),
+            preheat: Sum::default(),
+        }
+    }
+
+    /// Burns on by one step.
+    pub fn step(&mut self, parameters: &Parameters) {
+        let common = Common::new(parameters, self.particles.len());
+        let reach = common.kernel.support();
+        let near = common.domain.neighbours(&self.particles, reach);
+        self.crowd = Domain::crowd(&near, reach);
+        self.fill(&common, &near);
+        let mut felt: Vec<Felt> = near
+            .iter()
+            .enumerate()
+            .map(|(i, near)| self.exchanged(i, &common, near))
+            .collect();
+        self.confine(&common, &near, &mut felt);
+        self.lift_and_blow(parameters, &mut felt);
+        let dt = self.longest(&common, &felt);
+
+        let fastest = self.accelerate(&common, &felt, dt);
+        self.power = self.react(&common, &felt, dt).times(1.0 / dt);
+        self.preheat = self.feed(&common, dt).times(1.0 / dt);
+        self.freshen(&common, dt);
+        self.advance(&common, &felt, fastest, dt);
+        self.length = dt;
+    }
+
+    /// Y = Σ m θ W, V = m θ/Y, p = c₀² (Y − Ȳ).
+    fn fill(&mut self, common: &Common, near: &[Vec<Neighbour>]) {
+        let share = |particle: &Plain| common.mass * common.expansion(particle.temperature());
+        let shares: Vec<f64> = self.particles.iter().map(share).collect();
+        let kernel = &common.kernel;
+        let fillings: Vec<f64> = near
+            .iter()
+            .zip(&shares)
+            .map(|(near, own)| {
+                let others = near
+                    .iter()
+                    .map(|other| shares[other.j] * kernel.value(other.offset.length()));
+                own * kernel.value(0.0) + others.sum::<f64>()
+            })
+            .collect();
+        let mean = fillings.iter().sum::<f64>() / fillings.len() as f64;
+        let square = common.sound * common.sound;
+        for ((particle, filling), share) in self.particles.iter_mut().zip(fillings).zip(shares) {
+            particle.density = Sum::new(common.mass * filling / share);
+            particle.pressure = Sum {
+                value: square * (filling - mean),
+                size: square * (filling + mean),
+            };
+        }
+    }
+
+    /// Pressure, the three viscosities, diffusion and crowding.
+    fn exchanged(&self, i: usize, common: &Common, near: &[Neighbour]) -> Felt {
+        let (p, mass, h) = (common.p, common.mass, common.kernel.h);
+        let here = &self.particles[i];
+        let mut felt = Felt::default();
+        for &Neighbour { j, offset } in near {
+            let there = &self.particles[j];
+            let (v_i, v_j) = (mass / here.density.value, mass / there.density.value);
+            let gradient = common.kernel.gradient(offset);
+            let apart = here.velocity.value - there.velocity.value;
+            let mean_density = 2.0 * mass / (v_i + v_j);
+            let eddies = f64::from(p.eddy_viscosity).powi(2) * h * apart.length();
+
+            // m a = − Vᵢ Vⱼ (pᵢ + pⱼ) ∇W
+            let mut pressures = here.pressure;
+            pressures.add_sum(there.pressure);
+            felt.acceleration.add_sum(Sum {
+                value: gradient * (-v_i * v_j * pressures.value / mass),
+                size: gradient.length() * v_i * v_j * pressures.size / mass,
+            });
+            // m a = 2 Vᵢ Vⱼ ρ̄ (ν + ν_t) vᵢⱼ (r·∇W)/(r² + 0.01 h²)
+            let spread = 2.0 * v_i * v_j * mean_density * common.kernel.brookshaw(offset) / mass;
+            let viscosity = f64::from(p.kinematic_viscosity) + eddies;
+            felt.acceleration.add(apart * (spread * viscosity));
+            // m a = Vᵢ Vⱼ ρ̄ α c₀ μ ∇W, μ = h vᵢⱼ·r/(r² + 0.01 h²), where they approach
+            let approach = apart.dot(offset).min(0.0);
+            let mu = h * approach / (offset.length_squared() + 0.01 * h * h);
+            let alpha = f64::from(p.artificial_viscosity);
+            let damped = v_i * v_j * mean_density * alpha * common.sound * mu / mass;
+            felt.acceleration.add(gradient * damped);
+
+            // m φ̇ = 2 Vᵢ Vⱼ ρ̄ (D₀ + ν_t/Pr) φᵢⱼ (r·∇W)/(r² + 0.01 h²)
+            let diffusivity = f64::from(p.diffusion) + eddies / PRANDTL;
+            for (k, change) in felt.change.iter_mut().enumerate() {
+                let difference = here.mixture[k].value - there.mixture[k].value;
+                change.add(spread * diffusivity * difference);
+            }
+            felt.crowding.add(gradient * v_j);
+        }
+        felt
+    }
+
+    /// a = ε h (∇|ω|/|∇|ω|| × ω).
+    fn confine(&self, common: &Common, near: &[Vec<Neighbour>], felt: &mut [Felt]) {
+        let strength = f64::from(common.p.vorticity_confinement) * common.kernel.h;
+        if strength == 0.0 {
+            return;
+        }
+        let volume = |j: usize| common.mass / self.particles[j].density.value;
+        let velocity = |j: usize| self.particles[j].velocity.value;
+        // Of what neighbours differ by from i, summed: Σ V ∇W (φⱼ − φᵢ).
+        let curls: Vec<f64> = near
+            .iter()
+            .enumerate()
+            .map(|(i, near)| {
+                let turn = |other: &Neighbour| {
+                    let gradient = common.kernel.gradient(other.offset);
+                    volume(other.j) * gradient.perp_dot(velocity(other.j) - velocity(i))
+                };
+                near.iter().map(turn).sum()
+            })
+            .collect();
+        for (i, felt) in felt.iter_mut().enumerate() {
+            let more = |other: &Neighbour| {
+                let gradient = common.kernel.gradient(other.offset);
+                gradient * (volume(other.j) * (curls[other.j].abs() - curls[i].abs()))
+            };
+            let towards = near[i].iter().map(more).sum::<DVec2>().normalize_or_zero();
+            // (t, 0) × (0, 0, ω)
+            let whirl = DVec2::new(towards.y, -towards.x) * curls[i];
+            felt.acceleration.add(whirl * strength);
+        }
+    }
+
+    /// Buoyancy, b g (1 − Tₐ/T) θ, and the push of the wind, where there is a seam.
+    fn lift_and_blow(&self, p: &Parameters, felt: &mut [Felt]) {
+        if p.seam == 0.0 {
+            return;
+        }
+        let mean: f64 = self
+            .particles
+            .iter()
+            .map(|q| q.velocity.value.x)
+            .sum::<f64>()
+            / self.particles.len() as f64;
+        let wind = (f64::from(p.wind) - mean) / 0.3;
+        let strength = f64::from(p.buoyancy) * f64::from(p.gravity);
+        for (particle, felt) in self.particles.iter().zip(felt) {
+            let temperature = particle.temperature();
+            let room = expansion(p, temperature);
+            felt.acceleration.add(DVec2::new(wind, strength * room));
+            let weight = -strength * room * f64::from(p.ambient_temperature) / temperature;
+            felt.acceleration.add(DVec2::new(0.0, weight));
+        }
+    }
+
+    /// The longest step that all three limits allow.
+    fn longest(&self, common: &Common, felt: &[Felt]) -> f64 {
+        let (p, h, sound) = (common.p, common.kernel.h, common.sound);
+        let speeds = self.particles.iter().map(|q| q.velocity.value.length());
+        let speed = speeds.fold(0.0, f64::max);
+        let pushes = felt.iter().map(|felt| felt.acceleration.value.length());
+        let hardest = pushes.fold(0.0, f64::max);
+        let viscosity =
+            f64::from(p.kinematic_viscosity) + f64::from(p.artificial_viscosity) * h * sound / 8.0;
+        let eddies = f64::from(p.eddy_viscosity).powi(2) * h * speed;
+        let diffusivity = viscosity.max(p.diffusion.into()) + eddies;
+        (0.35 * h / (sound + speed))
+            .min(0.25 * (h / hardest.max(1e-6)).sqrt())
+            .min(0.125 * h * h / diffusivity.max(1e-9))
+            .min(LONGEST)
+    }
+
+    /// New velocities, within 1.5 c₀. Returns the largest.
+    fn accelerate(&mut self, common: &Common, felt: &[Felt], dt: f64) -> f64 {
+        let limit = 1.5 * common.sound;
+        let mut fastest: f64 = 0.0;
+        for (particle, felt) in self.particles.iter_mut().zip(felt) {
+            let velocity = &mut particle.velocity;
+            velocity.add_sum(felt.acceleration.times(dt));
+            let speed = velocity.value.length();
+            if speed > limit {
+                *velocity = velocity.times(limit / speed);
+            }
+            fastest = fastest.max(speed.min(limit));
+        }
+        fastest
+    }
+
+    /// Diffusion, burning, radiation, soot. Returns the heat of the burning [kJ/m].
+    fn react(&mut self, common: &Common, felt: &[Felt], dt: f64) -> Sum<f64> {
+        let p = common.p;
+        let demand = f64::from(p.air_demand);
+        let rise = f64::from(p.flame_rise) * (1.0 + demand);
+        let (air, ignition) = (
+            f64::from(p.ambient_temperature),
+            f64::from(p.ignition_temperature),
+        );
+        let hottest = f64::from(p.source_temperature).max(ignition) + f64::from(p.flame_rise);
+        let mut share = Sum::new(1.0);
+        share.add(-(-dt / f64::from(p.burn_time)).exp());
+        let left = |life: f32| 1.0 / (1.0 + dt / f64::from(life));
+        let mut burnt = Sum::default();
+        for (particle, felt) in self.particles.iter_mut().zip(felt) {
+            for (amount, change) in particle.mixture.iter_mut().zip(felt.change) {
+                amount.add_sum(change.times(dt));
+            }
+            let [t, fuel, oxygen, soot] = &mut particle.mixture;
+            fuel.value = fuel.value.clamp(0.0, 1.0);
+            oxygen.value = oxygen.value.clamp(0.0, 1.0);
+            soot.value = soot.value.max(0.0);
+            let mut burn = Sum::default();
+            if t.value > ignition {
+                let lacking = ((hottest - t.value) / rise).clamp(0.0, 1.0);
+                let most = fuel.value.min(oxygen.value / demand).min(lacking);
+                burn = share.times(most);
+                burn.size += (fuel.size + oxygen.size / demand + t.size / rise) * share.value;
+            }
+            burnt.add_sum(burn);
+            particle.burn = burn.times(1.0 / dt);
+
+            let fourth = |t: f64| (t / 1500.0).powi(4);
+            let lost = dt * f64::from(p.radiative_cooling) * (fourth(t.value) - fourth(air));
+            // No farther than to the air; colder gas is warmed.
+            t.value = (t.value - lost).max(air.min(t.value));
+            t.size += 4.0 * lost.abs();
+            t.add_sum(burn.times(rise));
+            fuel.add_sum(burn.times(-1.0));
+            oxygen.add_sum(burn.times(-demand));
+            soot.add_sum(burn.times(1.0 + demand));
+            let glowing = ((t.value - 850.0) / 300.0).clamp(0.0, 1.0);
+            let (smoke, flame) = (left(p.smoke_life), left(p.soot_life));
+            *soot = soot.times(smoke + glowing * (flame - smoke));
+            soot.size += t.size / 300.0 * (smoke - flame).abs() * soot.value;
+        }
+        burnt.times(common.mass * HEAT_CAPACITY * rise)
+    }
+
+    /// The burner, without noise. Returns the heat that its gas took [kJ/m].
+    fn feed(&mut self, common: &Common, dt: f64) -> Sum<f64> {
+        let p = common.p;
+        if p.fuel_power == 0.0 {
+            return Sum::default();
+        }
+        let (seam, height) = (f64::from(p.seam), f64::from(p.domain_height));
+        let block = 3.0 * common.spacing;
+        let highest = ((1.0 - seam) * height - block).max(0.0);
+        let lowest = (seam * height).min(highest);
+        let bottom = f64::from(p.source_height).max(lowest).min(highest);
+        let narrowest = f64::from(p.source_width).max(4.0 * common.spacing);
+        let half = 0.5 * narrowest.min(p.domain_width.into());
+        let in_block = |particle: &Plain, above: f64| {
+            let at = particle.position.value;
+            let (low, high) = (bottom + above, bottom + block + above);
+            at.x.abs() < half && at.y > low && at.y < high
+        };
+
+        let mut heated = Sum::default();
+        let pilot = 1.02 * f64::from(p.ignition_temperature);
+        let hot = f64::from(p.source_temperature).max(pilot);
+        let grip = (GRIP * dt).min(1.0);
+        let target = DVec2::new(0.0, p.emission_speed.into());
+        for particle in &mut self.particles {
+            if in_block(particle, 0.0) {
+                let [t, _, oxygen, _] = &mut particle.mixture;
+                if t.value < hot {
+                    heated.add(hot);
+                    heated.add(-t.value);
+                }
+                t.value = t.value.max(hot);
+                oxygen.value = oxygen.value.min(p.source_oxygen.into());
+                let dragged = target - particle.velocity.value;
+                particle.velocity.add(dragged * grip);
+            }
+        }
+
+        let heat_of_fuel =
+            HEAT_CAPACITY * f64::from(p.flame_rise) * (1.0 + f64::from(p.air_demand));
+        let mut fuel = f64::from(p.fuel_power) / heat_of_fuel * dt;
+        let mut above = 0.0;
+        while fuel > 0.0 && bottom + block + above <= (1.0 - seam) * height {
+            let takes = |particle: &&mut Plain| in_block(particle, above);
+            let takers: Vec<&mut Plain> = self.particles.iter_mut().filter(takes).collect();
+            let each = fuel / (common.mass * takers.len() as f64);
+            if !takers.is_empty() {
+                fuel = 0.0;
+            }
+            for particle in takers {
+                let amount = &mut particle.mixture[1];
+                amount.add(each);
+                fuel += (amount.value - 1.0).max(0.0) * common.mass;
+                amount.value = amount.value.min(1.0);
+            }
+            above += block;
+        }
+        heated.times(common.mass * HEAT_CAPACITY)
+    }
+
+    /// The seam, and with wind the sides: gas becomes fresh air.
+    fn freshen(&mut self, common: &Common, dt: f64) {
+        let p = common.p;
+        if p.seam == 0.0 {
+            return;
+        }
+        let (width, height) = (common.domain.width, common.domain.height);
+        let thick = |length: f64| (f64::from(p.seam) * length).max(2.0 * common.spacing);
+        let (thickness, side) = (thick(height), thick(width));
+        let wind = DVec2::new(p.wind.into(), 0.0);
+        let blows = (f64::from(p.wind).abs() / 0.5).min(1.0);
+        let air = [f64::from(p.ambient_temperature), 0.0, 1.0, 0.0];
+        for particle in &mut self.particles {
+            let at = particle.position.value;
+            let depth: f64 = 1.0 - at.y.min(height - at.y) / thickness;
+            if depth > 0.0 {
+                let calmed = 1.0 / (1.0 + 3.0 / thickness * dt * depth.min(1.0));
+                particle.velocity.add(-wind);
+                particle.velocity = particle.velocity.times(calmed);
+                particle.velocity.add(wind);
+            }
+            let from_side = 0.5 * width - at.x.abs();
+            let depth = depth.max((1.0 - from_side / side) * blows);
+            if depth > 0.0 {
+                let kept = 1.0 / (1.0 + 9.6 / thickness * dt * (4.0 * depth).min(1.0));
+                for (amount, air) in particle.mixture.iter_mut().zip(air) {
+                    amount.add(-air);
+                    *amount = amount.times(kept);
+                    amount.add(air);
+                }
+            }
+        }
+    }
+
+    /// Motion, and the shift −min(8 h u dt, 0.3 h²) ∇C, at most 0.3 h.
+    fn advance(&mut self, common: &Common, felt: &[Felt], fastest: f64, dt: f64) {
+        let h = common.kernel.h;
+        let strength = 8.0 * f64::from(common.p.shifting) * h * fastest * dt;
+        let shift = strength.min(0.3 * h * h);
+        for (particle, felt) in self.particles.iter_mut().zip(felt) {
+            let mut away = felt.crowding.times(-shift);
+            let far = away.value.length();
+            if far > 0.3 * h {
+                away = away.times(0.3 * h / far);
+            }
+            let position = &mut particle.position;
+            position.add_sum(particle.velocity.times(dt));
+            position.add_sum(away);
+            position.value = common.domain.wrap(position.value);
+        }
+    }
+}
+
+/// θ = (T/Tₐ)^ε.
+fn expansion(p: &Parameters, temperature: f64) -> f64 {
+    (temperature / f64::from(p.ambient_temperature)).powf(p.gas_expansion.into())
+}
+
+impl Common<'_> {
+    fn new(p: &Parameters, count: usize) -> Common<'_> {
+        let (width, height) = (f64::from(p.domain_width), f64::from(p.domain_height));
+        let spacing = (width * height / f64::from(p.max_particles)).sqrt();
+        let drive = f64::from(p.buoyancy) * f64::from(p.gravity) * f64::from(p.fuel_power);
+        let risen = f64::from(p.stiffness) * (drive / USUAL_DRIVE).max(1.0).cbrt();
+        Common {
+            p,
+            kernel: Kernel::new(f64::from(p.smoothing_ratio) * spacing),
+            domain: Domain {
+                width,
+                height,
+                across: true,
+                up: true,
+            },
+            spacing,
+            mass: f64::from(p.ambient_density) * width * height / count as f64,
+            sound: risen.max(3.0 * f64::from(p.wind).abs()),
+        }
+    }
+
+    fn expansion(&self, temperature: f64) -> f64 {
+        expansion(self.p, temperature)
+    }
+}

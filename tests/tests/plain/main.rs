@@ -1,0 +1,362 @@
+//! The fast solver does what the plain one does, within rounding.
+//!
+//! Random scenes of both models are stepped by both. The domains are often
+//! but a few kernels wide; particles crowd, lie in the same place, on the edges, in
+//! the corners and on the borders of the grid's cells.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod scenes;
+
+use std::fmt::Debug;
+
+use glam::DVec2;
+use hearth_core::params::{Input, Model};
+use hearth_core::random::Random;
+use hearth_core::{Parameters, Particle, Simulation, Vec2};
+use hearth_tests::plain::{Classic, Combustion, Crowd, Plain, Sum};
+
+use scenes::{Scene, Spread, classic, combustion, corner, scene};
+
+/// Rounding of one part of a step, as a share of the terms that a figure is the sum
+/// of. A number in single precision is exact to 6e-8, a sum of fifty pairs to 1e-6.
+const ROUNDING: f64 = 3e-6;
+/// Rounding of an offset, as a share of the domain: of two places, each of which may
+/// have been scaled and moved beyond an edge, and a number is exact to 6e-8.
+const PLACING: f64 = 2.5e-7;
+/// After more parts than this nothing would be left to compare.
+const MOST_PARTS: u32 = 40;
+
+/// What rounding may come to after so many parts. Places are as exact as so large
+/// a domain lets them be, and each part makes more of what the ones before it left: ten
+/// parts leave twenty times as much as one, thirty a hundred times, so the square is on
+/// the safe side.
+fn allowed(parts: u32, parameters: &Parameters) -> f64 {
+    let largest = parameters.domain_width.max(parameters.domain_height);
+    let placing = PLACING * f64::from(largest / parameters.smoothing_length());
+    (ROUNDING + placing) * f64::from(parts).powi(2)
+}
+
+/// A plain solver of either model.
+enum Oracle {
+    Classic(Classic),
+    Combustion(Combustion),
+}
+
+impl Oracle {
+    fn new(scene: &Scene) -> Oracle {
+        match scene.parameters.model() {
+            Model::Classic => Oracle::Classic(Classic::new(&scene.particles)),
+            Model::Combustion => Oracle::Combustion(Combustion::new(&scene.particles)),
+        }
+    }
+
+    fn step(&mut self, parameters: &Parameters) {
+        match self {
+            Oracle::Classic(classic) => classic.step(parameters),
+            Oracle::Combustion(gas) => gas.step(parameters),
+        }
+    }
+
+    /// Into how many parts it divided the last step.
+    fn parts(&self) -> u32 {
+        match self {
+            Oracle::Classic(classic) => classic.substeps,
+            Oracle::Combustion(_) => 1,
+        }
+    }
+
+    fn particles(&self) -> &[Plain] {
+        match self {
+            Oracle::Classic(classic) => &classic.particles,
+            Oracle::Combustion(gas) => &gas.particles,
+        }
+    }
+
+    fn crowd(&self) -> &Crowd {
+        match self {
+            Oracle::Classic(classic) => &classic.crowd,
+            Oracle::Combustion(gas) => &gas.crowd,
+        }
+    }
+
+    fn take_over(&mut self, particles: &[Particle]) {
+        match self {
+            Oracle::Classic(classic) => classic.take_over(particles),
+            Oracle::Combustion(gas) => *gas = Combustion::new(particles),
+        }
+    }
+}
+
+/// What the fast solver and the plain one differ by, against what is allowed.
+struct Difference<'a> {
+    scene: &'a str,
+    step: u32,
+    /// Parts of steps since both were the same.
+    parts: u32,
+    allowed: f64,
+}
+
+impl Difference<'_> {
+    /// Compares all that can be read out of the fire.
+    fn look(&self, fire: &Simulation, oracle: &Oracle) {
+        let plain = oracle.particles();
+        let p = fire.parameters();
+        assert_eq!(fire.count(), plain.len(), "{}", self.scene);
+        // A place beyond an edge is reckoned from the other one.
+        let size = DVec2::new(p.domain_width.into(), p.domain_height.into());
+        let turn = |off: DVec2| {
+            let up = p.model() == Model::Combustion;
+            let turns = (off / size).round() * DVec2::new(1.0, if up { 1.0 } else { 0.0 });
+            (off - turns * size).length()
+        };
+        let far = |place: Sum<DVec2>| Sum {
+            size: place.size + size.length(),
+            ..place
+        };
+        let between = |a: DVec2, b: DVec2| a.distance(b);
+        let apart = |a: f64, b: f64| (a - b).abs();
+
+        let positions = fire.positions().into_iter().map(Vec2::as_dvec2);
+        self.each(
+            "position",
+            positions,
+            plain,
+            |q| far(q.position),
+            |a, b| turn(a - b),
+        );
+        let velocities = fire.velocities().into_iter().map(Vec2::as_dvec2);
+        self.each("velocity", velocities, plain, |q| q.velocity, between);
+        type Figure = (&'static str, Vec<f32>, fn(&Plain) -> Sum<f64>);
+        let figures: [Figure; 8] = [
+            ("density", fire.densities(), |q| q.density),
+            ("pressure", fire.pressures(), |q| q.pressure),
+            ("temperature", fire.temperatures(), |q| q.mixture[0]),
+            ("fuel", fire.fuels(), |q| q.mixture[1]),
+            ("oxygen", fire.oxygens(), |q| q.mixture[2]),
+            ("soot", fire.soots(), |q| q.mixture[3]),
+            ("burning", fire.burn_rates(), |q| q.burn),
+            ("age", fire.ages(), |q| Sum::new(q.age)),
+        ];
+        for (what, fast, of) in figures {
+            if p.model() == Model::Combustion && what == "age" {
+                continue;
+            }
+            self.each(what, fast.into_iter().map(f64::from), plain, of, apart);
+        }
+
+        let report = fire.report();
+        assert_eq!(report.substeps, oracle.parts(), "{}", self.scene);
+        if self.parts == 1 {
+            self.count(fire, oracle);
+        }
+        if let Oracle::Combustion(gas) = oracle {
+            for (what, fast, plain) in [
+                ("length", report.length, Sum::new(gas.length)),
+                ("power", report.power, gas.power),
+                ("preheat", report.preheat, gas.preheat),
+            ] {
+                let far = apart(fast.into(), plain.value);
+                let name = self.scene;
+                assert!(
+                    far <= self.allowed * plain.size,
+                    "{what}: {fast} is not {plain:?} in '{name}'"
+                );
+            }
+        }
+    }
+
+    /// Compares how many neighbours there are.
+    fn count(&self, fire: &Simulation, oracle: &Oracle) {
+        let (report, crowd) = (fire.report(), oracle.crowd());
+        let [low, high] = [0, 1].map(|k| crowd.iter().map(|count| count[k]).max());
+        let most = Some(report.most_neighbours);
+        let all = f64::from(report.mean_neighbours) * fire.count() as f64;
+        let [fewest, greatest] = [0, 1].map(|k| {
+            let sum: u32 = crowd.iter().map(|count| count[k]).sum();
+            f64::from(sum)
+        });
+        // Whoever has left in the step had neighbours too.
+        let stayed = crowd.len() == fire.count();
+        let mean = fewest - 1e-6 * all <= all && all <= greatest + 1e-6 * all;
+        assert!(
+            crowd.is_empty() || low <= most && most <= high && (mean || !stayed),
+            "{report:?} is not of {low:?} to {high:?} and {fewest} to {greatest} in '{}'",
+            self.scene
+        );
+    }
+
+    fn each<T: Copy + Debug>(
+        &self,
+        what: &str,
+        fast: impl Iterator<Item = T>,
+        plain: &[Plain],
+        of: impl Fn(&Plain) -> Sum<T>,
+        distance: impl Fn(T, T) -> f64,
+    ) {
+        for (i, (fast, plain)) in fast.zip(plain.iter().map(of)).enumerate() {
+            let off = distance(fast, plain.value);
+            let Difference {
+                scene,
+                step,
+                allowed,
+                ..
+            } = self;
+            assert!(
+                off <= allowed * plain.size,
+                "{what} of particle {i} of '{scene}' in step {step}: {fast:?} is not {plain:?}"
+            );
+        }
+    }
+}
+
+/// One step, more of them that each start where the fast solver is, and all in a row.
+fn agree(scene: &Scene, steps: u32) {
+    let name = scene.name.as_str();
+    let mut fire = Simulation::new(scene.parameters.clone());
+    assert_eq!(fire.set_particles(&scene.particles), Ok(()), "{name}");
+    let (mut beside, mut alone) = (Oracle::new(scene), Oracle::new(scene));
+    let mut parts = 0;
+    for step in 1..=steps {
+        fire.step();
+        let compare = |oracle: &Oracle, parts: u32| {
+            let allowed = allowed(parts, &scene.parameters);
+            let difference = Difference {
+                scene: name,
+                step,
+                parts,
+                allowed,
+            };
+            difference.look(&fire, oracle);
+        };
+        beside.step(&scene.parameters);
+        compare(&beside, beside.parts());
+        parts += beside.parts();
+        if parts <= MOST_PARTS {
+            alone.step(&scene.parameters);
+            compare(&alone, parts);
+        }
+        // Where most have left, others would be born.
+        if fire.count() < scene.particles.len() / 2 {
+            return;
+        }
+        beside.take_over(&fire.particles());
+    }
+}
+
+const WALLS: [&str; 3] = ["open", "solid", "periodic"];
+
+#[test]
+fn classic_gas_moves_as_the_equations_say() {
+    let narrow = [("domain_width", 0.25), ("domain_height", 0.3)];
+    for (seed, walls) in (1..).zip(WALLS) {
+        for (values, count, spread) in [
+            (&[][..], 1501, Spread::Even),
+            (&[("smoothing_radius", 0.005)], 603, Spread::Clumped),
+            (
+                &[narrow[0], narrow[1], ("smoothing_radius", 0.05)],
+                302,
+                Spread::Even,
+            ),
+            (
+                &[narrow[0], narrow[1], ("smoothing_radius", 0.06)],
+                401,
+                Spread::Clumped,
+            ),
+        ] {
+            agree(&scene(classic(walls, values), count, spread, seed), 10);
+        }
+    }
+}
+
+#[test]
+fn a_few_particles_move_as_the_equations_say() {
+    for walls in WALLS {
+        for count in 1..=9 {
+            let parameters = classic(
+                walls,
+                &[
+                    ("domain_width", 0.16),
+                    ("domain_height", 0.1),
+                    ("smoothing_radius", 0.04),
+                    // So heavy that even two of them press.
+                    ("particle_mass", 2e-3),
+                    ("rest_density", 0.5),
+                    // So short that no birth is due in eight of them.
+                    ("time_step", 0.002),
+                ],
+            );
+            agree(&scene(parameters, count, Spread::Even, count as u32), 8);
+        }
+    }
+}
+
+#[test]
+fn each_printed_form_moves_particles_as_it_is_printed() {
+    let forms = [
+        "printed_kernel",
+        "printed_pressure",
+        "printed_viscosity",
+        "printed_divisor",
+        "printed_euler",
+    ];
+    let alone = forms.iter().map(|&form| vec![form]);
+    let pairs = [
+        vec![forms[1], forms[3]],
+        vec![forms[2], forms[3]],
+        forms.to_vec(),
+    ];
+    for (seed, chosen) in (1..).zip(alone.chain(pairs)) {
+        for walls in ["open", "periodic"] {
+            let mut parameters = classic(
+                walls,
+                &[
+                    ("domain_width", 0.3),
+                    ("domain_height", 0.4),
+                    ("time_step", 0.002),
+                ],
+            );
+            for form in &chosen {
+                parameters.set(form, Input::Flag(true)).expect(form);
+            }
+            agree(&scene(parameters, 307, Spread::Even, seed), 10);
+        }
+    }
+}
+
+#[test]
+fn combustion_gas_moves_mixes_and_burns_as_the_equations_say() {
+    // One column of cells, two, three; one row.
+    let narrow = [("domain_width", 0.1), ("smoothing_ratio", 1.9)];
+    let two = [("domain_width", 0.25), ("domain_height", 6.0)];
+    let three = [("domain_width", 0.5), ("domain_height", 6.0)];
+    let low = [("domain_width", 6.0), ("domain_height", 0.2), ("wind", 1.0)];
+    let whirls = [("vorticity_confinement", 0.7), ("wind", -0.3)];
+    let closed = [("seam", 0.0), ("vorticity_confinement", 1.0)];
+    let narrow = [&narrow[..], &two[1..]].concat();
+    let scenes = [
+        (&[][..], 1500, Spread::Even),
+        (&[], 999, Spread::Clumped),
+        (&narrow, 1001, Spread::Even),
+        (&narrow, 502, Spread::Clumped),
+        (&two, 700, Spread::Even),
+        (&three, 1002, Spread::Clumped),
+        (&low, 1003, Spread::Even),
+        (&low, 600, Spread::Clumped),
+        (&whirls, 1203, Spread::Even),
+        (&closed, 801, Spread::Clumped),
+    ];
+    for (seed, (values, count, spread)) in (1..).zip(scenes) {
+        agree(&scene(combustion(values), count, spread, seed), 10);
+    }
+}
+
+#[test]
+fn at_corners_of_all_ranges_both_models_do_as_the_equations_say() {
+    let mut random = Random::new(5);
+    for seed in 0..16 {
+        for (model, count) in [(Model::Classic, 251), (Model::Combustion, 805)] {
+            let parameters = corner(model, &mut random);
+            agree(&scene(parameters, count, Spread::Even, seed), 5);
+        }
+    }
+}

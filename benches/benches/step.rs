@@ -2,33 +2,43 @@
 //!
 //! `cargo bench -p hearth-benches`
 
-use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use hearth_benches::Scene;
+use std::time::{Duration, Instant};
+
+use criterion::measurement::WallTime;
+use criterion::{
+    BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main,
+};
+use hearth_benches::{Scene, scenes};
+
+/// Steps after which a scene goes back to its start: a block without gravity
+/// would drift apart in the thousands of steps of a run.
+const STEPS: u64 = 100;
 
 fn fires(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("fire");
-    let presets = ["default", "classic", "seed"].map(|name| (name, Scene::preset(name)));
-    for (name, scene) in presets {
-        if let Some(scene) = scene {
-            measure(&mut group, name, scene);
-        }
+    measure(&mut group, "default", Scene::combustion(3000, 6.0));
+    measure(&mut group, "high", Scene::combustion(6700, 10.0));
+    for count in [1000, 5000, 20_000] {
+        measure(&mut group, &format!("plume {count}"), Scene::plume(count));
     }
-    measure(&mut group, "fine", Scene::fine());
-    measure(&mut group, "bonfire", Scene::bonfire());
 }
 
 fn blocks(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("block");
-    for count in [1_000, 5_000, 20_000, 50_000] {
-        measure(&mut group, &count.to_string(), Scene::block(count));
+    for count in [1_000, 5_000, 20_000, 100_000, 400_000] {
+        let scene = Scene::block(count, scenes::NEIGHBOURS);
+        measure(&mut group, &count.to_string(), scene);
     }
 }
 
-fn measure(
-    group: &mut criterion::BenchmarkGroup<'_, criterion::measurement::WallTime>,
-    name: &str,
-    scene: Scene,
-) {
+fn measure(group: &mut BenchmarkGroup<'_, WallTime>, name: &str, scene: Result<Scene, String>) {
+    let mut scene = match scene {
+        Ok(scene) => scene,
+        Err(why) => {
+            println!("{name} is left out: {why}");
+            return;
+        }
+    };
     println!(
         "{name}: {} particles, {:.1} neighbours, {} substeps",
         scene.particles(),
@@ -36,16 +46,24 @@ fn measure(
         scene.substeps()
     );
     group
-        .sample_size(20)
+        .sample_size(10)
+        .warm_up_time(Duration::from_secs(1))
+        .measurement_time(Duration::from_secs(3))
         .throughput(Throughput::Elements(u64::from(scene.particles())))
         .bench_function(BenchmarkId::from_parameter(name), |bencher| {
-            // Each measured step starts from the same state: a block without
-            // gravity would drift apart in the thousands of steps of a run.
-            bencher.iter_batched_ref(
-                || scene.clone(),
-                |scene| scene.step(1),
-                BatchSize::LargeInput,
-            );
+            bencher.iter_custom(|iterations| {
+                let (mut time, mut left) = (Duration::ZERO, iterations);
+                while left > 0 {
+                    let steps = left.min(STEPS);
+                    scene.rewind();
+                    scene.step(1);
+                    let start = Instant::now();
+                    scene.step(steps as u32);
+                    time += start.elapsed();
+                    left -= steps;
+                }
+                time
+            });
         });
 }
 

@@ -1,93 +1,150 @@
 /**
- * Measures steps of Hearth's wasm and of the paper's loop; runs in a page and
- * in Node alike.
+ * Sets up and times the cases; runs in a page and in Node alike.
  *
- * A machine has fast and slow phases, so each scene is measured in several
- * rounds, one scene after the other in each round; the best round and the
- * median are told, with the number of neighbours.
+ * A machine has fast and slow phases, so whoever calls this asks for a round of
+ * each case, one after the other, and for all of them again and again.
  */
 import { PaperFire } from './paper.mjs';
+import { ScanFire } from './scan.mjs';
+import { TypedFire } from './typed.mjs';
 
 /**
- * @typedef {object} Row
- * @property {string} scene
- * @property {number} particles
- * @property {number} neighbours  Of a particle within 2h, on average.
- * @property {number} substeps  Parts of the last step.
- * @property {number} stepMs  Median time of a step.
- * @property {number} bestStepMs  The best round's time of a step.
- * @property {number} [frameMs]  Median time of the steps of a 60 Hz frame.
+ * @typedef {object} Case
+ * @property {string} scene  block, plume or combustion; typed, scan or paper: a block in JavaScript.
+ * @property {number} count
+ * @property {number} [neighbours]  Of a block.
+ * @property {number} [stiffness]  Of combustion.
  */
 
-const ROUNDS = 9;
-/** Time that a round of one scene takes, at least [ms]; timers tick coarsely. */
-const ROUND_MS = 120;
+/** Time that a round of one case takes, at least [ms]. */
+const ROUND_MS = 150;
+/** Ticks of the clock between two looks at it, at least; browsers' clocks tick coarsely. */
+const TICKS = 100;
+/** Batches in a round, at least. */
+const BATCHES = 3;
+/** Steps after which a fire goes back to its start: a block drifts apart. */
+const STEPS = 100;
 
-/**
- * @param {typeof import('hearth_benches').Scene} Scene  The wasm module's class.
- * @returns {Row[]}
- */
-export function measureHearth(Scene) {
-  const scenes = [
-    ['default', Scene.preset('default')],
-    ['fine', Scene.fine()],
-    ['classic', Scene.preset('classic')],
-    ['seed preset', Scene.preset('seed')],
-    ['block of 1,000', Scene.block(1000)],
-    ['block of 5,000', Scene.block(5000)],
-    ['block of 20,000', Scene.block(20_000)],
-    ['block of 50,000', Scene.block(50_000)],
-  ].map(([scene, fire]) => ({ scene, fire, times: [] }));
-  for (let round = 0; round < ROUNDS; round += 1) {
-    for (const { fire, times } of scenes) {
-      fire.rewind();
-      times.push(timeOf(() => fire.step(1)));
-    }
+const BASELINES = { typed: TypedFire, scan: ScanFire, paper: PaperFire };
+
+/** All cases of one place. */
+export class Bench {
+  /** @param {typeof import('hearth_benches')} module  The wasm module. */
+  constructor(module) {
+    this.module = module;
+    this.fires = new Map();
+    this.batchMs = TICKS * tick();
   }
-  return scenes.map(({ scene, fire, times }) => {
-    const row = {
-      scene,
-      particles: fire.particles(),
-      neighbours: fire.neighbours(),
-      substeps: fire.substeps(),
-      ...summary(times),
-    };
-    return { ...row, frameMs: row.stepMs * fire.stepsPerFrame() };
-  });
-}
 
-/**
- * The paper's loop with as many particles: few rounds, for it is slow.
- * @returns {Row[]}
- */
-export function measurePaper() {
-  return [1000, 5000].map((count) => {
-    const fire = new PaperFire(count);
-    fire.step();
-    const times = Array.from({ length: 3 }, () => timeOf(() => fire.step()));
+  /**
+   * Sets a case up and lets it run warm; says why where it is refused.
+   * @param {string} id
+   * @param {Case} what
+   * @returns {string | undefined}
+   */
+  prepare(id, what) {
+    try {
+      this.fires.set(id, what.scene in BASELINES ? this.baseline(what) : this.scene(what));
+    } catch (error) {
+      return String(error);
+    }
+    this.round(id);
+    return undefined;
+  }
+
+  /** @param {Case} what */
+  scene({ scene, count, neighbours = 20, stiffness = 6 }) {
+    const { Scene } = this.module;
+    const fire = {
+      block: () => Scene.block(count, neighbours),
+      plume: () => Scene.plume(count),
+      combustion: () => Scene.combustion(count, stiffness),
+    }[scene]();
     return {
-      scene: `the paper's loop, ${count.toLocaleString('en')}`,
-      particles: count,
-      neighbours: fire.neighbours(),
-      substeps: 1,
-      ...summary(times),
+      step: (steps) => fire.step(steps),
+      rewind: () => fire.rewind(),
+      about: () => ({
+        particles: fire.particles(),
+        neighbours: fire.neighbours(),
+        substeps: fire.substeps(),
+        stepsPerFrame: fire.stepsPerFrame(),
+      }),
     };
-  });
+  }
+
+  /** The same block as Hearth's, in JavaScript. @param {Case} what */
+  baseline({ scene, count }) {
+    const block = this.module.Scene.block(count, 20);
+    const start = { positions: block.positions(), velocities: block.velocities() };
+    block.free();
+    const fire = new BASELINES[scene](start);
+    return {
+      step: (steps) => {
+        for (let step = 0; step < steps; step += 1) fire.step();
+      },
+      rewind: () => fire.rewind(),
+      about: () => ({ particles: count, neighbours: fire.neighbours(), substeps: 1 }),
+    };
+  }
+
+  /**
+   * Time of a step [ms]: the median of as many batches as a round needs.
+   * @param {string} id
+   */
+  round(id) {
+    const fire = this.fires.get(id);
+    const times = [];
+    let batch = 1;
+    let steps = STEPS;
+    const start = performance.now();
+    while (times.length < BATCHES || performance.now() - start < ROUND_MS) {
+      if (steps + batch > STEPS) {
+        fire.rewind();
+        fire.step(1);
+        steps = 1;
+      }
+      const before = performance.now();
+      fire.step(batch);
+      const time = performance.now() - before;
+      steps += batch;
+      if (time < this.batchMs && batch < STEPS / 2) {
+        batch *= 2;
+      } else {
+        times.push(time / batch);
+      }
+    }
+    times.sort((a, b) => a - b);
+    return times[times.length >> 1];
+  }
+
+  /** What the case is now. @param {string} id */
+  about(id) {
+    return this.fires.get(id).about();
+  }
+
+  /** Forgets a case. @param {string} id */
+  drop(id) {
+    this.fires.delete(id);
+  }
+
+  /** How fast this place reckons with four numbers at once [GFLOP/s]. */
+  gigaflops() {
+    const rounds = 1_000_000;
+    const before = performance.now();
+    this.module.reckon(rounds);
+    const time = performance.now() - before;
+    return (rounds * this.module.operationsARound()) / time / 1e6;
+  }
 }
 
-/** Time of one call of `act` [ms], over as many calls as a round needs. */
-function timeOf(act) {
-  act();
-  const start = performance.now();
-  let calls = 0;
-  do {
-    act();
-    calls += 1;
-  } while (performance.now() - start < ROUND_MS);
-  return (performance.now() - start) / calls;
-}
-
-function summary(times) {
-  const sorted = [...times].sort((a, b) => a - b);
-  return { stepMs: sorted[sorted.length >> 1], bestStepMs: sorted[0] };
+/** The least time that the clock can tell from none [ms]. */
+function tick() {
+  let least = Infinity;
+  for (let change = 0; change < 20; change += 1) {
+    const before = performance.now();
+    let after = before;
+    while (after === before) after = performance.now();
+    least = Math.min(least, after - before);
+  }
+  return least;
 }

@@ -4,22 +4,13 @@
 //! particles it holds and how many neighbours each has, and both are printed
 //! beside every figure.
 
-use hearth_core::params::{Input, Model, Parameters};
-use hearth_core::preset::Preset;
-use hearth_core::{Particle, Simulation};
+pub mod peak;
+pub mod scenes;
+
+use hearth_core::{Simulation, Vec2};
 use wasm_bindgen::prelude::*;
 
-/// Smoothing length of a block [m]: 100,000 particles still fit the domain.
-const SMOOTHING: f64 = 0.02;
-
-/// Neighbours that a particle inside a block has within 2h.
-const NEIGHBOURS: f64 = 20.0;
-
-/// Room around a block, in distances between its particles: it spreads a
-/// little, and whoever left the domain would be missed.
-const MARGIN: f64 = 6.0;
-
-/// A fire to be measured.
+/// A fire to be measured, and the state that every round of it starts from.
 #[wasm_bindgen]
 #[derive(Clone)]
 pub struct Scene {
@@ -29,66 +20,33 @@ pub struct Scene {
 
 #[wasm_bindgen]
 impl Scene {
-    /// The fire of a preset, burnt for three seconds so that it is whole;
-    /// nothing if there is no such preset.
-    pub fn preset(name: &str) -> Option<Scene> {
-        let parameters = Preset::find(name)?.parameters();
-        Some(Scene::burnt(parameters))
+    /// A block of the classic model, see [`scenes::block`].
+    ///
+    /// # Errors
+    /// A number of particles that the model does not take.
+    pub fn block(count: u32, neighbours: f64) -> Result<Scene, String> {
+        scenes::block(count, neighbours).map(Scene::from)
     }
 
-    /// The combustion model as fine as a large picture deserves.
-    pub fn fine() -> Scene {
-        let mut parameters = Parameters::new(Model::Combustion);
-        for (id, value) in [("max_particles", 6700.0), ("stiffness", 10.0)] {
-            let set = parameters.set(id, Input::Number(value));
-            debug_assert!(set.is_ok(), "{set:?}");
-        }
-        Scene::burnt(parameters)
+    /// A fire of the classic model, see [`scenes::plume`].
+    ///
+    /// # Errors
+    /// A number of particles that the model does not take.
+    pub fn plume(count: u32) -> Result<Scene, String> {
+        scenes::plume(count).map(Scene::from)
     }
 
-    /// A fire of the classic model with a wide source and far more particles.
-    pub fn bonfire() -> Scene {
-        Scene::burnt(with(&[
-            ("max_particles", 20_000.0),
-            ("emission_rate", 30_000.0),
-            ("domain_width", 4.0),
-            ("domain_height", 4.0),
-            ("lifetime_min", 1.5),
-            ("lifetime_max", 3.0),
-            ("source_width", 0.6),
-            ("particle_mass", 1e-4),
-            ("smoothing_radius", 0.014),
-        ]))
-    }
-
-    /// A block of `count` particles at rest, without a source and without
-    /// gravity, with 20 neighbours a particle and steps that need no division:
-    /// what a step of the classic model costs, as other solvers are measured.
-    pub fn block(count: u32) -> Scene {
-        let spacing = 2.0 * SMOOTHING * (std::f64::consts::PI / (NEIGHBOURS + 1.0)).sqrt();
-        let columns = f64::from(count).sqrt().ceil();
-        let side = (columns + 2.0 * MARGIN) * spacing;
-        let mut simulation = Simulation::new(with(&[
-            ("domain_width", side),
-            ("domain_height", side),
-            ("smoothing_radius", SMOOTHING),
-            ("particle_mass", spacing * spacing),
-            ("viscosity", 0.001),
-            ("gravity", 0.0),
-            ("time_step", 1.0 / 480.0),
-            ("max_particles", 100.0),
-        ]));
-        let particles: Vec<Particle> = (0..count)
-            .map(|i| at_rest(i, columns as u32, spacing as f32))
-            .collect();
-        let filled = simulation.set_particles(&particles);
-        debug_assert!(filled.is_ok(), "{filled:?}");
-        Scene::from(simulation)
+    /// A fire of the combustion model, see [`scenes::combustion`].
+    ///
+    /// # Errors
+    /// A value outside its range.
+    pub fn combustion(max_particles: u32, stiffness: f64) -> Result<Scene, String> {
+        scenes::combustion(max_particles, stiffness).map(Scene::from)
     }
 
     /// Goes back to the start, so that every round measures the same steps.
     pub fn rewind(&mut self) {
-        self.simulation = self.start.clone();
+        self.simulation.clone_from(&self.start);
     }
 
     /// Burns on by `steps` steps.
@@ -118,22 +76,25 @@ impl Scene {
     pub fn substeps(&self) -> u32 {
         self.simulation.report().substeps
     }
-}
 
-impl Scene {
-    fn burnt(parameters: Parameters) -> Scene {
-        let mut simulation = Simulation::new(parameters);
-        while simulation.time() < 3.0 {
-            simulation.step();
-        }
-        Scene::from(simulation)
+    /// Where the particles are, x and y of each \[m\].
+    pub fn positions(&self) -> Vec<f32> {
+        flat(&self.simulation.positions())
+    }
+
+    /// Their velocities, x and y of each [m/s].
+    pub fn velocities(&self) -> Vec<f32> {
+        flat(&self.simulation.velocities())
+    }
+
+    /// Their densities [kg/m³] as the last step found them.
+    pub fn densities(&self) -> Vec<f32> {
+        self.simulation.densities()
     }
 }
 
 impl From<Simulation> for Scene {
-    fn from(mut simulation: Simulation) -> Scene {
-        // One more step, so that there is a report and every buffer has grown.
-        simulation.step();
+    fn from(simulation: Simulation) -> Scene {
         Scene {
             start: simulation.clone(),
             simulation,
@@ -141,32 +102,8 @@ impl From<Simulation> for Scene {
     }
 }
 
-/// The classic model's defaults with some values changed.
-fn with(values: &[(&str, f64)]) -> Parameters {
-    let mut parameters = Parameters::new(Model::Classic);
-    for &(id, value) in values {
-        let set = parameters.set(id, Input::Number(value));
-        debug_assert!(set.is_ok(), "{set:?}");
-    }
-    parameters
-}
-
-/// One of a block's particles, slightly off its place on the lattice: on an
-/// exact lattice, distances at the kernel's edge would make the count of
-/// neighbours a matter of rounding.
-fn at_rest(index: u32, columns: u32, spacing: f32) -> Particle {
-    let jitter = |salt: u32| {
-        let mixed = (index ^ salt).wrapping_mul(0x9e37_79b9);
-        ((mixed ^ (mixed >> 15)) >> 8) as f32 / 16_777_216.0 - 0.5
-    };
-    let column = (index % columns) as f32 + 0.2 * jitter(0x51);
-    let row = (index / columns) as f32 + MARGIN as f32 + 0.2 * jitter(0xa7);
-    let half = 0.5 * (columns as f32 - 1.0);
-    Particle {
-        temperature: 1000.0,
-        lifetime: 1e6,
-        ..Particle::at([(column - half) * spacing, row * spacing].into())
-    }
+fn flat(vectors: &[Vec2]) -> Vec<f32> {
+    vectors.iter().flat_map(|v| [v.x, v.y]).collect()
 }
 
 #[cfg(test)]
@@ -175,22 +112,36 @@ mod tests {
 
     #[test]
     fn a_block_has_the_neighbours_that_it_promises() {
-        for count in [1000, 5000] {
-            let mut scene = Scene::block(count);
+        for (count, neighbours) in [(1000, 20.0), (5000, 20.0), (5000, 28.0)] {
+            let mut scene = Scene::block(count, neighbours).expect("a block");
             scene.step(100);
             assert_eq!(scene.particles(), count);
-            let neighbours = scene.neighbours();
-            assert!(
-                (15.0..=25.0).contains(&neighbours),
-                "{neighbours} neighbours"
-            );
+            let share = f64::from(scene.neighbours()) / neighbours;
+            assert!((0.75..=1.25).contains(&share), "{share} of {neighbours}");
             assert_eq!(scene.substeps(), 1);
         }
     }
 
     #[test]
-    fn a_bonfire_is_far_larger_than_the_default_fire() {
-        let scene = Scene::bonfire();
-        assert!(scene.particles() > 5000, "{} particles", scene.particles());
+    fn a_scene_goes_back_to_where_it_began() {
+        let mut scene = Scene::block(1000, scenes::NEIGHBOURS).expect("a block");
+        let at_first = (scene.positions(), scene.velocities());
+        scene.step(20);
+        assert_ne!((scene.positions(), scene.velocities()), at_first);
+        scene.rewind();
+        assert_eq!((scene.positions(), scene.velocities()), at_first);
+    }
+
+    #[test]
+    fn a_plume_is_as_large_as_it_may_be() {
+        let scene = Scene::plume(5000).expect("a plume");
+        let particles = scene.particles();
+        assert!((4000..=5000).contains(&particles), "{particles} particles");
+    }
+
+    #[test]
+    fn what_a_model_does_not_take_is_refused_in_words() {
+        let said = Scene::combustion(10, 6.0).err();
+        assert!(said.is_some_and(|said| said.contains("max_particles")));
     }
 }

@@ -334,7 +334,7 @@ impl Simulation {
     /// mass of its air.
     ///
     /// # Errors
-    /// More than 100,000 particles in the classic model, fewer than half of
+    /// More than 400,000 particles in the classic model, fewer than half of
     /// `max_particles` or more than twice as many in the combustion model, whose
     /// smoothing length goes with it; or a particle outside the domain, faster
     /// than 1000 m/s, not from 1 to 100,000 K, without a lifetime, or with fuel or
@@ -378,8 +378,8 @@ impl Simulation {
 
 /// Most particles that somebody may put into the classic model, and what is said
 /// of more; and of a number that does not go with the smoothing length.
-const MOST: usize = 100_000;
-const TOO_MANY: &str = "there may be 100000 of them at most";
+const MOST: usize = 400_000;
+const TOO_MANY: &str = "there may be 400000 of them at most";
 const NOT_AS_MANY: &str = "there must be from half to twice max_particles of them";
 
 /// Fastest particle that can be put in [m/s]; what is thousands of times as

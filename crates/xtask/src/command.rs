@@ -15,7 +15,8 @@ cargo xtask <command>
   test [--skip-browser] [STAGE...]      check everything, or only these stages
   validate [CASE...]                    hold the physics against theory, and write docs/evaluation.md
   soak [--corners N] [--seed S]         drive fires to random corners of all ranges, and back
-  bench                                 measure, and write docs/evaluation.md
+  bench [--yardstick PROGRAM]           measure, beside this program too, and write docs/evaluation.md
+  bench --instructions [--write]        hold the instructions of a step to those written down, or write them
   size                                  print the download sizes of the built site
   codegen                               write the files that come from the parameter table
   help                                  this text
@@ -53,7 +54,7 @@ pub enum Command {
         seed: Option<u32>,
     },
     /// Measure.
-    Bench,
+    Bench(bench::Task),
     /// Print download sizes.
     Size,
     /// Write generated files.
@@ -124,7 +125,10 @@ impl Command {
                 Command::Soak { corners, seed }
             }
             "build" => Command::Build,
-            "bench" => Command::Bench,
+            "bench" => match bench::Task::parse(options.by_ref()) {
+                Ok(task) => Command::Bench(task),
+                Err(option) => return unknown(name, &option),
+            },
             "size" => Command::Size,
             "codegen" => Command::Codegen,
             "help" | "--help" | "-h" => Command::Help,
@@ -184,7 +188,7 @@ pub fn run(command: Command) -> Result<ExitCode> {
         }
         Command::Validate { names } => validate::run(&names)?,
         Command::Soak { corners, seed } => soak::run(corners, seed)?,
-        Command::Bench => bench::run()?,
+        Command::Bench(task) => bench::run(&task)?,
         Command::Size => {
             site::build()?;
             size::check()?;
@@ -264,6 +268,7 @@ mod tests {
             "size 3",
             "validate --fast",
             "soak 3",
+            "bench --fast",
         ] {
             let said = parse(line).err().map(|error| error.to_string());
             assert!(said.is_some_and(|said| said.contains("cargo xtask <command>")));

@@ -12,7 +12,7 @@ mod trunk;
 use anyhow::{Result, bail};
 
 use crate::report::Report;
-use crate::{codegen, paths, site, size};
+use crate::{bench, codegen, paths, site, size};
 
 /// One check.
 struct Stage {
@@ -87,6 +87,20 @@ const STAGES: &[Stage] = &[
         needs: &["site"],
         in_browser: false,
         run: |_| size::check(),
+    },
+    Stage {
+        name: "baselines",
+        about: "what benchmarks compare with computes the same gas",
+        needs: &[],
+        in_browser: false,
+        run: |_| bench::baselines(),
+    },
+    Stage {
+        name: "cost",
+        about: "a step takes no more instructions than it did",
+        needs: &[],
+        in_browser: false,
+        run: |_| bench::instructions(),
     },
     Stage {
         name: "wasm",

@@ -3,7 +3,7 @@
 //! the line that installs them.
 //!
 //! `serve` and `build` need the wasm target and nothing else. Tests need Node,
-//! Chromium with its driver, wasm-bindgen's test runner and Trunk.
+//! Chromium with its driver, wasm-bindgen's test runner, valgrind and Trunk.
 
 use std::env;
 use std::ffi::OsString;
@@ -131,6 +131,18 @@ pub fn browser() -> Result<Browser> {
          or leave the browser out with --skip-browser",
     )?;
     find_browser().context("chromium and chromium-driver are installed, but not on the PATH")
+}
+
+/// Makes sure that valgrind is there.
+///
+/// # Errors
+/// It is missing and cannot be installed.
+pub fn valgrind() -> Result<()> {
+    if process::find("valgrind").is_none() {
+        apt_install(&["valgrind", "libc6-dbg"])
+            .context("no valgrind: install Debian's packages valgrind and libc6-dbg")?;
+    }
+    Ok(())
 }
 
 fn find_browser() -> Option<Browser> {

@@ -5,55 +5,205 @@ use std::fmt::Write as _;
 
 use serde_json::Value;
 
-/// The figures that `benches/browser/run.mjs` gives and criterion's times of a
-/// step, as Markdown.
-pub(super) fn tables(figures: &Value, native: &BTreeMap<String, f64>) -> String {
-    let machine = &figures["machine"];
+use super::figures::{BROWSER, Figures, Row, Time};
+use super::targets;
+
+/// What was measured, and criterion's times of a step, as Markdown.
+pub(super) fn tables(figures: &Figures, native: &BTreeMap<String, f64>) -> String {
+    let mut text = introduction(figures);
+    targets_table(&mut text, figures);
+    blocks_table(&mut text, figures);
+    fires_table(&mut text, figures);
+    criterion_table(&mut text, native);
+    memory_table(&mut text, figures);
+    page_table(&mut text, &figures.all["page"]);
+    left_out(&mut text, &figures.all["leftOut"]);
+    text
+}
+
+fn introduction(figures: &Figures) -> String {
+    let all = &figures.all;
+    let machine = &all["machine"];
     let mut text = format!(
-        "Measured on {} ({} cores, {}), with Node {} and {}. Times are milliseconds: the \
-         median of nine rounds, and the best one.\n\n",
+        "Measured on {} ({} cores, {}), with Node {} and {}, in {} rounds. ",
         word(&machine["processor"]),
         word(&machine["cores"]),
         word(&machine["system"]),
-        word(&figures["node"]).trim_start_matches('v'),
-        word(&figures["browser"]),
+        word(&all["node"]).trim_start_matches('v'),
+        word(&all["browser"]),
+        word(&all["rounds"]),
     );
+    let peaks = all["peaks"].as_object();
+    let peaks: Vec<String> = peaks
+        .into_iter()
+        .flatten()
+        .map(|(place, peak)| format!("{place} {}", number(peak, 1)))
+        .collect();
+    let _ = writeln!(
+        text,
+        "Peak of 128-bit SIMD, multiplications and additions, in GFLOP/s: {}.",
+        peaks.join(", ")
+    );
+    text
+}
+
+fn targets_table(text: &mut String, figures: &Figures) {
     text.push_str(
-        "| where | scene | particles | neighbours | substeps | step | best | a 60 Hz frame |\n\
-         |---|---|--:|--:|--:|--:|--:|--:|\n",
+        "\n### Targets\n\n\
+         One wasm thread in Chromium where nothing else is said.\n\n\
+         | target | | median | best round | |\n|---|--:|--:|--:|---|\n",
     );
-    for row in figures["results"].as_array().into_iter().flatten() {
+    for target in targets::all(figures) {
+        let shown = |figure: fn(Time) -> f64| {
+            let found = target.found.map(|found| target.wanted.show(figure(found)));
+            found.unwrap_or_default()
+        };
+        let verdict = match target.found {
+            Some(found) if target.wanted.holds(found.median) => "reached",
+            Some(_) => "not reached",
+            None => "not measured",
+        };
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {} | {} | {} | {} | {} |",
-            word(&row["where"]),
-            word(&row["scene"]),
-            word(&row["particles"]),
-            number(&row["neighbours"], 1),
-            word(&row["substeps"]),
-            number(&row["stepMs"], 3),
-            number(&row["bestStepMs"], 3),
-            number(&row["frameMs"], 2),
+            "| {} | {} | {} | {} | {verdict} |",
+            target.what,
+            target.wanted.words(),
+            shown(|found| found.median),
+            shown(|found| found.best),
         );
     }
-    if !native.is_empty() {
-        text.push_str("\n| natively | step |\n|---|--:|\n");
-        for (scene, milliseconds) in native {
-            let _ = writeln!(text, "| {scene} | {milliseconds:.3} |");
-        }
+    text.push_str("| allocations a step | 0 | | | held by `tests/tests/allocation.rs` |\n");
+}
+
+fn blocks_table(text: &mut String, figures: &Figures) {
+    text.push_str(
+        "\n### Blocks\n\n\
+         | N | program | where | neighbours | step, ms | best | ns a particle | share of peak | \
+         / Hearth in Chromium |\n|--:|---|---|--:|--:|--:|--:|--:|--:|\n",
+    );
+    let in_blocks = |row: &&Row| !["plume", "combustion"].contains(&row.scene.as_str());
+    let mut rows: Vec<&Row> = figures.rows.iter().filter(in_blocks).collect();
+    rows.sort_by_key(|row| row.count);
+    for row in rows {
+        let own = figures.own("block", BROWSER, row.count);
+        let ratio = own.map(|own| row.nanoseconds().over(own.nanoseconds()).median);
+        let share = figures.share_of_peak(row);
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {:.1} | {:.3} | {:.3} | {:.1} | {} | {} |",
+            row.count,
+            row.label().replace('|', "\\|"),
+            row.place,
+            row.neighbours,
+            row.step.median,
+            row.step.best,
+            row.nanoseconds().median,
+            cell(share.map(|share| format!("{:.1} %", 100.0 * share.median))),
+            cell(ratio.map(|ratio| format!("{ratio:.2}"))),
+        );
     }
-    let stats = figures["page"].as_object();
-    if let Some(stats) = stats.filter(|stats| !stats.is_empty()) {
-        text.push_str("\n| on the page, after ten seconds | |\n|---|--:|\n");
-        for (name, value) in stats {
-            let shown = match value {
-                Value::Number(_) => number(value, 2),
-                other => word(other),
-            };
-            let _ = writeln!(text, "| {name} | {shown} |");
-        }
+}
+
+fn fires_table(text: &mut String, figures: &Figures) {
+    text.push_str(
+        "\n### Fires\n\n\
+         | fire | where | particles | neighbours | substeps | step, ms | best | ns a particle | \
+         steps a 60 Hz frame | those, ms |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n",
+    );
+    for row in &figures.rows {
+        let name = match (row.scene.as_str(), row.count) {
+            ("combustion", 3000) => "default".to_owned(),
+            ("combustion", 6700) => "high".to_owned(),
+            ("plume", count) => format!("classic plume of up to {count}"),
+            _ => continue,
+        };
+        let _ = writeln!(
+            text,
+            "| {name} | {} | {} | {:.1} | {} | {:.3} | {:.3} | {:.0} | {:.1} | {} |",
+            row.place,
+            row.particles,
+            row.neighbours,
+            row.substeps,
+            row.step.median,
+            row.step.best,
+            row.nanoseconds().median,
+            row.steps_a_frame.unwrap_or_default(),
+            cell(row.frame().map(|frame| format!("{:.2}", frame.median))),
+        );
     }
-    text
+    let throttled = &figures.all["throttled"];
+    if let Some((step, steps)) = figures.throttled() {
+        let free = throttled["freeStepMs"].as_f64().unwrap_or_default();
+        let _ = writeln!(
+            text,
+            "\nThe combustion model with max_particles 1200 ({} particles, {steps:.1} steps a \
+             frame) on a page that Chromium slows down {} ×: {:.3} ms a step, {:.2} ms a frame's \
+             steps; {:.2} ms without that.",
+            word(&throttled["particles"]),
+            word(&throttled["rate"]),
+            step.median,
+            step.median * steps,
+            free * steps,
+        );
+    }
+}
+
+fn criterion_table(text: &mut String, native: &BTreeMap<String, f64>) {
+    if native.is_empty() {
+        return;
+    }
+    text.push_str("\n### Natively, by criterion\n\n| | step, ms |\n|---|--:|\n");
+    for (scene, milliseconds) in native {
+        let _ = writeln!(text, "| {scene} | {milliseconds:.3} |");
+    }
+}
+
+fn memory_table(text: &mut String, figures: &Figures) {
+    let Some(listed) = figures.all["memory"].as_array() else {
+        return;
+    };
+    text.push_str("\n### Memory\n\n| block | bytes | a particle |\n|--:|--:|--:|\n");
+    for one in listed {
+        let (particles, bytes) = (one["particles"].as_f64(), one["bytes"].as_f64());
+        let each = particles
+            .zip(bytes)
+            .map(|(n, bytes)| format!("{:.0}", bytes / n));
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} |",
+            word(&one["particles"]),
+            word(&one["bytes"]),
+            cell(each)
+        );
+    }
+}
+
+fn page_table(text: &mut String, page: &Value) {
+    let Some(stats) = page.as_object().filter(|stats| !stats.is_empty()) else {
+        return;
+    };
+    text.push_str("\n### The page, after ten seconds\n\n| | |\n|---|--:|\n");
+    for (name, value) in stats {
+        let shown = match value {
+            Value::Number(_) => number(value, 2),
+            other => word(other),
+        };
+        let _ = writeln!(text, "| {name} | {shown} |");
+    }
+}
+
+fn left_out(text: &mut String, reasons: &Value) {
+    let Some(reasons) = reasons.as_array().filter(|reasons| !reasons.is_empty()) else {
+        return;
+    };
+    text.push_str("\nLeft out:\n\n");
+    for reason in reasons {
+        let _ = writeln!(text, "- {}", word(reason));
+    }
+}
+
+fn cell(shown: Option<String>) -> String {
+    shown.unwrap_or_default()
 }
 
 /// A value as a word of a cell; nothing where there is none.
@@ -74,30 +224,4 @@ fn number(value: &Value, digits: usize) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use serde_json::json;
-
-    #[test]
-    fn every_figure_has_its_cell() {
-        let figures = json!({
-            "machine": { "processor": "Some | CPU", "cores": 2, "system": "Linux x64" },
-            "node": "v20.1.0",
-            "browser": "Chrome/1",
-            "results": [
-                { "where": "node", "scene": "default", "particles": 700, "neighbours": 21.26,
-                  "substeps": 1, "stepMs": 0.12345, "bestStepMs": 0.1, "frameMs": 0.5 },
-                { "where": "node", "scene": "paper", "particles": 1000, "neighbours": 20.0,
-                  "substeps": 1, "stepMs": 9.5, "bestStepMs": 9.0 },
-            ],
-            "page": { "fps": 60.01, "paused": false },
-        });
-        let native = BTreeMap::from([("fire/default".to_owned(), 0.0625)]);
-        let text = tables(&figures, &native);
-        assert!(text.contains("Some \\| CPU (2 cores, Linux x64), with Node 20.1.0"));
-        assert!(text.contains("| node | default | 700 | 21.3 | 1 | 0.123 | 0.100 | 0.50 |"));
-        assert!(text.contains("| node | paper | 1000 | 20.0 | 1 | 9.500 | 9.000 |  |"));
-        assert!(text.contains("| fire/default | 0.062 |"));
-        assert!(text.contains("| fps | 60.01 |\n| paused | false |"));
-    }
-}
+mod tests;

@@ -9,8 +9,12 @@ const LIBRARIES: [&str; 2] = ["hearth-core", "hearth-render"];
 /// Crates with code that only a browser runs.
 const FOR_THE_BROWSER: [&str; 3] = ["hearth-widget", "hearth-panel", "hearth-tests"];
 
+/// A package outside the workspace.
+const PEERS: &str = "benches/peers/Cargo.toml";
+
 pub(super) fn format() -> Result<()> {
-    process::run(process::cargo().args(["fmt", "--all", "--check"]))
+    process::run(process::cargo().args(["fmt", "--all", "--check"]))?;
+    process::run(process::cargo().args(["fmt", "--check", "--manifest-path", PEERS]))
 }
 
 pub(super) fn lint() -> Result<()> {

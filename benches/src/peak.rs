@@ -1,0 +1,56 @@
+//! How fast the machine could reckon if it did nothing else: independent chains
+//! of multiplications and additions on four numbers at once.
+//!
+//! No step of a fire comes near it, but the share of it that one reaches can be
+//! compared between machines, where milliseconds cannot.
+
+use std::hint::black_box;
+
+use glam::Vec4;
+use wasm_bindgen::prelude::*;
+
+/// Chains that do not wait for each other: enough to hide how long one
+/// operation takes, and few enough to stay in the sixteen registers of SSE.
+const CHAINS: usize = 12;
+
+/// Links of each chain in one round.
+const LINKS: usize = 4;
+
+/// Operations in a round: a multiplication and an addition a link, each of four
+/// numbers.
+#[wasm_bindgen(js_name = operationsARound)]
+pub fn operations_a_round() -> u32 {
+    (CHAINS * LINKS * 2 * 4) as u32
+}
+
+/// Reckons for so many rounds; what it gives keeps a compiler from leaving it out.
+#[wasm_bindgen]
+#[inline(never)]
+pub fn reckon(rounds: u32) -> f32 {
+    // A chain that tends towards one: its numbers grow neither huge nor so tiny
+    // that a processor would be slow with them.
+    let factor = Vec4::splat(black_box(0.75));
+    let term = Vec4::splat(black_box(0.25));
+    let mut chains = [Vec4::ZERO; CHAINS];
+    for _ in 0..rounds {
+        for _ in 0..LINKS {
+            for chain in &mut chains {
+                *chain = *chain * factor + term;
+            }
+        }
+    }
+    chains.iter().map(|chain| chain.element_sum()).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_reckons() {
+        let all = (CHAINS * 4) as f32;
+        assert_eq!(reckon(0), 0.0);
+        assert!(reckon(1) > 0.5 * all);
+        assert!((reckon(100) / all - 1.0).abs() < 1e-5);
+    }
+}

@@ -1,0 +1,158 @@
+//! The fires whose steps are measured.
+
+use hearth_core::params::{Input, Model, Parameters};
+use hearth_core::{Particle, Simulation};
+
+/// Smoothing length of a block [m]: as large as lets 400,000 particles fit the
+/// widest domain.
+pub const SMOOTHING: f64 = 0.012;
+
+/// Density of a block [kg/m³], the greatest: its particles would be lighter than
+/// they may be otherwise.
+pub const REST_DENSITY: f64 = 2.0;
+
+/// Length of a block's step \[s\]: short enough to need no division.
+pub const TIME_STEP: f64 = 1.0 / 480.0;
+
+/// Viscosity of a block [Pa·s].
+pub const VISCOSITY: f64 = 0.001;
+
+/// Neighbours that a particle inside a block has within 2h, as other solvers are
+/// measured.
+pub const NEIGHBOURS: f64 = 20.0;
+
+/// Room around a block, in distances between its particles: it spreads a
+/// little, and whoever left the domain would be missed.
+const MARGIN: f64 = 6.0;
+
+/// A block of `count` particles at rest, without a source and without gravity,
+/// with so many neighbours a particle: what a step of the classic model costs.
+///
+/// # Errors
+/// A number of particles that the model does not take.
+pub fn block(count: u32, neighbours: f64) -> Result<Simulation, String> {
+    let spacing = spacing(neighbours);
+    let columns = f64::from(count).sqrt().ceil();
+    let side = (columns + 2.0 * MARGIN) * spacing;
+    let mut simulation = Simulation::new(with(
+        Model::Classic,
+        &[
+            ("domain_width", side),
+            ("domain_height", side),
+            ("smoothing_radius", SMOOTHING),
+            ("rest_density", REST_DENSITY),
+            ("particle_mass", REST_DENSITY * spacing * spacing),
+            ("viscosity", VISCOSITY),
+            ("gravity", 0.0),
+            ("time_step", TIME_STEP),
+            ("max_particles", 100.0),
+        ],
+    )?);
+    let particles: Vec<Particle> = (0..count)
+        .map(|i| at_rest(i, columns as u32, spacing as f32))
+        .collect();
+    simulation
+        .set_particles(&particles)
+        .map_err(|refused| refused.to_string())?;
+    // One step, so that there is a report and every buffer has grown.
+    simulation.step();
+    Ok(simulation)
+}
+
+/// Distance between the particles of a block \[m\] with so many neighbours each.
+fn spacing(neighbours: f64) -> f64 {
+    2.0 * SMOOTHING * (std::f64::consts::PI / (neighbours + 1.0)).sqrt()
+}
+
+/// A fire of the classic model that burns with up to `count` particles, with
+/// gravity, births and deaths: from a source so wide and over a domain so large
+/// that they find room.
+///
+/// # Errors
+/// A number of particles outside the range of `max_particles`.
+pub fn plume(count: u32) -> Result<Simulation, String> {
+    let parameters = with(
+        Model::Classic,
+        &[
+            ("max_particles", f64::from(count)),
+            ("emission_rate", 100_000.0),
+            ("emission_speed", 2.0),
+            ("domain_width", 4.0),
+            ("domain_height", 6.0),
+            ("lifetime_min", 1.0),
+            ("lifetime_max", 3.0),
+            ("source_width", 0.6),
+            ("particle_mass", 1e-4),
+            ("rest_density", REST_DENSITY),
+            ("smoothing_radius", SMOOTHING),
+        ],
+    )?;
+    Ok(burnt(parameters, 3.0))
+}
+
+/// A fire of the combustion model that fills its domain with about so many
+/// particles, after three seconds: it has come to its steady state then.
+///
+/// # Errors
+/// A value outside its range.
+pub fn combustion(max_particles: u32, stiffness: f64) -> Result<Simulation, String> {
+    combustion_after(3.0, max_particles, stiffness)
+}
+
+/// As [`combustion`], after `seconds`.
+///
+/// # Errors
+/// A value outside its range.
+pub fn combustion_after(
+    seconds: f64,
+    max_particles: u32,
+    stiffness: f64,
+) -> Result<Simulation, String> {
+    let values = [
+        ("max_particles", f64::from(max_particles)),
+        ("stiffness", stiffness),
+    ];
+    Ok(burnt(with(Model::Combustion, &values)?, seconds))
+}
+
+/// The default fire of the classic model after `seconds`.
+pub fn classic_after(seconds: f64) -> Simulation {
+    burnt(Parameters::new(Model::Classic), seconds)
+}
+
+fn burnt(parameters: Parameters, seconds: f64) -> Simulation {
+    let mut simulation = Simulation::new(parameters);
+    while simulation.time() < seconds {
+        simulation.step();
+    }
+    simulation
+}
+
+/// A model's defaults with some values changed.
+fn with(model: Model, values: &[(&str, f64)]) -> Result<Parameters, String> {
+    let mut parameters = Parameters::new(model);
+    for &(id, value) in values {
+        parameters
+            .set(id, Input::Number(value))
+            .map_err(|refused| refused.to_string())?;
+    }
+    Ok(parameters)
+}
+
+/// One of a block's particles, slightly off its place on the lattice: on an
+/// exact lattice, distances at the kernel's edge would make the count of
+/// neighbours a matter of rounding.
+fn at_rest(index: u32, columns: u32, spacing: f32) -> Particle {
+    let jitter = |salt: u32| {
+        let mixed = (index ^ salt).wrapping_mul(0x9e37_79b9);
+        ((mixed ^ (mixed >> 15)) >> 8) as f32 / 16_777_216.0 - 0.5
+    };
+    let column = (index % columns) as f32 + 0.2 * jitter(0x51);
+    let row = (index / columns) as f32 + MARGIN as f32 + 0.2 * jitter(0xa7);
+    let half = 0.5 * (columns as f32 - 1.0);
+    Particle {
+        temperature: 1000.0,
+        lifetime: 1e6,
+        ..Particle::at([(column - half) * spacing, row * spacing].into())
+    }
+}

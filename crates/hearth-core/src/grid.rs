@@ -100,6 +100,8 @@ pub(crate) struct Grid {
     starts: Vec<u32>,
     /// The first block of each row; one more entry closes the last row.
     blocks: Vec<u32>,
+    /// From where to where the particles of each block lie.
+    members: Vec<[u32; 2]>,
     /// The bin of each particle, then its place.
     places: Vec<u32>,
 }
@@ -128,6 +130,8 @@ impl Grid {
     /// Sorts particles whose kernels end at `reach`. Returns their places: what is
     /// at `i` belongs to `places[i]`. Whoever keeps the particles puts them
     /// so; the grid then speaks of their new places.
+    // Not inlined: each of its callers would carry a copy.
+    #[inline(never)]
     pub fn sort(
         &mut self,
         positions: impl ExactSizeIterator<Item = Vec2>,
@@ -159,14 +163,26 @@ impl Grid {
         }
         self.places = places;
 
-        self.blocks.clear();
-        let mut blocks = 0;
-        for row in 0..self.rows {
-            self.blocks.push(blocks);
-            blocks += self.particles(row).len().div_ceil(LANES) as u32;
-        }
-        self.blocks.push(blocks);
+        self.form_blocks();
         &self.places
+    }
+
+    fn form_blocks(&mut self) {
+        let (mut blocks, mut members) = (
+            std::mem::take(&mut self.blocks),
+            std::mem::take(&mut self.members),
+        );
+        blocks.clear();
+        members.clear();
+        for row in 0..self.rows {
+            blocks.push(members.len() as u32);
+            let particles = self.particles(row);
+            let four = |start: usize| [start, (start + LANES).min(particles.end)];
+            let fours = particles.clone().step_by(LANES).map(four);
+            members.extend(fours.map(|four| four.map(|place| place as u32)));
+        }
+        blocks.push(members.len() as u32);
+        (self.blocks, self.members) = (blocks, members);
     }
 
     fn lay_out(&mut self, bounds: &Bounds, reach: f32, particles: usize) {
@@ -217,18 +233,15 @@ impl Grid {
 
     /// How many blocks there are.
     pub fn block_count(&self) -> usize {
-        self.blocks.last().map_or(0, |&end| end as usize)
+        self.members.len()
     }
 
-    /// Calls `see` with each block and its particles.
+    /// The particles of each block.
     #[inline(always)]
-    pub fn each_block(&self, mut see: impl FnMut(usize, Range<usize>)) {
-        for row in 0..self.rows {
-            let particles = self.particles(row);
-            for (start, block) in particles.clone().step_by(LANES).zip(self.blocks(row)) {
-                see(block, start..(start + LANES).min(particles.end));
-            }
-        }
+    pub fn members(&self) -> impl Iterator<Item = Range<usize>> {
+        self.members
+            .iter()
+            .map(|&[start, end]| start as usize..end as usize)
     }
 
     /// The particles of a row whose bins a stretch of it touches.
@@ -400,8 +413,7 @@ mod tests {
                 let close = |i: usize, j: usize| {
                     bounds.offset(positions[i], positions[j]).length_squared() < reach * reach
                 };
-                let mut members = Vec::new();
-                grid.each_block(|_, of| members.push(of));
+                let members: Vec<_> = grid.members().collect();
                 let mut found = Vec::new();
                 let mut see = |i: usize, j: usize, shift: Vec2| {
                     let offset = positions[i] - shift - positions[j];
@@ -445,18 +457,16 @@ mod tests {
                 let mut positions = cloud(n, &bounds, seed);
                 sort(&mut grid, &mut positions, &bounds, 0.05);
                 let mut next = 0;
-                let mut number = 0;
-                grid.each_block(|block, members| {
-                    assert_eq!((number, next), (block, members.start));
-                    number += 1;
+                for members in grid.members() {
+                    assert_eq!(next, members.start);
                     assert!((1..=LANES).contains(&members.len()));
                     let rows = members
                         .clone()
                         .map(|i| grid.indices([0.0; 3], positions[i].y).1);
                     assert_eq!(BTreeSet::from_iter(rows).len(), 1);
                     next = members.end;
-                });
-                assert_eq!((number, next), (grid.block_count(), n));
+                }
+                assert_eq!(next, n);
             }
         }
     }

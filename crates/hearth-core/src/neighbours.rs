@@ -222,11 +222,11 @@ impl Neighbours {
     pub fn apply<const N: usize, L: Law<N>>(&self, law: &L, blocks: &mut [L::Block]) {
         for sweep in &self.sweeps {
             let block = sweep.block as usize;
-            let sums = [0, 1, 2, 3].map(|lane| {
+            let mut sums = [[Lanes::ZERO; N]; LANES];
+            for (lane, sum) in sums.iter_mut().enumerate() {
                 let one = law.one(&blocks[block], lane, sweep.shift);
-                let mut sum = [Lanes::ZERO; N];
                 if sweep.own {
-                    sum = law.pair(&one, &blocks[block]).0;
+                    *sum = law.pair(&one, &blocks[block]).0;
                 }
                 for &entry in sweep.list(&self.entries, lane) {
                     let others = &mut blocks[entry as usize / SUBSETS];
@@ -237,8 +237,7 @@ impl Neighbours {
                         theirs[k] -= loss[k];
                     }
                 }
-                sum
-            });
+            }
             let gains = L::gains(&mut blocks[block]);
             for (k, gain) in gains.iter_mut().enumerate() {
                 *gain += lanes::sums(sums.map(|sum| sum[k]));

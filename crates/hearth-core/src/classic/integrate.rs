@@ -86,7 +86,7 @@ pub(crate) fn integrate(
     let limit = Lanes::splat(values.speed_limit);
     let (mut fastest, mut hardest) = (Lanes::ZERO, Lanes::ZERO);
     let mut limited = 0;
-    pairs.each(|block, members| {
+    for (block, members) in pairs.each() {
         let particles = &mut particles[members];
         let mut temperature = [values.ambient_temperature; LANES];
         for (temperature, particle) in temperature.iter_mut().zip(&*particles) {
@@ -120,7 +120,7 @@ pub(crate) fn integrate(
             particle.temperature = larger(cooled, values.ambient_temperature);
             particle.age += dt;
         }
-    });
+    }
     Motion {
         fastest: fastest.largest(),
         hardest: hardest.largest(),

@@ -81,18 +81,18 @@ impl Pairs {
         let inverse_h = 1.0 / kernel.smoothing_length();
         let units = Lanes::new([inverse_h, inverse_h, 1.0, 1.0]);
         let nowhere = Lanes::new([NOWHERE, NOWHERE, 0.0, 0.0]);
-        grid.each_block(|block, members| {
+        for (block, members) in blocks.iter_mut().zip(grid.members()) {
             let mut motions = [nowhere; LANES];
             for (motion, particle) in motions.iter_mut().zip(&particles[members]) {
                 *motion = particle.motion * units;
             }
             let [x, y, vx, vy] = transposed(motions);
-            blocks[block] = Block {
+            *block = Block {
                 place: [x, y],
                 velocity: [vx, vy],
                 ..Block::EMPTY
             };
-        });
+        }
     }
 
     /// Finds all pairs of sorted particles, and fills in every density,
@@ -106,8 +106,7 @@ impl Pairs {
         neighbours.find(blocks, grid, kernel.smoothing_length());
         let each = values.particle_mass * kernel.bell_norm();
         let push = push_factor(kernel, values.particle_mass);
-        grid.each_block(|block, members| {
-            let block = &mut blocks[block];
+        for (block, members) in blocks.iter_mut().zip(grid.members()) {
             let density = block.volume * each;
             block.volume = pressure::volume(density);
             let pressure = pressure::pressure(density, values);
@@ -116,7 +115,7 @@ impl Pairs {
             for (lane, particle) in particles[members].iter_mut().enumerate() {
                 (particle.density, particle.pressure) = (density[lane], pressure[lane]);
             }
-        });
+        }
     }
 
     /// Adds what `law` says of all pairs to the accelerations.
@@ -124,17 +123,15 @@ impl Pairs {
         self.neighbours.apply(law, &mut self.blocks);
     }
 
-    /// Calls `see` with each block and which particles it holds.
+    /// Each block and which particles it holds.
     #[inline(always)]
-    pub fn each(&mut self, mut see: impl FnMut(&mut Block, Range<usize>)) {
-        let blocks = &mut self.blocks;
-        self.grid
-            .each_block(|block, members| see(&mut blocks[block], members));
+    pub fn each(&mut self) -> impl Iterator<Item = (&mut Block, Range<usize>)> {
+        self.blocks.iter_mut().zip(self.grid.members())
     }
 
     /// Adds the acceleration `push` of a position \[m\] and a velocity [m/s].
     pub fn push_by(&mut self, particles: &Particles, push: impl Fn(Vec2, Vec2) -> Vec2) {
-        self.each(|block, members| {
+        for (block, members) in self.each() {
             let [mut x, mut y] = block.acceleration.map(Lanes::to_array);
             for (lane, particle) in particles[members].iter().enumerate() {
                 let a = push(particle.position(), particle.velocity());
@@ -142,7 +139,7 @@ impl Pairs {
                 y[lane] += a.y;
             }
             block.acceleration = [x, y].map(Lanes::new);
-        });
+        }
     }
 
     /// Neighbours of a particle, on average, and the most of one.
@@ -156,10 +153,10 @@ impl Pairs {
     /// The accelerations, in the order of the sorted particles.
     pub fn accelerations(&mut self) -> Vec<Vec2> {
         let mut all = Vec::new();
-        self.each(|block, members| {
+        for (block, members) in self.each() {
             let [x, y] = block.acceleration.map(Lanes::to_array);
             all.extend((0..members.len()).map(|lane| Vec2::new(x[lane], y[lane])));
-        });
+        }
         all
     }
 
@@ -172,12 +169,12 @@ impl Pairs {
         of: impl Fn(Vec2) -> f32,
     ) {
         let push = push_factor(kernel, mass);
-        self.each(|block, members| {
+        for (block, members) in self.each() {
             let mut pressures = [0.0; LANES];
             for (lane, particle) in particles[members].iter().enumerate() {
                 pressures[lane] = of(particle.position()) * push;
             }
             block.pressure = Lanes::new(pressures);
-        });
+        }
     }
 }

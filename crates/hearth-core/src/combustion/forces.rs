@@ -55,7 +55,7 @@ pub(crate) fn expansion(temperature: f32, values: &Values) -> f32 {
 }
 
 /// Four particles, as the search for pairs takes them.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Block {
     /// Position, in smoothing lengths.
     x: Lanes,
@@ -64,16 +64,6 @@ struct Block {
     share: Lanes,
     /// What each gets of that.
     sum: Lanes,
-}
-
-impl Block {
-    /// Lanes without a particle: nowhere.
-    const EMPTY: Block = Block {
-        x: Lanes::splat(NOWHERE),
-        y: Lanes::splat(NOWHERE),
-        share: Lanes::ZERO,
-        sum: Lanes::ZERO,
-    };
 }
 
 impl neighbours::Block for Block {
@@ -255,9 +245,9 @@ impl Forces {
         expansions.clear();
         expansions.extend(gas.state.iter().map(|state| expansion(state.x, values)));
         let inverse_h = 1.0 / kernel.smoothing_length();
-        blocks.clear();
-        blocks.resize(grid.block_count(), Block::EMPTY);
-        grid.each_block(|block, members| {
+        // Not cleared: every block is written as a whole.
+        blocks.resize(grid.block_count(), Block::default());
+        for (block, members) in blocks.iter_mut().zip(grid.members()) {
             let mut place = [[NOWHERE; LANES]; 2];
             let mut share = [0.0; LANES];
             for (lane, i) in members.enumerate() {
@@ -265,21 +255,25 @@ impl Forces {
                 (place[0][lane], place[1][lane]) = (at.x, at.y);
                 share[lane] = expansions[i];
             }
-            let block = &mut blocks[block];
-            [block.x, block.y] = place.map(Lanes::new);
-            block.share = Lanes::new(share);
-        });
+            let [x, y] = place.map(Lanes::new);
+            *block = Block {
+                x,
+                y,
+                share: Lanes::new(share),
+                sum: Lanes::ZERO,
+            };
+        }
         neighbours.find(blocks, grid, kernel.smoothing_length());
 
         let each = gas.mass * kernel.bell_norm();
         let mut sum = 0.0;
-        grid.each_block(|block, members| {
-            let filling = (blocks[block].sum * each).to_array();
+        for (block, members) in blocks.iter().zip(grid.members()) {
+            let filling = (block.sum * each).to_array();
             for (i, filling) in members.zip(filling) {
                 gas.filling[i] = filling;
                 sum += f64::from(filling);
             }
-        });
+        }
         let mean = (sum / gas.len().max(1) as f64) as f32;
         for (i, &filling) in gas.filling.iter().enumerate() {
             gas.volume[i] = gas.mass * expansions[i] / filling;
@@ -309,8 +303,8 @@ impl Forces {
         let places = LANES * blocks.len() + 1;
         parcels.resize(places, Parcel::NONE);
         parcels[places - 1] = Parcel::NONE;
-        grid.each_block(|block, members| {
-            let parcels = &mut parcels[LANES * block..][..LANES];
+        let (fours, _) = parcels.as_chunks_mut::<LANES>();
+        for (parcels, members) in fours.iter_mut().zip(grid.members()) {
             parcels[members.len()..].fill(Parcel::NONE);
             for (parcel, i) in parcels.iter_mut().zip(members) {
                 let (at, v) = (gas.position[i] * inverse_h, gas.velocity[i]);
@@ -320,7 +314,7 @@ impl Forces {
                     state: Lanes::new(gas.state[i].to_array()),
                 };
             }
-        });
+        }
         gains.clear();
         gains.resize(
             places,
@@ -361,14 +355,15 @@ impl Forces {
         });
 
         let crowd = -kernel.steepness_norm() * kernel.smoothing_length();
-        grid.each_block(|block, members| {
-            for (gain, i) in gains[LANES * block..].iter().zip(members) {
+        let (fours, _) = gains.as_chunks::<LANES>();
+        for (gains, members) in fours.iter().zip(grid.members()) {
+            for (gain, i) in gains.iter().zip(members) {
                 let [ax, ay, x, y] = gain.motion.to_array();
                 gas.acceleration[i] = Vec2::new(ax, ay);
                 gas.crowding[i] = Vec2::new(x, y) * crowd;
                 gas.change[i] = Vec4::from_array(gain.state.to_array());
             }
-        });
+        }
     }
 
     /// Adds vorticity confinement.

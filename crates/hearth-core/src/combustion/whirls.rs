@@ -154,14 +154,14 @@ impl Whirls {
         neighbours.apply(&Ascent, &mut self.blocks);
         let h = kernel.smoothing_length();
         let strength = strength * h * h * kernel.steepness_norm();
-        grid.each_block(|block, members| {
-            let Block { curl, ascent, .. } = &self.blocks[block];
+        for (block, members) in self.blocks.iter().zip(grid.members()) {
+            let Block { curl, ascent, .. } = block;
             let curl = curl[0].to_array();
             let [x, y] = ascent.map(Lanes::to_array);
             for (lane, i) in members.enumerate() {
                 let towards = Vec2::new(x[lane], y[lane]).normalize_or_zero();
                 gas.acceleration[i] += Vec2::new(towards.y, -towards.x) * (curl[lane] * strength);
             }
-        });
+        }
     }
 }

@@ -7,7 +7,7 @@
 import { DEFAULTS } from './defaults.js';
 
 /** The attributes that are no parameters, and the one that says what the others mean. */
-export const OWN_ATTRIBUTES = ['preset', 'model', 'paused', 'autoplay', 'alt', 'reduced-motion'];
+export const OWN_ATTRIBUTES = ['preset', 'model', 'quality', 'paused', 'autoplay', 'alt', 'reduced-motion'];
 
 const IDS = Object.keys(DEFAULTS);
 
@@ -19,7 +19,7 @@ export const ID_OF_PROPERTY = new Map(
   IDS.map((id) => [id.replace(/_(.)/g, (_, letter) => letter.toUpperCase()), id]),
 );
 
-const OWN_PROPERTIES = ['preset', 'paused', 'autoplay', 'alt', 'reducedMotion'];
+const OWN_PROPERTIES = ['preset', 'quality', 'paused', 'autoplay', 'alt', 'reducedMotion'];
 
 /** @type {typeof HTMLElement} */
 const Base = globalThis.HTMLElement ?? class {};

@@ -6,11 +6,11 @@
  * fire and its graphics context.
  *
  * @typedef {import('./engine.js').Message} Message
- * @typedef {{preset?: string, kept?: object, values: object, paused: boolean}} Start
+ * @typedef {{preset?: string, kept?: object, values: object, quality: string, paused: boolean}} Start
  */
 
 import { connect } from './engine.js';
-import { watch } from './watch.js';
+import { guess, watch } from './watch.js';
 
 /** The request number of a removal; the others start at 1. */
 const REMOVAL = 0;
@@ -92,7 +92,7 @@ export class FireLink {
     });
     this.#port = port;
     this.#fire = fire;
-    const state = { ...this.#size, visible: this.#visible };
+    const state = { ...this.#size, visible: this.#visible, guess: guess() };
     this.#send({ type: 'add', canvas: this.#canvas, ...state, ...start() });
     answered = this.#requests.connect(fire, (message) => this.#send(message));
   }

@@ -7,6 +7,9 @@ import type { HearthParameters, HearthProperties, ParameterId, PresetName } from
 
 export type * from './parameters.js';
 
+/** How much work a fire makes itself. */
+export type HearthQuality = 'low' | 'medium' | 'high';
+
 /** What a fire says about itself, about four times a second. */
 export interface HearthStats {
   /** Pictures a second, smoothed. */
@@ -40,6 +43,15 @@ export interface HearthStats {
   paused: boolean;
   /** The format of the textures that it is drawn into. */
   targetFormat: string;
+  /** The quality that it has, and why, in words. */
+  quality: HearthQuality;
+  qualityReason: string;
+  /** What takes how long in a frame [ms]: the stages of its steps, and sending the particles. */
+  stages: Record<'sort' | 'density' | 'forces' | 'integrate' | 'upload', number>;
+  /** What each pass of the picture takes [ms], in their order. */
+  passes: Record<string, number>;
+  /** Whose clock says so: the graphics card's, or the processor's when it handed them over. */
+  passTimer: 'gpu' | 'submit' | '';
 }
 
 /** A point: of the element in CSS pixels, y down, or of the fire's world in metres, y up. */
@@ -76,6 +88,13 @@ export interface HearthChangeDetail {
   source: string;
 }
 
+/** What a `quality-change` event tells. */
+export interface HearthQualityDetail {
+  quality: HearthQuality;
+  /** Why, in words. */
+  reason: string;
+}
+
 /** The events of a fire. */
 export interface HearthFireEventMap extends Omit<HTMLElementEventMap, 'error'> {
   ready: CustomEvent<null>;
@@ -83,6 +102,7 @@ export interface HearthFireEventMap extends Omit<HTMLElementEventMap, 'error'> {
   pause: CustomEvent<null>;
   stats: CustomEvent<HearthStats>;
   'params-change': CustomEvent<HearthChangeDetail>;
+  'quality-change': CustomEvent<HearthQualityDetail>;
   error: CustomEvent<HearthErrorDetail>;
   restored: CustomEvent<null>;
 }
@@ -108,6 +128,8 @@ export class HearthFire extends HTMLElement {
   autoplay: boolean;
   /** The preset that was last asked for. */
   preset: PresetName;
+  /** How much work it may make itself; `auto`: as much as fits. */
+  quality: 'auto' | HearthQuality;
   /** What a screen reader says; without it the fire is decoration. */
   alt: string;
   /** `auto`: a still fire where the visitor wants less motion. */

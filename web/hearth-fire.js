@@ -41,6 +41,7 @@ export class HearthFire extends FireAttributes {
   #kept = {};
   /** @type {{[name: string]: any} | null} */
   #stats = null;
+  #quality = 'auto';
   #paused = false;
   /** Whether it stands still because the visitor wants less motion. */
   #still = false;
@@ -66,6 +67,15 @@ export class HearthFire extends FireAttributes {
   /** What the fire last said about itself: fps, particles, stepMs …; null before it did. */
   get stats() {
     return this.#stats && { ...this.#stats };
+  }
+
+  /** How much work it may make itself: `low`, `medium`, `high`, or `auto`: as much as fits. */
+  get quality() {
+    return this.#quality;
+  }
+
+  set quality(quality) {
+    this.setAttribute('quality', String(quality));
   }
 
   /**
@@ -186,6 +196,8 @@ export class HearthFire extends FireAttributes {
     } else if (name === 'preset') {
       // The first fire starts from its preset, wherever the attribute stands.
       if (this.#started && !this.#dropping) this.#ask({ type: 'preset', source: 'preset', name: value ?? 'default' });
+    } else if (name === 'quality') {
+      this.#ask({ type: 'quality', source: 'attribute', quality: value ?? 'auto' });
     } else if (name === 'paused') {
       if ((value !== null) !== this.#paused) this.#setPaused(value !== null);
     } else if (name === 'alt') {
@@ -258,12 +270,12 @@ export class HearthFire extends FireAttributes {
 
   /** What the fire starts from: preset and model at first, what it was when it comes back. */
   #start() {
-    const paused = this.#paused;
-    if (this.#started) return { kept: this.#kept, values: this.#params, paused };
+    const [paused, quality] = [this.#paused, this.#quality];
+    if (this.#started) return { kept: this.#kept, values: this.#params, quality, paused };
     this.#started = true;
     const preset = this.getAttribute('preset') ?? undefined;
     const model = this.getAttribute('model');
-    return { preset, values: model === null ? {} : { model }, paused };
+    return { preset, values: model === null ? {} : { model }, quality, paused };
   }
 
   /**
@@ -320,6 +332,12 @@ export class HearthFire extends FireAttributes {
         this.#stats = message.stats;
         this.#emit('stats', this.stats);
         break;
+      case 'quality': {
+        const { wish, quality, reason } = message;
+        this.#quality = wish;
+        if (this.#announced) this.#emit('quality-change', { quality, reason });
+        break;
+      }
       case 'state':
         this.#emit(message.playing ? 'play' : 'pause');
         break;

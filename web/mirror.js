@@ -89,6 +89,11 @@ export function mountMirror({ host, fire, reveal }) {
     return fire.restore(...used.map(({ id }) => id));
   });
 
+  const quality = addQuality(root, (name) => {
+    fire.quality = name;
+  });
+  places.set('quality', quality);
+
   for (const parameter of PARAMETERS) {
     const id = parameter.id;
     const { row, control, show } = makeControl(parameter, fire, (value) => {
@@ -118,6 +123,10 @@ export function mountMirror({ host, fire, reveal }) {
   const showAll = () => {
     for (const show of shows.values()) show();
     showPlaying();
+    showQuality();
+  };
+  const showQuality = () => {
+    if (fire.quality !== undefined) quality.value = fire.quality;
   };
   const showPlaying = () => {
     pause.textContent = fire.paused ? 'Play' : 'Pause';
@@ -134,6 +143,7 @@ export function mountMirror({ host, fire, reveal }) {
     play: showPlaying,
     pause: showPlaying,
     'params-change': changed,
+    'quality-change': showQuality,
     error: failed,
     restored: () => say(''),
   };
@@ -167,6 +177,25 @@ export function mountMirror({ host, fire, reveal }) {
 }
 
 let made = 0;
+
+/**
+ * The labelled choice of how much work the fire may make itself.
+ *
+ * @param {HTMLElement} root
+ * @param {(name: string) => void} wish
+ */
+function addQuality(root, wish) {
+  const row = document.createElement('div');
+  const label = document.createElement('label');
+  label.textContent = 'Quality';
+  const control = document.createElement('select');
+  control.id = label.htmlFor = `hearth-mirror-${(made += 1)}`;
+  control.dataset.action = 'quality';
+  list({ choices: ['auto', 'low', 'medium', 'high'] }, control, wish);
+  row.append(label, control);
+  root.append(row);
+  return control;
+}
 
 /**
  * One parameter's labelled control.

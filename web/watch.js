@@ -19,6 +19,16 @@ export function motionIsReduced() {
   return globalThis.matchMedia?.(REDUCED_MOTION).matches ?? false;
 }
 
+/** How much a fire may ask of this device before it has been tried. */
+export function guess() {
+  return isTouch() || navigator.hardwareConcurrency <= 2 ? 'low' : 'medium';
+}
+
+/** Whether it is a phone or a tablet. */
+function isTouch() {
+  return globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
+}
+
 /**
  * The size that a canvas should have, within the caps.
  * @param {number} width in device pixels
@@ -54,7 +64,7 @@ export function watch(host, canvas, tell) {
   const stopped = new AbortController();
   const { signal } = stopped;
 
-  const touch = globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
+  const touch = isTouch();
   const sizes = new ResizeObserver((entries) => {
     const entry = entries[entries.length - 1];
     const density = globalThis.devicePixelRatio || 1;

@@ -179,7 +179,7 @@ test('steps that are asked for are made, however long each of them is', async ()
 });
 
 test('what a fire says of itself fits its model', async () => {
-  const tab = await browser.open('<hearth-fire model="classic"></hearth-fire>');
+  const tab = await browser.open('<hearth-fire model="classic" quality="medium"></hearth-fire>');
   await tab.burnt(0.5);
   const classic = await tab.fire((fire) => fire.stats);
   assert.deepEqual([classic.power, classic.embers], [0, 0]);
@@ -234,7 +234,7 @@ for (const model of Object.keys(ONLY)) {
     const tab = await browser.open(
       `<hearth-fire model="${model}" max-particles="100000" emission-rate="100000" lifetime-min="3"
         lifetime-max="3" domain-width="6" domain-height="6" source-width="0.6"
-        smoothing-radius="0.05"></hearth-fire>`,
+        smoothing-radius="0.05" particle-mass="0.0001" time-step="0.002"></hearth-fire>`,
     );
     await tab.ready();
     await tab.until('it says that it is slowed', () => {

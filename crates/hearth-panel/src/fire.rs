@@ -12,6 +12,9 @@ use hearth_core::params::{Domain, Input, Model, PARAMETERS, Param, ParamError, P
 /// The id of the parameter that decides which others there are.
 pub const MODEL: &str = "model";
 
+/// What a fire can be asked to have for a quality, as its API names it.
+pub const QUALITIES: [&str; 4] = ["auto", "low", "medium", "high"];
+
 /// How many samples the history keeps: half a minute at four a second.
 pub const HISTORY: usize = 120;
 
@@ -24,6 +27,8 @@ pub enum Command {
     Restore(Vec<&'static str>),
     /// Take a preset.
     Preset(&'static str),
+    /// Make so much work.
+    Quality(&'static str),
     /// Let time pass.
     Play,
     /// Hold it.
@@ -35,7 +40,7 @@ pub enum Command {
 }
 
 /// How the fire does.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stats {
     /// Frames per second, smoothed.
     pub fps: f64,
@@ -49,6 +54,17 @@ pub struct Stats {
     pub draw_ms: f64,
     /// Whether the machine is too slow for the fire's own speed.
     pub slowed: bool,
+    /// The quality that it has.
+    pub quality: String,
+    /// Why it has that quality.
+    pub reason: String,
+    /// What the parts of its steps take in a frame [ms].
+    pub stages: Vec<(String, f64)>,
+    /// What the passes of the picture take [ms].
+    pub passes: Vec<(String, f64)>,
+    /// Whether the graphics card says so, or only the processor that hands
+    /// them over.
+    pub on_card: bool,
 }
 
 impl Stats {
@@ -65,6 +81,8 @@ pub struct Fire {
     pub parameters: Parameters,
     /// Whether time stands still.
     pub paused: bool,
+    /// The quality that it was asked to have.
+    pub quality: String,
     /// The last numbers that came.
     pub stats: Stats,
     /// Frames per second of the last samples, the oldest first.
@@ -156,11 +174,11 @@ impl Fire {
 
     /// The newest numbers.
     pub fn measure(&mut self, stats: Stats) {
-        self.stats = stats;
         if self.history.len() == HISTORY {
             self.history.pop_front();
         }
         self.history.push_back(stats.fps as f32);
+        self.stats = stats;
     }
 
     /// Whether any value of the model is not its default.

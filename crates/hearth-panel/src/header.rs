@@ -1,14 +1,14 @@
 //! The header: how the fire does, play and pause, model, presets, search.
 
-use egui::{Align2, Color32, Id, Rect, TextEdit, Ui, UiBuilder, pos2, vec2};
+use egui::{Align2, Color32, CursorIcon, Id, Rect, Sense, TextEdit, Ui, UiBuilder, pos2, vec2};
 use hearth_core::params::{Kind, Param};
 use hearth_core::preset::PRESETS;
 
 use crate::button::{self, Face};
-use crate::fire::{Command, MODEL};
+use crate::fire::{Command, MODEL, QUALITIES};
 use crate::format::{count_text, significant};
 use crate::history;
-use crate::icons::Icon;
+use crate::icons::{self, Icon};
 use crate::panel::{Panel, strip};
 use crate::{control, row, theme};
 
@@ -26,6 +26,9 @@ pub fn fixed(panel: &mut Panel, ui: &mut Ui, low: bool) {
     } else {
         numbers(panel, ui);
         ui.add_space(4.0);
+        if panel.unfolded {
+            times_of_all(panel, ui);
+        }
         let plot = strip(ui, 34.0);
         history::show(ui, plot, &panel.fire.history);
         ui.add_space(8.0);
@@ -47,12 +50,15 @@ pub fn movable(panel: &mut Panel, ui: &mut Ui) {
     ui.add_space(6.0);
     let plot = strip(ui, 30.0);
     history::show(ui, plot, &panel.fire.history);
+    times_of_all(panel, ui);
 }
 
 fn movable_rows(panel: &mut Panel, ui: &mut Ui, scrolls: bool) {
     model(panel, ui, scrolls);
     ui.add_space(8.0);
     presets(panel, ui);
+    ui.add_space(8.0);
+    quality(panel, ui);
     ui.add_space(8.0);
     search(panel, ui);
 }
@@ -75,9 +81,16 @@ fn model(panel: &mut Panel, ui: &mut Ui, scrolls: bool) {
 }
 
 /// Frame rate in large figures, particles and milliseconds beside it.
-fn numbers(panel: &Panel, ui: &mut Ui) {
+fn numbers(panel: &mut Panel, ui: &mut Ui) {
     let rect = strip(ui, 36.0);
-    let stats = panel.fire.stats;
+    let name = "action:times";
+    let response = ui
+        .interact(rect, Id::unique(name), Sense::click())
+        .on_hover_cursor(CursorIcon::PointingHand)
+        .on_hover_text("What takes how long");
+    panel.place(ui, name, rect);
+    panel.unfolded ^= response.clicked();
+    let stats = &panel.fire.stats;
     let painter = ui.painter();
     let fps = painter.text(
         rect.left_center(),
@@ -93,6 +106,13 @@ fn numbers(panel: &Panel, ui: &mut Ui) {
         theme::small(),
         theme::WEAK,
     );
+    let ink = if response.hovered() {
+        theme::ACCENT
+    } else {
+        theme::WEAK
+    };
+    let chevron = pos2(fps.right() + 42.0, fps.bottom() - 14.0);
+    icons::chevron(painter, chevron, panel.unfolded, ink);
     let right = |y: f32, text: String, ink| {
         let at = pos2(rect.right(), y);
         painter.text(at, Align2::RIGHT_CENTER, text, theme::small(), ink);
@@ -108,7 +128,7 @@ fn numbers(panel: &Panel, ui: &mut Ui) {
 
 /// The same in one short line.
 fn brief(panel: &Panel, ui: &Ui, line: Rect) {
-    let stats = panel.fire.stats;
+    let stats = &panel.fire.stats;
     let painter = ui.painter();
     let fps = painter.text(
         line.left_center(),
@@ -142,7 +162,7 @@ fn brief(panel: &Panel, ui: &Ui, line: Rect) {
 
 /// What a frame and a step cost, or that they cost too much.
 fn times(panel: &Panel, low: bool) -> (String, Color32) {
-    let stats = panel.fire.stats;
+    let stats = &panel.fire.stats;
     if stats.slowed {
         return ("slower than real time".to_owned(), theme::ERROR);
     }
@@ -152,6 +172,71 @@ fn times(panel: &Panel, low: bool) -> (String, Color32) {
         (frame, theme::WEAK)
     } else {
         (format!("{frame} · step {}", ms(stats.step_ms)), theme::WEAK)
+    }
+}
+
+/// What each part of a frame takes, and why it is of this quality.
+fn times_of_all(panel: &Panel, ui: &mut Ui) {
+    let stats = &panel.fire.stats;
+    let of = |times: &[(String, f64)]| {
+        let each: Vec<String> = times
+            .iter()
+            .map(|(name, ms)| format!("{name} {ms:.1}"))
+            .collect();
+        each.join(" · ")
+    };
+    let passes = if stats.on_card {
+        "Picture, ms on the graphics card"
+    } else {
+        "Picture, ms to hand it over"
+    };
+    for (what, times) in [("Frame, ms", &stats.stages), (passes, &stats.passes)] {
+        if !times.is_empty() {
+            row::paragraph(ui, &format!("{what}: {}", of(times)), theme::WEAK);
+        }
+    }
+    if !stats.reason.is_empty() {
+        let words = format!("Quality {}: {}", stats.quality, stats.reason);
+        row::paragraph(ui, &words, theme::WEAK);
+    }
+    ui.add_space(4.0);
+}
+
+/// How much work the fire may make itself.
+fn quality(panel: &mut Panel, ui: &mut Ui) {
+    let mut rect = strip(ui, panel.measures.control);
+    ui.painter().text(
+        rect.left_center(),
+        Align2::LEFT_CENTER,
+        "Quality",
+        theme::small(),
+        theme::WEAK,
+    );
+    rect.min.x += LABEL;
+    panel.place(ui, "quality", rect);
+    let labels = ["Auto", "Low", "Medium", "High"];
+    for (rect, (name, label)) in
+        button::split(rect, labels.len(), 6.0).zip(QUALITIES.into_iter().zip(labels))
+    {
+        let face = Face {
+            lit: panel.fire.quality == name,
+            ..Face::text(label)
+        };
+        let place = format!("quality:{name}");
+        let mut response = button::show(ui, rect, Id::unique(&place), face);
+        if panel.fire.stats.quality == name {
+            // What the fire has at present, whoever chose it.
+            let line = rect.bottom() - 4.0;
+            let middle = rect.center().x;
+            ui.painter()
+                .hline(middle - 8.0..=middle + 8.0, line, (1.5, theme::ACCENT));
+            response = response.on_hover_text(&panel.fire.stats.reason);
+        }
+        panel.place(ui, place, rect);
+        if response.clicked() {
+            panel.fire.quality = name.to_owned();
+            panel.ask(Command::Quality(name));
+        }
     }
 }
 

@@ -48,6 +48,8 @@ pub struct Panel {
     pub(crate) shown: Option<&'static str>,
     pub(crate) revealing: bool,
     pub(crate) gesture: Option<(Id, Gesture)>,
+    /// Whether it is shown what takes how long.
+    pub(crate) unfolded: bool,
     closed: BTreeSet<&'static str>,
     /// The model whose rows were shown last.
     model: Model,
@@ -72,6 +74,7 @@ impl Panel {
             shown: None,
             revealing: false,
             gesture: None,
+            unfolded: false,
             closed: BTreeSet::new(),
             model: Model::default(),
             tops: Vec::new(),

@@ -7,7 +7,7 @@
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, vec2};
 use hearth_core::params::{Choice, Input, Kind, Model, Param, Value};
 use hearth_panel::Panel;
-use hearth_panel::fire::{Command, MODEL};
+use hearth_panel::fire::{Command, MODEL, Stats};
 use hearth_panel::theme::{self, Measures};
 
 struct Hands {
@@ -289,6 +289,30 @@ fn the_dice_throws_another_seed() {
 }
 
 #[test]
+fn a_click_on_the_frame_rate_tells_what_takes_how_long() {
+    let mut hands = Hands::new(TALL);
+    let times = |names: &[&str]| {
+        names
+            .iter()
+            .map(|name| ((*name).to_owned(), 1.25))
+            .collect()
+    };
+    hands.panel.fire.measure(Stats {
+        stages: times(&["sort", "density", "forces", "integrate", "upload"]),
+        passes: times(&["gas", "flame", "present"]),
+        quality: "low".to_owned(),
+        reason: "as asked for".to_owned(),
+        ..Stats::default()
+    });
+    hands.wait();
+    let folded = hands.place("search").top();
+    hands.click("action:times");
+    assert!(hands.place("search").top() > folded + 30.0);
+    hands.click("action:times");
+    assert_eq!(hands.place("search").top(), folded);
+}
+
+#[test]
 fn buttons_ask_for_what_they_say() {
     let mut hands = Hands::new(TALL);
     hands.panel.fire.learn("gravity", Input::Number(3.0));
@@ -298,6 +322,8 @@ fn buttons_ask_for_what_they_say() {
         ("action:pause", Command::Pause),
         ("action:reset", Command::Reset),
         ("action:preset:seed", Command::Preset("seed")),
+        ("quality:low", Command::Quality("low")),
+        ("quality:auto", Command::Quality("auto")),
         ("action:reset-all", Command::Restore(all)),
     ] {
         hands.click(button);

@@ -90,8 +90,9 @@ fn tristimulus(temperature: f64) -> [f64; 3] {
 fn planck(wavelength: f64, temperature: f64) -> f64 {
     /// hc/k [nm·K].
     const SECOND_RADIATION: f64 = 1.438_776_877e7;
+    // Above 5 wherever it is asked for, so the subtraction costs no digits.
     let exponent = SECOND_RADIATION / (wavelength * temperature);
-    (1e3 / wavelength).powi(5) / exponent.exp_m1()
+    (1e3 / wavelength).powi(5) / (f64::from(libm::expf(exponent as f32)) - 1.0)
 }
 
 #[cfg(test)]

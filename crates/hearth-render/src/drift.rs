@@ -48,7 +48,7 @@ impl Drift {
             let age = (self.periods + start).fract() as f32;
             1.0 - (2.0 * age - 1.0).abs()
         });
-        let both = shares[0].hypot(shares[1]);
+        let both = (shares[0] * shares[0] + shares[1] * shares[1]).sqrt();
         shares.map(|share| share / both)
     }
 

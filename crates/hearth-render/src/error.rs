@@ -23,6 +23,14 @@ pub enum RenderError {
     NoTarget,
 }
 
+impl RenderError {
+    /// The driver has none to give, as when the context is lost.
+    pub(crate) fn none(pass: &'static str) -> RenderError {
+        let log = "it has none to give".to_owned();
+        RenderError::Resource { pass, log }
+    }
+}
+
 impl fmt::Display for RenderError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

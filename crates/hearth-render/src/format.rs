@@ -4,7 +4,7 @@
 //! phones cannot blend them. Where there are no half floats, eight bits hold
 //! scaled values: coarser, but a fire.
 
-use crate::gl::Gl;
+use crate::gl::Graphics;
 
 /// Pixels of the off-screen targets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub enum TargetFormat {
 
 impl TargetFormat {
     /// The formats to try, best first.
-    pub(crate) fn candidates(gl: Gl<'_>) -> &'static [TargetFormat] {
+    pub(crate) fn candidates(gl: &impl Graphics) -> &'static [TargetFormat] {
         let half_floats = gl.has_extension("EXT_color_buffer_float")
             || gl.has_extension("EXT_color_buffer_half_float");
         if half_floats {

@@ -1,4 +1,8 @@
-//! The one place that calls WebGL.
+//! The calls of WebGL2 that the renderer makes, and whom it makes them to.
+//!
+//! The renderer knows no browser: whoever has a context says how it is called,
+//! once, by [`Graphics`]. For `glow`, which speaks to any driver, that is said
+//! here; a page that speaks to its own context alone carries less code.
 //!
 //! `glow` marks every call `unsafe`, because a native driver trusts the
 //! pointers and sizes it is given. WebGL checks them all, and what passes
@@ -8,87 +12,143 @@
 
 #![allow(unsafe_code)]
 
-use glow::HasContext as _;
+use glow::HasContext as Gl;
 
-/// A borrowed context.
-#[derive(Clone, Copy)]
-pub struct Gl<'a>(pub &'a glow::Context);
+/// A context of WebGL2. Each call is the one of that name, with the handles of
+/// the same context.
+#[allow(missing_docs)]
+pub trait Graphics {
+    type Program;
+    type Shader;
+    type Texture;
+    type Framebuffer;
+    type VertexArray;
+    /// Where a program keeps a uniform.
+    type Place;
+
+    fn create_program(&self) -> Option<Self::Program>;
+    fn attach_shader(&self, program: &Self::Program, shader: &Self::Shader);
+    fn link_program(&self, program: &Self::Program);
+    fn is_linked(&self, program: &Self::Program) -> bool;
+    fn program_log(&self, program: &Self::Program) -> String;
+    fn delete_program(&self, program: &Self::Program);
+    fn use_program(&self, program: &Self::Program);
+    fn create_shader(&self, kind: u32) -> Option<Self::Shader>;
+    fn shader_source(&self, shader: &Self::Shader, source: &str);
+    fn compile_shader(&self, shader: &Self::Shader);
+    fn shader_log(&self, shader: &Self::Shader) -> String;
+    fn delete_shader(&self, shader: &Self::Shader);
+    fn uniform_place(&self, program: &Self::Program, name: &str) -> Option<Self::Place>;
+    fn set_sampler(&self, place: Option<&Self::Place>, unit: i32);
+    fn set_uniform(&self, place: Option<&Self::Place>, value: [f32; 4]);
+
+    fn create_texture(&self) -> Option<Self::Texture>;
+    fn delete_texture(&self, texture: &Self::Texture);
+    fn active_texture(&self, unit: u32);
+    /// As everything of textures: of two dimensions.
+    fn bind_texture(&self, texture: &Self::Texture);
+    fn tex_parameter(&self, name: u32, value: u32);
+    /// Gives the bound texture its size, and nothing in it.
+    fn make_room(&self, internal: u32, kind: u32, size: [u32; 2]);
+    /// Replaces a part of the bound texture, whose texels are four bytes.
+    fn replace_bytes(&self, size: [u32; 2], texels: &[u8]);
+    /// Replaces a part of the bound texture, whose texels are four floats.
+    fn replace_floats(&self, from: [u32; 2], size: [u32; 2], texels: &[f32]);
+    fn generate_mipmap(&self);
+
+    fn create_framebuffer(&self) -> Option<Self::Framebuffer>;
+    fn delete_framebuffer(&self, framebuffer: &Self::Framebuffer);
+    /// The picture's own where there is none.
+    fn bind_framebuffer(&self, framebuffer: Option<&Self::Framebuffer>);
+    /// Lets the bound framebuffer draw into `texture`; what it says of that.
+    fn attach_texture(&self, texture: &Self::Texture) -> u32;
+
+    fn create_vertex_array(&self) -> Option<Self::VertexArray>;
+    fn delete_vertex_array(&self, array: &Self::VertexArray);
+    fn bind_vertex_array(&self, array: Option<&Self::VertexArray>);
+
+    fn enable(&self, capability: u32);
+    fn disable(&self, capability: u32);
+    fn blend_func(&self, source: u32, destination: u32);
+    fn viewport(&self, width: i32, height: i32);
+    fn scissor(&self, x: i32, y: i32, width: i32, height: i32);
+    fn clear(&self, colour: [f32; 4]);
+    /// One triangle that covers everything.
+    fn draw_triangle(&self);
+    fn draw_instances(&self, vertices: i32, instances: i32);
+    fn largest_texture(&self) -> u32;
+    fn has_extension(&self, name: &str) -> bool;
+}
 
 macro_rules! forward {
-    ($( fn $name:ident ( $($arg:ident : $type:ty),* ) $(-> $out:ty)?; )+) => {
-        $( pub fn $name(self, $($arg: $type),*) $(-> $out)? {
+    ($( fn $name:ident ( $($arg:ident : $type:ty),* ) $(-> $out:ty)? = $gl:ident => $call:expr; )+) => {
+        $( fn $name(&self, $($arg: $type),*) $(-> $out)? {
+            let $gl = self;
             // SAFETY: see the module's text.
-            unsafe { self.0.$name($($arg),*) }
+            unsafe { $call }
         } )+
     };
 }
 
-impl Gl<'_> {
+impl Graphics for glow::Context {
+    type Program = glow::Program;
+    type Shader = glow::Shader;
+    type Texture = glow::Texture;
+    type Framebuffer = glow::Framebuffer;
+    type VertexArray = glow::VertexArray;
+    type Place = glow::UniformLocation;
+
     forward! {
-        fn create_program() -> Result<glow::Program, String>;
-        fn attach_shader(program: glow::Program, shader: glow::Shader);
-        fn link_program(program: glow::Program);
-        fn get_program_link_status(program: glow::Program) -> bool;
-        fn get_program_info_log(program: glow::Program) -> String;
-        fn delete_program(program: glow::Program);
-        fn use_program(program: Option<glow::Program>);
-        fn create_shader(kind: u32) -> Result<glow::Shader, String>;
-        fn shader_source(shader: glow::Shader, source: &str);
-        fn compile_shader(shader: glow::Shader);
-        fn get_shader_info_log(shader: glow::Shader) -> String;
-        fn delete_shader(shader: glow::Shader);
-        fn get_uniform_location(program: glow::Program, name: &str) -> Option<glow::UniformLocation>;
-        fn uniform_1_i32(location: Option<&glow::UniformLocation>, value: i32);
+        fn create_program() -> Option<glow::Program> = gl => Gl::create_program(gl).ok();
+        fn attach_shader(program: &glow::Program, shader: &glow::Shader) = gl => Gl::attach_shader(gl, *program, *shader);
+        fn link_program(program: &glow::Program) = gl => Gl::link_program(gl, *program);
+        fn is_linked(program: &glow::Program) -> bool = gl => Gl::get_program_link_status(gl, *program);
+        fn program_log(program: &glow::Program) -> String = gl => Gl::get_program_info_log(gl, *program);
+        fn delete_program(program: &glow::Program) = gl => Gl::delete_program(gl, *program);
+        fn use_program(program: &glow::Program) = gl => Gl::use_program(gl, Some(*program));
+        fn create_shader(kind: u32) -> Option<glow::Shader> = gl => Gl::create_shader(gl, kind).ok();
+        fn shader_source(shader: &glow::Shader, source: &str) = gl => Gl::shader_source(gl, *shader, source);
+        fn compile_shader(shader: &glow::Shader) = gl => Gl::compile_shader(gl, *shader);
+        fn shader_log(shader: &glow::Shader) -> String = gl => Gl::get_shader_info_log(gl, *shader);
+        fn delete_shader(shader: &glow::Shader) = gl => Gl::delete_shader(gl, *shader);
+        fn uniform_place(program: &glow::Program, name: &str) -> Option<glow::UniformLocation> = gl => Gl::get_uniform_location(gl, *program, name);
+        fn set_sampler(place: Option<&glow::UniformLocation>, unit: i32) = gl => Gl::uniform_1_i32(gl, place, unit);
+        fn set_uniform(place: Option<&glow::UniformLocation>, value: [f32; 4]) = gl => Gl::uniform_4_f32_slice(gl, place, &value);
 
-        fn create_texture() -> Result<glow::Texture, String>;
-        fn delete_texture(texture: glow::Texture);
-        fn active_texture(unit: u32);
-        fn bind_texture(target: u32, texture: Option<glow::Texture>);
-        fn tex_parameter_i32(target: u32, name: u32, value: i32);
+        fn create_texture() -> Option<glow::Texture> = gl => Gl::create_texture(gl).ok();
+        fn delete_texture(texture: &glow::Texture) = gl => Gl::delete_texture(gl, *texture);
+        fn active_texture(unit: u32) = gl => Gl::active_texture(gl, glow::TEXTURE0 + unit);
+        fn bind_texture(texture: &glow::Texture) = gl => Gl::bind_texture(gl, glow::TEXTURE_2D, Some(*texture));
+        fn tex_parameter(name: u32, value: u32) = gl => Gl::tex_parameter_i32(gl, glow::TEXTURE_2D, name, value as i32);
+        fn generate_mipmap() = gl => Gl::generate_mipmap(gl, glow::TEXTURE_2D);
 
-        fn create_framebuffer() -> Result<glow::Framebuffer, String>;
-        fn delete_framebuffer(framebuffer: glow::Framebuffer);
-        fn bind_framebuffer(target: u32, framebuffer: Option<glow::Framebuffer>);
-        fn framebuffer_texture_2d(target: u32, attachment: u32, texture_target: u32, texture: Option<glow::Texture>, level: i32);
-        fn check_framebuffer_status(target: u32) -> u32;
+        fn create_framebuffer() -> Option<glow::Framebuffer> = gl => Gl::create_framebuffer(gl).ok();
+        fn delete_framebuffer(framebuffer: &glow::Framebuffer) = gl => Gl::delete_framebuffer(gl, *framebuffer);
+        fn bind_framebuffer(framebuffer: Option<&glow::Framebuffer>) = gl => Gl::bind_framebuffer(gl, glow::FRAMEBUFFER, framebuffer.copied());
 
+        fn create_vertex_array() -> Option<glow::VertexArray> = gl => Gl::create_vertex_array(gl).ok();
+        fn delete_vertex_array(array: &glow::VertexArray) = gl => Gl::delete_vertex_array(gl, *array);
+        fn bind_vertex_array(array: Option<&glow::VertexArray>) = gl => Gl::bind_vertex_array(gl, array.copied());
 
-        fn create_vertex_array() -> Result<glow::VertexArray, String>;
-        fn delete_vertex_array(array: glow::VertexArray);
-        fn bind_vertex_array(array: Option<glow::VertexArray>);
-
-        fn enable(capability: u32);
-        fn disable(capability: u32);
-        fn blend_func(source: u32, destination: u32);
-        fn viewport(x: i32, y: i32, width: i32, height: i32);
-        fn scissor(x: i32, y: i32, width: i32, height: i32);
-        fn clear_color(r: f32, g: f32, b: f32, a: f32);
-        fn clear(mask: u32);
-        fn draw_arrays(mode: u32, first: i32, count: i32);
-        fn draw_arrays_instanced(mode: u32, first: i32, count: i32, instances: i32);
-        fn get_parameter_i32(name: u32) -> i32;
+        fn enable(capability: u32) = gl => Gl::enable(gl, capability);
+        fn disable(capability: u32) = gl => Gl::disable(gl, capability);
+        fn blend_func(source: u32, destination: u32) = gl => Gl::blend_func(gl, source, destination);
+        fn viewport(width: i32, height: i32) = gl => Gl::viewport(gl, 0, 0, width, height);
+        fn scissor(x: i32, y: i32, width: i32, height: i32) = gl => Gl::scissor(gl, x, y, width, height);
+        fn draw_triangle() = gl => Gl::draw_arrays(gl, glow::TRIANGLES, 0, 3);
+        fn draw_instances(vertices: i32, instances: i32) = gl => Gl::draw_arrays_instanced(gl, glow::TRIANGLES, 0, vertices, instances);
+        fn largest_texture() -> u32 = gl => Gl::get_parameter_i32(gl, glow::MAX_TEXTURE_SIZE).max(1) as u32;
     }
 
-    pub fn has_extension(self, name: &str) -> bool {
-        self.0.supported_extensions().contains(name)
+    fn has_extension(&self, name: &str) -> bool {
+        Gl::supported_extensions(self).contains(name)
     }
 
-    pub fn uniform(self, location: Option<&glow::UniformLocation>, [x, y, z, w]: [f32; 4]) {
-        // SAFETY: see the module's text.
-        unsafe { self.0.uniform_4_f32(location, x, y, z, w) }
-    }
-
-    /// Gives the bound texture its size and, where there are any, its texels.
-    pub fn texels(
-        self,
-        internal: u32,
-        kind: u32,
-        [width, height]: [u32; 2],
-        texels: Option<&[u8]>,
-    ) {
+    fn make_room(&self, internal: u32, kind: u32, [width, height]: [u32; 2]) {
         // SAFETY: see the module's text.
         unsafe {
-            self.0.tex_image_2d(
+            Gl::tex_image_2d(
+                self,
                 glow::TEXTURE_2D,
                 0,
                 internal as i32,
@@ -97,36 +157,63 @@ impl Gl<'_> {
                 0,
                 glow::RGBA,
                 kind,
-                glow::PixelUnpackData::Slice(texels),
+                glow::PixelUnpackData::Slice(None),
             );
         }
     }
 
-    /// Makes ever smaller copies of the bound texture, to be read where it is
-    /// seen from farther away.
-    pub fn mipmaps(self) {
-        let filter = glow::LINEAR_MIPMAP_NEAREST as i32;
-        self.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_MIN_FILTER, filter);
-        // SAFETY: see the module's text.
-        unsafe { self.0.generate_mipmap(glow::TEXTURE_2D) }
+    fn replace_bytes(&self, size: [u32; 2], texels: &[u8]) {
+        replace(self, [0, 0], size, glow::UNSIGNED_BYTE, texels);
     }
 
-    /// Replaces a part of the bound texture of four floats a texel.
-    pub fn replace_texels(self, [x, y]: [u32; 2], [width, height]: [u32; 2], texels: &[f32]) {
-        debug_assert_eq!(texels.len(), (width * height * 4) as usize);
+    fn replace_floats(&self, from: [u32; 2], size: [u32; 2], texels: &[f32]) {
+        replace(self, from, size, glow::FLOAT, bytemuck::cast_slice(texels));
+    }
+
+    fn attach_texture(&self, texture: &glow::Texture) -> u32 {
         // SAFETY: see the module's text.
         unsafe {
-            self.0.tex_sub_image_2d(
+            Gl::framebuffer_texture_2d(
+                self,
+                glow::FRAMEBUFFER,
+                glow::COLOR_ATTACHMENT0,
                 glow::TEXTURE_2D,
+                Some(*texture),
                 0,
-                x as i32,
-                y as i32,
-                width as i32,
-                height as i32,
-                glow::RGBA,
-                glow::FLOAT,
-                glow::PixelUnpackData::Slice(Some(bytemuck::cast_slice(texels))),
             );
+            Gl::check_framebuffer_status(self, glow::FRAMEBUFFER)
         }
+    }
+
+    fn clear(&self, [r, g, b, a]: [f32; 4]) {
+        // SAFETY: see the module's text.
+        unsafe {
+            Gl::clear_color(self, r, g, b, a);
+            Gl::clear(self, glow::COLOR_BUFFER_BIT);
+        }
+    }
+}
+
+/// Replaces a part of the bound texture.
+fn replace(
+    gl: &glow::Context,
+    [x, y]: [u32; 2],
+    [width, height]: [u32; 2],
+    kind: u32,
+    texels: &[u8],
+) {
+    // SAFETY: see the module's text.
+    unsafe {
+        gl.tex_sub_image_2d(
+            glow::TEXTURE_2D,
+            0,
+            x as i32,
+            y as i32,
+            width as i32,
+            height as i32,
+            glow::RGBA,
+            kind,
+            glow::PixelUnpackData::Slice(Some(texels)),
+        );
     }
 }

@@ -14,15 +14,39 @@ const SPREAD: u32 = 6;
 
 /// Most lines of the fields.
 const FIELD_LINES: u32 = 270;
-/// Lines up to which the light keeps every one of the picture's.
-const FULL_LINES: u32 = 360;
-/// Most lines of the light.
-const LIGHT_LINES: u32 = 720;
 /// Texels that a kernel's radius should span: below, the fields show the
 /// texels; above, they only cost time.
 const TEXELS_PER_RADIUS: f32 = 3.2;
 /// Most texels that all kernels together may touch in a frame.
 const SPLAT_BUDGET: f32 = 4.0e6;
+
+/// How finely the light is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Lines {
+    /// Lines up to which the light keeps every one of the picture's; of more
+    /// it keeps half.
+    pub full: u32,
+    /// Most lines of the light.
+    pub most: u32,
+}
+
+impl Lines {
+    /// For slow machines.
+    pub const LOW: Lines = Lines {
+        full: 270,
+        most: 360,
+    };
+    /// For most.
+    pub const MEDIUM: Lines = Lines {
+        full: 360,
+        most: 720,
+    };
+    /// For fast ones.
+    pub const HIGH: Lines = Lines {
+        full: 540,
+        most: 1080,
+    };
+}
 
 /// Sizes of the targets for one size of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,7 +70,7 @@ pub struct Layout {
 impl Layout {
     /// The layout of a picture, none of whose targets is larger than `most`.
     /// A picture without a pixel has none.
-    pub fn new(picture: [u32; 2], most: u32) -> Option<Layout> {
+    pub fn new(picture: [u32; 2], fine: Lines, most: u32) -> Option<Layout> {
         let [width, height] = picture;
         if width == 0 || height == 0 || most == 0 {
             return None;
@@ -56,7 +80,7 @@ impl Layout {
             [(f64::from(width) * share).ceil(), f64::from(lines)]
                 .map(|side| (side as u32).clamp(1, most))
         };
-        let light = lines(height.min((height / 2).clamp(FULL_LINES, LIGHT_LINES)));
+        let light = lines(height.min((height / 2).max(fine.full).min(fine.most)));
         let mut size = light.map(|side| side.div_ceil(2));
         let blurs = [(); BLURS].map(|()| {
             size = size.map(|side| side.div_ceil(2));
@@ -148,7 +172,7 @@ mod tests {
     #[test]
     fn a_picture_without_pixels_has_no_targets() {
         for size in [[0, 0], [0, 480], [640, 0]] {
-            assert_eq!(Layout::new(size, 4096), None);
+            assert_eq!(Layout::new(size, Lines::MEDIUM, 4096), None);
         }
     }
 
@@ -162,7 +186,7 @@ mod tests {
             [2560, 1440],
             [30_000, 30_000],
         ] {
-            let layout = Layout::new(size, 2048).expect("there are pixels");
+            let layout = Layout::new(size, Lines::HIGH, 2048).expect("there are pixels");
             let sizes = layout.blurs.into_iter().chain([
                 layout.field,
                 layout.wide,
@@ -180,8 +204,21 @@ mod tests {
     }
 
     #[test]
+    fn more_quality_is_never_coarser() {
+        for size in [[320, 200], [360, 640], [1280, 720], [3840, 2160]] {
+            let light = [Lines::LOW, Lines::MEDIUM, Lines::HIGH].map(|lines| {
+                Layout::new(size, lines, 4096)
+                    .expect("there are pixels")
+                    .light
+            });
+            assert!(light.is_sorted_by_key(|[_, lines]| *lines), "{light:?}");
+            assert!(light[2][1] <= size[1], "{light:?}");
+        }
+    }
+
+    #[test]
     fn many_particles_do_not_cost_more_than_the_budget() {
-        let layout = Layout::new([1280, 720], 4096).expect("there are pixels");
+        let layout = Layout::new([1280, 720], Lines::MEDIUM, 4096).expect("there are pixels");
         for count in [1000, 10_000, 100_000] {
             let [_, lines] = layout.used_field(count, 0.04, 1.5);
             let side = 2.0 * 0.04 / 1.5 * lines as f32;

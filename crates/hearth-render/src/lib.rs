@@ -28,4 +28,6 @@ mod targets;
 pub use blackbody::{Chromaticity, chromaticity, linear_srgb, luminance};
 pub use error::RenderError;
 pub use format::TargetFormat;
+pub use gl::Graphics;
+pub use layout::Lines;
 pub use renderer::{Renderer, View};

@@ -60,7 +60,7 @@ fn direction(mut number: u32) -> (f32, f32) {
     number ^= number >> 15;
     let side = |half: u32| half as f32 / 32_767.5 - 1.0;
     let (x, y) = (side(number & 0xffff), side(number >> 16));
-    let length = x.hypot(y).max(1e-6);
+    let length = (x * x + y * y).sqrt().max(1e-6);
     (x / length, y / length)
 }
 

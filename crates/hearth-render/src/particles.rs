@@ -8,7 +8,7 @@
 use hearth_core::Instance;
 
 use crate::error::RenderError;
-use crate::gl::Gl;
+use crate::gl::Graphics;
 use crate::program::Program;
 use crate::target::{bind, texture};
 
@@ -20,8 +20,8 @@ const ROW: usize = 512;
 const TEXELS: usize = size_of::<Instance>() / size_of::<[f32; 4]>();
 
 /// The particles on the graphics card.
-pub struct Particles {
-    texture: glow::Texture,
+pub struct Particles<G: Graphics> {
+    texture: G::Texture,
     /// Rows that the texture has.
     rows: usize,
     /// Most rows that it may have.
@@ -29,14 +29,13 @@ pub struct Particles {
     count: usize,
 }
 
-impl Particles {
+impl<G: Graphics> Particles<G> {
     /// Room for no particle yet, and for at most `most` rows of them.
-    pub fn new(gl: Gl<'_>, most: u32) -> Result<Particles, RenderError> {
-        let refuse = |log| RenderError::Resource { pass: "splat", log };
-        let texture = texture(gl, glow::CLAMP_TO_EDGE).map_err(refuse)?;
+    pub fn new(gl: &G, most: u32) -> Result<Particles<G>, RenderError> {
+        let texture = texture(gl, "splat", glow::CLAMP_TO_EDGE)?;
         // A float texture that is not read texel by texel needs an extension.
         for filter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
-            gl.tex_parameter_i32(glow::TEXTURE_2D, filter, glow::NEAREST as i32);
+            gl.tex_parameter(filter, glow::NEAREST);
         }
         Ok(Particles {
             texture,
@@ -52,16 +51,16 @@ impl Particles {
     }
 
     /// Sends them.
-    pub fn upload(&mut self, gl: Gl<'_>, instances: &[Instance]) {
+    pub fn upload(&mut self, gl: &G, instances: &[Instance]) {
         let instances = &instances[..instances.len().min(self.most * ROW)];
         self.count = instances.len();
-        bind(gl, 0, self.texture);
+        bind(gl, 0, &self.texture);
         let needed = self.count.div_ceil(ROW);
         if needed > self.rows {
             // Doubled, so that a growing fire seldom asks for more.
             self.rows = needed.next_power_of_two().min(self.most);
             let size = [ROW * TEXELS, self.rows].map(|side| side as u32);
-            gl.texels(glow::RGBA32F, glow::FLOAT, size, None);
+            gl.make_room(glow::RGBA32F, glow::FLOAT, size);
         }
         let (full, rest) = instances.split_at(self.count / ROW * ROW);
         let full_rows = (full.len() / ROW) as u32;
@@ -70,22 +69,22 @@ impl Particles {
             (rest, full_rows, [(rest.len() * TEXELS) as u32, 1]),
         ] {
             if !part.is_empty() {
-                gl.replace_texels([0, row], size, part.as_flattened());
+                gl.replace_floats([0, row], size, part.as_flattened());
             }
         }
     }
 
     /// Draws a quad for each with the current program, which is `program`.
-    pub fn draw(&self, gl: Gl<'_>, program: &Program) {
+    pub fn draw(&self, gl: &G, program: &Program<G>) {
         program.set(gl, "count", [self.count as f32, 0.0, 0.0, 0.0]);
-        bind(gl, 0, self.texture);
+        bind(gl, 0, &self.texture);
         let blocks = self.count.div_ceil(BLOCK);
-        gl.draw_arrays_instanced(glow::TRIANGLES, 0, 6 * BLOCK as i32, blocks as i32);
+        gl.draw_instances(6 * BLOCK as i32, blocks as i32);
     }
 
     /// Frees the texture.
-    pub fn destroy(&self, gl: Gl<'_>) {
-        gl.delete_texture(self.texture);
+    pub fn destroy(&self, gl: &G) {
+        gl.delete_texture(&self.texture);
     }
 }
 

@@ -1,7 +1,7 @@
 //! The passes of a frame: which shaders they are made of and what these want.
 
 use crate::error::RenderError;
-use crate::gl::Gl;
+use crate::gl::Graphics;
 use crate::program::{Program, Source};
 
 macro_rules! shader {
@@ -12,63 +12,73 @@ macro_rules! shader {
 
 macro_rules! passes {
     ($( $(#[$doc:meta])* $name:ident = $source:ident, )+) => {
-        /// All passes, compiled.
-        pub struct Passes { $( $(#[$doc])* pub $name: Program, )+ }
+        /// A pass; `shaders/` has a pair for each.
+        #[derive(Clone, Copy)]
+        pub enum Pass { $( $(#[$doc])* $name, )+ }
 
         const SOURCES: &[Source] = &[$($source),+];
-
-        impl Passes {
-            /// Compiles every pass, or says which one the driver refuses.
-            pub fn new(gl: Gl<'_>) -> Result<Passes, RenderError> {
-                let mut compiled = Vec::with_capacity(SOURCES.len());
-                for source in SOURCES {
-                    match Program::new(gl, source) {
-                        Ok(program) => compiled.push(program),
-                        Err(error) => {
-                            compiled.iter().for_each(|program: &Program| program.destroy(gl));
-                            return Err(error);
-                        }
-                    }
-                }
-                match <[Program; SOURCES.len()]>::try_from(compiled) {
-                    Ok([$($name),+]) => Ok(Passes { $($name),+ }),
-                    Err(_) => Err(RenderError::NoTarget),
-                }
-            }
-
-            /// Frees every program.
-            pub fn destroy(&self, gl: Gl<'_>) {
-                $( self.$name.destroy(gl); )+
-            }
-        }
     };
 }
 
 passes! {
     /// Particles of the classic model to fields.
-    splat = SPLAT,
+    Splat = SPLAT,
     /// Fields to their view from farther away.
-    spread = SPREAD,
+    Spread = SPREAD,
     /// Fields to light.
-    shade = SHADE,
+    Shade = SHADE,
     /// Gas of the combustion model to fields, or to velocities.
-    gas = GAS,
+    Gas = GAS,
     /// Velocities to how far the fine structure was carried.
-    drift = DRIFT,
+    Drift = DRIFT,
     /// Fields of burning gas to light.
-    flame = FLAME,
+    Flame = FLAME,
     /// Embers to light.
-    ember = EMBER,
+    Ember = EMBER,
     /// Light to a blurred copy a quarter as wide, and that to ones of half its size.
-    shrink = SHRINK,
+    Shrink = SHRINK,
     /// Blurred copies joined, from the widest to the sharpest.
-    widen = WIDEN,
+    Widen = WIDEN,
     /// Light and glow to displayed colours.
-    develop = DEVELOP,
+    Develop = DEVELOP,
     /// Displayed colours to the picture, in front of its background.
-    present = PRESENT,
+    Present = PRESENT,
     /// Particles to the picture, as in the paper.
-    paper = PAPER,
+    Paper = PAPER,
+}
+
+/// All passes, compiled.
+pub struct Passes<G: Graphics>(Vec<Program<G>>);
+
+impl<G: Graphics> Passes<G> {
+    /// Compiles every pass, or says which one the driver refuses.
+    pub fn new(gl: &G) -> Result<Passes<G>, RenderError> {
+        let mut passes = Passes(Vec::with_capacity(SOURCES.len()));
+        for source in SOURCES {
+            match Program::new(gl, source) {
+                Ok(program) => passes.0.push(program),
+                Err(error) => {
+                    passes.destroy(gl);
+                    return Err(error);
+                }
+            }
+        }
+        Ok(passes)
+    }
+
+    /// Makes the shaders of that pass the current program.
+    pub fn activate(&self, gl: &G, pass: Pass) -> &Program<G> {
+        let program = &self.0[pass as usize];
+        program.activate(gl);
+        program
+    }
+
+    /// Frees every program.
+    pub fn destroy(&self, gl: &G) {
+        for program in &self.0 {
+            program.destroy(gl);
+        }
+    }
 }
 
 const SPLAT: Source = Source {

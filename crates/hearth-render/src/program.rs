@@ -4,7 +4,7 @@
 //! enough. Places are looked up once; a frame only compares short names.
 
 use crate::error::RenderError;
-use crate::gl::Gl;
+use crate::gl::Graphics;
 
 /// What every shader starts with: one version, one precision. Phones round
 /// `mediump` to eleven bits, too few for a position in the picture, and a
@@ -30,76 +30,75 @@ pub struct Source {
 }
 
 /// A linked program.
-pub struct Program {
-    handle: glow::Program,
-    uniforms: Vec<(&'static str, Option<glow::UniformLocation>)>,
+pub struct Program<G: Graphics> {
+    handle: G::Program,
+    uniforms: Vec<(&'static str, Option<G::Place>)>,
 }
 
-impl Program {
+impl<G: Graphics> Program<G> {
     /// Compiles and links.
-    pub fn new(gl: Gl<'_>, source: &Source) -> Result<Program, RenderError> {
-        let refuse = |log| RenderError::Program {
-            pass: source.pass,
-            log,
-        };
-        let handle = gl.create_program().map_err(refuse)?;
+    pub fn new(gl: &G, source: &Source) -> Result<Program<G>, RenderError> {
+        let handle = gl.create_program().ok_or(RenderError::none(source.pass))?;
         let stages = [
             (glow::VERTEX_SHADER, source.vertex),
             (glow::FRAGMENT_SHADER, source.fragment),
         ];
-        let mut shaders = [None; 2];
+        let mut shaders = [None, None];
         for (slot, (kind, pieces)) in shaders.iter_mut().zip(stages) {
-            if let Ok(shader) = gl.create_shader(kind) {
-                gl.shader_source(shader, &(HEADER.to_owned() + &pieces.concat()));
-                gl.compile_shader(shader);
-                gl.attach_shader(handle, shader);
+            if let Some(shader) = gl.create_shader(kind) {
+                gl.shader_source(&shader, &(HEADER.to_owned() + &pieces.concat()));
+                gl.compile_shader(&shader);
+                gl.attach_shader(&handle, &shader);
                 *slot = Some(shader);
             }
         }
-        gl.link_program(handle);
-        let linked = gl.get_program_link_status(handle);
+        gl.link_program(&handle);
+        let linked = gl.is_linked(&handle);
         // Logs are read only where something went wrong: reading one makes a
         // browser wait for its shader compiler.
         let log = (!linked).then(|| {
-            let mut log = gl.get_program_info_log(handle);
-            for shader in shaders.into_iter().flatten() {
-                log += &gl.get_shader_info_log(shader);
+            let mut log = gl.program_log(&handle);
+            for shader in shaders.iter().flatten() {
+                log += &gl.shader_log(shader);
             }
             log
         });
-        for shader in shaders.into_iter().flatten() {
+        for shader in shaders.iter().flatten() {
             gl.delete_shader(shader);
         }
         if let Some(log) = log {
-            gl.delete_program(handle);
-            return Err(refuse(log));
+            gl.delete_program(&handle);
+            let pass = source.pass;
+            return Err(RenderError::Program { pass, log });
         }
-        gl.use_program(Some(handle));
+        gl.use_program(&handle);
         for (unit, name) in source.samplers.iter().enumerate() {
-            gl.uniform_1_i32(gl.get_uniform_location(handle, name).as_ref(), unit as i32);
+            gl.set_sampler(gl.uniform_place(&handle, name).as_ref(), unit as i32);
         }
         let uniforms = source
             .uniforms
             .iter()
-            .map(|&name| (name, gl.get_uniform_location(handle, name)))
+            .map(|&name| (name, gl.uniform_place(&handle, name)))
             .collect();
         Ok(Program { handle, uniforms })
     }
 
     /// Makes this the current program.
-    pub fn activate(&self, gl: Gl<'_>) {
-        gl.use_program(Some(self.handle));
+    pub fn activate(&self, gl: &G) {
+        gl.use_program(&self.handle);
     }
 
     /// Sets the `vec4` of that name in the current program.
-    pub fn set(&self, gl: Gl<'_>, name: &str, value: [f32; 4]) {
+    // As wherever this is said in this crate: many callers, and code is download.
+    #[inline(never)]
+    pub fn set(&self, gl: &G, name: &str, value: [f32; 4]) {
         let place = self.uniforms.iter().find(|(known, _)| *known == name);
         debug_assert!(place.is_some(), "no uniform {name} is declared");
-        gl.uniform(place.and_then(|(_, place)| place.as_ref()), value);
+        gl.set_uniform(place.and_then(|(_, place)| place.as_ref()), value);
     }
 
     /// Frees the program.
-    pub fn destroy(&self, gl: Gl<'_>) {
-        gl.delete_program(self.handle);
+    pub fn destroy(&self, gl: &G) {
+        gl.delete_program(&self.handle);
     }
 }

@@ -7,7 +7,6 @@ mod classic;
 mod combustion;
 mod fire;
 
-use glow::Context;
 use hearth_core::Instance;
 use hearth_core::Parameters;
 use hearth_core::params::{Colour, DisplayMode, Layers, Model};
@@ -16,11 +15,11 @@ use crate::blackbody::{self, COOLEST, ENTRIES, HOTTEST};
 use crate::drift::Drift;
 use crate::error::RenderError;
 use crate::format::TargetFormat;
-use crate::gl::Gl;
-use crate::layout::{Layout, Place};
+use crate::gl::Graphics;
+use crate::layout::{Layout, Lines, Place};
 use crate::noise;
 use crate::particles::Particles;
-use crate::passes::Passes;
+use crate::passes::{Pass, Passes};
 use crate::survey::{Rise, Survey};
 use crate::target::{Target, bind, texture};
 use crate::targets::Targets;
@@ -41,17 +40,18 @@ pub struct View {
 }
 
 /// Draws a fire into the default framebuffer, with premultiplied alpha.
-pub struct Renderer {
-    passes: Passes,
+pub struct Renderer<G: Graphics = glow::Context> {
+    passes: Passes<G>,
     format: TargetFormat,
     most: u32,
-    noise: glow::Texture,
-    black_body: glow::Texture,
-    particles: Particles,
-    embers: Particles,
+    lines: Lines,
+    noise: G::Texture,
+    black_body: G::Texture,
+    particles: Particles<G>,
+    embers: Particles<G>,
     /// Without attributes: no pass reads a buffer, whatever else the context holds.
-    nothing: glow::VertexArray,
-    targets: Option<Targets>,
+    nothing: G::VertexArray,
+    targets: Option<Targets<G>>,
     survey: Survey,
     rise: Rise,
     drift: Drift,
@@ -59,14 +59,14 @@ pub struct Renderer {
     newest: usize,
 }
 
-impl Renderer {
+impl<G: Graphics> Renderer<G> {
     /// Compiles every pass and chooses the target format.
     ///
     /// # Errors
     /// The driver refuses a shader, a texture, a buffer or every format.
-    pub fn new(gl: &Context) -> Result<Renderer, RenderError> {
+    pub fn new(gl: &G) -> Result<Renderer<G>, RenderError> {
         let mut last = RenderError::NoTarget;
-        for &format in TargetFormat::candidates(Gl(gl)) {
+        for &format in TargetFormat::candidates(gl) {
             match Renderer::with_format(gl, format) {
                 Ok(renderer) => return Ok(renderer),
                 Err(error) => last = error,
@@ -79,34 +79,36 @@ impl Renderer {
     ///
     /// # Errors
     /// The driver refuses a shader, a texture, a buffer or this format.
-    pub fn with_format(gl: &Context, format: TargetFormat) -> Result<Renderer, RenderError> {
-        let gl = Gl(gl);
+    pub fn with_format(gl: &G, format: TargetFormat) -> Result<Renderer<G>, RenderError> {
         // Whether a format can be drawn into is known only once it was tried.
         Target::new(gl, "splat", format, [4, 4])?.destroy(gl);
-        let refuse = |log| RenderError::Resource { pass: "splat", log };
-        let table = blackbody::table();
         let (internal, _) = TargetFormat::Rgba16F.constants();
-        let most = gl.get_parameter_i32(glow::MAX_TEXTURE_SIZE).max(1) as u32;
+        let most = gl.largest_texture();
         Ok(Renderer {
             passes: Passes::new(gl)?,
             format,
             most,
+            lines: Lines::MEDIUM,
             noise: {
-                let noise = texture(gl, glow::REPEAT).map_err(refuse)?;
+                let noise = texture(gl, "shade", glow::REPEAT)?;
                 let size = [noise::SIZE as u32; 2];
-                gl.texels(glow::RGBA8, glow::UNSIGNED_BYTE, size, Some(&noise::tile()));
-                gl.mipmaps();
+                gl.make_room(glow::RGBA8, glow::UNSIGNED_BYTE, size);
+                gl.replace_bytes(size, &noise::tile());
+                // Ever smaller copies, to be read where it is seen from farther away.
+                gl.tex_parameter(glow::TEXTURE_MIN_FILTER, glow::LINEAR_MIPMAP_NEAREST);
+                gl.generate_mipmap();
                 noise
             },
             black_body: {
-                let black_body = texture(gl, glow::CLAMP_TO_EDGE).map_err(refuse)?;
-                let texels = Some(bytemuck::cast_slice(&table));
-                gl.texels(internal, glow::FLOAT, [ENTRIES as u32, 1], texels);
+                let black_body = texture(gl, "shade", glow::CLAMP_TO_EDGE)?;
+                let size = [ENTRIES as u32, 1];
+                gl.make_room(internal, glow::FLOAT, size);
+                gl.replace_floats([0, 0], size, blackbody::table().as_flattened());
                 black_body
             },
             particles: Particles::new(gl, most)?,
             embers: Particles::new(gl, most)?,
-            nothing: gl.create_vertex_array().map_err(refuse)?,
+            nothing: gl.create_vertex_array().ok_or(RenderError::none("splat"))?,
             targets: None,
             survey: Survey::of(&[], &[]),
             rise: Rise::default(),
@@ -120,11 +122,16 @@ impl Renderer {
         self.format
     }
 
+    /// Draws with so many lines from the next picture on.
+    pub fn set_lines(&mut self, lines: Lines) {
+        self.lines = lines;
+    }
+
     /// Sends the particles and the embers to the graphics card.
-    pub fn upload(&mut self, gl: &Context, instances: &[Instance], embers: &[Instance]) {
+    pub fn upload(&mut self, gl: &G, instances: &[Instance], embers: &[Instance]) {
         self.survey = Survey::of(instances, embers);
-        self.particles.upload(Gl(gl), instances);
-        self.embers.upload(Gl(gl), embers);
+        self.particles.upload(gl, instances);
+        self.embers.upload(gl, embers);
     }
 
     /// Draws the uploaded particles. A picture without a pixel is no trouble.
@@ -133,12 +140,27 @@ impl Renderer {
     /// The driver has no memory for targets of this size.
     pub fn paint(
         &mut self,
-        gl: &Context,
+        gl: &G,
         view: &View,
         parameters: &Parameters,
     ) -> Result<(), RenderError> {
-        let gl = Gl(gl);
-        let Some(layout) = Layout::new([view.width, view.height], self.most) else {
+        self.paint_watched(gl, view, parameters, &mut |_| {})
+    }
+
+    /// As [`paint`](Renderer::paint); calls `watch` with the name of each pass
+    /// when it has been handed over. The renderer itself never asks the time.
+    ///
+    /// # Errors
+    /// The driver has no memory for targets of this size.
+    pub fn paint_watched(
+        &mut self,
+        gl: &G,
+        view: &View,
+        parameters: &Parameters,
+        watch: &mut dyn FnMut(&'static str),
+    ) -> Result<(), RenderError> {
+        let size = [view.width, view.height];
+        let Some(layout) = Layout::new(size, self.lines, self.most) else {
             return Ok(());
         };
         self.rise
@@ -153,7 +175,7 @@ impl Renderer {
         ] {
             gl.disable(capability);
         }
-        gl.bind_vertex_array(Some(self.nothing));
+        gl.bind_vertex_array(Some(&self.nothing));
         match parameters.display_mode {
             DisplayMode::Fire => {
                 self.fit_targets(gl, layout)?;
@@ -161,30 +183,32 @@ impl Renderer {
                     .advance(view.time, combustion::period(parameters));
                 self.newest = 1 - self.newest;
                 if let Some(targets) = &self.targets {
-                    Fire::new(gl, self, targets, place, parameters).paint();
+                    Fire::new(gl, self, targets, place, parameters).paint(watch);
                 }
             }
-            DisplayMode::Paper => self.paper(gl, layout, place, parameters),
+            DisplayMode::Paper => {
+                self.paper(gl, layout, place, parameters);
+                watch("paper");
+            }
         }
         gl.bind_vertex_array(None);
         Ok(())
     }
 
     /// Frees everything.
-    pub fn destroy(self, gl: &Context) {
-        let gl = Gl(gl);
+    pub fn destroy(self, gl: &G) {
         self.passes.destroy(gl);
         self.particles.destroy(gl);
         self.embers.destroy(gl);
         if let Some(targets) = &self.targets {
             targets.destroy(gl);
         }
-        gl.delete_texture(self.noise);
-        gl.delete_texture(self.black_body);
-        gl.delete_vertex_array(self.nothing);
+        gl.delete_texture(&self.noise);
+        gl.delete_texture(&self.black_body);
+        gl.delete_vertex_array(&self.nothing);
     }
 
-    fn fit_targets(&mut self, gl: Gl<'_>, layout: Layout) -> Result<(), RenderError> {
+    fn fit_targets(&mut self, gl: &G, layout: Layout) -> Result<(), RenderError> {
         if self
             .targets
             .as_ref()
@@ -201,8 +225,8 @@ impl Renderer {
     }
 
     /// Draws the particles as the paper does.
-    fn paper(&self, gl: Gl<'_>, layout: Layout, place: Place, parameters: &Parameters) {
-        let program = &self.passes.paper;
+    fn paper(&self, gl: &G, layout: Layout, place: Place, parameters: &Parameters) {
+        let program = self.passes.activate(gl, Pass::Paper);
         // The classic model's sprites have one size and one colour, as in the
         // paper; gas that burns shows how large and how hot it is.
         let (size, hottest) = match parameters.model() {
@@ -215,7 +239,6 @@ impl Renderer {
         let radius = 0.5 * size;
         let pixels = radius / place.metres[1] * layout.picture[1] as f32;
         clear_picture(gl, layout, parameters.background);
-        program.activate(gl);
         program.set(gl, "world", place.to_clip());
         program.set(gl, "sprite", [radius, pixels, 0.0, 0.0]);
         program.set(
@@ -229,7 +252,7 @@ impl Renderer {
             ],
         );
         program.set(gl, "table", table_coordinates(1.0));
-        bind(gl, 1, self.black_body);
+        bind(gl, 1, &self.black_body);
         gl.enable(glow::BLEND);
         gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
         self.particles.draw(gl, program);
@@ -245,9 +268,19 @@ fn table_coordinates(fire: f32) -> [f32; 4] {
     [scale, 0.5 / entries - scale * COOLEST * 1e-3, fire, 0.0]
 }
 
+/// Two to the power of `times`.
+fn doubled(times: f32) -> f32 {
+    libm::expf(times * std::f32::consts::LN_2)
+}
+
+/// `distance` without whole hundreds, which the noise's tile does not notice.
+fn without_hundreds(distance: f64) -> f32 {
+    (distance - 100.0 * (distance / 100.0).floor()) as f32
+}
+
 /// Brightness of gas of 1500 K.
 fn gain(parameters: &Parameters) -> f32 {
-    GAIN * parameters.exposure.exp2()
+    GAIN * doubled(parameters.exposure)
 }
 
 /// Whether fire is seen: 1, or 0.
@@ -269,14 +302,15 @@ fn background(colour: Colour) -> [f32; 4] {
     [r * a, g * a, b * a, a]
 }
 
+/// What a target holds where nothing was drawn.
+const NOTHING: [f32; 4] = [0.0; 4];
+
 /// Fills the whole picture with what stands behind the fire.
-fn clear_picture(gl: Gl<'_>, layout: Layout, behind: Colour) {
-    let [r, g, b, a] = background(behind);
+fn clear_picture<G: Graphics>(gl: &G, layout: Layout, behind: Colour) {
     let [width, height] = layout.picture;
-    gl.bind_framebuffer(glow::FRAMEBUFFER, None);
-    gl.viewport(0, 0, width as i32, height as i32);
-    gl.clear_color(r, g, b, a);
-    gl.clear(glow::COLOR_BUFFER_BIT);
+    gl.bind_framebuffer(None);
+    gl.viewport(width as i32, height as i32);
+    gl.clear(background(behind));
 }
 
 #[cfg(test)]

@@ -94,7 +94,7 @@ impl Rise {
         let share = if first {
             1.0
         } else {
-            1.0 - (-elapsed / SMOOTHING).exp()
+            1.0 - libm::expf(-elapsed / SMOOTHING)
         };
         let [height, speed] = match model {
             Model::Classic => survey.alive.mean(),

@@ -2,70 +2,64 @@
 
 use crate::error::RenderError;
 use crate::format::TargetFormat;
-use crate::gl::Gl;
+use crate::gl::Graphics;
 
 /// Makes a texture with linear filtering and leaves it bound.
-pub fn texture(gl: Gl<'_>, wrap: u32) -> Result<glow::Texture, String> {
-    let texture = gl.create_texture()?;
-    gl.bind_texture(glow::TEXTURE_2D, Some(texture));
+pub fn texture<G: Graphics>(
+    gl: &G,
+    pass: &'static str,
+    wrap: u32,
+) -> Result<G::Texture, RenderError> {
+    let texture = gl.create_texture().ok_or(RenderError::none(pass))?;
+    gl.bind_texture(&texture);
     for (name, value) in [
         (glow::TEXTURE_MIN_FILTER, glow::LINEAR),
         (glow::TEXTURE_MAG_FILTER, glow::LINEAR),
         (glow::TEXTURE_WRAP_S, wrap),
         (glow::TEXTURE_WRAP_T, wrap),
     ] {
-        gl.tex_parameter_i32(glow::TEXTURE_2D, name, value as i32);
+        gl.tex_parameter(name, value);
     }
     Ok(texture)
 }
 
 /// A texture that is drawn into.
-pub struct Target {
-    texture: glow::Texture,
-    framebuffer: glow::Framebuffer,
+pub struct Target<G: Graphics> {
+    texture: G::Texture,
+    framebuffer: G::Framebuffer,
     size: [u32; 2],
 }
 
-impl Target {
+impl<G: Graphics> Target<G> {
     /// Makes a target, or says why the driver refuses.
     pub fn new(
-        gl: Gl<'_>,
+        gl: &G,
         pass: &'static str,
         format: TargetFormat,
         size: [u32; 2],
-    ) -> Result<Target, RenderError> {
-        let refuse = |log| RenderError::Resource { pass, log };
-        gl.active_texture(glow::TEXTURE0);
-        let texture = texture(gl, glow::CLAMP_TO_EDGE).map_err(refuse)?;
+    ) -> Result<Target<G>, RenderError> {
+        gl.active_texture(0);
+        let texture = texture(gl, pass, glow::CLAMP_TO_EDGE)?;
         let (internal, kind) = format.constants();
-        gl.texels(internal, kind, size, None);
-        let framebuffer = match gl.create_framebuffer() {
-            Ok(framebuffer) => framebuffer,
-            Err(log) => {
-                gl.delete_texture(texture);
-                return Err(refuse(log));
-            }
+        gl.make_room(internal, kind, size);
+        let Some(framebuffer) = gl.create_framebuffer() else {
+            gl.delete_texture(&texture);
+            return Err(RenderError::none(pass));
         };
+        gl.bind_framebuffer(Some(&framebuffer));
+        let status = gl.attach_texture(&texture);
+        gl.bind_framebuffer(None);
         let target = Target {
             texture,
             framebuffer,
             size,
         };
-        gl.bind_framebuffer(glow::FRAMEBUFFER, Some(framebuffer));
-        gl.framebuffer_texture_2d(
-            glow::FRAMEBUFFER,
-            glow::COLOR_ATTACHMENT0,
-            glow::TEXTURE_2D,
-            Some(texture),
-            0,
-        );
-        let status = gl.check_framebuffer_status(glow::FRAMEBUFFER);
-        gl.bind_framebuffer(glow::FRAMEBUFFER, None);
         if status == glow::FRAMEBUFFER_COMPLETE {
             Ok(target)
         } else {
             target.destroy(gl);
-            Err(refuse(format!("framebuffer status {status:#x}")))
+            let log = format!("framebuffer status {status}");
+            Err(RenderError::Resource { pass, log })
         }
     }
 
@@ -75,25 +69,27 @@ impl Target {
     }
 
     /// Draws go here from now on, into the lower left `size` of it.
-    pub fn draw_here(&self, gl: Gl<'_>, [width, height]: [u32; 2]) {
-        gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer));
-        gl.viewport(0, 0, width as i32, height as i32);
+    #[inline(never)]
+    pub fn draw_here(&self, gl: &G, [width, height]: [u32; 2]) {
+        gl.bind_framebuffer(Some(&self.framebuffer));
+        gl.viewport(width as i32, height as i32);
     }
 
     /// Reads of texture `unit` come from here from now on.
-    pub fn read_here(&self, gl: Gl<'_>, unit: u32) {
-        bind(gl, unit, self.texture);
+    pub fn read_here(&self, gl: &G, unit: u32) {
+        bind(gl, unit, &self.texture);
     }
 
     /// Frees the target.
-    pub fn destroy(&self, gl: Gl<'_>) {
-        gl.delete_framebuffer(self.framebuffer);
-        gl.delete_texture(self.texture);
+    pub fn destroy(&self, gl: &G) {
+        gl.delete_framebuffer(&self.framebuffer);
+        gl.delete_texture(&self.texture);
     }
 }
 
 /// Reads of texture `unit` come from `texture` from now on.
-pub fn bind(gl: Gl<'_>, unit: u32, texture: glow::Texture) {
-    gl.active_texture(glow::TEXTURE0 + unit);
-    gl.bind_texture(glow::TEXTURE_2D, Some(texture));
+#[inline(never)]
+pub fn bind<G: Graphics>(gl: &G, unit: u32, texture: &G::Texture) {
+    gl.active_texture(unit);
+    gl.bind_texture(texture);
 }

@@ -2,7 +2,7 @@
 
 use crate::error::RenderError;
 use crate::format::TargetFormat;
-use crate::gl::Gl;
+use crate::gl::Graphics;
 use crate::layout::{BLURS, Layout};
 use crate::target::Target;
 
@@ -10,30 +10,30 @@ use crate::target::Target;
 const SINGLE: usize = 7;
 
 /// Everything that is drawn into before the picture itself.
-pub struct Targets {
+pub struct Targets<G: Graphics> {
     /// The sizes that these are made for.
     pub layout: Layout,
     /// Sums over the particles.
-    pub field: Target,
+    pub field: Target<G>,
     /// The same, as seen from farther away.
-    pub wide: Target,
+    pub wide: Target<G>,
     /// Velocities of the gas.
-    pub flow: Target,
+    pub flow: Target<G>,
     /// How far the gas has carried the fine structure: before and now, in turn.
-    pub drift: [Target; 2],
+    pub drift: [Target<G>; 2],
     /// Light before the tone map.
-    pub light: Target,
+    pub light: Target<G>,
     /// Colours as displayed.
-    pub shown: Target,
+    pub shown: Target<G>,
     /// Blurred copies of the light, sharpest first.
-    pub blurs: Vec<Target>,
+    pub blurs: Vec<Target<G>>,
     /// The same, joined with all wider ones; the widest stands alone.
-    pub joined: Vec<Target>,
+    pub joined: Vec<Target<G>>,
 }
 
-impl Targets {
+impl<G: Graphics> Targets<G> {
     /// Makes them all, or none.
-    pub fn new(gl: Gl<'_>, format: TargetFormat, layout: Layout) -> Result<Targets, RenderError> {
+    pub fn new(gl: &G, format: TargetFormat, layout: Layout) -> Result<Targets<G>, RenderError> {
         let joined = &layout.blurs[..BLURS - 1];
         let wanted = [
             ("splat", layout.field),
@@ -57,14 +57,15 @@ impl Targets {
             match Target::new(gl, pass, format, size) {
                 Ok(target) => made.push(target),
                 Err(error) => {
-                    made.iter().for_each(|target: &Target| target.destroy(gl));
+                    made.iter()
+                        .for_each(|target: &Target<G>| target.destroy(gl));
                     return Err(error);
                 }
             }
         }
         let joined = made.split_off(SINGLE + BLURS);
         let blurs = made.split_off(SINGLE);
-        match <[Target; SINGLE]>::try_from(made) {
+        match <[Target<G>; SINGLE]>::try_from(made) {
             Ok([field, wide, flow, before, now, light, shown]) => Ok(Targets {
                 layout,
                 field,
@@ -81,7 +82,7 @@ impl Targets {
     }
 
     /// Frees them all.
-    pub fn destroy(&self, gl: Gl<'_>) {
+    pub fn destroy(&self, gl: &G) {
         let single = [
             &self.field,
             &self.wide,

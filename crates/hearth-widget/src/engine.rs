@@ -89,24 +89,25 @@ struct Fires {
     fires: Vec<Fire>,
     host: Host,
     frame: Closure<dyn FnMut(f64)>,
-    requested: Option<JsValue>,
+    requested: Option<u32>,
 }
 
 impl Fires {
     fn schedule(&mut self) {
         if self.requested.is_none() && self.fires.iter().any(Fire::wants_frame) {
-            self.requested = self.host.request_frame(self.frame.as_ref());
+            self.requested = Some(self.host.request_frame(self.frame.as_ref()));
         }
     }
 
     fn frame(&mut self, now: f64, out: &mut Outbox) {
         self.requested = None;
         let end = self.host.now() + STEPS_BUDGET_MS;
-        let mut left = self.fires.iter().filter(|f| f.wants_frame()).count();
+        let fires = self.fires.iter().filter(|f| f.wants_frame()).count();
+        let mut left = fires;
         for fire in self.fires.iter_mut().filter(|f| f.wants_frame()) {
             let deadline = share(self.host.now(), end, left);
             left -= 1;
-            fire.frame(now, deadline, &self.host, out);
+            fire.frame(now, deadline, fires, &self.host, out);
         }
     }
 
@@ -161,6 +162,7 @@ impl Fires {
             Order::Preset(name) => parameters = Some(of_preset(&name)),
             Order::Resize(width, height) => fire.resize(width, height),
             Order::Visible(visible) => fire.set_visible(visible),
+            Order::Quality(wish) => fire.ask_quality(wish, out),
             Order::Play => fire.set_playing(true, out),
             Order::Pause => fire.set_playing(false, out),
             Order::Reset => fire.reset(),
@@ -183,7 +185,7 @@ impl Fires {
 impl Drop for Fires {
     /// A frame that comes after the end would call what is no longer there.
     fn drop(&mut self) {
-        if let Some(handle) = &self.requested {
+        if let Some(handle) = self.requested {
             self.host.cancel_frame(handle);
         }
     }

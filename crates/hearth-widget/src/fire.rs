@@ -1,22 +1,25 @@
 //! One fire: a simulation, its clock and its picture.
 
-use std::collections::VecDeque;
+use std::cell::Cell;
 
 use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
-use hearth_core::{Instance, Parameters, Simulation};
+use hearth_core::{Instance, Parameters, Simulation, Stage};
+use hearth_render::Lines;
 
+use crate::average::smooth;
 use crate::budget::{Pace, make_steps};
 use crate::host::Host;
-use crate::message::Start;
+use crate::message::{Start, follows_level, with_level};
 use crate::outbox::{Outbox, Stats, Trouble};
 use crate::picture::{ContextEvent, Picture};
+use crate::quality::{Frame, Level, Quality};
 
 /// Time between two messages about how a fire is doing, in ms.
 const STATS_EVERY_MS: f64 = 250.0;
 
-/// Weight of the newest frame in the smoothed figures of steps and of drawing.
-const SMOOTHING: f64 = 0.1;
+/// The stages of a step, in the order of the core's `Stage`.
+const STAGES: [&str; 4] = ["sort", "density", "forces", "integrate"];
 
 /// Steps that somebody asked for, apart from those that time brings: so many of
 /// them, or as many as so much fire needs.
@@ -45,6 +48,8 @@ struct Made {
     steps: u32,
     /// Seconds of fire that they made.
     seconds: f64,
+    /// What each stage of them took \[ms\].
+    stages: [f64; STAGES.len()],
     /// How many of them time brought.
     played: u32,
     /// Seconds of fire that those made.
@@ -54,7 +59,11 @@ struct Made {
 /// A fire and all that belongs to it.
 pub struct Fire {
     id: u32,
+    /// Its values as somebody asked for them; the simulation's own have the number
+    /// of particles that goes with the quality.
+    parameters: Parameters,
     simulation: Simulation,
+    quality: Quality,
     picture: Picture,
     instances: Vec<Instance>,
     embers: Vec<Instance>,
@@ -63,13 +72,15 @@ pub struct Fire {
     playing: bool,
     /// Whether the picture is not what it should show.
     stale: bool,
-    asked: VecDeque<Asked>,
+    asked: Vec<Asked>,
     clock: Clock,
     /// Length of the last step in seconds of fire: about what the next will have.
     last_step: f64,
     fps: FpsCounter,
     pace: Pace,
-    step_ms: f64,
+    /// What each stage of a step takes \[ms\].
+    stages: [f64; STAGES.len()],
+    upload_ms: f64,
     draw_ms: f64,
     steps_per_frame: f64,
     step_length: f64,
@@ -80,9 +91,13 @@ pub struct Fire {
 impl Fire {
     /// A fire that has not burnt yet.
     pub fn new(id: u32, picture: Picture, parameters: Parameters, start: &Start) -> Fire {
+        let guess = start.guess.unwrap_or(Level::Medium);
+        let quality = Quality::new(start.quality, guess);
         Fire {
             id,
-            simulation: Simulation::new(parameters),
+            simulation: Simulation::new(with_level(&parameters, quality.level())),
+            parameters,
+            quality,
             picture,
             instances: Vec::new(),
             embers: Vec::new(),
@@ -90,12 +105,13 @@ impl Fire {
             visible: start.visible,
             playing: !start.paused,
             stale: true,
-            asked: VecDeque::new(),
+            asked: Vec::new(),
             clock: Clock::new(),
             last_step: 0.0,
             fps: FpsCounter::new(),
             pace: Pace::default(),
-            step_ms: 0.0,
+            stages: [0.0; STAGES.len()],
+            upload_ms: 0.0,
             draw_ms: 0.0,
             steps_per_frame: 0.0,
             step_length: 0.0,
@@ -111,7 +127,7 @@ impl Fire {
 
     /// Its values.
     pub fn parameters(&self) -> &Parameters {
-        self.simulation.parameters()
+        &self.parameters
     }
 
     /// Gives it other values, which the next step and picture use; `anew`: they
@@ -123,14 +139,29 @@ impl Fire {
         anew: bool,
         out: &mut Outbox,
     ) {
-        let old = self.simulation.parameters();
+        let old = &self.parameters;
         out.changed(self.id, source, anew, old, &parameters);
         if parameters.model != old.model {
             // Averages over two models say nothing about either.
-            self.step_ms = 0.0;
+            self.stages = [0.0; STAGES.len()];
             self.step_length = 0.0;
             self.power = 0.0;
         }
+        self.parameters = parameters;
+        self.adapt();
+    }
+
+    /// Lets it have that quality, or find its own.
+    pub fn ask_quality(&mut self, wish: Option<Level>, out: &mut Outbox) {
+        self.quality.ask(wish);
+        out.quality(self.id, &self.quality);
+        self.adapt();
+    }
+
+    /// Gives the simulation the values, and the number of particles that goes with
+    /// the quality: other particles take over the fire that burns.
+    fn adapt(&mut self) {
+        let parameters = with_level(&self.parameters, self.quality.level());
         self.simulation.set_parameters(parameters);
         self.stale = true;
     }
@@ -171,7 +202,7 @@ impl Fire {
     /// for so many seconds of fire. The answer to `request` follows when they are
     /// made and drawn.
     pub fn ask_steps(&mut self, steps: u32, seconds: f64, request: Option<f64>) {
-        self.asked.push_back(Asked {
+        self.asked.push(Asked {
             request,
             steps,
             seconds,
@@ -205,7 +236,7 @@ impl Fire {
 
     /// One frame: the steps that are due, as far as `deadline` allows, and the
     /// picture of them. `now` is the time of the frame, in ms.
-    pub fn frame(&mut self, now: f64, deadline: f64, host: &Host, out: &mut Outbox) {
+    pub fn frame(&mut self, now: f64, deadline: f64, fires: usize, host: &Host, out: &mut Outbox) {
         let scale = f64::from(self.parameters().time_scale);
         let passed = if self.playing && self.seen() {
             self.fps.frame(now / 1000.0);
@@ -214,11 +245,12 @@ impl Fire {
             None
         };
 
-        let start = host.now();
-        let made = self.make_steps(passed.is_some(), || host.now() < deadline);
+        let made = self.make_steps(passed.is_some(), deadline, host);
         if made.steps > 0 {
             let steps = f64::from(made.steps);
-            smooth(&mut self.step_ms, (host.now() - start) / steps);
+            for (average, stage) in self.stages.iter_mut().zip(made.stages) {
+                smooth(average, stage / steps);
+            }
             smooth(&mut self.step_length, made.seconds / steps);
             let power = f64::from(self.simulation.report().power);
             smooth(&mut self.power, power);
@@ -238,8 +270,26 @@ impl Fire {
         // Asked-for steps are a jump: what lies between is not shown.
         let stands = passed.is_none();
         let drawn = self.stale && self.asked.is_empty() && self.seen();
-        if drawn {
-            self.draw(host, out);
+        let draw_ms = if drawn { self.draw(host, out) } else { 0.0 };
+        // Steps that somebody asked for say nothing about what time brings.
+        if passed.is_some() && made.steps == made.played {
+            let on_card = self.picture.passes().map_or(0.0, |passes| passes.on_card());
+            let frame = Frame {
+                now,
+                steps_ms: made.stages.iter().sum(),
+                made: made.burnt,
+                draw_ms: if on_card > draw_ms { on_card } else { draw_ms },
+                time_scale: scale,
+                slowed: self.pace.slowed(),
+                particles: follows_level(&self.parameters),
+                fires,
+            };
+            if self.quality.frame(&frame) {
+                out.quality(self.id, &self.quality);
+                // What was too much before says nothing about what comes.
+                self.pace = Pace::default();
+                self.adapt();
+            }
         }
         for request in finished {
             out.done(self.id, request);
@@ -252,62 +302,78 @@ impl Fire {
 
     /// Makes the steps that were asked for and, if it `burns`, those that are due,
     /// as far as there is time.
-    fn make_steps(&mut self, burns: bool, in_time: impl FnMut() -> bool) -> Made {
+    fn make_steps(&mut self, burns: bool, deadline: f64, host: &Host) -> Made {
         let mut made = Made::default();
-        let steps = make_steps(in_time, || {
-            let asked = self.asked.iter_mut().find(|asked| asked.is_open());
-            if asked.is_none() && !(burns && self.clock.due(self.last_step)) {
-                return false;
-            }
-            let length = step(&mut self.simulation);
-            self.last_step = length;
-            made.seconds += length;
-            match asked {
-                Some(asked) => asked.take(length),
-                None => {
-                    self.clock.spend(length);
-                    made.played += 1;
-                    made.burnt += length;
+        let last = Cell::new(host.now());
+        let steps = make_steps(
+            || last.get() < deadline,
+            || {
+                let asked = self.asked.iter_mut().find(|asked| asked.is_open());
+                if asked.is_none() && !(burns && self.clock.due(self.last_step)) {
+                    return false;
                 }
-            }
-            true
-        });
+                let length = step(&mut self.simulation, &mut |stage| {
+                    let now = host.now();
+                    made.stages[stage as usize] += now - last.replace(now);
+                });
+                self.last_step = length;
+                made.seconds += length;
+                match asked {
+                    Some(asked) => asked.take(length),
+                    None => {
+                        self.clock.spend(length);
+                        made.played += 1;
+                        made.burnt += length;
+                    }
+                }
+                true
+            },
+        );
         Made { steps, ..made }
     }
 
     /// Takes away the requests that are carried out, and returns them.
     fn take_finished(&mut self) -> Vec<Option<f64>> {
-        let mut finished = Vec::new();
-        while let Some(asked) = self.asked.pop_front_if(|asked| !asked.is_open()) {
-            finished.push(asked.request);
-        }
-        finished
+        let open = self.asked.iter().position(Asked::is_open);
+        let done = self.asked.drain(..open.unwrap_or(self.asked.len()));
+        done.map(|asked| asked.request).collect()
     }
 
-    fn draw(&mut self, host: &Host, out: &mut Outbox) {
+    /// Draws it; returns how long that took \[ms\].
+    fn draw(&mut self, host: &Host, out: &mut Outbox) -> f64 {
         let start = host.now();
         self.simulation.write_instances(&mut self.instances);
         self.simulation.write_embers(&mut self.embers);
+        self.picture.upload(&self.instances, &self.embers);
+        smooth(&mut self.upload_ms, host.now() - start);
+        let lines = [Lines::LOW, Lines::MEDIUM, Lines::HIGH];
         let drawn = self.picture.draw(
             self.size,
+            lines[self.quality.level() as usize],
             self.simulation.time(),
-            &self.instances,
-            &self.embers,
             self.simulation.parameters(),
+            host,
         );
         if let Err(words) = drawn {
             out.error(self.id, Trouble::Unsupported, &words);
         }
-        smooth(&mut self.draw_ms, host.now() - start);
+        let took = host.now() - start;
+        smooth(&mut self.draw_ms, took);
         self.stale = false;
+        took
     }
 
     fn tell(&mut self, out: &mut Outbox) {
         let report = self.simulation.report();
+        let passes = self.picture.passes();
+        let mut stages = [("upload", self.upload_ms); STAGES.len() + 1];
+        for (at, name) in STAGES.into_iter().enumerate() {
+            stages[at] = (name, self.stages[at] * self.steps_per_frame);
+        }
         let stats = Stats {
             fps: self.fps.fps(),
             particles: self.simulation.count(),
-            step_ms: self.step_ms,
+            step_ms: self.stages.iter().sum(),
             draw_ms: self.draw_ms,
             steps_per_frame: self.steps_per_frame,
             substeps: report.substeps,
@@ -321,6 +387,10 @@ impl Fire {
             power: self.power,
             embers: self.simulation.embers().len(),
             target_format: self.picture.target_format(),
+            stages,
+            passes: passes.map_or(&[], |passes| &passes.times),
+            pass_timer: passes.map_or("", |passes| passes.timer()),
+            quality: &self.quality,
         };
         out.stats(self.id, &stats);
     }
@@ -339,22 +409,15 @@ impl Fire {
     fn restart_clock(&mut self) {
         self.clock.restart();
         self.fps.skip();
+        self.quality.skip();
     }
 }
 
 /// Makes a step; returns its length in seconds of fire.
 // The whole solver would be there twice if the loop around it took it in.
 #[inline(never)]
-fn step(simulation: &mut Simulation) -> f64 {
+fn step(simulation: &mut Simulation, watch: &mut dyn FnMut(Stage)) -> f64 {
     let start = simulation.time();
-    simulation.step();
+    simulation.step_watched(watch);
     simulation.time() - start
-}
-
-fn smooth(average: &mut f64, newest: f64) {
-    *average += if *average == 0.0 {
-        newest
-    } else {
-        SMOOTHING * (newest - *average)
-    };
 }

@@ -1,50 +1,53 @@
 //! What the engine asks of the place it runs in: frames and the time.
 //!
-//! Both are looked up on `globalThis`, because a worker has no `window`.
+//! Both are globals, of a page and of a worker, which has no `window`.
 
-use js_sys::{Function, Reflect};
-use wasm_bindgen::{JsCast, JsValue};
-use web_sys::Performance;
+use js_sys::Reflect;
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
 
-/// The functions of `globalThis` that the frame loop needs.
-pub struct Host {
-    request: Function,
-    cancel: Function,
-    performance: Performance,
+#[wasm_bindgen]
+extern "C" {
+    #[wasm_bindgen(js_name = requestAnimationFrame)]
+    fn request(callback: &JsValue) -> u32;
+
+    #[wasm_bindgen(js_name = cancelAnimationFrame)]
+    fn cancel(handle: u32);
+
+    #[wasm_bindgen(js_namespace = performance)]
+    fn now() -> f64;
 }
 
+/// The globals that the frame loop needs.
+pub struct Host(());
+
 impl Host {
-    /// Looks them up.
+    /// Looks for them.
     ///
     /// # Errors
     /// The name of what is not there.
     pub fn new() -> Result<Host, String> {
         let global = js_sys::global();
-        let look_up = |name: &str| {
-            Reflect::get(&global, &name.into())
-                .ok()
-                .filter(|found| !found.is_undefined())
-                .ok_or_else(|| format!("this browser has no {name}"))
-        };
-        Ok(Host {
-            request: look_up("requestAnimationFrame")?.unchecked_into(),
-            cancel: look_up("cancelAnimationFrame")?.unchecked_into(),
-            performance: look_up("performance")?.unchecked_into(),
-        })
+        for name in ["requestAnimationFrame", "performance"] {
+            if !Reflect::has(&global, &name.into()).unwrap_or(false) {
+                return Err(format!("this browser has no {name}"));
+            }
+        }
+        Ok(Host(()))
     }
 
     /// The time of a steady clock, in ms.
     pub fn now(&self) -> f64 {
-        self.performance.now()
+        now()
     }
 
     /// Asks for a frame; the handle withdraws it.
-    pub fn request_frame(&self, callback: &JsValue) -> Option<JsValue> {
-        self.request.call1(&js_sys::global(), callback).ok()
+    pub fn request_frame(&self, callback: &JsValue) -> u32 {
+        request(callback)
     }
 
     /// Withdraws a frame that was asked for.
-    pub fn cancel_frame(&self, handle: &JsValue) {
-        let _ = self.cancel.call1(&js_sys::global(), handle);
+    pub fn cancel_frame(&self, handle: u32) {
+        cancel(handle);
     }
 }

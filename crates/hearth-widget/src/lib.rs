@@ -13,9 +13,12 @@
 // Plain logic, which needs no browser and is tested without one.
 pub mod budget;
 pub mod message;
+pub mod quality;
 pub mod raw;
 
-// What touches the page: glow has a WebGL2 context in the browser only.
+// What touches the page.
+#[cfg(target_arch = "wasm32")]
+mod average;
 #[cfg(target_arch = "wasm32")]
 mod engine;
 #[cfg(target_arch = "wasm32")]
@@ -25,7 +28,11 @@ mod host;
 #[cfg(target_arch = "wasm32")]
 pub mod outbox;
 #[cfg(target_arch = "wasm32")]
+mod passes;
+#[cfg(target_arch = "wasm32")]
 mod picture;
+#[cfg(target_arch = "wasm32")]
+mod webgl;
 
 #[cfg(target_arch = "wasm32")]
 pub use engine::Engine;

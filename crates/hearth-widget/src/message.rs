@@ -2,11 +2,12 @@
 //!
 //! | type | other fields | what it does |
 //! |---|---|---|
-//! | `add` | `canvas`, `width`, `height`, `preset`?, `kept`?, `values`?, `paused`?, `visible`? | a new fire, drawn on that canvas |
+//! | `add` | `canvas`, `width`, `height`, `preset`?, `kept`?, `values`?, `quality`?, `guess`?, `paused`?, `visible`? | a new fire, drawn on that canvas |
 //! | `resize` | `width`, `height` | its size in device pixels; 0 is fine |
 //! | `set` | `request`, `source`, `values` | sets parameters, all or none |
 //! | `restore` | `request`, `source`, `ids` | puts parameters back to their defaults |
 //! | `preset` | `request`, `name` | sets every parameter to the preset's |
+//! | `quality` | `request`, `quality` | how much work it makes itself: low, medium, high or auto |
 //! | `play`, `pause`, `reset` | `request` | what they say |
 //! | `step` | `request`, `steps` | makes that many steps, playing or not |
 //! | `burn` | `request`, `seconds` | the same, as many as so much fire needs |
@@ -17,8 +18,10 @@
 //! sends a `request` number gets it back with `done` or `refused`.
 
 use hearth_core::Parameters;
+use hearth_core::params::{Input, Model};
 use hearth_core::preset::{PRESETS, Preset};
 
+use crate::quality::Level;
 use crate::raw::Raw;
 
 /// Longest side of a canvas in device pixels; browsers allow no more.
@@ -60,6 +63,8 @@ pub enum Order {
     Restore(Vec<String>),
     /// All values of that preset.
     Preset(String),
+    /// That quality, or whichever fits.
+    Quality(Option<Level>),
     /// Go on.
     Play,
     /// Stand still.
@@ -87,6 +92,10 @@ pub struct Start {
     pub kept: SentValues,
     /// Values on top of all that.
     pub values: SentValues,
+    /// The quality that is asked for; nothing: whichever fits.
+    pub quality: Option<Level>,
+    /// The one that may fit this device.
+    pub guess: Option<Level>,
     /// Whether it stands still at first.
     pub paused: bool,
     /// Whether anybody sees it.
@@ -183,6 +192,8 @@ impl Order {
                 preset: optional_text(raw, "preset")?,
                 kept: optional_values(raw, "kept")?,
                 values: optional_values(raw, "values")?,
+                quality: quality(raw, "quality")?,
+                guess: quality(raw, "guess")?,
                 paused: flag_or(raw, "paused", false)?,
                 visible: flag_or(raw, "visible", true)?,
             })),
@@ -190,6 +201,7 @@ impl Order {
             "set" => values(raw, "values").map(Order::Set),
             "restore" => ids(raw).map(Order::Restore),
             "preset" => text(raw, "name").map(Order::Preset),
+            "quality" => quality(raw, "quality").map(Order::Quality),
             "play" => Ok(Order::Play),
             "pause" => Ok(Order::Pause),
             "reset" => Ok(Order::Reset),
@@ -256,6 +268,19 @@ fn optional_text(raw: &Raw, id: &str) -> Result<Option<String>, Refused> {
         Raw::Missing => Ok(None),
         _ => text(raw, id).map(Some),
     }
+}
+
+/// A level by its name; nothing where it is `auto`, or nothing is said.
+fn quality(raw: &Raw, id: &str) -> Result<Option<Level>, Refused> {
+    let name = optional_text(raw, id)?;
+    let level = Level::ALL
+        .into_iter()
+        .find(|level| Some(level.name()) == name.as_deref());
+    if level.is_none() && name.is_some_and(|name| name != "auto") {
+        let allowed = "one of auto, low, medium, high";
+        return Err(Refused::field(id, raw.field(id), allowed));
+    }
+    Ok(level)
 }
 
 fn values(raw: &Raw, id: &str) -> Result<SentValues, Refused> {
@@ -359,6 +384,23 @@ pub fn of_preset(name: &str) -> Result<Parameters, Vec<Refused>> {
         let allowed = format!("one of {}", names.join(", "));
         vec![Refused::field("preset", &Raw::Text(name.into()), &allowed)]
     })
+}
+
+/// `parameters` with as many particles as `level` has for the combustion model,
+/// unless somebody asks for another number than the default one.
+pub fn with_level(parameters: &Parameters, level: Level) -> Parameters {
+    let mut new = parameters.clone();
+    if follows_level(parameters) {
+        let particles = Input::Number(level.particles().into());
+        let set = new.set("max_particles", particles);
+        debug_assert_eq!(set, Ok(()));
+    }
+    new
+}
+
+/// Whether the number of particles is the level's affair.
+pub fn follows_level(parameters: &Parameters) -> bool {
+    parameters.model() == Model::Combustion && parameters.max_particles == Level::Medium.particles()
 }
 
 /// The values that a new fire starts with, and what was refused of those that

@@ -7,6 +7,7 @@
 //! | `changed` | `fire`, `source`, `values`: only those that changed; `anew`: whether those of every model were replaced |
 //! | `refused` | `fire`, `request`, `source`, `errors`: id, value, message and, where there is a range, min and max |
 //! | `stats` | `fire`, `stats`: see [`Stats`] |
+//! | `quality` | `fire`, `wish`: auto or as asked for; `quality`, `reason`: what it has and why |
 //! | `state` | `fire`, `playing` |
 //! | `error` | `fire`, `kind`: unsupported, context-lost; `message` |
 //! | `restored` | `fire`: its lost context is back |
@@ -20,6 +21,7 @@ use js_sys::{Array, Function, Object, Reflect};
 use wasm_bindgen::JsValue;
 
 use crate::message::{Refused, RefusedMessage};
+use crate::quality::Quality;
 use crate::raw::Raw;
 
 /// What went wrong with a fire's picture.
@@ -32,8 +34,8 @@ pub enum Trouble {
 }
 
 /// What a fire says about itself a few times a second.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Stats {
+#[derive(Clone, Debug)]
+pub struct Stats<'a> {
     /// Frames a second, smoothed.
     pub fps: f64,
     /// Particles alive.
@@ -66,6 +68,15 @@ pub struct Stats {
     pub embers: usize,
     /// Format of the render targets; empty while nothing can be drawn.
     pub target_format: &'static str,
+    /// What takes how long in a frame, in ms: the stages of its steps, and sending
+    /// the particles to the graphics card.
+    pub stages: [(&'static str, f64); 5],
+    /// What each pass of the picture takes, in ms.
+    pub passes: &'a [(&'static str, f64)],
+    /// Whose clock says that: `gpu`, or `submit`.
+    pub pass_timer: &'static str,
+    /// How much work it makes itself, and why.
+    pub quality: &'a Quality,
 }
 
 /// Messages that wait to be posted.
@@ -133,8 +144,8 @@ impl Outbox {
     }
 
     /// How a fire is doing.
-    pub fn stats(&mut self, fire: u32, stats: &Stats) {
-        let fields: [(&str, JsValue); 16] = [
+    pub fn stats(&mut self, fire: u32, stats: &Stats<'_>) {
+        let fields: [(&str, JsValue); 21] = [
             ("fps", stats.fps.into()),
             ("particles", (stats.particles as f64).into()),
             ("stepMs", stats.step_ms.into()),
@@ -151,6 +162,11 @@ impl Outbox {
             ("power", stats.power.into()),
             ("embers", (stats.embers as f64).into()),
             ("targetFormat", stats.target_format.into()),
+            ("stages", times(&stats.stages)),
+            ("passes", times(stats.passes)),
+            ("passTimer", stats.pass_timer.into()),
+            ("quality", stats.quality.level().name().into()),
+            ("qualityReason", stats.quality.reason().into()),
         ];
         let object = Object::new();
         for (name, value) in &fields {
@@ -158,6 +174,16 @@ impl Outbox {
         }
         let message = about("stats", fire);
         put(&message, "stats", &object);
+        self.0.push(message.into());
+    }
+
+    /// How much work a fire makes itself, when that or who decides it changed.
+    pub fn quality(&mut self, fire: u32, quality: &Quality) {
+        let message = about("quality", fire);
+        let wish = quality.wish().map_or("auto", |level| level.name());
+        put(&message, "wish", &wish.into());
+        put(&message, "quality", &quality.level().name().into());
+        put(&message, "reason", &quality.reason().into());
         self.0.push(message.into());
     }
 
@@ -186,6 +212,8 @@ impl Outbox {
     }
 }
 
+// Many callers; a copy in each would be a kilobyte.
+#[inline(never)]
 fn about(kind: &str, fire: u32) -> Object {
     let message = Object::new();
     put(&message, "type", &kind.into());
@@ -194,6 +222,8 @@ fn about(kind: &str, fire: u32) -> Object {
 }
 
 /// Sets a field of a plain object of ours, which cannot fail.
+// As above.
+#[inline(never)]
 fn put(object: &Object, name: &str, value: &JsValue) {
     let _ = Reflect::set(object, &name.into(), value);
 }
@@ -204,6 +234,14 @@ fn values(parameters: &Parameters, wanted: impl Fn(&hearth_core::params::Param) 
         put(&object, param.id, &plain(param.get(parameters)));
     }
     object
+}
+
+fn times(times: &[(&str, f64)]) -> JsValue {
+    let object = Object::new();
+    for (name, time) in times {
+        put(&object, name, &(*time).into());
+    }
+    object.into()
 }
 
 fn plain(value: Value) -> JsValue {

@@ -6,13 +6,17 @@
 //! the fire itself is not touched.
 
 use hearth_core::{Instance, Parameters};
-use hearth_render::{RenderError, Renderer, View};
+use hearth_render::{Lines, RenderError, Renderer, View};
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{
     Event, EventTarget, HtmlCanvasElement, OffscreenCanvas, WebGl2RenderingContext,
     WebGlContextAttributes, WebglLoseContext,
 };
+
+use crate::host::Host;
+use crate::passes::Passes;
+use crate::webgl::WebGl;
 
 const LOST: &str = "webglcontextlost";
 const RESTORED: &str = "webglcontextrestored";
@@ -89,15 +93,21 @@ impl Canvas {
 
 /// What draws, while there is a context to draw with.
 struct Drawing {
-    gl: glow::Context,
-    renderer: Renderer,
+    gl: WebGl,
+    renderer: Renderer<WebGl>,
+    passes: Passes,
 }
 
 impl Drawing {
     fn new(context: &WebGl2RenderingContext) -> Result<Drawing, RenderError> {
-        let gl = glow::Context::from_webgl2_context(context.clone());
+        let gl = WebGl::new(context.clone());
         let renderer = Renderer::new(&gl)?;
-        Ok(Drawing { gl, renderer })
+        let passes = Passes::new(context);
+        Ok(Drawing {
+            gl,
+            renderer,
+            passes,
+        })
     }
 }
 
@@ -169,6 +179,11 @@ impl Picture {
             .map_or("", |drawing| drawing.renderer.target_format().name())
     }
 
+    /// How long each pass takes; nothing while nothing can be drawn.
+    pub fn passes(&self) -> Option<&Passes> {
+        self.drawing.as_ref().map(|drawing| &drawing.passes)
+    }
+
     /// Forgets what the lost context held.
     pub fn lose(&mut self) {
         self.drawing = None;
@@ -184,21 +199,33 @@ impl Picture {
         Ok(())
     }
 
-    /// Draws. The canvas gets its size here, not when the size is announced:
-    /// a canvas loses its picture with its size, and this way both are replaced
-    /// in the same frame.
+    /// Sends the particles to the graphics card.
+    pub fn upload(&mut self, instances: &[Instance], embers: &[Instance]) {
+        if let Some(Drawing { gl, renderer, .. }) = &mut self.drawing {
+            renderer.upload(gl, instances, embers);
+        }
+    }
+
+    /// Draws what was sent. The canvas gets its size here, not when the size is
+    /// announced: a canvas loses its picture with its size, and this way both are
+    /// replaced in the same frame.
     ///
     /// # Errors
     /// The driver refuses, in words; nothing is drawn from then on.
     pub fn draw(
         &mut self,
         size: (u32, u32),
+        lines: Lines,
         time: f64,
-        instances: &[Instance],
-        embers: &[Instance],
         parameters: &Parameters,
+        host: &Host,
     ) -> Result<(), String> {
-        let Some(Drawing { gl, renderer }) = &mut self.drawing else {
+        let Some(Drawing {
+            gl,
+            renderer,
+            passes,
+        }) = &mut self.drawing
+        else {
             return Ok(());
         };
         if self.canvas.size() != size {
@@ -210,8 +237,12 @@ impl Picture {
             height: self.context.drawing_buffer_height().max(0).unsigned_abs(),
             time,
         };
-        renderer.upload(gl, instances, embers);
-        match renderer.paint(gl, &view, parameters) {
+        renderer.set_lines(lines);
+        passes.begin(&self.context, host);
+        let watch = &mut |pass| passes.end(&self.context, host, pass);
+        let painted = renderer.paint_watched(gl, &view, parameters, watch);
+        passes.finish(&self.context);
+        match painted {
             Ok(()) => Ok(()),
             // The event that says so is on its way.
             Err(_) if self.context.is_context_lost() => Ok(()),
@@ -232,7 +263,7 @@ impl Drop for Picture {
             let _ =
                 target.remove_event_listener_with_callback(name, listener.as_ref().unchecked_ref());
         }
-        if let Some(Drawing { gl, renderer }) = self.drawing.take() {
+        if let Some(Drawing { gl, renderer, .. }) = self.drawing.take() {
             renderer.destroy(&gl);
         }
         if let Ok(Some(extension)) = self.context.get_extension("WEBGL_lose_context") {

@@ -4,8 +4,9 @@ use hearth_core::Parameters;
 use hearth_core::params::Model;
 use hearth_widget::message::{
     LONGEST_SIDE, MOST_SECONDS, MOST_STEPS, Message, Order, RefusedMessage, SentValues, Start,
-    of_preset, starting_values, with_defaults, with_values,
+    of_preset, starting_values, with_defaults, with_level, with_values,
 };
+use hearth_widget::quality::Level;
 use hearth_widget::raw::Raw;
 
 fn text(words: &str) -> Raw {
@@ -34,6 +35,8 @@ fn start(values: SentValues) -> Start {
         preset: None,
         kept: Vec::new(),
         values,
+        quality: None,
+        guess: None,
         paused: false,
         visible: true,
     }
@@ -96,6 +99,46 @@ fn every_order_has_its_form() {
         order(&message("restore", "ids", Raw::List(vec![text("seed")]))),
         Some(Order::Restore(vec!["seed".to_owned()]))
     );
+}
+
+#[test]
+fn a_quality_has_a_name_or_is_left_to_the_fire() {
+    for level in Level::ALL {
+        let raw = message("quality", "quality", text(level.name()));
+        assert_eq!(order(&raw), Some(Order::Quality(Some(level))));
+    }
+    let auto = message("quality", "quality", text("auto"));
+    assert_eq!(order(&auto), Some(Order::Quality(None)));
+    for bad in [
+        text("best"),
+        text(""),
+        text("Low"),
+        Raw::Number(1.0),
+        Raw::Flag(true),
+    ] {
+        let refused = refused(&message("quality", "quality", bad.clone())).expect("it is bad");
+        assert_eq!(
+            (refused.errors[0].id.as_str(), &refused.errors[0].value),
+            ("quality", &bad)
+        );
+    }
+}
+
+#[test]
+fn quality_has_the_number_of_particles_where_nobody_asked_for_one() {
+    for level in Level::ALL {
+        let particles = |values: SentValues| {
+            let (parameters, _) = starting_values(&start(values));
+            with_level(&parameters, level).max_particles
+        };
+        let asked = || ("max_particles", Raw::Number(2000.0));
+        assert_eq!(particles(values("combustion", [])), level.particles());
+        assert_eq!(particles(values("combustion", [asked()])), 2000);
+        assert_eq!(
+            particles(values("classic", [])),
+            Parameters::new(Model::Classic).max_particles
+        );
+    }
 }
 
 #[test]

@@ -222,7 +222,7 @@ impl Combustion {
             f64::from(p.kinematic_viscosity) + f64::from(p.artificial_viscosity) * h * sound / 8.0;
         let eddies = f64::from(p.eddy_viscosity).powi(2) * h * speed;
         let diffusivity = viscosity.max(p.diffusion.into()) + eddies;
-        (0.35 * h / (sound + speed))
+        (0.4 * h / (sound + speed))
             .min(0.25 * (h / hardest.max(1e-6)).sqrt())
             .min(0.125 * h * h / diffusivity.max(1e-9))
             .min(LONGEST)

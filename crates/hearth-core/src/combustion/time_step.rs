@@ -1,7 +1,7 @@
 //! How long a step may be, and the motion in it.
 //!
 //! ```text
-//! dt = min( 0.35 h/(c₀ + u),  0.25 √(h/a),  0.125 h²/ν )
+//! dt = min( 0.4 h/(c₀ + u),  0.25 √(h/a),  0.125 h²/ν )
 //! ```
 //!
 //! Nothing crosses a kernel in one go, sound included; no force moves a particle
@@ -68,7 +68,7 @@ pub(crate) fn longest(gas: &Gas, values: &Values, h: f32, sound: f32) -> f32 {
     let viscosity = values.kinematic_viscosity + values.artificial_viscosity * h * sound / 8.0;
     let diffusivity = viscosity.max(values.diffusion) + eddy;
 
-    let courant = 0.35 * h / (sound + speed);
+    let courant = 0.4 * h / (sound + speed);
     let force = 0.25 * (h / hardest.max(1e-6)).sqrt();
     let diffusion = 0.125 * h * h / diffusivity.max(1e-9);
     courant.min(force).min(diffusion).min(LONGEST)
@@ -136,7 +136,7 @@ mod tests {
             gas.acceleration.fill(Vec2::new(0.0, push));
             let (h, sound) = (parameters.smoothing_length(), sound_speed(&parameters));
             let dt = longest(&gas, &parameters, h, sound) * 0.9999;
-            assert!(dt <= 0.35 * h / (sound + speed));
+            assert!(dt <= 0.4 * h / (sound + speed));
             assert!(dt <= 0.25 * (h / push.max(1e-6)).sqrt());
             assert!(dt <= 0.125 * h * h / (viscosity as f32).max(1e-9));
         }

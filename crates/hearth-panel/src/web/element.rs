@@ -38,6 +38,7 @@ impl Element {
         let mut listeners = Vec::new();
         let names = [
             "params-change",
+            "quality-change",
             "stats",
             "play",
             "pause",
@@ -108,6 +109,10 @@ impl Element {
                 Reflect::set(&self.fire, &"preset".into(), &name.into())?;
                 return Ok(JsValue::UNDEFINED);
             }
+            Command::Quality(name) => {
+                Reflect::set(&self.fire, &"quality".into(), &name.into())?;
+                return Ok(JsValue::UNDEFINED);
+            }
             Command::Play => "play",
             Command::Pause => "pause",
             Command::Reset => "reset",
@@ -160,6 +165,7 @@ fn hear(panel: &mut Panel, fire: &JsValue, name: &str, event: &Event) {
         "stats" => {
             let stats = stats(&property(fire, "stats"));
             panel.fire.measure(stats);
+            panel.fire.quality = text(fire, "quality").unwrap_or_default();
             panel.fire.paused = property(fire, "paused").is_truthy();
         }
         "params-change" => {
@@ -209,6 +215,7 @@ fn read_values(panel: &mut Panel, fire: &JsValue) {
 fn read_all(panel: &mut Panel, fire: &JsValue) {
     read_values(panel, fire);
     panel.fire.paused = property(fire, "paused").is_truthy();
+    panel.fire.quality = text(fire, "quality").unwrap_or_default();
     panel.fire.stats = stats(&property(fire, "stats"));
 }
 
@@ -231,7 +238,28 @@ fn stats(value: &JsValue) -> Stats {
         steps_per_frame: number("stepsPerFrame"),
         draw_ms: number("drawMs"),
         slowed: property(value, "slowed").is_truthy(),
+        quality: text(value, "quality").unwrap_or_default(),
+        reason: text(value, "qualityReason").unwrap_or_default(),
+        stages: times(&property(value, "stages")),
+        passes: times(&property(value, "passes")),
+        on_card: text(value, "passTimer").as_deref() == Some("gpu"),
     }
+}
+
+/// Times by their names.
+fn times(value: &JsValue) -> Vec<(String, f64)> {
+    let Some(object) = value.dyn_ref::<Object>() else {
+        return Vec::new();
+    };
+    let names = Object::keys(object);
+    names
+        .iter()
+        .filter_map(|name| name.as_string())
+        .map(|name| {
+            let time = property(value, &name).as_f64().unwrap_or_default();
+            (name, time)
+        })
+        .collect()
 }
 
 /// One frame: `request_repaint` would cost two.

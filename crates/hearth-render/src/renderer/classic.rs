@@ -3,8 +3,10 @@
 use hearth_core::Parameters;
 
 use super::fire::{Body, Fire};
-use super::{fire_share, gain, smoke_opacity, table_coordinates};
+use super::{NOTHING, fire_share, gain, smoke_opacity, table_coordinates, without_hundreds};
+use crate::gl::Graphics;
 use crate::noise;
+use crate::passes::Pass;
 use crate::target::bind;
 
 /// A kernel is drawn out by the way that its particle moves in this time \[s\].
@@ -52,15 +54,13 @@ pub(super) fn body(parameters: &Parameters) -> Body {
     }
 }
 
-impl Fire<'_> {
+impl<G: Graphics> Fire<'_, G> {
     /// Particles to fields: sums of smooth kernels.
     pub(super) fn splat(&self) {
         let Fire { gl, renderer, .. } = *self;
-        let program = &renderer.passes.splat;
+        let program = renderer.passes.activate(gl, Pass::Splat);
         self.targets.field.draw_here(gl, self.used);
-        gl.clear_color(0.0, 0.0, 0.0, 0.0);
-        gl.clear(glow::COLOR_BUFFER_BIT);
-        program.activate(gl);
+        gl.clear(NOTHING);
         program.set(gl, "world", self.place.to_clip());
         let weight = kernel_weight(self.body.radius, self.parameters);
         program.set(gl, "kernel", [self.body.radius, STRETCH, weight, 0.0]);
@@ -80,8 +80,7 @@ impl Fire<'_> {
             targets,
             ..
         } = *self;
-        let program = &renderer.passes.spread;
-        program.activate(gl);
+        let program = renderer.passes.activate(gl, Pass::Spread);
         let [width, height] = targets.field.size().map(|side| side as f32);
         let [across, up] = self.used.map(|side| side as f32);
         // Five reads each way span six radii of a kernel.
@@ -103,10 +102,9 @@ impl Fire<'_> {
             ..
         } = *self;
         let [width, height] = place.metres;
-        let program = &renderer.passes.shade;
+        let program = renderer.passes.activate(gl, Pass::Shade);
         targets.light.draw_here(gl, targets.light.size());
-        gl.clear(glow::COLOR_BUFFER_BIT);
-        program.activate(gl);
+        gl.clear(NOTHING);
 
         let flame = renderer
             .rise
@@ -129,7 +127,7 @@ impl Fire<'_> {
         // of the speed, so whole hundreds make no difference, and what the
         // shader gets stays small, however long the fire burns.
         let tiles = 1.0 / (noise::CELLS as f32 * self.body.grain);
-        let risen = (renderer.rise.distance * f64::from(tiles)).rem_euclid(100.0) as f32;
+        let risen = without_hundreds(renderer.rise.distance * f64::from(tiles));
         let warp = parameters.detail * WARP * self.body.grain;
         program.set(gl, "rise", [tiles, risen, warp, parameters.detail]);
         program.set(
@@ -155,8 +153,8 @@ impl Fire<'_> {
         program.set(gl, "table", table_coordinates(fire_share(parameters)));
         targets.field.read_here(gl, 0);
         targets.wide.read_here(gl, 1);
-        bind(gl, 2, renderer.noise);
-        bind(gl, 3, renderer.black_body);
+        bind(gl, 2, &renderer.noise);
+        bind(gl, 3, &renderer.black_body);
         self.cover(self.place.rectangle(self.reach, targets.light.size()));
     }
 }

@@ -4,9 +4,11 @@
 use hearth_core::Parameters;
 
 use super::fire::{Body, Fire};
-use super::{fire_share, gain, smoke_opacity, table_coordinates};
+use super::{NOTHING, fire_share, gain, smoke_opacity, table_coordinates, without_hundreds};
 use crate::format::TargetFormat;
+use crate::gl::Graphics;
 use crate::noise;
+use crate::passes::Pass;
 use crate::target::bind;
 
 /// Radius of a kernel (1 − q²)² that blurs as much as the cubic spline of the
@@ -30,7 +32,8 @@ const EMBER: f32 = 12.0;
 /// Kernels as wide as those that moved the gas.
 pub(super) fn body(parameters: &Parameters) -> Body {
     let radius = RADII_PER_LENGTH * parameters.smoothing_length();
-    let grain = (0.3 * parameters.source_width).max(2.5 * parameters.spacing());
+    let [_, width] = burner(parameters);
+    let grain = (0.3 * width).max(2.5 * parameters.spacing());
     Body {
         radius,
         grain,
@@ -41,10 +44,24 @@ pub(super) fn body(parameters: &Parameters) -> Body {
 /// How long the gas carries a pattern of noise \[s\]: as long as it takes to rise
 /// by a few source widths.
 pub(super) fn period(parameters: &Parameters) -> f32 {
-    parameters.source_width.sqrt().clamp(0.25, 1.5) * 0.75
+    burner(parameters)[1].sqrt().clamp(0.25, 1.5) * 0.75
 }
 
-impl Fire<'_> {
+/// Height and width of the burner \[m\] as the gas has it: it stays inside the
+/// seams and the domain, and is three particles high and at least four wide.
+fn burner(parameters: &Parameters) -> [f32; 2] {
+    let height = parameters.domain_height;
+    let spacing = parameters.spacing();
+    let seam = parameters.seam * height;
+    let highest = (height - seam - 3.0 * spacing).max(0.0);
+    let width = parameters.source_width.max(4.0 * spacing);
+    [
+        parameters.source_height.max(seam).min(highest),
+        width.min(parameters.domain_width),
+    ]
+}
+
+impl<G: Graphics> Fire<'_, G> {
     /// Gas to fields and to velocities: sums of smooth kernels.
     pub(super) fn gas(&self) {
         let Fire {
@@ -53,10 +70,8 @@ impl Fire<'_> {
             targets,
             ..
         } = *self;
-        let program = &renderer.passes.gas;
-        program.activate(gl);
+        let program = renderer.passes.activate(gl, Pass::Gas);
         program.set(gl, "world", self.place.to_clip());
-        gl.clear_color(0.0, 0.0, 0.0, 0.0);
         gl.enable(glow::BLEND);
         gl.blend_func(glow::ONE, glow::ONE);
         let fields = renderer.format.gas_range().map(|range| 1.0 / range);
@@ -70,7 +85,7 @@ impl Fire<'_> {
                 break;
             }
             target.draw_here(gl, used);
-            gl.clear(glow::COLOR_BUFFER_BIT);
+            gl.clear(NOTHING);
             // A kernel narrower than the texels would flicker as it moves.
             let texel = self.place.metres[1] / used[1] as f32;
             let radius = self.body.radius.max(1.5 * texel);
@@ -94,19 +109,18 @@ impl Fire<'_> {
         let [before, now] = [1 - renderer.newest, renderer.newest].map(|k| &targets.drift[k]);
         if renderer.format == TargetFormat::Rgba8 {
             now.draw_here(gl, now.size());
-            gl.clear(glow::COLOR_BUFFER_BIT);
+            gl.clear(NOTHING);
             return;
         }
-        let program = &renderer.passes.drift;
-        program.activate(gl);
+        let program = renderer.passes.activate(gl, Pass::Drift);
         let [width, height] = self.place.metres;
         let elapsed = renderer.drift.elapsed;
         let [a, b] = renderer.drift.kept;
         program.set(gl, "carried", [elapsed / width, elapsed / height, a, b]);
         targets.flow.read_here(gl, 0);
         before.read_here(gl, 1);
-        now.draw_here(gl, now.size());
-        self.cover(self.place.rectangle(self.reach, now.size()));
+        // All of it: where no fire was drawn before, some may be in the next picture.
+        self.fill(now);
     }
 
     /// Fields to light.
@@ -120,11 +134,10 @@ impl Fire<'_> {
             ..
         } = *self;
         let [width, height] = place.metres;
-        let program = &renderer.passes.flame;
+        let program = renderer.passes.activate(gl, Pass::Flame);
         targets.light.draw_here(gl, targets.light.size());
-        gl.clear(glow::COLOR_BUFFER_BIT);
-        program.activate(gl);
-        let source = [parameters.source_height, parameters.source_width];
+        gl.clear(NOTHING);
+        let source = burner(parameters);
         program.set(gl, "view", [width, height, source[0], source[1]]);
         let whole = targets.field.size();
         let share = |axis: usize, inset: f32| (self.used[axis] as f32 - inset) / whole[axis] as f32;
@@ -139,9 +152,7 @@ impl Fire<'_> {
         let tiles = [1.15, 0.75].map(|share| share / (noise::CELLS as f32 * self.body.grain));
         let risen = match renderer.format {
             TargetFormat::Rgba16F => 0.0,
-            TargetFormat::Rgba8 => {
-                (renderer.rise.distance * f64::from(tiles[1])).rem_euclid(100.0) as f32
-            }
+            TargetFormat::Rgba8 => without_hundreds(renderer.rise.distance * f64::from(tiles[1])),
         };
         let warp = parameters.detail * WARP * self.body.grain;
         program.set(gl, "grain", [tiles[0], tiles[1], warp, parameters.detail]);
@@ -163,22 +174,21 @@ impl Fire<'_> {
         program.set(gl, "table", table_coordinates(fire_share(parameters)));
         targets.field.read_here(gl, 0);
         targets.drift[renderer.newest].read_here(gl, 1);
-        bind(gl, 2, renderer.noise);
-        bind(gl, 3, renderer.black_body);
+        bind(gl, 2, &renderer.noise);
+        bind(gl, 3, &renderer.black_body);
         self.cover(place.rectangle(self.reach, targets.light.size()));
     }
 
     /// Embers to light, behind the flame: in front of it they would be dots.
     pub(super) fn embers(&self) {
         let Fire { gl, renderer, .. } = *self;
-        let program = &renderer.passes.ember;
-        program.activate(gl);
+        let program = renderer.passes.activate(gl, Pass::Ember);
         program.set(gl, "world", self.place.to_clip());
         let texel = self.place.metres[1] / self.targets.light.size()[1] as f32;
         program.set(gl, "spark", [1.2 * texel, EXPOSURE, 0.0, 0.0]);
         program.set(gl, "shine", self.shine(EMBER));
         program.set(gl, "table", table_coordinates(1.0));
-        bind(gl, 1, renderer.black_body);
+        bind(gl, 1, &renderer.black_body);
         gl.enable(glow::BLEND);
         gl.blend_func(glow::ONE_MINUS_DST_ALPHA, glow::ONE);
         renderer.embers.draw(gl, program);
@@ -193,5 +203,27 @@ impl Fire<'_> {
             1.0 / self.renderer.format.light_range(),
             0.0,
         ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hearth_core::params::{Input, Model};
+
+    #[test]
+    fn the_base_stands_where_the_burner_does() {
+        let at = |height: f64, width: f64| {
+            let mut parameters = Parameters::new(Model::Combustion);
+            let values = [("source_height", height), ("source_width", width)];
+            let set = parameters.set_all(values.map(|(id, x)| (id, Input::Number(x))));
+            assert_eq!(set, Ok(()));
+            (burner(&parameters), parameters)
+        };
+        assert_eq!(at(0.5, 0.3).0, [0.5, 0.3]);
+        // Not below the seam, and not narrower than the gas can tell.
+        let ([height, width], parameters) = at(0.0, 0.01);
+        assert_eq!(height, parameters.seam * parameters.domain_height);
+        assert_eq!(width, 4.0 * parameters.spacing());
     }
 }

@@ -4,9 +4,10 @@
 use hearth_core::Parameters;
 use hearth_core::params::{Layers, Model};
 
-use super::{Renderer, background, classic, clear_picture, combustion};
-use crate::gl::Gl;
+use super::{NOTHING, Renderer, background, classic, clear_picture, combustion, doubled};
+use crate::gl::Graphics;
 use crate::layout::{BLURS, Place, Rectangle};
+use crate::passes::Pass;
 use crate::target::Target;
 use crate::targets::Targets;
 
@@ -31,10 +32,10 @@ pub struct Body {
 }
 
 /// One frame of fire.
-pub struct Fire<'a> {
-    pub gl: Gl<'a>,
-    pub renderer: &'a Renderer,
-    pub targets: &'a Targets,
+pub struct Fire<'a, G: Graphics> {
+    pub gl: &'a G,
+    pub renderer: &'a Renderer<G>,
+    pub targets: &'a Targets<G>,
     pub place: Place,
     pub parameters: &'a Parameters,
     pub body: Body,
@@ -44,15 +45,15 @@ pub struct Fire<'a> {
     pub reach: [f32; 4],
 }
 
-impl<'a> Fire<'a> {
+impl<'a, G: Graphics> Fire<'a, G> {
     /// Works out what the passes have in common.
     pub fn new(
-        gl: Gl<'a>,
-        renderer: &'a Renderer,
-        targets: &'a Targets,
+        gl: &'a G,
+        renderer: &'a Renderer<G>,
+        targets: &'a Targets<G>,
         place: Place,
         parameters: &'a Parameters,
-    ) -> Fire<'a> {
+    ) -> Fire<'a, G> {
         let mut body = match parameters.model() {
             Model::Classic => classic::body(parameters),
             Model::Combustion => combustion::body(parameters),
@@ -83,27 +84,31 @@ impl<'a> Fire<'a> {
     }
 
     /// Draws it, pass by pass.
-    pub fn paint(&self) {
+    pub fn paint(&self, watch: &mut dyn FnMut(&'static str)) {
+        let mut draw = |pass, draw: fn(&Self)| {
+            draw(self);
+            watch(pass);
+        };
         match self.parameters.model() {
             Model::Classic => {
-                self.splat();
-                self.spread();
-                self.shade();
+                draw("splat", Fire::splat);
+                draw("spread", Fire::spread);
+                draw("shade", Fire::shade);
             }
             Model::Combustion => {
-                self.gas();
-                self.drift();
-                self.flame();
+                draw("gas", Fire::gas);
+                draw("drift", Fire::drift);
+                draw("flame", Fire::flame);
                 if self.parameters.layers != Layers::Smoke {
-                    self.embers();
+                    draw("ember", Fire::embers);
                 }
             }
         }
         if self.parameters.bloom > 0.0 {
-            self.blur();
+            draw("bloom", Fire::blur);
         }
-        self.develop();
-        self.present();
+        draw("develop", Fire::develop);
+        draw("present", Fire::present);
     }
 
     /// Light to glow: ever wider copies, joined again into one.
@@ -115,8 +120,7 @@ impl<'a> Fire<'a> {
             ..
         } = *self;
         let texel = |size: [u32; 2]| size.map(|side| 1.0 / side as f32);
-        let program = &renderer.passes.shrink;
-        program.activate(gl);
+        let program = renderer.passes.activate(gl, Pass::Shrink);
         let mut source = &targets.light;
         for blur in &targets.blurs {
             let [x, y] = texel(source.size());
@@ -125,8 +129,7 @@ impl<'a> Fire<'a> {
             self.fill(blur);
             source = blur;
         }
-        let program = &renderer.passes.widen;
-        program.activate(gl);
+        let program = renderer.passes.activate(gl, Pass::Widen);
         for (narrow, joined) in targets.blurs.iter().zip(&targets.joined).rev() {
             let [x, y] = texel(source.size());
             program.set(gl, "texel", [x, y, SHARPER, 0.0]);
@@ -146,11 +149,10 @@ impl<'a> Fire<'a> {
             parameters,
             ..
         } = *self;
-        let program = &renderer.passes.develop;
+        let program = renderer.passes.activate(gl, Pass::Develop);
         let range = renderer.format.light_range();
-        program.activate(gl);
         // Encoded as for the screen: roughly a square root.
-        let mut soot = parameters.exposure.min(0.0).exp2().sqrt();
+        let mut soot = doubled(parameters.exposure.min(0.0)).sqrt();
         if parameters.layers == Layers::Smoke {
             soot *= SOFTLY;
         }
@@ -166,8 +168,7 @@ impl<'a> Fire<'a> {
         targets.light.read_here(gl, 0);
         targets.joined[0].read_here(gl, 1);
         targets.shown.draw_here(gl, targets.shown.size());
-        gl.clear_color(0.0, 0.0, 0.0, 0.0);
-        gl.clear(glow::COLOR_BUFFER_BIT);
+        gl.clear(NOTHING);
         self.cover(self.place.rectangle(self.halo(), targets.shown.size()));
     }
 
@@ -181,8 +182,7 @@ impl<'a> Fire<'a> {
             ..
         } = *self;
         clear_picture(gl, targets.layout, parameters.background);
-        let program = &renderer.passes.present;
-        program.activate(gl);
+        let program = renderer.passes.activate(gl, Pass::Present);
         program.set(gl, "background", background(parameters.background));
         targets.shown.read_here(gl, 0);
         self.cover(self.place.rectangle(self.halo(), targets.layout.picture));
@@ -198,12 +198,14 @@ impl<'a> Fire<'a> {
     }
 
     /// Covers a whole target.
-    pub fn fill(&self, target: &Target) {
+    #[inline(never)]
+    pub fn fill(&self, target: &Target<G>) {
         target.draw_here(self.gl, target.size());
-        self.gl.draw_arrays(glow::TRIANGLES, 0, 3);
+        self.gl.draw_triangle();
     }
 
     /// Covers a part of the current target.
+    #[inline(never)]
     pub fn cover(&self, part: Rectangle) {
         let gl = self.gl;
         if part.width == 0 || part.height == 0 {
@@ -211,7 +213,7 @@ impl<'a> Fire<'a> {
         }
         gl.enable(glow::SCISSOR_TEST);
         gl.scissor(part.x, part.y, part.width, part.height);
-        gl.draw_arrays(glow::TRIANGLES, 0, 3);
+        gl.draw_triangle();
         gl.disable(glow::SCISSOR_TEST);
     }
 }

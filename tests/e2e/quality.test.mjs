@@ -1,0 +1,183 @@
+/**
+ * How much work a fire makes itself: as it was asked for, or as much as fits;
+ * what it says of it; and what the parts of a frame take.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { assertBurns, events, recording } from './laws.mjs';
+import { Panel, along } from './panel.mjs';
+import { table } from './site.mjs';
+
+const { DEFAULTS } = await table();
+
+/** Particles of each quality, in the combustion model. */
+const PARTICLES = { low: 1200, medium: 3000, high: 6700 };
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+const small = { width: 260, height: 260 };
+
+/** Waits until the fire has about so many particles, and says this quality. */
+function settles(tab, quality, particles = PARTICLES[quality]) {
+  return tab.until(`${quality}, ${particles} particles`, (name, count) => {
+    const { stats } = /** @type {any} */ (document.querySelector('hearth-fire'));
+    // Where gas burns, some of it leaves and comes in.
+    return stats?.quality === name && Math.abs(stats.particles / count - 1) < 0.1;
+  }, quality, particles);
+}
+
+for (const quality of Object.keys(PARTICLES)) {
+  test(`${quality} quality has its number of particles, and no parameter has changed`, async () => {
+    const tab = await browser.open(recording(`<hearth-fire quality="${quality}"></hearth-fire>`), small);
+    await tab.burnt(0.1);
+    await settles(tab, quality);
+    const { wish, params, reason } = await tab.fire((fire) => (
+      { wish: fire.quality, params: fire.params, reason: fire.stats.qualityReason }
+    ));
+    assert.deepEqual([wish, params, reason], [quality, DEFAULTS, 'as asked for']);
+    assert.deepEqual(await events(tab, 'params-change'), []);
+    assert.deepEqual(tab.problems, []);
+  });
+}
+
+test('a burning fire changes its quality and burns on', async () => {
+  const tab = await browser.open(recording('<hearth-fire quality="medium"></hearth-fire>'), small);
+  await tab.burnt(1);
+  const time = await tab.fire((fire) => fire.stats.time);
+  for (const [quality, change] of [
+    ['low', (fire) => fire.setAttribute('quality', 'low')],
+    ['medium', (fire) => { fire.quality = 'medium'; }],
+  ]) {
+    await tab.fire(change);
+    await settles(tab, quality);
+    assert.equal(await tab.fire((fire) => fire.quality), quality);
+  }
+  await tab.burnt(time + 0.5);
+  await assertBurns(tab);
+  const told = (await events(tab, 'quality-change')).map(({ quality }) => quality);
+  assert.deepEqual(told, ['low', 'medium']);
+  assert.deepEqual(await events(tab, 'params-change'), []);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a number of particles that somebody asked for stays, until the default is back', async () => {
+  const tab = await browser.open('<hearth-fire quality="low" max-particles="2000"></hearth-fire>', small);
+  await tab.burnt(0.1);
+  await settles(tab, 'low', 2000);
+  await tab.fire((fire) => fire.removeAttribute('max-particles'));
+  await settles(tab, 'low');
+  await tab.fire((fire) => fire.set('max_particles', 1500));
+  await settles(tab, 'low', 1500);
+  await tab.fire((fire) => fire.restore('max_particles'));
+  await settles(tab, 'low');
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a quality that there is not is refused aloud, and the last good one stays', async () => {
+  const tab = await browser.open(recording('<hearth-fire quality="low"></hearth-fire>'), small);
+  await tab.burnt(0.1);
+  for (const bad of ['best', '', 'LOW', '2']) {
+    await tab.fire((fire, value) => fire.setAttribute('quality', value), bad);
+  }
+  await tab.until('four errors', () => (
+    /** @type {any} */ (window).events.filter(({ type }) => type === 'error').length === 4
+  ));
+  const [{ kind, id, value, message }] = await events(tab, 'error');
+  assert.deepEqual([kind, id, value], ['bad-parameter', 'quality', 'best']);
+  assert.match(message, /quality.*"best".*auto, low, medium, high/);
+  assert.equal(await tab.fire((fire) => fire.quality), 'low');
+  await tab.fire((fire) => fire.removeAttribute('quality'));
+  await tab.until('auto is back', () => (
+    /** @type {any} */ (document.querySelector('hearth-fire')).quality === 'auto'
+  ));
+});
+
+test('quality is kept when set early, in the address, and off the page', async () => {
+  const tab = await browser.open(`<hearth-fire id="fire"></hearth-fire><script>fire.quality = 'low'</script>`, small);
+  await tab.burnt(0.1);
+  await settles(tab, 'low');
+  await tab.fire(async (fire) => {
+    fire.remove();
+    await new Promise((resolve) => setTimeout(resolve, 200));
+    document.body.append(fire);
+    await fire.ready;
+  });
+  await settles(tab, 'low');
+  const page = await browser.open('index.html?quality=low', { width: 480, height: 320 });
+  await page.burnt(0.1);
+  await settles(page, 'low');
+  assert.deepEqual([...tab.problems, ...page.problems], []);
+});
+
+test('left to itself, a fire that does not fit its frames makes way and says why', async () => {
+  const tab = await browser.open(
+    recording('<hearth-fire style="width: 1600px; height: 1200px"></hearth-fire>'),
+    // A page that is busy by itself, so that no machine is too fast for this.
+    { width: 1600, height: 1200, before: () => {
+      const busy = () => {
+        const end = performance.now() + 30;
+        while (performance.now() < end);
+        requestAnimationFrame(busy);
+      };
+      requestAnimationFrame(busy);
+    } },
+  );
+  await tab.until('it is of low quality', () => (
+    /** @type {any} */ (document.querySelector('hearth-fire')).stats?.quality === 'low'
+  ));
+  const { wish, reason, params } = await tab.fire((fire) => (
+    { wish: fire.quality, reason: fire.stats.qualityReason, params: fire.params }
+  ));
+  assert.equal(wish, 'auto');
+  assert.match(reason, /guess|\d ms .*1,200 particles instead of [36],\d00$/);
+  assert.deepEqual(params, DEFAULTS);
+});
+
+test('the parts of the steps add up, and every pass is told', async () => {
+  for (const [model, passes] of [
+    ['combustion', ['gas', 'drift', 'flame', 'ember', 'bloom', 'develop', 'present']],
+    ['classic', ['splat', 'spread', 'shade', 'bloom', 'develop', 'present']],
+  ]) {
+    const tab = await browser.open(`<hearth-fire quality="low" model="${model}"></hearth-fire>`, small);
+    await tab.burnt(1);
+    const stats = await tab.fire((fire) => fire.stats);
+    const { upload, ...stages } = stats.stages;
+    assert.deepEqual(Object.keys(stages), ['sort', 'density', 'forces', 'integrate']);
+    const sum = Object.values(stages).reduce((all, one) => all + one, 0);
+    const steps = stats.stepMs * stats.stepsPerFrame;
+    assert.ok(sum > 0 && Math.abs(sum / steps - 1) < 1e-6, `${sum} ms of stages, ${steps} ms of steps`);
+    assert.ok(upload >= 0 && upload <= stats.drawMs + 0.1, `${upload} ms of ${stats.drawMs}`);
+    assert.deepEqual(Object.keys(stats.passes), passes);
+    assert.ok(['gpu', 'submit'].includes(stats.passTimer));
+    assert.ok(Object.values(stats.passes).every((time) => time >= 0));
+    assert.deepEqual(tab.problems, []);
+  }
+});
+
+test('the panel and its mirror choose the quality, and show what somebody else chose', async () => {
+  const tab = await browser.open('index.html?quality=medium', { width: 760, height: 600 });
+  await tab.burnt(0.1);
+  const panel = await new Panel(tab).mounted();
+  const mirror = '[data-action="quality"]';
+  const shown = () => tab.page.$eval(mirror, (control) => /** @type {any} */ (control).value);
+  await tab.until('the mirror shows it', (selector) => (
+    /** @type {any} */ (document.querySelector(selector)).value === 'medium'
+  ), mirror);
+  await tab.click(along(await panel.part('quality:low'), 0.5));
+  await settles(tab, 'low');
+  assert.equal(await shown(), 'low');
+  await tab.page.select(mirror, 'medium');
+  await settles(tab, 'medium');
+  // Unfolded, the header says what takes how long, and pushes down what is below it.
+  const before = await panel.part('quality');
+  await tab.click(along(await panel.part('action:times'), 0.3));
+  await tab.frames(6);
+  assert.ok((await panel.part('quality')).y > before.y + 30, 'the times are shown');
+  assert.deepEqual(tab.problems, []);
+});

@@ -111,7 +111,7 @@ impl Classic {
     }
 
     pub fn report(&self) -> StepReport {
-        let (mean_neighbours, most_neighbours) = self.pairs.mean_and_most(self.particles.len());
+        let (mean_neighbours, most_neighbours) = self.pairs.mean_and_most();
         StepReport {
             substeps: self.substeps,
             mean_neighbours,

@@ -202,7 +202,7 @@ impl Combustion {
     }
 
     pub fn report(&self) -> StepReport {
-        let (mean_neighbours, most_neighbours) = self.forces.mean_and_most(self.gas.len());
+        let (mean_neighbours, most_neighbours) = self.forces.mean_and_most();
         StepReport {
             substeps: 1,
             mean_neighbours,

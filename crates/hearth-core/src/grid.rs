@@ -231,6 +231,11 @@ impl Grid {
         self.blocks[row] as usize..self.blocks[row + 1] as usize
     }
 
+    /// How many particles there are.
+    pub fn len(&self) -> usize {
+        self.places.len()
+    }
+
     /// How many blocks there are.
     pub fn block_count(&self) -> usize {
         self.members.len()
@@ -251,14 +256,16 @@ impl Grid {
         self.starts[base + first] as usize..self.starts[base + last + 1] as usize
     }
 
-    /// The blocks of a row that a stretch of it touches.
+    /// The blocks of a row that its bins from `first` to `last` touch.
     #[inline(always)]
-    fn run(&self, row: usize, from: f32, to: f32, shift: Vec2) -> Run {
-        let (first, begin) = (self.blocks[row] as usize, self.particles(row).start);
-        let particles = self.stretch(row, from, to);
+    fn run(&self, row: usize, [first, last]: [usize; 2], shift: Vec2) -> Run {
+        let base = row * self.bins;
+        let (begin, block) = (self.starts[base], self.blocks[row]);
+        let start = self.starts[base + first] - begin;
+        let end = self.starts[base + last + 1] - begin;
         Run {
-            start: first + (particles.start - begin) / LANES,
-            end: first + (particles.end - begin).div_ceil(LANES),
+            start: (block + start / LANES as u32) as usize,
+            end: (block + end.div_ceil(LANES as u32)) as usize,
             shift,
         }
     }
@@ -280,11 +287,11 @@ impl Grid {
             runs[found] = run;
             found += usize::from(run.start < run.end);
         };
-        let right = self.left + self.width;
         let (low, high) = (from - self.reach, to + self.reach);
+        let ([first, last, _], _) = self.indices([low, high, 0.0], 0.0);
         see(Run {
             start: block + 1,
-            ..self.run(row, to, high, Vec2::ZERO)
+            ..self.run(row, [last, last], Vec2::ZERO)
         });
         let above = if row + 1 < self.rows {
             Some((row + 1, 0.0))
@@ -292,20 +299,23 @@ impl Grid {
             self.up.map(|height| (0, height))
         };
         if let Some((row, up)) = above {
-            see(self.run(row, low, high, Vec2::new(0.0, up)));
+            see(self.run(row, [first, last], Vec2::new(0.0, up)));
         }
-        let Some(width) = self.across else {
-            return found;
-        };
-        if high > right {
-            see(self.run(row, self.left, high - width, Vec2::new(width, 0.0)));
-        }
-        if let Some((row, up)) = above {
-            if high > right {
-                see(self.run(row, self.left, high - width, Vec2::new(width, up)));
+        if let Some(width) = self.across {
+            // What is beyond the right edge lies at the left one, and so on.
+            let ([right, left, _], _) = self.indices([high - width, low + width, 0.0], 0.0);
+            let (beyond, before) = ([0, right], [left, self.bins - 1]);
+            let is_beyond = high > self.left + self.width;
+            if is_beyond {
+                see(self.run(row, beyond, Vec2::new(width, 0.0)));
             }
-            if low < self.left {
-                see(self.run(row, low + width, right, Vec2::new(-width, up)));
+            if let Some((row, up)) = above {
+                if is_beyond {
+                    see(self.run(row, beyond, Vec2::new(width, up)));
+                }
+                if low < self.left {
+                    see(self.run(row, before, Vec2::new(-width, up)));
+                }
             }
         }
         found

@@ -15,7 +15,7 @@
 use std::f32::consts::PI;
 
 use crate::extremes::larger;
-use crate::lanes::Real;
+use crate::lanes::{Lanes, Real};
 
 /// Both pieces of the kernel as one expression without a branch, of the distance
 /// in smoothing lengths: W = σ/4 · bell.
@@ -30,6 +30,13 @@ pub(crate) fn bell<T: Real>(q: T) -> T {
 pub(crate) fn steepness<T: Real>(q: T) -> T {
     let (outer, inner) = tails(q);
     outer * outer - T::of(4.0) * inner * inner
+}
+
+/// Distance of particles by the square of it, in smoothing lengths, not quite zero
+/// for those that touch: their offset is, and so is what they do to each other.
+#[inline(always)]
+pub(crate) fn distance(square: Lanes) -> Lanes {
+    square.larger(Lanes::splat(1e-12)).sqrt()
 }
 
 /// 2 − q and 1 − q, each zero from where it would be negative.

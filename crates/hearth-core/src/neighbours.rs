@@ -111,6 +111,9 @@ pub(crate) struct Neighbours {
     /// The lists.
     entries: Vec<u32>,
     used: usize,
+    /// How many particles the last search was for, in how many blocks.
+    particles: usize,
+    blocks: usize,
 }
 
 impl Neighbours {
@@ -120,6 +123,7 @@ impl Neighbours {
     pub fn find<B: Block>(&mut self, blocks: &mut [B], grid: &Grid, h: f32) {
         self.used = 0;
         self.sweeps.clear();
+        (self.particles, self.blocks) = (grid.len(), blocks.len());
         let inverse_h = 1.0 / h;
         let mut runs = Default::default();
         for row in 0..grid.rows() {
@@ -250,13 +254,8 @@ impl Neighbours {
     /// one of its ends. Particles are told by their places, four to a block; to make
     /// the others a multiple of four, the place after the last block is added.
     #[inline(always)]
-    pub fn each(
-        &self,
-        blocks: usize,
-        others: &mut Vec<u32>,
-        mut see: impl FnMut(usize, Vec2, &[u32]),
-    ) {
-        let nowhere = (LANES * blocks) as u32;
+    pub fn each(&self, others: &mut Vec<u32>, mut see: impl FnMut(usize, Vec2, &[u32])) {
+        let nowhere = (LANES * self.blocks) as u32;
         for sweep in &self.sweeps {
             let first = sweep.block as usize * LANES;
             for lane in 0..LANES {
@@ -285,12 +284,12 @@ impl Neighbours {
         }
     }
 
-    /// Neighbours of a particle, on average, and the most of one, counted anew
-    /// for so many particles in so many blocks.
-    pub fn mean_and_most(&self, particles: usize, blocks: usize) -> (f32, u32) {
-        let nowhere = LANES * blocks;
+    /// Neighbours of a particle, on average, and the most of one, as the last search
+    /// found them; counted anew.
+    pub fn mean_and_most(&self) -> (f32, u32) {
+        let nowhere = LANES * self.blocks;
         let mut counts = vec![0_u32; nowhere + 1];
-        self.each(blocks, &mut Vec::new(), |one, _, others| {
+        self.each(&mut Vec::new(), |one, _, others| {
             for &other in others {
                 counts[one] += u32::from(other as usize != nowhere);
                 counts[other as usize] += 1;
@@ -298,7 +297,7 @@ impl Neighbours {
         });
         let counts = &counts[..nowhere];
         let sum: u32 = counts.iter().sum();
-        let mean = sum as f32 / particles.max(1) as f32;
+        let mean = sum as f32 / self.particles.max(1) as f32;
         (mean, counts.iter().copied().max().unwrap_or(0))
     }
 }

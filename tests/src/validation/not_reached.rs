@@ -22,14 +22,14 @@ pub const NOT_REACHED: &[NotReached] = &[
     },
     NotReached {
         row: "puffing-0.8",
-        reason: "Chance decides. The air drawn in swings at about 0.8 Hz, as the light does, \
-                 and at about 1.3 Hz, nearly as strongly; two records of 60 s, of the same \
-                 equations rounded in two ways, read 0.81 and 1.34 Hz.",
+        reason: "Chance decides. The air drawn in swings slowly, as the light does, and at \
+                 about 1.3 Hz, nearly as strongly: three records of 60 s, rounded otherwise or \
+                 in other steps, read 0.81, 1.34 and 1.16 Hz.",
     },
     NotReached {
         row: "puffing-0.8-plain",
-        reason: "Without the factor of frequency the swing at about 0.8 Hz outweighs the beat \
-                 at about 1.3 Hz in both of these records: it reads 0.81 and 0.78 Hz.",
+        reason: "Without the factor of frequency the slow swing outweighs the beat in each of \
+                 these records: they read 0.81, 0.78 and 0.34 Hz.",
     },
 ];
 

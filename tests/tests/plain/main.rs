@@ -170,16 +170,14 @@ impl Difference<'_> {
         let (report, crowd) = (fire.report(), oracle.crowd());
         let [low, high] = [0, 1].map(|k| crowd.iter().map(|count| count[k]).max());
         let most = Some(report.most_neighbours);
-        let all = f64::from(report.mean_neighbours) * fire.count() as f64;
+        let all = f64::from(report.mean_neighbours) * crowd.len() as f64;
         let [fewest, greatest] = [0, 1].map(|k| {
             let sum: u32 = crowd.iter().map(|count| count[k]).sum();
             f64::from(sum)
         });
-        // Whoever has left in the step had neighbours too.
-        let stayed = crowd.len() == fire.count();
         let mean = fewest - 1e-6 * all <= all && all <= greatest + 1e-6 * all;
         assert!(
-            crowd.is_empty() || low <= most && most <= high && (mean || !stayed),
+            crowd.is_empty() || low <= most && most <= high && mean,
             "{report:?} is not of {low:?} to {high:?} and {fewest} to {greatest} in '{}'",
             self.scene
         );

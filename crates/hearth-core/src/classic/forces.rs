@@ -41,10 +41,6 @@ pub(crate) fn push_and_rub(pairs: &mut Pairs, kernel: &Kernel, values: &Values, 
     }
 }
 
-/// Square of the distance below which two particles count as this far apart, in
-/// smoothing lengths: their offset is as good as zero, and so is the force.
-const TOUCHING: f32 = 1e-12;
-
 /// A particle, each property of it in all lanes.
 pub(crate) struct One {
     pub place: [Lanes; 2],
@@ -111,7 +107,7 @@ impl Law<2> for PushAndRub {
     fn pair(&self, one: &One, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
         let [x, y] = one.offset(others);
         let square = x * x + y * y;
-        let q = square.larger(Lanes::splat(TOUCHING)).sqrt();
+        let q = kernel::distance(square);
         let softened = square + 0.01;
         // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
         // times q²: one division serves both.

@@ -5,7 +5,7 @@
 //! moves with the old one and lets energy drift; it can be chosen.
 
 use super::forces;
-use super::pairs::Pairs;
+use super::pairs::{Block, Pairs};
 use super::particles::{Living, Particles};
 use super::pressure::DENSITY_FLOOR;
 use crate::extremes::larger;
@@ -83,48 +83,79 @@ pub(crate) fn integrate(
     values: &Values,
     dt: f32,
 ) -> Motion {
-    let limit = Lanes::splat(values.speed_limit);
-    let (mut fastest, mut hardest) = (Lanes::ZERO, Lanes::ZERO);
-    let mut limited = 0;
+    let mut seen = Seen::default();
     for (block, members) in pairs.each() {
         let particles = &mut particles[members];
-        let mut temperature = [values.ambient_temperature; LANES];
-        for (temperature, particle) in temperature.iter_mut().zip(&*particles) {
-            *temperature = particle.temperature;
-        }
-        let [ax, ay] = block.acceleration;
-        let lift = forces::lift(block, Lanes::new(temperature), values);
-        let (mut ax, mut ay) = (ax, ay + lift);
-        if particles.len() < LANES {
-            // Nothing moves where there is no particle.
-            (ax, ay) = (ax.first(particles.len()), ay.first(particles.len()));
-        }
-        let [old_x, old_y] = block.velocity;
-        let (x, y) = (old_x + ax * dt, old_y + ay * dt);
-        let speed = (x * x + y * y).sqrt();
-        limited += limit.less(speed).count_ones();
-        let held = limit / speed.larger(limit);
-        let velocity = [x * held, y * held];
-        fastest = fastest.larger(speed.smaller(limit));
-        hardest = hardest.larger((ax * ax + ay * ay).sqrt());
-
-        let moved = if values.printed_euler {
-            block.velocity
-        } else {
-            velocity
-        };
-        let motions = transposed([moved[0] * dt, moved[1] * dt, velocity[0], velocity[1]]);
-        for (particle, motion) in particles.iter_mut().zip(motions) {
-            particle.motion = particle.motion * POSITION + motion;
-            let cooled = particle.temperature - values.cooling_rate * dt;
-            particle.temperature = larger(cooled, values.ambient_temperature);
-            particle.age += dt;
+        if let Ok(four) = <&mut [Living; LANES]>::try_from(&mut *particles) {
+            advance(four, LANES, block, values, dt, &mut seen);
+        } else if let Some(&one) = particles.first() {
+            // The last block of a row is filled up, and nothing moves where there
+            // is no particle.
+            let held = particles.len();
+            let mut four = [one; LANES];
+            four[..held].copy_from_slice(particles);
+            advance(&mut four, held, block, values, dt, &mut seen);
+            particles.copy_from_slice(&four[..held]);
         }
     }
     Motion {
-        fastest: fastest.largest(),
-        hardest: hardest.largest(),
-        limited,
+        fastest: seen.fastest.largest().sqrt(),
+        hardest: seen.hardest.largest().sqrt(),
+        limited: seen.limited,
+    }
+}
+
+/// What has been seen of all particles' motion so far: squares of the largest
+/// speeds and accelerations, and how many were held back.
+#[derive(Default)]
+struct Seen {
+    fastest: Lanes,
+    hardest: Lanes,
+    limited: u32,
+}
+
+/// Moves the four particles of a block, of which it holds so many.
+#[inline(always)]
+fn advance(
+    four: &mut [Living; LANES],
+    held: usize,
+    block: &Block,
+    values: &Values,
+    dt: f32,
+    seen: &mut Seen,
+) {
+    let [a, b, c, d] = &*four;
+    let temperature = [a, b, c, d].map(|one| one.temperature);
+    let [mut ax, mut ay] = block.acceleration;
+    ay += forces::lift(block, Lanes::new(temperature), values);
+    if held < LANES {
+        (ax, ay) = (ax.first(held), ay.first(held));
+    }
+    let [old_x, old_y] = block.velocity;
+    let mut velocity = [old_x + ax * dt, old_y + ay * dt];
+    let mut square = velocity[0] * velocity[0] + velocity[1] * velocity[1];
+    let limit = Lanes::splat(values.speed_limit);
+    let too_fast = (limit * limit).less(square);
+    if too_fast != 0 {
+        let kept = limit / square.sqrt().larger(limit);
+        velocity = velocity.map(|v| v * kept);
+        square = square.smaller(limit * limit);
+        seen.limited += too_fast.count_ones();
+    }
+    seen.fastest = seen.fastest.larger(square);
+    seen.hardest = seen.hardest.larger(ax * ax + ay * ay);
+
+    let moved = if values.printed_euler {
+        block.velocity
+    } else {
+        velocity
+    };
+    let motions = transposed([moved[0] * dt, moved[1] * dt, velocity[0], velocity[1]]);
+    for (particle, motion) in four.iter_mut().zip(motions) {
+        particle.motion = particle.motion * POSITION + motion;
+        let cooled = particle.temperature - values.cooling_rate * dt;
+        particle.temperature = larger(cooled, values.ambient_temperature);
+        particle.age += dt;
     }
 }
 

@@ -143,8 +143,8 @@ impl Pairs {
     }
 
     /// Neighbours of a particle, on average, and the most of one.
-    pub fn mean_and_most(&self, particles: usize) -> (f32, u32) {
-        self.neighbours.mean_and_most(particles, self.blocks.len())
+    pub fn mean_and_most(&self) -> (f32, u32) {
+        self.neighbours.mean_and_most()
     }
 }
 

@@ -9,13 +9,9 @@ use glam::Vec2;
 use super::forces::One;
 use super::pairs::Block;
 use crate::kernel::{self, Kernel};
-use crate::lanes::{Lanes, Real};
+use crate::lanes::Lanes;
 use crate::neighbours::Law;
 use crate::params::Values;
-
-/// Square of the distance below which two particles count as this far apart, in
-/// smoothing lengths.
-const TOUCHING: f32 = 1e-12;
 
 /// The paper's equations as they are printed, each to be chosen by itself.
 #[derive(Clone, Copy, Debug)]
@@ -77,7 +73,7 @@ impl Law<2> for Printed {
     fn pair(&self, one: &One, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
         let [x, y] = one.offset(others);
         let square = x * x + y * y;
-        let q = square.larger(Lanes::splat(TOUCHING)).sqrt();
+        let q = kernel::distance(square);
         let steep = kernel::steepness(q) / q;
         let share = if self.pressure { 0.5 } else { 1.0 };
         let push = steep * (one.pressure + others.pressure) * share;

@@ -110,10 +110,6 @@ struct Gain {
     state: Lanes,
 }
 
-/// Square of the distance below which two particles count as this far apart, in
-/// smoothing lengths: their offset is as good as zero, and so is the force.
-const TOUCHING: f32 = 1e-12;
-
 /// The exchange of a pair, with all factors that every pair has.
 struct Exchange {
     /// h/m, times that of W'.
@@ -165,7 +161,7 @@ impl Exchange {
         let (x, y) = (one.motion[0] - x, one.motion[1] - y);
         let (vx, vy) = (one.motion[2] - vx, one.motion[3] - vy);
         let square = x * x + y * y;
-        let q = square.larger(Lanes::splat(TOUCHING)).sqrt();
+        let q = kernel::distance(square);
         let softened = square + 0.01;
         // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
         // times q²: one division serves both.
@@ -325,7 +321,7 @@ impl Forces {
         );
 
         let law = Exchange::new(kernel, values, sound, gas.mass);
-        neighbours.each(blocks.len(), others, |here, shift, others| {
+        neighbours.each(others, |here, shift, others| {
             let parcel = parcels[here];
             let one = One::of(&parcel, shift);
             let mut motion = [Lanes::ZERO; 4];
@@ -380,8 +376,8 @@ impl Forces {
     }
 
     /// Neighbours of a particle, on average, and the most of one.
-    pub fn mean_and_most(&self, particles: usize) -> (f32, u32) {
-        self.neighbours.mean_and_most(particles, self.blocks.len())
+    pub fn mean_and_most(&self) -> (f32, u32) {
+        self.neighbours.mean_and_most()
     }
 }
 

@@ -66,7 +66,7 @@ impl One {
             self.place[0] - others.place[0],
             self.place[1] - others.place[1],
         );
-        let q = (x * x + y * y).larger(Lanes::splat(1e-12)).sqrt();
+        let q = kernel::distance(x * x + y * y);
         let steep = kernel::steepness(q) / q;
         [x * steep, y * steep]
     }

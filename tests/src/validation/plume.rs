@@ -5,12 +5,12 @@ use hearth_core::Simulation;
 use super::boxes::combustion;
 use super::measure::fit;
 use super::plot::{Plot, Series};
-use super::record::watch;
+use super::record::{Record, SEEDS, watch};
 use super::{Case, Expected, Outcome, Pace, Row};
 
 pub(super) const CASES: &[Case] = &[Case {
     name: "plume",
-    pace: Pace::Long(60),
+    pace: Pace::Long(120),
     run: plume,
 }];
 
@@ -31,18 +31,21 @@ fn preheat(fire: &mut Simulation) -> f64 {
 /// falls as 1/z, and the air that it takes in widens it.
 fn plume() -> Outcome {
     const POWER: f64 = 30.0;
-    let parameters = combustion([
-        ("fuel_power", POWER),
-        ("source_width", 0.1),
-        ("source_height", 0.25),
-        ("domain_width", 2.0),
-        ("domain_height", 3.0),
-        ("max_particles", 6000.0),
-        ("radiative_cooling", 0.0),
-    ]);
-    let p = &parameters;
+    let parameters = |seed| {
+        combustion([
+            ("seed", seed),
+            ("fuel_power", POWER),
+            ("source_width", 0.1),
+            ("source_height", 0.25),
+            ("domain_width", 2.0),
+            ("domain_height", 3.0),
+            ("max_particles", 6000.0),
+            ("radiative_cooling", 0.0),
+        ])
+    };
+    let p = &parameters(SEEDS[0]);
     let ambient = f64::from(p.ambient_temperature);
-    let mut record = watch(parameters.clone(), 5.0, 30.0);
+    let mut record = Record::joined(SEEDS.map(|seed| watch(parameters(seed), 5.0, 30.0)));
     // The gas of the source is hot already; that lifts too.
     let heat = POWER + preheat(&mut record.fire);
     let flux = f64::from(p.gravity) * heat / (f64::from(p.ambient_density) * ambient);

@@ -64,7 +64,7 @@ pub(super) fn delivered(fire: &mut Simulation, seconds: f64) -> f64 {
     let (began, before, mut burned) = (fire.time(), stock(fire), 0.0);
     let came = run(fire, began + seconds, |fire| {
         fire.step();
-        burned += f64::from(fire.report().power) * fire.step_length();
+        burned += f64::from(fire.power()) * fire.step_length();
     });
     if came {
         (burned + stock(fire) - before) / (fire.time() - began)
@@ -132,7 +132,55 @@ pub(super) fn watch(parameters: Parameters, settle: f64, seconds: f64) -> Record
     record
 }
 
+/// Seeds of the records that are taken together where one alone would leave much to
+/// chance.
+pub(super) const SEEDS: [f64; 3] = [1.0, 2.0, 3.0];
+
+/// The mean of spectra over the same frequencies.
+pub(super) fn mean_spectrum(spectra: &[Vec<(f64, f64)>]) -> Vec<(f64, f64)> {
+    let Some(first) = spectra.first() else {
+        return Vec::new();
+    };
+    let mean = |k: usize| spectra.iter().map(|spectrum| spectrum[k].1).sum::<f64>();
+    let each = first.iter().enumerate();
+    each.map(|(k, (frequency, _))| (*frequency, mean(k) / spectra.len() as f64))
+        .collect()
+}
+
 impl Record {
+    /// The mean fields of several records; the rest is the first one's.
+    pub fn joined([mut first, others @ ..]: [Record; SEEDS.len()]) -> Record {
+        let n = SEEDS.len() as f64;
+        for other in &others {
+            first.came &= other.came;
+            let pairs = [
+                (&mut first.intermittency, &other.intermittency),
+                (&mut first.widths, &other.widths),
+                (&mut first.luminous, &other.luminous),
+                (&mut first.temperature, &other.temperature),
+                (&mut first.rise, &other.rise),
+                (&mut first.drift, &other.drift),
+            ];
+            for (sum, more) in pairs {
+                for (sum, more) in sum.iter_mut().zip(more) {
+                    *sum += more;
+                }
+            }
+        }
+        let sums = [
+            &mut first.intermittency,
+            &mut first.widths,
+            &mut first.luminous,
+            &mut first.temperature,
+            &mut first.rise,
+            &mut first.drift,
+        ];
+        for value in sums.into_iter().flatten() {
+            *value /= n;
+        }
+        first
+    }
+
     /// Adds the frame that is there now.
     fn look(&mut self) {
         let fire = &self.fire;

@@ -145,13 +145,12 @@ impl Figures {
         Some((Time::read(throttled)?, throttled["stepsPerFrame"].as_f64()?))
     }
 
-    /// Bytes a particle of the largest block that was measured, and its particles.
-    pub fn memory(&self) -> Option<(u64, f64)> {
+    /// Bytes a particle of the block that took most.
+    pub fn memory(&self) -> Option<f64> {
         let listed = self.all["memory"].as_array()?;
-        let worst = listed.iter().filter_map(|one| {
-            let particles = one["particles"].as_u64()?;
-            Some((particles, one["bytes"].as_f64()? / particles as f64))
-        });
-        worst.max_by(|a, b| a.1.total_cmp(&b.1))
+        let each = listed
+            .iter()
+            .filter_map(|one| Some(one["bytes"].as_f64()? / one["particles"].as_f64()?));
+        each.max_by(f64::total_cmp)
     }
 }

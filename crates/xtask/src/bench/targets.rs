@@ -235,7 +235,7 @@ fn absolute(figures: &Figures) -> Vec<Target> {
         target(
             "memory, the worst of all sizes, natively",
             Bound::AtMost(400.0, Unit::Bytes),
-            figures.memory().map(|(_, bytes)| Time {
+            figures.memory().map(|bytes| Time {
                 median: bytes,
                 best: bytes,
             }),

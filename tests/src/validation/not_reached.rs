@@ -1,8 +1,7 @@
 //! Rows that are outside their tolerance, and why.
 //!
 //! A row may stand here only with what was measured and the reason; its
-//! tolerance stays as it is. A row that holds again has to be struck out, unless
-//! chance decides and the reason says so.
+//! tolerance stays as it is. A row that holds again has to be struck out.
 
 /// A row that cannot be reached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,19 +16,18 @@ pub struct NotReached {
 pub const NOT_REACHED: &[NotReached] = &[
     NotReached {
         row: "plume-velocity",
-        reason: "Too slow by a third, and chance decides by how much: records of 30 s of \
-                 twelve seeds and roundings read 1.05 to 1.40, and 1.2 on average.",
+        reason: "Too slow by a quarter. Single records of 30 s, of other seeds or rounded \
+                 otherwise, read 1.05 to 1.40.",
     },
     NotReached {
         row: "puffing-0.8",
-        reason: "Chance decides. The air drawn in swings slowly, as the light does, and at \
-                 about 1.3 Hz, nearly as strongly: three records of 60 s, rounded otherwise or \
-                 in other steps, read 0.81, 1.34 and 1.16 Hz.",
+        reason: "The air drawn in swings slowly, as the light does, and at about 1.3 Hz, nearly \
+                 as strongly: single records of 60 s read 0.81, 1.16 and 1.34 Hz.",
     },
     NotReached {
         row: "puffing-0.8-plain",
-        reason: "Without the factor of frequency the slow swing outweighs the beat in each of \
-                 these records: they read 0.81, 0.78 and 0.34 Hz.",
+        reason: "Without the factor of frequency the slow swing outweighs the beat in single \
+                 records too: they read 0.81, 0.78 and 0.34 Hz.",
     },
 ];
 

@@ -6,7 +6,7 @@
  * fire and its graphics context.
  *
  * @typedef {import('./engine.js').Message} Message
- * @typedef {{preset?: string, kept?: object, values: object, quality: string, paused: boolean}} Start
+ * @typedef {{preset?: string, kept?: object, values: object, ownNumber?: boolean, quality: string, paused: boolean}} Start
  */
 
 import { connect } from './engine.js';

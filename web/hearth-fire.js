@@ -42,6 +42,8 @@ export class HearthFire extends FireAttributes {
   /** @type {{[name: string]: any} | null} */
   #stats = null;
   #quality = 'auto';
+  /** Whether somebody set the number of particles, as the engine says. */
+  #ownNumber = false;
   #paused = false;
   /** Whether it stands still because the visitor wants less motion. */
   #still = false;
@@ -271,7 +273,8 @@ export class HearthFire extends FireAttributes {
   /** What the fire starts from: preset and model at first, what it was when it comes back. */
   #start() {
     const [paused, quality] = [this.#paused, this.#quality];
-    if (this.#started) return { kept: this.#kept, values: this.#params, quality, paused };
+    const [kept, values, ownNumber] = [this.#kept, this.#params, this.#ownNumber];
+    if (this.#started) return { kept, values, ownNumber, quality, paused };
     this.#started = true;
     const preset = this.getAttribute('preset') ?? undefined;
     const model = this.getAttribute('model');
@@ -312,11 +315,13 @@ export class HearthFire extends FireAttributes {
     switch (message.type) {
       case 'ready':
         this.#params = { ...this.#params, ...message.values };
+        this.#ownNumber = message.ownNumber;
         break;
       case 'changed':
         if (message.anew) this.#kept = {};
         else if ('model' in message.values) this.#kept = this.#params;
         this.#params = { ...this.#params, ...message.values };
+        this.#ownNumber = message.ownNumber;
         if (!this.#announced) break;
         for (const [id, value] of Object.entries(message.values)) {
           this.#emit('params-change', { id, value, source: message.source });

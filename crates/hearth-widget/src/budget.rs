@@ -74,6 +74,12 @@ impl Pace {
         }
     }
 
+    /// Holds nothing against it that was given up so far: what it burns with is
+    /// other work from now on.
+    pub fn forgive(&mut self) {
+        (self.wanted, self.missed) = (0.0, 0.0);
+    }
+
     /// Whether more than a twentieth of what it should have burnt was given up: a
     /// single late frame is no slow fire.
     pub fn slowed(&self) -> bool {
@@ -161,6 +167,23 @@ mod tests {
             second(&mut pace, 1.0, 1.0);
         }
         assert!(!pace.slowed());
+    }
+
+    #[test]
+    fn a_fire_that_is_forgiven_is_not_slow_and_still_says_its_pace() {
+        let mut pace = Pace::default();
+        for _ in 0..10 {
+            second(&mut pace, 1.0, 0.3);
+        }
+        let before = pace.time_scale();
+        pace.forgive();
+        assert!(!pace.slowed());
+        assert_eq!(pace.time_scale(), before);
+        // Only what comes counts, and that at once.
+        pace.frame(1.0 / 60.0, 1.0, 1.0 / 60.0, 0.0);
+        assert!(!pace.slowed());
+        second(&mut pace, 1.0, 0.3);
+        assert!(pace.slowed());
     }
 
     #[test]

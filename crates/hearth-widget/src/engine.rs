@@ -12,12 +12,11 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use crate::budget::{STEPS_BUDGET_MS, share};
 use crate::fire::Fire;
 use crate::host::Host;
-use crate::message::{
-    Message, Order, Refused, RefusedMessage, of_preset, starting_values, with_defaults, with_values,
-};
+use crate::message::{Message, Order, Refused, RefusedMessage};
 use crate::outbox::{Outbox, Trouble};
 use crate::picture::{ContextEvent, Picture};
 use crate::raw::Raw;
+use crate::wanted::Wanted;
 
 /// Draws any number of fires.
 #[wasm_bindgen]
@@ -140,26 +139,29 @@ impl Fires {
             let Order::Add(start) = order else {
                 return out.refused(refuse(vec![Refused::fire(id)]));
             };
-            let (parameters, errors) = starting_values(&start);
+            let (wanted, errors) = Wanted::at_first(&start);
             if !errors.is_empty() {
                 out.refused(refuse(errors));
             }
             match Picture::new(canvas, move |event| tell(id, event)) {
                 Ok(picture) => {
-                    out.ready(id, &parameters);
-                    self.fires.push(Fire::new(id, picture, parameters, &start));
+                    out.ready(id, &wanted);
+                    self.fires.push(Fire::new(id, picture, wanted, &start));
                 }
                 Err(words) => out.error(id, Trouble::Unsupported, &words),
             }
             return out.done(id, request);
         };
-        let anew = matches!(order, Order::Preset(_));
-        let mut parameters = None;
+        if let Some(wanted) = fire.wanted().after(&order) {
+            let anew = matches!(order, Order::Preset(_));
+            match wanted {
+                Ok(wanted) => fire.want(wanted, &source, anew, out),
+                Err(errors) => return out.refused(refuse(errors)),
+            }
+        }
         match order {
             Order::Add(_) => return out.refused(refuse(vec![Refused::fire(id)])),
-            Order::Set(values) => parameters = Some(with_values(fire.parameters(), &values)),
-            Order::Restore(ids) => parameters = Some(with_defaults(fire.parameters(), &ids)),
-            Order::Preset(name) => parameters = Some(of_preset(&name)),
+            Order::Set(_) | Order::Restore(_) | Order::Preset(_) => {}
             Order::Resize(width, height) => fire.resize(width, height),
             Order::Visible(visible) => fire.set_visible(visible),
             Order::Quality(wish) => fire.ask_quality(wish, out),
@@ -172,11 +174,6 @@ impl Fires {
                 self.fires.retain(|fire| fire.id() != id);
                 return out.done(id, request);
             }
-        }
-        match parameters {
-            Some(Err(errors)) => return out.refused(refuse(errors)),
-            Some(Ok(parameters)) => fire.set_parameters(parameters, &source, anew, out),
-            None => {}
         }
         out.done(id, request);
     }

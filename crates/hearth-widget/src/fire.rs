@@ -4,16 +4,17 @@ use std::cell::Cell;
 
 use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
-use hearth_core::{Instance, Parameters, Simulation, Stage};
+use hearth_core::{Instance, Simulation, Stage};
 use hearth_render::Lines;
 
 use crate::average::smooth;
 use crate::budget::{Pace, make_steps};
 use crate::host::Host;
-use crate::message::{Start, follows_level, with_level};
+use crate::message::Start;
 use crate::outbox::{Outbox, Stats, Trouble};
 use crate::picture::{ContextEvent, Picture};
 use crate::quality::{Frame, Level, Quality};
+use crate::wanted::{Wanted, adapt};
 
 /// Time between two messages about how a fire is doing, in ms.
 const STATS_EVERY_MS: f64 = 250.0;
@@ -61,7 +62,7 @@ pub struct Fire {
     id: u32,
     /// Its values as somebody asked for them; the simulation's own have the number
     /// of particles that goes with the quality.
-    parameters: Parameters,
+    wanted: Wanted,
     simulation: Simulation,
     quality: Quality,
     picture: Picture,
@@ -90,13 +91,13 @@ pub struct Fire {
 
 impl Fire {
     /// A fire that has not burnt yet.
-    pub fn new(id: u32, picture: Picture, parameters: Parameters, start: &Start) -> Fire {
+    pub fn new(id: u32, picture: Picture, wanted: Wanted, start: &Start) -> Fire {
         let guess = start.guess.unwrap_or(Level::Medium);
         let quality = Quality::new(start.quality, guess);
         Fire {
             id,
-            simulation: Simulation::new(with_level(&parameters, quality.level())),
-            parameters,
+            simulation: Simulation::new(wanted.at(quality.level())),
+            wanted,
             quality,
             picture,
             instances: Vec::new(),
@@ -125,29 +126,27 @@ impl Fire {
         self.id
     }
 
-    /// Its values.
-    pub fn parameters(&self) -> &Parameters {
-        &self.parameters
+    /// What it should burn with.
+    pub fn wanted(&self) -> &Wanted {
+        &self.wanted
     }
 
     /// Gives it other values, which the next step and picture use; `anew`: they
     /// owe nothing to those before.
-    pub fn set_parameters(
-        &mut self,
-        parameters: Parameters,
-        source: &str,
-        anew: bool,
-        out: &mut Outbox,
-    ) {
-        let old = &self.parameters;
-        out.changed(self.id, source, anew, old, &parameters);
-        if parameters.model != old.model {
+    pub fn want(&mut self, wanted: Wanted, source: &str, anew: bool, out: &mut Outbox) {
+        let old = &self.wanted;
+        out.changed(self.id, source, anew, old, &wanted);
+        if wanted.parameters.model != old.parameters.model {
             // Averages over two models say nothing about either.
             self.stages = [0.0; STAGES.len()];
             self.step_length = 0.0;
             self.power = 0.0;
         }
-        self.parameters = parameters;
+        if !wanted.works_like(old) {
+            self.pace.forgive();
+            self.quality.skip();
+        }
+        self.wanted = wanted;
         self.adapt();
     }
 
@@ -155,14 +154,15 @@ impl Fire {
     pub fn ask_quality(&mut self, wish: Option<Level>, out: &mut Outbox) {
         self.quality.ask(wish);
         out.quality(self.id, &self.quality);
+        self.pace.forgive();
         self.adapt();
     }
 
     /// Gives the simulation the values, and the number of particles that goes with
     /// the quality: other particles take over the fire that burns.
     fn adapt(&mut self) {
-        let parameters = with_level(&self.parameters, self.quality.level());
-        self.simulation.set_parameters(parameters);
+        let parameters = self.wanted.at(self.quality.level());
+        adapt(&mut self.simulation, parameters);
         self.stale = true;
     }
 
@@ -237,7 +237,7 @@ impl Fire {
     /// One frame: the steps that are due, as far as `deadline` allows, and the
     /// picture of them. `now` is the time of the frame, in ms.
     pub fn frame(&mut self, now: f64, deadline: f64, fires: usize, host: &Host, out: &mut Outbox) {
-        let scale = f64::from(self.parameters().time_scale);
+        let scale = f64::from(self.wanted.parameters.time_scale);
         let passed = if self.playing && self.seen() {
             self.fps.frame(now / 1000.0);
             Some(self.clock.advance(now / 1000.0, scale))
@@ -252,7 +252,7 @@ impl Fire {
                 smooth(average, stage / steps);
             }
             smooth(&mut self.step_length, made.seconds / steps);
-            let power = f64::from(self.simulation.report().power);
+            let power = f64::from(self.simulation.power());
             smooth(&mut self.power, power);
             self.stale = true;
         }
@@ -281,15 +281,17 @@ impl Fire {
                 draw_ms: if on_card > draw_ms { on_card } else { draw_ms },
                 time_scale: scale,
                 slowed: self.pace.slowed(),
-                particles: follows_level(&self.parameters),
+                particles: self.wanted.follows_level(),
                 fires,
             };
             if self.quality.frame(&frame) {
                 out.quality(self.id, &self.quality);
                 // What was too much before says nothing about what comes.
-                self.pace = Pace::default();
+                self.pace.forgive();
                 self.adapt();
             }
+        } else if passed.is_some() {
+            self.quality.skip();
         }
         for request in finished {
             out.done(self.id, request);

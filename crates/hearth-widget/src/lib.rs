@@ -8,13 +8,14 @@
 //!
 //! A frame goes one way: the clock says how much fire is due, the simulation makes
 //! whole steps for it as far as the frame's [`budget`] allows, the renderer draws
-//! what came of it. Nothing of it allocates once it is warm.
+//! what came of it. Between two messages nothing of it allocates once it is warm.
 
 // Plain logic, which needs no browser and is tested without one.
 pub mod budget;
 pub mod message;
 pub mod quality;
 pub mod raw;
+pub mod wanted;
 
 // What touches the page.
 #[cfg(target_arch = "wasm32")]

@@ -2,7 +2,7 @@
 //!
 //! | type | other fields | what it does |
 //! |---|---|---|
-//! | `add` | `canvas`, `width`, `height`, `preset`?, `kept`?, `values`?, `quality`?, `guess`?, `paused`?, `visible`? | a new fire, drawn on that canvas |
+//! | `add` | `canvas`, `width`, `height`, `preset`?, `kept`?, `values`?, `ownNumber`?, `quality`?, `guess`?, `paused`?, `visible`? | a new fire, drawn on that canvas |
 //! | `resize` | `width`, `height` | its size in device pixels; 0 is fine |
 //! | `set` | `request`, `source`, `values` | sets parameters, all or none |
 //! | `restore` | `request`, `source`, `ids` | puts parameters back to their defaults |
@@ -18,7 +18,6 @@
 //! sends a `request` number gets it back with `done` or `refused`.
 
 use hearth_core::Parameters;
-use hearth_core::params::{Input, Model};
 use hearth_core::preset::{PRESETS, Preset};
 
 use crate::quality::Level;
@@ -92,6 +91,8 @@ pub struct Start {
     pub kept: SentValues,
     /// Values on top of all that.
     pub values: SentValues,
+    /// Whether the number of particles among them is one that somebody set.
+    pub own_number: bool,
     /// The quality that is asked for; nothing: whichever fits.
     pub quality: Option<Level>,
     /// The one that may fit this device.
@@ -192,6 +193,7 @@ impl Order {
                 preset: optional_text(raw, "preset")?,
                 kept: optional_values(raw, "kept")?,
                 values: optional_values(raw, "values")?,
+                own_number: flag_or(raw, "ownNumber", false)?,
                 quality: quality(raw, "quality")?,
                 guess: quality(raw, "guess")?,
                 paused: flag_or(raw, "paused", false)?,
@@ -384,23 +386,6 @@ pub fn of_preset(name: &str) -> Result<Parameters, Vec<Refused>> {
         let allowed = format!("one of {}", names.join(", "));
         vec![Refused::field("preset", &Raw::Text(name.into()), &allowed)]
     })
-}
-
-/// `parameters` with as many particles as `level` has for the combustion model,
-/// unless somebody asks for another number than the default one.
-pub fn with_level(parameters: &Parameters, level: Level) -> Parameters {
-    let mut new = parameters.clone();
-    if follows_level(parameters) {
-        let particles = Input::Number(level.particles().into());
-        let set = new.set("max_particles", particles);
-        debug_assert_eq!(set, Ok(()));
-    }
-    new
-}
-
-/// Whether the number of particles is the level's affair.
-pub fn follows_level(parameters: &Parameters) -> bool {
-    parameters.model() == Model::Combustion && parameters.max_particles == Level::Medium.particles()
 }
 
 /// The values that a new fire starts with, and what was refused of those that

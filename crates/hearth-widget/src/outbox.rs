@@ -2,9 +2,9 @@
 //!
 //! | type | other fields |
 //! |---|---|
-//! | `ready` | `fire`, `values`: all of them |
+//! | `ready` | `fire`, `values`: all of them; `ownNumber`: whether somebody set the number of particles |
 //! | `done` | `fire`, `request` |
-//! | `changed` | `fire`, `source`, `values`: only those that changed; `anew`: whether those of every model were replaced |
+//! | `changed` | `fire`, `source`, `values`: only those that changed; `anew`: whether those of every model were replaced; `ownNumber` |
 //! | `refused` | `fire`, `request`, `source`, `errors`: id, value, message and, where there is a range, min and max |
 //! | `stats` | `fire`, `stats`: see [`Stats`] |
 //! | `quality` | `fire`, `wish`: auto or as asked for; `quality`, `reason`: what it has and why |
@@ -23,6 +23,7 @@ use wasm_bindgen::JsValue;
 use crate::message::{Refused, RefusedMessage};
 use crate::quality::Quality;
 use crate::raw::Raw;
+use crate::wanted::Wanted;
 
 /// What went wrong with a fire's picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,9 +93,10 @@ impl Outbox {
     }
 
     /// A new fire is there, with these values.
-    pub fn ready(&mut self, fire: u32, parameters: &Parameters) {
+    pub fn ready(&mut self, fire: u32, wanted: &Wanted) {
         let message = about("ready", fire);
-        put(&message, "values", &values(parameters, |_| true));
+        put(&message, "values", &values(&wanted.parameters, |_| true));
+        put(&message, "ownNumber", &wanted.own_number.into());
         self.0.push(message.into());
     }
 
@@ -109,20 +111,15 @@ impl Outbox {
 
     /// Values changed; nothing is sent where none did. `anew`: also those that
     /// the model before kept for its return, if there are any, are new.
-    pub fn changed(
-        &mut self,
-        fire: u32,
-        source: &str,
-        anew: bool,
-        old: &Parameters,
-        new: &Parameters,
-    ) {
-        let changed = |param: &hearth_core::params::Param| param.get(old) != param.get(new);
-        if anew || PARAMETERS.iter().any(changed) {
+    pub fn changed(&mut self, fire: u32, source: &str, anew: bool, old: &Wanted, new: &Wanted) {
+        let (before, now) = (&old.parameters, &new.parameters);
+        let changed = |param: &hearth_core::params::Param| param.get(before) != param.get(now);
+        if anew || old.own_number != new.own_number || PARAMETERS.iter().any(changed) {
             let message = about("changed", fire);
             put(&message, "anew", &anew.into());
             put(&message, "source", &source.into());
-            put(&message, "values", &values(new, changed));
+            put(&message, "values", &values(now, changed));
+            put(&message, "ownNumber", &new.own_number.into());
             self.0.push(message.into());
         }
     }

@@ -9,6 +9,8 @@
 
 use std::fmt::Write as _;
 
+use crate::budget::STEPS_BUDGET_MS;
+
 /// How much work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
@@ -66,13 +68,19 @@ const WINDOW: f64 = 1000.0;
 const TRIAL: f64 = 500.0;
 /// Longest time between two frames that is held against a fire \[ms\].
 const LONGEST: f64 = 250.0;
-/// Shortest time between two frames of a display \[ms\].
-const SHORTEST: f64 = 4.0;
+/// Shortest time between two frames \[ms\]: what comes sooner is the same one again.
+const SHORTEST: f64 = 1.0;
+/// Time between two frames of a display that any can be asked to keep up with \[ms\],
+/// and of the fastest that a fire gives anything away for.
+const USUAL: f64 = 1000.0 / 60.0;
+const FASTEST: f64 = 4.0;
 /// Share of a frame above which a fire takes too much of it.
 const TOO_MUCH: f64 = 0.9;
 /// The same for drawing, where nothing can be done about the steps.
 const DRAWING: f64 = 0.5;
-/// Share of it that another level may be expected to take.
+/// Share of the budget for steps above which they are why it falls behind.
+const ALL_OF_IT: f64 = 0.9;
+/// Share of a frame that another level may be expected to take.
 const ROOM: f64 = 0.6;
 /// How much longer than the display's frames a fire's may last on average.
 const LATE: f64 = 1.3;
@@ -86,6 +94,12 @@ const MORE_PATIENCE: u32 = 4;
 /// How often it may take more.
 const MOST_RISES: u32 = 4;
 
+/// Frames over which the time of steps is taken in a trial: browsers' clocks are
+/// too coarse for one.
+const GROUP: f64 = 8.0;
+/// Gaps between frames that a window remembers.
+const GAPS: usize = 32;
+
 /// Sums over the frames between two decisions.
 #[derive(Clone, Copy, Debug, Default)]
 struct Window {
@@ -95,8 +109,44 @@ struct Window {
     steps_ms: f64,
     made: f64,
     draw_ms: f64,
-    /// Least time for a second of fire \[ms\]; zero before there was a step.
-    best: f64,
+    /// Least time for a second of fire in a group of frames \[ms\].
+    best: Option<f64>,
+    /// Time of steps, and fire made, before this group.
+    before: [f64; 2],
+    /// Its last gaps, in a ring.
+    last: [f64; GAPS],
+}
+
+impl Window {
+    fn count(&mut self, frame: &Frame, gap: f64) {
+        self.last[self.frames as usize % GAPS] = gap;
+        self.frames += 1.0;
+        self.gaps += gap;
+        self.steps_ms += frame.steps_ms;
+        self.made += frame.made;
+        self.draw_ms += frame.draw_ms;
+        if self.frames % GROUP == 0.0 {
+            let [steps_ms, made] = [self.steps_ms - self.before[0], self.made - self.before[1]];
+            self.before = [self.steps_ms, self.made];
+            let best = self.best.unwrap_or(f64::INFINITY);
+            if made > 0.0 && steps_ms > 0.0 && steps_ms / made < best {
+                self.best = Some(steps_ms / made);
+            }
+        }
+    }
+
+    /// Lower quartile of its last gaps: frames that come late do not change it, and
+    /// neither do a few that come early.
+    fn quartile(&self) -> f64 {
+        let gaps = &self.last[..GAPS.min(self.frames as usize)];
+        let quarter = gaps.len() / 4;
+        let is_it = |gap: &f64| {
+            let shorter = gaps.iter().filter(|other| *other < gap).count();
+            let as_short = gaps.iter().filter(|other| *other <= gap).count();
+            shorter <= quarter && quarter < as_short
+        };
+        gaps.iter().copied().find(is_it).unwrap_or(USUAL)
+    }
 }
 
 /// The level of a fire, and why it is that.
@@ -126,7 +176,7 @@ impl Quality {
             level: guess,
             reason: "a guess for this device".into(),
             last: None,
-            display: 1000.0 / 60.0,
+            display: USUAL,
             window: Window::default(),
             tried: false,
             too_much: 0,
@@ -181,37 +231,23 @@ impl Quality {
     /// Takes note of a frame. Returns whether the level is another one now.
     pub fn frame(&mut self, frame: &Frame) -> bool {
         let gap = self.last.map(|last| frame.now - last);
+        if gap.is_some_and(|gap| gap < SHORTEST) {
+            return false;
+        }
         self.last = Some(frame.now);
-        let Some(gap) = gap.filter(|gap| *gap >= SHORTEST) else {
+        let Some(gap) = gap else {
             return false;
         };
-        // Quickly down to the shortest. Up only slowly, where nothing is left to
-        // give: who is always late, whatever is done about it, has a slow display.
-        let weight = match self.level {
-            _ if gap < self.display => 0.25,
-            Level::Low => 0.001,
-            _ => 0.0,
-        };
-        self.display += weight * (gap.min(LONGEST) - self.display);
-        let window = &mut self.window;
-        let start = *window.start.get_or_insert(frame.now);
-        window.frames += 1.0;
-        window.gaps += gap.min(LONGEST);
-        window.steps_ms += frame.steps_ms;
-        window.made += frame.made;
-        window.draw_ms += frame.draw_ms;
-        if frame.made > 0.0 {
-            let cost = frame.steps_ms / frame.made;
-            if window.best == 0.0 || cost < window.best {
-                window.best = cost;
-            }
-        }
+        let start = *self.window.start.get_or_insert(frame.now);
+        let counted = if gap < LONGEST { gap } else { LONGEST };
+        self.window.count(frame, counted);
         let length = if self.tried { WINDOW } else { TRIAL };
-        if self.wish.is_some() || frame.now - start < length {
+        if frame.now - start < length {
             return false;
         }
         let window = std::mem::take(&mut self.window);
-        if window.made == 0.0 {
+        self.watch_display(window.quartile());
+        if self.wish.is_some() || window.made == 0.0 {
             return false;
         }
         let trial = !std::mem::replace(&mut self.tried, true);
@@ -229,15 +265,34 @@ impl Quality {
         changes
     }
 
+    /// Learns what the display's frames are from those of a window. They may become
+    /// longer: the page moves to another display, or power is saved. Beyond what is
+    /// usual that is believed only slowly, and only where nothing is left to give: who is
+    /// always late, whatever is done about it, has a slow display.
+    fn watch_display(&mut self, gap: f64) {
+        let known = if self.display > USUAL {
+            self.display
+        } else {
+            USUAL
+        };
+        self.display = if gap <= known {
+            if gap > FASTEST { gap } else { FASTEST }
+        } else if self.level == Level::Low {
+            known + 0.05 * (gap - known)
+        } else {
+            known
+        };
+    }
+
     /// What this window's frames took. In the first half second the browser is
-    /// still compiling: its best frame tells more than the mean, and drawing tells
+    /// still compiling: its best frames tell more than the mean, and drawing tells
     /// nothing.
     fn load(&self, window: &Window, frame: &Frame, trial: bool) -> Load {
+        let rate = window.steps_ms / window.made;
         let (rate, draw) = if trial {
-            (window.best, 0.0)
+            (window.best.unwrap_or(rate), 0.0)
         } else {
-            let draw = window.draw_ms / window.frames;
-            (window.steps_ms / window.made, draw)
+            (rate, window.draw_ms / window.frames)
         };
         let mut load = Load {
             level: self.level,
@@ -250,12 +305,19 @@ impl Quality {
             late: false,
         };
         load.too_much = if frame.particles {
-            load.expected(self.level) > TOO_MUCH * load.room || (frame.slowed && !trial)
+            // Whose frames are rare falls behind, too, whatever its steps take.
+            let budget = ALL_OF_IT * STEPS_BUDGET_MS / frame.fires.max(1) as f64;
+            let slowed = frame.slowed && !trial && load.steps > budget;
+            load.expected(self.level) > TOO_MUCH * load.room || slowed
         } else {
             draw > DRAWING * load.room
         };
-        // Late although it takes little here: the graphics card, or the page.
-        load.late = load.gap > LATE * self.display && !load.too_much;
+        // Late although it takes little here: the graphics card, or the page. Where it
+        // is the steps, and their number is somebody else's, nothing can be done.
+        let rare = load.gap > LATE * self.display;
+        let busy = (window.steps_ms + window.draw_ms) / window.frames;
+        let helps = frame.particles || busy + self.display < load.gap;
+        load.late = rare && helps && !load.too_much;
         load
     }
 

@@ -93,17 +93,19 @@ impl Memory {
     /// Where these floats are in it.
     fn find(&mut self, floats: &[f32]) -> u32 {
         // Memory that has grown is another buffer; a view of the old one is empty.
-        if self.pages != Memory::pages() {
+        // Keeping the new one may make it grow again.
+        while self.pages != Memory::pages() {
             *self = Memory::now();
         }
         (floats.as_ptr() as usize / size_of::<f32>()) as u32
     }
 
     fn now() -> Memory {
+        let pages = Memory::pages();
         let memory: WebAssembly::Memory = wasm_bindgen::memory().unchecked_into();
         Memory {
             floats: Float32Array::new(&memory.buffer()),
-            pages: Memory::pages(),
+            pages,
         }
     }
 }

@@ -4,7 +4,7 @@ use hearth_core::Parameters;
 use hearth_core::params::Model;
 use hearth_widget::message::{
     LONGEST_SIDE, MOST_SECONDS, MOST_STEPS, Message, Order, RefusedMessage, SentValues, Start,
-    of_preset, starting_values, with_defaults, with_level, with_values,
+    of_preset, starting_values, with_defaults, with_values,
 };
 use hearth_widget::quality::Level;
 use hearth_widget::raw::Raw;
@@ -35,6 +35,7 @@ fn start(values: SentValues) -> Start {
         preset: None,
         kept: Vec::new(),
         values,
+        own_number: false,
         quality: None,
         guess: None,
         paused: false,
@@ -120,23 +121,6 @@ fn a_quality_has_a_name_or_is_left_to_the_fire() {
         assert_eq!(
             (refused.errors[0].id.as_str(), &refused.errors[0].value),
             ("quality", &bad)
-        );
-    }
-}
-
-#[test]
-fn quality_has_the_number_of_particles_where_nobody_asked_for_one() {
-    for level in Level::ALL {
-        let particles = |values: SentValues| {
-            let (parameters, _) = starting_values(&start(values));
-            with_level(&parameters, level).max_particles
-        };
-        let asked = || ("max_particles", Raw::Number(2000.0));
-        assert_eq!(particles(values("combustion", [])), level.particles());
-        assert_eq!(particles(values("combustion", [asked()])), 2000);
-        assert_eq!(
-            particles(values("classic", [])),
-            Parameters::new(Model::Classic).max_particles
         );
     }
 }

@@ -227,6 +227,172 @@ fn where_the_number_of_particles_is_somebody_elses_only_drawing_counts() {
 }
 
 #[test]
+fn steps_that_somebody_asked_for_make_no_coarser_picture() {
+    // One step is longer than a frame, and at least one is made in each.
+    let mut quality = Quality::new(None, Level::Medium);
+    for frame in 1..1800 {
+        quality.frame(&Frame {
+            now: 33.4 * f64::from(frame),
+            steps_ms: 30.0,
+            made: 0.002,
+            slowed: true,
+            particles: false,
+            ..idle()
+        });
+    }
+    assert_eq!(quality.level(), Level::Medium, "{}", quality.reason());
+}
+
+/// A frame of a fire that takes next to nothing.
+fn idle() -> Frame {
+    Frame {
+        now: 0.0,
+        steps_ms: 2.0,
+        made: FAST.display * 1e-3,
+        draw_ms: 0.5,
+        time_scale: 1.0,
+        slowed: false,
+        particles: true,
+        fires: 1,
+    }
+}
+
+/// Frames of a fire that has room, so long after one another.
+fn frames(quality: &mut Quality, now: &mut f64, gaps: impl IntoIterator<Item = f64>) {
+    for gap in gaps {
+        *now += gap;
+        let (made, steps_ms) = (gap * 1e-3, 0.2 * gap);
+        quality.frame(&Frame {
+            now: *now,
+            made,
+            steps_ms,
+            ..idle()
+        });
+    }
+}
+
+#[test]
+fn a_display_may_become_slower() {
+    let mut quality = Quality::new(None, Level::High);
+    let mut now = 0.0;
+    // A window goes from a display of 120 Hz to one of 60, and back, and again.
+    for _ in 0..5 {
+        frames(&mut quality, &mut now, [1000.0 / 120.0; 1200]);
+        assert_eq!(quality.level(), Level::High, "{}", quality.reason());
+        frames(&mut quality, &mut now, [1000.0 / 60.0; 600]);
+        assert_eq!(quality.level(), Level::High, "{}", quality.reason());
+    }
+}
+
+#[test]
+fn a_few_short_gaps_are_no_faster_display() {
+    let mut quality = Quality::new(None, Level::High);
+    let mut now = 0.0;
+    for _ in 0..60 {
+        frames(&mut quality, &mut now, [8.0; 3]);
+        frames(&mut quality, &mut now, [1000.0 / 60.0; 57]);
+        // Times of frames that are not quite even.
+        frames(&mut quality, &mut now, [15.7, 17.7].repeat(30));
+    }
+    assert_eq!(quality.level(), Level::High, "{}", quality.reason());
+}
+
+#[test]
+fn the_fastest_displays_count_too() {
+    for display in [240.0, 280.0, 360.0, 480.0].map(|rate| 1000.0 / rate) {
+        let mut burning = Burning::from(Level::Low);
+        burning.on(Machine { display, ..FAST }, 60.0, true);
+        assert_eq!(burning.level(), Level::High, "{display} ms");
+        let slow = Machine {
+            steps: 2000.0,
+            display,
+            ..FAST
+        };
+        assert_eq!(settled(slow, Level::Medium), Level::Low, "{display} ms");
+    }
+}
+
+#[test]
+fn rare_frames_of_a_page_are_not_called_long_steps() {
+    let mut quality = Quality::new(None, Level::Medium);
+    let mut now = 0.0;
+    frames(&mut quality, &mut now, [1000.0 / 60.0; 30]);
+    for _ in 0..60 {
+        now += 150.0;
+        // What comes later than a tenth of a second is not made up for.
+        quality.frame(&Frame {
+            now,
+            made: 0.1,
+            slowed: true,
+            ..idle()
+        });
+    }
+    assert_eq!(quality.level(), Level::Low);
+    let reason = quality.reason();
+    assert!(
+        reason.starts_with("pictures come every 150.0 ms"),
+        "{reason}"
+    );
+}
+
+#[test]
+fn a_page_that_was_busy_for_a_second_costs_no_particles() {
+    let mut quality = Quality::new(None, Level::High);
+    let mut now = 0.0;
+    frames(&mut quality, &mut now, [1000.0 / 60.0; 120]);
+    let mut burn = |gap: f64, times: u32| {
+        for _ in 0..times {
+            now += gap;
+            quality.frame(&Frame {
+                now,
+                made: gap * 1e-3,
+                slowed: true,
+                ..idle()
+            });
+        }
+    };
+    burn(200.0, 5);
+    // For a while it still counts as slow.
+    burn(1000.0 / 60.0, 180);
+    assert_eq!(quality.level(), Level::High, "{}", quality.reason());
+}
+
+#[test]
+fn a_clock_that_ticks_rarely_is_enough() {
+    // The same steps by clocks that tick every 0.005, 1, 2 and 4 ms.
+    let tried = |tick: f64, rate: f64| {
+        let mut quality = Quality::new(None, Level::Medium);
+        let (mut now, mut busy) = (0.0_f64, 0.3_f64);
+        for _ in 0..45 {
+            now += FAST.display;
+            let made = FAST.display * 1e-3;
+            let started = busy;
+            busy += FAST.display;
+            let read = |time: f64| (time / tick).floor() * tick;
+            let steps_ms = read(started + rate * made) - read(started);
+            quality.frame(&Frame {
+                now,
+                steps_ms,
+                made,
+                ..idle()
+            });
+        }
+        (quality.level(), quality.reason().to_owned())
+    };
+    for tick in [0.005, 1.0, 2.0, 4.0] {
+        for (rate, level) in [
+            (60.0, Level::High),
+            (500.0, Level::Medium),
+            (2000.0, Level::Low),
+        ] {
+            let (seen, reason) = tried(tick, rate);
+            assert_eq!(seen, level, "a clock of {tick} ms, {reason}");
+            assert!(!reason.contains("take 0.0 ms"), "{reason}");
+        }
+    }
+}
+
+#[test]
 fn what_somebody_asks_for_stays() {
     for level in Level::ALL {
         let mut burning = Burning::from(Level::Medium);

@@ -173,6 +173,11 @@ fn hear(panel: &mut Panel, fire: &JsValue, name: &str, event: &Event) {
                 hear_value(panel, fire, &id, &property(&detail, "value"));
             }
         }
+        "quality-change" => {
+            panel.fire.quality = text(fire, "quality").unwrap_or_default();
+            panel.fire.stats.quality = text(&detail, "quality").unwrap_or_default();
+            panel.fire.stats.reason = text(&detail, "reason").unwrap_or_default();
+        }
         "play" => panel.fire.paused = false,
         "pause" => panel.fire.paused = true,
         "error" => {

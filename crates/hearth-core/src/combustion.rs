@@ -24,7 +24,7 @@ use crate::random::Random;
 use crate::simulation::{Push, Stage, StepReport};
 use crate::turbulence::Turbulence;
 
-use burner::Burner;
+pub use burner::Burner;
 pub use embers::Ember;
 use embers::{Air, Embers};
 use forces::Forces;

@@ -38,7 +38,7 @@ pub mod random;
 pub mod simulation;
 mod turbulence;
 
-pub use combustion::Ember;
+pub use combustion::{Burner, Ember};
 pub use glam::Vec2;
 pub use params::Parameters;
 pub use particle::{Instance, Particle};

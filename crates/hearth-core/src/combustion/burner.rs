@@ -10,7 +10,7 @@ use super::chemistry::{HEAT_CAPACITY, heat_of_combustion};
 use super::gas::Gas;
 use crate::extremes::{larger, smaller};
 use crate::noise::perlin;
-use crate::params::Values;
+use crate::params::{Parameters, Values};
 
 /// Height of the block, in spacings of the particles.
 const ROWS: f32 = 3.0;
@@ -26,22 +26,32 @@ const NOISE_CELLS: f32 = 5.0;
 /// Lattice cells of the emission noise for each second.
 const NOISE_PER_SECOND: f64 = 3.0;
 
-/// The block.
+/// Where the burner of the combustion model is: a block in the middle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Burner {
+pub struct Burner {
+    /// Half of its width \[m\].
     pub half_width: f32,
+    /// Height of its lower edge \[m\].
     pub bottom: f32,
+    /// Height of its upper edge \[m\].
     pub top: f32,
     /// Below this, layers above the block take fuel that it cannot \[m\].
-    pub highest: f32,
+    highest: f32,
 }
 
 impl Burner {
-    /// The burner of these values, inside the seams; `None` where it is off.
-    pub fn new(values: &Values, spacing: f32) -> Option<Burner> {
-        if values.fuel_power == 0.0 {
-            return None;
-        }
+    /// The burner of these parameters: it stays inside the seams and the domain,
+    /// and is no smaller than some particles.
+    pub fn of(parameters: &Parameters) -> Burner {
+        Burner::at(parameters, parameters.spacing())
+    }
+
+    /// The burner of these values; `None` where it is off.
+    pub(crate) fn new(values: &Values, spacing: f32) -> Option<Burner> {
+        (values.fuel_power > 0.0).then(|| Burner::at(values, spacing))
+    }
+
+    fn at(values: &Values, spacing: f32) -> Burner {
         let height = ROWS * spacing;
         let (low, high) = (values.seam, 1.0 - values.seam);
         let highest = (high * values.domain_height - height).max(0.0);
@@ -51,17 +61,17 @@ impl Burner {
             .source_width
             .max(NARROWEST * spacing)
             .min(values.domain_width);
-        Some(Burner {
+        Burner {
             half_width: 0.5 * width,
             bottom,
             top: bottom + height,
             highest: high * values.domain_height,
-        })
+        }
     }
 
     /// Feeds the gas in the block for `dt`. Returns the heat that it took to
     /// make that gas as hot as the source [kJ/m], which comes on top of the power.
-    pub fn feed(&self, gas: &mut Gas, values: &Values, time: f64, dt: f32) -> f32 {
+    pub(crate) fn feed(&self, gas: &mut Gas, values: &Values, time: f64, dt: f32) -> f32 {
         let heat = self.hold(gas, values, dt);
         let mut left = values.fuel_power / heat_of_combustion(values) * dt;
         let height = self.top - self.bottom;
@@ -137,7 +147,6 @@ impl Burner {
 mod tests {
     use super::*;
     use crate::combustion::gas::tests::with;
-    use crate::params::Parameters;
     use crate::random::Random;
 
     fn fed(parameters: &Parameters, seconds: f32) -> Option<Gas> {

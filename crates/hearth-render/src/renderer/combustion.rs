@@ -1,7 +1,7 @@
 //! The combustion model's passes: gas to fields, noise that it carries along,
 //! flames and embers to light.
 
-use hearth_core::Parameters;
+use hearth_core::{Burner, Parameters};
 
 use super::fire::{Body, Fire};
 use super::{NOTHING, fire_share, gain, smoke_opacity, table_coordinates, without_hundreds};
@@ -47,18 +47,10 @@ pub(super) fn period(parameters: &Parameters) -> f32 {
     burner(parameters)[1].sqrt().clamp(0.25, 1.5) * 0.75
 }
 
-/// Height and width of the burner \[m\] as the gas has it: it stays inside the
-/// seams and the domain, and is three particles high and at least four wide.
+/// Height and width of the burner \[m\] as the gas has it.
 fn burner(parameters: &Parameters) -> [f32; 2] {
-    let height = parameters.domain_height;
-    let spacing = parameters.spacing();
-    let seam = parameters.seam * height;
-    let highest = (height - seam - 3.0 * spacing).max(0.0);
-    let width = parameters.source_width.max(4.0 * spacing);
-    [
-        parameters.source_height.max(seam).min(highest),
-        width.min(parameters.domain_width),
-    ]
+    let burner = Burner::of(parameters);
+    [burner.bottom, 2.0 * burner.half_width]
 }
 
 impl<G: Graphics> Fire<'_, G> {

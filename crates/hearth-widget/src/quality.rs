@@ -226,6 +226,7 @@ impl Quality {
     pub fn skip(&mut self) {
         self.last = None;
         self.window = Window::default();
+        (self.too_much, self.late, self.calm) = (0, 0, 0);
     }
 
     /// Takes note of a frame. Returns whether the level is another one now.

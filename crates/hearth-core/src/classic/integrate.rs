@@ -142,8 +142,8 @@ fn advance(
         square = square.smaller(limit * limit);
         seen.limited += too_fast.count_ones();
     }
-    seen.fastest = seen.fastest.larger(square);
-    seen.hardest = seen.hardest.larger(ax * ax + ay * ay);
+    seen.fastest = square.larger(seen.fastest);
+    seen.hardest = (ax * ax + ay * ay).larger(seen.hardest);
 
     let moved = if values.printed_euler {
         block.velocity

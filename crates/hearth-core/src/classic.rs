@@ -13,7 +13,7 @@ mod pressure;
 mod printed;
 
 use crate::Particle;
-use crate::grid::Bounds;
+use crate::bounds::Bounds;
 use crate::kernel::Kernel;
 use crate::params::{Values, Walls};
 use crate::particle::Instance;

@@ -21,6 +21,7 @@
 //! the one random generator is seeded, so the same seed gives the same bits,
 //! natively and in wasm.
 
+mod bounds;
 mod classic;
 pub mod clock;
 mod combustion;

@@ -325,7 +325,7 @@ fn span(x: Lanes) -> (f32, f32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grid::Bounds;
+    use crate::bounds::Bounds;
 
     #[derive(Clone, Copy, Default)]
     struct Four {

@@ -8,9 +8,9 @@ use std::fmt;
 
 use glam::Vec2;
 
+use crate::bounds::Bounds;
 use crate::classic::{self, Classic, Living};
 use crate::combustion::{self, Combustion, Ember};
-use crate::grid::Bounds;
 use crate::params::{Input, Model, ParamError, Parameters};
 use crate::particle::{Instance, Particle};
 use crate::random::Random;

@@ -175,7 +175,7 @@ fn resisted<T: Real>(a: T, v: T, terminal_speed: f32) -> T {
 mod tests {
     use super::*;
     use crate::Particle;
-    use crate::grid::Bounds;
+    use crate::bounds::Bounds;
     use crate::params::{Input, Model, Parameters};
     use crate::random::Random;
 

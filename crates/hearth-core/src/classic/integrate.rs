@@ -8,8 +8,8 @@ use super::forces;
 use super::pairs::{Block, Pairs};
 use super::particles::{Living, Particles};
 use super::pressure::DENSITY_FLOOR;
+use crate::bounds::Bounds;
 use crate::extremes::larger;
-use crate::grid::Bounds;
 use crate::lanes::{LANES, Lanes, Real, transposed};
 use crate::params::{Values, Walls};
 

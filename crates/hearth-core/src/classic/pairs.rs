@@ -9,7 +9,8 @@ use glam::Vec2;
 
 use super::particles::{Living, Particles};
 use super::pressure;
-use crate::grid::{Bounds, Grid};
+use crate::bounds::Bounds;
+use crate::grid::Grid;
 use crate::kernel::Kernel;
 use crate::lanes::{LANES, Lanes, transposed};
 use crate::neighbours::{self, Law, NOWHERE, Neighbours};

@@ -7,7 +7,8 @@
 use glam::Vec2;
 
 use super::gas::Gas;
-use crate::grid::{Bounds, Grid};
+use crate::bounds::Bounds;
+use crate::grid::Grid;
 use crate::kernel::Kernel;
 use crate::params::Values;
 use crate::particle::Instance;

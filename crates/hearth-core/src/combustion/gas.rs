@@ -8,8 +8,8 @@ use glam::{Vec2, Vec4};
 
 use super::forces::expansion;
 use crate::Particle;
+use crate::bounds::Bounds;
 use crate::extremes::larger;
-use crate::grid::Bounds;
 use crate::params::Values;
 use crate::random::Random;
 

@@ -16,8 +16,8 @@
 use glam::Vec2;
 
 use super::gas::Gas;
+use crate::bounds::Bounds;
 use crate::extremes::{larger, smaller};
-use crate::grid::Bounds;
 use crate::params::Values;
 
 /// Strength of the shift, in h²/s for each h/s of speed, where `shifting` is 1.

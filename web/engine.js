@@ -2,18 +2,31 @@
  * Loads the engine and connects elements to it, in messages only.
  *
  * Whatever an element and the engine say to each other could go through
- * `postMessage`: plain data, delivered later, in order, no getter into wasm.
- * Today the engine runs on the main thread; moved into a worker it would change
- * nothing here but `post`. All fires of a page share one engine.
+ * `postMessage`: plain data, delivered later, in order, no getter into wasm. All
+ * fires of a page share one engine. It runs in a worker where that can draw, and
+ * on the main thread elsewhere; its wasm is fetched and compiled once, here.
  *
  * @typedef {{type: string, fire?: number, [field: string]: any}} Message
+ * @typedef {ImageBitmap | HTMLCanvasElement} Drawn a picture: a bitmap to be kept,
+ *   or a canvas to be copied from at once
+ * @typedef {{heard: (message: Message) => void, drawn: (picture: Drawn) => void}} Listener
+ * @typedef {'auto' | 'worker' | 'main'} Place
  */
+
+import { glue, wasm, worker } from './engine-files.js';
+import { pictureCanvas, runEngine } from './engine-loop.js';
 
 /** The smallest module that uses a SIMD instruction. */
 const SIMD_MODULE = new Uint8Array([
   0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15,
   253, 98, 11,
 ]);
+
+/** How long an engine without a fire waits for the next one [ms]. */
+const IDLE_MS = 5000;
+
+/** How long a worker may take to start before the main thread is used [ms]. */
+const WORKER_MS = 15_000;
 
 /** Why there is no fire, in words that a visitor can be shown. */
 export class EngineError extends Error {
@@ -28,52 +41,58 @@ export class EngineError extends Error {
   }
 }
 
-/** What this browser lacks, in words; empty if it has everything. */
-export function missing() {
+/** What this browser lacks, in words; empty if it has everything but perhaps WebGL2. */
+function missing() {
   if (typeof WebAssembly !== 'object') {
     return 'This browser has no WebAssembly, or it is switched off.';
   }
   if (!WebAssembly.validate(SIMD_MODULE)) {
     return 'This browser has no WebAssembly SIMD; every browser since 2023 has it.';
   }
-  // A page may have only a few contexts, so the one that was tried is freed at once.
-  const context = document.createElement('canvas').getContext('webgl2');
-  if (!context) {
-    return 'This browser gives no WebGL2: it may be switched off, or the graphics driver may be blocked.';
-  }
-  context.getExtension('WEBGL_lose_context')?.loseContext();
   return '';
 }
 
 /** The engine as an element sees it: a port that can only be posted to. */
 class EnginePort {
-  #engine;
-  /** @type {Map<number, (message: Message) => void>} */
+  /** What is wrong with how it is served, though it burns; else empty. */
+  warning = '';
+  /** @type {(message: Message) => void} */
+  send = () => {};
+  end = () => {};
+  /** @type {Map<number, Listener>} */
   #listeners = new Map();
   #lastFire = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #idle;
 
-  /** @param {new (post: (message: Message) => void) => any} Engine */
-  constructor(Engine) {
-    this.#engine = new Engine((message) => queueMicrotask(() => this.#deliver(message)));
+  /** @param {'worker' | 'main'} place where it runs */
+  constructor(place) {
+    this.place = place;
   }
 
   /**
-   * Opens a line for one fire; `listener` hears what is said about it.
-   * @param {(message: Message) => void} listener
+   * Opens a line for one fire; `listener` hears what is said about it and gets its
+   * pictures.
+   * @param {Listener} listener
    * @returns {number} the fire's number
    */
   open(listener) {
+    clearTimeout(this.#idle);
     this.#lastFire += 1;
     this.#listeners.set(this.#lastFire, listener);
     return this.#lastFire;
   }
 
   /**
-   * Closes the line of a fire.
+   * Closes the line of a fire. When there is none left, the engine goes too, with
+   * its memory.
    * @param {number} fire
    */
   close(fire) {
     this.#listeners.delete(fire);
+    if (this.#listeners.size > 0) return;
+    clearTimeout(this.#idle);
+    this.#idle = setTimeout(() => this.#retire(), IDLE_MS);
   }
 
   /**
@@ -81,52 +100,197 @@ class EnginePort {
    * @param {Message} message
    */
   post(message) {
-    queueMicrotask(() => {
-      try {
-        this.#engine.receive(message);
-      } catch (error) {
-        // Only a defect of the engine itself comes here; its fires must hear it.
-        const words = `The fire's engine has stopped: ${error}`;
-        for (const fire of [...this.#listeners.keys()]) {
-          this.#deliver({ type: 'error', fire, kind: 'load', message: words });
-        }
-      }
-    });
+    this.send(message);
   }
 
   /** @param {Message} message */
-  #deliver(message) {
-    this.#listeners.get(message.fire ?? 0)?.(message);
+  deliver(message) {
+    this.#listeners.get(message.fire ?? 0)?.heard(message);
+  }
+
+  /** @type {(fire: number, picture: Drawn) => void} */
+  draw(fire, picture) {
+    const listener = this.#listeners.get(fire);
+    if (listener) listener.drawn(picture);
+    else if ('close' in picture) picture.close();
+  }
+
+  /**
+   * Only a defect of the engine itself, or a browser short of memory, comes here;
+   * its fires must hear it. The next fire gets a new engine.
+   * @param {unknown} why
+   */
+  fail(why) {
+    this.#retire();
+    const message = `The fire's engine has stopped: ${why}`;
+    for (const fire of [...this.#listeners.keys()]) {
+      this.deliver({ type: 'error', fire, kind: 'load', message });
+    }
+  }
+
+  #retire() {
+    if (current === this) opened = current = undefined;
+    this.end();
+    this.send = this.end = () => {};
   }
 }
 
 /** @type {Promise<EnginePort> | undefined} */
 let opened;
+/** @type {EnginePort | undefined} */
+let current;
 
 /**
  * Connects to the page's engine, which is loaded at the first call. A failure
  * is not remembered: the next call tries again.
- * @param {string | URL} [wasmUrl] where the wasm file is, if not beside its script
+ * @param {string | URL | BufferSource} [source] the wasm, if it is not beside its script
+ * @param {Place} [place]
  * @returns {Promise<EnginePort>}
  */
-export function connect(wasmUrl) {
-  opened ??= load(wasmUrl).catch((error) => {
-    opened = undefined;
-    throw error;
+export function connect(source, place = 'auto') {
+  const opening = (opened ??= load(source ?? wasm(), place).then((port) => (current = port)));
+  opening.catch(() => {
+    if (opened === opening) opened = undefined;
   });
-  return opened;
+  return opening;
 }
 
-/** @param {string | URL} [wasmUrl] */
-async function load(wasmUrl) {
+/** @type {(source: string | URL | BufferSource, place: Place) => Promise<EnginePort>} */
+async function load(source, place) {
   const lacking = missing();
   if (lacking) throw new EngineError('unsupported', lacking);
+  // The worker's script and the wasm are on their way at the same time.
+  const compiled = compile(source);
+  compiled.catch(() => {});
+  const port = (place !== 'main' && await inWorker(compiled)) || undefined;
+  const { module, warning } = await compiled;
+  if (!port && place === 'worker') {
+    throw new EngineError('unsupported', 'The fire cannot be drawn in a worker of this browser.');
+  }
+  const connected = port ?? await onMainThread(module);
+  connected.warning = warning;
+  return connected;
+}
+
+/**
+ * Fetches the wasm and compiles it, while it comes in where the server says what it is.
+ * @param {string | URL | BufferSource} source
+ * @returns {Promise<{module: WebAssembly.Module, warning: string}>}
+ */
+async function compile(source) {
+  const failed = (why) => new EngineError('load', `The fire's engine could not be loaded: ${why}`);
   try {
-    const { default: init, Engine } = await import('./wasm/hearth-widget.js');
-    const url = wasmUrl ?? new URL('./wasm/hearth-widget_bg.wasm', import.meta.url);
-    await init({ module_or_path: url });
-    return new EnginePort(Engine);
+    if (typeof source !== 'string' && !(source instanceof URL)) {
+      return { module: await WebAssembly.compile(source), warning: '' };
+    }
+    const url = new URL(source, document.baseURI).href;
+    const response = await fetch(url, { credentials: 'same-origin' });
+    if (!response.ok) throw new Error(`${url} gave ${response.status}`);
+    const type = response.headers.get('content-type') ?? 'no type';
+    if (/^application\/wasm\s*(;|$)/i.test(type)) {
+      return { module: await WebAssembly.compileStreaming(response), warning: '' };
+    }
+    const bytes = await response.arrayBuffer();
+    if (String.fromCharCode(...new Uint8Array(bytes.slice(0, 4))) !== '\0asm') {
+      throw new Error(`${url} is no wasm file; it was served as ${type}`);
+    }
+    const warning = `${url} is served as ${type} instead of application/wasm, so that the fire starts later.`;
+    return { module: await WebAssembly.compile(bytes), warning };
   } catch (error) {
+    throw failed(error instanceof Error ? error.message : error);
+  }
+}
+
+/**
+ * The engine in a worker; nothing where it cannot be there.
+ * @param {Promise<{module: WebAssembly.Module}>} compiled
+ * @returns {Promise<EnginePort | undefined>}
+ */
+function inWorker(compiled) {
+  /** @type {Worker} */
+  let thread;
+  try {
+    thread = worker();
+  } catch {
+    return Promise.resolve(undefined);
+  }
+  const port = new EnginePort('worker');
+  return new Promise((resolve) => {
+    const give = () => {
+      clearTimeout(patience);
+      thread.terminate();
+      resolve(undefined);
+    };
+    const patience = setTimeout(give, WORKER_MS);
+    thread.onerror = (event) => {
+      event.preventDefault();
+      give();
+    };
+    thread.onmessage = ({ data }) => {
+      if (data.type !== 'started') {
+        give();
+        return;
+      }
+      clearTimeout(patience);
+      port.send = (message) => thread.postMessage(message);
+      port.end = () => thread.terminate();
+      thread.onerror = (event) => {
+        event.preventDefault();
+        port.fail(event.message);
+      };
+      thread.onmessage = ({ data: said }) => {
+        if (said.type === 'picture') port.draw(said.fire, said.bitmap);
+        else if (said.type === 'stopped') port.fail(said.why);
+        else port.deliver(said);
+      };
+      resolve(port);
+    };
+    compiled.then(({ module }) => thread.postMessage({ type: 'start', module }), give).catch(give);
+  });
+}
+
+/**
+ * The engine on this thread. What it is told and says is delivered as from a worker:
+ * later, in order.
+ * @param {WebAssembly.Module} module
+ * @returns {Promise<EnginePort>}
+ */
+async function onMainThread(module) {
+  const { default: init, Engine } = await glue().catch((error) => {
     throw new EngineError('load', `The fire's engine could not be loaded: ${error}`);
+  });
+  await init({ module_or_path: module });
+  const port = new EnginePort('main');
+  const run = (canvas) => runEngine(Engine, canvas, {
+    post: (message) => queueMicrotask(() => port.deliver(message)),
+    show: (fire) => {
+      port.draw(fire, 'transferToImageBitmap' in canvas ? canvas.transferToImageBitmap() : canvas);
+      return true;
+    },
+    fail: (error) => port.fail(error),
+  });
+  const offscreen = pictureCanvas();
+  // WebKit has such canvases, but not all of its ports can draw on them.
+  const engine = (offscreen && attempt(() => run(offscreen))) ?? attempt(
+    () => run(document.createElement('canvas')),
+    (why) => new EngineError('unsupported', `The fire cannot be drawn: ${why}.`),
+  );
+  port.send = (message) => queueMicrotask(() => engine.receive(message));
+  port.end = () => engine.end();
+  return port;
+}
+
+/**
+ * What `act` gives; nothing where it throws, or the error that is to be thrown instead.
+ * @template T
+ * @param {() => T} act
+ * @param {(why: string) => Error} [instead]
+ */
+function attempt(act, instead) {
+  try {
+    return act();
+  } catch (error) {
+    if (instead) throw instead(error instanceof Error ? error.message : String(error));
+    return undefined;
   }
 }

@@ -7,7 +7,10 @@
 import { DEFAULTS } from './defaults.js';
 
 /** The attributes that are no parameters, and the one that says what the others mean. */
-export const OWN_ATTRIBUTES = ['preset', 'model', 'quality', 'paused', 'autoplay', 'alt', 'reduced-motion'];
+export const OWN_ATTRIBUTES = [
+  'preset', 'model', 'src', 'quality', 'paused', 'autoplay', 'loading', 'poster', 'alt', 'max-pixels', 'fps-limit',
+  'interactive', 'touch-action', 'controls', 'reduced-motion',
+];
 
 const IDS = Object.keys(DEFAULTS);
 
@@ -16,10 +19,22 @@ export const ID_OF_ATTRIBUTE = new Map(IDS.map((id) => [id.replaceAll('_', '-'),
 
 /** The id of the parameter that a property sets. */
 export const ID_OF_PROPERTY = new Map(
-  IDS.map((id) => [id.replace(/_(.)/g, (_, letter) => letter.toUpperCase()), id]),
+  IDS.map((id) => [camelCase(id), id]),
 );
 
-const OWN_PROPERTIES = ['preset', 'quality', 'paused', 'autoplay', 'alt', 'reducedMotion'];
+/** @param {string} name */
+function camelCase(name) {
+  return name.replace(/[-_](.)/g, (_, letter) => letter.toUpperCase());
+}
+
+/** The element's own properties that have setters. */
+const OWN_PROPERTIES = OWN_ATTRIBUTES.filter((name) => name !== 'model').map(camelCase);
+
+/** What may be chosen for an attribute, the first where it is not there. */
+export const CHOICES = {
+  loading: ['auto', 'lazy', 'eager'],
+  'reduced-motion': ['auto', 'ignore'],
+};
 
 /** @type {typeof HTMLElement} */
 const Base = globalThis.HTMLElement ?? class {};
@@ -46,22 +61,10 @@ export class FireAttributes extends Base {
     this.setAttribute('autoplay', String(Boolean(autoplay)));
   }
 
-  /** What a screen reader says of it; without it the fire is decoration. */
-  get alt() {
-    return this.getAttribute('alt') ?? '';
-  }
-
-  set alt(alt) {
-    this.setAttribute('alt', String(alt));
-  }
-
-  /** `auto`: a still fire where the visitor wants less motion; `ignore`: never. */
-  get reducedMotion() {
-    return this.getAttribute('reduced-motion') === 'ignore' ? 'ignore' : 'auto';
-  }
-
-  set reducedMotion(value) {
-    this.setAttribute('reduced-motion', String(value));
+  /** What may be chosen, if it is that, else the usual. @param {keyof typeof CHOICES} name */
+  chosen(name) {
+    const value = this.getAttribute(name) ?? '';
+    return CHOICES[name].includes(value) ? value : CHOICES[name][0];
   }
 
   /** Properties set before the element was defined hide its own; they are handed over. */
@@ -74,4 +77,30 @@ export class FireAttributes extends Base {
       }
     }
   }
+}
+
+// The others are kept in their attributes as HTML's own elements keep theirs: texts,
+// and flags, which are there or not.
+for (const name of ['src', 'poster', 'alt', 'max-pixels', 'fps-limit', 'touch-action']) {
+  reflect(name, (element) => element.getAttribute(name) ?? '', (element, value) => element.setAttribute(name, String(value)));
+}
+for (const name of /** @type {(keyof typeof CHOICES)[]} */ (Object.keys(CHOICES))) {
+  reflect(name, (element) => element.chosen(name), (element, value) => element.setAttribute(name, String(value)));
+}
+for (const name of ['interactive', 'controls']) {
+  reflect(name, (element) => element.hasAttribute(name), (element, value) => element.toggleAttribute(name, Boolean(value)));
+}
+
+/** @type {(attribute: string, get: (element: any) => unknown, set: (element: any, value: unknown) => void) => void} */
+function reflect(attribute, get, set) {
+  Object.defineProperty(FireAttributes.prototype, camelCase(attribute), {
+    configurable: true,
+    enumerable: true,
+    get() {
+      return get(this);
+    },
+    set(value) {
+      set(this, value);
+    },
+  });
 }

@@ -1,32 +1,35 @@
 /**
- * One fire of the engine, from its canvas to the last message about it.
+ * One fire of the engine, from its first size to the last message about it.
  *
  * An element has a link while it is on a page. When it is taken off, the link
- * is closed and everything of it is let go: watchers, listeners, the engine's
- * fire and its graphics context.
+ * is closed and everything of it is let go: watchers, listeners, the engine's fire.
  *
  * @typedef {import('./engine.js').Message} Message
- * @typedef {{preset?: string, kept?: object, values: object, ownNumber?: boolean, quality: string, paused: boolean}} Start
+ * @typedef {import('./engine.js').Drawn} Drawn
+ * @typedef {{[field: string]: any}} Start what the fire starts with: see the engine's `add`
  */
 
 import { connect } from './engine.js';
-import { guess, watch } from './watch.js';
+import { guess, sight, watch } from './watch.js';
 
 /** The request number of a removal; the others start at 1. */
 const REMOVAL = 0;
 
 /** A link between an element and the engine. */
 export class FireLink {
-  #canvas;
+  #host;
   #requests;
   #tell;
   #watcher;
   #size = { width: 0, height: 0 };
   #visible = false;
-  #closed = false;
+  #stopped = new AbortController();
   /** @type {any} */
   #port;
   #fire = 0;
+  /** Settles when the engine has freed the fire. */
+  gone = Promise.resolve();
+  #removed = () => {};
 
   /**
    * @param {HTMLElement} host
@@ -34,21 +37,22 @@ export class FireLink {
    * @param {import('./requests.js').Requests} requests
    * @param {object} tell
    * @param {(message: Message) => void} tell.heard what the engine says
+   * @param {(picture: Drawn) => void} tell.drawn a picture of the fire
    * @param {() => void} tell.begun the fire is there and everything asked of it before is answered
    * @param {(reduced: boolean) => void} tell.motion whether less motion is wanted, when that changes
    */
   constructor(host, canvas, requests, tell) {
-    this.#canvas = canvas;
+    this.#host = host;
     this.#requests = requests;
     this.#tell = tell;
     this.#watcher = watch(host, canvas, {
       resized: (width, height) => {
         this.#size = { width, height };
-        this.#send({ type: 'resize', width, height });
+        this.send({ type: 'resize', width, height });
       },
       visible: (visible) => {
         this.#visible = visible;
-        this.#send({ type: 'visible', visible });
+        this.send({ type: 'visible', visible });
       },
       motion: tell.motion,
     });
@@ -61,47 +65,69 @@ export class FireLink {
 
   /** Whether it was closed. */
   get closed() {
-    return this.#closed;
+    return this.#stopped.signal.aborted;
+  }
+
+  /** Where the engine runs; empty before it does. */
+  get place() {
+    return this.#port?.place ?? '';
   }
 
   /**
    * Gets the engine and has it make the fire.
-   * @param {() => string | URL | undefined} wasmUrl
-   * @param {() => Start} start
+   * @param {() => import('./watch.js').Loading} loading when
+   * @param {() => Parameters<typeof connect>} engine which
+   * @param {() => Promise<Start>} start
    * @throws {import('./engine.js').EngineError}
    */
-  async open(wasmUrl, start) {
+  async open(loading, engine, start) {
     // A page's own script, which may say where the wasm is, has run by then.
     await new Promise((resolve) => setTimeout(resolve));
-    if (this.#closed) return;
-    const port = await connect(wasmUrl());
-    if (this.#closed) return;
+    if (!this.closed) await sight(this.#host, loading(), this.#stopped.signal);
+    if (this.closed) return;
+    const [port, begin] = await Promise.all([connect(...engine()), start()]);
+    if (this.closed) return;
     /** @type {Promise<unknown>} */
     let answered = Promise.resolve();
-    const fire = port.open((message) => {
-      // A fire that could not be made is refused its removal; it is gone as well.
-      if (message.request === REMOVAL) {
-        port.close(fire);
-        this.#requests.abandon(fire, new Error('the fire was removed'));
-        return;
-      }
-      this.#tell.heard(message);
-      if (message.type === 'ready') {
-        answered.then(() => this.#closed || this.#tell.begun());
-      }
+    const fire = port.open({
+      heard: (message) => {
+        // A fire that could not be made is refused its removal; it is gone as well.
+        if (message.request === REMOVAL) {
+          port.close(fire);
+          this.#requests.abandon(fire, new Error('the fire was removed'));
+          this.#removed();
+          return;
+        }
+        this.#tell.heard(message);
+        if (message.type === 'ready') {
+          answered.then(() => this.closed || this.#tell.begun());
+        }
+      },
+      drawn: (picture) => {
+        if (this.closed) {
+          if ('close' in picture) picture.close();
+          return;
+        }
+        this.#tell.drawn(picture);
+        if (port.place === 'worker') this.send({ type: 'shown' });
+      },
     });
     this.#port = port;
     this.#fire = fire;
+    if (port.warning) this.#tell.heard({ type: 'error', kind: 'load', message: port.warning, burns: true });
     const state = { ...this.#size, visible: this.#visible, guess: guess() };
-    this.#send({ type: 'add', canvas: this.#canvas, ...state, ...start() });
-    answered = this.#requests.connect(fire, (message) => this.#send(message));
+    this.send({ type: 'add', ...state, ...begin });
+    answered = this.#requests.connect(fire, (message) => this.send(message));
   }
 
   /** Frees everything. */
   close() {
-    this.#closed = true;
+    this.#stopped.abort();
     this.#watcher.stop();
-    this.#send({ type: 'remove', request: REMOVAL });
+    if (this.live) {
+      this.gone = new Promise((resolve) => (this.#removed = resolve));
+      this.send({ type: 'remove', request: REMOVAL });
+    }
     this.#requests.disconnect();
     this.#fire = 0;
   }
@@ -113,10 +139,13 @@ export class FireLink {
   abandon(error) {
     this.#requests.abandon(this.#fire, error);
     this.#requests.abandon(0, error);
+    if (this.live) this.#port.close(this.#fire);
+    this.#removed();
+    this.#fire = 0;
   }
 
   /** @param {Message} message */
-  #send(message) {
+  send(message) {
     if (this.#fire) this.#port.post({ ...message, fire: this.#fire });
   }
 }

@@ -6,6 +6,8 @@
  * content security policy may forbid `<style>`.
  */
 
+import { deferred } from './requests.js';
+
 const STYLES = `
 :host { display: block; position: relative; overflow: hidden; pointer-events: none; }
 :host([hidden]) { display: none; }
@@ -14,9 +16,11 @@ const STYLES = `
 canvas, .poster { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; }
 canvas { display: block; }
 .poster { display: grid; place-items: center; overflow: hidden; }
-::slotted([slot='poster']) { max-inline-size: 100%; max-block-size: 100%; }
-.root:not([data-state='loading'], [data-state='failed']) .poster { display: none; }
-.root[data-state='loading'] canvas, .root[data-state='failed'] canvas { visibility: hidden; }
+::slotted([slot='poster']), .poster img { max-inline-size: 100%; max-block-size: 100%; }
+.root[data-state='shown'][data-drawn] .poster { display: none; }
+.root[data-state='failed'] canvas { visibility: hidden; }
+:host([interactive]) { pointer-events: auto; }
+:host([interactive]) .root { touch-action: pan-y; }
 .message, .play { position: absolute; inset-inline-start: 50%; translate: -50% -50%; }
 .message {
   inset-block-end: 6%; translate: -50% 0; box-sizing: border-box; inline-size: max-content; max-inline-size: min(90%, 32rem); margin: 0;
@@ -36,7 +40,7 @@ canvas { display: block; }
 const TEMPLATE = `
 <div class="root" data-state="loading">
   <div class="room"></div>
-  <div class="poster"><slot name="poster"></slot></div>
+  <div class="poster"><slot name="poster"><img alt="" hidden></slot></div>
   <p class="message" part="message" role="status"></p>
   <button class="play" part="play" type="button" aria-label="Play the fire" hidden>
     <svg viewBox="0 0 24 24" aria-hidden="true"><path d="M5 3v18l16-9z"/></svg>
@@ -52,7 +56,12 @@ export class FireView {
   #root;
   #message;
   #button;
+  #poster;
   #alt = '';
+  /** @type {ImageBitmapRenderingContext | CanvasRenderingContext2D | null | undefined} */
+  #surface;
+  /** There is a picture. */
+  #drawn = deferred();
   /** @type {HTMLCanvasElement | undefined} */
   canvas;
 
@@ -78,10 +87,16 @@ export class FireView {
     this.#root = /** @type {HTMLElement} */ (shadow.querySelector('.root'));
     this.#message = /** @type {HTMLElement} */ (shadow.querySelector('.message'));
     this.#button = /** @type {HTMLButtonElement} */ (shadow.querySelector('.play'));
+    this.#poster = /** @type {HTMLImageElement} */ (shadow.querySelector('.poster img'));
     this.#button.addEventListener('click', play);
   }
 
-  /** A new canvas: one whose context was freed cannot be drawn on again. */
+  /** What stands inside. */
+  get root() {
+    return this.#root;
+  }
+
+  /** A new canvas, without the picture of the fire before. */
   newCanvas() {
     this.dropCanvas();
     this.canvas = document.createElement('canvas');
@@ -94,7 +109,42 @@ export class FireView {
   /** Takes the canvas away. */
   dropCanvas() {
     this.canvas?.remove();
-    this.canvas = undefined;
+    this.canvas = this.#surface = undefined;
+    delete this.#root.dataset.drawn;
+    this.#drawn.reject(new Error('the fire was taken off the page'));
+    this.#drawn = deferred();
+  }
+
+  /**
+   * Shows a picture: a bitmap, which is taken over, or a canvas, which is copied.
+   * @param {import('./engine.js').Drawn} picture
+   */
+  draw(picture) {
+    const { canvas } = this;
+    if (!canvas) return;
+    const bitmap = 'close' in picture ? picture : undefined;
+    this.#surface ??= canvas.getContext(bitmap ? 'bitmaprenderer' : '2d');
+    // Setting a size empties the canvas, so only where it is another one.
+    if (canvas.width !== picture.width) canvas.width = picture.width;
+    if (canvas.height !== picture.height) canvas.height = picture.height;
+    const surface = this.#surface;
+    if (surface && 'transferFromImageBitmap' in surface) {
+      if (bitmap) surface.transferFromImageBitmap(bitmap);
+    } else if (surface) {
+      surface.globalCompositeOperation = 'copy';
+      surface.drawImage(picture, 0, 0);
+    }
+    if ('drawn' in this.#root.dataset) return;
+    this.#root.dataset.drawn = '';
+    this.#drawn.resolve();
+  }
+
+  /**
+   * Settles when there is a picture.
+   * @throws {Error} there will be none
+   */
+  drawn() {
+    return this.#drawn.promise;
   }
 
   /**
@@ -116,8 +166,8 @@ export class FireView {
   }
 
   /**
-   * Shows the poster (`loading`, also while a context is lost: browsers draw a
-   * broken picture then), the fire (`shown`), or the poster with words (`failed`).
+   * Shows the poster (`loading`), the fire as soon as there is a picture (`shown`),
+   * or the poster with words (`failed`).
    * @param {'loading' | 'shown' | 'failed'} state
    * @param {string} [words]
    */
@@ -132,6 +182,24 @@ export class FireView {
    */
   offerPlay(offered) {
     this.#button.hidden = !offered;
+  }
+
+  /**
+   * The picture that is shown where there is no fire and the page gave none in the slot.
+   * @param {string} url
+   */
+  setPoster(url) {
+    this.#poster.hidden = !url;
+    if (url) this.#poster.src = url;
+    else this.#poster.removeAttribute('src');
+  }
+
+  /**
+   * What a finger on an interactive fire may do with the page; empty: the usual.
+   * @param {string} action
+   */
+  setTouchAction(action) {
+    this.#root.style.touchAction = action;
   }
 
   /**

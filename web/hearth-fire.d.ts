@@ -52,6 +52,20 @@ export interface HearthStats {
   passes: Record<string, number>;
   /** Whose clock says so: the graphics card's, or the processor's when it handed them over. */
   passTimer: 'gpu' | 'submit' | '';
+  /** Where the engine runs. */
+  engine: 'worker' | 'main';
+}
+
+/**
+ * The settings of a fire, as `exportConfig` gives them and `importConfig` and `src`
+ * take them: what differs from a preset, or from the defaults.
+ */
+export interface HearthConfig {
+  /** The version of this form. */
+  hearth?: 1;
+  /** The preset, where it is not the default one. */
+  preset?: PresetName;
+  values: Partial<HearthParameters>;
 }
 
 /** A point: of the element in CSS pixels, y down, or of the fire's world in metres, y up. */
@@ -84,7 +98,7 @@ export type HearthErrorDetail =
 export interface HearthChangeDetail {
   id: ParameterId;
   value: number | string | boolean;
-  /** Who changed it, as `attribute`, `property` or `preset`. */
+  /** Who changed it, as `attribute`, `property`, `preset` or `src`. */
   source: string;
 }
 
@@ -114,6 +128,8 @@ export interface HearthFire extends HearthProperties {}
 export class HearthFire extends HTMLElement {
   /** Where the wasm file is, if it is not beside the module. Set it before the first fire. */
   static wasmUrl: string | URL | undefined;
+  /** Where the engine runs: in a worker where that can draw, or as told. Set it before the first fire. */
+  static engine: 'auto' | 'worker' | 'main';
 
   /** Every value that the fire burns with. */
   readonly params: HearthParameters;
@@ -134,6 +150,24 @@ export class HearthFire extends HTMLElement {
   alt: string;
   /** `auto`: a still fire where the visitor wants less motion. */
   reducedMotion: 'auto' | 'ignore';
+  /** Where the JSON file of its settings is; empty where there is none. */
+  src: string;
+  /** When it is made: in sight at once and elsewhere when the page has loaded; when it comes into sight; at once. */
+  loading: 'auto' | 'lazy' | 'eager';
+  /** A picture that is shown until it burns, and where it cannot. */
+  poster: string;
+  /** Most pixels of its picture, from 1024 to 16777216; empty: those of a 1440p screen. */
+  get maxPixels(): string;
+  set maxPixels(pixels: number | string);
+  /** Most pictures a second, from 10 to 240; empty: as many as the display shows. */
+  get fpsLimit(): string;
+  set fpsLimit(fps: number | string);
+  /** Whether a pointer stirs it. */
+  interactive: boolean;
+  /** What a finger on an interactive fire may do with the page, as CSS has it. */
+  touchAction: string;
+  /** Whether it has its panel of sliders. */
+  controls: boolean;
 
   get<Id extends ParameterId>(id: Id): HearthParameters[Id];
   /** Sets one parameter; rejects with a {@link HearthRangeError}. */
@@ -148,6 +182,16 @@ export class HearthFire extends HTMLElement {
   reset(): Promise<void>;
   /** Makes some steps, burning or not, then draws. */
   step(steps?: number): Promise<void>;
+  /** Its settings, to be kept or sent. */
+  exportConfig(): Promise<HearthConfig>;
+  /** Burns with these settings, or with nothing of them; rejects with a {@link HearthRangeError}. */
+  importConfig(config: HearthConfig | string): Promise<void>;
+  /** What is seen of it, as a file; PNG, if nothing else is said. */
+  toBlob(type?: string, quality?: number): Promise<Blob>;
+  /** The fire as a stream of video. */
+  captureStream(fps?: number): Promise<MediaStream>;
+  /** Puts it out and frees all that it holds; it burns again when it is put on a page anew. */
+  destroy(): Promise<void>;
   /**
    * The place [m] that a point [CSS pixels from the element's upper left corner]
    * shows: from the middle of the floor, y up. Null while there is no picture.

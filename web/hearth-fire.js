@@ -14,10 +14,13 @@
 
 import { DEFAULTS } from './defaults.js';
 import { EngineError } from './engine.js';
-import { FireAttributes, ID_OF_ATTRIBUTE, ID_OF_PROPERTY } from './fire-attributes.js';
+import { CHOICES, FireAttributes, ID_OF_ATTRIBUTE, ID_OF_PROPERTY } from './fire-attributes.js';
 import { FireLink } from './fire-link.js';
+import { showPanel } from './fire-panel.js';
+import { listenToPointer } from './fire-pointer.js';
+import { readSettings } from './fire-source.js';
 import { FireView } from './fire-view.js';
-import { Requests, deferred, postable, postableValues } from './requests.js';
+import { Requests, deferred, postable, postableConfig } from './requests.js';
 import { motionIsReduced } from './watch.js';
 
 /** Seconds of fire that a still picture has burnt, so that it shows a fire. */
@@ -31,6 +34,14 @@ export class HearthFire extends FireAttributes {
    * @type {string | URL | undefined}
    */
   static wasmUrl;
+
+  /**
+   * Where the engine runs: `auto`, in a worker where that can draw, else on the main
+   * thread; `worker`; `main`. It counts for the next engine: set it before the first
+   * fire is on the page.
+   * @type {import('./engine.js').Place}
+   */
+  static engine = 'auto';
 
   #requests = new Requests();
   /** @type {FireView} */
@@ -52,8 +63,13 @@ export class HearthFire extends FireAttributes {
   #announced = false;
   /** Whether the preset's attribute is taken away without a wish for other values. */
   #dropping = false;
+  #preset = 'default';
   /** @type {FireLink | null} */
   #link = null;
+  /** Takes the panel away, where there is one. @type {(() => void) | undefined} */
+  #hidePanel;
+  /** Stops listening to pointers, where it listens. @type {(() => void) | undefined} */
+  #ignorePointer;
   #ready = deferred();
 
   constructor() {
@@ -122,7 +138,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   restore(...ids) {
-    if (ids.length > 0) return this.#ask({ type: 'restore', source: 'property', ids: ids.map(String) });
+    if (ids.length > 0) return this.#ask({ type: 'restore', source: 'property', ids: postable(ids, 1) });
     this.#dropPreset();
     return this.#ask({ type: 'preset', source: 'property', name: 'default' });
   }
@@ -149,6 +165,64 @@ export class HearthFire extends FireAttributes {
    */
   step(steps = 1) {
     return this.#ask({ type: 'step', steps: postable(steps) });
+  }
+
+  /**
+   * Its settings: the preset, where that is not the default one, and what differs
+   * from it. JSON of them can be kept, sent, and given to `importConfig` or `src`.
+   * @returns {Promise<{hearth: 1, preset?: string, values: {[id: string]: any}}>}
+   */
+  exportConfig() {
+    return this.#ask({ type: 'export' });
+  }
+
+  /**
+   * Burns with these settings from now on: all of them or, if anything is wrong in
+   * them, none.
+   * @param {unknown} config settings, or their JSON text
+   * @returns {Promise<void>}
+   */
+  importConfig(config) {
+    return this.#import(config, 'property');
+  }
+
+  /**
+   * What is seen of it now, as a file.
+   * @param {string} [type] PNG, if it is not `image/jpeg` or `image/webp`
+   * @param {number} [quality] of those, from 0 to 1
+   * @returns {Promise<Blob>}
+   */
+  async toBlob(type = 'image/png', quality) {
+    await this.#drawn();
+    return new Promise((resolve, reject) => {
+      const canvas = this.#view.canvas;
+      const done = (blob) => (blob ? resolve(blob) : reject(new Error('the browser makes no file of the picture')));
+      if (canvas) canvas.toBlob(done, type, quality);
+      else done(null);
+    });
+  }
+
+  /**
+   * The fire as a stream of video, for a recorder, a call or a `<video>`.
+   * @param {number} [fps] most pictures a second; without it, all
+   * @returns {Promise<MediaStream>}
+   */
+  async captureStream(fps) {
+    await this.#drawn();
+    const canvas = this.#view.canvas;
+    if (!canvas?.captureStream) throw new Error('this browser has no captureStream');
+    return fps === undefined ? canvas.captureStream() : canvas.captureStream(fps);
+  }
+
+  /**
+   * Puts the fire out and frees all that it holds. It burns again when the element
+   * is put on a page anew.
+   * @returns {Promise<void>} when it is freed
+   */
+  async destroy() {
+    const link = this.#link;
+    if (link) this.#close();
+    await link?.gone;
   }
 
   /**
@@ -190,6 +264,9 @@ export class HearthFire extends FireAttributes {
   /** @type {(name: string, old: string | null, value: string | null) => void} */
   attributeChangedCallback(name, old, value) {
     const id = ID_OF_ATTRIBUTE.get(name);
+    if (Object.hasOwn(CHOICES, name) && value !== null && !CHOICES[name].includes(value)) {
+      this.#refuse(name, value, `one of ${CHOICES[name].join(', ')}`);
+    }
     if (name === 'model' && !this.#started) {
       // The first fire starts with its model, wherever the attribute stands.
     } else if (id !== undefined) {
@@ -202,6 +279,18 @@ export class HearthFire extends FireAttributes {
       this.#ask({ type: 'quality', source: 'attribute', quality: value ?? 'auto' });
     } else if (name === 'paused') {
       if ((value !== null) !== this.#paused) this.#setPaused(value !== null);
+    } else if (name === 'src') {
+      if (this.#started) this.#import(undefined, 'src');
+    } else if (name === 'max-pixels' || name === 'fps-limit') {
+      if (this.#link) this.#limit(name);
+    } else if (name === 'interactive') {
+      this.#listen();
+    } else if (name === 'touch-action') {
+      this.#touch(value ?? '');
+    } else if (name === 'controls') {
+      this.#control();
+    } else if (name === 'poster') {
+      this.#view.setPoster(value ?? '');
     } else if (name === 'alt') {
       this.#view.describe(value ?? '');
     } else if (name === 'autoplay') {
@@ -226,7 +315,87 @@ export class HearthFire extends FireAttributes {
 
   /** @type {(values: {[id: string]: unknown}, source: string) => Promise<void>} */
   #set(values, source) {
-    return this.#ask({ type: 'set', source, values: postableValues(values) });
+    return this.#ask({ type: 'set', source, values: postable(values, 1) });
+  }
+
+  /**
+   * Takes settings over: these, or those of the file that `src` names.
+   * @type {(config: unknown, source: string) => Promise<void>}
+   */
+  async #import(config, source) {
+    const settings = source === 'src' ? await this.#source() : this.#settings('config', config);
+    if (settings) await this.#ask({ type: 'import', source, config: settings });
+  }
+
+  /**
+   * Settings as plain data; undefined where they are no settings at all, which is
+   * said, and thrown where somebody waits.
+   * @type {(id: string, config: unknown) => object | undefined}
+   */
+  #settings(id, config) {
+    try {
+      return postableConfig(config);
+    } catch (error) {
+      const refusal = { id, value: undefined, message: error.message };
+      this.#refused([refusal]);
+      throw Object.assign(error, refusal, { errors: [refusal] });
+    }
+  }
+
+  /** The settings of the file that `src` names; undefined where there are none. */
+  async #source() {
+    const { src } = this;
+    if (!src) return undefined;
+    try {
+      const text = await readSettings(src);
+      return src === this.src ? this.#settings('src', text) : undefined;
+    } catch (error) {
+      // What is no settings has been said.
+      if (!(error instanceof RangeError)) this.#complain('load', error.message);
+      return undefined;
+    }
+  }
+
+  /** How much it may draw; what is no number is the engine's to refuse. @param {string} name */
+  #limit(name) {
+    const text = this.getAttribute(name) ?? undefined;
+    const number = text?.trim() ? Number(text) : NaN;
+    const value = Number.isNaN(number) ? text : number;
+    this.#ask({ type: 'limit', source: 'attribute', id: name.replace('-', '_'), value });
+  }
+
+  /** A picture of the fire is there. */
+  async #drawn() {
+    await this.#ready.promise;
+    await this.#view.drawn();
+  }
+
+  /** Listens to pointers where it is to. */
+  #listen() {
+    this.#ignorePointer?.();
+    this.#ignorePointer = undefined;
+    if (!this.interactive || !this.#link) return;
+    this.#ignorePointer = listenToPointer(
+      this,
+      (x, y) => this.toMetres(x, y),
+      (stir) => this.#link?.send({ type: 'stir', ...stir }),
+    );
+  }
+
+  /** @param {string} action */
+  #touch(action) {
+    if (!action || CSS.supports('touch-action', action)) this.#view.setTouchAction(action);
+    else this.#refuse('touch-action', action, 'a value of CSS, as auto, none, pan-y or manipulation');
+  }
+
+  /** Shows the panel where it is to, on a fire that burns. */
+  #control() {
+    const wanted = this.controls && this.#announced;
+    if (wanted === Boolean(this.#hidePanel)) return;
+    this.#hidePanel?.();
+    this.#hidePanel = wanted && this.shadowRoot
+      ? showPanel(this, this.shadowRoot, (why) => this.#complain('load', `The panel could not be loaded: ${why}`))
+      : undefined;
   }
 
   /** @param {boolean} paused */
@@ -260,25 +429,35 @@ export class HearthFire extends FireAttributes {
     const warm = !this.#paused && this.reducedMotion !== 'ignore' && motionIsReduced();
     const link = new FireLink(this, canvas, this.#requests, {
       heard: (message) => this.#receive(message, link),
+      drawn: (picture) => this.#view.draw(picture),
       begun: () => this.#begin(link, warm),
       motion: (reduced) => this.#motion(reduced),
     });
     this.#link = link;
+    for (const name of ['fps-limit', 'max-pixels']) if (this.hasAttribute(name)) this.#limit(name);
     this.#still = warm;
     if (warm || (!this.#started && !this.autoplay)) this.#setPaused(true);
-    const opened = link.open(() => HearthFire.wasmUrl, () => this.#start());
+    const opened = link.open(
+      () => /** @type {import('./watch.js').Loading} */ (this.chosen('loading')),
+      () => [HearthFire.wasmUrl, HearthFire.engine],
+      () => this.#start(),
+    );
     opened.catch((error) => link.closed || this.#fail(error.kind ?? 'load', error.message));
+    this.#listen();
   }
 
-  /** What the fire starts from: preset and model at first, what it was when it comes back. */
-  #start() {
+  /** What the fire starts from: preset, file and model at first, what it was when it comes back. */
+  async #start() {
+    const config = this.#started ? undefined : await this.#source();
     const [paused, quality] = [this.#paused, this.#quality];
-    const [kept, values, ownNumber] = [this.#kept, this.#params, this.#ownNumber];
-    if (this.#started) return { kept, values, ownNumber, quality, paused };
+    if (this.#started) {
+      const [preset, kept, values, ownNumber] = [this.#preset, this.#kept, this.#params, this.#ownNumber];
+      return { preset, kept, values, ownNumber, quality, paused };
+    }
     this.#started = true;
     const preset = this.getAttribute('preset') ?? undefined;
     const model = this.getAttribute('model');
-    return { preset, values: model === null ? {} : { model }, quality, paused };
+    return { preset, config, values: model === null ? {} : { model }, quality, paused };
   }
 
   /**
@@ -294,6 +473,7 @@ export class HearthFire extends FireAttributes {
     this.#view.show('shown');
     this.#view.offerPlay(this.#still);
     this.#announced = true;
+    this.#control();
     this.#ready.resolve();
     this.#emit('ready');
   }
@@ -305,6 +485,9 @@ export class HearthFire extends FireAttributes {
     this.#link?.close();
     this.#link = null;
     this.#announced = false;
+    this.#control();
+    this.#ignorePointer?.();
+    this.#ignorePointer = undefined;
     this.#view.dropCanvas();
     this.#view.offerPlay(false);
     this.#view.show('loading');
@@ -316,25 +499,28 @@ export class HearthFire extends FireAttributes {
       case 'ready':
         this.#params = { ...this.#params, ...message.values };
         this.#ownNumber = message.ownNumber;
+        this.#preset = message.preset;
         break;
       case 'changed':
         if (message.anew) this.#kept = {};
         else if ('model' in message.values) this.#kept = this.#params;
         this.#params = { ...this.#params, ...message.values };
         this.#ownNumber = message.ownNumber;
+        this.#preset = message.preset;
+        if (message.anew) this.#reflectPreset();
         if (!this.#announced) break;
         for (const [id, value] of Object.entries(message.values)) {
           this.#emit('params-change', { id, value, source: message.source });
         }
         break;
       case 'done':
-        this.#requests.settle(message.request);
+        this.#requests.settle(message.request, undefined, message.value);
         break;
       case 'refused':
         this.#refused(message.errors, message.request);
         break;
       case 'stats':
-        this.#stats = message.stats;
+        this.#stats = { ...message.stats, engine: link.place };
         this.#emit('stats', this.stats);
         break;
       case 'quality': {
@@ -347,21 +533,36 @@ export class HearthFire extends FireAttributes {
         this.#emit(message.playing ? 'play' : 'pause');
         break;
       case 'restored':
-        this.#view.show('shown');
         this.#emit('restored');
         break;
       case 'error':
         if (link.closed) break;
-        if (message.kind === 'context-lost') this.#lose(message.message);
+        // Its last picture stays where it goes on.
+        if (message.kind === 'context-lost') this.#emit('error', { kind: message.kind, message: message.message });
+        else if (message.burns) this.#complain(message.kind, message.message);
         else this.#fail(message.kind, message.message);
         break;
     }
   }
 
-  /** @param {string} message */
-  #lose(message) {
-    this.#view.show('loading');
-    this.#emit('error', { kind: 'context-lost', message });
+  /** The attribute names the preset that a fire with other settings has. */
+  #reflectPreset() {
+    if (this.preset === this.#preset) return;
+    this.#dropping = true;
+    if (this.#preset === 'default') this.removeAttribute('preset');
+    else this.setAttribute('preset', this.#preset);
+    this.#dropping = false;
+  }
+
+  /** @type {(id: string, value: string, allowed: string) => void} */
+  #refuse(id, value, allowed) {
+    this.#refused([{ id, value, message: `${id} = ${value} is refused: it must be ${allowed}` }]);
+  }
+
+  /** Something is wrong, and the fire burns on. @type {(kind: string, message: string) => void} */
+  #complain(kind, message) {
+    console.warn(`<hearth-fire>: ${message}`);
+    this.#emit('error', { kind, message });
   }
 
   /** @type {(errors: Refusal[], request?: number) => void} */
@@ -386,8 +587,7 @@ export class HearthFire extends FireAttributes {
     // A promise that was kept cannot be broken; what comes now is refused.
     if (this.#announced) this.#ready = deferred();
     this.#ready.reject(error);
-    console.warn(`<hearth-fire>: ${message}`);
-    this.#emit('error', { kind, message });
+    this.#complain(kind, message);
   }
 
   /** @type {(type: string, detail?: object | null) => void} */

@@ -8,7 +8,7 @@
  *
  * @typedef {import('./engine.js').Message} Message
  * @typedef {{id: string, value: unknown, message: string, min?: number, max?: number}} Refusal
- * @typedef {{promise: Promise<void>, resolve: () => void, reject: (error: Error) => void, failed: boolean}} Deferred
+ * @typedef {{promise: Promise<any>, resolve: (value?: unknown) => void, reject: (error: Error) => void, failed: boolean}} Deferred
  */
 
 /** Requests, waiting or on their way. */
@@ -25,7 +25,7 @@ export class Requests {
   /**
    * Asks for something.
    * @param {Message} message
-   * @returns {Promise<void>}
+   * @returns {Promise<any>}
    */
   ask(message) {
     this.#last += 1;
@@ -63,15 +63,16 @@ export class Requests {
   }
 
   /**
-   * A request was carried out, or refused with `error`.
+   * A request was carried out, with what it asked for, or refused with `error`.
    * @param {number} request
    * @param {Error} [error]
+   * @param {unknown} [value]
    */
-  settle(request, error) {
+  settle(request, error, value) {
     const entry = this.#open.get(request);
     this.#open.delete(request);
     if (error) entry?.reject(error);
-    else entry?.resolve();
+    else entry?.resolve(value);
   }
 
   /**
@@ -115,22 +116,64 @@ export function deferred() {
   return made;
 }
 
+/** Deepest nesting of what is posted: `{config: {values: {id: value}}}`. */
+const DEEPEST = 2;
+
+/** Most fields of an object; far more than there are parameters. */
+const MOST_FIELDS = 1000;
+
 /**
- * The same value if it can be posted, else something of its kind that can be,
- * and that the engine refuses by that name.
+ * The same value as plain data, which can be posted; where it is none, something of
+ * its kind, which the engine refuses by that name. No code of the page runs later
+ * than here, and none of it breaks more than its own value.
  * @param {unknown} value
+ * @param {number} [depth] how deep it may yet be nested
+ * @returns {any}
  */
-export function postable(value) {
-  if (Array.isArray(value)) return [];
-  if (typeof value === 'object' && value !== null) return {};
+export function postable(value, depth = 0) {
+  try {
+    if (Array.isArray(value)) return depth > 0 ? value.slice(0, MOST_FIELDS).map((one) => postable(one, depth - 1)) : [];
+    if (typeof value === 'object' && value !== null) {
+      // What is no plain data has no fields of its own that anybody means.
+      if (depth === 0) return {};
+      const names = Object.keys(value);
+      if (names.length > MOST_FIELDS) return 'an object of more than a thousand fields';
+      return Object.fromEntries(names.map((name) => [name, field(value, name, depth - 1)]));
+    }
+  } catch {
+    return 'something unreadable';
+  }
   if (['function', 'symbol', 'bigint'].includes(typeof value)) return `a ${typeof value}`;
   return value;
 }
 
-/**
- * The same values as plain data.
- * @param {{[id: string]: unknown}} values
- */
-export function postableValues(values) {
-  return Object.fromEntries(Object.entries(values).map(([id, value]) => [id, postable(value)]));
+/** @type {(object: object, name: string, depth: number) => unknown} */
+function field(object, name, depth) {
+  try {
+    return postable(object[name], depth);
+  } catch {
+    return 'something unreadable';
+  }
 }
+
+/**
+ * Settings as plain data: an object of them, or their JSON text.
+ * @param {unknown} config
+ * @throws {RangeError} text that is too long, or no JSON
+ */
+export function postableConfig(config) {
+  if (typeof config !== 'string') return postable(config, DEEPEST);
+  if (config.length > LONGEST_JSON) {
+    throw new RangeError(`config is refused: its JSON has ${config.length} letters; at most ${LONGEST_JSON} are allowed`);
+  }
+  let parsed;
+  try {
+    parsed = JSON.parse(config);
+  } catch (error) {
+    throw new RangeError(`config is refused: it is no JSON: ${error instanceof Error ? error.message : error}`);
+  }
+  return postable(parsed, DEEPEST);
+}
+
+/** Longest JSON text of settings, in letters: 64 KiB. */
+const LONGEST_JSON = 65_536;

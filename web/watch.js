@@ -7,8 +7,6 @@
 const DENSEST = 2;
 /** The same on phones and tablets, whose graphics are slower. */
 const DENSEST_TOUCH = 1.5;
-/** Most pixels of a canvas: a 1440p screen's. */
-const MOST_PIXELS = 2560 * 1440;
 /** Longest side of a canvas: what nearly every graphics card can draw. */
 const LONGEST_SIDE = 8192;
 
@@ -30,7 +28,8 @@ function isTouch() {
 }
 
 /**
- * The size that a canvas should have, within the caps.
+ * The size that a canvas should have, within the caps; how many pixels that may be
+ * is the engine's affair.
  * @param {number} width in device pixels
  * @param {number} height in device pixels
  * @param {number} density device pixels for a CSS pixel
@@ -39,15 +38,41 @@ function isTouch() {
  */
 export function cappedSize(width, height, density, touch) {
   const densest = touch ? DENSEST_TOUCH : DENSEST;
-  const pixels = Math.max(width * height, 1);
   const longest = Math.max(width, height, 1);
-  const scale = Math.min(
-    1,
-    densest / density,
-    Math.sqrt(MOST_PIXELS / pixels),
-    LONGEST_SIDE / longest,
-  );
+  const scale = Math.min(1, densest / density, LONGEST_SIDE / longest);
   return { width: Math.round(width * scale), height: Math.round(height * scale) };
+}
+
+/**
+ * Settles when a fire is to be made: `eager`, at once; `lazy`, when somebody is about
+ * to see it; `auto`, at once where it is in sight, elsewhere when the page has loaded.
+ *
+ * @typedef {'auto' | 'lazy' | 'eager'} Loading
+ * @param {HTMLElement} host
+ * @param {Loading} loading
+ * @param {AbortSignal} stopped ends the wait
+ * @returns {Promise<void>}
+ */
+export function sight(host, loading, stopped) {
+  if (loading === 'eager' || (loading === 'auto' && document.readyState === 'complete')) {
+    return Promise.resolve();
+  }
+  return new Promise((resolve) => {
+    const views = new IntersectionObserver(
+      (entries) => entries.some((entry) => entry.isIntersecting) && end(),
+      // Half a window before it comes into sight.
+      { rootMargin: loading === 'lazy' ? '50%' : '0%' },
+    );
+    const end = () => {
+      views.disconnect();
+      removeEventListener('load', end);
+      stopped.removeEventListener('abort', end);
+      resolve();
+    };
+    views.observe(host);
+    if (loading === 'auto') addEventListener('load', end);
+    stopped.addEventListener('abort', end);
+  });
 }
 
 /**

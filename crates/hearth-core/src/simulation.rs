@@ -125,7 +125,16 @@ impl Simulation {
     /// As [`step`](Simulation::step), with a force of your own: `push` gives the
     /// acceleration [m/s²] at a position \[m\] and velocity [m/s].
     pub fn step_with(&mut self, push: impl Fn(Vec2, Vec2) -> Vec2) {
-        self.advance(Some(&push), &mut |_| ());
+        self.step_watched_with(push, &mut |_| ());
+    }
+
+    /// As [`step_with`](Simulation::step_with) and [`step_watched`](Simulation::step_watched).
+    pub fn step_watched_with(
+        &mut self,
+        push: impl Fn(Vec2, Vec2) -> Vec2,
+        watch: &mut dyn FnMut(Stage),
+    ) {
+        self.advance(Some(&push), watch);
     }
 
     fn advance(&mut self, push: Option<Push<'_>>, watch: &mut dyn FnMut(Stage)) {

@@ -6,8 +6,8 @@
 //! model's flame and is carried along by the combustion model's gas; they shine
 //! as a black body, bloom, and are tone mapped into premultiplied sRGB.
 //!
-//! A [`Renderer`] owns its handles and borrows the context in each call. It
-//! knows neither the page nor any user interface.
+//! A [`Renderer`] owns its handles and borrows the context in each call; fires of
+//! one context share a [`Studio`]. Neither knows the page or any user interface.
 
 mod blackbody;
 mod cie;
@@ -21,6 +21,7 @@ mod particles;
 mod passes;
 mod program;
 mod renderer;
+mod studio;
 mod survey;
 mod target;
 mod targets;
@@ -31,3 +32,4 @@ pub use format::TargetFormat;
 pub use gl::Graphics;
 pub use layout::Lines;
 pub use renderer::{Renderer, View};
+pub use studio::Studio;

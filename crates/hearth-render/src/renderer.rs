@@ -7,21 +7,23 @@ mod classic;
 mod combustion;
 mod fire;
 
+use std::rc::Rc;
+
 use hearth_core::Instance;
 use hearth_core::Parameters;
 use hearth_core::params::{Colour, DisplayMode, Layers, Model};
 
-use crate::blackbody::{self, COOLEST, ENTRIES, HOTTEST};
+use crate::blackbody::{COOLEST, ENTRIES, HOTTEST};
 use crate::drift::Drift;
 use crate::error::RenderError;
 use crate::format::TargetFormat;
 use crate::gl::Graphics;
 use crate::layout::{Layout, Lines, Place};
-use crate::noise;
 use crate::particles::Particles;
-use crate::passes::{Pass, Passes};
+use crate::passes::Pass;
+use crate::studio::Studio;
 use crate::survey::{Rise, Survey};
-use crate::target::{Target, bind, texture};
+use crate::target::bind;
 use crate::targets::Targets;
 use fire::Fire;
 
@@ -41,16 +43,10 @@ pub struct View {
 
 /// Draws a fire into the default framebuffer, with premultiplied alpha.
 pub struct Renderer<G: Graphics = glow::Context> {
-    passes: Passes<G>,
-    format: TargetFormat,
-    most: u32,
+    studio: Rc<Studio<G>>,
     lines: Lines,
-    noise: G::Texture,
-    black_body: G::Texture,
     particles: Particles<G>,
     embers: Particles<G>,
-    /// Without attributes: no pass reads a buffer, whatever else the context holds.
-    nothing: G::VertexArray,
     targets: Option<Targets<G>>,
     survey: Survey,
     rise: Rise,
@@ -60,19 +56,12 @@ pub struct Renderer<G: Graphics = glow::Context> {
 }
 
 impl<G: Graphics> Renderer<G> {
-    /// Compiles every pass and chooses the target format.
+    /// A renderer with a studio of its own, for a context with one fire.
     ///
     /// # Errors
     /// The driver refuses a shader, a texture, a buffer or every format.
     pub fn new(gl: &G) -> Result<Renderer<G>, RenderError> {
-        let mut last = RenderError::NoTarget;
-        for &format in TargetFormat::candidates(gl) {
-            match Renderer::with_format(gl, format) {
-                Ok(renderer) => return Ok(renderer),
-                Err(error) => last = error,
-            }
-        }
-        Err(last)
+        Renderer::within(gl, Rc::new(Studio::new(gl)?))
     }
 
     /// As [`new`](Renderer::new), with a given target format.
@@ -80,35 +69,20 @@ impl<G: Graphics> Renderer<G> {
     /// # Errors
     /// The driver refuses a shader, a texture, a buffer or this format.
     pub fn with_format(gl: &G, format: TargetFormat) -> Result<Renderer<G>, RenderError> {
-        // Whether a format can be drawn into is known only once it was tried.
-        Target::new(gl, "splat", format, [4, 4])?.destroy(gl);
-        let (internal, _) = TargetFormat::Rgba16F.constants();
-        let most = gl.largest_texture();
+        Renderer::within(gl, Rc::new(Studio::with_format(gl, format)?))
+    }
+
+    /// A renderer that shares what it can with others of the same context.
+    ///
+    /// # Errors
+    /// The driver refuses a texture.
+    pub fn within(gl: &G, studio: Rc<Studio<G>>) -> Result<Renderer<G>, RenderError> {
+        let most = studio.most;
         Ok(Renderer {
-            passes: Passes::new(gl)?,
-            format,
-            most,
+            studio,
             lines: Lines::MEDIUM,
-            noise: {
-                let noise = texture(gl, "shade", glow::REPEAT)?;
-                let size = [noise::SIZE as u32; 2];
-                gl.make_room(glow::RGBA8, glow::UNSIGNED_BYTE, size);
-                gl.replace_bytes(size, &noise::tile());
-                // Ever smaller copies, to be read where it is seen from farther away.
-                gl.tex_parameter(glow::TEXTURE_MIN_FILTER, glow::LINEAR_MIPMAP_NEAREST);
-                gl.generate_mipmap();
-                noise
-            },
-            black_body: {
-                let black_body = texture(gl, "shade", glow::CLAMP_TO_EDGE)?;
-                let size = [ENTRIES as u32, 1];
-                gl.make_room(internal, glow::FLOAT, size);
-                gl.replace_floats([0, 0], size, blackbody::table().as_flattened());
-                black_body
-            },
             particles: Particles::new(gl, most)?,
             embers: Particles::new(gl, most)?,
-            nothing: gl.create_vertex_array().ok_or(RenderError::none("splat"))?,
             targets: None,
             survey: Survey::of(&[], &[]),
             rise: Rise::default(),
@@ -119,7 +93,7 @@ impl<G: Graphics> Renderer<G> {
 
     /// The pixels of the off-screen targets.
     pub fn target_format(&self) -> TargetFormat {
-        self.format
+        self.studio.format
     }
 
     /// Draws with so many lines from the next picture on.
@@ -160,7 +134,7 @@ impl<G: Graphics> Renderer<G> {
         watch: &mut dyn FnMut(&'static str),
     ) -> Result<(), RenderError> {
         let size = [view.width, view.height];
-        let Some(layout) = Layout::new(size, self.lines, self.most) else {
+        let Some(layout) = Layout::new(size, self.lines, self.studio.most) else {
             return Ok(());
         };
         self.rise
@@ -175,7 +149,7 @@ impl<G: Graphics> Renderer<G> {
         ] {
             gl.disable(capability);
         }
-        gl.bind_vertex_array(Some(&self.nothing));
+        gl.bind_vertex_array(Some(&self.studio.nothing));
         match parameters.display_mode {
             DisplayMode::Fire => {
                 self.fit_targets(gl, layout)?;
@@ -195,17 +169,16 @@ impl<G: Graphics> Renderer<G> {
         Ok(())
     }
 
-    /// Frees everything.
+    /// Frees everything, what it shared too if it was the last one.
     pub fn destroy(self, gl: &G) {
-        self.passes.destroy(gl);
         self.particles.destroy(gl);
         self.embers.destroy(gl);
         if let Some(targets) = &self.targets {
             targets.destroy(gl);
         }
-        gl.delete_texture(&self.noise);
-        gl.delete_texture(&self.black_body);
-        gl.delete_vertex_array(&self.nothing);
+        if let Some(studio) = Rc::into_inner(self.studio) {
+            studio.destroy(gl);
+        }
     }
 
     fn fit_targets(&mut self, gl: &G, layout: Layout) -> Result<(), RenderError> {
@@ -218,7 +191,7 @@ impl<G: Graphics> Renderer<G> {
             if let Some(old) = self.targets.take() {
                 old.destroy(gl);
             }
-            self.targets = Some(Targets::new(gl, self.format, layout)?);
+            self.targets = Some(Targets::new(gl, self.studio.format, layout)?);
             self.drift.forget();
         }
         Ok(())
@@ -226,7 +199,7 @@ impl<G: Graphics> Renderer<G> {
 
     /// Draws the particles as the paper does.
     fn paper(&self, gl: &G, layout: Layout, place: Place, parameters: &Parameters) {
-        let program = self.passes.activate(gl, Pass::Paper);
+        let program = self.studio.passes.activate(gl, Pass::Paper);
         // The classic model's sprites have one size and one colour, as in the
         // paper; gas that burns shows how large and how hot it is.
         let (size, hottest) = match parameters.model() {
@@ -252,7 +225,7 @@ impl<G: Graphics> Renderer<G> {
             ],
         );
         program.set(gl, "table", table_coordinates(1.0));
-        bind(gl, 1, &self.black_body);
+        bind(gl, 1, &self.studio.black_body);
         gl.enable(glow::BLEND);
         gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
         self.particles.draw(gl, program);

@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 
+use glam::Vec2;
 use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
 use hearth_core::{Instance, Simulation, Stage};
@@ -9,10 +10,12 @@ use hearth_render::Lines;
 
 use crate::average::smooth;
 use crate::budget::{Pace, make_steps};
+use crate::easel::Easel;
 use crate::host::Host;
+use crate::limits::{Limit, Limits, Stir};
 use crate::message::Start;
 use crate::outbox::{Outbox, Stats, Trouble};
-use crate::picture::{ContextEvent, Picture};
+use crate::picture::Picture;
 use crate::quality::{Frame, Level, Quality};
 use crate::wanted::{Wanted, adapt};
 
@@ -66,9 +69,16 @@ pub struct Fire {
     simulation: Simulation,
     quality: Quality,
     picture: Picture,
+    /// Whether there is a context to draw it in.
+    drawable: bool,
     instances: Vec<Instance>,
     embers: Vec<Instance>,
+    /// Size of its element in device pixels.
     size: (u32, u32),
+    limits: Limits,
+    /// When the next frame may come where their rate is limited \[ms\].
+    next: f64,
+    stir: Option<Stir>,
     visible: bool,
     playing: bool,
     /// Whether the picture is not what it should show.
@@ -91,7 +101,7 @@ pub struct Fire {
 
 impl Fire {
     /// A fire that has not burnt yet.
-    pub fn new(id: u32, picture: Picture, wanted: Wanted, start: &Start) -> Fire {
+    pub fn new(id: u32, wanted: Wanted, start: &Start) -> Fire {
         let guess = start.guess.unwrap_or(Level::Medium);
         let quality = Quality::new(start.quality, guess);
         Fire {
@@ -99,10 +109,14 @@ impl Fire {
             simulation: Simulation::new(wanted.at(quality.level())),
             wanted,
             quality,
-            picture,
+            picture: Picture::default(),
+            drawable: false,
             instances: Vec::new(),
             embers: Vec::new(),
             size: start.size,
+            limits: Limits::default(),
+            next: 0.0,
+            stir: None,
             visible: start.visible,
             playing: !start.paused,
             stale: true,
@@ -178,7 +192,28 @@ impl Fire {
     pub fn set_visible(&mut self, visible: bool) {
         let was_seen = self.seen();
         self.visible = visible;
+        if !visible {
+            // Its textures are of use to others meanwhile.
+            self.picture.put_away();
+            self.stale = true;
+        }
         self.keep_time(was_seen);
+    }
+
+    /// Draws no more than that from now on.
+    pub fn limit(&mut self, limit: Limit) {
+        self.limits = self.limits.with(limit);
+        self.stale = true;
+    }
+
+    /// Has its gas moved in the next steps.
+    pub fn stir(&mut self, stir: Stir) {
+        self.stir = Some(stir);
+    }
+
+    /// A picture that was on its way is shown.
+    pub fn shown(&mut self) {
+        self.picture.shown();
     }
 
     /// Goes on or stands still.
@@ -209,34 +244,41 @@ impl Fire {
         });
     }
 
-    /// Its context was lost or is back. The fire does not notice.
-    pub fn context(&mut self, event: ContextEvent, out: &mut Outbox) {
+    /// Whether there is a context to draw it in: it may be lost, and back. The fire
+    /// does not notice.
+    pub fn set_drawable(&mut self, drawable: bool) {
         let was_seen = self.seen();
-        match event {
-            ContextEvent::Lost => {
-                self.picture.lose();
-                let words = "the graphics context was lost; the fire goes on when it is back";
-                out.error(self.id, Trouble::ContextLost, words);
-            }
-            ContextEvent::Restored => match self.picture.restore() {
-                Ok(()) => {
-                    self.stale = true;
-                    out.restored(self.id);
-                }
-                Err(words) => out.error(self.id, Trouble::Unsupported, &words),
-            },
-        }
+        self.drawable = drawable;
+        self.picture.put_away();
+        self.stale = true;
         self.keep_time(was_seen);
     }
 
     /// Whether it has anything to do in the next frame.
     pub fn wants_frame(&self) -> bool {
-        !self.asked.is_empty() || (self.seen() && (self.playing || self.stale))
+        !self.asked.is_empty() || (self.seen() && (self.playing || self.wants_picture()))
+    }
+
+    fn wants_picture(&self) -> bool {
+        self.stale && self.picture.is_awaited()
+    }
+
+    /// Whether a frame at `now` \[ms\] is one of its own, if their rate is limited.
+    pub fn is_due(&mut self, now: f64) -> bool {
+        !self.asked.is_empty() || self.limits.is_due(now, &mut self.next)
     }
 
     /// One frame: the steps that are due, as far as `deadline` allows, and the
     /// picture of them. `now` is the time of the frame, in ms.
-    pub fn frame(&mut self, now: f64, deadline: f64, fires: usize, host: &Host, out: &mut Outbox) {
+    pub fn frame(
+        &mut self,
+        now: f64,
+        deadline: f64,
+        fires: usize,
+        easel: &Easel,
+        host: &Host,
+        out: &mut Outbox,
+    ) {
         let scale = f64::from(self.wanted.parameters.time_scale);
         let passed = if self.playing && self.seen() {
             self.fps.frame(now / 1000.0);
@@ -269,8 +311,12 @@ impl Fire {
 
         // Asked-for steps are a jump: what lies between is not shown.
         let stands = passed.is_none();
-        let drawn = self.stale && self.asked.is_empty() && self.seen();
-        let draw_ms = if drawn { self.draw(host, out) } else { 0.0 };
+        let drawn = self.wants_picture() && self.asked.is_empty() && self.seen();
+        let draw_ms = if drawn {
+            self.draw(easel, host, out)
+        } else {
+            0.0
+        };
         // Steps that somebody asked for say nothing about what time brings.
         if passed.is_some() && made.steps == made.played {
             let on_card = self.picture.passes().map_or(0.0, |passes| passes.on_card());
@@ -298,7 +344,7 @@ impl Fire {
         }
         if (drawn && stands) || now - self.told_at >= STATS_EVERY_MS {
             self.told_at = now;
-            self.tell(out);
+            self.tell(easel, out);
         }
     }
 
@@ -314,10 +360,13 @@ impl Fire {
                 if asked.is_none() && !(burns && self.clock.due(self.last_step)) {
                     return false;
                 }
-                let length = step(&mut self.simulation, &mut |stage| {
+                let length = step(&mut self.simulation, self.stir, &mut |stage| {
                     let now = host.now();
                     made.stages[stage as usize] += now - last.replace(now);
                 });
+                if self.stir.as_mut().is_some_and(|stir| !stir.lasts(length)) {
+                    self.stir = None;
+                }
                 self.last_step = length;
                 made.seconds += length;
                 match asked {
@@ -342,22 +391,26 @@ impl Fire {
     }
 
     /// Draws it; returns how long that took \[ms\].
-    fn draw(&mut self, host: &Host, out: &mut Outbox) -> f64 {
+    fn draw(&mut self, easel: &Easel, host: &Host, out: &mut Outbox) -> f64 {
         let start = host.now();
         self.simulation.write_instances(&mut self.instances);
         self.simulation.write_embers(&mut self.embers);
-        self.picture.upload(&self.instances, &self.embers);
-        smooth(&mut self.upload_ms, host.now() - start);
         let lines = [Lines::LOW, Lines::MEDIUM, Lines::HIGH];
         let drawn = self.picture.draw(
-            self.size,
+            self.id,
+            easel,
+            self.limits.fit(self.size),
             lines[self.quality.level() as usize],
-            self.simulation.time(),
-            self.simulation.parameters(),
+            (&self.instances, &self.embers),
+            (self.simulation.time(), self.simulation.parameters()),
             host,
         );
-        if let Err(words) = drawn {
-            out.error(self.id, Trouble::Unsupported, &words);
+        match drawn {
+            Ok(sent) => smooth(&mut self.upload_ms, sent - start),
+            Err(words) => {
+                self.drawable = false;
+                out.error(self.id, Trouble::Unsupported, &words);
+            }
         }
         let took = host.now() - start;
         smooth(&mut self.draw_ms, took);
@@ -365,7 +418,7 @@ impl Fire {
         took
     }
 
-    fn tell(&mut self, out: &mut Outbox) {
+    fn tell(&mut self, easel: &Easel, out: &mut Outbox) {
         let report = self.simulation.report();
         let passes = self.picture.passes();
         let mut stages = [("upload", self.upload_ms); STAGES.len() + 1];
@@ -388,7 +441,7 @@ impl Fire {
             step_length: self.step_length,
             power: self.power,
             embers: self.simulation.embers().len(),
-            target_format: self.picture.target_format(),
+            target_format: easel.target_format(),
             stages,
             passes: passes.map_or(&[], |passes| &passes.times),
             pass_timer: passes.map_or("", |passes| passes.timer()),
@@ -399,7 +452,7 @@ impl Fire {
 
     /// Whether its picture can be drawn and somebody sees it.
     fn seen(&self) -> bool {
-        self.visible && self.size.0 > 0 && self.size.1 > 0 && self.picture.drawable()
+        self.visible && self.size.0 > 0 && self.size.1 > 0 && self.drawable
     }
 
     fn keep_time(&mut self, was_seen: bool) {
@@ -415,11 +468,18 @@ impl Fire {
     }
 }
 
-/// Makes a step; returns its length in seconds of fire.
+/// Makes a step, of gas that somebody may stir; returns its length in seconds of fire.
 // The whole solver would be there twice if the loop around it took it in.
 #[inline(never)]
-fn step(simulation: &mut Simulation, watch: &mut dyn FnMut(Stage)) -> f64 {
+fn step(simulation: &mut Simulation, stir: Option<Stir>, watch: &mut dyn FnMut(Stage)) -> f64 {
     let start = simulation.time();
-    simulation.step_watched(watch);
+    match stir {
+        Some(stir) => {
+            let push =
+                |place: Vec2, velocity: Vec2| Vec2::from(stir.push(place.into(), velocity.into()));
+            simulation.step_watched_with(push, watch);
+        }
+        None => simulation.step_watched(watch),
+    }
     simulation.time() - start
 }

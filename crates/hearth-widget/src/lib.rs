@@ -3,8 +3,8 @@
 //! One `Engine` draws any number of fires. It is spoken to in messages only
 //! (see [`message`]) and answers in messages only (see `outbox`), all of them
 //! postable, so that it runs on a page's main thread or in a worker without a
-//! change to anybody's API. It asks its surroundings for nothing but
-//! `requestAnimationFrame` and `performance`, which both places have.
+//! change to anybody's API. All fires are drawn on one canvas, one after another
+//! (see `easel`); its surroundings call it for each frame and take the pictures away.
 //!
 //! A frame goes one way: the clock says how much fire is due, the simulation makes
 //! whole steps for it as far as the frame's [`budget`] allows, the renderer draws
@@ -12,6 +12,8 @@
 
 // Plain logic, which needs no browser and is tested without one.
 pub mod budget;
+pub mod config;
+pub mod limits;
 pub mod message;
 pub mod quality;
 pub mod raw;
@@ -20,6 +22,8 @@ pub mod wanted;
 // What touches the page.
 #[cfg(target_arch = "wasm32")]
 mod average;
+#[cfg(target_arch = "wasm32")]
+mod easel;
 #[cfg(target_arch = "wasm32")]
 mod engine;
 #[cfg(target_arch = "wasm32")]

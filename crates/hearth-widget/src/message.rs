@@ -2,24 +2,30 @@
 //!
 //! | type | other fields | what it does |
 //! |---|---|---|
-//! | `add` | `canvas`, `width`, `height`, `preset`?, `kept`?, `values`?, `ownNumber`?, `quality`?, `guess`?, `paused`?, `visible`? | a new fire, drawn on that canvas |
+//! | `add` | `width`, `height`, `preset`?, `config`?, `kept`?, `values`?, `ownNumber`?, `quality`?, `guess`?, `paused`?, `visible`? | a new fire |
 //! | `resize` | `width`, `height` | its size in device pixels; 0 is fine |
 //! | `set` | `request`, `source`, `values` | sets parameters, all or none |
 //! | `restore` | `request`, `source`, `ids` | puts parameters back to their defaults |
 //! | `preset` | `request`, `name` | sets every parameter to the preset's |
+//! | `import` | `request`, `source`, `config` | sets every parameter as the settings say: see [`config`](crate::config) |
+//! | `export` | `request` | asks for its settings |
+//! | `limit` | `request`, `id`: `fps_limit` or `max_pixels`, `value`? | most pictures a second, most pixels of one; without a value, no limit of its own |
+//! | `stir` | `x`, `y`, `u`, `v` | moves the gas there [m] as fast as that [m/s] |
+//! | `shown` | | its last picture is shown |
 //! | `quality` | `request`, `quality` | how much work it makes itself: low, medium, high or auto |
 //! | `play`, `pause`, `reset` | `request` | what they say |
 //! | `step` | `request`, `steps` | makes that many steps, playing or not |
 //! | `burn` | `request`, `seconds` | the same, as many as so much fire needs |
 //! | `visible` | `visible` | a fire that nobody sees does no work |
-//! | `remove` | | frees the fire and its context |
+//! | `remove` | | frees the fire |
 //!
 //! Every message names its `fire`, a number that the sender chooses. Whoever
 //! sends a `request` number gets it back with `done` or `refused`.
 
 use hearth_core::Parameters;
-use hearth_core::preset::{PRESETS, Preset};
 
+use crate::config::Config;
+use crate::limits::{Limit, Stir};
 use crate::quality::Level;
 use crate::raw::Raw;
 
@@ -62,6 +68,16 @@ pub enum Order {
     Restore(Vec<String>),
     /// All values of that preset.
     Preset(String),
+    /// All values of those settings.
+    Import(Config),
+    /// Its settings.
+    Export,
+    /// How much it may draw.
+    Limit(Limit),
+    /// Gas to be moved.
+    Stir(Stir),
+    /// Its last picture is shown.
+    Shown,
     /// That quality, or whichever fits.
     Quality(Option<Level>),
     /// Go on.
@@ -87,6 +103,8 @@ pub struct Start {
     pub size: (u32, u32),
     /// The preset to start from.
     pub preset: Option<String>,
+    /// The settings to start from, in its place, not checked yet.
+    pub config: Raw,
     /// Values on top of it, of a model that it had before.
     pub kept: SentValues,
     /// Values on top of all that.
@@ -117,7 +135,7 @@ pub struct Refused {
 }
 
 impl Refused {
-    fn field(id: &str, value: &Raw, allowed: &str) -> Refused {
+    pub(crate) fn field(id: &str, value: &Raw, allowed: &str) -> Refused {
         Refused {
             id: id.to_owned(),
             value: value.clone(),
@@ -191,6 +209,7 @@ impl Order {
             "add" => Ok(Order::Add(Start {
                 size: (side("width")?, side("height")?),
                 preset: optional_text(raw, "preset")?,
+                config: raw.field("config").clone(),
                 kept: optional_values(raw, "kept")?,
                 values: optional_values(raw, "values")?,
                 own_number: flag_or(raw, "ownNumber", false)?,
@@ -203,6 +222,11 @@ impl Order {
             "set" => values(raw, "values").map(Order::Set),
             "restore" => ids(raw).map(Order::Restore),
             "preset" => text(raw, "name").map(Order::Preset),
+            "import" => Config::parse(raw.field("config")).map(Order::Import),
+            "export" => Ok(Order::Export),
+            "limit" => Limit::parse(raw).map(Order::Limit),
+            "stir" => Stir::parse(raw).map(Order::Stir),
+            "shown" => Ok(Order::Shown),
             "quality" => quality(raw, "quality").map(Order::Quality),
             "play" => Ok(Order::Play),
             "pause" => Ok(Order::Pause),
@@ -265,7 +289,7 @@ fn text(raw: &Raw, id: &str) -> Result<String, Refused> {
     }
 }
 
-fn optional_text(raw: &Raw, id: &str) -> Result<Option<String>, Refused> {
+pub(crate) fn optional_text(raw: &Raw, id: &str) -> Result<Option<String>, Refused> {
     match raw.field(id) {
         Raw::Missing => Ok(None),
         _ => text(raw, id).map(Some),
@@ -296,7 +320,7 @@ fn values(raw: &Raw, id: &str) -> Result<SentValues, Refused> {
     }
 }
 
-fn optional_values(raw: &Raw, id: &str) -> Result<SentValues, Refused> {
+pub(crate) fn optional_values(raw: &Raw, id: &str) -> Result<SentValues, Refused> {
     match raw.field(id) {
         Raw::Missing => Ok(Vec::new()),
         _ => values(raw, id),
@@ -370,42 +394,8 @@ pub fn with_defaults(parameters: &Parameters, ids: &[String]) -> Result<Paramete
 
 /// The same items, before all others that of the model: it decides which values
 /// the others may have, and which default.
-fn model_first<T>(items: &[T], id: fn(&T) -> &String) -> impl Iterator<Item = &T> {
+pub(crate) fn model_first<T>(items: &[T], id: fn(&T) -> &String) -> impl Iterator<Item = &T> {
     let of_model = move |item: &&T| id(item) == "model";
     let others = items.iter().filter(move |item| !of_model(item));
     items.iter().filter(of_model).chain(others)
-}
-
-/// The values of the preset of that name.
-///
-/// # Errors
-/// There is no preset of that name.
-pub fn of_preset(name: &str) -> Result<Parameters, Vec<Refused>> {
-    Preset::find(name).map(Preset::parameters).ok_or_else(|| {
-        let names: Vec<&str> = PRESETS.iter().map(|preset| preset.name).collect();
-        let allowed = format!("one of {}", names.join(", "));
-        vec![Refused::field("preset", &Raw::Text(name.into()), &allowed)]
-    })
-}
-
-/// The values that a new fire starts with, and what was refused of those that
-/// were asked for. Here one bad value must not keep the good ones from a fire
-/// that has no other values yet.
-pub fn starting_values(start: &Start) -> (Parameters, Vec<Refused>) {
-    let mut errors = Vec::new();
-    let mut parameters = Parameters::default();
-    match start.preset.as_deref().map(of_preset) {
-        Some(Ok(preset)) => parameters = preset,
-        Some(Err(refused)) => errors.extend(refused),
-        None => {}
-    }
-    for values in [&start.kept, &start.values] {
-        for value in model_first(values, |(id, _)| id) {
-            match with_values(&parameters, std::slice::from_ref(value)) {
-                Ok(new) => parameters = new,
-                Err(refused) => errors.extend(refused),
-            }
-        }
-    }
-    (parameters, errors)
 }

@@ -2,9 +2,9 @@
 //!
 //! | type | other fields |
 //! |---|---|
-//! | `ready` | `fire`, `values`: all of them; `ownNumber`: whether somebody set the number of particles |
-//! | `done` | `fire`, `request` |
-//! | `changed` | `fire`, `source`, `values`: only those that changed; `anew`: whether those of every model were replaced; `ownNumber` |
+//! | `ready` | `fire`, `values`: all of them; `ownNumber`: whether somebody set the number of particles; `preset` |
+//! | `done` | `fire`, `request`, `value`: its settings, where it was asked for them |
+//! | `changed` | `fire`, `source`, `values`: only those that changed; `anew`: whether those of every model were replaced; `ownNumber`, `preset` |
 //! | `refused` | `fire`, `request`, `source`, `errors`: id, value, message and, where there is a range, min and max |
 //! | `stats` | `fire`, `stats`: see [`Stats`] |
 //! | `quality` | `fire`, `wish`: auto or as asked for; `quality`, `reason`: what it has and why |
@@ -20,6 +20,7 @@ use hearth_core::params::{PARAMETERS, Value};
 use js_sys::{Array, Function, Object, Reflect};
 use wasm_bindgen::JsValue;
 
+use crate::config::{VERSION, changed};
 use crate::message::{Refused, RefusedMessage};
 use crate::quality::Quality;
 use crate::raw::Raw;
@@ -96,7 +97,7 @@ impl Outbox {
     pub fn ready(&mut self, fire: u32, wanted: &Wanted) {
         let message = about("ready", fire);
         put(&message, "values", &values(&wanted.parameters, |_| true));
-        put(&message, "ownNumber", &wanted.own_number.into());
+        put_start(&message, wanted);
         self.0.push(message.into());
     }
 
@@ -109,17 +110,41 @@ impl Outbox {
         }
     }
 
+    /// The settings that were asked for.
+    pub fn config(&mut self, fire: u32, request: Option<f64>, wanted: &Wanted) {
+        let config = Object::new();
+        put(&config, "hearth", &VERSION.into());
+        if wanted.preset != Wanted::default().preset {
+            put(&config, "preset", &wanted.preset.into());
+        }
+        let values = Object::new();
+        for (param, value) in changed(wanted) {
+            put(&values, param.id, &plain(value));
+        }
+        put(&config, "values", &values);
+        let message = about("done", fire);
+        if let Some(request) = request {
+            put(&message, "request", &request.into());
+        }
+        put(&message, "value", &config);
+        self.0.push(message.into());
+    }
+
     /// Values changed; nothing is sent where none did. `anew`: also those that
     /// the model before kept for its return, if there are any, are new.
     pub fn changed(&mut self, fire: u32, source: &str, anew: bool, old: &Wanted, new: &Wanted) {
         let (before, now) = (&old.parameters, &new.parameters);
         let changed = |param: &hearth_core::params::Param| param.get(before) != param.get(now);
-        if anew || old.own_number != new.own_number || PARAMETERS.iter().any(changed) {
+        if anew
+            || old.preset != new.preset
+            || old.own_number != new.own_number
+            || PARAMETERS.iter().any(changed)
+        {
             let message = about("changed", fire);
             put(&message, "anew", &anew.into());
             put(&message, "source", &source.into());
             put(&message, "values", &values(now, changed));
-            put(&message, "ownNumber", &new.own_number.into());
+            put_start(&message, new);
             self.0.push(message.into());
         }
     }
@@ -231,6 +256,12 @@ fn values(parameters: &Parameters, wanted: impl Fn(&hearth_core::params::Param) 
         put(&object, param.id, &plain(param.get(parameters)));
     }
     object
+}
+
+/// What the values started from.
+fn put_start(message: &Object, wanted: &Wanted) {
+    put(message, "ownNumber", &wanted.own_number.into());
+    put(message, "preset", &wanted.preset.into());
 }
 
 fn times(times: &[(&str, f64)]) -> JsValue {

@@ -72,6 +72,13 @@ impl Passes {
         }
     }
 
+    /// Frees what asks the graphics card.
+    pub fn free(&self, context: &Context) {
+        if let Some(timer) = &self.timer {
+            context.delete_query(Some(&timer.query));
+        }
+    }
+
     /// A picture begins.
     pub fn begin(&mut self, context: &Context, host: &Host) {
         self.done = 0;

@@ -8,12 +8,14 @@
 use hearth_core::params::Input;
 use wasm_bindgen::{JsCast, JsValue};
 
-/// Deepest nesting that a message has use for: `{values: {id: value}}`.
+/// Deepest nesting that a message has use for: `{config: {values: {id: value}}}`.
 const DEEPEST: u32 = 3;
 
-/// Most fields or elements that are looked at; far more than there are
-/// parameters.
+/// Most fields or elements; far more than there are parameters.
 const LONGEST: u32 = 1000;
+
+/// Longest text that anything has use for, in UTF-16 units.
+const LONGEST_TEXT: u32 = 1000;
 
 /// A piece of a message.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,8 +52,11 @@ impl Raw {
         if let Some(x) = value.as_f64() {
             return Raw::Number(x);
         }
-        if let Some(text) = value.as_string() {
-            return Raw::Text(text);
+        if let Some(text) = value.dyn_ref::<js_sys::JsString>() {
+            if text.length() > LONGEST_TEXT {
+                return Raw::Other("a text of more than a thousand letters");
+            }
+            return Raw::Text(text.into());
         }
         if let Some(on) = value.as_bool() {
             return Raw::Flag(on);
@@ -64,18 +69,21 @@ impl Raw {
             Err(_) => Raw::Other("unreadable"),
         };
         if let Some(list) = value.dyn_ref::<js_sys::Array>() {
-            let length = list.length().min(LONGEST);
+            let length = list.length();
+            if length > LONGEST {
+                return Raw::Other("an array of more than a thousand elements");
+            }
             return Raw::List((0..length).map(|at| copy(&at.into())).collect());
         }
         let Ok(keys) = js_sys::Reflect::own_keys(value) else {
             return Raw::Other("unreadable");
         };
-        let fields = keys.iter().take(LONGEST as usize).filter_map(|key| {
-            let name = key.as_string()?;
-            // The canvas is the one thing in a message that is not plain data;
-            // who wants it takes it from the message itself.
-            (name != "canvas").then(|| (name, copy(&key)))
-        });
+        if keys.length() > LONGEST {
+            return Raw::Other("an object of more than a thousand fields");
+        }
+        let fields = keys
+            .iter()
+            .filter_map(|key| Some((key.as_string()?, copy(&key))));
         Raw::Object(fields.collect())
     }
 

@@ -2,15 +2,16 @@
 //! quality.
 
 use hearth_core::params::{Input, Model};
+use hearth_core::preset::{PRESETS, Preset};
 use hearth_core::{Parameters, Simulation};
 
-use crate::message::{
-    Order, Refused, Start, of_preset, starting_values, with_defaults, with_values,
-};
+use crate::config::Config;
+use crate::message::{Order, Refused, Start, model_first, with_defaults, with_values};
 use crate::quality::Level;
+use crate::raw::Raw;
 
 /// The number of particles, which is the level's affair unless somebody sets it.
-const NUMBER: &str = "max_particles";
+pub(crate) const NUMBER: &str = "max_particles";
 
 /// A fire's values as somebody asked for them.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,16 +21,78 @@ pub struct Wanted {
     /// Whether somebody set the combustion model's number of particles: the default
     /// one, too, is then kept.
     pub own_number: bool,
+    /// The preset that the values started from.
+    pub preset: &'static str,
+}
+
+impl Default for Wanted {
+    fn default() -> Wanted {
+        Wanted {
+            parameters: Parameters::default(),
+            own_number: false,
+            preset: PRESETS[0].name,
+        }
+    }
 }
 
 impl Wanted {
-    /// What a new fire starts with, and what was refused of it.
+    /// The values of the preset of that name.
+    ///
+    /// # Errors
+    /// There is no preset of that name.
+    pub fn of_preset(name: &str) -> Result<Wanted, Vec<Refused>> {
+        let preset = Preset::find(name).ok_or_else(|| {
+            let names: Vec<&str> = PRESETS.iter().map(|preset| preset.name).collect();
+            let allowed = format!("one of {}", names.join(", "));
+            vec![Refused::field("preset", &Raw::Text(name.into()), &allowed)]
+        })?;
+        Ok(Wanted {
+            parameters: preset.parameters(),
+            preset: preset.name,
+            own_number: false,
+        })
+    }
+
+    /// The values of its preset alone.
+    pub fn of_its_preset(&self) -> Parameters {
+        Preset::find(self.preset).map_or_else(Parameters::default, Preset::parameters)
+    }
+
+    /// Whether the number of particles counts although it is the default one.
+    pub fn names_number(&self) -> bool {
+        self.own_number && self.parameters.model() == Model::Combustion
+    }
+
+    /// What a new fire starts with, and what was refused of what was asked for. Here
+    /// one bad value must not keep the good ones from a fire that has no other
+    /// values yet.
     pub fn at_first(start: &Start) -> (Wanted, Vec<Refused>) {
-        let (parameters, errors) = starting_values(start);
-        let wanted = Wanted {
-            parameters,
-            own_number: start.own_number,
+        let mut errors = Vec::new();
+        let mut wanted = Wanted::default();
+        let preset = start.preset.as_deref().map(Wanted::of_preset);
+        let config = match &start.config {
+            Raw::Missing => None,
+            config => Some(
+                Config::parse(config)
+                    .map_err(|error| vec![error])
+                    .and_then(|config| config.wanted()),
+            ),
         };
+        for base in [preset, config].into_iter().flatten() {
+            match base {
+                Ok(base) => wanted = base,
+                Err(refused) => errors.extend(refused),
+            }
+        }
+        wanted.own_number |= start.own_number;
+        for values in [&start.kept, &start.values] {
+            for value in model_first(values, |(id, _)| id) {
+                match with_values(&wanted.parameters, std::slice::from_ref(value)) {
+                    Ok(new) => wanted.parameters = new,
+                    Err(refused) => errors.extend(refused),
+                }
+            }
+        }
         (wanted, errors)
     }
 
@@ -47,17 +110,17 @@ impl Wanted {
                 let own = ids.iter().any(|id| id == NUMBER).then_some(false);
                 (with_defaults(&self.parameters, ids), own)
             }
-            Order::Preset(name) => (of_preset(name), Some(false)),
+            Order::Preset(name) => return Some(Wanted::of_preset(name)),
+            Order::Import(config) => return Some(config.wanted()),
             _ => return None,
         };
         Some(parameters.map(|parameters| {
             // The classic model's number is another one, and nobody else's.
-            let about =
-                parameters.model() == Model::Combustion || matches!(order, Order::Preset(_));
-            let own = own.filter(|_| about);
+            let own = own.filter(|_| parameters.model() == Model::Combustion);
             Wanted {
                 parameters,
                 own_number: own.unwrap_or(self.own_number),
+                preset: self.preset,
             }
         }))
     }

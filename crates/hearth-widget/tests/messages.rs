@@ -4,10 +4,11 @@ use hearth_core::Parameters;
 use hearth_core::params::Model;
 use hearth_widget::message::{
     LONGEST_SIDE, MOST_SECONDS, MOST_STEPS, Message, Order, RefusedMessage, SentValues, Start,
-    of_preset, starting_values, with_defaults, with_values,
+    with_defaults, with_values,
 };
 use hearth_widget::quality::Level;
 use hearth_widget::raw::Raw;
+use hearth_widget::wanted::Wanted;
 
 fn text(words: &str) -> Raw {
     Raw::Text(words.to_owned())
@@ -33,6 +34,7 @@ fn start(values: SentValues) -> Start {
     Start {
         size: (1, 1),
         preset: None,
+        config: Raw::Missing,
         kept: Vec::new(),
         values,
         own_number: false,
@@ -41,6 +43,12 @@ fn start(values: SentValues) -> Start {
         paused: false,
         visible: true,
     }
+}
+
+/// What a fire starts with, and what was refused.
+fn starting_values(start: &Start) -> (Parameters, Vec<hearth_widget::message::Refused>) {
+    let (wanted, errors) = Wanted::at_first(start);
+    (wanted.parameters, errors)
 }
 
 /// The values of a model, by id.
@@ -264,7 +272,7 @@ fn a_new_fire_keeps_the_good_values_beside_a_bad_one() {
 
 #[test]
 fn an_unknown_preset_is_refused_with_the_known_names() {
-    let refused = of_preset("sead")
+    let refused = Wanted::of_preset("sead")
         .err()
         .map(|errors| errors[0].message.clone());
     assert!(refused.is_some_and(|words| words.contains("seed") && words.contains("sead")));

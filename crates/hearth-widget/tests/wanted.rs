@@ -12,6 +12,7 @@ fn start() -> Start {
     Start {
         size: (1, 1),
         preset: None,
+        config: Raw::Missing,
         kept: Vec::new(),
         values: Vec::new(),
         own_number: false,

@@ -58,13 +58,17 @@ impl<G: Graphics> Fire<'_, G> {
     /// Particles to fields: sums of smooth kernels.
     pub(super) fn splat(&self) {
         let Fire { gl, renderer, .. } = *self;
-        let program = renderer.passes.activate(gl, Pass::Splat);
+        let program = renderer.studio.passes.activate(gl, Pass::Splat);
         self.targets.field.draw_here(gl, self.used);
         gl.clear(NOTHING);
         program.set(gl, "world", self.place.to_clip());
         let weight = kernel_weight(self.body.radius, self.parameters);
         program.set(gl, "kernel", [self.body.radius, STRETCH, weight, 0.0]);
-        let scale = renderer.format.field_range().map(|range| 1.0 / range);
+        let scale = renderer
+            .studio
+            .format
+            .field_range()
+            .map(|range| 1.0 / range);
         program.set(gl, "scale", scale);
         gl.enable(glow::BLEND);
         gl.blend_func(glow::ONE, glow::ONE);
@@ -80,7 +84,7 @@ impl<G: Graphics> Fire<'_, G> {
             targets,
             ..
         } = *self;
-        let program = renderer.passes.activate(gl, Pass::Spread);
+        let program = renderer.studio.passes.activate(gl, Pass::Spread);
         let [width, height] = targets.field.size().map(|side| side as f32);
         let [across, up] = self.used.map(|side| side as f32);
         // Five reads each way span six radii of a kernel.
@@ -102,7 +106,7 @@ impl<G: Graphics> Fire<'_, G> {
             ..
         } = *self;
         let [width, height] = place.metres;
-        let program = renderer.passes.activate(gl, Pass::Shade);
+        let program = renderer.studio.passes.activate(gl, Pass::Shade);
         targets.light.draw_here(gl, targets.light.size());
         gl.clear(NOTHING);
 
@@ -122,7 +126,7 @@ impl<G: Graphics> Fire<'_, G> {
             "part",
             [share(0, 0.0), share(1, 0.0), share(0, 0.5), share(1, 0.5)],
         );
-        program.set(gl, "range", renderer.format.field_range());
+        program.set(gl, "range", renderer.studio.format.field_range());
         // The tile repeats, also where the shader scrolls it at 0.62 and 1.05
         // of the speed, so whole hundreds make no difference, and what the
         // shader gets stays small, however long the fire burns.
@@ -146,15 +150,15 @@ impl<G: Graphics> Fire<'_, G> {
             [
                 parameters.luminance_exponent,
                 gain(parameters),
-                1.0 / renderer.format.light_range(),
+                1.0 / renderer.studio.format.light_range(),
                 2.0 / source_width(parameters),
             ],
         );
         program.set(gl, "table", table_coordinates(fire_share(parameters)));
         targets.field.read_here(gl, 0);
         targets.wide.read_here(gl, 1);
-        bind(gl, 2, &renderer.noise);
-        bind(gl, 3, &renderer.black_body);
+        bind(gl, 2, &renderer.studio.noise);
+        bind(gl, 3, &renderer.studio.black_body);
         self.cover(self.place.rectangle(self.reach, targets.light.size()));
     }
 }

@@ -62,16 +62,16 @@ impl<G: Graphics> Fire<'_, G> {
             targets,
             ..
         } = *self;
-        let program = renderer.passes.activate(gl, Pass::Gas);
+        let program = renderer.studio.passes.activate(gl, Pass::Gas);
         program.set(gl, "world", self.place.to_clip());
         gl.enable(glow::BLEND);
         gl.blend_func(glow::ONE, glow::ONE);
-        let fields = renderer.format.gas_range().map(|range| 1.0 / range);
+        let fields = renderer.studio.format.gas_range().map(|range| 1.0 / range);
         let passes = [
             (&targets.field, self.used, fields),
             (&targets.flow, targets.flow.size(), [1.0; 4]),
         ];
-        let carries = renderer.format == TargetFormat::Rgba16F;
+        let carries = renderer.studio.format == TargetFormat::Rgba16F;
         for (pass, (target, used, scale)) in passes.into_iter().enumerate() {
             if pass > 0 && !carries {
                 break;
@@ -99,12 +99,12 @@ impl<G: Graphics> Fire<'_, G> {
             ..
         } = *self;
         let [before, now] = [1 - renderer.newest, renderer.newest].map(|k| &targets.drift[k]);
-        if renderer.format == TargetFormat::Rgba8 {
+        if renderer.studio.format == TargetFormat::Rgba8 {
             now.draw_here(gl, now.size());
             gl.clear(NOTHING);
             return;
         }
-        let program = renderer.passes.activate(gl, Pass::Drift);
+        let program = renderer.studio.passes.activate(gl, Pass::Drift);
         let [width, height] = self.place.metres;
         let elapsed = renderer.drift.elapsed;
         let [a, b] = renderer.drift.kept;
@@ -126,7 +126,7 @@ impl<G: Graphics> Fire<'_, G> {
             ..
         } = *self;
         let [width, height] = place.metres;
-        let program = renderer.passes.activate(gl, Pass::Flame);
+        let program = renderer.studio.passes.activate(gl, Pass::Flame);
         targets.light.draw_here(gl, targets.light.size());
         gl.clear(NOTHING);
         let source = burner(parameters);
@@ -138,11 +138,11 @@ impl<G: Graphics> Fire<'_, G> {
             "part",
             [share(0, 0.0), share(1, 0.0), share(0, 0.5), share(1, 0.5)],
         );
-        program.set(gl, "range", renderer.format.gas_range());
+        program.set(gl, "range", renderer.studio.format.gas_range());
         // Tongues are taller than wide. The tile repeats, also where the shader
         // reads it twice as fine, so whole hundreds make no difference.
         let tiles = [1.15, 0.75].map(|share| share / (noise::CELLS as f32 * self.body.grain));
-        let risen = match renderer.format {
+        let risen = match renderer.studio.format {
             TargetFormat::Rgba16F => 0.0,
             TargetFormat::Rgba8 => without_hundreds(renderer.rise.distance * f64::from(tiles[1])),
         };
@@ -166,21 +166,21 @@ impl<G: Graphics> Fire<'_, G> {
         program.set(gl, "table", table_coordinates(fire_share(parameters)));
         targets.field.read_here(gl, 0);
         targets.drift[renderer.newest].read_here(gl, 1);
-        bind(gl, 2, &renderer.noise);
-        bind(gl, 3, &renderer.black_body);
+        bind(gl, 2, &renderer.studio.noise);
+        bind(gl, 3, &renderer.studio.black_body);
         self.cover(place.rectangle(self.reach, targets.light.size()));
     }
 
     /// Embers to light, behind the flame: in front of it they would be dots.
     pub(super) fn embers(&self) {
         let Fire { gl, renderer, .. } = *self;
-        let program = renderer.passes.activate(gl, Pass::Ember);
+        let program = renderer.studio.passes.activate(gl, Pass::Ember);
         program.set(gl, "world", self.place.to_clip());
         let texel = self.place.metres[1] / self.targets.light.size()[1] as f32;
         program.set(gl, "spark", [1.2 * texel, EXPOSURE, 0.0, 0.0]);
         program.set(gl, "shine", self.shine(EMBER));
         program.set(gl, "table", table_coordinates(1.0));
-        bind(gl, 1, &renderer.black_body);
+        bind(gl, 1, &renderer.studio.black_body);
         gl.enable(glow::BLEND);
         gl.blend_func(glow::ONE_MINUS_DST_ALPHA, glow::ONE);
         renderer.embers.draw(gl, program);
@@ -192,7 +192,7 @@ impl<G: Graphics> Fire<'_, G> {
         [
             self.parameters.luminance_exponent,
             brightness * gain(self.parameters),
-            1.0 / self.renderer.format.light_range(),
+            1.0 / self.renderer.studio.format.light_range(),
             0.0,
         ]
     }

@@ -120,7 +120,7 @@ impl<'a, G: Graphics> Fire<'a, G> {
             ..
         } = *self;
         let texel = |size: [u32; 2]| size.map(|side| 1.0 / side as f32);
-        let program = renderer.passes.activate(gl, Pass::Shrink);
+        let program = renderer.studio.passes.activate(gl, Pass::Shrink);
         let mut source = &targets.light;
         for blur in &targets.blurs {
             let [x, y] = texel(source.size());
@@ -129,7 +129,7 @@ impl<'a, G: Graphics> Fire<'a, G> {
             self.fill(blur);
             source = blur;
         }
-        let program = renderer.passes.activate(gl, Pass::Widen);
+        let program = renderer.studio.passes.activate(gl, Pass::Widen);
         for (narrow, joined) in targets.blurs.iter().zip(&targets.joined).rev() {
             let [x, y] = texel(source.size());
             program.set(gl, "texel", [x, y, SHARPER, 0.0]);
@@ -149,8 +149,8 @@ impl<'a, G: Graphics> Fire<'a, G> {
             parameters,
             ..
         } = *self;
-        let program = renderer.passes.activate(gl, Pass::Develop);
-        let range = renderer.format.light_range();
+        let program = renderer.studio.passes.activate(gl, Pass::Develop);
+        let range = renderer.studio.format.light_range();
         // Encoded as for the screen: roughly a square root.
         let mut soot = doubled(parameters.exposure.min(0.0)).sqrt();
         if parameters.layers == Layers::Smoke {
@@ -182,7 +182,7 @@ impl<'a, G: Graphics> Fire<'a, G> {
             ..
         } = *self;
         clear_picture(gl, targets.layout, parameters.background);
-        let program = renderer.passes.activate(gl, Pass::Present);
+        let program = renderer.studio.passes.activate(gl, Pass::Present);
         program.set(gl, "background", background(parameters.background));
         targets.shown.read_here(gl, 0);
         self.cover(self.place.rectangle(self.halo(), targets.layout.picture));

@@ -1,0 +1,41 @@
+/**
+ * Where the engine's files are: its wasm, its script, and the script of its worker.
+ *
+ * They stand here as bundlers look for them, and nowhere else, so that a build of
+ * another form, as a single file, has only this module to replace.
+ */
+
+/**
+ * The engine's wasm: where it is, or its bytes.
+ * @returns {URL | BufferSource}
+ */
+export function wasm() {
+  return new URL('./wasm/hearth-widget_bg.wasm', import.meta.url);
+}
+
+/**
+ * Starts the worker that the engine can run in.
+ * @returns {Worker}
+ * @throws where the browser or the page's policy has none
+ */
+export function worker() {
+  try {
+    return new Worker(new URL('./engine-worker.js', import.meta.url), { type: 'module', name: 'hearth' });
+  } catch {
+    // A page may not start a script of another site, but one that loads it.
+    const script = './engine-worker.js';
+    const start = `import ${JSON.stringify(new URL(script, import.meta.url).href)};`;
+    const url = URL.createObjectURL(new Blob([start], { type: 'text/javascript' }));
+    try {
+      return new Worker(url, { type: 'module', name: 'hearth' });
+    } finally {
+      // The browser has it by then.
+      setTimeout(() => URL.revokeObjectURL(url), 60_000);
+    }
+  }
+}
+
+/** The engine's script. */
+export function glue() {
+  return import('./wasm/hearth-widget.js');
+}

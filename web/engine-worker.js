@@ -1,0 +1,39 @@
+/**
+ * The engine in a worker: the page's thread stays free. It says `started`, or why
+ * it cannot, and from then on speaks the engine's messages. Each picture is sent
+ * as a bitmap, which costs no copy.
+ */
+
+import { pictureCanvas, runEngine } from './engine-loop.js';
+import init, { Engine } from './wasm/hearth-widget.js';
+
+/** @type {ReturnType<typeof runEngine> | undefined} */
+let engine;
+
+/** @param {WebAssembly.Module} module */
+async function start(module) {
+  const canvas = pictureCanvas();
+  if (!canvas) throw new Error('there is no canvas in a worker');
+  if (typeof requestAnimationFrame !== 'function') throw new Error('there are no frames in a worker');
+  await init({ module_or_path: module });
+  engine = runEngine(Engine, canvas, {
+    post: (message) => postMessage(message),
+    show: (fire) => {
+      const bitmap = canvas.transferToImageBitmap();
+      postMessage({ type: 'picture', fire, bitmap }, { transfer: [bitmap] });
+      return false;
+    },
+    fail: (error) => postMessage({ type: 'stopped', why: String(error) }),
+  });
+}
+
+addEventListener('message', ({ data }) => {
+  if (data.type !== 'start') {
+    engine?.receive(data);
+    return;
+  }
+  start(data.module).then(
+    () => postMessage({ type: 'started' }),
+    (error) => postMessage({ type: 'stopped', why: String(error) }),
+  );
+});

@@ -30,6 +30,7 @@ export class FireLink {
   /** Settles when the engine has freed the fire. */
   gone = Promise.resolve();
   #removed = () => {};
+  #shown = () => this.send({ type: 'shown' });
 
   /**
    * @param {HTMLElement} host
@@ -109,7 +110,8 @@ export class FireLink {
           return;
         }
         this.#tell.drawn(picture);
-        if (port.place === 'worker') this.send({ type: 'shown' });
+        // What is drawn faster than the page shows it is drawn for nobody.
+        if (port.place === 'worker') requestAnimationFrame(this.#shown);
       },
     });
     this.#port = port;

@@ -136,11 +136,12 @@ export class FireView {
     }
     if ('drawn' in this.#root.dataset) return;
     this.#root.dataset.drawn = '';
-    this.#drawn.resolve();
+    this.#drawn.resolve(canvas);
   }
 
   /**
-   * Settles when there is a picture.
+   * The canvas, when there is a picture on it.
+   * @returns {Promise<HTMLCanvasElement>}
    * @throws {Error} there will be none
    */
   drawn() {

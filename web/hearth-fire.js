@@ -18,9 +18,9 @@ import { CHOICES, FireAttributes, ID_OF_ATTRIBUTE, ID_OF_PROPERTY } from './fire
 import { FireLink } from './fire-link.js';
 import { showPanel } from './fire-panel.js';
 import { listenToPointer } from './fire-pointer.js';
-import { readSettings } from './fire-source.js';
+import { settings, settingsOfFile } from './fire-settings.js';
 import { FireView } from './fire-view.js';
-import { Requests, deferred, postable, postableConfig } from './requests.js';
+import { Requests, deferred, postable, quiet } from './requests.js';
 import { motionIsReduced } from './watch.js';
 
 /** Seconds of fire that a still picture has burnt, so that it shows a fire. */
@@ -183,7 +183,14 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   importConfig(config) {
-    return this.#import(config, 'property');
+    try {
+      return this.#ask({ type: 'import', source: 'property', config: settings(config) });
+    } catch (error) {
+      const { message } = /** @type {Error} */ (error);
+      const refusal = { id: 'config', value: config, message };
+      this.#refused([refusal]);
+      return quiet(Promise.reject(Object.assign(/** @type {Error} */ (error), refusal, { errors: [refusal] })));
+    }
   }
 
   /**
@@ -192,14 +199,11 @@ export class HearthFire extends FireAttributes {
    * @param {number} [quality] of those, from 0 to 1
    * @returns {Promise<Blob>}
    */
-  async toBlob(type = 'image/png', quality) {
-    await this.#drawn();
-    return new Promise((resolve, reject) => {
-      const canvas = this.#view.canvas;
-      const done = (blob) => (blob ? resolve(blob) : reject(new Error('the browser makes no file of the picture')));
-      if (canvas) canvas.toBlob(done, type, quality);
-      else done(null);
-    });
+  toBlob(type = 'image/png', quality) {
+    return this.#ofPicture((canvas) => new Promise((resolve, reject) => {
+      const refused = new Error(`the browser makes no file of the picture as ${type}`);
+      canvas.toBlob((blob) => (blob ? resolve(blob) : reject(refused)), type, quality);
+    }));
   }
 
   /**
@@ -207,11 +211,11 @@ export class HearthFire extends FireAttributes {
    * @param {number} [fps] most pictures a second; without it, all
    * @returns {Promise<MediaStream>}
    */
-  async captureStream(fps) {
-    await this.#drawn();
-    const canvas = this.#view.canvas;
-    if (!canvas?.captureStream) throw new Error('this browser has no captureStream');
-    return fps === undefined ? canvas.captureStream() : canvas.captureStream(fps);
+  captureStream(fps) {
+    return this.#ofPicture((canvas) => {
+      if (!canvas.captureStream) throw new Error('this browser cannot capture a canvas');
+      return fps === undefined ? canvas.captureStream() : canvas.captureStream(fps);
+    });
   }
 
   /**
@@ -280,7 +284,7 @@ export class HearthFire extends FireAttributes {
     } else if (name === 'paused') {
       if ((value !== null) !== this.#paused) this.#setPaused(value !== null);
     } else if (name === 'src') {
-      if (this.#started) this.#import(undefined, 'src');
+      if (this.#started) this.#changeFile();
     } else if (name === 'max-pixels' || name === 'fps-limit') {
       if (this.#link) this.#limit(name);
     } else if (name === 'interactive') {
@@ -319,41 +323,27 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Takes settings over: these, or those of the file that `src` names.
-   * @type {(config: unknown, source: string) => Promise<void>}
+   * The settings in the file that `src` names; undefined where there are none, which
+   * is said.
    */
-  async #import(config, source) {
-    const settings = source === 'src' ? await this.#source() : this.#settings('config', config);
-    if (settings) await this.#ask({ type: 'import', source, config: settings });
-  }
-
-  /**
-   * Settings as plain data; undefined where they are no settings at all, which is
-   * said, and thrown where somebody waits.
-   * @type {(id: string, config: unknown) => object | undefined}
-   */
-  #settings(id, config) {
-    try {
-      return postableConfig(config);
-    } catch (error) {
-      const refusal = { id, value: undefined, message: error.message };
-      this.#refused([refusal]);
-      throw Object.assign(error, refusal, { errors: [refusal] });
-    }
-  }
-
-  /** The settings of the file that `src` names; undefined where there are none. */
-  async #source() {
+  async #settingsOfFile() {
     const { src } = this;
     if (!src) return undefined;
     try {
-      const text = await readSettings(src);
-      return src === this.src ? this.#settings('src', text) : undefined;
+      return await settingsOfFile(src);
     } catch (error) {
-      // What is no settings has been said.
-      if (!(error instanceof RangeError)) this.#complain('load', error.message);
+      const { message } = /** @type {Error} */ (error);
+      if (error instanceof RangeError) this.#refused([{ id: 'src', value: src, message }]);
+      else this.#complain('load', message);
       return undefined;
     }
+  }
+
+  /** Another file: the fire takes over what is in it. */
+  async #changeFile() {
+    const { src } = this;
+    const config = await this.#settingsOfFile();
+    if (config !== undefined && src === this.src) this.#ask({ type: 'import', source: 'src', config });
   }
 
   /** How much it may draw; what is no number is the engine's to refuse. @param {string} name */
@@ -364,10 +354,14 @@ export class HearthFire extends FireAttributes {
     this.#ask({ type: 'limit', source: 'attribute', id: name.replace('-', '_'), value });
   }
 
-  /** A picture of the fire is there. */
-  async #drawn() {
-    await this.#ready.promise;
-    await this.#view.drawn();
+  /**
+   * What `make` makes of the canvas, when there is a picture on it.
+   * @template T
+   * @param {(canvas: HTMLCanvasElement) => T | Promise<T>} make
+   * @returns {Promise<T>}
+   */
+  #ofPicture(make) {
+    return quiet(this.#ready.promise.then(() => this.#view.drawn()).then(make));
   }
 
   /** Listens to pointers where it is to. */
@@ -448,7 +442,7 @@ export class HearthFire extends FireAttributes {
 
   /** What the fire starts from: preset, file and model at first, what it was when it comes back. */
   async #start() {
-    const config = this.#started ? undefined : await this.#source();
+    const config = this.#started ? undefined : await this.#settingsOfFile();
     const [paused, quality] = [this.#paused, this.#quality];
     if (this.#started) {
       const [preset, kept, values, ownNumber] = [this.#preset, this.#kept, this.#params, this.#ownNumber];
@@ -485,6 +479,7 @@ export class HearthFire extends FireAttributes {
     this.#link?.close();
     this.#link = null;
     this.#announced = false;
+    this.#stats = null;
     this.#control();
     this.#ignorePointer?.();
     this.#ignorePointer = undefined;

@@ -112,12 +112,19 @@ export function deferred() {
       reject(error);
     };
   });
-  made.promise.catch(() => {});
+  quiet(made.promise);
   return made;
 }
 
-/** Deepest nesting of what is posted: `{config: {values: {id: value}}}`. */
-const DEEPEST = 2;
+/**
+ * The same promise, whose rejection may go unseen.
+ * @template T
+ * @param {Promise<T>} promise
+ */
+export function quiet(promise) {
+  promise.catch(() => {});
+  return promise;
+}
 
 /** Most fields of an object; far more than there are parameters. */
 const MOST_FIELDS = 1000;
@@ -155,25 +162,3 @@ function field(object, name, depth) {
     return 'something unreadable';
   }
 }
-
-/**
- * Settings as plain data: an object of them, or their JSON text.
- * @param {unknown} config
- * @throws {RangeError} text that is too long, or no JSON
- */
-export function postableConfig(config) {
-  if (typeof config !== 'string') return postable(config, DEEPEST);
-  if (config.length > LONGEST_JSON) {
-    throw new RangeError(`config is refused: its JSON has ${config.length} letters; at most ${LONGEST_JSON} are allowed`);
-  }
-  let parsed;
-  try {
-    parsed = JSON.parse(config);
-  } catch (error) {
-    throw new RangeError(`config is refused: it is no JSON: ${error instanceof Error ? error.message : error}`);
-  }
-  return postable(parsed, DEEPEST);
-}
-
-/** Longest JSON text of settings, in letters: 64 KiB. */
-const LONGEST_JSON = 65_536;

@@ -116,10 +116,11 @@ export function watch(host, canvas, tell) {
 
   let inView = false;
   const look = () => tell.visible(inView && document.visibilityState === 'visible');
+  // What only touches the edge of the window counts as intersecting, and is not seen.
   const views = new IntersectionObserver((entries) => {
-    inView = entries[entries.length - 1].isIntersecting;
+    inView = entries[entries.length - 1].intersectionRatio > 0;
     look();
-  });
+  }, { threshold: [0, 1e-6] });
   views.observe(host);
   document.addEventListener('visibilitychange', look, { signal });
 

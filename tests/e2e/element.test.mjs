@@ -5,7 +5,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { assertBurns, events, recording } from './laws.mjs';
+import { assertBurns, events, progress, recording } from './laws.mjs';
 import { domainOf, table } from './site.mjs';
 
 const { PARAMETERS, PRESETS, DEFAULTS, defaultsOf } = await table();
@@ -18,16 +18,6 @@ before(async () => {
 after(() => browser?.close());
 
 const FIRE = '<hearth-fire id="fire"></hearth-fire>';
-
-/** The fire's own time, a few frames apart: where it is now, and what it gains. */
-async function progress(tab) {
-  const read = () => tab.fire(async (fire) => {
-    await new Promise((resolve) => setTimeout(resolve, 600));
-    return fire.stats.time;
-  });
-  const start = await read();
-  return { start, gain: (await read()) - start };
-}
 
 test('a fire of no size breaks nothing and burns once it has a size', async () => {
   const tab = await browser.open('<hearth-fire style="width: 0; height: 0"></hearth-fire>');
@@ -130,10 +120,8 @@ test('twenty fires that come and go leave nothing behind', async () => {
   });
   await tab.burnt(1.5);
   await assertBurns(tab);
-  const living = await tab.evaluate(
-    () => /** @type {any} */ (window).contexts.filter((context) => !context.isContextLost()).length,
-  );
-  assert.ok(living <= 4, `${living} contexts are still held`);
+  const { contexts, workers } = await tab.living();
+  assert.deepEqual({ contexts, workers }, { contexts: 1, workers: 1 });
   assert.deepEqual(tab.problems, []);
 });
 
@@ -163,19 +151,15 @@ test('two fires on one page each burn with their own values', async () => {
 test('a fire whose context is lost says so and burns again when it is back', async () => {
   const tab = await browser.open(recording(FIRE));
   await tab.burnt(1);
-  await tab.fire((fire) => {
-    const drawn = fire.shadowRoot.querySelector('canvas');
-    const context = /** @type {any} */ (window).contexts.find(({ canvas }) => canvas === drawn);
-    const extension = context.getExtension('WEBGL_lose_context');
-    extension.loseContext();
-    setTimeout(() => extension.restoreContext(), 500);
-  });
+  await tab.loseContext(500);
   await tab.until(
     'an error event',
     () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'),
   );
   const [{ kind }] = await events(tab, 'error');
   assert.equal(kind, 'context-lost');
+  const glow = (await tab.firePicture()).part(0.3, 0.4, 0.7, 1).glowing();
+  assert.ok(glow > 0.01, 'its last picture stays meanwhile');
   const { start } = await progress(tab);
   await tab.burnt(start + 1);
   await assertBurns(tab);

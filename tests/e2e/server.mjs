@@ -1,14 +1,15 @@
 /**
  * A static web server on loopback for the tests: the built site, as any static
- * host would serve it, and pages that a test writes in its own lines.
+ * host would serve it, pages that a test writes in its own lines with headers of
+ * its own, and, where a test says so, something wrong instead of a file.
  *
  * MIME types matter: a browser compiles wasm while it downloads only if the
  * type is `application/wasm`, and refuses a module script of another type.
  */
-import { createReadStream } from 'node:fs';
-import { stat } from 'node:fs/promises';
+import { readFile, stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import path from 'node:path';
+import { answerPage, rememberContexts } from './driver/inside.mjs';
 
 const TYPES = {
   '.html': 'text/html; charset=utf-8',
@@ -23,10 +24,27 @@ const TYPES = {
   '.ico': 'image/x-icon',
 };
 
+/** @typedef {{[name: string]: string}} Headers */
+/**
+ * What the server gives instead of a file.
+ * @typedef {object} Instead
+ * @property {number} [status]
+ * @property {string} [type]  Its MIME type.
+ * @property {Headers} [headers]
+ * @property {string | Uint8Array} [body]
+ * @property {number} [keep]  Only its first bytes, as if that were all.
+ * @property {boolean} [drop]  Nothing: the connection ends, as a broken network's would.
+ */
 /**
  * @typedef {object} Server
  * @property {string} origin  `http://127.0.0.1:<port>`
- * @property {(html: string) => string} publish  Serves a page of a test beside the site; gives its URL.
+ * @property {(html: string, headers?: Headers) => string} publish  Serves a page of a test
+ *   beside the site; gives its URL.
+ * @property {(files: {[end: string]: Instead}) => void} replace  From now on serves these
+ *   instead of files whose path ends so, and all others as they are.
+ * @property {(start: {pages?: string[], workers?: string[]}) => void} prepend  From now on starts
+ *   every page, and every worker that the driver starts, with these scripts.
+ * @property {((problem: string) => void) | undefined} refused  Hears what was not served.
  * @property {() => Promise<void>} close
  */
 
@@ -37,41 +55,107 @@ const TYPES = {
  */
 export async function serve(...folders) {
   const roots = folders.map((folder) => path.resolve(folder));
-  /** @type {Map<string, string>} */
+  /** @type {Map<string, {html: string, headers: Headers}>} */
   const pages = new Map();
+  /** @type {[string, Instead][]} */
+  let replaced = [];
+  /** @type {{pages: string[], workers: string[]}} */
+  let scripts = { pages: [], workers: [] };
+
+  const insteadOf = (/** @type {string} */ name) => (
+    replaced.find(([end]) => name.endsWith(end))?.[1] ?? {}
+  );
+
+  const answer = async (/** @type {URL} */ url) => {
+    const name = decodeURIComponent(url.pathname);
+    const own = fromDriver(url, scripts);
+    if (own !== undefined) {
+      // A worker that the driver starts obeys the headers of the real one's file.
+      const { headers } = insteadOf(new URL(url.searchParams.get('of') ?? url).pathname);
+      return { status: 200, type: TYPES['.js'], headers, body: own };
+    }
+    const page = pages.get(name);
+    const instead = insteadOf(name);
+    const file = await find(roots, name.endsWith('/') ? `${name}index.html` : name);
+    if (page === undefined && file === undefined && instead.body === undefined) {
+      return { status: 404, type: 'text/plain', body: `no ${name}`, ...instead };
+    }
+    const body = instead.body ?? page?.html ?? await readFile(/** @type {string} */ (file));
+    const type = TYPES[page ? '.html' : path.extname(file ?? name)] ?? 'application/octet-stream';
+    return { status: 200, type, headers: page?.headers, ...instead, body };
+  };
 
   const server = createServer(async (request, response) => {
-    const name = decodeURIComponent(new URL(request.url ?? '/', 'http://local').pathname);
-    const page = pages.get(name);
-    if (page !== undefined) {
-      response.writeHead(200, { 'content-type': TYPES['.html'] }).end(page);
-      return;
+    const url = new URL(request.url ?? '/', 'http://local');
+    const { status, type, headers, body, keep, drop } = await answer(url);
+    if (drop) {
+      request.socket.destroy();
+    } else {
+      response.writeHead(status, { 'content-type': type, 'cache-control': 'no-store', ...headers });
+      response.end(started(type, body, scripts.pages).subarray(0, keep));
     }
-    const file = await find(roots, name.endsWith('/') ? `${name}index.html` : name);
-    if (file === undefined) {
-      response.writeHead(404, { 'content-type': 'text/plain' }).end(`no ${name}`);
-      return;
-    }
-    const type = TYPES[path.extname(file)] ?? 'application/octet-stream';
-    response.writeHead(200, { 'content-type': type, 'cache-control': 'no-store' });
-    createReadStream(file).pipe(response);
+    if (drop || status >= 400) served.refused?.(`${drop ? 'dropped' : status}: ${url.pathname}`);
   });
 
   await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(undefined)));
-  const address = server.address();
-  const origin = `http://127.0.0.1:${typeof address === 'object' && address ? address.port : 0}`;
-  return {
+  const address = /** @type {import('node:net').AddressInfo} */ (server.address());
+  const origin = `http://127.0.0.1:${address.port}`;
+  /** @type {Server} */
+  const served = {
     origin,
-    publish(html) {
+    refused: undefined,
+    publish(html, headers = {}) {
       const name = `/page-${pages.size + 1}.html`;
-      pages.set(name, html);
+      pages.set(name, { html, headers });
       return origin + name;
+    },
+    replace(files) {
+      replaced = Object.entries(files);
+    },
+    prepend({ pages: ofPages = [], workers = [] }) {
+      scripts = { pages: ofPages, workers };
     },
     async close() {
       server.closeAllConnections();
       await new Promise((resolve) => server.close(resolve));
     },
   };
+  return served;
+}
+
+/**
+ * What the driver itself puts beside the site: a page's first script, and a
+ * worker that starts another.
+ * @param {URL} url @param {{pages: string[], workers: string[]}} scripts
+ */
+function fromDriver(url, scripts) {
+  const about = url.searchParams;
+  const line = JSON.stringify(about.get('line'));
+  if (url.pathname === '/driver/page.js') return scripts.pages.join('\n');
+  if (url.pathname === '/driver/hook.js') {
+    return [`(${rememberContexts})();`, `(${answerPage})(${line});`, ...scripts.workers].join('\n');
+  }
+  if (url.pathname !== '/driver/worker.js') return undefined;
+  const hook = `/driver/hook.js?${new URLSearchParams({ line: about.get('line') ?? '' })}`;
+  const files = [hook, about.get('of')].map((file) => JSON.stringify(file));
+  // Imports run in order, each before the next.
+  if (about.get('type') === 'module') return files.map((file) => `import ${file};`).join('\n');
+  return `importScripts(${files.join(', ')});`;
+}
+
+/**
+ * A body as it is sent: a page with the scripts before everything of its own.
+ * @param {string} type @param {string | Uint8Array} body @param {string[]} scripts
+ */
+function started(type, body, scripts) {
+  const bytes = Buffer.from(body);
+  if (scripts.length === 0 || !type.startsWith('text/html')) return bytes;
+  const html = bytes.toString();
+  const opening = ['<head', '<html', '<!doctype']
+    .map((tag) => html.match(new RegExp(`${tag}(\\s[^>]*)?>`, 'i'))?.[0])
+    .find((found) => found !== undefined) ?? '';
+  const at = html.indexOf(opening) + opening.length;
+  return Buffer.from(`${html.slice(0, at)}<script src="/driver/page.js"></script>${html.slice(at)}`);
 }
 
 /**

@@ -60,6 +60,14 @@ struct Made {
     burnt: f64,
 }
 
+/// What was done since the last picture: where they are shown more slowly than the
+/// engine's frames come, the fire burns on between two.
+#[derive(Default)]
+struct Since {
+    steps_ms: f64,
+    burnt: f64,
+}
+
 /// A fire and all that belongs to it.
 pub struct Fire {
     id: u32,
@@ -84,6 +92,8 @@ pub struct Fire {
     /// Whether the picture is not what it should show.
     stale: bool,
     asked: Vec<Asked>,
+    /// Requests whose steps are made and not drawn yet.
+    made: Vec<Option<f64>>,
     clock: Clock,
     /// Length of the last step in seconds of fire: about what the next will have.
     last_step: f64,
@@ -97,6 +107,7 @@ pub struct Fire {
     step_length: f64,
     power: f64,
     told_at: f64,
+    since: Since,
 }
 
 impl Fire {
@@ -121,6 +132,7 @@ impl Fire {
             playing: !start.paused,
             stale: true,
             asked: Vec::new(),
+            made: Vec::new(),
             clock: Clock::new(),
             last_step: 0.0,
             fps: FpsCounter::new(),
@@ -132,6 +144,7 @@ impl Fire {
             step_length: 0.0,
             power: 0.0,
             told_at: f64::NEG_INFINITY,
+            since: Since::default(),
         }
     }
 
@@ -256,7 +269,8 @@ impl Fire {
 
     /// Whether it has anything to do in the next frame.
     pub fn wants_frame(&self) -> bool {
-        !self.asked.is_empty() || (self.seen() && (self.playing || self.wants_picture()))
+        let open = !self.asked.is_empty() || !(self.made.is_empty() || self.seen());
+        open || (self.seen() && (self.playing || self.wants_picture()))
     }
 
     fn wants_picture(&self) -> bool {
@@ -281,7 +295,6 @@ impl Fire {
     ) {
         let scale = f64::from(self.wanted.parameters.time_scale);
         let passed = if self.playing && self.seen() {
-            self.fps.frame(now / 1000.0);
             Some(self.clock.advance(now / 1000.0, scale))
         } else {
             None
@@ -307,7 +320,7 @@ impl Fire {
             self.pace.frame(passed, scale, made.burnt, dropped);
             smooth(&mut self.steps_per_frame, f64::from(made.played));
         }
-        let finished = self.take_finished();
+        self.take_made();
 
         // Asked-for steps are a jump: what lies between is not shown.
         let stands = passed.is_none();
@@ -317,13 +330,21 @@ impl Fire {
         } else {
             0.0
         };
-        // Steps that somebody asked for say nothing about what time brings.
-        if passed.is_some() && made.steps == made.played {
+        self.since.steps_ms += made.stages.iter().sum::<f64>();
+        self.since.burnt += made.burnt;
+        if passed.is_some() && made.steps != made.played {
+            // Steps that somebody asked for say nothing about what time brings.
+            self.quality.skip();
+            self.since = Since::default();
+        } else if passed.is_some() && drawn {
+            self.fps.frame(now / 1000.0);
+            let since = std::mem::take(&mut self.since);
             let on_card = self.picture.passes().map_or(0.0, |passes| passes.on_card());
             let frame = Frame {
                 now,
-                steps_ms: made.stages.iter().sum(),
-                made: made.burnt,
+                apart: self.limits.apart(),
+                steps_ms: since.steps_ms,
+                made: since.burnt,
                 draw_ms: if on_card > draw_ms { on_card } else { draw_ms },
                 time_scale: scale,
                 slowed: self.pace.slowed(),
@@ -336,15 +357,16 @@ impl Fire {
                 self.pace.forgive();
                 self.adapt();
             }
-        } else if passed.is_some() {
-            self.quality.skip();
-        }
-        for request in finished {
-            out.done(self.id, request);
         }
         if (drawn && stands) || now - self.told_at >= STATS_EVERY_MS {
             self.told_at = now;
             self.tell(easel, out);
+        }
+        // Whoever waits for steps finds them in picture and statistics.
+        if drawn || !self.seen() || !self.asked.is_empty() {
+            for request in self.made.drain(..) {
+                out.done(self.id, request);
+            }
         }
     }
 
@@ -383,11 +405,12 @@ impl Fire {
         Made { steps, ..made }
     }
 
-    /// Takes away the requests that are carried out, and returns them.
-    fn take_finished(&mut self) -> Vec<Option<f64>> {
+    /// Takes away the requests whose steps are made: they are answered when these are
+    /// drawn.
+    fn take_made(&mut self) {
         let open = self.asked.iter().position(Asked::is_open);
-        let done = self.asked.drain(..open.unwrap_or(self.asked.len()));
-        done.map(|asked| asked.request).collect()
+        let made = self.asked.drain(..open.unwrap_or(self.asked.len()));
+        self.made.extend(made.map(|asked| asked.request));
     }
 
     /// Draws it; returns how long that took \[ms\].
@@ -465,6 +488,7 @@ impl Fire {
         self.clock.restart();
         self.fps.skip();
         self.quality.skip();
+        self.since = Since::default();
     }
 }
 

@@ -92,16 +92,21 @@ impl Limits {
         (side(width).max(1), side(height).max(1))
     }
 
+    /// Least time between two pictures \[ms\].
+    pub fn apart(&self) -> f64 {
+        self.fps.map_or(0.0, |fps| 1000.0 / fps)
+    }
+
     /// Whether a frame at `now` \[ms\] is one to draw in, where `next` is when the
     /// next one may come.
     pub fn is_due(&self, now: f64, next: &mut f64) -> bool {
-        let Some(fps) = self.fps else {
+        if self.fps.is_none() {
             return true;
-        };
+        }
         if now < *next - EARLY {
             return false;
         }
-        let interval = 1000.0 / fps;
+        let interval = self.apart();
         // In step with the display, but not to make up for a pause.
         *next = if now > *next + interval { now } else { *next } + interval;
         true

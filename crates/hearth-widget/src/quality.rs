@@ -42,11 +42,13 @@ impl Level {
     }
 }
 
-/// What a frame took.
+/// What a frame took, and all that came since the one before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// When it came \[ms\].
     pub now: f64,
+    /// Least time since the one before that somebody asked for; 0 where nobody did \[ms\].
+    pub apart: f64,
     /// Time of its steps \[ms\].
     pub steps_ms: f64,
     /// Seconds of fire that they made.
@@ -248,6 +250,10 @@ impl Quality {
         }
         let window = std::mem::take(&mut self.window);
         self.watch_display(window.quartile());
+        // Who is to draw seldom is not late.
+        if self.display < frame.apart {
+            self.display = frame.apart;
+        }
         if self.wish.is_some() || window.made == 0.0 {
             return false;
         }

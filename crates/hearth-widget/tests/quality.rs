@@ -57,6 +57,7 @@ impl Burning {
             self.now += gap;
             let changed = self.quality.frame(&Frame {
                 now: self.now,
+                apart: 0.0,
                 steps_ms,
                 made: steps_ms / rate,
                 draw_ms,
@@ -247,6 +248,7 @@ fn steps_that_somebody_asked_for_make_no_coarser_picture() {
 fn idle() -> Frame {
     Frame {
         now: 0.0,
+        apart: 0.0,
         steps_ms: 2.0,
         made: FAST.display * 1e-3,
         draw_ms: 0.5,
@@ -423,6 +425,7 @@ fn several_fires_share_the_frame() {
         now += FAST.display;
         quality.frame(&Frame {
             now,
+            apart: 0.0,
             steps_ms: 6.0,
             made: FAST.display * 1e-3,
             draw_ms: 1.0,
@@ -433,4 +436,18 @@ fn several_fires_share_the_frame() {
         });
     }
     assert_eq!(quality.level(), Level::Low);
+}
+
+#[test]
+fn a_fire_that_is_to_draw_seldom_is_not_late() {
+    let mut quality = Quality::new(None, Level::Medium);
+    for frame in 0..300 {
+        quality.frame(&Frame {
+            now: 100.0 * f64::from(frame),
+            apart: 100.0,
+            made: 0.1,
+            ..idle()
+        });
+    }
+    assert!(quality.level() >= Level::Medium, "{}", quality.reason());
 }

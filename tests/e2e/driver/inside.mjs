@@ -1,0 +1,176 @@
+/**
+ * What the driver does inside a page and inside its workers. Each function is
+ * sent there as text, so that none may use anything of this file.
+ */
+
+/**
+ * Runs in the page and in its workers, before any script of theirs: knows every
+ * WebGL2 context, so that a test can lose one as a driver's crash would, and counts
+ * what is held in contexts and by wasm. What nobody else holds may go.
+ */
+export function rememberContexts() {
+  const scope = /** @type {any} */ (globalThis);
+  /** @type {WeakRef<any>[]} */
+  const known = [];
+  Object.defineProperty(scope, 'contexts', {
+    get: () => known.map((one) => one.deref()).filter((context) => context !== undefined),
+  });
+  for (const type of [scope.HTMLCanvasElement, scope.OffscreenCanvas]) {
+    if (!type) continue;
+    const original = type.prototype.getContext;
+    type.prototype.getContext = function getContext(...args) {
+      const context = original.apply(this, args);
+      if (args[0] === 'webgl2' && context && !scope.contexts.includes(context)) {
+        known.push(new WeakRef(context));
+      }
+      return context;
+    };
+  }
+  // A context that stays has to be free of what was made in it.
+  let objects = 0;
+  const { prototype } = scope.WebGL2RenderingContext ?? {};
+  for (const name of ['Texture', 'Buffer', 'Framebuffer', 'Program', 'VertexArray', 'Query']) {
+    for (const [verb, more] of [['create', 1], ['delete', -1]]) {
+      const original = prototype?.[verb + name];
+      if (!original) continue;
+      prototype[verb + name] = function counted(object) {
+        if (verb === 'create' || object) objects += more;
+        return original.call(this, object);
+      };
+    }
+  }
+  /** @type {WeakRef<WebAssembly.Memory>[]} */
+  const memories = [];
+  for (const name of ['instantiate', 'instantiateStreaming']) {
+    const original = scope.WebAssembly?.[name];
+    if (!original) continue;
+    scope.WebAssembly[name] = async (...args) => {
+      const made = await original.apply(scope.WebAssembly, args);
+      for (const value of Object.values((made.instance ?? made).exports)) {
+        if (value instanceof WebAssembly.Memory) memories.push(new WeakRef(value));
+      }
+      return made;
+    };
+  }
+  const living = () => scope.contexts.filter((context) => !context.isContextLost());
+  scope.driven = {
+    /** How many contexts are alive. */
+    count: () => living().length,
+    /** How many things of a graphics card were made in contexts and not deleted. */
+    objects: () => objects,
+    /** Bytes of all wasm's memory. */
+    memory: () => memories.reduce((sum, one) => sum + (one.deref()?.buffer.byteLength ?? 0), 0),
+    /** Loses the contexts that are alive, for so long; says how many. */
+    lose(milliseconds) {
+      const lost = living();
+      for (const context of lost) {
+        // A lost context does not give the extension that brings it back.
+        const extension = context.getExtension('WEBGL_lose_context');
+        extension.loseContext();
+        if (milliseconds !== null) setTimeout(() => extension.restoreContext(), milliseconds);
+      }
+      return lost.length;
+    },
+  };
+}
+
+/**
+ * Runs in a worker after `rememberContexts`: answers the page's driver, on a line of
+ * its own so that the worker's messages stay the page's, and hands over its complaints.
+ * @param {string} line
+ */
+export function answerPage(line) {
+  const { driven } = /** @type {any} */ (globalThis);
+  const channel = new BroadcastChannel(line);
+  channel.onmessage = ({ data }) => {
+    if (data.ask) channel.postMessage({ answer: data.number, value: driven[data.ask](data.with) });
+  };
+  const complain = (/** @type {string} */ problem) => channel.postMessage({ problem });
+  addEventListener('error', (event) => complain(event.message));
+  addEventListener('unhandledrejection', (event) => complain(String(event.reason)));
+}
+
+/**
+ * Runs in the page after `rememberContexts`: starts each worker of this origin
+ * with the driver's own lines before its own, and asks them.
+ * @param {string} origin  Where the driver's lines are served.
+ */
+export function followWorkers(origin) {
+  if (location.origin !== origin) return;
+  const scope = /** @type {any} */ (window);
+  const line = `driver-${Math.random()}`;
+  const channel = new BroadcastChannel(line);
+  const workers = new Set();
+  /** @type {Map<number, (value: number) => void>} */
+  const waiting = new Map();
+  channel.onmessage = ({ data }) => {
+    if (data.problem) console.error(`in a worker: ${data.problem}`);
+    else if (data.answer) waiting.get(data.answer)?.(data.value);
+  };
+  scope.Worker = class Worker extends scope.Worker {
+    constructor(url, options) {
+      const of = new URL(url, document.baseURI);
+      const type = options?.type ?? 'classic';
+      const about = new URLSearchParams({ of: of.href, type, line });
+      super(of.origin === origin ? `/driver/worker.js?${about}` : url, options);
+      workers.add(this);
+    }
+
+    terminate() {
+      workers.delete(this);
+      super.terminate();
+    }
+  };
+  let number = 0;
+  /** The sum of what page and workers answer; one that cannot start never does. */
+  const sum = async (ask, value) => {
+    number += 1;
+    const own = number;
+    let answered = scope.driven[ask](value);
+    let missing = workers.size;
+    if (missing > 0) {
+      await new Promise((resolve) => {
+        setTimeout(resolve, 5000);
+        waiting.set(own, (more) => {
+          answered += more;
+          missing -= 1;
+          if (missing === 0) resolve(undefined);
+        });
+        channel.postMessage({ ask, with: value, number: own });
+      });
+      waiting.delete(own);
+    }
+    return answered;
+  };
+  scope.driver = {
+    lose: (milliseconds) => sum('lose', milliseconds),
+    contexts: () => sum('count'),
+    objects: () => sum('objects'),
+    memory: () => sum('memory'),
+    workers: () => workers.size,
+  };
+}
+
+/**
+ * Runs in a page whose browser tells nobody of its complaints: keeps them in
+ * `window.complaints`.
+ */
+export function keepComplaints() {
+  const complaints = (/** @type {any} */ (window).complaints = []);
+  for (const type of ['error', 'warn', 'assert']) {
+    const original = console[type];
+    console[type] = (...words) => {
+      if (type !== 'assert' || !words[0]) complaints.push(`console.${type}: ${words.join(' ')}`);
+      original.apply(console, words);
+    };
+  }
+  addEventListener('error', (event) => {
+    const { target } = /** @type {any} */ (event);
+    // Elements have error events of their own, which are the page's to hear.
+    if (event instanceof ErrorEvent) complaints.push(`uncaught: ${event.message}`);
+    else if (target.src ?? target.href) complaints.push(`request failed: ${target.src ?? target.href}`);
+  }, true);
+  addEventListener('unhandledrejection', (event) => {
+    complaints.push(`uncaught: ${event.reason}`);
+  });
+}

@@ -1,0 +1,175 @@
+/**
+ * Chromium, headless on software rendering, and Firefox, in a window that nobody
+ * sees: puppeteer drives both, by their own protocols.
+ */
+import puppeteer from 'puppeteer-core';
+import { Picture } from '../picture.mjs';
+import { display } from './display.mjs';
+import { program } from './programs.mjs';
+import { PATIENCE, Tab } from './tab.mjs';
+
+const CHROMIUM_FLAGS = [
+  '--no-sandbox',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--ignore-gpu-blocklist',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--no-first-run',
+  '--disable-quic',
+];
+
+/** How long a page may take to answer one request of the driver. */
+const protocolTimeout = 4 * PATIENCE;
+
+/** @typedef {import('./browser.mjs').Opening} Opening */
+
+/** @returns {Promise<import('./browser.mjs').Engine>} */
+export async function chromium() {
+  const browser = await puppeteer.launch({
+    executablePath: program(
+      'HEARTH_CHROMIUM',
+      ['chromium', 'chromium-browser', 'google-chrome-stable', 'google-chrome'],
+      'chromium',
+    ),
+    headless: true,
+    args: CHROMIUM_FLAGS,
+    protocolTimeout,
+  });
+  return {
+    browser,
+    async open({ reducedMotion, touch, ...opening }) {
+      const tab = new PuppeteerTab(await browser.newPage());
+      await tab.prepare({ ...opening, touch });
+      await tab.page.emulateMediaFeatures([
+        { name: 'prefers-reduced-motion', value: reducedMotion ? 'reduce' : 'no-preference' },
+      ]);
+      return tab;
+    },
+    close: () => browser.close(),
+  };
+}
+
+/**
+ * @param {{reducedMotion?: boolean}} wishes  It is a preference, so it holds for all pages.
+ * @returns {Promise<import('./browser.mjs').Engine>}
+ */
+export async function firefox({ reducedMotion = false }) {
+  const executablePath = program('HEARTH_FIREFOX', ['firefox-esr', 'firefox'], 'firefox-esr');
+  const screen = await display();
+  const browser = await puppeteer.launch({
+    browser: 'firefox',
+    executablePath,
+    headless: false,
+    env: { ...process.env, DISPLAY: screen.name, WAYLAND_DISPLAY: undefined },
+    extraPrefsFirefox: { 'ui.prefersReducedMotion': reducedMotion ? 1 : 0 },
+    protocolTimeout,
+  }).catch((error) => {
+    screen.close();
+    throw error;
+  });
+  return {
+    browser,
+    async open({ reducedMotion: wanted, ...opening }) {
+      if (wanted && !reducedMotion) throw new Error('Firefox learns of reduced motion when it starts');
+      const tab = new PuppeteerTab(await browser.newPage());
+      await tab.prepare(opening);
+      return tab;
+    },
+    async close() {
+      await browser.close();
+      screen.close();
+    },
+  };
+}
+
+/** A page of Chromium or Firefox. */
+export class PuppeteerTab extends Tab {
+  /** @param {import('puppeteer-core').Page} page */
+  constructor(page) {
+    super();
+    this.page = page;
+    page.on('console', (message) => {
+      if (['error', 'warn', 'warning', 'assert'].includes(message.type())) {
+        this.problems.push(`console.${message.type()}: ${message.text()}`);
+      }
+    });
+    page.on('pageerror', (error) => {
+      this.problems.push(`uncaught: ${error instanceof Error ? error.message : error}`);
+    });
+    page.on('requestfailed', (request) => {
+      this.problems.push(`request failed: ${request.url()} ${request.failure()?.errorText ?? ''}`);
+    });
+    page.on('response', (response) => {
+      if (response.status() >= 400) this.problems.push(`${response.status()}: ${response.url()}`);
+    });
+  }
+
+  /** @param {Omit<Opening, 'reducedMotion'>} opening */
+  async prepare({ width, height, ratio, touch, before }) {
+    await this.page.setViewport({
+      width,
+      height,
+      deviceScaleFactor: ratio,
+      isMobile: touch,
+      hasTouch: touch,
+    });
+    for (const script of before) await this.page.evaluateOnNewDocument(script);
+  }
+
+  /** @param {string} url */
+  async go(url) {
+    await this.page.goto(url, { waitUntil: 'load' });
+  }
+
+  /** @override */
+  evaluate(act, ...args) {
+    return this.page.evaluate(act, ...args);
+  }
+
+  /** @override */
+  on(selector, act, ...args) {
+    return this.page.$eval(selector, act, ...args);
+  }
+
+  /** @override */
+  async until(what, holds, ...args) {
+    try {
+      const handle = await this.page.waitForFunction(
+        holds,
+        { timeout: PATIENCE, polling: 50 },
+        ...args,
+      );
+      return await handle.jsonValue();
+    } catch (error) {
+      const why = error instanceof Error ? error.message : String(error);
+      throw new Error(`never came true: ${what} (${why}); problems: ${this.problems.join('; ')}`);
+    }
+  }
+
+  /** @override */
+  async picture(clip) {
+    return Picture.decode(await this.page.screenshot({ clip, type: 'png' }));
+  }
+
+  /** @override */
+  mouse(what, at) {
+    const { mouse } = this.page;
+    return what === 'move' ? mouse.move(at.x, at.y) : mouse[what]();
+  }
+
+  /** @override */
+  finger(at) {
+    return this.page.touchscreen.touchStart(at.x, at.y);
+  }
+
+  /** @override */
+  press(key) {
+    return this.page.keyboard.press(/** @type {any} */ (key));
+  }
+
+  async close() {
+    await this.page.close();
+  }
+}

@@ -1,0 +1,240 @@
+/**
+ * How a fire behaves on the page of somebody else: when it starts, what it shows
+ * until then, how much it may draw, what it does with a pointer, and that it goes
+ * without a trace.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { assertBurns, events, progress, recording } from './laws.mjs';
+import { Picture } from './picture.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+/** A page whose fires run where it says. */
+const at = (/** @type {string} */ place, /** @type {string} */ body) => `${body}<script type="module">
+  import { HearthFire } from '/web/hearth-fire.js';
+  HearthFire.engine = '${place}';
+</script>`;
+
+/** Whether the engine's files were asked for. */
+const loaded = (tab) => tab.evaluate(() => (
+  performance.getEntriesByType('resource').some(({ name }) => name.endsWith('hearth-widget_bg.wasm'))
+));
+
+for (const place of ['worker', 'main']) {
+  test(`an engine that is to run in ${place} does, and its fire burns, stops and goes`, async () => {
+    const tab = await browser.open(at(place, '<hearth-fire></hearth-fire>'));
+    await tab.burnt(1);
+    assert.equal(await tab.fire((fire) => fire.stats.engine), place);
+    const { contexts, workers } = await tab.living();
+    assert.deepEqual({ contexts, workers }, { contexts: 1, workers: place === 'worker' ? 1 : 0 });
+    await assertBurns(tab);
+    await tab.fire((fire) => fire.pause());
+    assert.equal((await tab.firePicture()).difference(await tab.firePicture()), 0);
+    await tab.loseContext(200);
+    await tab.fire((fire) => fire.play());
+    await tab.burnt((await progress(tab)).start + 0.5);
+    await assertBurns(tab);
+    await tab.fire((fire) => fire.destroy());
+    assert.equal((await tab.firePicture()).glowing(), 0, 'there is no picture left');
+    await tab.until('nothing of the engine is left', async () => {
+      const { driver } = /** @type {any} */ (window);
+      return (await driver.contexts()) === 0 && driver.workers() === 0;
+    });
+    await tab.fire((fire) => document.body.append(fire));
+    await tab.burnt(0.5);
+    assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+  });
+}
+
+test('where a worker cannot draw, the main thread does', async () => {
+  const tab = await browser.open('<hearth-fire></hearth-fire>', {
+    beforeWorker: () => {
+      OffscreenCanvas.prototype.getContext = () => null;
+    },
+  });
+  await tab.burnt(0.5);
+  assert.equal(await tab.fire((fire) => fire.stats.engine), 'main');
+  await assertBurns(tab);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('where no canvas off the screen can be drawn on, one of the page is', async () => {
+  const tab = await browser.open('<hearth-fire></hearth-fire>', {
+    before: () => {
+      const original = OffscreenCanvas.prototype.getContext;
+      OffscreenCanvas.prototype.getContext = function getContext(kind, ...rest) {
+        return kind === 'webgl2' ? null : original.call(this, kind, ...rest);
+      };
+    },
+    beforeWorker: () => {
+      OffscreenCanvas.prototype.getContext = () => null;
+    },
+  });
+  await tab.burnt(1);
+  await assertBurns(tab);
+  const blob = await tab.fire(async (fire) => (await fire.toBlob()).size);
+  assert.ok(blob > 1000);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('loading: eager at once, lazy when it is about to be seen', async () => {
+  const far = (/** @type {string} */ loading) => `<div style="height: 3000px"></div><hearth-fire loading="${loading}"></hearth-fire>`;
+  const eager = await browser.open(far('eager'));
+  await eager.ready();
+  const lazy = await browser.open(far('lazy'));
+  await lazy.frames(20);
+  assert.equal(await loaded(lazy), false, 'nothing is loaded for a fire that nobody sees');
+  await lazy.evaluate(() => window.scrollTo(0, 3000));
+  await lazy.burnt(0.2);
+  const auto = await browser.open(far('auto'));
+  await auto.ready();
+  assert.equal(await auto.fire((fire) => fire.loading), 'auto');
+});
+
+test('a poster stands until there is a picture, and where there is none', async () => {
+  const image = 'data:image/svg+xml,<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><rect width="1" height="1" fill="lime"/></svg>';
+  const body = `<hearth-fire poster='${image}' style="width: 200px; height: 200px"></hearth-fire>`;
+  const late = await browser.open(body, { without: 'hearth-widget_bg.wasm' });
+  await late.fire((fire) => fire.ready.catch(() => {}));
+  const lime = (picture) => picture.share((r, g) => g > 200 && r < 100);
+  assert.ok(lime(await late.firePicture()) > 0.5, 'the poster is seen');
+  const good = await browser.open(body);
+  await good.burnt(0.5);
+  await good.frames(4);
+  assert.equal(lime(await good.firePicture()), 0, 'the poster is gone');
+});
+
+test('a picture has no more pixels than it may, and no more pictures come than may', async () => {
+  const tab = await browser.open(
+    '<hearth-fire max-pixels="10000" fps-limit="10" quality="low" style="width: 400px; height: 300px"></hearth-fire>',
+  );
+  await tab.burnt(1);
+  const size = await tab.fire((fire) => {
+    const { width, height } = fire.shadowRoot.querySelector('canvas');
+    return { width, height };
+  });
+  assert.ok(size.width * size.height <= 10_000, JSON.stringify(size));
+  assert.ok(Math.abs(size.width / size.height - 4 / 3) < 0.03, JSON.stringify(size));
+  await tab.burnt(2);
+  const { fps } = await tab.fire((fire) => fire.stats);
+  assert.ok(fps < 11, `${fps} pictures a second`);
+  await tab.fire((fire) => {
+    fire.maxPixels = '';
+    fire.removeAttribute('max-pixels');
+  });
+  await tab.until('the whole size', () => (
+    document.querySelector('hearth-fire')?.shadowRoot?.querySelector('canvas')?.width === 400
+  ));
+});
+
+test('limits, choices and touch actions that are none are refused by name', async () => {
+  const tab = await browser.open(recording(
+    '<hearth-fire fps-limit="fast" max-pixels="9" loading="soon" reduced-motion="no" touch-action="wave"></hearth-fire>',
+  ));
+  await tab.burnt(0.2);
+  const errors = await events(tab, 'error');
+  const ids = errors.map(({ kind, id }) => `${kind} ${id}`).sort();
+  assert.deepEqual(ids, [
+    'bad-parameter fps_limit', 'bad-parameter loading', 'bad-parameter max_pixels',
+    'bad-parameter reduced-motion', 'bad-parameter touch-action',
+  ]);
+  const { message, min, max } = errors.find(({ id }) => id === 'fps_limit');
+  assert.deepEqual([min, max], [10, 240]);
+  assert.match(message, /fast.*from 10 to 240/);
+});
+
+test('a pointer stirs an interactive fire and no other', async () => {
+  const tab = await browser.open('<hearth-fire model="classic" quality="low" seed="3"></hearth-fire>');
+  await tab.burnt(1);
+  const through = await tab.evaluate(() => document.elementFromPoint(120, 120)?.tagName);
+  assert.notEqual(through, 'HEARTH-FIRE', 'a decorative fire lets clicks through');
+  const swept = async () => {
+    await tab.fire((fire) => fire.reset());
+    await tab.fire((fire) => fire.step(240));
+    await tab.fire((fire) => fire.play());
+    for (let round = 0; round < 4; round += 1) {
+      await tab.drag({ x: 20, y: 190 }, { x: 220, y: 190 });
+      await tab.mouse('move', { x: 20, y: 10 });
+    }
+    await tab.fire((fire) => fire.pause());
+    return (await tab.firePicture()).part(0.62, 0.5, 1, 1).glowing();
+  };
+  const still = await swept();
+  await tab.fire((fire) => (fire.interactive = true));
+  assert.equal(await tab.evaluate(() => document.elementFromPoint(120, 120)?.tagName), 'HEARTH-FIRE');
+  const moved = await swept();
+  assert.ok(moved > still + 0.005, `${moved} of the right half glows, ${still} unstirred`);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a finger on an interactive fire scrolls the page up and down unless it is told otherwise', async () => {
+  const tab = await browser.open(
+    '<hearth-fire interactive></hearth-fire><div style="height: 3000px"></div>',
+    { touch: true },
+  );
+  await tab.burnt(0.2);
+  const action = () => tab.fire((fire) => getComputedStyle(fire.shadowRoot.querySelector('.root')).touchAction);
+  assert.equal(await action(), 'pan-y');
+  await tab.touchDrag({ x: 120, y: 200 }, { x: 120, y: 40 });
+  await tab.until('the page has scrolled', () => window.scrollY > 50);
+  await tab.fire((fire) => (fire.touchAction = 'none'));
+  assert.equal(await action(), 'none');
+  await tab.fire((fire) => fire.removeAttribute('touch-action'));
+  assert.equal(await action(), 'pan-y');
+});
+
+test('a picture can be kept, with what shines through', async () => {
+  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  await tab.fire((fire) => fire.step(600));
+  const keep = (type) => tab.fire(async (fire, wanted) => {
+    const blob = await fire.toBlob(...(wanted ? [wanted, 0.9] : []));
+    const canvas = new OffscreenCanvas(240, 240);
+    const context = /** @type {any} */ (canvas.getContext('2d'));
+    context.drawImage(await createImageBitmap(blob), 0, 0);
+    const corner = [...context.getImageData(4, 4, 1, 1).data];
+    return { type: blob.type, corner, bytes: [...new Uint8Array(await blob.arrayBuffer())] };
+  }, type);
+  const png = await keep('');
+  assert.equal(png.type, 'image/png');
+  const picture = Picture.decode(Uint8Array.from(png.bytes));
+  assert.deepEqual([picture.width, picture.height], [240, 240]);
+  assert.deepEqual(png.corner, [0, 0, 0, 0], 'the corner is transparent');
+  assert.ok(picture.part(0.3, 0.4, 0.7, 1).glowing() > 0.02, 'it shows the fire');
+  assert.equal((await keep('image/webp')).type, 'image/webp');
+});
+
+test('a stream of a burning fire is a video that moves', async () => {
+  const tab = await browser.open('<hearth-fire></hearth-fire>');
+  await tab.burnt(0.5);
+  const seen = await tab.fire(async (fire) => {
+    const stream = await fire.captureStream(30);
+    const video = document.createElement('video');
+    video.muted = true;
+    video.srcObject = stream;
+    await video.play();
+    const canvas = new OffscreenCanvas(240, 240);
+    const context = /** @type {any} */ (canvas.getContext('2d'));
+    const light = () => {
+      context.drawImage(video, 0, 0, 240, 240);
+      return [...context.getImageData(60, 100, 120, 140).data];
+    };
+    const pictures = [];
+    for (let frame = 0; frame < 2; frame += 1) {
+      await new Promise((resolve) => /** @type {any} */ (video).requestVideoFrameCallback(resolve));
+      await new Promise((resolve) => setTimeout(resolve, 300));
+      pictures.push(light());
+    }
+    stream.getTracks().forEach((track) => track.stop());
+    const [one, two] = pictures;
+    return { bright: Math.max(...two.filter((_, at) => at % 4 === 0)), moved: one.some((value, at) => Math.abs(value - two[at]) > 20) };
+  });
+  assert.ok(seen.bright > 100, `${seen.bright}`);
+  assert.ok(seen.moved);
+});

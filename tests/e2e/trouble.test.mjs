@@ -1,0 +1,145 @@
+/**
+ * What a fire does where it cannot burn, or where something of it does not come as
+ * it should: it says so, shows its poster, and harms nothing else of the page.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { assertBurns, events, recording } from './laws.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+const WASM = 'hearth-widget_bg.wasm';
+const BODY = recording('<hearth-fire><p slot="poster" id="poster">A poster</p></hearth-fire>');
+
+/** Asserts that there is no fire, that it was said why, and that nothing else broke. */
+async function assertSaid(tab, kind, named) {
+  const rejected = await tab.fire((fire) => fire.ready.then(() => null, (error) => error.kind));
+  assert.equal(rejected, kind);
+  const errors = await events(tab, 'error');
+  assert.equal(errors.length, 1, JSON.stringify(errors));
+  assert.equal(errors[0].kind, kind);
+  assert.match(errors[0].message, named);
+  const seen = await tab.fire((fire) => ({
+    words: fire.shadowRoot.querySelector('[part=message]').textContent,
+    poster: document.querySelector('#poster').checkVisibility(),
+  }));
+  assert.deepEqual(seen, { words: errors[0].message, poster: true });
+  // What is asked of it now is refused and not forgotten.
+  assert.equal(await tab.fire((fire) => fire.set('exposure', 1).then(() => 'set', () => 'refused')), 'refused');
+  const uncaught = (await tab.complaints()).filter((problem) => problem.startsWith('uncaught'));
+  assert.deepEqual(uncaught, []);
+}
+
+for (const [what, instead, named] of [
+  ['is missing', { status: 404, body: '<!doctype html>', type: 'text/html' }, /hearth-widget_bg\.wasm gave 404/],
+  ['never comes', { drop: true }, /could not be loaded/],
+  ['is cut off', { keep: 20_000 }, /could not be loaded/],
+  ['is a page', { body: '<!doctype html><p>Hello', type: 'text/html' }, /no wasm file.*text\/html/],
+  ['is a page that calls itself wasm', { body: '<!doctype html><p>Hello' }, /could not be loaded/],
+  ['is empty', { body: '', type: 'text/plain' }, /no wasm file/],
+]) {
+  test(`wasm that ${what} is said, with the poster`, async () => {
+    const tab = await browser.open(BODY, { files: { [WASM]: instead } });
+    await assertSaid(tab, 'load', named);
+  });
+}
+
+test('wasm that is served as something else burns all the same, and it is said', async () => {
+  const tab = await browser.open(BODY, { files: { [WASM]: { type: 'application/octet-stream' } } });
+  await tab.burnt(0.5);
+  await assertBurns(tab);
+  const errors = await events(tab, 'error');
+  assert.equal(errors.length, 1);
+  assert.equal(errors[0].kind, 'load');
+  assert.match(errors[0].message, /application\/octet-stream instead of application\/wasm/);
+});
+
+test('a policy that forbids wasm is said, with the poster', async () => {
+  const scripts = "script-src 'self' 'unsafe-inline'";
+  const tab = await browser.open(BODY, { headers: { 'content-security-policy': scripts } });
+  await assertSaid(tab, 'load', /could not be loaded/);
+});
+
+test('a policy that forbids workers is no trouble', async () => {
+  const policy = "script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; worker-src 'none'";
+  const tab = await browser.open(BODY, { headers: { 'content-security-policy': policy } });
+  await tab.burnt(0.5);
+  assert.equal(await tab.fire((fire) => fire.stats.engine), 'main');
+  await assertBurns(tab);
+});
+
+test('a worker whose script does not come is no trouble', async () => {
+  const tab = await browser.open(BODY, { files: { 'engine-worker.js': { status: 404, body: 'no', type: 'text/plain' } } });
+  await tab.burnt(0.5);
+  assert.equal(await tab.fire((fire) => fire.stats.engine), 'main');
+  assert.deepEqual(await events(tab, 'error'), []);
+});
+
+test('a browser without WebGL2 is said, with the poster', async () => {
+  const blind = () => {
+    for (const type of [globalThis.HTMLCanvasElement, globalThis.OffscreenCanvas]) {
+      if (type) type.prototype.getContext = () => null;
+    }
+  };
+  const tab = await browser.open(BODY, { before: blind, beforeWorker: blind });
+  await assertSaid(tab, 'unsupported', /WebGL2/);
+});
+
+test('a browser without wasm SIMD is said, with the poster', async () => {
+  const tab = await browser.open(BODY, { before: () => (WebAssembly.validate = () => false) });
+  await assertSaid(tab, 'unsupported', /SIMD/);
+});
+
+test('an engine that breaks is said, and the next fire has a new one', async () => {
+  const tab = await browser.open(BODY, {
+    beforeWorker: () => {
+      // A defect of the engine would end in an error out of nowhere, as this.
+      addEventListener('message', ({ data }) => {
+        if (data.type === 'reset') setTimeout(() => { throw new Error('a defect'); });
+      });
+    },
+  });
+  await tab.burnt(0.3);
+  await tab.fire((fire) => void fire.reset());
+  await tab.until('it is said', () => (
+    /** @type {any} */ (window).events.some(({ type }) => type === 'error')
+  ));
+  assert.match((await events(tab, 'error'))[0].message, /engine has stopped.*a defect/);
+  await tab.fire(async (fire) => {
+    fire.remove();
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    document.body.append(fire);
+    await fire.ready;
+  });
+  await tab.burnt(0.3);
+  await assertBurns(tab);
+});
+
+test('an attribute, property or preset that is no good leaves the fire as it is', async () => {
+  const tab = await browser.open(recording('<hearth-fire exposure="0.5"></hearth-fire>'));
+  await tab.burnt(0.3);
+  const before = await tab.fire((fire) => fire.params);
+  await tab.fire((fire) => {
+    fire.setAttribute('exposure', 'bright');
+    fire.exposure = 1e9;
+    fire.preset = 'sead';
+    fire.quality = 'best';
+    fire.set('exposurr', 1);
+    fire.setAttribute('background', 'x'.repeat(100_000));
+  });
+  await tab.until('each is refused', () => (
+    /** @type {any} */ (window).events.filter(({ type }) => type === 'error').length === 6
+  ));
+  const errors = await events(tab, 'error');
+  const named = ['exposure', 'exposure', 'preset', 'quality', 'exposurr', 'background'];
+  assert.deepEqual(errors.map(({ id }) => id).sort(), [...named].sort());
+  for (const { message } of errors) assert.ok(message.length < 400, `${message.length} letters`);
+  assert.deepEqual(await tab.fire((fire) => fire.params), before);
+  await assertBurns(tab);
+});

@@ -7,7 +7,7 @@
 
 /**
  * The engine's wasm: where it is, or its bytes.
- * @returns {URL | BufferSource}
+ * @returns {import('./engine.js').Source}
  */
 export function wasm() {
   return new URL('./wasm/hearth-widget_bg.wasm', import.meta.url);

@@ -11,6 +11,7 @@
  *   or a canvas to be copied from at once
  * @typedef {{heard: (message: Message) => void, drawn: (picture: Drawn) => void}} Listener
  * @typedef {'auto' | 'worker' | 'main'} Place
+ * @typedef {string | URL | BufferSource | Promise<BufferSource>} Source where wasm is, or its bytes
  */
 
 import { glue, wasm, worker } from './engine-files.js';
@@ -143,7 +144,7 @@ let current;
 /**
  * Connects to the page's engine, which is loaded at the first call. A failure
  * is not remembered: the next call tries again.
- * @param {string | URL | BufferSource} [source] the wasm, if it is not beside its script
+ * @param {Source} [source] the wasm, if it is not beside its script
  * @param {Place} [place]
  * @returns {Promise<EnginePort>}
  */
@@ -155,7 +156,7 @@ export function connect(source, place = 'auto') {
   return opening;
 }
 
-/** @type {(source: string | URL | BufferSource, place: Place) => Promise<EnginePort>} */
+/** @type {(source: Source, place: Place) => Promise<EnginePort>} */
 async function load(source, place) {
   const lacking = missing();
   if (lacking) throw new EngineError('unsupported', lacking);
@@ -174,16 +175,17 @@ async function load(source, place) {
 
 /**
  * Fetches the wasm and compiles it, while it comes in where the server says what it is.
- * @param {string | URL | BufferSource} source
+ * @param {Source} source
  * @returns {Promise<{module: WebAssembly.Module, warning: string}>}
  */
 async function compile(source) {
   const failed = (why) => new EngineError('load', `The fire's engine could not be loaded: ${why}`);
   try {
-    if (typeof source !== 'string' && !(source instanceof URL)) {
-      return { module: await WebAssembly.compile(source), warning: '' };
+    const given = await source;
+    if (typeof given !== 'string' && !(given instanceof URL)) {
+      return { module: await WebAssembly.compile(given), warning: '' };
     }
-    const url = new URL(source, document.baseURI).href;
+    const url = new URL(given, document.baseURI).href;
     const response = await fetch(url, { credentials: 'same-origin' });
     if (!response.ok) throw new Error(`${url} gave ${response.status}`);
     const type = response.headers.get('content-type') ?? 'no type';

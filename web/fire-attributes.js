@@ -49,7 +49,7 @@ export class FireAttributes extends Base {
   }
 
   set preset(name) {
-    this.setAttribute('preset', String(name));
+    setOrRemove(this, 'preset', name);
   }
 
   /** Whether it plays from the start. */
@@ -58,37 +58,56 @@ export class FireAttributes extends Base {
   }
 
   set autoplay(autoplay) {
-    this.setAttribute('autoplay', String(Boolean(autoplay)));
+    setOrRemove(this, 'autoplay', autoplay === undefined ? undefined : Boolean(autoplay));
   }
+}
 
-  /** What may be chosen, if it is that, else the usual. @param {keyof typeof CHOICES} name */
-  chosen(name) {
-    const value = this.getAttribute(name) ?? '';
-    return CHOICES[name].includes(value) ? value : CHOICES[name][0];
-  }
-
-  /** Properties set before the element was defined hide its own; they are handed over. */
-  keepEarlyProperties() {
-    for (const name of [...OWN_PROPERTIES, ...ID_OF_PROPERTY.keys()]) {
-      if (Object.hasOwn(this, name)) {
-        const value = this[name];
-        delete this[name];
-        this[name] = value;
-      }
+/**
+ * Hands over properties that were set before the element was defined, and so hide its own.
+ * @param {any} element
+ */
+export function keepEarlyProperties(element) {
+  for (const name of [...OWN_PROPERTIES, ...ID_OF_PROPERTY.keys()]) {
+    if (Object.hasOwn(element, name)) {
+      const value = element[name];
+      delete element[name];
+      element[name] = value;
     }
   }
+}
+
+/**
+ * What an attribute chooses, if it can be chosen, else the usual.
+ * @param {HTMLElement} element
+ * @param {keyof typeof CHOICES} name
+ * @returns {any}
+ */
+export function chosen(element, name) {
+  const value = element.getAttribute(name) ?? '';
+  return CHOICES[name].includes(value) ? value : CHOICES[name][0];
 }
 
 // The others are kept in their attributes as HTML's own elements keep theirs: texts,
 // and flags, which are there or not.
 for (const name of ['src', 'poster', 'alt', 'max-pixels', 'fps-limit', 'touch-action']) {
-  reflect(name, (element) => element.getAttribute(name) ?? '', (element, value) => element.setAttribute(name, String(value)));
+  reflect(name, (element) => element.getAttribute(name) ?? '', (element, value) => setOrRemove(element, name, value));
 }
 for (const name of /** @type {(keyof typeof CHOICES)[]} */ (Object.keys(CHOICES))) {
-  reflect(name, (element) => element.chosen(name), (element, value) => element.setAttribute(name, String(value)));
+  reflect(name, (element) => chosen(element, name), (element, value) => setOrRemove(element, name, value));
 }
 for (const name of ['interactive', 'controls']) {
   reflect(name, (element) => element.hasAttribute(name), (element, value) => element.toggleAttribute(name, Boolean(value)));
+}
+
+/**
+ * Sets an attribute; without a value, takes it away.
+ * @param {HTMLElement} element
+ * @param {string} name
+ * @param {unknown} value
+ */
+export function setOrRemove(element, name, value) {
+  if (value === undefined || value === null) element.removeAttribute(name);
+  else element.setAttribute(name, String(value));
 }
 
 /** @type {(attribute: string, get: (element: any) => unknown, set: (element: any, value: unknown) => void) => void} */

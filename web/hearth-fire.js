@@ -14,10 +14,11 @@
 
 import { DEFAULTS } from './defaults.js';
 import { EngineError } from './engine.js';
-import { CHOICES, FireAttributes, ID_OF_ATTRIBUTE, ID_OF_PROPERTY } from './fire-attributes.js';
+import {
+  FireAttributes, ID_OF_ATTRIBUTE, ID_OF_PROPERTY, chosen, keepEarlyProperties, setOrRemove,
+} from './fire-attributes.js';
 import { FireLink } from './fire-link.js';
-import { showPanel } from './fire-panel.js';
-import { listenToPointer } from './fire-pointer.js';
+import { FireManners } from './fire-manners.js';
 import { settings, settingsOfFile } from './fire-settings.js';
 import { FireView } from './fire-view.js';
 import { Requests, deferred, postable, quiet } from './requests.js';
@@ -66,15 +67,19 @@ export class HearthFire extends FireAttributes {
   #preset = 'default';
   /** @type {FireLink | null} */
   #link = null;
-  /** Takes the panel away, where there is one. @type {(() => void) | undefined} */
-  #hidePanel;
-  /** Stops listening to pointers, where it listens. @type {(() => void) | undefined} */
-  #ignorePointer;
+  /** @type {FireManners} */
+  #manners;
   #ready = deferred();
 
   constructor() {
     super();
     this.#view = new FireView(this, () => this.play());
+    this.#manners = new FireManners(this, this.#view, {
+      ask: (message) => this.#ask(message),
+      send: (message) => this.#link?.send(message),
+      refuse: (id, value, allowed) => this.#refuse(id, value, allowed),
+      complain: (kind, message) => this.#complain(kind, message),
+    });
   }
 
   /** All values, by id: those that the fire burns with. */
@@ -93,7 +98,7 @@ export class HearthFire extends FireAttributes {
   }
 
   set quality(quality) {
-    this.setAttribute('quality', String(quality));
+    setOrRemove(this, 'quality', quality);
   }
 
   /**
@@ -251,7 +256,7 @@ export class HearthFire extends FireAttributes {
   }
 
   connectedCallback() {
-    this.keepEarlyProperties();
+    keepEarlyProperties(this);
     if (!this.#link) this.#open();
   }
 
@@ -268,9 +273,7 @@ export class HearthFire extends FireAttributes {
   /** @type {(name: string, old: string | null, value: string | null) => void} */
   attributeChangedCallback(name, old, value) {
     const id = ID_OF_ATTRIBUTE.get(name);
-    if (Object.hasOwn(CHOICES, name) && value !== null && !CHOICES[name].includes(value)) {
-      this.#refuse(name, value, `one of ${CHOICES[name].join(', ')}`);
-    }
+    this.#manners.change(name, value);
     if (name === 'model' && !this.#started) {
       // The first fire starts with its model, wherever the attribute stands.
     } else if (id !== undefined) {
@@ -285,18 +288,6 @@ export class HearthFire extends FireAttributes {
       if ((value !== null) !== this.#paused) this.#setPaused(value !== null);
     } else if (name === 'src') {
       if (this.#started) this.#changeFile();
-    } else if (name === 'max-pixels' || name === 'fps-limit') {
-      if (this.#link) this.#limit(name);
-    } else if (name === 'interactive') {
-      this.#listen();
-    } else if (name === 'touch-action') {
-      this.#touch(value ?? '');
-    } else if (name === 'controls') {
-      this.#control();
-    } else if (name === 'poster') {
-      this.#view.setPoster(value ?? '');
-    } else if (name === 'alt') {
-      this.#view.describe(value ?? '');
     } else if (name === 'autoplay') {
       if (this.#link && !this.#started && !this.autoplay) this.#setPaused(true);
     } else if (name === 'reduced-motion' && this.#link) {
@@ -343,15 +334,10 @@ export class HearthFire extends FireAttributes {
   async #changeFile() {
     const { src } = this;
     const config = await this.#settingsOfFile();
-    if (config !== undefined && src === this.src) this.#ask({ type: 'import', source: 'src', config });
-  }
-
-  /** How much it may draw; what is no number is the engine's to refuse. @param {string} name */
-  #limit(name) {
-    const text = this.getAttribute(name) ?? undefined;
-    const number = text?.trim() ? Number(text) : NaN;
-    const value = Number.isNaN(number) ? text : number;
-    this.#ask({ type: 'limit', source: 'attribute', id: name.replace('-', '_'), value });
+    if (src !== this.src) return;
+    if (config !== undefined) this.#ask({ type: 'import', source: 'src', config });
+    // Without a file it burns as it would have without one.
+    else if (!src) this.#ask({ type: 'preset', source: 'src', name: this.preset });
   }
 
   /**
@@ -362,34 +348,6 @@ export class HearthFire extends FireAttributes {
    */
   #ofPicture(make) {
     return quiet(this.#ready.promise.then(() => this.#view.drawn()).then(make));
-  }
-
-  /** Listens to pointers where it is to. */
-  #listen() {
-    this.#ignorePointer?.();
-    this.#ignorePointer = undefined;
-    if (!this.interactive || !this.#link) return;
-    this.#ignorePointer = listenToPointer(
-      this,
-      (x, y) => this.toMetres(x, y),
-      (stir) => this.#link?.send({ type: 'stir', ...stir }),
-    );
-  }
-
-  /** @param {string} action */
-  #touch(action) {
-    if (!action || CSS.supports('touch-action', action)) this.#view.setTouchAction(action);
-    else this.#refuse('touch-action', action, 'a value of CSS, as auto, none, pan-y or manipulation');
-  }
-
-  /** Shows the panel where it is to, on a fire that burns. */
-  #control() {
-    const wanted = this.controls && this.#announced;
-    if (wanted === Boolean(this.#hidePanel)) return;
-    this.#hidePanel?.();
-    this.#hidePanel = wanted && this.shadowRoot
-      ? showPanel(this, this.shadowRoot, (why) => this.#complain('load', `The panel could not be loaded: ${why}`))
-      : undefined;
   }
 
   /** @param {boolean} paused */
@@ -428,16 +386,15 @@ export class HearthFire extends FireAttributes {
       motion: (reduced) => this.#motion(reduced),
     });
     this.#link = link;
-    for (const name of ['fps-limit', 'max-pixels']) if (this.hasAttribute(name)) this.#limit(name);
+    this.#manners.begin();
     this.#still = warm;
     if (warm || (!this.#started && !this.autoplay)) this.#setPaused(true);
     const opened = link.open(
-      () => /** @type {import('./watch.js').Loading} */ (this.chosen('loading')),
+      () => chosen(this, 'loading'),
       () => [HearthFire.wasmUrl, HearthFire.engine],
       () => this.#start(),
     );
     opened.catch((error) => link.closed || this.#fail(error.kind ?? 'load', error.message));
-    this.#listen();
   }
 
   /** What the fire starts from: preset, file and model at first, what it was when it comes back. */
@@ -467,7 +424,7 @@ export class HearthFire extends FireAttributes {
     this.#view.show('shown');
     this.#view.offerPlay(this.#still);
     this.#announced = true;
-    this.#control();
+    this.#manners.burns();
     this.#ready.resolve();
     this.#emit('ready');
   }
@@ -480,9 +437,7 @@ export class HearthFire extends FireAttributes {
     this.#link = null;
     this.#announced = false;
     this.#stats = null;
-    this.#control();
-    this.#ignorePointer?.();
-    this.#ignorePointer = undefined;
+    this.#manners.end();
     this.#view.dropCanvas();
     this.#view.offerPlay(false);
     this.#view.show('loading');
@@ -577,6 +532,7 @@ export class HearthFire extends FireAttributes {
   #fail(kind, message) {
     this.#view.show('failed', message);
     this.#view.offerPlay(false);
+    this.#manners.end();
     const error = new EngineError(kind, message);
     this.#link?.abandon(error);
     // A promise that was kept cannot be broken; what comes now is refused.
@@ -599,7 +555,9 @@ for (const [property, id] of ID_OF_PROPERTY) {
       return this.get(id);
     },
     set(value) {
-      this.set(id, value);
+      // Frameworks put undefined or null where there is no value any more.
+      if (value === undefined || value === null) this.restore(id);
+      else this.set(id, value);
     },
   });
 }

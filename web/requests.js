@@ -16,8 +16,9 @@ export class Requests {
   #last = 0;
   /** @type {Map<number, Deferred & {fire: number}>} */
   #open = new Map();
-  /** @type {Message[]} */
+  /** What is asked before there is a fire, models first. @type {Message[]} */
   #waiting = [];
+  #models = 0;
   /** @type {((message: Message) => void) | undefined} */
   #send;
   #fire = 0;
@@ -33,6 +34,7 @@ export class Requests {
     const entry = Object.assign(deferred(), { fire: this.#fire });
     this.#open.set(request, entry);
     if (this.#send) this.#send({ ...message, request });
+    else if (isModel(message)) this.#waiting.splice(this.#models++, 0, { ...message, request });
     else this.#waiting.push({ ...message, request });
     return entry.promise;
   }
@@ -46,6 +48,7 @@ export class Requests {
   connect(fire, send) {
     this.#fire = fire;
     this.#send = send;
+    this.#models = 0;
     const answers = this.#waiting.splice(0).map((message) => {
       const entry = this.#open.get(message.request);
       if (entry) entry.fire = fire;
@@ -91,11 +94,19 @@ export class Requests {
    * @param {Error} error
    */
   abandon(fire, error) {
-    if (fire === 0) this.#waiting.length = 0;
+    if (fire === 0) this.#waiting.length = this.#models = 0;
     for (const [request, entry] of this.#open) {
       if (entry.fire === fire) this.settle(request, error);
     }
   }
+}
+
+/**
+ * Whether a message sets the model alone, which decides what all other values may be.
+ * @param {Message} message
+ */
+function isModel({ type, values = {} }) {
+  return type === 'set' && Object.keys(values).join() === 'model';
 }
 
 /**

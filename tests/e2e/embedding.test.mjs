@@ -1,0 +1,147 @@
+/**
+ * What `docs/embedding.md` promises: it names exactly what the element has, every
+ * name stands in an example, and every example runs.
+ */
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { table } from './site.mjs';
+
+const { PARAMETERS } = await table();
+const DOC = readFileSync(new URL('../../docs/embedding.md', import.meta.url), 'utf8');
+
+/** Every example of the document, by the heading above it. */
+const EXAMPLES = [...DOC.matchAll(/```html\n([^]*?)```/g)].map((found) => ({
+  html: found[1],
+  heading: DOC.slice(0, found.index).match(/^#+ .*$/gm)?.at(-1) ?? '',
+}));
+const CODE = EXAMPLES.map(({ html }) => html).join('\n');
+
+/** The names in the first column of the tables of a section. */
+function named(heading) {
+  const section = DOC.slice(DOC.indexOf(`\n## ${heading}\n`) + 1).split(/\n## /)[0];
+  const cells = [...section.matchAll(/^\| (`[^|]*) \|/gm)].map(([, cell]) => cell);
+  return cells.flatMap((cell) => [...cell.matchAll(/`([\w-]+)/g)].map(([, name]) => name));
+}
+
+/** @type {Browser} */
+let browser;
+/** What the element has, as JavaScript sees it. */
+let has;
+before(async () => {
+  browser = await Browser.launch();
+  const tab = await browser.open('<hearth-fire></hearth-fire>');
+  await tab.burnt(0.3);
+  has = await tab.fire((fire) => {
+    const Fire = customElements.get('hearth-fire');
+    const own = [];
+    for (let type = Fire.prototype; type !== HTMLElement.prototype; type = Object.getPrototypeOf(type)) {
+      own.push(...Object.entries(Object.getOwnPropertyDescriptors(type)));
+    }
+    const lifecycle = /Callback$|^constructor$/;
+    const members = own.filter(([name]) => !lifecycle.test(name));
+    return {
+      attributes: Fire.observedAttributes,
+      methods: members.filter(([, { value }]) => typeof value === 'function').map(([name]) => name),
+      properties: members.filter(([, { get }]) => get).map(([name]) => name),
+      stats: Object.keys(fire.stats),
+      parts: [...fire.shadowRoot.querySelectorAll('[part]')].map((one) => one.getAttribute('part')),
+      slots: [...fire.shadowRoot.querySelectorAll('slot')].map((one) => one.name),
+    };
+  });
+});
+after(() => browser?.close());
+
+const camel = (/** @type {string} */ id) => id.replace(/_(.)/g, (_, letter) => letter.toUpperCase());
+const sorted = (/** @type {Iterable<string>} */ names) => [...new Set(names)].sort();
+
+test('the attributes are those of the element, each in an example', () => {
+  const parameters = PARAMETERS.map(({ attribute }) => attribute).filter((name) => name !== 'model');
+  const own = has.attributes.filter((name) => !parameters.includes(name));
+  const qualities = ['low', 'medium', 'high'];
+  assert.deepEqual(sorted(named('Attributes').filter((name) => !qualities.includes(name))), sorted(own));
+  for (const name of own) assert.ok(new RegExp(`<hearth-fire[^>]* ${name}[ =>]|'${name}'|fire\\.${name}`).test(CODE), name);
+});
+
+test('the properties are those of the element, each in an example', () => {
+  const parameters = PARAMETERS.map(({ id }) => camel(id));
+  const own = has.properties.filter((name) => !parameters.includes(name));
+  const described = named('Properties');
+  const ofStats = described.filter((name) => has.stats.includes(name) && !own.includes(name));
+  assert.deepEqual(sorted(described.filter((name) => !ofStats.includes(name))), sorted(own));
+  const written = (name) => new RegExp(`fire\\.${name}\\b|<hearth-fire[^>]* ${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}[ =>]`);
+  for (const name of own) assert.ok(written(name).test(CODE), name);
+});
+
+test('what a fire says of itself is described', () => {
+  const section = named('Properties');
+  assert.deepEqual(has.stats.filter((name) => !section.includes(name)), []);
+});
+
+test('the methods are those of the element, each in an example', () => {
+  assert.deepEqual(sorted(named('Methods')), sorted(has.methods));
+  for (const name of has.methods) assert.ok(new RegExp(`\\.${name}\\(`).test(CODE), name);
+});
+
+test('the events are those that the element sends, each in an example', () => {
+  const source = readFileSync(new URL('../../web/hearth-fire.js', import.meta.url), 'utf8');
+  const types = readFileSync(new URL('../../web/hearth-fire.d.ts', import.meta.url), 'utf8');
+  const sent = [...source.matchAll(/#emit\(([^;]*?)[,)]/g)].flatMap(([, what]) => (
+    [...what.matchAll(/'([a-z-]+)'/g)].map(([, name]) => name)
+  ));
+  const described = named('Events');
+  assert.deepEqual(sorted(described), sorted(sent));
+  for (const name of described) {
+    assert.ok(new RegExp(`'${name}'`).test(CODE), name);
+    assert.ok(new RegExp(`'?${name}'?: CustomEvent`).test(types), name);
+  }
+});
+
+test('the parts and the slot are those of the element, each in an example', () => {
+  const parts = [...has.parts, 'panel'];
+  const described = [...DOC.matchAll(/`::part\(([\w-]+)\)`/g)].map(([, name]) => name);
+  assert.deepEqual(sorted(described), sorted(parts));
+  for (const name of parts) assert.ok(CODE.includes(`::part(${name})`), name);
+  assert.deepEqual(has.slots, ['poster']);
+  assert.ok(CODE.includes('slot="poster"'));
+});
+
+test('the types are those of the element', () => {
+  const types = readFileSync(new URL('../../web/hearth-fire.d.ts', import.meta.url), 'utf8');
+  const parameters = PARAMETERS.map(({ id }) => camel(id));
+  const own = [...has.methods, ...has.properties].filter((name) => !parameters.includes(name));
+  for (const name of own) assert.ok(new RegExp(`\\b${name}[(:<]`).test(types), name);
+});
+
+for (const [at, { html, heading }] of EXAMPLES.entries()) {
+  test(`example ${at + 1}, ${heading.replace(/^#+ /, '')}, runs`, async () => {
+    const tab = await browser.open(html, {
+      width: 800,
+      height: 600,
+      // Chromium asks for an icon, which no example has.
+      files: { 'favicon.ico': { body: '' } },
+    });
+    await tab.until('its fires are ready', async () => {
+      const fires = /** @type {any} */ ([...document.querySelectorAll('hearth-fire')]);
+      if (fires.length === 0) return false;
+      for (const fire of fires) {
+        // One that nobody has scrolled to may wait.
+        if (fire.loading !== 'lazy') await fire.ready;
+      }
+      return true;
+    });
+    await tab.frames(10);
+    for (const [button, words] of await tab.evaluate(() => (
+      [...document.querySelectorAll('button')].map((one, number) => [number, one.textContent])
+    ))) {
+      if (/Which/.test(words)) continue;
+      await tab.evaluate((number) => document.querySelectorAll('button')[number].click(), button);
+      await tab.frames(2);
+    }
+    await tab.frames(5);
+    const refused = heading === '## When something is wrong';
+    const problems = (await tab.complaints()).filter((problem) => !refused || !/viscosity = 99/.test(problem));
+    assert.deepEqual(problems, []);
+  });
+}

@@ -1,0 +1,118 @@
+/**
+ * What of an element has to do with the page around it: how much it may draw, a
+ * pointer that stirs it, its panel, its poster and its words.
+ *
+ * @typedef {import('./engine.js').Message} Message
+ * @typedef {object} Ways what the element does for it
+ * @property {(message: Message) => Promise<void>} ask asks the engine for something
+ * @property {(message: Message) => void} send tells the engine something
+ * @property {(id: string, value: string, allowed: string) => void} refuse
+ * @property {(kind: string, message: string) => void} complain
+ */
+
+import { CHOICES } from './fire-attributes.js';
+import { showPanel } from './fire-panel.js';
+import { listenToPointer } from './fire-pointer.js';
+
+const LIMITS = ['fps-limit', 'max-pixels'];
+
+/** The manners of one element. */
+export class FireManners {
+  #fire;
+  #view;
+  #ways;
+  /** Whether there is a link to the engine, and whether the fire burns. */
+  #open = false;
+  #burns = false;
+  /** Takes the panel away, where there is one. @type {(() => void) | undefined} */
+  #hidePanel;
+  /** Stops listening to pointers, where it listens. @type {(() => void) | undefined} */
+  #ignorePointer;
+
+  /**
+   * @param {any} fire the element
+   * @param {import('./fire-view.js').FireView} view
+   * @param {Ways} ways
+   */
+  constructor(fire, view, ways) {
+    this.#fire = fire;
+    this.#view = view;
+    this.#ways = ways;
+  }
+
+  /** There is a link to the engine: it is told what it was not told before. */
+  begin() {
+    this.#open = true;
+    for (const name of LIMITS) if (this.#fire.hasAttribute(name)) this.#limit(name);
+    this.#listen();
+  }
+
+  /** The fire burns. */
+  burns() {
+    this.#burns = true;
+    this.#control();
+  }
+
+  /** The fire is gone. */
+  end() {
+    this.#open = this.#burns = false;
+    this.#control();
+    this.#listen();
+  }
+
+  /**
+   * An attribute has changed.
+   * @param {string} name
+   * @param {string | null} value
+   */
+  change(name, value) {
+    if (Object.hasOwn(CHOICES, name) && value !== null && !CHOICES[name].includes(value)) {
+      this.#ways.refuse(name, value, `one of ${CHOICES[name].join(', ')}`);
+    } else if (LIMITS.includes(name)) {
+      if (this.#open) this.#limit(name);
+    } else if (name === 'interactive') {
+      this.#listen();
+    } else if (name === 'touch-action') {
+      this.#touch(value ?? '');
+    } else if (name === 'controls') {
+      this.#control();
+    } else if (name === 'poster') {
+      this.#view.setPoster(value ?? '');
+    } else if (name === 'alt') {
+      this.#view.describe(value ?? '');
+    }
+  }
+
+  /** How much it may draw; what is no number is the engine's to refuse. @param {string} name */
+  #limit(name) {
+    const text = this.#fire.getAttribute(name) ?? undefined;
+    const number = text?.trim() ? Number(text) : NaN;
+    const value = Number.isNaN(number) ? text : number;
+    this.#ways.ask({ type: 'limit', source: 'attribute', id: name.replace('-', '_'), value });
+  }
+
+  #listen() {
+    this.#ignorePointer?.();
+    this.#ignorePointer = this.#fire.interactive && this.#open
+      ? listenToPointer(
+        this.#fire,
+        (x, y) => this.#fire.toMetres(x, y),
+        (stir) => this.#ways.send({ type: 'stir', ...stir }),
+      )
+      : undefined;
+  }
+
+  /** @param {string} action */
+  #touch(action) {
+    if (!action || CSS.supports('touch-action', action)) this.#view.setTouchAction(action);
+    else this.#ways.refuse('touch-action', action, 'a value of CSS, as auto, none, pan-y or manipulation');
+  }
+
+  #control() {
+    const wanted = this.#fire.controls && this.#burns;
+    if (wanted === Boolean(this.#hidePanel)) return;
+    this.#hidePanel?.();
+    const failed = (why) => this.#ways.complain('load', `The panel could not be loaded: ${why}`);
+    this.#hidePanel = wanted ? showPanel(this.#fire, this.#fire.shadowRoot, failed) : undefined;
+  }
+}

@@ -31,8 +31,8 @@ pub struct Engine {
 #[wasm_bindgen]
 impl Engine {
     /// An engine without a fire, which draws on `canvas`. It answers through
-    /// `post(message)` and shows what it drew through `show(fire)`, which says
-    /// whether the picture is shown already.
+    /// `post(message)` and shows what it drew through `show(fire)`, which says whether
+    /// the picture is shown already.
     ///
     /// # Errors
     /// There is no WebGL2, or the driver refuses.
@@ -62,14 +62,19 @@ impl Engine {
     /// wanted.
     pub fn frame(&mut self, now: f64) -> bool {
         let mut out = Outbox::default();
-        let end = self.host.now() + STEPS_BUDGET_MS;
         let fires = self.fires.iter().filter(|f| f.wants_frame()).count();
+        let mut end = self.host.now() + STEPS_BUDGET_MS;
         let mut left = fires;
+        // Who is first gets most of a frame that is too short for all.
+        if fires > 1 {
+            self.fires.rotate_left(1);
+        }
         for fire in self.fires.iter_mut().filter(|f| f.wants_frame()) {
             let deadline = share(self.host.now(), end, left);
             left -= 1;
             if fire.is_due(now) {
-                fire.frame(now, deadline, fires, &self.easel, &self.host, &mut out);
+                // Drawing takes nothing from the steps of others.
+                end += fire.frame(now, deadline, fires, &self.easel, &self.host, &mut out);
             }
         }
         self.end(out)

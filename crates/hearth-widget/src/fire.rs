@@ -283,7 +283,8 @@ impl Fire {
     }
 
     /// One frame: the steps that are due, as far as `deadline` allows, and the
-    /// picture of them. `now` is the time of the frame, in ms.
+    /// picture of them. `now` is the time of the frame, in ms. Returns how long drawing
+    /// took \[ms\].
     pub fn frame(
         &mut self,
         now: f64,
@@ -292,7 +293,7 @@ impl Fire {
         easel: &Easel,
         host: &Host,
         out: &mut Outbox,
-    ) {
+    ) -> f64 {
         let scale = f64::from(self.wanted.parameters.time_scale);
         let passed = if self.playing && self.seen() {
             Some(self.clock.advance(now / 1000.0, scale))
@@ -368,6 +369,7 @@ impl Fire {
                 out.done(self.id, request);
             }
         }
+        draw_ms
     }
 
     /// Makes the steps that were asked for and, if it `burns`, those that are due,

@@ -23,8 +23,9 @@ export function worker() {
     return new Worker(new URL('./engine-worker.js', import.meta.url), { type: 'module', name: 'hearth' });
   } catch {
     // A page may not start a script of another site, but one that loads it.
-    const script = './engine-worker.js';
-    const start = `import ${JSON.stringify(new URL(script, import.meta.url).href)};`;
+    // (Bundlers take what stands here for an asset, unless they cannot read it.)
+    const here = import.meta.url;
+    const start = `import ${JSON.stringify(new URL('engine-worker.js', here).href)};`;
     const url = URL.createObjectURL(new Blob([start], { type: 'text/javascript' }));
     try {
       return new Worker(url, { type: 'module', name: 'hearth' });

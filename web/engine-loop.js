@@ -11,7 +11,7 @@
  * @param {object} around
  * @param {(message: object) => void} around.post takes its messages
  * @param {(fire: number) => boolean} around.show takes the picture of a fire from the
- *   canvas; whether it is shown already
+ *   canvas; whether it is shown already. It never throws
  * @param {(error: unknown) => void} around.fail hears that the engine has stopped
  * @throws where the browser cannot draw
  */
@@ -64,6 +64,14 @@ export function runEngine(Engine, canvas, { post, show, fail }) {
     receive(message) {
       try {
         if (engine) goOn(engine.receive(message));
+      } catch (error) {
+        broken(error);
+      }
+    },
+    /** A picture that was on its way is shown. @param {number} fire */
+    shown(fire) {
+      try {
+        if (engine) goOn(engine.shown(fire));
       } catch (error) {
         broken(error);
       }

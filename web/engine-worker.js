@@ -20,7 +20,7 @@ async function start(module) {
     post: (message) => postMessage(message),
     show: (fire) => {
       const bitmap = canvas.transferToImageBitmap();
-      postMessage({ type: 'picture', fire, bitmap }, { transfer: [bitmap] });
+      postMessage({ type: 'picture', fire, bitmap }, [bitmap]);
       return false;
     },
     fail: (error) => postMessage({ type: 'stopped', why: String(error) }),
@@ -28,6 +28,11 @@ async function start(module) {
 }
 
 addEventListener('message', ({ data }) => {
+  // A number: that fire's picture is shown.
+  if (typeof data === 'number') {
+    engine?.shown(data);
+    return;
+  }
   if (data.type !== 'start') {
     engine?.receive(data);
     return;

@@ -57,7 +57,7 @@ function missing() {
 class EnginePort {
   /** What is wrong with how it is served, though it burns; else empty. */
   warning = '';
-  /** @type {(message: Message) => void} */
+  /** @type {(message: Message | number) => void} */
   send = () => {};
   end = () => {};
   /** @type {Map<number, Listener>} */
@@ -102,6 +102,11 @@ class EnginePort {
    */
   post(message) {
     this.send(message);
+  }
+
+  /** A fire's picture is shown, and another may follow. @param {number} fire */
+  shown(fire) {
+    if (this.place === 'worker') this.send(fire);
   }
 
   /** @param {Message} message */

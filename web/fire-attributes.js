@@ -41,7 +41,7 @@ const Base = globalThis.HTMLElement ?? class {};
 
 /** An element with a fire's attributes. */
 export class FireAttributes extends Base {
-  static observedAttributes = [...OWN_ATTRIBUTES, ...ID_OF_ATTRIBUTE.keys()];
+  static observedAttributes = [...new Set([...OWN_ATTRIBUTES, ...ID_OF_ATTRIBUTE.keys()])];
 
   /** The name of the preset that was last asked for. */
   get preset() {

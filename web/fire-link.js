@@ -30,7 +30,7 @@ export class FireLink {
   /** Settles when the engine has freed the fire. */
   gone = Promise.resolve();
   #removed = () => {};
-  #shown = () => this.send({ type: 'shown' });
+  #shown = () => this.#port.shown(this.#fire);
 
   /**
    * @param {HTMLElement} host

@@ -10,6 +10,7 @@
  * sight; a real mouse can press there.
  */
 
+import { COPIES, COPY_LABELS } from './panel-desk.js';
 import { PARAMETERS, PRESETS } from './parameters.js';
 
 /** How many presses of an arrow key cross a logarithmic range. */
@@ -30,12 +31,17 @@ const DEFAULT_MODEL = PARAMETERS.find(({ id }) => id === MODEL).default;
  */
 
 /**
- * @param {{host: HTMLElement, fire: any, reveal: (id: string) => void}} parts
+ * @param {object} parts
+ * @param {HTMLElement} parts.host
+ * @param {any} parts.fire  Where values are read.
+ * @param {import('./panel-desk.js').Desk} parts.desk  What does it all.
+ * @param {(id: string) => void} parts.reveal  Brings a parameter into sight on the panel, or `share`.
  * @returns {Mirror}
  */
-export function mountMirror({ host, fire, reveal }) {
+export function mountMirror({ host, fire, desk, reveal }) {
   const root = document.createElement('div');
   root.className = 'hearth-mirror';
+  root.dir = 'ltr';
   root.setAttribute('role', 'group');
   root.setAttribute('aria-label', 'Fire controls');
   const status = document.createElement('p');
@@ -73,31 +79,37 @@ export function mountMirror({ host, fire, reveal }) {
     return button;
   }
 
-  const pause = addButton('pause', 'Pause', () => (fire.paused ? fire.play() : fire.pause()));
+  const pause = addButton('pause', 'Pause', () => (fire.paused ? desk.play() : desk.pause()));
   addButton('step', 'One step', () => {
-    if (!fire.paused) quietly(fire.pause());
-    return fire.step(1);
+    if (!fire.paused) quietly(desk.pause());
+    return desk.step();
   });
-  addButton('reset', 'Restart', () => fire.reset());
+  addButton('reset', 'Restart', () => desk.reset());
+  const undo = addButton('undo', 'Undo', () => desk.undo());
+  const redo = addButton('redo', 'Do again', () => desk.redo());
+  addButton('picture', 'Save a picture', () => desk.picture());
+  const fullscreen = addButton('fullscreen', 'Full screen', () => desk.fullscreen());
+  const copies = COPIES.map((what) => addButton(`copy:${what}`, `Copy the ${COPY_LABELS[what]}`, () => (
+    desk.copy(what)
+  )));
+  const paste = addButton('paste', 'Paste settings', () => desk.paste());
+  for (const button of [...copies, paste]) button.addEventListener('focus', () => reveal('share'));
+  addButton('help', 'Keys', () => desk.help());
   for (const preset of PRESETS) {
-    addButton(`preset:${preset.name}`, `Preset ${preset.label}`, () => {
-      fire.preset = preset.name;
-    });
+    addButton(`preset:${preset.name}`, `Preset ${preset.label}`, () => desk.preset(preset.name));
   }
   addButton('reset-all', 'Reset all parameters of the model', () => {
     const used = PARAMETERS.filter((one) => one.id !== MODEL && domainOf(one));
-    return fire.restore(...used.map(({ id }) => id));
+    return desk.restore(...used.map(({ id }) => id));
   });
 
-  const quality = addQuality(root, (name) => {
-    fire.quality = name;
-  });
+  const quality = addQuality(root, (name) => desk.quality(name));
   places.set('quality', quality);
 
   for (const parameter of PARAMETERS) {
     const id = parameter.id;
-    const { row, control, show } = makeControl(parameter, fire, (value) => {
-      quietly(Promise.resolve(fire.set(id, value)).finally(shows.get(id)));
+    const { row, control, show } = makeControl(parameter, (value) => {
+      quietly(desk.set(id, value).finally(shows.get(id)));
     });
     control.dataset.parameter = id;
     control.title = parameter.doc;
@@ -105,7 +117,7 @@ export function mountMirror({ host, fire, reveal }) {
     places.set(id, control);
     const restore = addButton(`restore:${id}`, `Reset ${parameter.label} to its default`, () => {
       control.focus();
-      return fire.restore(id);
+      return desk.restore(id);
     });
     shows.set(id, () => {
       const domain = domainOf(parameter);
@@ -148,6 +160,19 @@ export function mountMirror({ host, fire, reveal }) {
     restored: () => say(''),
   };
   for (const [name, listener] of Object.entries(heard)) fire.addEventListener(name, listener);
+  let said = '';
+  const showDesk = () => {
+    const state = desk.state;
+    // A button that has the focus would lose it if it were disabled.
+    undo.setAttribute('aria-disabled', String(!state.undo));
+    redo.setAttribute('aria-disabled', String(!state.redo));
+    fullscreen.hidden = !state.fullscreen;
+    copies[COPIES.indexOf('link')].hidden = !state.link;
+    copies[COPIES.indexOf('iframe')].hidden = !state.iframe;
+    if (state.said !== said) say(said = state.said);
+  };
+  desk.addEventListener('change', showDesk);
+  showDesk();
   showAll();
 
   return {
@@ -171,6 +196,7 @@ export function mountMirror({ host, fire, reveal }) {
     },
     destroy() {
       for (const [name, listener] of Object.entries(heard)) fire.removeEventListener(name, listener);
+      desk.removeEventListener('change', showDesk);
       root.remove();
     },
   };
@@ -201,10 +227,9 @@ function addQuality(root, wish) {
  * One parameter's labelled control.
  *
  * @param {any} parameter an entry of the table
- * @param {any} fire
  * @param {(value: any) => void} wish
  */
-function makeControl(parameter, fire, wish) {
+function makeControl(parameter, wish) {
   const row = document.createElement('div');
   const label = document.createElement('label');
   const unit = parameter.unit ? ` (${parameter.unit})` : '';

@@ -4,10 +4,15 @@
  * `mountPanel` makes a canvas in `host`, loads the panel's wasm, which no page
  * pays for that never asks for it, and puts a mirror of the panel in the page's
  * own controls beside it (mirror.js). Where the panel cannot start it says so
- * in words and the mirror alone is left, in sight.
+ * in words and the mirror alone is left, in sight. In the shadow root of its own
+ * fire the panel places itself and can be folded away.
  */
 
 import { mountMirror } from './mirror.js';
+import { Desk } from './panel-desk.js';
+import { addFold } from './panel-fold.js';
+import { listenToKeys } from './panel-keys.js';
+import { addStyle } from './panel-style.js';
 
 /** How often a panel whose WebGL context was lost is started again. */
 const RESTARTS = 3;
@@ -30,29 +35,6 @@ function load() {
     throw error;
   });
   return loading;
-}
-
-/**
- * The style sheet beside this file, once for each document or shadow root.
- *
- * @param {HTMLElement} host
- * @returns {Promise<void>}
- */
-function addStyle(host) {
-  const root = host.getRootNode();
-  const place = root instanceof ShadowRoot ? root : document.head;
-  const href = new URL('./panel.css', import.meta.url).href;
-  const links = [...place.querySelectorAll('link[rel=stylesheet]')];
-  if (links.some((link) => /** @type {HTMLLinkElement} */ (link).href === href)) {
-    return Promise.resolve();
-  }
-  const link = document.createElement('link');
-  link.rel = 'stylesheet';
-  link.href = href;
-  return new Promise((resolve) => {
-    link.onload = link.onerror = () => resolve();
-    place.append(link);
-  });
 }
 
 /**
@@ -84,29 +66,68 @@ function stayAboveKeyboard(host) {
 }
 
 /**
- * Shows the panel of a fire in an element that has a size.
+ * Shows the panel of a fire in an element that has a size, or in the fire's own
+ * shadow root.
  *
- * @param {{host: HTMLElement, fire: any}} place where, and for which
- *   `<hearth-fire>` (anything with its methods, properties and events will do)
+ * @param {object} place
+ * @param {HTMLElement} place.host  Where.
+ * @param {any} place.fire  For which `<hearth-fire>`; anything with its methods,
+ *   properties and events will do.
+ * @param {string | URL} [place.page]  The address of the page, where it is a page for
+ *   this fire and shows what its query says: the panel copies links to it, hears its
+ *   keys wherever the focus is, and its full screen is the whole page.
+ * @param {string | URL} [place.script]  Where other pages find `hearth-fire.js`, for the HTML
+ *   that the panel copies, if that is not beside this module.
+ * @param {string | URL} [place.embed]  And where they find `embed.html`.
  * @returns {Promise<{destroy(): void}>} settles when the panel stands, or when
  *   it is clear, and said in the panel's place, that it cannot
  */
-export async function mountPanel({ host, fire }) {
+export async function mountPanel({ host, fire, page, script, embed }) {
   let ended = false;
   let restarts = 0;
   /** @type {any} */
   let panel;
+  /** @type {HTMLElement | undefined} */
+  let stage;
   /** @type {HTMLCanvasElement | undefined} */
   let canvas;
+  /** What ends each part of the panel, the last one first. @type {(() => void)[]} */
+  const ends = [];
+
+  /** @param {() => void} end */
+  const atEnd = (end) => ends.push(end);
+  /** @type {(target: EventTarget, name: string, listener: (event: any) => void, options?: AddEventListenerOptions) => void} */
+  const listen = (target, name, listener, options) => {
+    target.addEventListener(name, listener, options);
+    atEnd(() => target.removeEventListener(name, listener, options));
+  };
+
+  function destroy() {
+    if (ended) return;
+    ended = true;
+    for (const end of ends.reverse()) end();
+  }
+
+  const root = host.getRootNode();
+  const inside = root instanceof ShadowRoot && root.host === fire;
   host.classList.add('hearth-panel');
-  const styled = addStyle(host);
+  atEnd(() => host.classList.remove('hearth-panel'));
+  const { styled, removeStyle } = addStyle(host);
+  atEnd(removeStyle);
+  // Without its styles the mirror would stand in sight for a moment.
+  await styled;
+  const desk = new Desk({ fire, host, page, script, embed });
+  atEnd(() => desk.close());
   let revealed = '';
-  const reveal = (id) => {
+  const reveal = (/** @type {string} */ id) => {
     revealed = id;
     panel?.reveal(id);
   };
-  const mirror = mountMirror({ host, fire, reveal });
-  const leaveKeyboard = stayAboveKeyboard(host);
+  const mirror = mountMirror({ host, fire, desk, reveal });
+  atEnd(() => mirror.destroy());
+  const fold = inside ? addFold(host) : undefined;
+  atEnd(fold?.remove ?? stayAboveKeyboard(host));
+  atEnd(listenToKeys({ target: page === undefined ? host : document, fire, desk, hide: fold?.toggle }));
 
   const update = () => {
     if (canvas) mirror.place(panel?.rectangles() ?? {}, canvas.getBoundingClientRect());
@@ -127,7 +148,7 @@ export async function mountPanel({ host, fire }) {
       sharpen();
       update();
     });
-  const lost = (event) => {
+  const lost = (/** @type {Event} */ event) => {
     event.preventDefault();
     stop();
     if (!ended && restarts++ < RESTARTS) setTimeout(start, 200);
@@ -141,8 +162,8 @@ export async function mountPanel({ host, fire }) {
     panel = undefined;
     // A browser allows only some contexts on a page: give this one back now.
     canvas?.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
-    canvas?.remove();
-    canvas = undefined;
+    stage?.remove();
+    stage = canvas = undefined;
   }
 
   /** @param {string} reason */
@@ -153,51 +174,51 @@ export async function mountPanel({ host, fire }) {
     message.setAttribute('role', 'alert');
     message.textContent = `The panel cannot be shown: ${reason}. Here are plain controls instead.`;
     host.prepend(message);
+    atEnd(() => message.remove());
     mirror.stand();
   }
 
   async function start() {
     if (ended) return;
+    stage = document.createElement('div');
+    stage.className = 'hearth-panel-stage';
+    // eframe takes the focus when it starts; in here it cannot.
+    stage.inert = true;
     const place = document.createElement('canvas');
     place.setAttribute('aria-hidden', 'true');
+    stage.append(place);
     canvas = place;
-    host.prepend(place);
+    host.prepend(stage);
     try {
-      const [wasm] = await Promise.all([load(), styled]);
+      const wasm = await load();
       if (ended) return;
-      const started = await wasm.Panel.start(place, fire);
+      const started = await wasm.Panel.start(place, fire, desk);
       if (ended) {
         started.destroy();
         return;
       }
       panel = started;
+      stage.inert = false;
+      panel.tell(desk.state);
       // The mirror may have had the focus before there was a panel.
       if (revealed) panel.reveal(revealed);
       place.addEventListener('webglcontextlost', lost);
       place.addEventListener('panel-painted', painted);
     } catch (error) {
-      place.remove();
-      canvas = undefined;
+      stage?.remove();
+      stage = canvas = undefined;
       if (ended) return;
       say(error instanceof Error ? error.message : String(error));
     }
   }
 
-  window.addEventListener('scroll', update, { passive: true, capture: true });
-  window.addEventListener('resize', update);
+  atEnd(stop);
+  listen(desk, 'change', () => panel?.tell(desk.state));
+  // A drag, however long, and a key that is held down are one step each.
+  listen(host, 'pointerdown', () => desk.press(), { capture: true });
+  listen(window, 'keydown', (event) => event.repeat || desk.press(), { capture: true });
+  listen(window, 'scroll', update, { passive: true, capture: true });
+  listen(window, 'resize', update);
   await start();
-
-  return {
-    destroy() {
-      if (ended) return;
-      ended = true;
-      window.removeEventListener('scroll', update, { capture: true });
-      window.removeEventListener('resize', update);
-      leaveKeyboard();
-      stop();
-      mirror.destroy();
-      host.querySelector('.hearth-panel-message')?.remove();
-      host.classList.remove('hearth-panel');
-    },
-  };
+  return { destroy };
 }

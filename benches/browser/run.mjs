@@ -20,6 +20,7 @@ import { promisify } from 'node:util';
 import { Browser } from '../../tests/e2e/driver.mjs';
 import { parse, value } from './lines.mjs';
 import { Bench } from './measure.mjs';
+import { onThePage } from './page.mjs';
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
 const ROUNDS = Number(process.env.HEARTH_ROUNDS ?? 7);
@@ -203,18 +204,6 @@ async function memory(program) {
     }
   }
   return taken;
-}
-
-/** What the page's own statistics say after some seconds of fire. */
-async function onThePage(site) {
-  const browser = await Browser.launch(site);
-  try {
-    const tab = await browser.open('index.html', { width: 1280, height: 720 });
-    await tab.burnt(10);
-    return await tab.fire((fire) => fire.stats);
-  } finally {
-    await browser.close();
-  }
 }
 
 function say(text) {

@@ -1,6 +1,6 @@
 /**
- * What `docs/embedding.md` promises: it names exactly what the element has, every
- * name stands in an example, and every example runs.
+ * What the documents for embedding promise: `docs/embedding.md` names exactly what the
+ * element has, every name stands in an example, and every example of all of them runs.
  */
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -9,14 +9,22 @@ import { Browser } from './driver.mjs';
 import { table } from './site.mjs';
 
 const { PARAMETERS } = await table();
-const DOC = readFileSync(new URL('../../docs/embedding.md', import.meta.url), 'utf8');
+const read = (/** @type {string} */ file) => readFileSync(new URL(`../../${file}`, import.meta.url), 'utf8');
 
-/** Every example of the document, by the heading above it. */
-const EXAMPLES = [...DOC.matchAll(/```html\n([^]*?)```/g)].map((found) => ({
-  html: found[1],
-  heading: DOC.slice(0, found.index).match(/^#+ .*$/gm)?.at(-1) ?? '',
-}));
-const CODE = EXAMPLES.map(({ html }) => html).join('\n');
+/** Every example of a document that is a whole page, by the heading above it. */
+const examples = (/** @type {string} */ file) => {
+  const text = read(file);
+  return [...text.matchAll(/```html\n([^]*?)```/g)].filter(([, html]) => html.startsWith('<!doctype')).map((found) => ({
+    file,
+    html: found[1],
+    heading: text.slice(0, found.index).match(/^#+ .*$/gm)?.at(-1) ?? '',
+  }));
+};
+
+const DOC = read('docs/embedding.md');
+const CODE = examples('docs/embedding.md').map(({ html }) => html).join('\n');
+const OTHERS = ['iframe', 'package', 'simulation'].map((name) => `docs/${name}.md`);
+const EXAMPLES = ['docs/embedding.md', ...OTHERS].flatMap(examples);
 
 /** The names in the first column of the tables of a section. */
 function named(heading) {
@@ -85,8 +93,8 @@ test('the methods are those of the element, each in an example', () => {
 });
 
 test('the events are those that the element sends, each in an example', () => {
-  const source = readFileSync(new URL('../../web/hearth-fire.js', import.meta.url), 'utf8');
-  const types = readFileSync(new URL('../../web/hearth-fire.d.ts', import.meta.url), 'utf8');
+  const source = read('web/hearth-fire.js');
+  const types = read('web/hearth-fire.d.ts');
   const sent = [...source.matchAll(/#emit\(([^;]*?)[,)]/g)].flatMap(([, what]) => (
     [...what.matchAll(/'([a-z-]+)'/g)].map(([, name]) => name)
   ));
@@ -108,23 +116,26 @@ test('the parts and the slot are those of the element, each in an example', () =
 });
 
 test('the types are those of the element', () => {
-  const types = readFileSync(new URL('../../web/hearth-fire.d.ts', import.meta.url), 'utf8');
+  const types = read('web/hearth-fire.d.ts');
   const parameters = PARAMETERS.map(({ id }) => camel(id));
   const own = [...has.methods, ...has.properties].filter((name) => !parameters.includes(name));
   for (const name of own) assert.ok(new RegExp(`\\b${name}[(:<]`).test(types), name);
 });
 
-for (const [at, { html, heading }] of EXAMPLES.entries()) {
-  test(`example ${at + 1}, ${heading.replace(/^#+ /, '')}, runs`, async () => {
+for (const [at, { file, html, heading }] of EXAMPLES.entries()) {
+  test(`example ${at + 1}, ${heading.replace(/^#+ /, '')} in ${file}, runs`, async () => {
     const tab = await browser.open(html, {
       width: 800,
       height: 600,
       // Chromium asks for an icon, which no example has.
       files: { 'favicon.ico': { body: '' } },
     });
-    await tab.until('its fires are ready', async () => {
-      const fires = /** @type {any} */ ([...document.querySelectorAll('hearth-fire')]);
-      if (fires.length === 0) return false;
+    const burns = /<hearth-fire|<iframe|'hearth-fire'/.test(html);
+    if (burns) await tab.until('its fires are ready', async () => {
+      const inside = document.querySelector('iframe')?.contentDocument;
+      const within = [document, ...(inside ? [inside] : [])];
+      const fires = within.flatMap((one) => /** @type {any[]} */ ([...one.querySelectorAll('hearth-fire')]));
+      if (fires.length === 0 || fires.some((fire) => fire.ready === undefined)) return false;
       for (const fire of fires) {
         // One that nobody has scrolled to may wait.
         if (fire.loading !== 'lazy') await fire.ready;

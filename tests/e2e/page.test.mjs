@@ -86,6 +86,74 @@ test('values in the address set the fire, and bad ones are refused aloud', async
   await assertBurns(tab);
 });
 
+test('the address follows the fire: its scene and what was changed, and nothing else', async () => {
+  const tab = await browser.open('index.html?quality=low#hearth');
+  await tab.ready();
+  const opened = await tab.evaluate(() => [location.search + location.hash, history.length]);
+  assert.equal(opened[0], '?quality=low#hearth');
+  const follows = (/** @type {string} */ address) => tab.until(
+    `the address ends in ${address}`,
+    (end) => location.href.endsWith(`/index.html${end}`),
+    address,
+  );
+  await tab.fire((fire) => fire.set({ exposure: 0.5, seed: 7 }));
+  await follows('?seed=7&exposure=0.5&quality=low#hearth');
+  await tab.fire((fire) => fire.restore('exposure'));
+  await follows('?seed=7&quality=low#hearth');
+  await tab.fire((fire) => fire.importConfig({ hearth: 1, preset: 'seed', values: { viscosity: 0.02 } }));
+  await follows('?scene=seed&viscosity=0.02&quality=low#hearth');
+  const shown = await tab.fire((fire) => fire.exportConfig());
+  const length = await tab.evaluate(() => history.length);
+  assert.equal(length, opened[1], 'no entry of the history was made');
+
+  const again = await browser.open(`index.html${await tab.evaluate(() => location.search)}`);
+  await again.ready();
+  assert.deepEqual(await again.fire((fire) => fire.exportConfig()), shown);
+  await again.fire((fire) => fire.restore());
+  await again.until('the address is clean', () => location.search === '?quality=low');
+  assert.deepEqual([...tab.problems, ...again.problems], []);
+});
+
+test('the address of a fire of the defaults stays as it is', async () => {
+  const tab = await browser.open('index.html');
+  await tab.burnt(0.3);
+  await tab.fire(async (fire) => {
+    await fire.set('exposure', 1);
+    await fire.set('exposure', 0);
+    await new Promise((resolve) => setTimeout(resolve, 1500));
+  });
+  assert.equal(await tab.evaluate(() => location.search), '');
+});
+
+const MANY = Array.from({ length: 300 }, (_, at) => `n${at}=1`).join('&');
+for (const [about, query, said, seed] of [
+  ['names nothing known', 'viscosty=1&seed=7', [/viscosty.*viscosity/], 7],
+  ['names what every object has', '__proto__=1&constructor=2&toString=3&seed=7', [/__proto__/, /constructor/, /toString/], 7],
+  ['names one thing twice', 'seed=7&seed=8&scene=default&preset=seed', [/“seed” more than once/, /“preset” more than once/], 7],
+  ['is half an escape', 'seed=7&%=%&%zz=%ff&=&&alt=%', [/%zz/], 7],
+  ['holds HTML', 'exposure=%3Cimg+src=x+onerror=alert(1)%3E&seed=7', [/exposure.*<img/], 7],
+  ['would fetch something', 'src=/secret.json&poster=https://a.example/x.png&seed=7', [/cannot set “src”/, /cannot set “poster”/], 7],
+  ['sets no numbers', 'seed=NaN&exposure=Infinity&viscosity=1e999', [/seed.*NaN/, /exposure.*Infinity/], 1],
+  ['names an unknown scene', 'scene=nowhere&seed=7', [/nowhere/], 7],
+  ['names hundreds', `seed=7&${MANY}`, [/301 values.*200/], 1],
+  ['is longer than 8 KiB', `seed=7&alt=${'x'.repeat(9000)}`, [/longer than 8192/], 1],
+]) {
+  test(`an address that ${about} is no trouble, and what is wrong is said`, async () => {
+    const tab = await browser.open(`index.html?${query}`);
+    await tab.ready();
+    const toast = await tab.evaluate(() => document.getElementById('toast')?.textContent ?? '');
+    const console = tab.problems.join('\n');
+    for (const words of said) {
+      assert.match(console, words);
+      assert.match(toast, words);
+    }
+    assert.ok(tab.problems.every((problem) => problem.startsWith('console.warn')), console);
+    assert.equal(await tab.evaluate(() => document.querySelectorAll('#toast *, img').length), 0);
+    assert.equal(await tab.fire((fire) => fire.params.seed), seed);
+    await tab.burnt(0.1);
+  });
+}
+
 for (const address of ['?paused', '?autoplay=false']) {
   test(`${address} in the address lets the fire stand still`, async () => {
     const tab = await browser.open(`index.html${address}&alt=Embers`);

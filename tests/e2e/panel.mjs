@@ -35,18 +35,41 @@ export function along(/** @type {Rectangle} */ rectangle, /** @type {number} */ 
   return { x: x + width * fraction, y: y + height / 2 };
 }
 
-/** The panel of the page in a tab. */
+/** Runs in the page: what the panel stands in. */
+const ROOT = `((inside) => inside ? document.querySelector('hearth-fire').shadowRoot : document)`;
+
+/** The panel of the page in a tab, or the one inside of the page's first fire. */
 export class Panel {
-  /** @param {Tab} tab */
-  constructor(tab) {
+  /** @param {Tab} tab @param {{inside?: boolean}} [where] */
+  constructor(tab, { inside = false } = {}) {
     this.tab = tab;
+    this.inside = inside;
+  }
+
+  /** As the driver finds an element of the panel. @param {string} selector */
+  find(selector) {
+    return this.inside ? `hearth-fire >>> ${selector}` : selector;
+  }
+
+  /**
+   * Runs `act` in the page with the document or shadow root that the panel stands in.
+   * @param {(root: Document | ShadowRoot, ...args: any[]) => any} act @param {...unknown} args
+   */
+  in(act, ...args) {
+    return this.tab.evaluate(`(${act})(${ROOT}(${this.inside}), ...${JSON.stringify(args)})`);
+  }
+
+  /** @param {string} what @param {(root: any, ...args: any[]) => any} holds @param {...unknown} args */
+  until(what, holds, ...args) {
+    const call = `(${holds})(${ROOT}(${this.inside}), ...${JSON.stringify(args)})`;
+    return this.tab.until(what, /** @type {any} */ (call));
   }
 
   /** Waits until the panel has painted its controls. */
   async mounted() {
-    await this.tab.until(
+    await this.until(
       'the panel shows its controls',
-      () => document.querySelector('[data-action="pause"][data-rect]') !== null,
+      (root) => root.querySelector('[data-action="pause"][data-rect]') !== null,
     );
     await this.tab.evaluate(rememberRectangles);
     return this;
@@ -58,10 +81,19 @@ export class Panel {
    * @returns {Promise<Rectangle>}  Where egui shows its control, in CSS pixels of the page.
    */
   async reveal(id) {
-    await this.tab.page.focus(mirrorOf(id));
-    const rectangle = await this.standing(mirrorOf(id));
+    return this.pointAt(mirrorOf(id));
+  }
+
+  /**
+   * Gives the focus to a mirror control, so that the panel brings its like into sight,
+   * and takes it away again.
+   * @param {string} selector
+   */
+  async pointAt(selector) {
+    await this.tab.page.focus(this.find(selector));
+    const rectangle = await this.standing(selector);
     // A focused mirror control shows itself, and could stand in the mouse's way.
-    await this.tab.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
+    await this.in((root) => /** @type {HTMLElement} */ (root.activeElement).blur());
     return rectangle;
   }
 
@@ -71,8 +103,8 @@ export class Panel {
    * @returns {Promise<Rectangle>}
    */
   async standing(selector) {
-    const rectangle = await this.tab.until(`${selector} is in sight`, async (wanted) => {
-      const mirror = /** @type {HTMLElement} */ (document.querySelector(wanted));
+    const rectangle = await this.until(`${selector} is in sight`, async (root, wanted) => {
+      const mirror = root.querySelector(wanted);
       const first = mirror.dataset.rect;
       for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
       return first !== undefined && first === mirror.dataset.rect && first;
@@ -88,9 +120,9 @@ export class Panel {
    * @returns {Promise<Rectangle>}
    */
   part(name) {
-    return this.tab.until(`the panel shows ${name}`, (wanted) => {
+    return this.until(`the panel shows ${name}`, (root, wanted) => {
       const found = /** @type {any} */ (window).panelRectangles?.[wanted];
-      const canvas = document.querySelector('#panel canvas')?.getBoundingClientRect();
+      const canvas = root.querySelector('.hearth-panel canvas')?.getBoundingClientRect();
       if (!found || !canvas) return null;
       const [x, y, width, height] = found;
       return { x: canvas.x + x, y: canvas.y + y, width, height };
@@ -115,6 +147,20 @@ export class Panel {
   }
 
   /**
+   * Unfolds what can be shared, where it is folded.
+   * @param {string} action  What is needed of it.
+   */
+  async share(action) {
+    await this.pointAt(actionOf(action));
+    await this.press(action);
+  }
+
+  /** What the mirror says in words. */
+  said() {
+    return this.in((root) => root.querySelector('.hearth-mirror [role="status"]')?.textContent);
+  }
+
+  /**
    * Clicks the button that brings a parameter's default back.
    * @param {string} id
    */
@@ -134,7 +180,7 @@ export class Panel {
 
   /** The ids of the parameters that have a control at present, in their order. */
   controls() {
-    return this.tab.page.$$eval('[data-parameter]', (controls) => controls
+    return this.tab.page.$$eval(this.find('[data-parameter]'), (controls) => controls
       .filter((control) => control.checkVisibility())
       .map((control) => /** @type {HTMLElement} */ (control).dataset.parameter));
   }

@@ -44,3 +44,8 @@ pub use glam::Vec2;
 pub use params::Parameters;
 pub use particle::{Instance, Particle};
 pub use simulation::{Simulation, Stage, StepReport};
+
+// The examples of the README run with those of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadMe;

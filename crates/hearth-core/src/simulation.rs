@@ -264,6 +264,13 @@ impl Simulation {
         self.read(Living::particle, |gas, i| gas.particle(i, self.time))
     }
 
+    /// The numbers by which particles are known from step to step, in the order of
+    /// birth, which is theirs. Particles that are put in, or that take over a fire,
+    /// are numbered from 0 again.
+    pub fn ids(&self) -> Vec<u64> {
+        self.read(|one| one.id, |gas, i| u64::from(gas.id[i]))
+    }
+
     /// Positions \[m\], in the order of birth.
     pub fn positions(&self) -> Vec<Vec2> {
         self.read(Living::position, |gas, i| gas.position[i])

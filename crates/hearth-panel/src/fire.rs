@@ -37,6 +37,20 @@ pub enum Command {
     Reset,
     /// One step, while paused.
     Step,
+    /// Take the last step of somebody's back.
+    Undo,
+    /// Do it again.
+    Redo,
+    /// Copy this, by its name.
+    Copy(&'static str),
+    /// Ask for settings.
+    Paste,
+    /// Save a picture.
+    Picture,
+    /// Take all of the screen, or give it back.
+    Fullscreen,
+    /// Show the keys.
+    Help,
 }
 
 /// How the fire does.

@@ -10,10 +10,10 @@ use crate::format::{count_text, significant};
 use crate::history;
 use crate::icons::{self, Icon};
 use crate::panel::{Panel, strip};
-use crate::{control, row, theme};
+use crate::{control, row, theme, tools};
 
 /// Width of the words before the models and the presets.
-const LABEL: f32 = 56.0;
+pub const LABEL: f32 = 56.0;
 
 /// The part that never scrolls: one line where there is little height.
 pub fn fixed(panel: &mut Panel, ui: &mut Ui, low: bool) {
@@ -21,7 +21,7 @@ pub fn fixed(panel: &mut Panel, ui: &mut Ui, low: bool) {
         let line = strip(ui, panel.measures.control);
         let width = 3.0 * panel.measures.control + 12.0;
         let buttons = Rect::from_min_max(pos2(line.right() - width, line.top()), line.max);
-        brief(panel, ui, line);
+        brief(panel, ui, line.with_max_x(buttons.left()));
         transport(panel, ui, buttons, true);
     } else {
         numbers(panel, ui);
@@ -34,6 +34,8 @@ pub fn fixed(panel: &mut Panel, ui: &mut Ui, low: bool) {
         ui.add_space(8.0);
         let buttons = strip(ui, panel.measures.control);
         transport(panel, ui, buttons, false);
+        ui.add_space(6.0);
+        tools::show(panel, ui, false);
         ui.add_space(8.0);
         movable_rows(panel, ui, false);
     }
@@ -46,6 +48,8 @@ pub fn fixed(panel: &mut Panel, ui: &mut Ui, low: bool) {
 /// The part that scrolls with the rows where there is little height.
 pub fn movable(panel: &mut Panel, ui: &mut Ui) {
     ui.add_space(4.0);
+    tools::show(panel, ui, true);
+    ui.add_space(8.0);
     movable_rows(panel, ui, true);
     ui.add_space(6.0);
     let plot = strip(ui, 30.0);
@@ -155,8 +159,12 @@ fn brief(panel: &Panel, ui: &Ui, line: Rect) {
     ];
     let x = unit.right() + 14.0;
     for ((text, ink), y) in lines.into_iter().zip([-8.0, 8.0]) {
-        let at = pos2(x, line.center().y + y);
-        painter.text(at, Align2::LEFT_CENTER, text, theme::small(), ink);
+        let galley = painter.layout_no_wrap(text, theme::small(), ink);
+        // What does not fit would run under the buttons.
+        if x + galley.size().x <= line.right() {
+            let at = pos2(x, line.center().y + y - galley.size().y / 2.0);
+            painter.galley(at, galley, ink);
+        }
     }
 }
 

@@ -21,6 +21,18 @@ pub enum Icon {
     Search,
     /// Empty a field.
     Cross,
+    /// One step back.
+    Undo,
+    /// And forth again.
+    Redo,
+    /// A picture.
+    Camera,
+    /// All of the screen.
+    Corners,
+    /// Pass it on.
+    Share,
+    /// Done.
+    Tick,
 }
 
 impl Icon {
@@ -81,6 +93,42 @@ impl Icon {
                 painter.line_segment([at(-0.5, -0.5), at(0.5, 0.5)], stroke);
                 painter.line_segment([at(0.5, -0.5), at(-0.5, 0.5)], stroke);
             }
+            Icon::Undo => hook(painter, centre, r, -1.0, stroke),
+            Icon::Redo => hook(painter, centre, r, 1.0, stroke),
+            Icon::Camera => {
+                let body = Rect::from_min_max(at(-1.0, -0.5), at(1.0, 0.8));
+                painter.rect_stroke(body, 0.25 * r, stroke, egui::StrokeKind::Inside);
+                let finder = [
+                    at(-0.45, -0.5),
+                    at(-0.25, -0.85),
+                    at(0.25, -0.85),
+                    at(0.45, -0.5),
+                ];
+                painter.line(finder.to_vec(), stroke);
+                painter.circle_stroke(at(0.0, 0.15), 0.32 * r, stroke);
+            }
+            Icon::Corners => {
+                for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
+                    let far = 0.8;
+                    let near = 0.25;
+                    let corner = [
+                        at(near * x, far * y),
+                        at(far * x, far * y),
+                        at(far * x, near * y),
+                    ];
+                    painter.line(corner.to_vec(), stroke);
+                }
+            }
+            Icon::Share => {
+                let (from, upper, lower) = (at(-0.6, 0.0), at(0.6, -0.65), at(0.6, 0.65));
+                painter.line(vec![upper, from, lower], stroke);
+                for knot in [from, upper, lower] {
+                    painter.circle_filled(knot, 0.3 * r, colour);
+                }
+            }
+            Icon::Tick => {
+                painter.line(vec![at(-0.75, 0.05), at(-0.2, 0.6), at(0.8, -0.6)], stroke);
+            }
         }
     }
 }
@@ -124,6 +172,22 @@ fn turn(painter: &Painter, centre: Pos2, radius: f32, to_the_left: bool, stroke:
         ],
         stroke.color,
     ));
+}
+
+/// A way that turns back: to the left (`side` −1) undoes, to the right (1) does
+/// again.
+fn hook(painter: &Painter, centre: Pos2, r: f32, side: f32, stroke: Stroke) {
+    use std::f32::consts::PI;
+    let at = |x: f32, y: f32| centre + vec2(side * x * r, y * r);
+    // Along the top towards the head, and around the other end to below.
+    let bend = (0..=12).map(|i| {
+        let (sin, cos) = (PI * (0.5 - i as f32 / 12.0)).sin_cos();
+        at(-0.3 - 0.55 * cos, 0.2 + 0.55 * sin)
+    });
+    let way = std::iter::once(at(0.3, 0.75)).chain(bend);
+    painter.line(way.chain([at(0.4, -0.35)]).collect(), stroke);
+    let head = [at(0.95, -0.35), at(0.3, -0.8), at(0.3, 0.1)];
+    painter.add(triangle(head, stroke.color));
 }
 
 fn triangle(points: [Pos2; 3], colour: Color32) -> Shape {

@@ -10,6 +10,7 @@
 mod button;
 mod colour;
 mod control;
+pub mod desk;
 mod field;
 pub mod fire;
 pub mod format;
@@ -21,7 +22,8 @@ mod row;
 pub mod search;
 mod slider;
 pub mod theme;
+mod tools;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
-pub use panel::Panel;
+pub use panel::{Panel, SHARE};

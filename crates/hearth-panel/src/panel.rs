@@ -14,6 +14,7 @@ use egui::{Align, Frame, Id, Margin, Rect, ScrollArea, Sense, Ui, UiBuilder, pos
 use hearth_core::params::{Model, Param, Value};
 
 use crate::colour::OpenColour;
+use crate::desk::Desk;
 use crate::field::Typing;
 use crate::fire::{Command, Fire, MODEL};
 use crate::slider::Gesture;
@@ -21,7 +22,10 @@ use crate::theme::{self, Measures};
 use crate::{header, icons, row, search};
 
 /// Below this height the header keeps one line.
-const LOW: f32 = 440.0;
+const LOW: f32 = 540.0;
+
+/// The name of what can be copied and pasted, for [`Panel::reveal`].
+pub const SHARE: &str = "share";
 
 /// Empty space after the last row, so that it can be brought above whatever
 /// the page lays over the panel's lower edge (the mirror's control that has the
@@ -33,6 +37,8 @@ const END: i8 = 84;
 pub struct Panel {
     /// What it knows about the fire.
     pub fire: Fire,
+    /// What the page around it can do.
+    pub desk: Desk,
     /// Whether the last press came from a finger.
     pub finger: bool,
     /// Sizes for the finger or the mouse.
@@ -50,6 +56,10 @@ pub struct Panel {
     pub(crate) gesture: Option<(Id, Gesture)>,
     /// Whether it is shown what takes how long.
     pub(crate) unfolded: bool,
+    /// Whether it is shown what can be copied and pasted.
+    pub(crate) sharing: bool,
+    /// Whether that is to be brought into sight.
+    pub(crate) bringing_tools: bool,
     closed: BTreeSet<&'static str>,
     /// The model whose rows were shown last.
     model: Model,
@@ -64,6 +74,7 @@ impl Panel {
     pub fn new(measures: Measures) -> Panel {
         Panel {
             fire: Fire::default(),
+            desk: Desk::default(),
             finger: false,
             measures,
             scrolls: (false, false),
@@ -75,6 +86,8 @@ impl Panel {
             revealing: false,
             gesture: None,
             unfolded: false,
+            sharing: false,
+            bringing_tools: false,
             closed: BTreeSet::new(),
             model: Model::default(),
             tops: Vec::new(),
@@ -107,6 +120,7 @@ impl Panel {
             self.gesture = None;
         }
         self.revealing = false;
+        self.bringing_tools = false;
     }
 
     fn body(&mut self, ui: &mut Ui, low: bool) {
@@ -214,9 +228,13 @@ impl Panel {
         open
     }
 
-    /// Brings the row of a parameter into sight and marks it; an id that is
-    /// none takes the mark away.
+    /// Brings the row of a parameter into sight and marks it, or what can be
+    /// shared ([`SHARE`]); an id that is none takes the mark away.
     pub fn reveal(&mut self, id: &str) {
+        if id == SHARE {
+            self.sharing = true;
+            self.bringing_tools = true;
+        }
         let model = self.fire.parameters.model();
         let param = Param::find(id).filter(|param| param.domain(model).is_some());
         self.shown = param.map(|param| param.id);

@@ -85,6 +85,8 @@ pub fn apply(ctx: &egui::Context) {
     }
     ctx.set_fonts(fonts);
     ctx.set_theme(egui::Theme::Dark);
+    // A button is pressed however long the press, as everywhere else on a page.
+    ctx.options_mut(|options| options.input_options.max_click_duration = f64::INFINITY);
     ctx.all_styles_mut(|style| {
         style.override_font_id = Some(body());
         style.animation_time = 0.0;

@@ -6,9 +6,10 @@
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, vec2};
 use hearth_core::params::{Choice, Input, Kind, Model, Param, Value};
-use hearth_panel::Panel;
+use hearth_panel::desk::Desk;
 use hearth_panel::fire::{Command, MODEL, Stats};
 use hearth_panel::theme::{self, Measures};
+use hearth_panel::{Panel, SHARE};
 
 struct Hands {
     ctx: egui::Context,
@@ -316,6 +317,12 @@ fn a_click_on_the_frame_rate_tells_what_takes_how_long() {
 fn buttons_ask_for_what_they_say() {
     let mut hands = Hands::new(TALL);
     hands.panel.fire.learn("gravity", Input::Number(3.0));
+    hands.panel.desk = Desk {
+        undo: true,
+        redo: true,
+        fullscreen: true,
+        ..Desk::default()
+    };
     hands.wait();
     let all = hands.used().iter().map(|param| param.id).collect();
     for (button, asked) in [
@@ -325,6 +332,11 @@ fn buttons_ask_for_what_they_say() {
         ("quality:low", Command::Quality("low")),
         ("quality:auto", Command::Quality("auto")),
         ("action:reset-all", Command::Restore(all)),
+        ("action:undo", Command::Undo),
+        ("action:redo", Command::Redo),
+        ("action:picture", Command::Picture),
+        ("action:fullscreen", Command::Fullscreen),
+        ("action:help", Command::Help),
     ] {
         hands.click(button);
         assert_eq!(hands.panel.take_commands(), [asked], "{button}");
@@ -333,6 +345,81 @@ fn buttons_ask_for_what_they_say() {
     hands.click("action:pause");
     hands.click("action:step");
     assert_eq!(hands.panel.take_commands(), [Command::Play, Command::Step]);
+}
+
+#[test]
+fn a_slow_press_is_a_press() {
+    let mut hands = Hands::new(TALL);
+    let pos = hands.place("action:pause").center();
+    hands.frame(vec![Event::PointerMoved(pos)]);
+    hands.button(pos, true);
+    hands.time += 5.0;
+    hands.wait();
+    hands.button(pos, false);
+    assert_eq!(hands.panel.take_commands(), [Command::Pause]);
+}
+
+#[test]
+fn what_cannot_be_done_at_present_cannot_be_pressed() {
+    let mut hands = Hands::new(TALL);
+    for button in ["action:undo", "action:redo"] {
+        hands.click(button);
+    }
+    assert_eq!(hands.panel.take_commands(), []);
+    assert!(!hands.panel.rectangles().contains_key("action:fullscreen"));
+}
+
+#[test]
+fn what_can_be_shared_unfolds_and_says_what_it_copied() {
+    for size in [TALL, PHONE] {
+        let mut hands = Hands::new(size);
+        hands.panel.desk.link = true;
+        hands.panel.desk.iframe = true;
+        assert!(!hands.panel.rectangles().contains_key("action:paste"));
+        hands.click("action:share");
+        for what in ["link", "element", "iframe", "json"] {
+            hands.click(&format!("action:copy:{what}"));
+            assert_eq!(hands.panel.take_commands(), [Command::Copy(what)]);
+        }
+        hands.panel.desk.done = "copy:json".to_owned();
+        hands.panel.desk.said = "Copied".to_owned();
+        let below = hands.place("action:paste");
+        hands.wait();
+        assert_eq!(hands.place("action:paste"), below, "nothing moves");
+        hands.click("action:paste");
+        assert_eq!(hands.panel.take_commands(), [Command::Paste]);
+        hands.click("action:share");
+        assert!(!hands.panel.rectangles().contains_key("action:paste"));
+        hands.reveal("gravity");
+        hands.reveal(SHARE);
+        hands.panel.desk.link = false;
+        hands.panel.desk.iframe = false;
+        hands.wait();
+        for what in ["link", "iframe"] {
+            let name = format!("action:copy:{what}");
+            assert!(!hands.panel.rectangles().contains_key(&name), "{what}");
+        }
+        hands.place("action:copy:json");
+    }
+}
+
+#[test]
+fn what_went_wrong_is_said() {
+    let mut hands = Hands::new(TALL);
+    let folded = hands.place("search").top();
+    hands.panel.desk.said = "There is no picture".to_owned();
+    hands.wait();
+    assert!(hands.place("search").top() > folded);
+}
+
+#[test]
+fn a_narrow_panel_keeps_its_buttons_free() {
+    let mut hands = Hands::new((240.0, 110.0, Measures::FINE));
+    hands.panel.fire.stats.particles = 10_000.0;
+    hands.panel.fire.stats.slowed = true;
+    hands.wait();
+    hands.click("action:pause");
+    assert_eq!(hands.panel.take_commands(), [Command::Pause]);
 }
 
 #[test]

@@ -13,7 +13,6 @@
 use std::rc::Rc;
 
 use hearth_render::{RenderError, Studio};
-use js_sys::Function;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::{WebGl2RenderingContext as Context, WebGlContextAttributes, WebglLoseContext};
@@ -43,6 +42,13 @@ extern "C" {
         kind: &str,
         attributes: &WebGlContextAttributes,
     ) -> Result<Option<Context>, JsValue>;
+
+    /// What takes a picture away.
+    pub type Show;
+
+    // js-sys's own makes an object for each call, to catch what it never throws.
+    #[wasm_bindgen(method, js_name = call)]
+    fn take(this: &Show, of: &JsValue, fire: u32) -> bool;
 }
 
 /// A context that can be drawn in, and what its fires share.
@@ -68,16 +74,16 @@ pub struct Easel {
     canvas: Canvas,
     context: Context,
     ground: Option<Ground>,
-    show: Function,
+    show: Show,
 }
 
 impl Easel {
     /// Takes the canvas; `show(fire)` takes a picture away, and says whether it is
-    /// shown already.
+    /// shown already. It never throws.
     ///
     /// # Errors
     /// In words: there is no WebGL2, or the driver refuses a shader.
-    pub fn new(canvas: Canvas, show: Function) -> Result<Easel, String> {
+    pub fn new(canvas: Canvas, show: Show) -> Result<Easel, String> {
         let attributes = WebGlContextAttributes::new();
         attributes.set_alpha(true);
         attributes.set_premultiplied_alpha(true);
@@ -147,8 +153,7 @@ impl Easel {
     /// Shows what was drawn as the picture of that fire; whether it is shown
     /// already, and not only on its way.
     pub fn show(&self, fire: u32) -> bool {
-        let shown = self.show.call1(&JsValue::UNDEFINED, &fire.into());
-        shown.is_ok_and(|shown| shown.is_truthy())
+        self.show.take(&JsValue::UNDEFINED, fire)
     }
 }
 

@@ -10,7 +10,7 @@ use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::budget::{STEPS_BUDGET_MS, share};
-use crate::easel::{Canvas, Easel};
+use crate::easel::{Canvas, Easel, Show};
 use crate::fire::Fire;
 use crate::host::Host;
 use crate::message::{Message, Order, Refused, RefusedMessage};
@@ -37,7 +37,7 @@ impl Engine {
     /// # Errors
     /// There is no WebGL2, or the driver refuses.
     #[wasm_bindgen(constructor)]
-    pub fn new(post: Function, canvas: Canvas, show: Function) -> Result<Engine, js_sys::Error> {
+    pub fn new(post: Function, canvas: Canvas, show: Show) -> Result<Engine, js_sys::Error> {
         let easel = Easel::new(canvas, show).map_err(|words| js_sys::Error::new(&words))?;
         Ok(Engine {
             fires: Vec::new(),
@@ -56,6 +56,15 @@ impl Engine {
             Err(refused) => out.refused(refused),
         }
         self.end(out)
+    }
+
+    /// A picture of that fire that was on its way is shown. Returns whether a frame is
+    /// wanted. It comes for each picture, and so is no message to be taken apart.
+    pub fn shown(&mut self, fire: u32) -> bool {
+        if let Some(fire) = self.fires.iter_mut().find(|known| known.id() == fire) {
+            fire.shown();
+        }
+        self.fires.iter().any(Fire::wants_frame)
     }
 
     /// A frame of the display, at `now` \[ms\]. Returns whether another one is
@@ -152,7 +161,6 @@ impl Engine {
             Order::Visible(visible) => fire.set_visible(visible),
             Order::Limit(limit) => fire.limit(limit),
             Order::Stir(stir) => fire.stir(stir),
-            Order::Shown => fire.shown(),
             Order::Quality(wish) => fire.ask_quality(wish, out),
             Order::Play => fire.set_playing(true, out),
             Order::Pause => fire.set_playing(false, out),

@@ -51,21 +51,22 @@ impl Limit {
     /// No limit of that name, no number, or one outside the range.
     pub fn parse(raw: &Raw) -> Result<Limit, Refused> {
         let id = raw.field("id");
-        let within = |id, (min, max): (f64, f64)| match *raw.field("value") {
+        // In words: formatting a number would bring more code than all of this.
+        let within = |id, (min, max): (f64, f64), allowed| match *raw.field("value") {
             Raw::Missing => Ok(None),
             Raw::Number(x) if x >= min && x <= max => Ok(Some(x)),
-            ref other => {
-                // Formatting fractions would bring 20 KB of code.
-                let allowed = format!("a number from {} to {}", min as u32, max as u32);
-                Err(Refused {
-                    range: Some((min, max)),
-                    ..Refused::field(id, other, &allowed)
-                })
-            }
+            ref other => Err(Refused {
+                range: Some((min, max)),
+                ..Refused::field(id, other, allowed)
+            }),
         };
         match id {
-            Raw::Text(name) if name == "fps_limit" => within(name, RATES).map(Limit::Fps),
-            Raw::Text(name) if name == "max_pixels" => within(name, PIXELS).map(Limit::Pixels),
+            Raw::Text(name) if name == "fps_limit" => {
+                within(name, RATES, "a number from 10 to 240").map(Limit::Fps)
+            }
+            Raw::Text(name) if name == "max_pixels" => {
+                within(name, PIXELS, "a number from 1024 to 16777216").map(Limit::Pixels)
+            }
             other => Err(Refused::field("id", other, "one of fps_limit, max_pixels")),
         }
     }

@@ -11,7 +11,6 @@
 //! | `export` | `request` | asks for its settings |
 //! | `limit` | `request`, `id`: `fps_limit` or `max_pixels`, `value`? | most pictures a second, most pixels of one; without a value, no limit of its own |
 //! | `stir` | `x`, `y`, `u`, `v` | moves the gas there [m] as fast as that [m/s] |
-//! | `shown` | | its last picture is shown |
 //! | `quality` | `request`, `quality` | how much work it makes itself: low, medium, high or auto |
 //! | `play`, `pause`, `reset` | `request` | what they say |
 //! | `step` | `request`, `steps` | makes that many steps, playing or not |
@@ -76,8 +75,6 @@ pub enum Order {
     Limit(Limit),
     /// Gas to be moved.
     Stir(Stir),
-    /// Its last picture is shown.
-    Shown,
     /// That quality, or whichever fits.
     Quality(Option<Level>),
     /// Go on.
@@ -135,6 +132,8 @@ pub struct Refused {
 }
 
 impl Refused {
+    // Many callers, here and below: what is inlined into each is a kilobyte in all.
+    #[inline(never)]
     pub(crate) fn field(id: &str, value: &Raw, allowed: &str) -> Refused {
         Refused {
             id: id.to_owned(),
@@ -226,7 +225,6 @@ impl Order {
             "export" => Ok(Order::Export),
             "limit" => Limit::parse(raw).map(Order::Limit),
             "stir" => Stir::parse(raw).map(Order::Stir),
-            "shown" => Ok(Order::Shown),
             "quality" => quality(raw, "quality").map(Order::Quality),
             "play" => Ok(Order::Play),
             "pause" => Ok(Order::Pause),
@@ -240,6 +238,7 @@ impl Order {
     }
 }
 
+#[inline(never)]
 fn whole(raw: &Raw, id: &str, min: u32, max: u32) -> Result<u32, Refused> {
     match *raw.field(id) {
         Raw::Number(x) if x.fract() == 0.0 && x >= min.into() && x <= max.into() => Ok(x as u32),
@@ -260,6 +259,7 @@ fn seconds(raw: &Raw, id: &str) -> Result<f64, Refused> {
     }
 }
 
+#[inline(never)]
 fn number(raw: &Raw, id: &str) -> Result<Option<f64>, Refused> {
     match *raw.field(id) {
         Raw::Missing => Ok(None),
@@ -268,6 +268,7 @@ fn number(raw: &Raw, id: &str) -> Result<Option<f64>, Refused> {
     }
 }
 
+#[inline(never)]
 fn flag(raw: &Raw, id: &str) -> Result<bool, Refused> {
     match *raw.field(id) {
         Raw::Flag(on) => Ok(on),
@@ -282,6 +283,7 @@ fn flag_or(raw: &Raw, id: &str, default: bool) -> Result<bool, Refused> {
     }
 }
 
+#[inline(never)]
 fn text(raw: &Raw, id: &str) -> Result<String, Refused> {
     match raw.field(id) {
         Raw::Text(text) => Ok(text.clone()),
@@ -289,6 +291,7 @@ fn text(raw: &Raw, id: &str) -> Result<String, Refused> {
     }
 }
 
+#[inline(never)]
 pub(crate) fn optional_text(raw: &Raw, id: &str) -> Result<Option<String>, Refused> {
     match raw.field(id) {
         Raw::Missing => Ok(None),
@@ -297,6 +300,7 @@ pub(crate) fn optional_text(raw: &Raw, id: &str) -> Result<Option<String>, Refus
 }
 
 /// A level by its name; nothing where it is `auto`, or nothing is said.
+#[inline(never)]
 fn quality(raw: &Raw, id: &str) -> Result<Option<Level>, Refused> {
     let name = optional_text(raw, id)?;
     let level = Level::ALL
@@ -309,6 +313,7 @@ fn quality(raw: &Raw, id: &str) -> Result<Option<Level>, Refused> {
     Ok(level)
 }
 
+#[inline(never)]
 fn values(raw: &Raw, id: &str) -> Result<SentValues, Refused> {
     match raw.field(id) {
         Raw::Object(values) => Ok(values.clone()),
@@ -327,6 +332,7 @@ pub(crate) fn optional_values(raw: &Raw, id: &str) -> Result<SentValues, Refused
     }
 }
 
+#[inline(never)]
 fn ids(raw: &Raw) -> Result<Vec<String>, Refused> {
     let wrong = |value| Refused::field("ids", value, "an array of ids");
     let Raw::List(list) = raw.field("ids") else {

@@ -6,8 +6,11 @@
 //! rewrites a file that is behind the table and fails, so a stale one cannot be
 //! merged and needs no work to correct.
 
+mod element;
 mod javascript;
+mod manifest;
 mod markdown;
+mod react;
 mod typescript;
 
 use std::path::Path;
@@ -38,6 +41,14 @@ pub fn generate() -> Vec<Generated> {
         Generated {
             path: "web/parameters.d.ts",
             text: typescript::declarations(),
+        },
+        Generated {
+            path: "web/react.d.ts",
+            text: react::declarations(),
+        },
+        Generated {
+            path: "web/custom-elements.json",
+            text: manifest::manifest(),
         },
         Generated {
             path: "docs/parameters.md",

@@ -4,19 +4,22 @@ use std::process::ExitCode;
 
 use anyhow::{Result, bail};
 
-use crate::{bench, codegen, paths, serve, site, size, soak, stages, validate};
+use crate::links::{self, Base};
+use crate::{bench, codegen, package, paths, poster, serve, site, size, soak, stages, validate};
 
 /// What a person reads who asks for help.
 const HELP: &str = "\
 cargo xtask <command>
 
   serve [--port N] [--no-open]          build the site, serve it on this machine, open it
-  build                                 build the static site in dist/site
+  build [--url ADDRESS]                 build the static site in dist/site, for this address
+  package                               build the npm package in dist/npm
   test [--skip-browser] [STAGE...]      check everything, or only these stages
   validate [CASE...]                    hold the physics against theory, and write docs/evaluation.md
   soak [--corners N] [--seed S]         drive fires to random corners of all ranges, and back
   bench [--yardstick PROGRAM]           measure, beside this program too, and write docs/evaluation.md
   bench --instructions [--write]        hold the instructions of a step to those written down, or write them
+  poster                                take the picture that a link to the page shows
   size                                  print the download sizes of the built site
   codegen                               write the files that come from the parameter table
   help                                  this text
@@ -33,7 +36,12 @@ pub enum Command {
         open: bool,
     },
     /// Build the static site.
-    Build,
+    Build {
+        /// The address that it will have, if its pages are to tell it.
+        url: Option<Base>,
+    },
+    /// Make the npm package.
+    Package,
     /// Check everything, or the named stages.
     Test {
         /// Leave out what needs a browser.
@@ -55,6 +63,8 @@ pub enum Command {
     },
     /// Measure.
     Bench(bench::Task),
+    /// Take the picture that a link shows.
+    Poster,
     /// Print download sizes.
     Size,
     /// Write generated files.
@@ -124,11 +134,25 @@ impl Command {
                 }
                 Command::Soak { corners, seed }
             }
-            "build" => Command::Build,
+            "build" => {
+                let mut url = None;
+                while let Some(option) = options.next() {
+                    match option {
+                        "--url" => url = Some(Base::parse(options.next().unwrap_or_default())?),
+                        other => match other.strip_prefix("--url=") {
+                            Some(address) => url = Some(Base::parse(address)?),
+                            None => return unknown(name, other),
+                        },
+                    }
+                }
+                Command::Build { url }
+            }
             "bench" => match bench::Task::parse(options.by_ref()) {
                 Ok(task) => Command::Bench(task),
                 Err(option) => return unknown(name, &option),
             },
+            "poster" => Command::Poster,
+            "package" => Command::Package,
             "size" => Command::Size,
             "codegen" => Command::Codegen,
             "help" | "--help" | "-h" => Command::Help,
@@ -169,13 +193,17 @@ pub fn run(command: Command) -> Result<ExitCode> {
             site::build()?;
             serve::serve(&paths::site(), port, open)?;
         }
-        Command::Build => {
+        Command::Build { url } => {
             site::build()?;
+            if let Some(base) = url {
+                links::make_whole(&paths::site(), &base)?;
+            }
             println!(
                 "The site is in {}: copy it to any static host.",
                 paths::shown(&paths::site())
             );
         }
+        Command::Package => package::build()?,
         Command::Test {
             skip_browser,
             names,
@@ -189,6 +217,7 @@ pub fn run(command: Command) -> Result<ExitCode> {
         Command::Validate { names } => validate::run(&names)?,
         Command::Soak { corners, seed } => soak::run(corners, seed)?,
         Command::Bench(task) => bench::run(&task)?,
+        Command::Poster => poster::take()?,
         Command::Size => {
             site::build()?;
             size::check()?;
@@ -235,6 +264,18 @@ mod tests {
                 }
             );
         }
+        assert_eq!(parse("build")?, Command::Build { url: None });
+        for line in [
+            "build --url https://a.example",
+            "build --url=https://a.example/",
+        ] {
+            assert_eq!(
+                parse(line)?,
+                Command::Build {
+                    url: Some(Base::parse("https://a.example/")?)
+                }
+            );
+        }
         assert_eq!(
             parse("test --skip-browser lint native")?,
             Command::Test {
@@ -266,6 +307,7 @@ mod tests {
             "test --fast",
             "serve --host x",
             "size 3",
+            "package now",
             "validate --fast",
             "soak 3",
             "bench --fast",
@@ -276,6 +318,10 @@ mod tests {
         for line in ["serve --port", "serve --port 0", "serve --port 70000"] {
             let said = parse(line).err().map(|error| error.to_string());
             assert!(said.is_some_and(|said| said.contains("65535")));
+        }
+        for line in ["build --url", "build --url=nowhere"] {
+            let said = parse(line).err().map(|error| error.to_string());
+            assert!(said.is_some_and(|said| said.contains("--url wants the address")));
         }
         let said = parse("soak --corners many").err().map(|e| e.to_string());
         assert!(said.is_some_and(|said| said.contains("--corners wants a whole number")));

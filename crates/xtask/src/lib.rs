@@ -7,8 +7,11 @@
 pub mod bench;
 pub mod codegen;
 pub mod command;
+pub mod links;
 pub mod marks;
+pub mod package;
 pub mod paths;
+pub mod poster;
 pub mod process;
 pub mod report;
 pub mod script;

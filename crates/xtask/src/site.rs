@@ -1,10 +1,11 @@
-//! The static site: both wasm modules, the files of `web/` and the page.
+//! The static site: the wasm modules, the files of `web/`, the page and examples.
 //!
 //! cargo compiles, wasm-bindgen's command line makes the modules as a library
 //! of this program: its version is that of the bindings by `Cargo.lock`, and
 //! nobody has to install it. Every URL of the site is relative, so the folder
 //! works wherever it is put.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::thread;
@@ -23,9 +24,13 @@ pub(crate) struct Module {
     pub profile: &'static str,
 }
 
-const MODULES: [Module; 2] = [
+const MODULES: [Module; 3] = [
     Module {
         package: "hearth-widget",
+        profile: "engine",
+    },
+    Module {
+        package: "hearth-sim",
         profile: "engine",
     },
     Module {
@@ -43,9 +48,17 @@ pub fn build() -> Result<()> {
     let start = Instant::now();
     println!("Building the site (the first time takes some minutes) …");
     // The last part of each is one long link on one core, and profiles do not
-    // share a folder: so both at once.
+    // share a folder: so all at once, those of one profile by one cargo.
+    let profiles: BTreeSet<_> = MODULES.iter().map(|module| module.profile).collect();
     thread::scope(|scope| {
-        let builds = MODULES.map(|module| scope.spawn(move || compile(&module)));
+        let builds = profiles.into_iter().map(|profile| {
+            let modules = MODULES
+                .iter()
+                .filter(move |module| module.profile == profile);
+            scope.spawn(move || compile_together(modules))
+        });
+        // Started before the first is waited for.
+        let builds: Vec<_> = builds.collect();
         let mut first_error = Ok(());
         for build in builds {
             let built = build
@@ -66,6 +79,7 @@ pub fn build() -> Result<()> {
         bind(module, module.package, &site.join("web").join("wasm"))?;
     }
     strip_scripts(&site)?;
+    copy_pages(&paths::root().join("examples"), &site.join("examples"))?;
     let page = paths::root().join("index.html");
     let html = fs::read_to_string(&page)
         .with_context(|| format!("cannot read {}", paths::shown(&page)))?;
@@ -80,16 +94,20 @@ pub fn build() -> Result<()> {
 
 /// Compiles `module` to wasm.
 pub(crate) fn compile(module: &Module) -> Result<()> {
-    process::run(process::cargo().args([
-        "build",
-        "--target",
-        tools::WASM,
-        "--package",
-        module.package,
-        "--lib",
-        "--profile",
-        module.profile,
-    ]))
+    compile_together([module])
+}
+
+/// Compiles modules of one profile to wasm.
+fn compile_together<'a>(modules: impl IntoIterator<Item = &'a Module>) -> Result<()> {
+    let mut cargo = process::cargo();
+    cargo.args(["build", "--target", tools::WASM, "--lib"]);
+    for (at, module) in modules.into_iter().enumerate() {
+        if at == 0 {
+            cargo.args(["--profile", module.profile]);
+        }
+        cargo.args(["--package", module.package]);
+    }
+    process::run(&mut cargo)
 }
 
 /// Where cargo leaves what it builds, which a person may have moved.
@@ -138,6 +156,20 @@ fn copy_folder(from: &Path, to: &Path) -> Result<()> {
             copy_folder(&entry.path(), &target)?;
         } else {
             fs::copy(entry.path(), target)?;
+        }
+    }
+    Ok(())
+}
+
+/// Copies the pages that stand in the folder itself: what lies deeper needs packages.
+fn copy_pages(from: &Path, to: &Path) -> Result<()> {
+    fs::create_dir_all(to)?;
+    let listed =
+        fs::read_dir(from).with_context(|| format!("cannot read {}", paths::shown(from)))?;
+    for entry in listed {
+        let path = entry?.path();
+        if path.extension().is_some_and(|ending| ending == "html") {
+            fs::copy(&path, to.join(path.file_name().unwrap_or_default()))?;
         }
     }
     Ok(())

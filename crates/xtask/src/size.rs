@@ -17,11 +17,18 @@ struct Download {
     holds: fn(&str) -> bool,
 }
 
-const DOWNLOADS: [Download; 2] = [
+const DOWNLOADS: [Download; 3] = [
     Download {
         name: "element and engine",
         ceiling: 100_000,
-        holds: |path| is_code(path) && !is_of_panel(path) && !is_of_page(path),
+        holds: |path| {
+            is_code(path) && !is_of_panel(path) && !is_of_library(path) && !is_of_page(path)
+        },
+    },
+    Download {
+        name: "headless library",
+        ceiling: 60_000,
+        holds: |path| is_code(path) && is_of_library(path),
     },
     Download {
         name: "panel, on request",
@@ -36,15 +43,32 @@ fn is_code(path: &str) -> bool {
         .any(|ending| path.ends_with(ending))
 }
 
+/// With what the panel alone needs of the rest, as links to share.
 fn is_of_panel(path: &str) -> bool {
-    ["panel", "mirror", "parameters", "wasm/hearth-panel"]
-        .iter()
-        .any(|start| path.starts_with(start))
+    begins(
+        path,
+        &[
+            "panel",
+            "mirror",
+            "parameters",
+            "share",
+            "wasm/hearth-panel",
+        ],
+    )
 }
 
-/// The page itself is an example; who embeds the element does not load it.
+fn is_of_library(path: &str) -> bool {
+    begins(path, &["sim.", "wasm/hearth-sim"])
+}
+
+/// Pages are examples, and React's entry is the element again; who embeds the
+/// element loads none of them.
 fn is_of_page(path: &str) -> bool {
-    path.starts_with("page")
+    begins(path, &["page", "embed", "address", "react"])
+}
+
+fn begins(path: &str, starts: &[&str]) -> bool {
+    starts.iter().any(|start| path.starts_with(start))
 }
 
 /// Prints the sizes of the built site; fails where one is over its ceiling.
@@ -130,16 +154,27 @@ mod tests {
         ] {
             assert_eq!(downloads(path), ["element and engine"]);
         }
+        for path in ["sim.js", "wasm/hearth-sim.js", "wasm/hearth-sim_bg.wasm"] {
+            assert_eq!(downloads(path), ["headless library"]);
+        }
         for path in [
             "panel.js",
             "panel.css",
             "mirror.js",
             "parameters.js",
+            "share.js",
             "wasm/hearth-panel.js",
         ] {
             assert_eq!(downloads(path), ["panel, on request"]);
         }
-        for path in ["page.js", "page.css", "package.json", "parameters.d.ts"] {
+        for path in [
+            "page.js",
+            "page.css",
+            "embed.js",
+            "package.json",
+            "parameters.d.ts",
+            "sim.d.ts",
+        ] {
             assert!(downloads(path).is_empty());
         }
     }

@@ -7,6 +7,8 @@
 
 pub(crate) mod browser;
 mod code;
+mod library;
+mod package;
 mod trunk;
 
 use anyhow::{Result, bail};
@@ -89,6 +91,20 @@ const STAGES: &[Stage] = &[
         run: |_| size::check(),
     },
     Stage {
+        name: "library",
+        about: "the simulation as a library in Node keeps its laws, and gives the native bits",
+        needs: &["site"],
+        in_browser: false,
+        run: |_| library::laws_in_node(),
+    },
+    Stage {
+        name: "publish",
+        about: "the physics could be published as a crate",
+        needs: &[],
+        in_browser: false,
+        run: |_| library::publishable(),
+    },
+    Stage {
         name: "baselines",
         about: "what benchmarks compare with computes the same gas",
         needs: &[],
@@ -118,10 +134,17 @@ const STAGES: &[Stage] = &[
     },
     Stage {
         name: "e2e",
-        about: "the page in headless Chromium, as a visitor uses it",
+        about: "the page as a visitor uses it, and its element in every browser",
         needs: &["site"],
         in_browser: true,
         run: |_| browser::end_to_end(),
+    },
+    Stage {
+        name: "consumers",
+        about: "the npm package serves its users: pages, bundlers, React, servers",
+        needs: &["site"],
+        in_browser: true,
+        run: |_| package::consumers(),
     },
     Stage {
         name: "trunk",

@@ -3,7 +3,8 @@
 //! the line that installs them.
 //!
 //! `serve` and `build` need the wasm target and nothing else. Tests need Node,
-//! Chromium with its driver, wasm-bindgen's test runner, valgrind and Trunk.
+//! Chromium with its driver, Firefox, WebKit's driver, a screen for these two,
+//! wasm-bindgen's test runner, valgrind and Trunk.
 
 use std::env;
 use std::ffi::OsString;
@@ -20,8 +21,8 @@ const WASM_BINDGEN: &str = "0.2.130";
 const TRUNK: &str = "0.21.14";
 /// The target of everything that runs in a browser.
 pub const WASM: &str = "wasm32-unknown-unknown";
-/// Oldest Node with the test runner that the tests use.
-const NODE_MAJOR: u32 = 18;
+/// Oldest Node that the tests' own tools run in.
+const NODE_MAJOR: u32 = 20;
 
 /// The PATH of this process with the tools' folder before it.
 pub fn path() -> Option<OsString> {
@@ -133,6 +134,95 @@ pub fn browser() -> Result<Browser> {
     find_browser().context("chromium and chromium-driver are installed, but not on the PATH")
 }
 
+/// A program that tests of all browsers need beside Chromium.
+struct Program {
+    /// The variable that names it, for a person and for the tests.
+    variable: &'static str,
+    names: &'static [&'static str],
+    package: &'static str,
+    /// The browsers that need it, as `HEARTH_BROWSERS` calls them.
+    browsers: &'static [&'static str],
+}
+
+/// What draws without a graphics card, where the browsers do not bring it themselves.
+const SOFTWARE_GL: [&str; 3] = ["libgl1", "libegl1", "libgl1-mesa-dri"];
+
+const PROGRAMS: &[Program] = &[
+    Program {
+        variable: "HEARTH_FIREFOX",
+        names: &["firefox-esr", "firefox"],
+        package: "firefox-esr",
+        browsers: &["firefox"],
+    },
+    // It comes with WebKitGTK's small browser.
+    Program {
+        variable: "HEARTH_WEBKIT_DRIVER",
+        names: &["WebKitWebDriver"],
+        package: "webkit2gtk-driver",
+        browsers: &["webkit"],
+    },
+    // Neither draws without a window.
+    Program {
+        variable: "HEARTH_XVFB",
+        names: &["Xvfb"],
+        package: "xvfb",
+        browsers: &["firefox", "webkit"],
+    },
+];
+
+impl Program {
+    fn find(&self) -> Option<PathBuf> {
+        named(self.variable).or_else(|| self.names.iter().copied().find_map(process::find))
+    }
+
+    /// Whether one of the browsers in this list needs it; an empty one names all.
+    fn is_wanted(&self, browsers: &str) -> bool {
+        browsers.is_empty()
+            || browsers
+                .split(',')
+                .any(|name| self.browsers.contains(&name.trim()))
+    }
+}
+
+/// Finds what drives Firefox and WebKit, and installs Debian's where it is missing;
+/// with each program the variable that tests look for. `HEARTH_BROWSERS` leaves some
+/// out.
+///
+/// # Errors
+/// One is missing and cannot be installed; the error says what to do.
+pub fn other_browsers() -> Result<Vec<(&'static str, PathBuf)>> {
+    let browsers = env::var("HEARTH_BROWSERS").unwrap_or_default();
+    let needed = || {
+        PROGRAMS
+            .iter()
+            .filter(|program| program.is_wanted(&browsers))
+    };
+    if needed().any(|program| program.find().is_none()) {
+        let packages: Vec<_> = needed()
+            .map(|program| program.package)
+            .chain(SOFTWARE_GL)
+            .collect();
+        apt_install(&packages).context(
+            "no Firefox, WebKit or screen for them: install Debian's packages firefox-esr, \
+             webkit2gtk-driver and xvfb, or name the programs in HEARTH_FIREFOX, \
+             HEARTH_WEBKIT_DRIVER and HEARTH_XVFB, or leave browsers out, as with \
+             HEARTH_BROWSERS=chromium or --skip-browser",
+        )?;
+    }
+    needed()
+        .map(|program| {
+            let found = program.find().with_context(|| {
+                let Program { package, names, .. } = program;
+                format!(
+                    "{package} is installed, but {} is not on the PATH",
+                    names[0]
+                )
+            })?;
+            Ok((program.variable, found))
+        })
+        .collect()
+}
+
 /// Makes sure that valgrind is there.
 ///
 /// # Errors
@@ -145,12 +235,14 @@ pub fn valgrind() -> Result<()> {
     Ok(())
 }
 
+/// The program that a variable names.
+fn named(variable: &str) -> Option<PathBuf> {
+    env::var_os(variable)
+        .map(PathBuf::from)
+        .filter(|file| file.is_file())
+}
+
 fn find_browser() -> Option<Browser> {
-    let named = |variable: &str| {
-        env::var_os(variable)
-            .map(PathBuf::from)
-            .filter(|file| file.is_file())
-    };
     let chromium = named("HEARTH_CHROMIUM").or_else(|| {
         [
             "chromium",
@@ -246,6 +338,20 @@ mod tests {
         let entry = format!("name = \"wasm-bindgen\"\nversion = \"{WASM_BINDGEN}\"");
         assert!(lock.replace("\r\n", "\n").contains(&entry));
         Ok(())
+    }
+
+    #[test]
+    fn only_what_the_wanted_browsers_need_is_looked_for() {
+        let wanted = |browsers: &str| -> Vec<_> {
+            PROGRAMS
+                .iter()
+                .filter(|program| program.is_wanted(browsers))
+                .map(|program| program.package)
+                .collect()
+        };
+        assert_eq!(wanted(""), ["firefox-esr", "webkit2gtk-driver", "xvfb"]);
+        assert_eq!(wanted("chromium, webkit"), ["webkit2gtk-driver", "xvfb"]);
+        assert!(wanted("chromium").is_empty());
     }
 
     #[test]

@@ -33,9 +33,14 @@ const START = { chromium, firefox, webkit };
 
 /** A running browser and the server of the site that it looks at. */
 export class Browser {
-  /** @param {Engine} engine @param {import('../server.mjs').Server} server */
-  constructor(engine, server) {
+  /**
+   * @param {Engine} engine
+   * @param {import('../server.mjs').Server} server
+   * @param {boolean} reducedMotion
+   */
+  constructor(engine, server, reducedMotion) {
     this.engine = engine;
+    this.reducedMotion = reducedMotion;
     this.browser = engine.browser;
     this.server = server;
     /** @type {any} */
@@ -62,9 +67,7 @@ export class Browser {
   static async start(kind, { folders = [], reducedMotion = false } = {}) {
     const server = await serve(...(folders.length > 0 ? folders : [SITE]));
     try {
-      const browser = new Browser(await START[kind]({ reducedMotion }, server), server);
-      browser.reducedMotion = reducedMotion;
-      return browser;
+      return new Browser(await START[kind]({ reducedMotion }, server), server, reducedMotion);
     } catch (error) {
       await server.close();
       throw error;
@@ -94,7 +97,7 @@ export class Browser {
    */
   async open(page, options = {}) {
     const { width = 480, height = 480, ratio = 1, touch = false } = options;
-    const { reducedMotion = this.reducedMotion ?? false, headers, files = {}, without } = options;
+    const { reducedMotion = this.reducedMotion, headers, files = {}, without } = options;
     await this.tab?.close();
     this.server.replace(without === undefined ? files : { ...files, [without]: { drop: true } });
     const { origin } = this.server;

@@ -26,18 +26,25 @@ export async function display() {
   return { name: `:${String(number).trim()}`, close };
 }
 
+/** What still runs. @type {Set<import('node:child_process').ChildProcess>} */
+const running = new Set();
+let watched = false;
+
 /**
  * Ends a program when it is closed, and at the latest with this process.
  * @param {import('node:child_process').ChildProcess} child
  * @returns {() => void}
  */
 export function untilTheEnd(child) {
-  const end = () => child.kill('SIGKILL');
-  process.once('exit', end);
-  // A signal would end this process without its event.
-  for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.once(signal, () => process.exit(1));
+  if (!watched) {
+    watched = true;
+    process.once('exit', () => running.forEach((one) => one.kill('SIGKILL')));
+    // A signal would end this process without that event.
+    for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.once(signal, () => process.exit(1));
+  }
+  running.add(child);
   return () => {
-    process.off('exit', end);
-    end();
+    running.delete(child);
+    child.kill('SIGKILL');
   };
 }

@@ -116,8 +116,51 @@ impl Particles {
 
     /// The indices of all particles in the order of their ids.
     pub fn by_id(&self) -> Vec<usize> {
+        // Byte by byte, the lowest first: the standard library's sort would be 3 KB of
+        // the headless library's download, and is slower.
         let mut order: Vec<usize> = (0..self.len()).collect();
-        order.sort_unstable_by_key(|&i| self[i].id);
+        let mut sorted = order.clone();
+        let mut byte = 0;
+        while byte < 8 && self.born >> (8 * byte) != 0 {
+            let value = |i: usize| (self[i].id >> (8 * byte)) as usize & 0xff;
+            let mut places = [0; 257];
+            for &i in &order {
+                places[value(i) + 1] += 1;
+            }
+            for at in 1..places.len() {
+                places[at] += places[at - 1];
+            }
+            for &i in &order {
+                let place = &mut places[value(i)];
+                sorted[*place] = i;
+                *place += 1;
+            }
+            std::mem::swap(&mut order, &mut sorted);
+            byte += 1;
+        }
         order
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_order_is_that_of_the_ids_however_large_they_are() {
+        let mut particles = Particles::default();
+        for born in [0, 3, 255, 256, 65_536, 1 << 40] {
+            particles.born = born;
+            particles.push(Particle::at(Vec2::ZERO));
+            particles.push(Particle::at(Vec2::ZERO));
+        }
+        let places: Vec<u32> = (0..12).map(|i| i * 5 % 12).collect();
+        particles.reorder(&places);
+        let order = particles.by_id();
+        assert!(order.is_sorted_by_key(|&i| particles[i].id));
+        let mut whole = order.clone();
+        whole.sort_unstable();
+        assert!(whole.into_iter().eq(0..12));
+        assert_eq!(Particles::default().by_id(), []);
     }
 }

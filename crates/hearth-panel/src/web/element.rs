@@ -1,6 +1,7 @@
-//! The `<hearth-fire>` element, spoken to through its public API alone.
+//! The `<hearth-fire>` element, read through its public API alone, and the desk of
+//! the page's script (`web/panel-desk.js`), which does what is wished and can undo it.
 //!
-//! Its methods return promises, its events say what changed. A page may use a
+//! The desk's methods return promises, the element's events say what changed. A page may use a
 //! stand-in with the same API, so nothing here asks for a class, and whatever
 //! is missing or of the wrong type counts as nothing.
 
@@ -16,11 +17,13 @@ use web_sys::{CustomEvent, Event, EventTarget};
 
 use super::listener::Listener;
 use crate::Panel;
+use crate::desk::Desk;
 use crate::fire::{Command, MODEL, Stats};
 
 /// The fire, as seen from the panel.
 pub struct Element {
     fire: JsValue,
+    desk: JsValue,
     panel: Rc<RefCell<Panel>>,
     ctx: egui::Context,
     _listeners: Vec<Listener>,
@@ -30,6 +33,7 @@ impl Element {
     /// Reads everything once and listens from then on.
     pub fn new(
         fire: JsValue,
+        desk: JsValue,
         panel: Rc<RefCell<Panel>>,
         ctx: egui::Context,
     ) -> Result<Element, String> {
@@ -60,6 +64,7 @@ impl Element {
         }
         let element = Element {
             fire,
+            desk,
             panel,
             ctx,
             _listeners: listeners,
@@ -106,23 +111,30 @@ impl Element {
                 "restore"
             }
             Command::Preset(name) => {
-                Reflect::set(&self.fire, &"preset".into(), &name.into())?;
-                return Ok(JsValue::UNDEFINED);
+                arguments.push(&name.into());
+                "preset"
             }
             Command::Quality(name) => {
-                Reflect::set(&self.fire, &"quality".into(), &name.into())?;
-                return Ok(JsValue::UNDEFINED);
+                arguments.push(&name.into());
+                "quality"
+            }
+            Command::Copy(what) => {
+                arguments.push(&what.into());
+                "copy"
             }
             Command::Play => "play",
             Command::Pause => "pause",
             Command::Reset => "reset",
-            Command::Step => {
-                arguments.push(&JsValue::from_f64(1.0));
-                "step"
-            }
+            Command::Step => "step",
+            Command::Undo => "undo",
+            Command::Redo => "redo",
+            Command::Paste => "paste",
+            Command::Picture => "picture",
+            Command::Fullscreen => "fullscreen",
+            Command::Help => "help",
         };
-        let function: Function = Reflect::get(&self.fire, &method.into())?.dyn_into()?;
-        function.apply(&self.fire, &arguments)
+        let function: Function = Reflect::get(&self.desk, &method.into())?.dyn_into()?;
+        function.apply(&self.desk, &arguments)
     }
 }
 
@@ -265,6 +277,20 @@ fn times(value: &JsValue) -> Vec<(String, f64)> {
             (name, time)
         })
         .collect()
+}
+
+/// What the page's script says about its desk.
+pub(super) fn desk(state: &JsValue) -> Desk {
+    let flag = |name| property(state, name).is_truthy();
+    Desk {
+        undo: flag("undo"),
+        redo: flag("redo"),
+        link: flag("link"),
+        iframe: flag("iframe"),
+        fullscreen: flag("fullscreen"),
+        done: text(state, "done").unwrap_or_default(),
+        said: text(state, "said").unwrap_or_default(),
+    }
 }
 
 /// One frame: `request_repaint` would cost two.

@@ -1,10 +1,10 @@
 //! The panel on a page: a canvas, an element, and eframe between them.
 //!
 //! [`Panel`] is all that JavaScript sees. eframe on the web has habits that
-//! disturb a page, and they are undone here: it takes the focus when it
-//! starts, it keeps the wheel and the Tab key to itself, and it makes canvas
-//! and text field stops of the Tab key although the page's own controls (see
-//! `web/mirror.js`) serve the keyboard.
+//! disturb a page, and they are undone here: it keeps the wheel and the Tab key
+//! to itself, and it makes canvas and text field stops of the Tab key although
+//! the page's own controls (see `web/mirror.js`) serve the keyboard. It also
+//! takes the focus when it starts, which only the page's script can prevent.
 
 mod app;
 mod element;
@@ -17,7 +17,7 @@ use wasm_bindgen::prelude::*;
 use web_sys::{HtmlCanvasElement, HtmlElement, KeyboardEvent, PointerEvent};
 
 use self::app::App;
-use self::element::{Element, paint_soon};
+use self::element::{Element, desk, paint_soon};
 use self::listener::Listener;
 use crate::theme::{self, Measures};
 
@@ -43,11 +43,16 @@ pub struct Panel {
 #[wasm_bindgen]
 impl Panel {
     /// Starts the panel on `canvas`, which stands in the document, for `fire`,
-    /// a `<hearth-fire>` element or anything with its API.
+    /// a `<hearth-fire>` element or anything with its API, and with `desk`, which
+    /// does what is wished.
     ///
     /// # Errors
     /// Says in words why it cannot start: no WebGL, mostly.
-    pub async fn start(canvas: HtmlCanvasElement, fire: JsValue) -> Result<Panel, JsValue> {
+    pub async fn start(
+        canvas: HtmlCanvasElement,
+        fire: JsValue,
+        desk: JsValue,
+    ) -> Result<Panel, JsValue> {
         let measures = if has_coarse_pointer() {
             Measures::COARSE
         } else {
@@ -59,9 +64,6 @@ impl Panel {
         let manners = Rc::new(Manners::default());
         // Before eframe's own, so that these are asked first.
         let mut listeners = vec![press_listener(&canvas, &panel)?];
-        let focused = web_sys::window()
-            .and_then(|window| window.document())
-            .and_then(|document| document.active_element());
 
         let runner = eframe::WebRunner::new();
         let started = Rc::new(RefCell::new(None));
@@ -71,16 +73,14 @@ impl Panel {
             Box::new(move |creation| {
                 let ctx = creation.egui_ctx.clone();
                 theme::apply(&ctx);
-                let element = Rc::new(Element::new(fire, panel.clone(), ctx.clone())?);
+                let element = Rc::new(Element::new(fire, desk, panel.clone(), ctx.clone())?);
                 started.replace(Some((element.clone(), ctx)));
                 Ok(Box::new(App::new(panel, element, manners, canvas)))
             })
         };
-        let result = runner
+        runner
             .start(canvas.clone(), options(&manners), create)
-            .await;
-        give_focus_back(&canvas, focused);
-        result?;
+            .await?;
         let (element, ctx) = started
             .take()
             .ok_or_else(|| js_sys::Error::new("the panel did not start"))?;
@@ -97,8 +97,8 @@ impl Panel {
     /// Where each visible control stands: name → `[x, y, width, height]` in CSS
     /// pixels from the canvas's upper left corner. A parameter's id names what
     /// is dragged or pressed to change it; `action:pause`, `action:reset`,
-    /// `action:step`, `action:reset-all`, `action:preset:<name>` and
-    /// `action:restore:<id>` name buttons; `value:<id>` is what is clicked to
+    /// `action:step`, `action:undo`, `action:copy:<what>`, `action:preset:<name>`,
+    /// `action:restore:<id>` and others name buttons; `value:<id>` is what is clicked to
     /// type, `label:<id>` the name, `choice:<id>:<name>` one of the choices.
     pub fn rectangles(&self) -> js_sys::Object {
         let result = js_sys::Object::new();
@@ -115,11 +115,20 @@ impl Panel {
         result
     }
 
-    /// Brings a parameter's row into sight and marks it; an empty id takes the
-    /// mark away.
+    /// Brings a parameter's row into sight and marks it, or what can be shared
+    /// (`share`); an empty id takes the mark away.
     pub fn reveal(&self, id: &str) {
         if let Ok(mut panel) = self.panel.try_borrow_mut() {
             panel.reveal(id);
+        }
+        paint_soon(&self.ctx);
+    }
+
+    /// The page's desk is in this state now: an object with the fields of
+    /// [`crate::desk::Desk`].
+    pub fn tell(&self, state: JsValue) {
+        if let Ok(mut panel) = self.panel.try_borrow_mut() {
+            panel.desk = desk(&state);
         }
         paint_soon(&self.ctx);
     }
@@ -212,15 +221,4 @@ fn leave_tab(target: &HtmlElement) -> Result<Listener, JsValue> {
 /// eframe's hidden field, through which text comes; it stands after the canvas.
 fn text_agent(canvas: &HtmlCanvasElement) -> Option<HtmlElement> {
     canvas.next_sibling()?.dyn_into().ok()
-}
-
-fn give_focus_back(canvas: &HtmlCanvasElement, focused: Option<web_sys::Element>) {
-    if let Some(agent) = text_agent(canvas) {
-        // A field that has just been made can be blurred; a browser that says
-        // no leaves the focus where it is.
-        let _ = agent.blur();
-    }
-    if let Some(element) = focused.and_then(|element| element.dyn_into::<HtmlElement>().ok()) {
-        let _ = element.focus();
-    }
 }

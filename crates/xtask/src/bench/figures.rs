@@ -145,6 +145,25 @@ impl Figures {
         Some((Time::read(throttled)?, throttled["stepsPerFrame"].as_f64()?))
     }
 
+    /// When a page shows its first picture.
+    pub fn first_picture(&self) -> Option<Time> {
+        let first = &self.all["page"]["firstPicture"];
+        let time = |name: &str| first[name].as_f64();
+        Some(Time {
+            median: time("median")?,
+            best: time("best")?,
+        })
+    }
+
+    /// The longest task of a page's own thread.
+    pub fn longest_task(&self) -> Option<Time> {
+        let longest = self.all["page"]["longestTask"].as_f64()?;
+        Some(Time {
+            median: longest,
+            best: longest,
+        })
+    }
+
     /// Bytes a particle of the block that took most.
     pub fn memory(&self) -> Option<f64> {
         let listed = self.all["memory"].as_array()?;

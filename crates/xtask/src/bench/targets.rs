@@ -233,6 +233,16 @@ fn absolute(figures: &Figures) -> Vec<Target> {
             ratio(own("block", 400_000), own("block", 5000), &Row::nanoseconds),
         ),
         target(
+            "the first picture of a fire after its page was opened",
+            Bound::AtMost(1000.0, Unit::Milliseconds),
+            figures.first_picture(),
+        ),
+        target(
+            "longest task of the page’s thread beside 10,000 burning particles",
+            Bound::AtMost(50.0, Unit::Milliseconds),
+            figures.longest_task(),
+        ),
+        target(
             "memory, the worst of all sizes, natively",
             Bound::AtMost(400.0, Unit::Bytes),
             figures.memory().map(|bytes| Time {

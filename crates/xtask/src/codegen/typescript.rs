@@ -96,7 +96,7 @@ fn interface(text: &mut String, name: &str, field: impl Fn(&Param) -> String) {
 }
 
 /// The doc, the unit, and default and range, for each model where they differ.
-fn comment(param: &Param) -> String {
+pub(super) fn comment(param: &Param) -> String {
     let mut comment = param.description().doc.to_owned();
     if !param.unit.is_empty() {
         let _ = write!(comment, " [{}]", param.unit);
@@ -125,7 +125,7 @@ fn values(param: &Param, domain: &Domain) -> String {
     text
 }
 
-fn value_type(kind: Kind) -> String {
+pub(super) fn value_type(kind: Kind) -> String {
     match kind {
         Kind::Number(_) | Kind::Integer(_) | Kind::Seed => "number".to_owned(),
         Kind::Flag => "boolean".to_owned(),

@@ -52,6 +52,23 @@ fn files_come_with_their_type_and_are_not_kept() -> Result<()> {
 }
 
 #[test]
+fn every_kind_of_file_of_the_site_has_its_type() {
+    for (file, expected) in [
+        ("index.html", "text/html; charset=utf-8"),
+        ("web/embed.html", "text/html; charset=utf-8"),
+        ("web/embed.js", "text/javascript; charset=utf-8"),
+        ("web/page.css", "text/css; charset=utf-8"),
+        ("web/custom-elements.json", "application/json"),
+        ("web/poster.jpg", "image/jpeg"),
+        ("web/wasm/hearth-widget_bg.wasm", "application/wasm"),
+        ("web/hearth-fire.d.ts", "text/plain; charset=utf-8"),
+        ("LICENSE", "application/octet-stream"),
+    ] {
+        assert_eq!(mime_type(Path::new(file)), expected, "{file}");
+    }
+}
+
+#[test]
 fn what_is_not_there_is_said() -> Result<()> {
     let answers = answers(&[
         "GET /no.js HTTP/1.1\r\n\r\n",

@@ -1,4 +1,4 @@
-//! Stages that run wasm, in Node and in headless Chromium.
+//! Stages that run wasm, in Node and in browsers.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -36,8 +36,12 @@ fn wasm_test(name: &str) -> Command {
     test
 }
 
+/// Everything end to end: in Chromium, and what holds in every browser in Firefox and
+/// WebKit as well.
 pub(super) fn end_to_end() -> Result<()> {
-    drive(in_e2e("node").arg("run.mjs"), &paths::site())
+    let mut test = in_e2e("node");
+    test.arg("run.mjs").envs(tools::other_browsers()?);
+    drive(&mut test, &paths::site())
 }
 
 /// The smallest of the tests end to end, against the site in `folder`, or

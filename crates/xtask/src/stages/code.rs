@@ -7,7 +7,12 @@ use crate::{process, tools};
 /// Crates that are libraries for other people.
 const LIBRARIES: [&str; 2] = ["hearth-core", "hearth-render"];
 /// Crates with code that only a browser runs.
-const FOR_THE_BROWSER: [&str; 3] = ["hearth-widget", "hearth-panel", "hearth-tests"];
+const FOR_THE_BROWSER: [&str; 4] = [
+    "hearth-widget",
+    "hearth-sim",
+    "hearth-panel",
+    "hearth-tests",
+];
 
 /// A package outside the workspace.
 const PEERS: &str = "benches/peers/Cargo.toml";

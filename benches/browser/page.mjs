@@ -1,0 +1,65 @@
+/**
+ * What a visitor of a page notices: how soon there is a fire, what it then says of
+ * itself, and whether it leaves the page's own thread alone.
+ */
+import { Browser } from '../../tests/e2e/driver.mjs';
+
+/** Loads of the page; the first one fills the disk's cache. */
+const LOADS = 7;
+
+/** How long the page's thread is watched [ms]. */
+const WATCHED = 5000;
+
+/** Runs in the page before anything of it: notes when the first picture is shown. */
+function noteFirstPicture() {
+  const { prototype } = ImageBitmapRenderingContext;
+  const original = prototype.transferFromImageBitmap;
+  prototype.transferFromImageBitmap = function transferFromImageBitmap(bitmap) {
+    /** @type {any} */ (window).firstPicture ??= performance.now();
+    original.call(this, bitmap);
+  };
+}
+
+/** The longest task of the page's thread while the fire burns [ms]; 0 where none takes 50. */
+function longestTask(milliseconds) {
+  return new Promise((resolve) => {
+    let longest = 0;
+    const observer = new PerformanceObserver((list) => {
+      for (const { duration } of list.getEntries()) longest = Math.max(longest, duration);
+    });
+    observer.observe({ type: 'longtask' });
+    setTimeout(() => {
+      observer.disconnect();
+      resolve(longest);
+    }, milliseconds);
+  });
+}
+
+/**
+ * Measures the built site in a folder.
+ * @param {string} site
+ */
+export async function onThePage(site) {
+  const browser = await Browser.launch(site);
+  try {
+    const full = await browser.open('index.html', { width: 1280, height: 720 });
+    await full.burnt(10);
+    const stats = await full.fire((fire) => fire.stats);
+
+    const times = [];
+    for (let load = 0; load <= LOADS; load += 1) {
+      const tab = await browser.open('<hearth-fire></hearth-fire>', { before: noteFirstPicture });
+      const time = await tab.until('a picture', () => /** @type {any} */ (window).firstPicture);
+      if (load > 0) times.push(time);
+    }
+    times.sort((a, b) => a - b);
+
+    const many = await browser.open('<hearth-fire max-particles="10000"></hearth-fire>');
+    await many.burnt(0.3);
+    const longest = await many.evaluate(longestTask, WATCHED);
+    const firstPicture = { median: times[times.length >> 1], best: times[0] };
+    return { ...stats, firstPicture, longestTask: longest };
+  } finally {
+    await browser.close();
+  }
+}

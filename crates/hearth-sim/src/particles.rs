@@ -1,0 +1,197 @@
+//! Particles and embers as JavaScript hands them over: all numbers of one, then
+//! all of the next.
+
+use hearth_core::{Ember, Particle, Simulation, Vec2};
+
+/// Numbers of a particle: position, velocity, temperature, age, lifetime, fuel,
+/// oxygen, soot. `web/sim.js` puts them in this order.
+pub const NUMBERS: usize = 10;
+
+/// Most particles that the core takes in either model: more are refused before
+/// anybody copies them.
+pub const MOST: usize = 400_000;
+
+/// What is said of more of them.
+pub const TOO_MANY: &str = "the particles are refused: there may be 400000 of them at most";
+
+/// The particles that these numbers are, unchecked; an incomplete last one is not
+/// among them.
+pub fn particles(numbers: &[f32]) -> Vec<Particle> {
+    let (whole, _) = numbers.as_chunks::<NUMBERS>();
+    whole
+        .iter()
+        .map(
+            |&[x, y, vx, vy, temperature, age, lifetime, fuel, oxygen, soot]| Particle {
+                position: Vec2::new(x, y),
+                velocity: Vec2::new(vx, vy),
+                temperature,
+                age,
+                lifetime,
+                fuel,
+                oxygen,
+                soot,
+            },
+        )
+        .collect()
+}
+
+/// One property of all particles, in the order of birth, by its name in
+/// JavaScript; vectors are x and y of each. Nothing where there is none of that name.
+pub fn property(simulation: &Simulation, name: &str) -> Vec<f32> {
+    match name {
+        "positions" => pairs(simulation.positions()),
+        "velocities" => pairs(simulation.velocities()),
+        "temperatures" => simulation.temperatures(),
+        "ages" => simulation.ages(),
+        "lifetimes" => lifetimes(simulation),
+        "densities" => simulation.densities(),
+        "pressures" => simulation.pressures(),
+        "fuel" => simulation.fuels(),
+        "oxygen" => simulation.oxygens(),
+        "soot" => simulation.soots(),
+        "burnRates" => simulation.burn_rates(),
+        _ => Vec::new(),
+    }
+}
+
+/// The numbers of all particles; those above 2⁵³ would take longer than anybody waits.
+pub fn ids(simulation: &Simulation) -> Vec<f64> {
+    let ids = simulation.ids().into_iter();
+    ids.map(|id| id as f64).collect()
+}
+
+fn pairs(vectors: Vec<Vec2>) -> Vec<f32> {
+    vectors.into_iter().flat_map(|one| one.to_array()).collect()
+}
+
+fn lifetimes(simulation: &Simulation) -> Vec<f32> {
+    let particles = simulation.particles().into_iter();
+    particles.map(|particle| particle.lifetime).collect()
+}
+
+/// Numbers of every ember: position, velocity, temperature, size, age, lifetime.
+pub fn embers(embers: &[Ember]) -> Vec<f32> {
+    embers
+        .iter()
+        .flat_map(|ember| {
+            [
+                ember.position.x,
+                ember.position.y,
+                ember.velocity.x,
+                ember.velocity.y,
+                ember.temperature,
+                ember.size,
+                ember.age,
+                ember.lifetime,
+            ]
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use hearth_core::Parameters;
+    use hearth_core::params::{Input, Model};
+
+    use super::*;
+
+    #[test]
+    fn each_number_goes_to_its_place() {
+        let numbers: Vec<f32> = (0..25).map(|n| n as f32).collect();
+        let second = Particle {
+            position: Vec2::new(10.0, 11.0),
+            velocity: Vec2::new(12.0, 13.0),
+            temperature: 14.0,
+            age: 15.0,
+            lifetime: 16.0,
+            fuel: 17.0,
+            oxygen: 18.0,
+            soot: 19.0,
+        };
+        let read = particles(&numbers);
+        assert_eq!(read.len(), 2);
+        assert_eq!(read[1], second);
+    }
+
+    /// A combustion fire and a classic one that have burnt for a while.
+    fn fires() -> [Simulation; 2] {
+        [Model::Combustion, Model::Classic].map(|model| {
+            let mut parameters = Parameters::new(model);
+            assert_eq!(
+                parameters.set("max_particles", Input::Number(1000.0)),
+                Ok(())
+            );
+            let mut fire = Simulation::new(parameters);
+            for _ in 0..100 {
+                fire.step();
+            }
+            fire
+        })
+    }
+
+    #[test]
+    fn what_is_read_makes_the_same_particles() {
+        for fire in fires() {
+            let column = |name: &str| property(&fire, name);
+            let (at, moves) = (column("positions"), column("velocities"));
+            let scalars = [
+                "temperatures",
+                "ages",
+                "lifetimes",
+                "fuel",
+                "oxygen",
+                "soot",
+            ]
+            .map(column);
+            let mut numbers = Vec::new();
+            for i in 0..fire.count() {
+                numbers.extend_from_slice(&at[2 * i..2 * i + 2]);
+                numbers.extend_from_slice(&moves[2 * i..2 * i + 2]);
+                numbers.extend(scalars.iter().map(|scalar| scalar[i]));
+            }
+            assert!(fire.count() > 0);
+            assert_eq!(particles(&numbers), fire.particles());
+        }
+    }
+
+    #[test]
+    fn every_property_is_that_of_every_particle_and_no_other_has_a_name() {
+        for fire in fires() {
+            for name in ["densities", "pressures", "burnRates"] {
+                assert_eq!(property(&fire, name).len(), fire.count(), "{name}");
+            }
+            for name in ["", "burn_rates", "__proto__"] {
+                assert_eq!(property(&fire, name), []);
+            }
+        }
+    }
+
+    #[test]
+    fn an_ember_is_its_eight_numbers() {
+        let ember = Ember {
+            position: Vec2::new(1.0, 2.0),
+            velocity: Vec2::new(3.0, 4.0),
+            temperature: 5.0,
+            size: 6.0,
+            age: 7.0,
+            lifetime: 8.0,
+        };
+        assert_eq!(embers(&[ember]), [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
+    }
+
+    #[test]
+    fn the_core_takes_no_more_and_says_the_same() {
+        let one = Particle {
+            lifetime: 1.0,
+            ..Particle::at(Vec2::new(0.0, 0.1))
+        };
+        let mut fire = Simulation::new(Parameters::new(Model::Classic));
+        let refused = fire.set_particles(&vec![one; MOST + 1]);
+        assert_eq!(
+            refused.map_err(|error| error.to_string()),
+            Err(TOO_MANY.to_owned())
+        );
+        assert_eq!(fire.set_particles(&vec![one; MOST]), Ok(()));
+        assert_eq!(property(&fire, "lifetimes"), vec![1.0; MOST]);
+    }
+}

@@ -1,0 +1,66 @@
+/**
+ * Makes the npm package of the built site: `node build.mjs SITE OUT VERSION`.
+ *
+ * `SITE` is the site's folder of scripts, with its wasm; the package holds what
+ * its entry points reach there, and no more. `cargo xtask package` runs this.
+ */
+import { copyFile, mkdir, readFile, rm, writeFile } from 'node:fs/promises';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { reached, typesReached } from './graph.mjs';
+import { inlined } from './inline.mjs';
+import { DOCS, beginningsOf, packageJson, typesOf } from './manifest.mjs';
+import { shrink } from './wasm.mjs';
+
+const HERE = path.dirname(fileURLToPath(import.meta.url));
+const ROOT = path.resolve(HERE, '../../..');
+
+/** Files of the checkout that the package carries under another name. */
+const CARRIED = {
+  'LICENSE-MIT': 'LICENSE-MIT',
+  'LICENSE-APACHE': 'LICENSE-APACHE',
+  // The panel draws its words with this font, which asks that its licence goes with it.
+  'crates/hearth-panel/font/LICENCE.txt': 'LICENSE-FONT',
+  'crates/xtask/packaging/README.npm.md': 'README.md',
+};
+
+const [site, out, version] = process.argv.slice(2);
+if (!version) throw new Error('usage: node build.mjs SITE OUT VERSION');
+
+const source = JSON.parse(await readFile(path.join(site, 'package.json'), 'utf8'));
+const built = packageJson(source, version);
+const code = await reached(site, beginningsOf(source));
+const types = await typesReached(site, typesOf(source));
+
+await rm(out, { recursive: true, force: true });
+for (const file of [...code, ...types, source.customElements]) {
+  await put(path.join(site, file), file);
+}
+for (const [from, to] of Object.entries(CARRIED)) {
+  await put(path.join(ROOT, from), to);
+}
+for (const name of DOCS) {
+  const text = await readFile(path.join(ROOT, name), 'utf8');
+  await mkdir(path.join(out, path.dirname(name)), { recursive: true });
+  await writeFile(path.join(out, name), withoutLinksOut(name, text));
+}
+await writeFile(path.join(out, 'package.json'), `${JSON.stringify(built, null, 2)}\n`);
+await shrink(path.join(out, 'wasm'));
+await writeFile(path.join(out, 'hearth-fire.inline.js'), await inlined(out, built));
+
+/** @type {(from: string, to: string) => Promise<void>} */
+async function put(from, to) {
+  const target = path.join(out, to);
+  await mkdir(path.dirname(target), { recursive: true });
+  await copyFile(from, target);
+}
+
+/**
+ * A document whose links into the rest of the checkout are their words only.
+ * @param {string} name @param {string} text
+ */
+function withoutLinksOut(name, text) {
+  return text.replace(/\[([^\]]*)\]\(([^)#:]+)(?:#[^)]*)?\)/g, (link, words, to) => (
+    DOCS.includes(path.posix.join(path.posix.dirname(name), to)) ? link : words
+  ));
+}

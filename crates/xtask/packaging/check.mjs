@@ -1,0 +1,149 @@
+/**
+ * Whether the package is whole, and no more than that: `node check.mjs PACKAGE
+ * SCRATCH`. Everything that it promises is there, npm would pack exactly that, and
+ * a strict compiler reads its types.
+ */
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { cp, readFile, rm, stat, symlink, writeFile } from 'node:fs/promises';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+import { reached, typesReached } from './graph.mjs';
+import { DOCS, beginningsOf, entries, typesOf } from './manifest.mjs';
+
+const HERE = path.dirname(fileURLToPath(import.meta.url));
+const run = promisify(execFile);
+
+/** What is no code. */
+const PAPERS = [
+  'LICENSE-APACHE',
+  'LICENSE-FONT',
+  'LICENSE-MIT',
+  'README.md',
+  'custom-elements.json',
+  'package.json',
+  ...DOCS,
+];
+
+const [folder, scratch] = process.argv.slice(2).map((name) => path.resolve(name));
+if (!scratch) throw new Error('usage: node check.mjs PACKAGE SCRATCH');
+const manifest = JSON.parse(await readFile(path.join(folder, 'package.json'), 'utf8'));
+
+await entryPointsAreThere();
+await packsExactly();
+await linksEnd();
+await typesCompile();
+console.log('The package is whole: entry points, files, links and types.');
+
+async function entryPointsAreThere() {
+  assert.equal(manifest.private, undefined, 'package.json says that it is private');
+  assert.equal(manifest.dependencies, undefined, 'the package has dependencies');
+  for (const { entry, target, types } of entries(manifest)) {
+    for (const file of [target, types].filter((name) => name !== undefined)) {
+      const about = await stat(path.join(folder, file)).catch(() => undefined);
+      assert(about?.isFile(), `exports["${entry}"] names ${file}, which is not there`);
+    }
+    assert(!target.endsWith('.js') || types, `exports["${entry}"] has no types`);
+  }
+  for (const name of manifest.sideEffects) await stat(path.join(folder, name));
+}
+
+/** npm's own list of what it would publish. */
+async function packsExactly() {
+  const { stdout } = await run(npm(), ['pack', '--dry-run', '--json'], { cwd: folder, shell: process.platform === 'win32' });
+  const packed = JSON.parse(stdout)[0].files.map((file) => file.path).sort();
+  const wanted = [
+    ...PAPERS,
+    'hearth-fire.inline.js',
+    ...(await reached(folder, beginningsOf(manifest))),
+    ...(await typesReached(folder, typesOf(manifest))),
+  ];
+  assert.deepEqual(packed, [...new Set(wanted)].sort());
+}
+
+/** What the papers link to inside the package is in it. */
+async function linksEnd() {
+  for (const paper of PAPERS.filter((name) => name.endsWith('.md'))) {
+    const text = await readFile(path.join(folder, paper), 'utf8');
+    for (const [, link] of text.matchAll(/\]\(([^)#:]+)(?:#[^)]*)?\)/g)) {
+      const file = path.join(folder, path.dirname(paper), link);
+      await stat(file).catch(() => assert.fail(`${paper} links to ${link}, which is not in the package`));
+    }
+  }
+}
+
+/** Programs of users, and the manifest of the element, in the compiler's strictest mode. */
+async function typesCompile() {
+  const modules = path.join(scratch, 'node_modules');
+  await rm(scratch, { recursive: true, force: true });
+  await cp(folder, path.join(modules, manifest.name), { recursive: true });
+  await cp(path.join(HERE, 'types'), scratch, { recursive: true });
+  await symlink(path.join(HERE, 'node_modules/@types'), path.join(modules, '@types'), 'junction');
+  await symlink(
+    path.join(HERE, 'node_modules/custom-elements-manifest'),
+    path.join(modules, 'custom-elements-manifest'),
+    'junction',
+  );
+  const elements = await readFile(path.join(folder, manifest.customElements), 'utf8');
+  await writeFile(path.join(scratch, 'manifest.ts'), manifestProgram(elements));
+  const shipped = await typesReached(folder, typesOf(manifest));
+  for (const resolution of ['bundler', 'nodenext']) {
+    const config = {
+      compilerOptions: {
+        strict: true,
+        exactOptionalPropertyTypes: true,
+        noUncheckedIndexedAccess: true,
+        noEmit: true,
+        target: 'es2022',
+        module: resolution === 'bundler' ? 'esnext' : 'nodenext',
+        moduleResolution: resolution,
+        lib: ['es2022', 'dom', 'dom.iterable'],
+        jsx: 'react-jsx',
+        types: [],
+      },
+      // The declarations themselves too: what an import pulls in, some compilers skip.
+      files: [
+        'use.ts', 'react.tsx', 'manifest.ts',
+        ...shipped.map((file) => `node_modules/${manifest.name}/${file}`),
+      ],
+    };
+    const name = path.join(scratch, `tsconfig.${resolution}.json`);
+    await writeFile(name, JSON.stringify(config));
+    const compiler = path.join(HERE, 'node_modules/typescript/bin/tsc');
+    await run(process.execPath, [compiler, '--project', name], { cwd: scratch }).catch(({ stdout }) => {
+      assert.fail(`the types do not compile (${resolution}):\n${stdout}`);
+    });
+  }
+}
+
+/**
+ * A program that compiles only where custom-elements.json has the form that its
+ * format asks for, and names exactly the members and events of the types.
+ * @param {string} elements
+ */
+function manifestProgram(elements) {
+  const whole = JSON.parse(elements);
+  const [declaration] = whole.modules[0].declarations;
+  const { members, events } = declaration;
+  // The format's own types take a class's members for a plain class's.
+  declaration.members = [];
+  const table = (/** @type {{name: string}[]} */ list) => (
+    `{ ${list.map(({ name }) => `'${name}': true`).join(', ')} }`
+  );
+  return `
+    import type { ClassMethod, CustomElementField, Package } from 'custom-elements-manifest';
+    import type { HearthFire, HearthFireEventMap } from 'hearth-fire';
+    export const manifest: Package = ${JSON.stringify(whole)};
+    export const declared: (CustomElementField | ClassMethod)[] = ${JSON.stringify(members)};
+    type Own<All, Inherited> = Record<Exclude<keyof All, keyof Inherited>, true>;
+    export const members: Own<HearthFire, HTMLElement> = ${table(members.filter((one) => !one.static))};
+    export const ofClass: Own<typeof HearthFire, typeof HTMLElement> = ${table(members.filter((one) => one.static))};
+    type OwnEvents = { [Name in keyof HearthFireEventMap as HearthFireEventMap[Name] extends CustomEvent ? Name : never]: true };
+    export const events: OwnEvents = ${table(events)};
+  `;
+}
+
+function npm() {
+  return process.platform === 'win32' ? 'npm.cmd' : 'npm';
+}

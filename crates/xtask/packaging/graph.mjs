@@ -1,0 +1,85 @@
+/**
+ * Which files of the package need which: what a script imports, at once or when
+ * asked, and what it names beside itself as `new URL('./file', import.meta.url)`,
+ * as wasm, workers and style sheets are named; and what a page names.
+ */
+import { readFile } from 'node:fs/promises';
+import path from 'node:path';
+import { build } from 'esbuild';
+
+const BESIDE = /new URL\(\s*(['"])(\.\.?\/[^'"]+)\1,\s*import\.meta\.url\s*\)/g;
+const IN_PAGE = /(?:src|href|content)=(['"])(\.\/[^'"]+)\1/g;
+const TYPES = /(?:from|import\()\s*(['"])(\.\.?\/[^'"]+)\.js\1/g;
+
+/**
+ * The files that these scripts and pages reach, they among them, as paths below `folder`.
+ * @param {string} folder
+ * @param {string[]} beginnings
+ * @param {(file: string) => boolean} [later]  Files that are left out where they are
+ *   only imported when asked.
+ * @returns {Promise<string[]>}
+ */
+export async function reached(folder, beginnings, later = () => false) {
+  const found = new Set();
+  const waiting = beginnings.map((file) => path.posix.normalize(file));
+  for (let file = waiting.shift(); file !== undefined; file = waiting.shift()) {
+    if (found.has(file)) continue;
+    found.add(file);
+    if (file.endsWith('.html')) waiting.push(...(await named(folder, file, IN_PAGE)));
+    if (!file.endsWith('.js')) continue;
+    for (const { to, asked } of await imports(folder, file)) {
+      if (!asked || !later(to)) waiting.push(to);
+    }
+    waiting.push(...(await named(folder, file, BESIDE)));
+  }
+  return [...found].sort();
+}
+
+/**
+ * The declarations that these reach.
+ * @param {string} folder
+ * @param {string[]} files
+ * @returns {Promise<string[]>}
+ */
+export async function typesReached(folder, files) {
+  const found = new Set();
+  const waiting = files.map((file) => path.posix.normalize(file));
+  for (let file = waiting.shift(); file !== undefined; file = waiting.shift()) {
+    if (found.has(file)) continue;
+    found.add(file);
+    waiting.push(...(await named(folder, file, TYPES)).map((script) => `${script}.d.ts`));
+  }
+  return [...found].sort();
+}
+
+/** What scripts import, by folder and file: esbuild tells it of all that it reads at once. */
+const known = new Map();
+
+/** What one script imports from the package. @type {(folder: string, file: string) => Promise<{to: string, asked: boolean}[]>} */
+async function imports(folder, file) {
+  const root = path.resolve(folder);
+  if (!known.has(path.join(root, file))) {
+    const { metafile } = await build({
+      entryPoints: [file],
+      absWorkingDir: root,
+      bundle: true,
+      write: false,
+      metafile: true,
+      format: 'esm',
+      logLevel: 'error',
+      // A module of Node is imported only where there is Node.
+      external: ['node:*'],
+    });
+    for (const [input, { imports: all }] of Object.entries(metafile.inputs)) {
+      const inside = all.filter(({ external }) => !external);
+      known.set(path.join(root, input), inside.map(({ path: to, kind }) => ({ to, asked: kind === 'dynamic-import' })));
+    }
+  }
+  return known.get(path.join(root, file));
+}
+
+/** The files beside this one that its text names. @type {(folder: string, file: string, pattern: RegExp) => Promise<string[]>} */
+async function named(folder, file, pattern) {
+  const text = await readFile(path.join(folder, file), 'utf8');
+  return [...text.matchAll(pattern)].map(([, , name]) => path.posix.join(path.posix.dirname(file), name));
+}

@@ -1,0 +1,74 @@
+/**
+ * The package's one file of all: element, engine, wasm and the worker's script in
+ * one module, for a page that wants to name one file and nothing else.
+ *
+ * It is the same element with another `engine-files.js` (inline-files.js here),
+ * which has in it what the original looks for beside itself. Only the panel stays
+ * outside: who asks for it needs the package's folder.
+ */
+import { readFile } from 'node:fs/promises';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { deflateRawSync } from 'node:zlib';
+import { build } from 'esbuild';
+
+const FILES = path.join(path.dirname(fileURLToPath(import.meta.url)), 'inline-files.js');
+
+/** Both scripts. */
+const COMMON = {
+  bundle: true,
+  write: false,
+  minify: true,
+  target: 'es2022',
+  legalComments: 'none',
+  logLevel: 'error',
+  // Nothing lies beside it, and bundlers must not look for it.
+  define: { 'import.meta.url': '""' },
+};
+
+/**
+ * The text of the file, made of the package in `folder`.
+ * @param {string} folder
+ * @param {{name: string, version: string, license: string}} about
+ */
+export async function inlined(folder, { name, version, license }) {
+  const wasm = await readFile(path.join(folder, 'wasm/hearth-widget_bg.wasm'));
+  const worker = await build({
+    ...COMMON,
+    entryPoints: [path.join(folder, 'engine-worker.js')],
+    format: 'iife',
+  });
+  const script = await build({
+    ...COMMON,
+    entryPoints: [path.join(folder, 'hearth-fire.js')],
+    format: 'esm',
+    banner: { js: `/* ${name} ${version}, ${license} */` },
+    external: ['./panel.js'],
+    plugins: [filesInside(folder, {
+      wasm: deflateRawSync(wasm, { level: 9 }).toString('base64'),
+      worker: worker.outputFiles[0].text,
+    })],
+  });
+  return script.outputFiles[0].text;
+}
+
+/**
+ * Puts inline-files.js in the place of engine-files.js, with its texts.
+ * @param {string} folder
+ * @param {{[name: string]: string}} texts  What `inline:name` is.
+ * @returns {import('esbuild').Plugin}
+ */
+function filesInside(folder, texts) {
+  return {
+    name: 'files-inside',
+    setup({ onLoad, onResolve }) {
+      onResolve({ filter: /\/engine-files\.js$/ }, () => ({ path: FILES, namespace: 'files' }));
+      onLoad({ filter: /.*/, namespace: 'files' }, async () => ({
+        contents: await readFile(FILES, 'utf8'),
+        resolveDir: path.resolve(folder),
+      }));
+      onResolve({ filter: /^inline:/ }, ({ path: name }) => ({ path: name.slice(7), namespace: 'text' }));
+      onLoad({ filter: /.*/, namespace: 'text' }, ({ path: name }) => ({ contents: texts[name], loader: 'text' }));
+    },
+  };
+}

@@ -1,0 +1,27 @@
+//! `cargo xtask poster`: takes the picture that a link to Hearth shows,
+//! `web/poster.jpg`. The fire on it is always the same; it wants a new picture
+//! when the way in which fires are drawn has changed.
+
+use anyhow::Result;
+
+use crate::stages::browser;
+use crate::{paths, process, site, tools};
+
+/// Builds the site and takes the picture of a fire in it.
+///
+/// # Errors
+/// No browser, no Node, a site that does not build, or a picture without a fire.
+pub fn take() -> Result<()> {
+    let browser = tools::browser()?;
+    browser::packages()?;
+    site::build()?;
+    let root = paths::root();
+    process::run(
+        process::command("node")
+            .current_dir(root.join("tests").join("e2e"))
+            .arg("poster.mjs")
+            .arg(root.join("web").join("poster.jpg"))
+            .env("HEARTH_CHROMIUM", browser.chromium)
+            .env("HEARTH_SITE", paths::site()),
+    )
+}

@@ -1,0 +1,60 @@
+/**
+ * Pages with a strict content security policy.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { serve } from '../e2e/server.mjs';
+import { copied } from './package.mjs';
+import { browser, burnsWell } from './pages.mjs';
+
+const OTHERS = "worker-src 'self'; connect-src 'self'; style-src 'self'; img-src 'self'; report-uri /report";
+
+const { open } = browser();
+/** @type {import('../e2e/server.mjs').Server} */
+let site;
+/** What the site did not serve. @type {string[]} */
+const refused = [];
+
+before(async () => {
+  site = await serve(await copied());
+  site.refused = (problem) => refused.push(problem);
+});
+after(() => site?.close());
+
+/** Every file comes with the policy: a worker obeys that of its own script. @param {string} scripts */
+function under(scripts) {
+  const policy = `default-src 'none'; script-src ${scripts}; ${OTHERS}`;
+  site.replace({ '': { headers: { 'content-security-policy': policy } } });
+  refused.length = 0;
+  return open(`${site.origin}/strict.html`);
+}
+
+test('a strict policy that allows wasm is kept, by the worker too', async () => {
+  const tab = await under("'self' 'wasm-unsafe-eval'");
+  await burnsWell(tab);
+  assert.deepEqual(await tab.evaluate(() => /** @type {any} */ (window).violations), []);
+  assert.deepEqual(refused, [], 'the browser reported a violation');
+});
+
+test('a policy without wasm gives an error, the poster and words', async () => {
+  const tab = await under("'self'");
+  const failures = await tab.until('the fire says that it cannot', () => {
+    const { failures } = /** @type {any} */ (window);
+    return failures.length > 0 && failures;
+  });
+  assert.deepEqual(failures.map(({ kind }) => kind), ['load']);
+  await tab.until('poster and words are shown', () => {
+    const fire = /** @type {any} */ (document.querySelector('hearth-fire'));
+    const poster = fire.shadowRoot.querySelector('.poster img');
+    const message = fire.shadowRoot.querySelector('[part=message]');
+    return poster.complete && poster.checkVisibility() && poster.clientWidth > 0
+      && message.checkVisibility() && message.textContent.length > 20;
+  });
+  assert.equal(await tab.fire((fire) => fire.ready.then(() => '', (error) => error.kind)), 'load');
+  // So the site above would have heard of a violation.
+  assert.deepEqual(await tab.evaluate(() => /** @type {any} */ (window).violations), ['script-src wasm-eval']);
+  await tab.frames(5);
+  assert(refused.some((problem) => problem.endsWith('/report')), 'the browser reported no violation');
+  const uncaught = tab.problems.filter((problem) => problem.startsWith('uncaught'));
+  assert.deepEqual(uncaught, []);
+});

@@ -1,0 +1,91 @@
+/**
+ * The package under test and its users' projects.
+ *
+ * `HEARTH_PACKAGE` names the folder of the package (else `dist/npm`), `HEARTH_YARD`
+ * the one where projects are set up (else `target/consumers`): outside them, nothing
+ * of this checkout is in a project's reach.
+ */
+import { execFile } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { cp, mkdir, readFile, rm, writeFile } from 'node:fs/promises';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+
+const HERE = path.dirname(fileURLToPath(import.meta.url));
+const ROOT = path.resolve(HERE, '../..');
+
+/** The folder of the package. */
+export const PACKAGE = path.resolve(process.env.HEARTH_PACKAGE ?? path.join(ROOT, 'dist/npm'));
+
+const YARD = path.resolve(process.env.HEARTH_YARD ?? path.join(ROOT, 'target/consumers'));
+
+/** A folder of static files that has a copy of the package in it, as `vendor/hearth-fire`. */
+export async function copied() {
+  const folder = path.join(YARD, 'plain');
+  await rm(folder, { recursive: true, force: true });
+  await cp(path.join(HERE, 'plain'), folder, { recursive: true });
+  await cp(PACKAGE, path.join(folder, 'vendor/hearth-fire'), { recursive: true });
+  return folder;
+}
+
+/** A folder that has nothing in it but these files of the package. @param {...string} names */
+export async function alone(...names) {
+  const folder = path.join(YARD, 'alone');
+  await rm(folder, { recursive: true, force: true });
+  for (const name of names) await cp(path.join(PACKAGE, name), path.join(folder, name));
+  return folder;
+}
+
+/** A copy of the package that a test may break. */
+export async function broken() {
+  const folder = path.join(YARD, 'broken');
+  await rm(folder, { recursive: true, force: true });
+  await cp(PACKAGE, folder, { recursive: true });
+  return folder;
+}
+
+/**
+ * A project beside this file, with what its lock file says and the packed package
+ * installed; gives its folder.
+ * @param {string} name
+ */
+export async function installed(name) {
+  const folder = path.join(YARD, name);
+  const modules = path.join(folder, 'node_modules');
+  const lock = await readFile(path.join(HERE, name, 'package-lock.json'), 'utf8');
+  const marker = path.join(modules, '.installed-for');
+  const fresh = (await readFile(marker, 'utf8').catch(() => '')) === lock;
+  if (!fresh) await rm(folder, { recursive: true, force: true });
+  await cp(path.join(HERE, name), folder, {
+    recursive: true,
+    filter: (file) => !file.split(path.sep).includes('node_modules'),
+  });
+  if (!fresh) {
+    await npm(folder, 'ci');
+    await writeFile(marker, lock);
+  }
+  // npm takes a package of a name and version that it has for the same one.
+  await rm(path.join(modules, 'hearth-fire'), { recursive: true, force: true });
+  await npm(folder, 'install', '--no-save', '--no-package-lock', '--prefer-offline', await packed());
+  await writeFile(marker, lock);
+  return folder;
+}
+
+/** What npm packs of the package, in a file whose name tells its contents. */
+async function packed() {
+  const folder = path.join(YARD, 'packed');
+  await mkdir(folder, { recursive: true });
+  const [{ filename }] = JSON.parse(await npm(PACKAGE, 'pack', '--json', '--pack-destination', folder));
+  const bytes = await readFile(path.join(folder, filename));
+  const file = path.join(folder, `${createHash('sha256').update(bytes).digest('hex').slice(0, 16)}.tgz`);
+  await writeFile(file, bytes);
+  return file;
+}
+
+/** What npm says. @param {string} folder @param {...string} words */
+async function npm(folder, ...words) {
+  const windows = process.platform === 'win32';
+  const { stdout } = await promisify(execFile)(windows ? 'npm.cmd' : 'npm', words, { cwd: folder, shell: windows });
+  return stdout;
+}

@@ -1,0 +1,49 @@
+/**
+ * What is asked of every page that burns, however it came to its fire.
+ */
+import assert from 'node:assert/strict';
+import { after, before } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { Browser } from '../e2e/driver.mjs';
+import { assertBurns } from '../e2e/laws.mjs';
+
+/**
+ * A browser for the tests of a file.
+ * @returns {{open: Browser['open']}}
+ */
+export function browser() {
+  /** @type {Browser} */
+  let started;
+  before(async () => {
+    started = await Browser.launch(fileURLToPath(new URL('plain', import.meta.url)));
+  });
+  after(() => started?.close());
+  return { open: (...wishes) => started.open(...wishes) };
+}
+
+/**
+ * The page's fire burns in a worker, or where else is said, and nothing complains.
+ * @param {import('../e2e/driver.mjs').Tab} tab
+ * @param {'worker' | 'main'} [place]
+ */
+export async function burnsWell(tab, place = 'worker') {
+  await tab.ready();
+  await tab.burnt(1);
+  await assertBurns(tab);
+  assert.equal(await tab.fire((fire) => fire.stats.engine), place);
+  assert.deepEqual(tab.problems, []);
+}
+
+/**
+ * A page with a fire, as small as there can be one.
+ * @param {string} script where the element's module is
+ */
+export function page(script) {
+  return `<!doctype html>
+    <meta charset="utf-8">
+    <title>A page with a fire</title>
+    <link rel="icon" href="data:,">
+    <script type="module" src="${script}"></script>
+    <body style="margin: 0; background: black">
+    <hearth-fire style="width: 240px; height: 240px"></hearth-fire>`;
+}

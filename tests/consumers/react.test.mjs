@@ -1,0 +1,85 @@
+/**
+ * A page in React 19 and TypeScript: attributes and events are typed, and the
+ * element lives as React makes, changes and removes it, in strict mode.
+ */
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { promisify } from 'node:util';
+import { PACKAGE, installed } from './package.mjs';
+import { browser, burnsWell } from './pages.mjs';
+
+const { open } = browser();
+/** @type {string} */
+let root;
+/** @type {any} */
+let vite;
+/** @type {any} */
+let server;
+
+before(async () => {
+  root = await installed('react');
+  vite = await import(pathToFileURL(path.join(root, 'node_modules/vite/dist/node/index.js')).href);
+});
+after(() => server?.close());
+
+/** What a parameter is in the model of the page if nobody says otherwise. @param {string} id */
+async function byDefault(id) {
+  const { PARAMETERS } = await import(pathToFileURL(path.join(PACKAGE, 'parameters.js')).href);
+  return PARAMETERS.find((one) => one.id === id).domains.classic.default;
+}
+
+test('attributes and events are typed', async () => {
+  const compiler = path.join(root, 'node_modules/typescript/bin/tsc');
+  await promisify(execFile)(process.execPath, [compiler, '--project', root]).catch(({ stdout }) => {
+    assert.fail(stdout);
+  });
+});
+
+test('a fire in strict mode burns, hears and tells', async () => {
+  const options = { root, logLevel: 'error', configFile: false };
+  // The development build of React: only that connects twice.
+  await vite.build({ ...options, mode: 'development', define: { 'process.env.NODE_ENV': '"development"' } });
+  server = await vite.preview({ ...options, preview: { port: 0, host: '127.0.0.1' } });
+  const tab = await open(server.resolvedUrls.local[0]);
+  await tab.until('React has made the fire', () => document.querySelector('hearth-fire') !== null);
+  await burnsWell(tab);
+  const told = () => tab.evaluate(() => /** @type {any} */ (window).page.told);
+  const wish = (/** @type {object} */ wishes) => tab.evaluate((wanted) => /** @type {any} */ (window).page.wish(wanted), wishes);
+  const value = (/** @type {string} */ id, /** @type {number} */ wanted) => tab.until(
+    `${id} is ${wanted}`,
+    (which, right) => /** @type {any} */ (document.querySelector('hearth-fire'))?.params[which] === right,
+    id,
+    wanted,
+  );
+  await value('source_width', 0.3);
+  await value('viscosity', 0.02);
+  await value('max_particles', 500);
+  const first = await told();
+  assert.equal(first.ready, 1);
+  assert(first.stats.particles > 0);
+  assert.equal(await tab.fire((fire) => fire.params.model), 'classic');
+
+  await wish({ there: true, width: 0.5, viscosity: 0.03 });
+  await value('source_width', 0.5);
+  await value('viscosity', 0.03);
+  assert((await told()).changes.includes('source_width=0.5'));
+
+  // What React no longer says is at its default again.
+  await wish({ there: true });
+  await value('source_width', await byDefault('source_width'));
+  await value('viscosity', await byDefault('viscosity'));
+
+  await wish({ there: true, paused: true });
+  await tab.until('it stands still', () => /** @type {any} */ (document.querySelector('hearth-fire')).paused);
+
+  await wish({ there: false });
+  await tab.until('it is gone', () => document.querySelector('hearth-fire') === null);
+  await wish({ there: true, width: 0.2 });
+  await tab.until('another burns', () => /** @type {any} */ (window).page.told.ready === 2);
+  await value('source_width', 0.2);
+  assert.deepEqual((await told()).errors, []);
+  assert.deepEqual(tab.problems, []);
+});

@@ -1,0 +1,41 @@
+import { useState } from 'react';
+import type { HearthErrorDetail, HearthStats } from 'hearth-fire';
+
+/** What the test asks for, and what the fire has told. */
+export interface Told {
+  ready: number;
+  stats: HearthStats | null;
+  changes: string[];
+  errors: HearthErrorDetail[];
+}
+
+interface Wishes {
+  there: boolean;
+  width?: number;
+  viscosity?: number;
+  paused?: boolean;
+}
+
+export function App({ told, onWishes }: { told: Told; onWishes(wish: (wishes: Wishes) => void): void }) {
+  const [{ there, width, viscosity, paused }, wish] = useState<Wishes>({
+    there: true, width: 0.3, viscosity: 0.02, paused: false,
+  });
+  onWishes(wish);
+  if (!there) return null;
+  return (
+    <hearth-fire
+      style={{ width: 240, height: 240 }}
+      // More than one model takes: the model counts first, wherever it stands.
+      max-particles={500}
+      source-width={width}
+      viscosity={viscosity}
+      model="classic"
+      paused={paused}
+      alt="A fire"
+      onready={() => (told.ready += 1)}
+      onstats={({ detail }) => (told.stats = detail)}
+      onparams-change={({ detail }) => told.changes.push(`${detail.id}=${detail.value}`)}
+      onerror={({ detail }) => told.errors.push(detail)}
+    />
+  );
+}

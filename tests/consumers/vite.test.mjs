@@ -1,0 +1,75 @@
+/**
+ * A page that Vite builds, or serves while it is written: it takes the package as
+ * any other, without a word of configuration.
+ */
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { installed } from './package.mjs';
+import { browser, burnsWell } from './pages.mjs';
+
+const PAGES = ['index', 'inline', 'panel', 'wasm', 'sim'];
+
+const { open } = browser();
+/** @type {string} */
+let root;
+/** @type {any} */
+let vite;
+/** What is to be closed. @type {{close(): Promise<void>}[]} */
+const servers = [];
+
+before(async () => {
+  root = await installed('vite');
+  vite = await import(pathToFileURL(path.join(root, 'node_modules/vite/dist/node/index.js')).href);
+});
+after(() => Promise.all(servers.map((server) => server.close())));
+
+/** @param {string} origin @param {string} name */
+async function burns(origin, name) {
+  const tab = await open(new URL(`${name}.html`, origin).href, { width: 640, height: 480 });
+  if (name === 'sim') {
+    const positions = await tab.until('there are particles', () => /** @type {any} */ (window).positions);
+    assert.deepEqual(positions, await inNode());
+    assert.deepEqual(tab.problems, []);
+    return;
+  }
+  await burnsWell(tab);
+  if (name !== 'panel') return;
+  await tab.until('the panel stands', () => {
+    const fire = /** @type {any} */ (document.querySelector('hearth-fire'));
+    return fire.shadowRoot.querySelector('[part~=panel] canvas')?.width > 0;
+  });
+  assert.deepEqual(tab.problems, []);
+}
+
+/** What the page `sim` computes, in Node. @returns {Promise<number[]>} */
+async function inNode() {
+  const file = path.join(root, 'node_modules/hearth-fire/sim.js');
+  const { createSimulation } = await import(pathToFileURL(file).href);
+  const simulation = await createSimulation({ seed: 7 });
+  simulation.step(5);
+  const positions = [...simulation.positions()];
+  simulation.free();
+  assert(positions.length > 1000);
+  return positions;
+}
+
+test('what Vite builds burns', async () => {
+  const input = Object.fromEntries(PAGES.map((name) => [name, path.join(root, `${name}.html`)]));
+  // Below a folder of its own, as on many hosts.
+  const options = { root, base: '/below/', logLevel: 'error', configFile: false };
+  await vite.build({ ...options, build: { rollupOptions: { input } } });
+  const server = await vite.preview({ ...options, preview: { port: 0, host: '127.0.0.1' } });
+  servers.push(server);
+  for (const name of PAGES) await burns(server.resolvedUrls.local[0], name);
+});
+
+test("what Vite's server gives while a page is written burns", async () => {
+  const server = await vite.createServer({
+    root, logLevel: 'error', configFile: false, server: { port: 0, host: '127.0.0.1' },
+  });
+  await server.listen();
+  servers.push(server);
+  for (const name of PAGES) await burns(server.resolvedUrls.local[0], name);
+});

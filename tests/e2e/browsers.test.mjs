@@ -1,0 +1,368 @@
+/**
+ * `<hearth-fire>` keeps the same laws in Chromium, Firefox and WebKit, in whichever
+ * way the engine runs there: in a worker, or on the page's own thread.
+ */
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { BROWSERS, Browser } from './driver.mjs';
+import { assertBurns, events, recording } from './laws.mjs';
+import { domainOf, table } from './site.mjs';
+
+const { DEFAULTS, entry } = await table();
+
+/** Where the engine runs if nobody says where. */
+const ENGINE = { chromium: 'worker', firefox: 'worker', webkit: 'main' };
+
+const FIRE = '<hearth-fire></hearth-fire>';
+const BLUE = [32, 64, 128];
+
+/** The fire's own time, after a while in which it may say anew what it is. */
+function time(tab) {
+  return tab.fire(async (fire) => {
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    return fire.stats.time;
+  });
+}
+
+/** Nothing was complained about. */
+async function assertSilent(tab) {
+  assert.deepEqual(await tab.complaints(), []);
+}
+
+/** No script's failure went unheard, whatever else was complained about. */
+async function assertCaught(tab) {
+  const problems = await tab.complaints();
+  assert.deepEqual(problems.filter((problem) => /uncaught|in a worker/.test(problem)), []);
+}
+
+for (const kind of BROWSERS) {
+  describe(`in ${kind}`, () => {
+    /** @type {Browser} */
+    let browser;
+    before(async () => {
+      browser = await Browser.start(kind);
+    });
+    after(() => browser?.close());
+
+    test('a fire becomes ready and burns, and around it the page is seen', async () => {
+      const tab = await browser.open(recording(`
+        <style>body { background: rgb(${BLUE}) }</style>${FIRE}`));
+      await tab.burnt(1.5);
+      await assertBurns(tab);
+      const picture = await tab.firePicture();
+      for (const corner of [picture.part(0, 0, 0.15, 0.3), picture.part(0.85, 0, 1, 0.3)]) {
+        const seen = corner.share((...rgb) => rgb.every((one, at) => Math.abs(one - BLUE[at]) <= 2));
+        assert.ok(seen > 0.97, `${seen} of an upper corner is the page`);
+      }
+      assert.equal((await events(tab, 'ready')).length, 1);
+      assert.equal(await tab.fire((fire) => fire.stats.engine), ENGINE[kind]);
+      await assertSilent(tab);
+    });
+
+    test('attributes are live, and what was set before the element existed is kept', async () => {
+      const tab = await browser.open(`<hearth-fire id="fire" buoyancy="1.5"></hearth-fire>
+        <script>fire.viscosity = 0.03;</script>`);
+      await tab.ready();
+      const values = () => tab.fire((fire) => [fire.params.viscosity, fire.params.buoyancy]);
+      assert.deepEqual(await values(), [0.03, 1.5]);
+      const becomes = (value) => tab.until(`a buoyancy of ${value}`, (wanted) => (
+        /** @type {any} */ (document.querySelector('hearth-fire')).params.buoyancy === wanted
+      ), value);
+      await tab.fire((fire) => fire.setAttribute('buoyancy', '0.8'));
+      await becomes(0.8);
+      await tab.fire((fire) => fire.removeAttribute('buoyancy'));
+      await becomes(DEFAULTS.buoyancy);
+      await assertSilent(tab);
+    });
+
+    test('a bad value is refused by its name and range, and the fire goes on', async () => {
+      const tab = await browser.open(recording(FIRE));
+      await tab.burnt(0.2);
+      await tab.fire((fire) => fire.setAttribute('viscosity', '1e9'));
+      await tab.until('an error event', () => /** @type {any} */ (window).events.some(
+        ({ type }) => type === 'error',
+      ));
+      const [{ id, min, max, message, kind: sort }] = await events(tab, 'error');
+      const range = domainOf(entry.viscosity, DEFAULTS.model);
+      assert.deepEqual([sort, id, min, max], ['bad-parameter', 'viscosity', range.min, range.max]);
+      assert.match(message, /viscosity.*1e9.* 0 to 0\.1/);
+      assert.equal(await tab.fire((fire) => fire.params.viscosity), DEFAULTS.viscosity);
+      await tab.burnt(await time(tab) + 0.2);
+      await assertCaught(tab);
+    });
+
+    test('pause stands still, step moves, play goes on, reset starts anew', async () => {
+      const tab = await browser.open('<hearth-fire model="classic"></hearth-fire>');
+      await tab.burnt(0.8);
+      await tab.fire((fire) => fire.pause());
+      const still = await time(tab);
+      const picture = await tab.firePicture();
+      assert.equal(await time(tab), still);
+      assert.equal(picture.difference(await tab.firePicture()), 0);
+      await tab.fire((fire) => fire.step(30));
+      const stepped = await time(tab);
+      assert.ok(Math.abs(stepped - still - 30 * DEFAULTS.time_step) < 1e-3, `${stepped - still} s`);
+      assert.ok(picture.difference(await tab.firePicture()) > 0.1, 'the picture has moved');
+      await tab.fire((fire) => fire.play());
+      await tab.burnt(stepped + 0.3);
+      await tab.fire((fire) => fire.reset());
+      await tab.until('the time starts anew', (before) => (
+        /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < before
+      ), stepped);
+      await assertSilent(tab);
+    });
+
+    test('two fires burn with values of their own, each at its own size', async () => {
+      const tab = await browser.open(`
+        <hearth-fire model="classic"></hearth-fire>
+        <hearth-fire model="classic" emission-rate="400" seed="7"></hearth-fire>`);
+      await tab.burnt(1.2);
+      const said = await tab.evaluate(() => [...document.querySelectorAll('hearth-fire')].map(
+        (fire) => {
+          const { params, stats } = /** @type {any} */ (fire);
+          return { rate: params.emission_rate, seed: params.seed, particles: stats.particles };
+        },
+      ));
+      const [large, small] = said;
+      assert.deepEqual([large.rate, large.seed], [DEFAULTS.emission_rate, DEFAULTS.seed]);
+      assert.deepEqual([small.rate, small.seed], [400, 7]);
+      assert.ok(small.particles < large.particles * 0.7, `${small.particles} of ${large.particles}`);
+      await tab.fire((fire) => {
+        fire.style.cssText = 'width: 120px; height: 180px';
+      });
+      await tab.until('a drawing of 120 × 180 pixels', () => {
+        const { width, height } = /** @type {any} */ (
+          document.querySelector('hearth-fire')?.shadowRoot?.querySelector('canvas')
+        );
+        return width === 120 && height === 180;
+      });
+      await tab.burnt(await time(tab) + 0.3);
+      await assertBurns(tab);
+      const second = (await tab.picture(await tab.rectangle('hearth-fire:last-of-type')));
+      const glow = second.part(0.3, 0.5, 0.7, 1).glowing();
+      assert.ok(glow > 0.01, `${glow} of the second fire’s lower middle glows`);
+      await assertSilent(tab);
+    });
+
+    test('a fire burns on when it is moved, and again when it was taken off', async () => {
+      const tab = await browser.open('<hearth-fire viscosity="0.02"></hearth-fire><section></section>');
+      await tab.burnt(0.5);
+      const before = await time(tab);
+      await tab.fire((fire) => document.querySelector('section')?.append(fire));
+      assert.ok(await time(tab) >= before, 'a fire that is moved starts anew');
+      await tab.burnt(before + 0.2);
+      await tab.fire(async (fire) => {
+        fire.remove();
+        await new Promise((resolve) => setTimeout(resolve, 300));
+        document.body.append(fire);
+        await fire.ready;
+      });
+      await tab.burnt(await time(tab) + 0.7);
+      await assertBurns(tab);
+      assert.equal(await tab.fire((fire) => fire.params.viscosity), 0.02);
+      await assertSilent(tab);
+    });
+
+    test('a fire out of sight makes no steps and burns on when it is back', async () => {
+      const tab = await browser.open(`${FIRE}<div style="height: 3000px"></div>`);
+      await tab.burnt(0.5);
+      await tab.evaluate(() => window.scrollTo(0, 2000));
+      const gone = await time(tab);
+      assert.equal(await time(tab), gone);
+      await tab.evaluate(() => window.scrollTo(0, 0));
+      await tab.burnt(gone + 0.7);
+      await assertBurns(tab);
+      await assertSilent(tab);
+    });
+
+    test('a fire whose context is lost says so, and burns on when it is back', async () => {
+      const tab = await browser.open(recording(FIRE));
+      await tab.burnt(1);
+      await tab.loseContext(500);
+      await tab.until('an error event', () => /** @type {any} */ (window).events.some(
+        ({ type }) => type === 'error',
+      ));
+      assert.deepEqual((await events(tab, 'error')).map((error) => error.kind), ['context-lost']);
+      await tab.burnt(await time(tab) + 0.7);
+      await assertBurns(tab);
+      assert.equal(await tab.fire((fire) => fire.stats.engine), ENGINE[kind]);
+      await assertCaught(tab);
+    });
+
+    test('the engine runs on the page’s own thread where a page wants that', async () => {
+      const tab = await browser.open(`<script type="module">
+        import { HearthFire } from '/web/hearth-fire.js';
+        HearthFire.engine = 'main';
+      </script>${FIRE}`);
+      await tab.burnt(1.2);
+      await assertBurns(tab);
+      assert.equal(await tab.fire((fire) => fire.stats.engine), 'main');
+      assert.equal((await tab.living()).workers, 0);
+      await assertSilent(tab);
+    });
+
+    test('a picture of the fire is a PNG that is clear where no fire is', async () => {
+      const tab = await browser.open(FIRE);
+      await tab.burnt(1.2);
+      const { type, size, clear, half, full } = await tab.fire(async (fire) => {
+        const blob = await fire.toBlob('image/png');
+        const bitmap = await createImageBitmap(blob);
+        const { width, height } = bitmap;
+        const canvas = Object.assign(document.createElement('canvas'), { width, height });
+        const context = canvas.getContext('2d');
+        context.drawImage(bitmap, 0, 0);
+        const { data } = context.getImageData(0, 0, width, height);
+        const alphas = Array.from({ length: width * height }, (_, at) => data[4 * at + 3]);
+        const share = (holds) => alphas.filter(holds).length / alphas.length;
+        return {
+          type: blob.type,
+          size: [width, height],
+          clear: share((alpha) => alpha === 0),
+          half: share((alpha) => alpha > 8 && alpha < 248),
+          full: share((alpha) => alpha > 200),
+        };
+      });
+      assert.deepEqual([type, ...size], ['image/png', 240, 240]);
+      assert.ok(clear > 0.3, `${clear} of it is clear`);
+      assert.ok(half > 0.02, `${half} of it is half clear`);
+      assert.ok(full > 0.005, `${full} of it is not`);
+      await assertSilent(tab);
+    });
+
+    test('the fire can be had as a film', async () => {
+      const tab = await browser.open(FIRE);
+      await tab.burnt(0.5);
+      const film = await tab.fire(async (fire) => {
+        const stream = await fire.captureStream(20);
+        const video = Object.assign(document.createElement('video'), { muted: true, srcObject: stream });
+        document.body.append(video);
+        await video.play();
+        return [stream.getVideoTracks().length, video.videoWidth, video.videoHeight];
+      });
+      assert.deepEqual(film, [1, 240, 240]);
+      await assertSilent(tab);
+    });
+
+    test('what a fire exports makes another fire the same', async () => {
+      const tab = await browser.open(`
+        <hearth-fire preset="seed" viscosity="0.02"></hearth-fire><hearth-fire></hearth-fire>`);
+      await tab.ready();
+      const { config, same, back } = await tab.evaluate(async () => {
+        const [one, other] = /** @type {any[]} */ ([...document.querySelectorAll('hearth-fire')]);
+        await other.ready;
+        const exported = await one.exportConfig();
+        await other.importConfig(JSON.stringify(exported));
+        const text = ({ params }) => JSON.stringify(Object.entries(params).sort());
+        return {
+          config: exported,
+          same: text(one) === text(other),
+          back: await other.exportConfig(),
+        };
+      });
+      assert.deepEqual(config, { hearth: 1, preset: 'seed', values: { viscosity: 0.02 } });
+      assert.ok(same, 'every value is the same');
+      assert.deepEqual(back, config);
+      await assertSilent(tab);
+    });
+
+    test('thirty fires on one page all burn', async () => {
+      const tab = await browser.open(
+        `<style>hearth-fire { width: 80px; height: 80px; float: left }</style>${FIRE.repeat(30)}`,
+      );
+      await tab.until('each has burnt', () => (
+        [...document.querySelectorAll('hearth-fire')].every(
+          (fire) => /** @type {any} */ (fire).stats?.time >= 0.7,
+        )
+      ));
+      const page = await tab.picture();
+      for (let at = 0; at < 30; at += 1) {
+        const [x, y] = [80 * (at % 6), 80 * Math.floor(at / 6)];
+        const fire = page.part(
+          (x + 20) / page.width,
+          (y + 30) / page.height,
+          (x + 60) / page.width,
+          (y + 80) / page.height,
+        );
+        assert.ok(fire.glowing() > 0.02, `${fire.glowing()} of fire ${at + 1} glows`);
+      }
+      assert.equal((await tab.living()).contexts, 1);
+      await assertSilent(tab);
+    });
+
+    test('a hundred fires that come and go leave the one context, and nothing in it', async () => {
+      const tab = await browser.open(`<style>hearth-fire { width: 40px; height: 40px }</style>${FIRE}`);
+      await tab.burnt(0.2);
+      const before = await tab.living();
+      await tab.evaluate(async () => {
+        for (let round = 0; round < 10; round += 1) {
+          const fires = Array.from({ length: 10 }, () => document.createElement('hearth-fire'));
+          document.body.append(...fires);
+          await Promise.all(fires.map((fire) => /** @type {any} */ (fire).ready));
+          for (const fire of fires) fire.remove();
+        }
+      });
+      // The engine hears of the last removals after this.
+      await tab.burnt(await time(tab) + 0.1);
+      const { contexts, objects, workers } = await tab.living();
+      assert.deepEqual([contexts, workers], [1, before.workers]);
+      assert.ok(objects <= before.objects, `${objects} things are held, and were ${before.objects}`);
+      await assertSilent(tab);
+    });
+
+    test('an engine that cannot be had leaves the poster and says why', async () => {
+      for (const instead of [{ status: 404 }, { keep: 5000 }, { type: 'text/html', body: '<p>' }]) {
+        const tab = await browser.open(
+          recording('<hearth-fire><p slot="poster">A poster</p></hearth-fire>'),
+          { files: { 'hearth-widget_bg.wasm': instead } },
+        );
+        await tab.until('an error event', () => /** @type {any} */ (window).events.length > 0);
+        assert.deepEqual((await events(tab, 'error')).map((error) => error.kind), ['load']);
+        assert.ok((await tab.rectangle('p')).height > 0, 'the poster is shown');
+        await assertCaught(tab);
+      }
+    });
+
+    test('without the worker’s script a fire burns on the page’s own thread', async () => {
+      const tab = await browser.open(FIRE, { files: { 'engine-worker.js': { status: 404 } } });
+      await tab.burnt(1);
+      await assertBurns(tab);
+      assert.equal(await tab.fire((fire) => fire.stats.engine), 'main');
+      await assertCaught(tab);
+    });
+
+    test('a policy that allows own scripts and wasm is enough, and one without wasm is told', async () => {
+      const page = `<!doctype html><html lang="en"><title>A strict page</title>
+        <link rel="icon" href="data:,"><script type="module" src="/web/hearth-fire.js"></script>
+        <body bgcolor="black">${FIRE}`;
+      const policy = (scripts) => ({
+        'content-security-policy': `default-src 'none'; img-src data:; connect-src 'self'; worker-src 'self'; script-src ${scripts}`,
+      });
+      const tab = await browser.open(page, { headers: policy("'self' 'wasm-unsafe-eval'") });
+      await tab.burnt(1.2);
+      await assertBurns(tab);
+      assert.equal(await tab.fire((fire) => fire.stats.engine), ENGINE[kind]);
+      await assertSilent(tab);
+      const without = await browser.open(page, { headers: policy("'self'") });
+      const refused = await without.fire((fire) => fire.ready.catch((error) => error.kind));
+      assert.equal(refused, 'load');
+    });
+  });
+
+  test(`in ${kind} a fire stands still where less motion is wanted, until it may play`, async () => {
+    const browser = await Browser.start(kind, { reducedMotion: true });
+    try {
+      const tab = await browser.open(FIRE);
+      await tab.ready();
+      const still = await tab.firePicture();
+      await tab.frames(10);
+      assert.equal(still.difference(await tab.firePicture()), 0);
+      assert.ok(still.part(0.3, 0.4, 0.7, 1).glowing() > 0.02, 'the still shows a fire');
+      await tab.click({ x: 120, y: 120 });
+      await tab.burnt(await time(tab) + 0.2);
+      await assertBurns(tab);
+      await assertSilent(tab);
+    } finally {
+      await browser.close();
+    }
+  });
+}

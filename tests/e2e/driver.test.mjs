@@ -1,0 +1,66 @@
+/**
+ * The driver itself: a browser that is not there is a failure and never a skipped
+ * test, and what a test asked the server to do wrong, it does.
+ */
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { test } from 'node:test';
+import { promisify } from 'node:util';
+import { serve } from './server.mjs';
+
+const HERE = new URL('.', import.meta.url);
+
+/** What another process says of the driver, in an environment of its own. */
+async function said(script, env) {
+  const node = promisify(execFile)(process.execPath, ['--input-type=module', '-e', script], {
+    cwd: HERE,
+    env: { ...process.env, ...env },
+  });
+  return node.then(({ stdout }) => stdout, ({ stderr }) => stderr);
+}
+
+for (const [kind, variable, words] of [
+  ['chromium', 'HEARTH_CHROMIUM', /no chromium: install Debian's "chromium"/],
+  ['firefox', 'HEARTH_FIREFOX', /no firefox-esr: install Debian's "firefox-esr"/],
+  ['webkit', 'HEARTH_WEBKIT_DRIVER', /no WebKitWebDriver: install Debian's "webkit2gtk-driver"/],
+]) {
+  test(`without ${kind} there is a failure that says what to install`, async () => {
+    const start = `import { Browser } from './driver.mjs'; await Browser.start('${kind}');`;
+    assert.match(await said(start, { [variable]: '', PATH: '' }), words);
+  });
+}
+
+test('some browsers can be asked for, and a misspelt one is named', async () => {
+  const list = "import { BROWSERS } from './driver.mjs'; console.log(BROWSERS.join());";
+  const asked = (names) => said(list, { HEARTH_BROWSERS: names });
+  assert.equal((await asked('')).trim(), 'chromium,firefox,webkit');
+  assert.equal((await asked('webkit, chromium')).trim(), 'webkit,chromium');
+  assert.match(await asked('webkit,opera'), /"opera"; there are: chromium, firefox, webkit/);
+});
+
+test('the server gives what a test wants instead of a file', async () => {
+  const server = await serve(HERE.pathname);
+  try {
+    const get = async (name) => {
+      const response = await fetch(`${server.origin}/${name}`);
+      const type = response.headers.get('content-type');
+      return { status: response.status, type, text: await response.text(), of: response.headers.get('x-of') };
+    };
+    const whole = await get('run.mjs');
+    assert.deepEqual([whole.status, whole.type], [200, 'text/javascript; charset=utf-8']);
+    assert.equal((await get('nothing.json')).status, 404);
+    server.replace({ 'run.mjs': { keep: 10, type: 'text/plain', headers: { 'x-of': 'a test' } } });
+    const part = await get('run.mjs');
+    assert.deepEqual(part, { status: 200, type: 'text/plain', text: whole.text.slice(0, 10), of: 'a test' });
+    server.replace({ 'run.mjs': { drop: true }, 'new.json': { body: '{}' }, 'laws.mjs': { status: 503 } });
+    await assert.rejects(get('run.mjs'));
+    assert.deepEqual(await get('new.json'), { status: 200, type: 'application/json', text: '{}', of: null });
+    assert.equal((await get('laws.mjs')).status, 503);
+    server.replace({});
+    assert.equal((await get('run.mjs')).text, whole.text);
+    const page = server.publish('<!doctype html><html lang="en">', { 'x-of': 'a page' });
+    assert.equal((await get(new URL(page).pathname.slice(1))).of, 'a page');
+  } finally {
+    await server.close();
+  }
+});

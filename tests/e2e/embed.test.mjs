@@ -1,0 +1,193 @@
+/**
+ * The fire in an iframe: it is what its address says, fills its frame, lets the
+ * page around it show through, and can be had there as an object.
+ */
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { Around, ask, heard, inside } from './around.mjs';
+import { table } from './site.mjs';
+
+const { PRESETS, defaultsOf, entry } = await table();
+
+/** @type {Around} */
+let around;
+before(async () => {
+  around = await Around.start();
+});
+after(() => around?.close());
+
+describe('a fire in an iframe', () => {
+  test('is the one of its address, and fills its frame', async () => {
+    const query = { scene: 'seed', viscosity: '0.02', quality: 'low', 'max_particles': '300' };
+    const tab = await around.burning(query);
+    const { value: params } = await ask(tab, 'params');
+    const scene = { ...defaultsOf('classic'), ...PRESETS.find(({ name }) => name === 'seed').values };
+    for (const [id, value] of Object.entries({ ...scene, viscosity: 0.02, max_particles: 300 })) {
+      assert.equal(params[id], value, id);
+    }
+    const size = await inside(tab, (fire) => {
+      const { width, height } = fire.getBoundingClientRect();
+      return { width, height, quality: fire.quality };
+    });
+    assert.deepEqual(size, { width: 240, height: 240, quality: 'low' });
+    assert.deepEqual(tab.problems, []);
+  });
+
+  test('stands still, with words for a screen reader, if its address says so', async () => {
+    const tab = await around.burning({ paused: '', alt: 'Embers' });
+    const seen = await inside(tab, (fire) => ({ paused: fire.paused, alt: fire.alt, time: fire.stats?.time ?? 0 }));
+    assert.deepEqual(seen, { paused: true, alt: 'Embers', time: 0 });
+  });
+
+  test('refuses a bad value aloud and burns with the others', async () => {
+    const tab = await around.burning({ viscosty: '1', exposure: '99', seed: '7', src: '/secret', wings: '2' });
+    const { value: params } = await ask(tab, 'params');
+    assert.deepEqual([params.seed, params.exposure], [7, entry.exposure.default]);
+    const said = tab.problems.join('\n');
+    for (const words of ['viscosty.*viscosity', 'exposure.*99', 'wings', 'src']) assert.match(said, new RegExp(words));
+    assert.ok(tab.problems.every((problem) => problem.startsWith('console.warn')), said);
+  });
+
+  test('burns alone in a window too', async () => {
+    const tab = await around.browser.open('web/embed.html?seed=7', { width: 300, height: 200 });
+    await tab.burnt(0.3);
+    assert.deepEqual(await tab.rectangle('hearth-fire'), { x: 0, y: 0, width: 300, height: 200 });
+    assert.deepEqual(tab.problems, []);
+  });
+
+  test('runs no script and no style but its own', async () => {
+    const tab = await around.browser.open('web/embed.html');
+    await tab.burnt(0.1);
+    assert.deepEqual(tab.problems, []);
+    const seen = await tab.evaluate(() => {
+      document.body.insertAdjacentHTML('beforeend', '<p style="width: 7px"></p><style>p { height: 9px }</style>');
+      const script = document.createElement('script');
+      script.textContent = 'window.ran = true';
+      document.body.append(script);
+      const { width, height } = getComputedStyle(/** @type {Element} */ (document.querySelector('p')));
+      return { ran: 'ran' in window, styled: width === '7px' || height === '9px' };
+    });
+    assert.deepEqual(seen, { ran: false, styled: false });
+  });
+
+  test('takes every attribute of the element from its address, but for those that fetch something', async () => {
+    const tab = await around.browser.open('web/embed.html?paused');
+    const { options, attributes } = await tab.evaluate(async () => {
+      const load = (/** @type {string} */ url) => import(url);
+      const { observedAttributes } = /** @type {any} */ (customElements.get('hearth-fire'));
+      return { options: (await load('/web/address.js')).OPTIONS, attributes: observedAttributes };
+    });
+    const parameters = Object.values(entry).map(({ attribute }) => attribute);
+    const own = attributes.filter((name) => !parameters.includes(name) && name !== 'preset');
+    assert.deepEqual([...options, 'poster', 'src'].sort(), own.sort());
+  });
+
+  // Where page, iframe and fire are of different colour schemes, the browser would
+  // give the fire an opaque ground.
+  for (const [about, page, frame, query] of [
+    ['one that names no colour scheme', '', '', {}],
+    ['a dark one in a light iframe', 'dark', 'light', {}],
+    ['one of both schemes in a light iframe', 'light dark', 'light', {}],
+    ['a dark one if the address says so', 'dark', '', { 'color-scheme': 'dark' }],
+    ['one of both schemes if the address says so', 'light dark', '', { 'color-scheme': 'auto' }],
+  ]) {
+    for (const wanted of ['light', 'dark']) {
+      test(`lets the page around show through, ${about}: for a visitor who prefers ${wanted}`, async () => {
+        const style = `body { background: rgb(0, 96, 160) }
+          ${page && `:root { color-scheme: ${page} }`} ${frame && `iframe { color-scheme: ${frame} }`}`;
+        const tab = await around.open({ allow: around.here, paused: '', ...query }, { style });
+        await tab.page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: wanted }]);
+        await heard(tab, 'ready');
+        await tab.frames(4);
+        const upper = (await tab.picture(await tab.rectangle('iframe'))).part(0, 0, 1, 0.5);
+        const shown = upper.share((r, g, b) => r < 6 && Math.abs(g - 96) < 6 && Math.abs(b - 160) < 6);
+        assert.ok(shown > 0.99, `${shown} of the frame shows the page`);
+      });
+    }
+  }
+
+  test('says in words why it cannot burn, in its frame and to the page around', async () => {
+    around.elsewhere.replace({ 'hearth-widget_bg.wasm': { status: 404, body: 'gone' } });
+    try {
+      const tab = await around.open({ allow: around.here });
+      await heard(tab, 'hello');
+      const { ok, error } = await ask(tab, 'ready');
+      assert.deepEqual([ok, error.kind], [false, 'load']);
+      const words = await inside(tab, (fire) => fire.shadowRoot.querySelector('.message').textContent);
+      assert.equal(words, error.message);
+    } finally {
+      around.elsewhere.replace({});
+    }
+  });
+});
+
+describe('the client for the page around', () => {
+  const script = (/** @type {string} */ body) => `<script type="module">
+    import { connectFire } from '/web/embed-client.js';
+    window.fire = connectFire(document.querySelector('iframe'));
+    ${body}
+  </script>`;
+
+  test('gives methods and events, from before the fire is there', async () => {
+    const tab = await around.open({ allow: around.here }, { more: script(`
+      window.changes = [];
+      window.early = fire.set('exposure', 1).then(() => fire.get('exposure'));
+      fire.addEventListener('params-change', ({ detail }) => changes.push(detail.id));
+      fire.addEventListener('ready', () => (window.told = true));
+    `) });
+    await tab.until('the client is there', () => 'fire' in window);
+    assert.equal(await tab.evaluate(() => /** @type {any} */ (window).early), 1);
+    const { value, refused } = await tab.evaluate(async () => {
+      const { fire } = /** @type {any} */ (window);
+      await fire.ready();
+      await fire.set({ seed: 7, exposure: 2 });
+      const error = await fire.set('exposure', 99).catch((reason) => reason);
+      return { value: (await fire.params()).seed, refused: [error.name, error.id, error.max] };
+    });
+    assert.equal(value, 7);
+    assert.deepEqual(refused, ['RangeError', 'exposure', entry.exposure.max]);
+    await tab.until('its events come', () => {
+      const { changes, told } = /** @type {any} */ (window);
+      return told && changes.includes('seed') && changes.includes('exposure');
+    });
+    const { methods, same } = await tab.evaluate(async () => {
+      const { fire } = /** @type {any} */ (window);
+      const names = (await fire.call('hello')).methods;
+      return { methods: names, same: names.filter((name) => typeof fire[name] === 'function') };
+    });
+    assert.deepEqual(same, methods.filter((name) => !['hello', 'subscribe', 'unsubscribe'].includes(name)));
+  });
+
+  test('says so when the fire does not answer', async () => {
+    const hurry = `<script>
+      const wait = setTimeout;
+      window.setTimeout = (act, milliseconds) => wait(act, milliseconds / 20);
+    </script>`;
+    const tab = await around.open({}, { more: hurry + script('') });
+    await tab.until('the client is there', () => 'fire' in window);
+    const why = await tab.evaluate(() => (
+      /** @type {any} */ (window).fire.get('seed').catch((error) => error.message)
+    ));
+    assert.match(why, new RegExp(`does not answer.*allow ${around.here}`));
+  });
+
+  test('connects to a fire that has burnt for long, and to the next one in its frame', async () => {
+    const tab = await around.burning({}, { more: '<p>' });
+    const numbers = await tab.evaluate(async (address) => {
+      const load = (/** @type {string} */ url) => import(url);
+      const { connectFire } = await load('/web/embed-client.js');
+      const iframe = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
+      const fire = connectFire(iframe);
+      const first = await fire.get('seed');
+      const loaded = new Promise((resolve) => iframe.addEventListener('load', resolve, { once: true }));
+      iframe.src = address;
+      await loaded;
+      await fire.ready();
+      const second = await fire.get('seed');
+      fire.close();
+      const closed = await fire.get('seed').catch((error) => error.message);
+      return [first, second, closed];
+    }, around.address({ allow: around.here, seed: '7' }));
+    assert.deepEqual(numbers, [entry.seed.default, 7, 'the fire was let go']);
+  });
+});

@@ -1,0 +1,129 @@
+/**
+ * The keys of the page for a fire: they act wherever the focus is, but never on
+ * what is typed, and never on what a key presses by itself.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { Panel, actionOf, along, mirrorOf } from './panel.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+/** @param {() => void} [before] */
+async function openPage(before) {
+  const tab = await browser.open('index.html', { width: 760, height: 600, before });
+  await tab.burnt(0.3);
+  return { tab, panel: await new Panel(tab).mounted() };
+}
+
+const paused = (tab) => tab.fire((fire) => fire.paused);
+
+/** Runs in the page: what is saved counts in `window.saved`. */
+function countSaved() {
+  /** @type {any} */ (window).saved = 0;
+  HTMLAnchorElement.prototype.click = () => {
+    /** @type {any} */ (window).saved += 1;
+  };
+}
+
+test('space holds the fire and lets it burn, R starts it again', async () => {
+  const { tab, panel } = await openPage();
+  // With the focus nowhere, on egui, and on a slider of the mirror.
+  for (const focus of [
+    async () => {},
+    async () => tab.click(along(await panel.reveal('buoyancy'), 0.5)),
+    () => tab.page.focus(mirrorOf('buoyancy')),
+  ]) {
+    await focus();
+    await tab.key('Space');
+    assert.equal(await paused(tab), true);
+    await tab.key('Space');
+    assert.equal(await paused(tab), false);
+  }
+  const time = await tab.fire((fire) => fire.stats.time);
+  await tab.key('r');
+  await tab.until('the time starts anew', (old) => (
+    /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < old
+  ), time);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('S saves a picture, F takes all of the screen and gives it back', async () => {
+  const { tab } = await openPage(countSaved);
+  await tab.key('s');
+  await tab.until('a picture', () => /** @type {any} */ (window).saved === 1);
+  await tab.key('f');
+  await tab.until('all of the screen', () => document.fullscreenElement === document.documentElement);
+  await tab.key('f');
+  await tab.until('the window', () => document.fullscreenElement === null);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('the full screen is not offered where the browser does not allow it', async () => {
+  const { tab, panel } = await openPage(() => {
+    Object.defineProperty(Document.prototype, 'fullscreenEnabled', { get: () => false });
+  });
+  assert.equal(await tab.page.$eval(actionOf('fullscreen'), (button) => button.checkVisibility()), false);
+  const shown = await panel.in(() => Object.keys(/** @type {any} */ (window).panelRectangles ?? {}));
+  assert.ok(!shown.includes('action:fullscreen'));
+  await tab.key('f');
+  await tab.frames(4);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('the question mark lists every key, and goes with it or with Escape', async () => {
+  const { tab } = await openPage();
+  const listed = () => tab.evaluate(() => (
+    [...document.querySelectorAll('[data-card="help"] kbd')].map((key) => key.textContent)
+  ));
+  for (const leave of ['?', 'Escape']) {
+    await tab.key('?');
+    assert.deepEqual(await listed(), ['Space', 'R', 'H', 'F', 'S', 'Ctrl Z', 'Ctrl Shift Z', 'Ctrl Y', '?']);
+    await tab.key(leave);
+    assert.deepEqual(await listed(), []);
+  }
+  assert.equal(await tab.evaluate(() => document.activeElement?.tagName), 'BODY');
+});
+
+test('keys that type or press something do only that', async () => {
+  const { tab, panel } = await openPage(countSaved);
+  const untouched = async (what) => {
+    await tab.frames(6);
+    assert.equal(await paused(tab), false, what);
+    assert.equal(await tab.evaluate(() => /** @type {any} */ (window).saved), 0, what);
+    assert.equal(await tab.page.$('[data-card="help"]'), null, what);
+    assert.equal(await tab.page.$eval('#panel', (host) => host.checkVisibility()), true, what);
+  };
+  await tab.click(along(await panel.part('search'), 0.5));
+  await tab.page.keyboard.type('s h?');
+  await untouched('typed into the search');
+  await tab.page.focus(mirrorOf('background'));
+  await tab.page.keyboard.type('s h?');
+  await untouched('typed into a field of the mirror');
+  await tab.page.focus(mirrorOf('model'));
+  await tab.key('s');
+  await untouched('a choice');
+  await tab.page.focus(actionOf('paste'));
+  await tab.key('Enter');
+  await tab.page.keyboard.type('s h? ');
+  assert.equal(await tab.page.$eval('.hearth-card textarea', (field) => /** @type {any} */ (field).value), 's h? ');
+  await untouched('typed into a card');
+  await tab.key('Escape');
+  const at = await tab.fire((fire) => fire.stats.time);
+  await tab.page.focus(actionOf('reset'));
+  await tab.key('Space');
+  await tab.until('the button was pressed', (old) => (
+    /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < old
+  ), at);
+  await untouched('space on a button');
+  // Of the browser's own.
+  await tab.page.keyboard.down('Alt');
+  await tab.page.keyboard.press('s');
+  await tab.page.keyboard.up('Alt');
+  await untouched('with another key');
+});

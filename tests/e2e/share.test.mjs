@@ -1,0 +1,351 @@
+/**
+ * Settings as addresses and as HTML: what comes back is what was sent, nothing
+ * more is in it, and no character of it gets out of its place. And the panel, which
+ * copies and pastes them.
+ */
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { Browser } from './driver.mjs';
+import { assertBurns } from './laws.mjs';
+import { Panel, actionOf, along } from './panel.mjs';
+import { SITE, table } from './site.mjs';
+
+const { PARAMETERS, PRESETS } = await table();
+const { toQuery, fromQuery, pageLink, elementCode, iframeCode } = await import(
+  pathToFileURL(path.join(SITE, 'web/share.js')).href
+);
+
+const SCRIPT = 'https://fire.example/web/hearth-fire.js';
+const EMBED = 'https://fire.example/web/embed.html';
+
+/** Every value of the table that differs from its default, of each kind. */
+const OTHERS = {
+  number: ({ min, max }) => (min + max) / 3,
+  integer: ({ min }) => min,
+  choice: ({ choices }) => choices.at(-1),
+  flag: () => true,
+  colour: () => '#204060',
+  seed: () => 4711,
+};
+
+/** Settings that a fire might export, and the hostile ones that nobody exports. */
+const CONFIGS = [
+  { hearth: 1, values: {} },
+  ...PRESETS.map(({ name }) => ({ hearth: 1, preset: name, values: {} })),
+  { hearth: 1, preset: 'seed', values: { model: 'combustion', max_particles: 3000 } },
+  { hearth: 1, values: Object.fromEntries(PARAMETERS.map((one) => [one.id, OTHERS[one.kind](one)])) },
+];
+const HOSTILE = '"\'><script>alert(1)</script>&amp;\u{1f525} \n=#?%00';
+
+/** As they are after an address: every value a text. */
+const asTexts = (config) => ({
+  ...config,
+  values: Object.fromEntries(Object.entries(config.values).map(([id, value]) => [id, String(value)])),
+});
+
+/** The element and its attributes, as a browser reads them out of such simple HTML. */
+function attributesOf(html, name) {
+  const [, inside] = new RegExp(`<${name} ([^>]*)></${name}>`).exec(html);
+  const found = inside.matchAll(/([a-z-]+)(?:="([^"]*)")?/g);
+  const unescape = (text) => text
+    .replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&quot;', '"')
+    .replaceAll('&#39;', "'").replaceAll('&amp;', '&');
+  return Object.fromEntries([...found].map(([, key, value = '']) => [key, unescape(value)]));
+}
+
+describe('an address', () => {
+  test('gives back the settings that it was made of', () => {
+    for (const config of CONFIGS) {
+      const { config: back, others } = fromQuery(toQuery(config));
+      assert.deepEqual(back, asTexts(config));
+      assert.equal(`${others}`, '');
+    }
+  });
+
+  test('holds the scene and what was changed, by the names of attributes, and nothing else', () => {
+    assert.equal(toQuery({ hearth: 1, values: {} }), '');
+    const config = { hearth: 1, preset: 'seed', values: { viscosity: 0.02, max_particles: 400 } };
+    assert.equal(toQuery(config), 'scene=seed&viscosity=0.02&max-particles=400');
+    assert.equal(
+      pageLink(config, 'https://fire.example/a/?viscosity=9&paused&lang=de#there'),
+      'https://fire.example/a/?scene=seed&viscosity=0.02&max-particles=400',
+    );
+  });
+
+  test('is read with question mark or without, by ids too, and by the preset’s other name', () => {
+    const expected = { hearth: 1, preset: 'seed', values: { source_width: '0.3' } };
+    for (const search of [
+      '?scene=seed&source-width=0.3',
+      'preset=seed&source_width=0.3',
+      new URLSearchParams('scene=seed&source-width=0.3'),
+    ]) {
+      assert.deepEqual(fromQuery(search).config, expected);
+    }
+  });
+
+  test('leaves the element’s own attributes and the page’s own names aside', () => {
+    const { config, others } = fromQuery(
+      '?paused&quality=low&alt=A+fire&origin=https%3A%2F%2Fa.example&model=classic&viscosity=1',
+      ['origin'],
+    );
+    assert.deepEqual(config.values, { model: 'classic', viscosity: '1' });
+    assert.deepEqual(Object.fromEntries(others), {
+      paused: '', quality: 'low', alt: 'A fire', origin: 'https://a.example',
+    });
+  });
+
+  test('keeps unknown names for the fire to refuse, whatever they are', () => {
+    const { values } = fromQuery('?viscosty=0.02&__proto__=1&constructor=2').config;
+    assert.deepEqual(Object.entries(values), [
+      ['viscosty', '0.02'], ['__proto__', '1'], ['constructor', '2'],
+    ]);
+    assert.equal(Object.getPrototypeOf(values), Object.prototype);
+  });
+
+  test('escapes every character', () => {
+    const config = { hearth: 1, preset: HOSTILE, values: { background: HOSTILE, 'a&b=c': HOSTILE } };
+    const link = pageLink(config, EMBED);
+    assert.match(link, /^[\w:/.?=&%+-]*$/);
+    assert.deepEqual(fromQuery(new URL(link).search).config, config);
+  });
+});
+
+describe('code to paste', () => {
+  test('holds the script, and of each value its attribute', () => {
+    const values = { model: 'classic', max_particles: 400, printed_kernel: true, printed_euler: false };
+    const code = elementCode({ hearth: 1, preset: 'seed', values }, SCRIPT);
+    assert.ok(code.startsWith(`<script type="module" src="${SCRIPT}"></script>\n`));
+    const { style, ...attributes } = attributesOf(code, 'hearth-fire');
+    assert.match(style, /width.*height/);
+    const element = elementCode({ hearth: 1, preset: 'seed', values });
+    assert.ok(element.startsWith('<hearth-fire ') && code.endsWith(`\n${element}`));
+    assert.deepEqual(attributes, {
+      preset: 'seed', model: 'classic', 'max-particles': '400', 'printed-kernel': '', 'printed-euler': 'false',
+    });
+  });
+
+  test('of an iframe holds the whole address', () => {
+    const config = { hearth: 1, preset: 'seed', values: { background: '#204060' } };
+    const { src, width, height } = attributesOf(iframeCode(config, EMBED), 'iframe');
+    assert.equal(src, pageLink(config, EMBED));
+    assert.ok(Number(width) > 0 && Number(height) > 0);
+  });
+
+  test('escapes every character of a value', () => {
+    const config = { hearth: 1, preset: HOSTILE, values: { background: HOSTILE } };
+    const code = elementCode(config, `${SCRIPT}?${HOSTILE}`);
+    const { preset, background } = attributesOf(code, 'hearth-fire');
+    assert.deepEqual([preset, background], [HOSTILE, HOSTILE]);
+    assert.equal(code.match(/<script/g).length, 1);
+    assert.ok(!/alert\(1\)<\/script/.test(code));
+    assert.equal(fromQuery(new URL(attributesOf(iframeCode(config, EMBED), 'iframe').src).search)
+      .config.preset, HOSTILE);
+  });
+
+  test('refuses to write what is no parameter into a page', () => {
+    for (const name of ['onclick', 'viscosty', 'a b', 'style', '__proto__', 'constructor', '"><script>']) {
+      const values = Object.fromEntries([[name, 'alert(1)']]);
+      const write = () => elementCode({ hearth: 1, values }, SCRIPT);
+      assert.throws(write, (error) => error instanceof RangeError && /not a parameter/.test(error.message));
+    }
+  });
+});
+
+describe('the panel', () => {
+  /** @type {Browser} */
+  let browser;
+  before(async () => {
+    browser = await Browser.launch();
+  });
+  after(() => browser?.close());
+
+  const VALUES = { viscosity: 0.02, max_particles: 400, printed_euler: true, background: '#204060' };
+
+  /**
+   * The page with a fire that is not the default one, and its panel.
+   * @param {{before?: () => void, width?: number, height?: number, touch?: boolean}} [options]
+   */
+  async function openPage(options = {}) {
+    const tab = await browser.open('index.html?scene=classic', {
+      width: 760, height: 600, before: keepCopies, ...options,
+    });
+    await tab.ready();
+    await tab.fire((fire, values) => fire.set(values), VALUES);
+    const panel = await new Panel(tab).mounted();
+    const { config, params } = await tab.fire(async (fire) => (
+      { config: await fire.exportConfig(), params: fire.params }
+    ));
+    return { tab, panel, config, params };
+  }
+
+  /** Runs in the page: what it copies is in `window.copied` too. */
+  function keepCopies() {
+    const original = navigator.clipboard.writeText;
+    navigator.clipboard.writeText = function writeText(text) {
+      /** @type {any} */ (window).copied = text;
+      return original.call(this, text);
+    };
+  }
+
+  /** Presses one of the buttons that copy, and gives what was copied. */
+  async function copied(tab, panel, what) {
+    await panel.share(`copy:${what}`);
+    return tab.until(`the ${what} is copied`, () => /** @type {any} */ (window).copied);
+  }
+
+  const paramsOf = (tab) => tab.fire((fire) => fire.params);
+
+  /** Opens the card for settings with the mouse and types into it. */
+  async function pasteSettings(tab, panel, text) {
+    await panel.share('paste');
+    await tab.until('the card is there', () => document.querySelector('[data-card="paste"] textarea'));
+    await tab.page.$eval('[data-card="paste"] textarea', (field, value) => {
+      /** @type {HTMLTextAreaElement} */ (field).value = value;
+    }, text);
+    await tab.click(along(await tab.rectangle('[data-card="use"]'), 0.5));
+  }
+
+  test('copies a link that opened anew is the same fire, and says so', async () => {
+    const { tab, panel, params } = await openPage();
+    const link = await copied(tab, panel, 'link');
+    assert.match(await panel.said(), /copied.*link/i);
+    assert.deepEqual(Object.keys(Object.fromEntries(new URL(link).searchParams)).sort(), [
+      'background', 'max-particles', 'printed-euler', 'scene', 'viscosity',
+    ]);
+    const other = await browser.open(link);
+    await other.ready();
+    assert.deepEqual(await paramsOf(other), params);
+    assert.deepEqual(other.problems, []);
+  });
+
+  test('copies HTML of the element that burns where it is pasted', async () => {
+    const { tab, panel, params } = await openPage();
+    const code = await copied(tab, panel, 'element');
+    const other = await browser.open(`<style>hearth-fire { background: black }</style>${code}`);
+    await other.ready();
+    assert.deepEqual(await paramsOf(other), params);
+    await other.burnt(1);
+    await assertBurns(other);
+    assert.deepEqual(other.problems, []);
+  });
+
+  test('copies HTML of an iframe that burns where it is pasted', async () => {
+    const { tab, panel, params } = await openPage();
+    const code = await copied(tab, panel, 'iframe');
+    const other = await browser.open(code);
+    const inFrame = async (act) => {
+      const frame = await (await other.page.waitForSelector('iframe')).contentFrame();
+      await frame.waitForSelector('hearth-fire');
+      return frame.$eval('hearth-fire', act);
+    };
+    await inFrame((fire) => /** @type {any} */ (fire).ready.then(() => undefined));
+    assert.deepEqual(await inFrame((fire) => /** @type {any} */ (fire).params), params);
+    assert.deepEqual(other.problems, []);
+  });
+
+  test('copies settings as JSON, takes them back, and undoes that', async () => {
+    const { tab, panel, config, params } = await openPage();
+    const json = await copied(tab, panel, 'json');
+    assert.deepEqual(JSON.parse(json), config);
+    await tab.fire((fire) => fire.restore());
+    const defaults = await paramsOf(tab);
+    assert.notDeepEqual(defaults, params);
+    // By the real clipboard.
+    await panel.share('paste');
+    await tab.until('the card is there', () => document.activeElement?.matches('[data-card="paste"] textarea'));
+    await tab.page.keyboard.down('Control');
+    await tab.page.keyboard.press('v');
+    await tab.page.keyboard.up('Control');
+    await tab.click(along(await tab.rectangle('[data-card="use"]'), 0.5));
+    await tab.until('the card is gone', () => !document.querySelector('.hearth-card'));
+    assert.deepEqual(await paramsOf(tab), params);
+    await panel.press('undo');
+    await panel.value('viscosity', 'the default', (value) => value === defaults.viscosity);
+    assert.deepEqual(await paramsOf(tab), defaults);
+  });
+
+  test('refuses bad settings aloud, keeps what was pasted, and changes nothing', async () => {
+    const { tab, panel, params } = await openPage();
+    const field = '[data-card="paste"] textarea';
+    for (const [text, words] of [
+      ['', /nothing to use/],
+      ['{"hearth": 1, "values": {"viscosity": 99}}', /viscosity.*99.*0\.1/],
+      ['{"hearth": 1, "values": {"viscosity": 0.03, "viscosty": 0.02}}', /viscosty.*viscosity/],
+      ['viscosity = 0.02', /JSON/],
+      ['[]', /./],
+      ['{"hearth": 1, "preset": "volcano"}', /volcano/],
+      [`{"hearth": 1, "values": {"seed": "${'9'.repeat(70_000)}"}}`, /64/],
+    ]) {
+      await pasteSettings(tab, panel, text);
+      const said = await tab.until(`${text.slice(0, 60)} is refused`, () => (
+        document.querySelector('.hearth-card [role="alert"]')?.textContent
+      ));
+      assert.match(said, /** @type {RegExp} */ (words));
+      assert.equal(await tab.page.$eval(field, (one) => /** @type {any} */ (one).value.length), text.length);
+      assert.deepEqual(await paramsOf(tab), params);
+      await tab.key('Escape');
+      await tab.until('the card is gone', () => !document.querySelector('.hearth-card'));
+    }
+    assert.equal(
+      await tab.page.$eval(actionOf('undo'), (button) => button.getAttribute('aria-disabled')),
+      'true',
+    );
+    assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+  });
+
+  test('shows the text, selected, where the browser does not let it copy', async () => {
+    const { tab, panel, config } = await openPage({
+      before: () => {
+        navigator.clipboard.writeText = () => Promise.reject(new DOMException('no', 'NotAllowedError'));
+      },
+    });
+    await panel.share('copy:json');
+    const shown = await tab.until('a card with the text', () => {
+      const field = /** @type {any} */ (document.activeElement);
+      return field?.matches('[data-card="copy"] textarea')
+        && { text: field.value, selected: field.selectionEnd - field.selectionStart };
+    });
+    assert.deepEqual(JSON.parse(shown.text), config);
+    assert.equal(shown.selected, shown.text.length);
+    const over = await tab.rectangle('.hearth-card');
+    const place = await tab.rectangle('#panel');
+    assert.ok(over.x >= place.x && over.width <= place.width, 'the card lies over the panel');
+    await tab.key('Escape');
+    assert.equal(await tab.page.$('.hearth-card'), null);
+  });
+
+  test('fits its cards on a phone, and gives the focus back', async () => {
+    const { tab } = await openPage({ width: 360, height: 640, touch: true });
+    await tab.page.focus(actionOf('paste'));
+    await tab.key('Enter');
+    const sheet = await tab.rectangle('#panel');
+    for (const selector of ['.hearth-card', '[data-card="paste"] textarea', '[data-card="use"]']) {
+      const part = await tab.rectangle(selector);
+      assert.ok(part.y >= sheet.y && part.y + part.height <= 640 + 0.5, `${selector} is in sight`);
+      assert.ok(part.x >= 0 && part.x + part.width <= 360, `${selector} is in sight`);
+    }
+    assert.ok((await tab.rectangle('[data-card="paste"] textarea')).height >= 50);
+    await tab.key('Escape');
+    assert.equal(await tab.evaluate(() => /** @type {any} */ (document.activeElement).dataset.action), 'paste');
+  });
+
+  test('saves a picture of the fire as a PNG', async () => {
+    const { tab, panel } = await openPage({
+      before: () => {
+        HTMLAnchorElement.prototype.click = async function click() {
+          const bytes = new Uint8Array(await (await fetch(this.href)).arrayBuffer());
+          /** @type {any} */ (window).saved = { name: this.download, start: [...bytes.slice(0, 8)], size: bytes.length };
+        };
+      },
+    });
+    await tab.burnt(0.5);
+    await panel.press('picture');
+    const { name, start, size } = await tab.until('a file', () => /** @type {any} */ (window).saved);
+    assert.match(name, /\.png$/);
+    assert.deepEqual(start, [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
+    assert.ok(size > 1000, `${size} bytes`);
+    assert.match(await panel.said(), /saved/i);
+  });
+});

@@ -1,0 +1,171 @@
+/**
+ * The simulation as a library on a page: the same bits as in Node, in every
+ * browser, and the examples that draw it.
+ */
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, symlinkSync } from 'node:fs';
+import { mkdir } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { burnEverything } from '../sim/fingerprint.mjs';
+import { BROWSERS, Browser } from './driver.mjs';
+import { SITE } from './site.mjs';
+
+const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
+const EXAMPLES = path.join(ROOT, 'examples');
+
+/** A checkout whose site is the one under test. */
+const tree = mkdtempSync(path.join(tmpdir(), 'hearth-examples-'));
+before(async () => {
+  await mkdir(path.join(tree, 'dist'));
+  symlinkSync(SITE, path.join(tree, 'dist/site'), 'junction');
+  symlinkSync(EXAMPLES, path.join(tree, 'examples'), 'junction');
+});
+after(() => rmSync(tree, { recursive: true }));
+
+const { createSimulation } = await import(pathToFileURL(path.join(SITE, 'web/sim.js')).href);
+
+/** What Node makes of it. */
+const inNode = burnEverything(createSimulation);
+
+/** What a browser looks at: the site, and beside it what a page does with it. */
+const FOLDERS = [SITE, path.join(ROOT, 'tests/sim')];
+
+const PAGE = `<!doctype html>
+  <meta charset="utf-8"><title>The library</title><link rel="icon" href="data:,">
+  <script type="module" src="/page.mjs"></script>`;
+
+/** What the page's script has come to. */
+function outcome(/** @type {any} */ tab) {
+  return tab.until('the page has burnt everything, or failed', () => window.prints ?? window.failure);
+}
+
+for (const kind of BROWSERS) {
+  test(`${kind} burns the same bits as Node`, async () => {
+    const browser = await Browser.start(kind, { folders: FOLDERS });
+    try {
+      const tab = await browser.open(PAGE);
+      assert.deepEqual(await outcome(tab), await inNode);
+      assert.deepEqual(await tab.complaints(), []);
+    } finally {
+      await browser.close();
+    }
+  });
+}
+
+test('the library burns where it may and arrives as it may, and else says in words why not', async () => {
+  const wasm = 'hearth-sim_bg.wasm';
+  const policy = (/** @type {string} */ scripts) => ({
+    'content-security-policy': `default-src 'self'; img-src data:; script-src ${scripts}`,
+  });
+  const good = [
+    { headers: policy("'self' 'wasm-unsafe-eval'") },
+    { files: { [wasm]: { type: 'text/plain' } } },
+  ];
+  /** @type {[object, RegExp][]} */
+  const bad = [
+    [{ headers: policy("'self'") }, /could not be loaded: CompileError/],
+    [{ files: { [wasm]: { status: 404, body: 'no' } } }, /could not be loaded: Error: .* answers 404/],
+    [{ files: { [wasm]: { keep: 1000 } } }, /could not be loaded: CompileError/],
+    [{ without: wasm }, /could not be loaded: TypeError/],
+    [{ files: { 'wasm/hearth-sim.js': { status: 404, body: 'no' } } }, /could not be loaded: TypeError/],
+  ];
+  const browser = await Browser.launch(...FOLDERS);
+  try {
+    for (const options of good) {
+      assert.deepEqual(await outcome(await browser.open(PAGE, options)), await inNode);
+    }
+    for (const [options, words] of bad) {
+      const tab = await browser.open(PAGE, options);
+      assert.match(await outcome(tab), words);
+      const unheard = (await tab.complaints()).filter((problem) => /uncaught/.test(problem));
+      assert.deepEqual(unheard, []);
+    }
+  } finally {
+    await browser.close();
+  }
+});
+
+/** Burns on until the lower middle of the window glows; and it moves. */
+async function burns(/** @type {any} */ tab) {
+  const part = async () => (await tab.picture()).part(0.25, 0.4, 0.75, 1);
+  let picture = await part();
+  for (let tries = 0; picture.glowing() < 0.02 && tries < 200; tries += 1) {
+    await tab.frames(4);
+    picture = await part();
+  }
+  assert.ok(picture.glowing() >= 0.02, `${picture.glowing()} of the lower middle glows`);
+  await tab.frames(12);
+  const moved = picture.difference(await part());
+  assert.ok(moved > 0.2, `the picture moved by ${moved}`);
+  assert.deepEqual(await tab.complaints(), []);
+}
+
+test('the example in Canvas 2D burns, in the site as it is built', async () => {
+  const browser = await Browser.launch();
+  try {
+    const tab = await browser.open('examples/canvas-2d.html', { width: 300, height: 450 });
+    await burns(tab);
+  } finally {
+    await browser.close();
+  }
+});
+
+test('the example in three.js burns, with the packages of its lock file', async () => {
+  // On Windows npm is a script, which only a shell starts.
+  const shell = process.platform === 'win32';
+  execFileSync('npm', ['ci', '--silent'], { cwd: path.join(EXAMPLES, 'three'), shell, stdio: 'inherit' });
+  const browser = await Browser.launch(tree);
+  try {
+    const tab = await browser.open('examples/three/index.html', { width: 300, height: 450 });
+    await burns(tab);
+  } finally {
+    await browser.close();
+  }
+});
+
+const DOC = readFileSync(path.join(ROOT, 'docs/simulation.md'), 'utf8');
+const SAMPLES = [...DOC.matchAll(/```html\n([^]*?)```/g)].map(([, html]) => html);
+
+test('the documentation names what the library has, each in an example and in the types', async () => {
+  const sim = await createSimulation();
+  const members = Object.getOwnPropertyNames(Object.getPrototypeOf(sim));
+  const has = members.filter((name) => name !== 'constructor');
+  const refused = await createSimulation({ '': 1 }).catch((error) => error.message);
+  const options = refused.split('there are ')[1].split(', ');
+  const rows = [...DOC.matchAll(/^\| (`[^|]*) \|/gm)].map(([, cell]) => cell);
+  const named = rows.flatMap((cell) => [...cell.matchAll(/`(\w+)/g)].map(([, name]) => name));
+  const sorted = (/** @type {string[]} */ names) => [...new Set(names)].sort();
+  assert.deepEqual(sorted(named), sorted(['createSimulation', ...has, ...options]));
+  const types = readFileSync(path.join(SITE, 'web/sim.d.ts'), 'utf8');
+  for (const name of named) {
+    assert.match(SAMPLES.join('\n'), new RegExp(`\\b${name}\\b`));
+    assert.match(types, new RegExp(`\\b${name}\\b\\??[(:<]`));
+  }
+});
+
+test('every example of the documentation runs, and says or draws something', async () => {
+  assert.ok(SAMPLES.length > 0);
+  const browser = await Browser.launch();
+  try {
+    for (const html of SAMPLES) {
+      // Chromium asks for an icon, which no example has.
+      const tab = await browser.open(html, { files: { 'favicon.ico': { body: '' } } });
+      await tab.until('it says or draws something', () => {
+        const canvas = document.querySelector('canvas');
+        if (!canvas) return document.querySelector('#out')?.textContent;
+        const { width, height } = canvas;
+        const blank = Object.assign(document.createElement('canvas'), { width, height });
+        return canvas.toDataURL() !== blank.toDataURL();
+      });
+      await tab.evaluate(() => document.querySelectorAll('button').forEach((button) => button.click()));
+      await tab.frames(10);
+      assert.deepEqual(await tab.complaints(), []);
+    }
+  } finally {
+    await browser.close();
+  }
+});

@@ -1,0 +1,66 @@
+/**
+ * Same seed and inputs, same bits: between simulations, and natively.
+ */
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { test } from 'node:test';
+import { burnEverything, fingerprint } from './fingerprint.mjs';
+import { PRESETS, ROOT, createSimulation, everything, fires } from './library.mjs';
+
+/** As in `tests/src/lib.rs`. */
+const STEPS = 1000;
+
+test('the library burns every preset to the same bits as the native program', async () => {
+  const options = { cwd: ROOT, encoding: 'utf8' };
+  const cargo = process.env.CARGO ?? 'cargo';
+  const example = ['run', '--quiet', '--package', 'hearth-tests', '--example', 'fingerprint'];
+  const lines = execFileSync(cargo, example, options).trim().split('\n');
+  const native = new Map(lines.map((line) => /** @type {any} */ (line.split(/ (?=\S+$)/))));
+  for (const { name } of PRESETS) {
+    const sim = await createSimulation({ preset: name });
+    sim.step(STEPS);
+    assert.equal(fingerprint(sim), native.get(name), name);
+    sim.free();
+  }
+});
+
+test('the same calls give the same bits, however the steps are divided', async () => {
+  const [first, second] = [await fires(), await fires()];
+  for (const [one, other] of first.map((one, at) => [one, second[at]])) {
+    one.step(150);
+    for (let left = 150; left > 0; left -= 1) other.step();
+    assert.deepEqual(everything(one), everything(other));
+  }
+  assert.deepEqual(await burnEverything(createSimulation), await burnEverything(createSimulation));
+});
+
+test('another seed is another fire, and a reset the same one', async () => {
+  for (const model of ['combustion', 'classic']) {
+    const [one, other] = await Promise.all(
+      [1, 2].map((seed) => createSimulation({ model, seed, params: { max_particles: 1000 } })),
+    );
+    one.step(100);
+    other.step(100);
+    const after = everything(one);
+    assert.notDeepEqual(one.positions(), other.positions());
+    one.reset();
+    assert.equal(one.time, 0);
+    one.step(100);
+    assert.deepEqual(everything(one), after);
+    other.set('seed', 1);
+    assert.equal(other.time, 0);
+    other.step(100);
+    assert.deepEqual(everything(other), after);
+  }
+});
+
+test('many simulations know nothing of each other', async () => {
+  const [alone] = await fires();
+  alone.step(60);
+  const many = await Promise.all(Array.from({ length: 12 }, (_, seed) => (
+    createSimulation({ seed: 1, params: { max_particles: 1000 + 500 * (seed % 3) } })
+  )));
+  for (let step = 0; step < 60; step += 1) for (const sim of many) sim.step();
+  for (const sim of many.splice(1, 2)) sim.free();
+  assert.deepEqual(everything(many[0]), everything(alone));
+});

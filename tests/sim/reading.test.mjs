@@ -1,0 +1,124 @@
+/**
+ * What is read: copies, of every particle, in the order of birth.
+ */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { ARRAYS, PARAMETERS, createSimulation, everything, fires } from './library.mjs';
+
+test('every array has its numbers of every particle, and every number is one', async () => {
+  for (const sim of await fires()) {
+    sim.step(200);
+    assert.ok(sim.count > 100 && sim.time > 0 && sim.stepLength > 0);
+    for (const [name, width] of Object.entries(ARRAYS)) {
+      const array = sim[name]();
+      assert.ok(array instanceof Float32Array);
+      assert.equal(array.length, width * sim.count, name);
+      assert.ok(array.every((number) => !Number.isNaN(number)), name);
+    }
+    const [width, height] = [sim.get('domain_width'), sim.get('domain_height')];
+    const inside = sim.positions().every((at, i) => (
+      i % 2 === 0 ? Math.abs(at) <= Math.fround(width / 2) : at >= 0 && at <= Math.fround(height)
+    ));
+    assert.ok(inside, 'every particle is in the domain');
+  }
+});
+
+test('a fire is hot, burns and throws embers; the classic one burns no fuel', async () => {
+  const [combustion, classic] = await fires();
+  combustion.step(600);
+  assert.ok(combustion.power > 0);
+  assert.ok(combustion.temperatures().some((kelvin) => kelvin > 1000));
+  assert.ok(combustion.burnRates().some((rate) => rate > 0));
+  const embers = combustion.embers();
+  assert.ok(embers.count > 0);
+  for (const [name, width] of Object.entries({ positions: 2, velocities: 2, temperatures: 1, sizes: 1, ages: 1, lifetimes: 1 })) {
+    assert.equal(embers[name].length, width * embers.count, name);
+  }
+  assert.ok(embers.ages.every((age, i) => age >= 0 && age < embers.lifetimes[i]));
+  assert.ok(embers.temperatures.every((kelvin) => kelvin > 250 && kelvin < 2000));
+  assert.ok(embers.sizes.every((size) => size > 0 && size <= Math.fround(combustion.get('ember_size'))));
+  classic.step(200);
+  assert.equal(classic.power, 0);
+  assert.equal(classic.embers().count, 0);
+  assert.ok(classic.fuel().every((share) => share === 0));
+  assert.ok(classic.oxygen().every((share) => share === 1));
+});
+
+test('particles are in the order of birth, which no step changes', async () => {
+  const [combustion, classic] = await fires();
+  classic.step(300);
+  const ages = classic.ages();
+  // Those of one step are born at different times of it, in any order; a step lasts 4 ms.
+  const step = classic.stepLength;
+  assert.ok(ages.every((age, i) => i === 0 || age <= ages[i - 1] + 1.01 * step), 'the oldest come first');
+  const lifetimes = classic.lifetimes();
+  classic.step();
+  const known = new Set(classic.lifetimes());
+  const survivors = lifetimes.filter((life) => known.has(life));
+  assert.ok(survivors.length > 0.9 * lifetimes.length);
+  assert.deepEqual(classic.lifetimes().slice(0, survivors.length), survivors);
+
+  combustion.step(200);
+  const before = combustion.positions();
+  combustion.step();
+  const height = combustion.get('domain_height');
+  const moved = combustion.positions().map((at, i) => Math.abs(at - before[i]));
+  const jumps = moved.filter((far) => far > 0.05 && far < 0.5 * height);
+  assert.equal(jumps.length, 0, 'in a step a particle moves a little, or over an edge');
+});
+
+test('a particle keeps its number while it lives, and nobody else gets it', async () => {
+  for (const sim of await fires()) {
+    /** Lifetime and number belong together; those of gas are all infinite. */
+    const known = new Map();
+    for (let i = 0; i < 100; i += 1) {
+      sim.step(5);
+      const ids = sim.ids();
+      assert.ok(ids instanceof Float64Array);
+      assert.equal(ids.length, sim.count);
+      assert.ok(ids.every((id, at) => at === 0 || id > ids[at - 1]), 'they rise');
+      sim.lifetimes().forEach((life, at) => {
+        assert.equal(known.get(ids[at]) ?? life, life);
+        known.set(ids[at], life);
+      });
+    }
+    sim.setParticles(sim.particles());
+    assert.deepEqual(sim.ids(), Float64Array.from({ length: sim.count }, (_, at) => at));
+  }
+});
+
+test('what is read is a copy that later steps and other readers leave alone', async () => {
+  for (const sim of await fires()) {
+    sim.step(100);
+    const [kept, changed] = [sim.positions(), sim.positions()];
+    const copy = kept.slice();
+    changed.fill(NaN);
+    const { params } = sim;
+    params.gravity = NaN;
+    sim.embers().positions.fill(NaN);
+    assert.deepEqual(sim.positions(), copy);
+    assert.notEqual(sim.params.gravity, NaN);
+    sim.step(100);
+    assert.deepEqual(kept, copy);
+    assert.notDeepEqual(sim.positions(), copy);
+  }
+});
+
+test('all parameters are there with their defaults, as the table has them', async () => {
+  const sim = await createSimulation();
+  const defaults = PARAMETERS.map((one) => [one.id, one.default]);
+  assert.deepEqual(sim.params, Object.fromEntries(defaults));
+  for (const { id } of PARAMETERS) assert.equal(sim.get(id), sim.params[id]);
+});
+
+test('no steps are no change, and steps are counted', async () => {
+  for (const sim of await fires()) {
+    sim.step(3);
+    const before = everything(sim);
+    sim.step(0);
+    assert.deepEqual(everything(sim), before);
+    const { time } = sim;
+    sim.step();
+    assert.ok(Math.abs(sim.time - time - sim.stepLength) < 1e-9);
+  }
+});

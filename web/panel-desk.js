@@ -1,0 +1,260 @@
+/**
+ * Everything that the panel's two faces, egui and the mirror, can do.
+ *
+ * Both press the same buttons here, so that each wish is a step that can be
+ * undone, whoever had it. It speaks to the fire through the element's public API,
+ * and to the page only where somebody asked for it: the clipboard, a download, the
+ * full screen.
+ */
+
+import { askForSettings, showKeys, showText } from './panel-cards.js';
+import { PARAMETERS } from './parameters.js';
+import { Steps } from './panel-steps.js';
+import { elementCode, iframeCode, pageLink } from './share.js';
+
+/**
+ * Where the files of this folder are. A bundler gives this one another name, or the
+ * one of its own disk, and leaves most of the others out; then nobody knows.
+ */
+const FOLDER = /^https?:.*\/panel-desk\.js/.test(import.meta.url) ? import.meta.url : undefined;
+
+/** How long a button says that it has done it [ms]. */
+const DONE_MS = 2000;
+
+const DOMAINS = new Map(PARAMETERS.map(({ id, domains }) => [id, domains]));
+
+/** What can be copied, in the order of its buttons. */
+export const COPIES = ['link', 'element', 'iframe', 'json'];
+
+/** What each of them is called. */
+export const COPY_LABELS = {
+  link: 'link', element: 'HTML of the element', iframe: 'HTML of an iframe', json: 'settings as JSON',
+};
+
+/**
+ * @typedef {object} State  What there is to press and to say.
+ * @property {boolean} undo
+ * @property {boolean} redo
+ * @property {boolean} link  Whether the page has an address that shows this fire.
+ * @property {boolean} iframe  Whether there is a page to put into a frame.
+ * @property {boolean} fullscreen  Whether the browser allows it.
+ * @property {string} done  The button whose work is just done, for a while.
+ * @property {string} said  What is just done, or went wrong, in words.
+ */
+
+/** The desk of one panel. It says `change` when its state is another one. */
+export class Desk extends EventTarget {
+  #fire;
+  #host;
+  #page;
+  #script;
+  #embed;
+  #steps;
+  /** @type {number | undefined} */
+  #doneEnds;
+  #done = '';
+  #said = '';
+  /** @type {import('./panel-cards.js').Card | undefined} */
+  #card;
+
+  /**
+   * @param {object} parts
+   * @param {any} parts.fire
+   * @param {HTMLElement} parts.host  Where the panel stands, and its cards.
+   * @param {string | URL} [parts.page]  The address of a page that reads its query; the
+   *   panel's own page, then.
+   * @param {string | URL} [parts.script]  Where others find `hearth-fire.js`.
+   * @param {string | URL} [parts.embed]  Where they find `embed.html`.
+   */
+  constructor({ fire, host, page, script = beside('hearth-fire.js'), embed = beside('embed.html') }) {
+    super();
+    this.#fire = fire;
+    this.#host = host;
+    this.#page = page;
+    this.#script = script;
+    this.#embed = embed;
+    this.#steps = new Steps(fire, () => this.#changed(), (id, model) => DOMAINS.get(id)?.[model]?.default);
+  }
+
+  /** @returns {State} */
+  get state() {
+    return {
+      undo: this.#steps.canUndo,
+      redo: this.#steps.canRedo,
+      link: this.#page !== undefined,
+      iframe: this.#embed !== undefined,
+      fullscreen: document.fullscreenEnabled === true,
+      done: this.#done,
+      said: this.#said,
+    };
+  }
+
+  /** A key or a button was pressed anew. */
+  press() {
+    this.#steps.press();
+  }
+
+  /** @type {(id: string, value: any) => Promise<void>} */
+  set(id, value) {
+    return this.#steps.set(id, value);
+  }
+
+  /**
+   * Puts parameters back to their defaults.
+   * @param {...string} ids
+   */
+  restore(...ids) {
+    if (ids.length === 1) return this.#steps.restore(ids[0]);
+    return this.#steps.all(() => this.#fire.restore(...ids), { anew: false });
+  }
+
+  /** @param {string} name */
+  preset(name) {
+    const config = { hearth: 1, preset: name, values: {} };
+    return this.#steps.all(() => this.#fire.importConfig(config), { anew: true });
+  }
+
+  /** @param {string} name */
+  quality(name) {
+    this.#fire.quality = name;
+  }
+
+  play() {
+    return this.#fire.play();
+  }
+
+  pause() {
+    return this.#fire.pause();
+  }
+
+  reset() {
+    return this.#fire.reset();
+  }
+
+  step() {
+    return this.#fire.step(1);
+  }
+
+  undo() {
+    return this.#steps.undo();
+  }
+
+  redo() {
+    return this.#steps.redo();
+  }
+
+  /**
+   * Copies the fire as it is now; where the browser refuses, shows the text so that
+   * it can be copied by hand.
+   * @param {string} what  One of {@link COPIES}.
+   */
+  async copy(what) {
+    const label = COPY_LABELS[what];
+    const config = await this.#try(() => this.#fire.exportConfig());
+    if (!config) return;
+    const text = this.#written(what, config);
+    try {
+      await navigator.clipboard.writeText(text);
+      this.#tell(`copy:${what}`, `Copied: ${label}`);
+    } catch {
+      this.#show(showText({ host: this.#host, title: `Copy the ${label}`, text }));
+    }
+  }
+
+  /** Asks for settings as JSON. */
+  paste() {
+    const take = async (text) => {
+      await this.#steps.all(() => this.#fire.importConfig(text), { anew: true });
+      this.#tell('paste', 'The settings are those that were pasted');
+    };
+    this.#show(askForSettings({ host: this.#host, take }));
+  }
+
+  /** Saves the picture of the moment as a file. */
+  async picture() {
+    const blob = await this.#try(() => this.#fire.toBlob('image/png'));
+    if (!blob) return;
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(blob);
+    link.download = 'hearth.png';
+    link.click();
+    // The download has begun by then, also where it asks first.
+    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+    this.#tell('picture', 'Saved a picture');
+  }
+
+  /** All of the screen for the fire, or its page; or the window again. */
+  async fullscreen() {
+    const whole = this.#page === undefined ? this.#fire : document.documentElement;
+    await this.#try(() => (
+      document.fullscreenElement ? document.exitFullscreen() : whole.requestFullscreen()
+    ));
+  }
+
+  /** Shows the keys, or hides them. */
+  help() {
+    if (this.#card?.isOpen('help')) this.#card.close();
+    else this.#show(showKeys({ host: this.#host }));
+  }
+
+  /** Ends what is open. */
+  close() {
+    clearTimeout(this.#doneEnds);
+    this.#card?.close();
+  }
+
+  /** @type {(what: string, config: any) => string} */
+  #written(what, config) {
+    switch (what) {
+      case 'link':
+        return pageLink(config, this.#page ?? location.href);
+      case 'element':
+        return elementCode(config, this.#script);
+      case 'iframe':
+        return iframeCode(config, this.#embed ?? '');
+      default:
+        return JSON.stringify(config, null, 2);
+    }
+  }
+
+  /**
+   * Does something that the fire or the browser may refuse, and says so then.
+   * @template T
+   * @param {() => T | Promise<T>} act
+   * @returns {Promise<T | undefined>}
+   */
+  async #try(act) {
+    try {
+      return await act();
+    } catch (error) {
+      this.#tell('', error instanceof Error ? error.message : String(error));
+      return undefined;
+    }
+  }
+
+  /** @param {import('./panel-cards.js').Card} card */
+  #show(card) {
+    this.#card?.close();
+    this.#card = card;
+  }
+
+  /** @type {(done: string, said: string) => void} */
+  #tell(done, said) {
+    [this.#done, this.#said] = [done, said];
+    clearTimeout(this.#doneEnds);
+    this.#doneEnds = setTimeout(() => {
+      [this.#done, this.#said] = ['', ''];
+      this.#changed();
+    }, DONE_MS);
+    this.#changed();
+  }
+
+  #changed() {
+    this.dispatchEvent(new Event('change'));
+  }
+}
+
+/** @param {string} file */
+function beside(file) {
+  return FOLDER && new URL(file, FOLDER);
+}

@@ -1,0 +1,140 @@
+/**
+ * A fire's settings as an address, as a link and as HTML to paste.
+ *
+ * Pure functions from text to text, for pages and servers alike. What they take
+ * are the settings of `exportConfig()`; what an address holds is checked by the
+ * fire that it is given to, not here.
+ *
+ * @typedef {object} Config
+ * @property {number} [hearth]  The version of the form: 1.
+ * @property {string} [preset]  The preset that it starts from, if not the default one.
+ * @property {{[id: string]: unknown}} [values]  What differs from that.
+ */
+
+import { DEFAULTS } from './defaults.js';
+import { OWN_ATTRIBUTES } from './fire-attributes.js';
+
+/** The preset's names in an address: the first is written, both are read. */
+const PRESET = ['scene', 'preset'];
+
+/** The element's attributes that are neither parameters nor the preset. */
+const OWN = OWN_ATTRIBUTES.filter((name) => !PRESET.includes(name) && !(name in DEFAULTS));
+
+/** Room for a fire on a page that gives it none. */
+const SIZE = { width: 320, height: 400 };
+
+/**
+ * The query of an address that gives this fire, without its question mark;
+ * empty for a fire of the defaults.
+ * @param {Config} config
+ * @returns {string} `scene=seed&viscosity=0.02`
+ */
+export function toQuery(config) {
+  const query = new URLSearchParams();
+  if (config.preset !== undefined) query.set(PRESET[0], config.preset);
+  for (const [name, value] of attributes(config)) query.set(name, value);
+  return query.toString();
+}
+
+/**
+ * What a query asks for. Values stay texts, and names that are no parameters
+ * stay among them: the fire that gets them says what is wrong with which.
+ * @param {string | URLSearchParams} search  With its question mark or without.
+ * @param {Iterable<string>} [names]  What the page itself reads from its address.
+ * @returns {{config: Config & {values: {[id: string]: string}}, others: URLSearchParams}}
+ *   the fire's settings; and those names, with the element's own attributes
+ */
+export function fromQuery(search, names = []) {
+  const apart = new Set([...OWN, ...names]);
+  const others = new URLSearchParams();
+  /** @type {[string, string][]} */
+  const values = [];
+  let preset;
+  for (const [name, value] of new URLSearchParams(search)) {
+    if (apart.has(name)) others.append(name, value);
+    else if (PRESET.includes(name)) preset = value;
+    else values.push([name.replaceAll('-', '_'), value]);
+  }
+  // A name such as `__proto__` becomes a plain key here, which the fire refuses.
+  const config = { hearth: 1, ...(preset !== undefined && { preset }), values: Object.fromEntries(values) };
+  return { config, others };
+}
+
+/**
+ * The address of a page that shows this fire, and nothing else of its old query.
+ * @param {Config} config
+ * @param {string | URL} base  The whole address of a page that reads its query.
+ */
+export function pageLink(config, base) {
+  const url = new URL(base);
+  url.search = toQuery(config);
+  url.hash = '';
+  return url.href;
+}
+
+/**
+ * HTML that shows this fire on any page.
+ * @param {Config} config
+ * @param {string | URL} [scriptUrl]  Where `hearth-fire.js` is; without it, the element
+ *   alone, for a page that has it.
+ * @throws {RangeError} a value whose name is no parameter's
+ */
+export function elementCode(config, scriptUrl) {
+  const named = attributes(config).map(([name, value]) => {
+    const id = name.replaceAll('-', '_');
+    if (!Object.hasOwn(DEFAULTS, id)) {
+      throw new RangeError(`${JSON.stringify(shortened(name))} is not a parameter of a fire`);
+    }
+    return value === 'true' ? name : attribute(name, value);
+  });
+  if (config.preset !== undefined) named.unshift(attribute('preset', config.preset));
+  named.push(attribute('style', `width: ${SIZE.width}px; height: ${SIZE.height}px`));
+  const element = `<hearth-fire ${named.join(' ')}></hearth-fire>`;
+  if (scriptUrl === undefined) return element;
+  return `<script type="module" ${attribute('src', String(scriptUrl))}></script>\n${element}`;
+}
+
+/**
+ * HTML that shows this fire on any page in a frame of its own.
+ * @param {Config} config
+ * @param {string | URL} embedUrl  The whole address of `embed.html`.
+ */
+export function iframeCode(config, embedUrl) {
+  const parts = [
+    attribute('src', pageLink(config, embedUrl)),
+    attribute('width', String(SIZE.width)),
+    attribute('height', String(SIZE.height)),
+    // Of another colour scheme than its page the frame would get an opaque ground.
+    'style="border: 0; color-scheme: light" loading="lazy" title="A fire"',
+  ];
+  return `<iframe ${parts.join(' ')}></iframe>`;
+}
+
+/**
+ * The values by the names of their attributes, the model first.
+ * @param {Config} config
+ * @returns {[string, string][]}
+ */
+function attributes(config) {
+  const named = Object.entries(config.values ?? {}).map(
+    ([id, value]) => /** @type {[string, string]} */ ([id.replaceAll('_', '-'), String(value)]),
+  );
+  return named.sort(([a], [b]) => Number(b === 'model') - Number(a === 'model'));
+}
+
+/** @type {(name: string, value: string) => string} */
+function attribute(name, value) {
+  return `${name}="${escaped(value)}"`;
+}
+
+const ESCAPES = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;', "'": '&#39;' };
+
+/** @param {string} text */
+function escaped(text) {
+  return text.replace(/[&<>"']/g, (character) => ESCAPES[character]);
+}
+
+/** @param {string} name */
+function shortened(name) {
+  return name.length > 40 ? `${name.slice(0, 40)}…` : name;
+}

@@ -153,7 +153,9 @@ for (const [missing, word, before] of [
     'WebGL2',
     /WebGL ?2/i,
     () => {
-      for (const type of [HTMLCanvasElement, OffscreenCanvas]) {
+      // In a worker there is no canvas of the page.
+      for (const type of [globalThis.HTMLCanvasElement, OffscreenCanvas]) {
+        if (!type) continue;
         const original = /** @type {any} */ (type.prototype.getContext);
         /** @type {any} */ (type.prototype).getContext = function getContext(kind, ...rest) {
           return kind === 'webgl2' ? null : original.call(this, kind, ...rest);
@@ -171,7 +173,7 @@ for (const [missing, word, before] of [
 ]) {
   test(`a browser without ${missing} shows words and the poster`, async () => {
     const body = recording(`<hearth-fire>${POSTER}</hearth-fire>`);
-    const tab = await browser.open(body, { before: /** @type {() => void} */ (before) });
+    const tab = await browser.open(body, { before, beforeWorker: before });
     await tab.until(
       'an error event',
       () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'),
@@ -188,7 +190,7 @@ for (const [missing, word, before] of [
   });
 
   test(`the page itself says that ${missing} is missing`, async () => {
-    const tab = await browser.open('index.html', { before: /** @type {() => void} */ (before) });
+    const tab = await browser.open('index.html', { before, beforeWorker: before });
     await tab.until(
       `words about ${missing}`,
       (source) => {
@@ -219,15 +221,15 @@ test('an engine that cannot be loaded shows words and the poster', async () => {
 });
 
 test('a fire that gets no context says so once, and goes in silence', async () => {
-  const tab = await browser.open(recording('<hearth-fire></hearth-fire>'), {
-    before: () => {
-      // The probe of what the browser can has its canvas outside of the page.
-      const original = /** @type {any} */ (HTMLCanvasElement.prototype.getContext);
-      HTMLCanvasElement.prototype.getContext = function getContext(...args) {
-        return this.isConnected ? null : original.apply(this, args);
-      };
-    },
-  });
+  const blind = () => {
+    for (const type of [globalThis.HTMLCanvasElement, OffscreenCanvas]) {
+      if (type) type.prototype.getContext = () => null;
+    }
+  };
+  const tab = await browser.open(
+    recording('<hearth-fire></hearth-fire>'),
+    { before: blind, beforeWorker: blind },
+  );
   await tab.until('an error event', () => /** @type {any} */ (window).events.length > 0);
   await tab.fire(async (fire) => {
     fire.remove();

@@ -78,22 +78,24 @@ export class FireLink {
    * Gets the engine and has it make the fire.
    * @param {() => import('./watch.js').Loading} loading when
    * @param {() => Parameters<typeof connect>} engine which
-   * @param {() => Promise<Start>} start
+   * @param {() => Promise<unknown>} prepare what has to be there before it starts
+   * @param {(prepared: any) => Start} start
    * @throws {import('./engine.js').EngineError}
    */
-  async open(loading, engine, start) {
+  async open(loading, engine, prepare, start) {
     // A page's own script, which may say where the wasm is, has run by then.
     await new Promise((resolve) => setTimeout(resolve));
     if (!this.closed) await sight(this.#host, loading(), this.#stopped.signal);
     if (this.closed) return;
-    const [port, begin] = await Promise.all([connect(...engine()), start()]);
+    const [port, prepared] = await Promise.all([connect(...engine()), prepare()]);
     if (this.closed) return;
     /** @type {Promise<unknown>} */
     let answered = Promise.resolve();
     const fire = port.open({
       heard: (message) => {
-        // A fire that could not be made is refused its removal; it is gone as well.
-        if (message.request === REMOVAL) {
+        // A fire that could not be made is refused its removal; it is gone as well, and
+        // so is one whose engine has stopped.
+        if (message.request === REMOVAL || (this.closed && message.type === 'error')) {
           port.close(fire);
           this.#requests.abandon(fire, new Error('the fire was removed'));
           this.#removed();
@@ -118,7 +120,7 @@ export class FireLink {
     this.#fire = fire;
     if (port.warning) this.#tell.heard({ type: 'error', kind: 'load', message: port.warning, burns: true });
     const state = { ...this.#size, visible: this.#visible, guess: guess() };
-    this.send({ type: 'add', ...state, ...begin });
+    this.send({ type: 'add', ...state, ...start(prepared) });
     answered = this.#requests.connect(fire, (message) => this.send(message));
   }
 

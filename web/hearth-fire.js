@@ -392,14 +392,30 @@ export class HearthFire extends FireAttributes {
     const opened = link.open(
       () => chosen(this, 'loading'),
       () => [HearthFire.wasmUrl, HearthFire.engine],
-      () => this.#start(),
+      () => this.#prepare(),
+      (config) => this.#start(config),
     );
     opened.catch((error) => link.closed || this.#fail(error.kind ?? 'load', error.message));
   }
 
-  /** What the fire starts from: preset, file and model at first, what it was when it comes back. */
-  async #start() {
-    const config = this.#started ? undefined : await this.#settingsOfFile();
+  /** What the first fire waits for: its file. */
+  async #prepare() {
+    let config;
+    let src;
+    do {
+      src = this.src;
+      config = this.#started ? undefined : await this.#settingsOfFile();
+      // Another file may have been named meanwhile.
+    } while (src !== this.src);
+    return config;
+  }
+
+  /**
+   * What the fire starts from: preset, file and model at first, what it was when it comes
+   * back.
+   * @param {unknown} config what was in the file
+   */
+  #start(config) {
     const [paused, quality] = [this.#paused, this.#quality];
     if (this.#started) {
       const [preset, kept, values, ownNumber] = [this.#preset, this.#kept, this.#params, this.#ownNumber];

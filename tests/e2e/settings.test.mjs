@@ -187,3 +187,38 @@ for (const [what, instead, named] of [
     assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
   });
 }
+
+test('a fire that is taken off while its file is still to come starts from it when it is back', async () => {
+  const body = JSON.stringify({ values: { model: 'classic', viscosity: 0.02 } });
+  const tab = await browser.open('<p>Nothing yet</p>', {
+    files: { 'mine.json': { body, type: JSON_TYPE }, 'other.json': { body: '{"values": {"bloom": 0.5}}', type: JSON_TYPE } },
+  });
+  const params = await tab.evaluate(async () => {
+    const make = () => {
+      const fire = /** @type {any} */ (document.createElement('hearth-fire'));
+      fire.src = '/mine.json';
+      fire.paused = true;
+      document.body.append(fire);
+      return fire;
+    };
+    const wait = (time) => new Promise((resolve) => setTimeout(resolve, time));
+    const gone = make();
+    // Between two turns of the page, wherever its start has come to.
+    for (let round = 0; round < 20; round += 1) {
+      await wait(round);
+      gone.remove();
+      await wait(0);
+      document.body.append(gone);
+    }
+    await gone.ready;
+    const renamed = make();
+    await wait(2);
+    renamed.src = '/other.json';
+    await renamed.ready;
+    await wait(300);
+    return [gone.params, renamed.params];
+  });
+  assert.deepEqual(params[0], { ...defaultsOf('classic'), viscosity: 0.02 });
+  assert.equal(params[1].bloom, 0.5);
+  assert.equal(params[1].model, DEFAULTS.model);
+});

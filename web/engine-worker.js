@@ -19,9 +19,14 @@ async function start(module) {
   engine = runEngine(Engine, canvas, {
     post: (message) => postMessage(message),
     show: (fire) => {
-      const bitmap = canvas.transferToImageBitmap();
-      postMessage({ type: 'picture', fire, bitmap }, [bitmap]);
-      return false;
+      try {
+        const bitmap = canvas.transferToImageBitmap();
+        postMessage({ type: 'picture', fire, bitmap }, [bitmap]);
+        return false;
+      } catch {
+        // The context went in the midst of the frame; its event is on its way.
+        return true;
+      }
     },
     fail: (error) => postMessage({ type: 'stopped', why: String(error) }),
   });

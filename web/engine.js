@@ -69,6 +69,7 @@ class EnginePort {
   /** @param {'worker' | 'main'} place where it runs */
   constructor(place) {
     this.place = place;
+    this.#rest();
   }
 
   /**
@@ -91,7 +92,11 @@ class EnginePort {
    */
   close(fire) {
     this.#listeners.delete(fire);
-    if (this.#listeners.size > 0) return;
+    if (this.#listeners.size === 0) this.#rest();
+  }
+
+  /** Waits for a fire, and ends without one. */
+  #rest() {
     clearTimeout(this.#idle);
     this.#idle = setTimeout(() => this.#retire(), IDLE_MS);
   }
@@ -228,7 +233,8 @@ function inWorker(compiled) {
       thread.terminate();
       resolve(undefined);
     };
-    const patience = setTimeout(give, WORKER_MS);
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    let patience;
     thread.onerror = (event) => {
       event.preventDefault();
       give();
@@ -252,7 +258,10 @@ function inWorker(compiled) {
       };
       resolve(port);
     };
-    compiled.then(({ module }) => thread.postMessage({ type: 'start', module }), give).catch(give);
+    compiled.then(({ module }) => {
+      thread.postMessage({ type: 'start', module });
+      patience = setTimeout(give, WORKER_MS);
+    }).catch(give);
   });
 }
 
@@ -271,7 +280,9 @@ async function onMainThread(module) {
   const run = (canvas) => runEngine(Engine, canvas, {
     post: (message) => queueMicrotask(() => port.deliver(message)),
     show: (fire) => {
-      port.draw(fire, 'transferToImageBitmap' in canvas ? canvas.transferToImageBitmap() : canvas);
+      // The context may have gone in the midst of the frame; its event is on its way.
+      const picture = attempt(() => ('transferToImageBitmap' in canvas ? canvas.transferToImageBitmap() : canvas));
+      if (picture) port.draw(fire, picture);
       return true;
     },
     fail: (error) => port.fail(error),

@@ -23,13 +23,15 @@ export class FireLink {
   #watcher;
   #size = { width: 0, height: 0 };
   #visible = false;
-  #stopped = new AbortController();
+  #closed = false;
   /** @type {any} */
   #port;
   #fire = 0;
   /** Settles when the engine has freed the fire. */
   gone = Promise.resolve();
   #removed = () => {};
+  /** When it is made may be decided anew. */
+  lookAgain = () => {};
   #shown = () => this.#port.shown(this.#fire);
 
   /**
@@ -66,7 +68,7 @@ export class FireLink {
 
   /** Whether it was closed. */
   get closed() {
-    return this.#stopped.signal.aborted;
+    return this.#closed;
   }
 
   /** Where the engine runs; empty before it does. */
@@ -85,9 +87,13 @@ export class FireLink {
   async open(loading, engine, prepare, start) {
     // A page's own script, which may say where the wasm is, has run by then.
     await new Promise((resolve) => setTimeout(resolve));
-    if (!this.closed) await sight(this.#host, loading(), this.#stopped.signal);
+    await this.#sight(loading);
     if (this.closed) return;
-    const [port, prepared] = await Promise.all([connect(...engine()), prepare()]);
+    const wanted = engine();
+    const [, prepared] = await Promise.all([connect(...wanted), prepare()]);
+    if (this.closed) return;
+    // It may have ended meanwhile, for want of a fire.
+    const port = await connect(...wanted);
     if (this.closed) return;
     /** @type {Promise<unknown>} */
     let answered = Promise.resolve();
@@ -95,7 +101,7 @@ export class FireLink {
       heard: (message) => {
         // A fire that could not be made is refused its removal; it is gone as well, and
         // so is one whose engine has stopped.
-        if (message.request === REMOVAL || (this.closed && message.type === 'error')) {
+        if (message.request === REMOVAL || (this.closed && message.kind === 'load')) {
           port.close(fire);
           this.#requests.abandon(fire, new Error('the fire was removed'));
           this.#removed();
@@ -103,7 +109,7 @@ export class FireLink {
         }
         this.#tell.heard(message);
         if (message.type === 'ready') {
-          answered.then(() => this.closed || this.#tell.begun());
+          answered.then(() => this.live && this.#tell.begun());
         }
       },
       drawn: (picture) => {
@@ -124,9 +130,23 @@ export class FireLink {
     answered = this.#requests.connect(fire, (message) => this.send(message));
   }
 
+  /**
+   * Waits until the fire is to be made.
+   * @param {() => import('./watch.js').Loading} loading
+   */
+  async #sight(loading) {
+    for (let again = true; again && !this.closed; ) {
+      const wait = new AbortController();
+      this.lookAgain = () => wait.abort();
+      await sight(this.#host, loading(), wait.signal);
+      again = wait.signal.aborted;
+    }
+  }
+
   /** Frees everything. */
   close() {
-    this.#stopped.abort();
+    this.#closed = true;
+    this.lookAgain();
     this.#watcher.stop();
     if (this.live) {
       this.gone = new Promise((resolve) => (this.#removed = resolve));
@@ -143,7 +163,10 @@ export class FireLink {
   abandon(error) {
     this.#requests.abandon(this.#fire, error);
     this.#requests.abandon(0, error);
-    if (this.live) this.#port.close(this.#fire);
+    if (this.live) {
+      this.send({ type: 'remove', request: REMOVAL });
+      this.#port.close(this.#fire);
+    }
     this.#removed();
     this.#fire = 0;
   }

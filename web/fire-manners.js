@@ -23,6 +23,8 @@ export class FireManners {
   #ways;
   /** Whether there is a link to the engine, and whether the fire burns. */
   #open = false;
+  /** The last good limits. @type {Map<string, unknown>} */
+  #limits = new Map();
   #burns = false;
   /** Takes the panel away, where there is one. @type {(() => void) | undefined} */
   #hidePanel;
@@ -43,7 +45,11 @@ export class FireManners {
   /** There is a link to the engine: it is told what it was not told before. */
   begin() {
     this.#open = true;
-    for (const name of LIMITS) if (this.#fire.hasAttribute(name)) this.#limit(name);
+    for (const name of LIMITS) {
+      // One that was good before the element was taken off is good again.
+      if (this.#limits.has(name)) this.#ask(name, this.#limits.get(name));
+      else if (this.#fire.hasAttribute(name)) this.#limit(name);
+    }
     this.#listen();
   }
 
@@ -70,6 +76,7 @@ export class FireManners {
       this.#ways.refuse(name, value, `one of ${CHOICES[name].join(', ')}`);
     } else if (LIMITS.includes(name)) {
       if (this.#open) this.#limit(name);
+      else this.#limits.delete(name);
     } else if (name === 'interactive') {
       this.#listen();
     } else if (name === 'touch-action') {
@@ -87,8 +94,13 @@ export class FireManners {
   #limit(name) {
     const text = this.#fire.getAttribute(name) ?? undefined;
     const number = text?.trim() ? Number(text) : NaN;
-    const value = Number.isNaN(number) ? text : number;
-    this.#ways.ask({ type: 'limit', source: 'attribute', id: name.replace('-', '_'), value });
+    this.#ask(name, Number.isNaN(number) ? text : number);
+  }
+
+  /** @type {(name: string, value: unknown) => void} */
+  #ask(name, value) {
+    const asked = this.#ways.ask({ type: 'limit', source: 'attribute', id: name.replace('-', '_'), value });
+    asked.then(() => this.#limits.set(name, value), () => {});
   }
 
   #listen() {

@@ -42,13 +42,23 @@ export function settings(config, id = 'config') {
  */
 export async function settingsOfFile(src) {
   const id = `src = "${src}"`;
-  let response;
+  let text;
   try {
-    response = await fetch(new URL(src, document.baseURI), { credentials: 'same-origin' });
+    text = await textOf(new URL(src, document.baseURI));
   } catch (error) {
     throw new Error(`${id} is refused: ${/** @type {Error} */ (error).message}`);
   }
-  if (!response.ok) throw new Error(`${id} is refused: the server says ${response.status}`);
+  if (text === undefined) throw new RangeError(`${id} is refused: it is longer than 64 KiB`);
+  return settings(text, id);
+}
+
+/**
+ * The text of a file; undefined where it is too long, which is found out early.
+ * @param {URL} url
+ */
+async function textOf(url) {
+  const response = await fetch(url, { credentials: 'same-origin' });
+  if (!response.ok) throw new Error(`the server says ${response.status}`);
   const parts = [];
   const reader = response.body?.getReader();
   for (let length = 0; reader; ) {
@@ -57,9 +67,9 @@ export async function settingsOfFile(src) {
     length += value.length;
     if (length > LONGEST) {
       reader.cancel().catch(() => {});
-      throw new RangeError(`${id} is refused: it is longer than 64 KiB`);
+      return undefined;
     }
     parts.push(value);
   }
-  return settings(await new Blob(parts).text(), id);
+  return new Blob(parts).text();
 }

@@ -1,5 +1,5 @@
 /**
- * What stands inside a `<hearth-fire>`: the canvas, the poster, the play button
+ * What stands inside a `<hearth-fire>`: the canvas, the poster, the play and pause button
  * and the words for a browser that cannot show the fire.
  *
  * The styles are a constructed sheet where the browser has them, because a page's
@@ -32,28 +32,42 @@ canvas { display: block; }
   inset-block-start: 50%; display: grid; place-items: center; inline-size: 64px; block-size: 64px; padding: 0; border: 2px solid #fff;
   border-radius: 50%; background: rgb(0 0 0 / 0.6); cursor: pointer; pointer-events: auto;
 }
+.play[data-does='pause'] { inset-block: auto 8px; inset-inline-start: 32px; inline-size: 44px; block-size: 44px; translate: -50% 0; }
 .play:hover { background: rgb(0 0 0 / 0.8); }
 .play:focus-visible { outline: 3px solid #ffb454; outline-offset: 3px; }
 .play svg { inline-size: 28px; block-size: 28px; fill: #fff; translate: 2px 0; }
+.play[data-does='pause'] svg { inline-size: 20px; block-size: 20px; translate: none; }
 `;
 
-const TEMPLATE = `
-<div class="root" data-state="loading">
-  <div class="room"></div>
-  <div class="poster"><slot name="poster"><img alt="" hidden></slot></div>
-  <p class="message" part="message" role="status"></p>
-  <button class="play" part="play" type="button" aria-label="Play the fire" hidden>
-    <svg viewBox="0 0 24 24" aria-hidden="true"><path d="M5 3v18l16-9z"/></svg>
-  </button>
-</div>`;
+/** The shapes on the button, and what it is called. */
+const BUTTONS = {
+  play: ['M5 3v18l16-9z', 'Play the fire'],
+  pause: ['M5 3h5v18H5zM14 3h5v18h-5z', 'Pause the fire'],
+};
 
-/** @type {CSSStyleSheet | undefined} */
-let sheet;
+/** The sheet of each document that has had a fire. @type {WeakMap<Document, CSSStyleSheet>} */
+const SHEETS = new WeakMap();
+
+/**
+ * An element, made node by node: a page may forbid that HTML is made of text.
+ * @param {string} name
+ * @param {{[attribute: string]: string}} attributes
+ * @param {...Node} inside
+ */
+function make(name, attributes, ...inside) {
+  const svg = name === 'svg' || name === 'path';
+  const made = svg ? document.createElementNS('http://www.w3.org/2000/svg', name) : document.createElement(name);
+  for (const [attribute, value] of Object.entries(attributes)) made.setAttribute(attribute, value);
+  made.append(...inside);
+  return made;
+}
 
 /** The inside of one element. */
 export class FireView {
   #host;
+  #shadow;
   #root;
+  #path;
   #message;
   #button;
   #poster;
@@ -67,28 +81,49 @@ export class FireView {
 
   /**
    * @param {HTMLElement} host
-   * @param {() => void} play what the play button does
+   * @param {() => void} press what the button does
    */
-  constructor(host, play) {
+  constructor(host, press) {
     this.#host = host;
-    const shadow = host.attachShadow({ mode: 'open' });
-    shadow.innerHTML = TEMPLATE;
-    if ('adoptedStyleSheets' in shadow && 'replaceSync' in CSSStyleSheet.prototype) {
+    this.#shadow = host.attachShadow({ mode: 'open' });
+    this.#poster = /** @type {HTMLImageElement} */ (make('img', { alt: '', hidden: '' }));
+    this.#message = make('p', { class: 'message', part: 'message', role: 'status' });
+    this.#path = make('path', {});
+    this.#button = /** @type {HTMLButtonElement} */ (make(
+      'button',
+      { class: 'play', part: 'play', type: 'button', hidden: '' },
+      make('svg', { viewBox: '0 0 24 24', 'aria-hidden': 'true' }, this.#path),
+    ));
+    this.#root = /** @type {HTMLElement} */ (make(
+      'div',
+      { class: 'root', 'data-state': 'loading' },
+      make('div', { class: 'room' }),
+      make('div', { class: 'poster' }, make('slot', { name: 'poster' }, this.#poster)),
+      this.#message,
+      this.#button,
+    ));
+    this.#shadow.append(this.#root);
+    this.#button.addEventListener('click', press);
+    this.dress();
+  }
+
+  /** Gives it its styles, which are lost with the document that it was in. */
+  dress() {
+    const owner = this.#host.ownerDocument;
+    const Sheet = owner.defaultView?.CSSStyleSheet;
+    if (Sheet && 'replaceSync' in Sheet.prototype && 'adoptedStyleSheets' in this.#shadow) {
+      let sheet = SHEETS.get(owner);
       if (!sheet) {
-        sheet = new CSSStyleSheet();
+        sheet = new Sheet();
         sheet.replaceSync(STYLES);
+        SHEETS.set(owner, sheet);
       }
-      shadow.adoptedStyleSheets = [sheet];
-    } else {
-      const style = document.createElement('style');
+      this.#shadow.adoptedStyleSheets = [sheet];
+    } else if (!this.#shadow.querySelector('style')) {
+      const style = make('style', {});
       style.textContent = STYLES;
-      shadow.prepend(style);
+      this.#shadow.prepend(style);
     }
-    this.#root = /** @type {HTMLElement} */ (shadow.querySelector('.root'));
-    this.#message = /** @type {HTMLElement} */ (shadow.querySelector('.message'));
-    this.#button = /** @type {HTMLButtonElement} */ (shadow.querySelector('.play'));
-    this.#poster = /** @type {HTMLImageElement} */ (shadow.querySelector('.poster img'));
-    this.#button.addEventListener('click', play);
   }
 
   /** What stands inside. */
@@ -178,11 +213,16 @@ export class FireView {
   }
 
   /**
-   * Offers the play button, or takes it away.
-   * @param {boolean} offered
+   * Offers to play the fire, to pause it, or neither.
+   * @param {'play' | 'pause' | ''} what
    */
-  offerPlay(offered) {
-    this.#button.hidden = !offered;
+  offer(what) {
+    this.#button.hidden = !what;
+    if (!what) return;
+    const [shape, words] = BUTTONS[what];
+    this.#button.dataset.does = what;
+    this.#button.setAttribute('aria-label', words);
+    this.#path.setAttribute('d', shape);
   }
 
   /**

@@ -142,7 +142,7 @@ export class HearthFire extends HTMLElement {
   readonly ready: Promise<void>;
   paused: boolean;
   autoplay: boolean;
-  /** The preset that was last asked for. */
+  /** The preset that its values started from. */
   preset: PresetName;
   /** How much work it may make itself; `auto`: as much as fits. */
   quality: 'auto' | HearthQuality;

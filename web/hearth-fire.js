@@ -59,6 +59,8 @@ export class HearthFire extends FireAttributes {
   #paused = false;
   /** Whether it stands still because the visitor wants less motion. */
   #still = false;
+  /** Whether it burns although the visitor wants less motion, who said so here. */
+  #stoppable = false;
   /** Whether the engine was ever given a fire of this element. */
   #started = false;
   #announced = false;
@@ -73,13 +75,22 @@ export class HearthFire extends FireAttributes {
 
   constructor() {
     super();
-    this.#view = new FireView(this, () => this.play());
+    this.#view = new FireView(this, () => this.#press());
     this.#manners = new FireManners(this, this.#view, {
       ask: (message) => this.#ask(message),
       send: (message) => this.#link?.send(message),
       refuse: (id, value, allowed) => this.#refuse(id, value, allowed),
       complain: (kind, message) => this.#complain(kind, message),
     });
+  }
+
+  /** The name of the preset that its values started from. */
+  get preset() {
+    return this.#started ? this.#preset : super.preset;
+  }
+
+  set preset(name) {
+    super.preset = name;
   }
 
   /** All values, by id: those that the fire burns with. */
@@ -257,7 +268,14 @@ export class HearthFire extends FireAttributes {
 
   connectedCallback() {
     keepEarlyProperties(this);
+    // One that failed tries again, also where it was taken off and put back at once.
+    if (this.#link && this.#ready.failed) this.#close();
     if (!this.#link) this.#open();
+  }
+
+  /** It was taken to another document, as a window beside the page. */
+  adoptedCallback() {
+    this.#view.dress();
   }
 
   disconnectedCallback() {
@@ -274,6 +292,7 @@ export class HearthFire extends FireAttributes {
   attributeChangedCallback(name, old, value) {
     const id = ID_OF_ATTRIBUTE.get(name);
     this.#manners.change(name, value);
+    if (name === 'loading') this.#link?.lookAgain();
     if (name === 'model' && !this.#started) {
       // The first fire starts with its model, wherever the attribute stands.
     } else if (id !== undefined) {
@@ -350,23 +369,35 @@ export class HearthFire extends FireAttributes {
     return quiet(this.#ready.promise.then(() => this.#view.drawn()).then(make));
   }
 
-  /** @param {boolean} paused */
-  #setPaused(paused) {
+  /** @type {(paused: boolean, still?: boolean) => Promise<void>} */
+  #setPaused(paused, still = false) {
+    // A visitor who wants less motion and lets it burn can stop it again.
+    this.#stoppable = !paused && motionIsReduced() && (this.#still || this.#stoppable);
     this.#paused = paused;
-    this.#still &&= paused;
-    this.#view.offerPlay(this.#still);
-    if (this.hasAttribute('paused') !== paused) this.toggleAttribute('paused', paused);
+    this.#still = still;
+    this.#offer();
+    // That it stands still for a visitor is nothing that its page said.
+    if (!still && this.hasAttribute('paused') !== paused) this.toggleAttribute('paused', paused);
     // A fire that is still to come is told how it starts.
     if (!this.#link?.live) return this.#ready.promise;
     return this.#ask({ type: paused ? 'pause' : 'play' });
+  }
+
+  /** What the button in the picture does. */
+  #press() {
+    if (this.#still) this.play();
+    else this.#setPaused(true, true);
+  }
+
+  #offer() {
+    this.#view.offer(this.#still ? 'play' : this.#stoppable ? 'pause' : '');
   }
 
   /** @param {boolean} reduced */
   #motion(reduced) {
     const still = reduced && this.reducedMotion !== 'ignore';
     if (still && !this.#paused) {
-      this.#still = true;
-      this.#setPaused(true);
+      this.#setPaused(true, true);
     } else if (!still && this.#still) {
       this.#setPaused(false);
     }
@@ -378,7 +409,10 @@ export class HearthFire extends FireAttributes {
     const canvas = this.#view.newCanvas();
     this.#view.describe(this.alt);
     this.#view.show('loading');
-    const warm = !this.#paused && this.reducedMotion !== 'ignore' && motionIsReduced();
+    const reduced = this.reducedMotion !== 'ignore' && motionIsReduced();
+    // One that stood still for that when it was taken off does so again.
+    const warm = reduced && (this.#still || !this.#paused);
+    if (this.#still && !reduced) this.#setPaused(false);
     const link = new FireLink(this, canvas, this.#requests, {
       heard: (message) => this.#receive(message, link),
       drawn: (picture) => this.#view.draw(picture),
@@ -387,8 +421,8 @@ export class HearthFire extends FireAttributes {
     });
     this.#link = link;
     this.#manners.begin();
-    this.#still = warm;
-    if (warm || (!this.#started && !this.autoplay)) this.#setPaused(true);
+    if (warm) this.#setPaused(true, true);
+    else if (!this.#started && !this.autoplay) this.#setPaused(true);
     const opened = link.open(
       () => chosen(this, 'loading'),
       () => [HearthFire.wasmUrl, HearthFire.engine],
@@ -435,10 +469,10 @@ export class HearthFire extends FireAttributes {
   async #begin(link, warm) {
     if (warm) {
       await this.#ask({ type: 'burn', seconds: STILL_AFTER }).catch(() => {});
-      if (link.closed) return;
+      if (!link.live) return;
     }
     this.#view.show('shown');
-    this.#view.offerPlay(this.#still);
+    this.#offer();
     this.#announced = true;
     this.#manners.burns();
     this.#ready.resolve();
@@ -455,12 +489,14 @@ export class HearthFire extends FireAttributes {
     this.#stats = null;
     this.#manners.end();
     this.#view.dropCanvas();
-    this.#view.offerPlay(false);
+    this.#view.offer('');
     this.#view.show('loading');
   }
 
   /** @type {(message: Message, link: FireLink) => void} */
   #receive(message, link) {
+    // Of a fire that was taken off only what it was given before still counts.
+    if (link.closed && !['changed', 'done', 'refused'].includes(message.type)) return;
     switch (message.type) {
       case 'ready':
         this.#params = { ...this.#params, ...message.values };
@@ -502,7 +538,6 @@ export class HearthFire extends FireAttributes {
         this.#emit('restored');
         break;
       case 'error':
-        if (link.closed) break;
         // Its last picture stays where it goes on.
         if (message.kind === 'context-lost') this.#emit('error', { kind: message.kind, message: message.message });
         else if (message.burns) this.#complain(message.kind, message.message);
@@ -513,7 +548,7 @@ export class HearthFire extends FireAttributes {
 
   /** The attribute names the preset that a fire with other settings has. */
   #reflectPreset() {
-    if (this.preset === this.#preset) return;
+    if (super.preset === this.#preset) return;
     this.#dropping = true;
     if (this.#preset === 'default') this.removeAttribute('preset');
     else this.setAttribute('preset', this.#preset);
@@ -547,7 +582,7 @@ export class HearthFire extends FireAttributes {
    */
   #fail(kind, message) {
     this.#view.show('failed', message);
-    this.#view.offerPlay(false);
+    this.#view.offer('');
     this.#manners.end();
     const error = new EngineError(kind, message);
     this.#link?.abandon(error);

@@ -11,6 +11,9 @@
  * @typedef {{promise: Promise<any>, resolve: (value?: unknown) => void, reject: (error: Error) => void, failed: boolean}} Deferred
  */
 
+/** Most requests that wait before some are dropped for newer ones of the same kind. */
+const MOST_WAITING = 500;
+
 /** Requests, waiting or on their way. */
 export class Requests {
   #last = 0;
@@ -33,10 +36,30 @@ export class Requests {
     const request = this.#last;
     const entry = Object.assign(deferred(), { fire: this.#fire });
     this.#open.set(request, entry);
-    if (this.#send) this.#send({ ...message, request });
-    else if (isModel(message)) this.#waiting.splice(this.#models++, 0, { ...message, request });
+    if (this.#send) {
+      this.#send({ ...message, request });
+      return entry.promise;
+    }
+    this.#makeRoom(message, entry);
+    if (isModel(message)) this.#waiting.splice(this.#models++, 0, { ...message, request });
     else this.#waiting.push({ ...message, request });
     return entry.promise;
+  }
+
+  /**
+   * Who sets the same values again and again of a fire that nobody sees yet must not
+   * fill the memory: where many wait, the oldest of the same kind goes the way of `entry`.
+   * @type {(message: Message, entry: Deferred) => void}
+   */
+  #makeRoom(message, entry) {
+    if (message.type !== 'set' || this.#waiting.length < MOST_WAITING) return;
+    const kind = ids(message);
+    const at = this.#waiting.findIndex((one) => one.type === 'set' && ids(one) === kind);
+    if (at < 0) return;
+    const [old] = this.#waiting.splice(at, 1);
+    if (at < this.#models) this.#models -= 1;
+    this.#open.get(old.request)?.resolve(entry.promise);
+    this.#open.delete(old.request);
   }
 
   /**
@@ -105,8 +128,13 @@ export class Requests {
  * Whether a message sets the model alone, which decides what all other values may be.
  * @param {Message} message
  */
-function isModel({ type, values = {} }) {
-  return type === 'set' && Object.keys(values).join() === 'model';
+function isModel(message) {
+  return message.type === 'set' && ids(message) === 'model';
+}
+
+/** The ids that a message sets. @param {Message} message */
+function ids({ values = {} }) {
+  return Object.keys(values).join();
 }
 
 /**

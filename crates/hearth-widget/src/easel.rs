@@ -102,10 +102,7 @@ impl Easel {
             ground: None,
             show,
         };
-        // One that is lost already may come back.
-        if !easel.context.is_context_lost() {
-            easel.restore()?;
-        }
+        easel.restore()?;
         Ok(easel)
     }
 
@@ -125,13 +122,17 @@ impl Easel {
         self.ground = None;
     }
 
-    /// Makes everything anew in the context that is back.
+    /// Makes everything anew in the context that is back. Where it is lost again
+    /// already, there is nothing to draw in until it is back once more.
     ///
     /// # Errors
     /// The driver refuses, in words.
     pub fn restore(&mut self) -> Result<(), String> {
-        let ground = Ground::new(&self.context).map_err(|error| error.to_string())?;
-        self.ground = Some(ground);
+        self.ground = match Ground::new(&self.context) {
+            Ok(ground) => Some(ground),
+            Err(_) if self.context.is_context_lost() => None,
+            Err(error) => return Err(error.to_string()),
+        };
         Ok(())
     }
 

@@ -101,10 +101,13 @@ impl Engine {
             let words = "the graphics context was lost; the fire goes on when it is back";
             Err((Trouble::ContextLost, words.to_owned()))
         };
+        let drawable = self.easel.ground().is_some();
         for fire in &mut self.fires {
-            fire.set_drawable(trouble.is_ok());
+            fire.set_drawable(drawable);
             match &trouble {
-                Ok(()) => out.restored(fire.id()),
+                Ok(()) if drawable => out.restored(fire.id()),
+                // Lost again in the same moment, of which the next event tells.
+                Ok(()) => {}
                 Err((trouble, words)) => out.error(fire.id(), *trouble, words),
             }
         }

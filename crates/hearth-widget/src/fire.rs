@@ -179,8 +179,11 @@ impl Fire {
 
     /// Lets it have that quality, or find its own.
     pub fn ask_quality(&mut self, wish: Option<Level>, out: &mut Outbox) {
+        let before = (self.quality.wish(), self.quality.level());
         self.quality.ask(wish);
-        out.quality(self.id, &self.quality);
+        if before != (self.quality.wish(), self.quality.level()) {
+            out.quality(self.id, &self.quality);
+        }
         self.pace.forgive();
         self.adapt();
     }

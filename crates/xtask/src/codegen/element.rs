@@ -338,7 +338,7 @@ pub(super) const PARTS: &[Named] = &[
     Named {
         name: "play",
         kind: "",
-        doc: "The play button of a fire that stands still for the visitor's sake.",
+        doc: "The button that plays a fire that stands still for the visitor's sake, and pauses it again.",
     },
     Named {
         name: "panel",

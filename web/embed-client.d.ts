@@ -38,7 +38,10 @@ export interface FrameFireEventMap {
   restored: CustomEvent<null>;
 }
 
-/** A fire in an iframe. What is asked before it is there is done when it is. */
+/**
+ * A fire in an iframe. What is asked before it is there is done when it is; what nobody
+ * will answer rejects.
+ */
 export interface FrameFire extends EventTarget {
   /** Resolves when it burns; rejects where it cannot. */
   ready(): Promise<void>;
@@ -57,7 +60,7 @@ export interface FrameFire extends EventTarget {
   exportConfig(): Promise<HearthConfig>;
   importConfig(config: HearthConfig | string): Promise<void>;
   toBlob(type?: string, quality?: number): Promise<Blob>;
-  /** An attribute of the element itself; sets it if there is a value, and null takes it away. */
+  /** An attribute of the element itself; sets it if there is a value; null takes it away, and `false` too but for `autoplay`. */
   option(name: FrameOption, value?: string | number | boolean | null): Promise<string | null>;
   /** Asks by name, as the messages do. */
   call(method: string, ...args: unknown[]): Promise<unknown>;
@@ -73,6 +76,16 @@ export interface FrameFire extends EventTarget {
     type: string,
     listener: EventListenerOrEventListenerObject,
     options?: boolean | AddEventListenerOptions,
+  ): void;
+  removeEventListener<Type extends keyof FrameFireEventMap>(
+    type: Type,
+    listener: (this: FrameFire, event: FrameFireEventMap[Type]) => unknown,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
   ): void;
 }
 

@@ -17,6 +17,10 @@ const METHODS = [
 
 /** How long a page that has loaded may take to say that it listens [ms]. */
 const PATIENCE = 10_000;
+/** How often to look whether the iframe is still on the page while an answer is awaited [ms]. */
+const LOOK = 1000;
+
+const LOST = 'the iframe is on no page';
 
 /**
  * Connects to the fire in an iframe, which may still be loading.
@@ -27,19 +31,29 @@ export function connectFire(iframe) {
   return /** @type {any} */ (new FrameFire(iframe));
 }
 
+/** @typedef {{listener: unknown, capture: boolean, heard: EventListenerOrEventListenerObject | null}} Listener */
+
 class FrameFire extends EventTarget {
   #iframe;
   #origin;
   #ended = new AbortController();
   #last = 0;
-  #listens = false;
-  /** @type {Map<number, {resolve: (value: any) => void, reject: (error: Error) => void}>} */
+  /** The window that listens. An iframe that is put somewhere else has another one. @type {unknown} */
+  #window;
+  /** Why there is no use in asking. @type {string | undefined} */
+  #refusal;
+  /** @type {Map<number, {resolve: (value: any) => void, reject: (error: unknown) => void}>} */
   #open = new Map();
   /** @type {{id: number}[]} */
   #waiting = [];
-  #wanted = new Set(['ready']);
+  /** Who listens for what. @type {Map<string, Listener[]>} */
+  #listeners = new Map();
+  /** The events that the page was asked for. @type {Set<string>} */
+  #told = new Set();
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #silence;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #look;
 
   /** @param {HTMLIFrameElement} iframe */
   constructor(iframe) {
@@ -55,10 +69,37 @@ class FrameFire extends EventTarget {
 
   /** @type {EventTarget['addEventListener']} */
   addEventListener(type, listener, options) {
-    super.addEventListener(type, listener, options);
-    if (this.#wanted.has(type)) return;
-    this.#wanted.add(type);
-    this.call('subscribe', [type]).catch((error) => console.warn(`Hearth: ${error.message}`));
+    const { capture = false, once = false, signal } = optionsOf(options);
+    if (!listener || signal?.aborted || this.#listenerOf(type, listener, capture)) return;
+    const entry = { listener, capture, heard: listener };
+    const forget = () => this.#forget(type, entry);
+    // Whoever listens once would go unseen.
+    if (once) entry.heard = after(forget, listener);
+    super.addEventListener(type, entry.heard, options);
+    signal?.addEventListener('abort', forget);
+    this.#listeners.set(type, [...(this.#listeners.get(type) ?? []), entry]);
+    this.#agree(type);
+  }
+
+  /** @type {EventTarget['removeEventListener']} */
+  removeEventListener(type, listener, options) {
+    const { capture = false } = optionsOf(options);
+    const entry = this.#listenerOf(type, listener, capture);
+    if (entry) this.#forget(type, entry);
+  }
+
+  /** @param {string} type @param {Listener} entry */
+  #forget(type, entry) {
+    super.removeEventListener(type, entry.heard, entry.capture);
+    const others = (this.#listeners.get(type) ?? []).filter((one) => one !== entry);
+    if (others.length > 0) this.#listeners.set(type, others);
+    else this.#listeners.delete(type);
+    this.#agree(type);
+  }
+
+  /** @param {string} type @param {unknown} listener @param {boolean} capture */
+  #listenerOf(type, listener, capture) {
+    return this.#listeners.get(type)?.find((one) => one.listener === listener && one.capture === capture);
   }
 
   /**
@@ -68,21 +109,33 @@ class FrameFire extends EventTarget {
    * @returns {Promise<any>}
    */
   call(method, ...args) {
-    if (this.#ended.signal.aborted) return Promise.reject(new Error('the fire was let go'));
+    if (this.#refusal !== undefined) return Promise.reject(new Error(this.#refusal));
+    if (!this.#iframe.contentWindow) {
+      this.#stop(LOST);
+      return Promise.reject(new Error(LOST));
+    }
     this.#last += 1;
     const message = { hearth: 1, id: this.#last, method, args };
+    try {
+      if (this.#listens) this.#post(message);
+      // As it is now: it may be changed before it can be sent.
+      else this.#waiting.push(structuredClone(message));
+    } catch (error) {
+      return Promise.reject(error);
+    }
     const answer = new Promise((resolve, reject) => this.#open.set(message.id, { resolve, reject }));
-    if (this.#listens) this.#post(message);
-    else this.#waiting.push(message);
+    this.#look ??= setTimeout(() => this.#watch(), LOOK);
     return answer;
   }
 
   /** Lets the fire go; it burns on, unheard. */
   close() {
     this.#ended.abort();
-    clearTimeout(this.#silence);
-    this.#waiting.length = 0;
-    this.#giveUp('the fire was let go');
+    this.#refuse('the fire was let go');
+  }
+
+  get #listens() {
+    return this.#window !== undefined && this.#window === this.#iframe.contentWindow;
   }
 
   /** @param {object} message */
@@ -92,18 +145,19 @@ class FrameFire extends EventTarget {
 
   /** Asks a page that has loaded whether it listens; it may be another one than before. */
   #greet() {
-    this.#listens = false;
+    this.#window = undefined;
+    this.#refusal = undefined;
     this.#post({ hearth: 1, id: 0, method: 'hello' });
     clearTimeout(this.#silence);
     this.#silence = setTimeout(() => {
-      this.#waiting.length = 0;
-      this.#giveUp(`the page in the iframe does not answer; its address must allow ${location.origin}`);
+      this.#refuse(`the page in the iframe does not answer; its address must allow ${location.origin}`);
     }, PATIENCE);
   }
 
   /** @param {MessageEvent} event */
   #hear({ source, origin, data }) {
-    if (source !== this.#iframe.contentWindow || origin !== this.#origin || data?.hearth !== 1) return;
+    if (!source || source !== this.#iframe.contentWindow) return;
+    if (origin !== this.#origin || data?.hearth !== 1) return;
     if (data.event === 'hello') this.#begin(true);
     else if (data.id === 0) this.#begin(false);
     else if (data.event !== undefined) this.dispatchEvent(new CustomEvent(data.event, { detail: data.detail }));
@@ -116,14 +170,56 @@ class FrameFire extends EventTarget {
    */
   #begin(anew) {
     clearTimeout(this.#silence);
-    this.#listens = true;
+    this.#refusal = undefined;
+    this.#window = this.#iframe.contentWindow;
     const waiting = this.#waiting.splice(0);
-    if (anew) {
-      // What was asked of the page before it nobody will answer.
-      this.#giveUp('the page in the iframe was loaded anew', new Set(waiting.map(({ id }) => id)));
-      this.#post({ hearth: 1, id: 0, method: 'subscribe', args: [[...this.#wanted]] });
-    }
+    // What was asked of the page before it nobody will answer.
+    if (anew) this.#giveUp('the page in the iframe was loaded anew', new Set(waiting.map(({ id }) => id)));
+    for (const type of new Set([...this.#told, ...this.#listeners.keys()])) this.#agree(type);
     for (const message of waiting) this.#post(message);
+  }
+
+  /**
+   * Asks the page for an event that somebody listens for, or not to tell it any more.
+   * Each by itself: one that there is not would cost the others.
+   * @param {string} type
+   */
+  #agree(type) {
+    const told = this.#told;
+    const wanted = this.#listeners.has(type);
+    if (!this.#listens || told.has(type) === wanted) return;
+    if (wanted) told.add(type);
+    else told.delete(type);
+    this.call(wanted ? 'subscribe' : 'unsubscribe', [type]).catch((error) => {
+      // If it is not for the page that this is, that one is asked as it comes.
+      if (told !== this.#told) return;
+      told.delete(type);
+      console.warn(`Hearth: ${error.message}`);
+    });
+  }
+
+  /** Looks whether the iframe is still on the page, which no event tells. */
+  #watch() {
+    this.#look = undefined;
+    // It may come back; its page is a new one then.
+    if (!this.#iframe.contentWindow) this.#stop(LOST);
+    else if (this.#open.size > 0) this.#look = setTimeout(() => this.#watch(), LOOK);
+  }
+
+  /** @param {string} why */
+  #stop(why) {
+    clearTimeout(this.#silence);
+    this.#window = undefined;
+    this.#giveUp(why);
+  }
+
+  /**
+   * Refuses everything, until another page is loaded.
+   * @param {string} why
+   */
+  #refuse(why) {
+    this.#stop(why);
+    this.#refusal = why;
   }
 
   /** @param {any} answer */
@@ -140,6 +236,8 @@ class FrameFire extends EventTarget {
    * @param {Set<number>} [except]  The numbers of requests that are kept.
    */
   #giveUp(why, except = new Set()) {
+    this.#waiting.length = 0;
+    this.#told = new Set();
     for (const [id, { reject }] of this.#open) {
       if (except.has(id)) continue;
       this.#open.delete(id);
@@ -154,6 +252,29 @@ for (const method of METHODS) {
       return this.call(method, ...args);
     },
   });
+}
+
+/**
+ * What may be said of a listener.
+ * @param {boolean | AddEventListenerOptions | undefined} options
+ * @returns {AddEventListenerOptions}
+ */
+function optionsOf(options) {
+  return typeof options === 'object' ? (options ?? {}) : { capture: Boolean(options) };
+}
+
+/**
+ * A listener before which something else is done.
+ * @param {() => void} act
+ * @param {EventListenerOrEventListenerObject} listener
+ * @returns {EventListener}
+ */
+function after(act, listener) {
+  return function (event) {
+    act();
+    if (typeof listener === 'function') listener.call(this, event);
+    else listener.handleEvent(event);
+  };
 }
 
 /**

@@ -273,17 +273,22 @@ function eventsOf(names) {
   return list;
 }
 
-/** @type {(fire: HearthFire, id: unknown) => unknown} */
+/**
+ * Reads, and never does anything else.
+ * @type {(fire: HearthFire, id: unknown) => unknown}
+ */
 function valueOf(fire, id) {
   const { params } = fire;
-  if (typeof id === 'string' && Object.hasOwn(params, id)) return params[id];
-  // Refused, in the words of the fire, which know the nearest name.
-  return fire.restore(/** @type {any} */ (String(id)));
+  if (typeof id !== 'string') throw new TypeError(`“id” is to be the id of a parameter, a text, not ${quoted(id)}`);
+  if (Object.hasOwn(params, id)) return params[id];
+  const all = Object.keys(params).join(', ');
+  throw Object.assign(new RangeError(`there is no parameter ${quoted(id)}; there are: ${all}`), { id });
 }
 
 /**
  * Reads one of the element's own attributes, having set it if there is a value;
- * null takes it away.
+ * null takes it away. For all but `autoplay`, which is there where nothing is said,
+ * false does too.
  * @param {HearthFire} fire
  * @param {string} name
  * @param {unknown} value
@@ -292,8 +297,9 @@ function option(fire, name, value) {
   if (!OPTIONS.includes(name)) {
     throw new TypeError(`there is no option ${quoted(name)}; there are: ${OPTIONS.join(', ')}`);
   }
-  if (value === null || value === false) fire.removeAttribute(name);
-  else if (value !== undefined) fire.setAttribute(name, value === true ? '' : String(value));
+  const written = value === false && name === 'autoplay' ? 'false' : value;
+  if (written === null || written === false) fire.removeAttribute(name);
+  else if (written !== undefined) fire.setAttribute(name, written === true ? '' : String(written));
   return fire.getAttribute(name);
 }
 

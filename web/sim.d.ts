@@ -8,6 +8,13 @@ import type { HearthParameters, ModelName, ParameterId, PresetName } from './par
 
 export type { HearthParameters, ModelName, ParameterId, PresetName };
 
+declare global {
+  /** As newer libraries of TypeScript have it; said here for those that do not. */
+  interface SymbolConstructor {
+    readonly dispose: unique symbol;
+  }
+}
+
 /** What a simulation starts with. */
 export interface SimulationOptions {
   /** Which equations move the particles; `combustion` where nothing is said. */
@@ -85,7 +92,8 @@ export interface SimulationRangeError extends RangeError {
 
 /**
  * A fire, step by step. Arrays are copies, of all particles, in the order of birth.
- * After `free()` everything but `free()` throws.
+ * After `free()` everything but `free()` throws. So it does once a simulation has stopped
+ * for good, as where no memory is left; what it had then stays taken.
  */
 export interface Simulation {
   /** Simulated time since the start [s]. */
@@ -153,6 +161,8 @@ export interface Simulation {
 
   /** Gives its memory back. */
   free(): void;
+  /** The same, for `using`; only where there is `Symbol.dispose`. */
+  [Symbol.dispose](): void;
 }
 
 /** Makes a simulation: a source about to be lit. Rejects with what is wrong. */

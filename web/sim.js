@@ -60,8 +60,9 @@ export async function createSimulation(options = {}) {
 
 /** A fire, step by step. */
 class Simulation {
-  /** @type {any} The simulation in wasm; nothing once it is freed. */
+  /** @type {any} The simulation in wasm; nothing once it is freed or has stopped. */
   #fire;
+  #gone = 'this simulation was freed';
 
   /** @param {() => any} make */
   constructor(make) {
@@ -276,12 +277,13 @@ class Simulation {
    * @returns {T}
    */
   #use(act) {
-    if (!this.#fire) throw new Error('this simulation was freed');
+    if (!this.#fire) throw new Error(this.#gone);
     return this.#guard(() => act(this.#fire));
   }
 
   /**
-   * What stops wasm itself leaves this one simulation half changed, and no other.
+   * What stops wasm itself leaves this one simulation half changed, and no other. It is
+   * let go as it is: wasm cannot free what it was in the middle of.
    * @template T
    * @param {() => T} act
    * @returns {T}
@@ -292,10 +294,8 @@ class Simulation {
     } catch (cause) {
       if (!(cause instanceof WebAssembly.RuntimeError)) throw cause;
       this.#fire = undefined;
-      throw new Error(
-        'the simulation has stopped and was freed; there may be no memory left for so many particles',
-        { cause },
-      );
+      this.#gone = 'this simulation has stopped for good';
+      throw new Error(`${this.#gone}; there may be no memory left for so many particles`, { cause });
     }
   }
 }

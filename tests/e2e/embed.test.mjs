@@ -158,17 +158,139 @@ describe('the client for the page around', () => {
     assert.deepEqual(same, methods.filter((name) => !['hello', 'subscribe', 'unsubscribe'].includes(name)));
   });
 
-  test('says so when the fire does not answer', async () => {
-    const hurry = `<script>
-      const wait = setTimeout;
-      window.setTimeout = (act, milliseconds) => wait(act, milliseconds / 20);
-    </script>`;
-    const tab = await around.open({}, { more: hurry + script('') });
+  /** Ten seconds pass in half a second. */
+  const hurry = `<script>
+    const wait = setTimeout;
+    window.setTimeout = (act, milliseconds) => wait(act, milliseconds / 20);
+  </script>`;
+
+  /** What has become of calls of the client: their values, or why they were refused; nothing if neither. */
+  const outcomes = `
+    window.outcome = (call) => Promise.race([
+      call.catch((error) => error.message),
+      new Promise((resolve) => setTimeout(resolve, 200_000, 'nothing')),
+    ]);
+    window.loads = (iframe) => new Promise((resolve) => iframe.addEventListener('load', resolve, { once: true }));`;
+
+  test('says so when the fire does not answer, each time until another page is loaded', async () => {
+    const tab = await around.open({}, { more: hurry + script(outcomes) });
+    await tab.until('the client is there', () => 'loads' in window);
+    const [first, second, third] = await tab.evaluate(async (address) => {
+      const { fire, outcome, loads } = /** @type {any} */ (window);
+      const iframe = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
+      const silent = [await outcome(fire.get('seed')), await outcome(fire.get('seed'))];
+      iframe.src = address;
+      await loads(iframe);
+      return [...silent, await outcome(fire.option('quality'))];
+    }, around.address({ allow: around.here, quality: 'low' }));
+    assert.match(first, new RegExp(`does not answer.*allow ${around.here}`));
+    assert.equal(second, first);
+    assert.equal(third, 'low');
+  });
+
+  test('says so when its iframe is taken off the page, and goes on when it is back', async () => {
+    // A fire out of sight, which does nothing yet.
+    const style = 'body { height: 9000px } iframe { position: absolute; top: 8000px }';
+    const more = hurry + script(outcomes);
+    const tab = await around.open({ allow: around.here, loading: 'lazy', quality: 'low' }, { style, more });
+    await heard(tab, 'hello');
+    const seen = await tab.evaluate(async () => {
+      const { fire, outcome, loads } = /** @type {any} */ (window);
+      const iframe = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
+      await fire.option('quality');
+      const open = outcome(fire.set('exposure', 1));
+      iframe.remove();
+      const gone = [await open, await outcome(fire.option('quality'))];
+      document.body.append(iframe);
+      await loads(iframe);
+      const back = await outcome(fire.option('quality'));
+      // To be moved is to be taken off and put back, in one.
+      document.body.prepend(iframe);
+      return [...gone, back, await outcome(fire.option('quality'))];
+    });
+    assert.deepEqual(seen, ['the iframe is on no page', 'the iframe is on no page', 'low', 'low']);
+  });
+
+  test('refuses what cannot be sent, and does the rest', async () => {
+    const tab = await around.open({ allow: around.here }, { more: hurry + script(`
+      ${outcomes}
+      const values = { exposure: 1 };
+      window.asked = Promise.all([
+        outcome(fire.call('set', () => {})),
+        outcome(fire.set(values).then(() => fire.get('exposure'))),
+      ]);
+      values.exposure = 99;
+    `) });
+    await tab.until('the client has asked', () => 'asked' in window);
+    const [refused, done] = await tab.evaluate(() => /** @type {any} */ (window).asked);
+    assert.match(refused, /could not be cloned/);
+    assert.equal(done, 1);
+  });
+
+  test('loses no event because of one that there is not, not even in the next page', async () => {
+    const tab = await around.open({ allow: around.here }, { more: script(`
+      ${outcomes}
+      window.changes = [];
+      fire.addEventListener('sauce', () => changes.push('sauce'));
+      fire.addEventListener('params-change', ({ detail }) => changes.push(detail.value));
+    `) });
+    await tab.until('the client is there', () => 'changes' in window);
+    await tab.evaluate(async () => {
+      const { fire } = /** @type {any} */ (window);
+      await fire.ready();
+      await fire.set('exposure', 1);
+    });
+    await tab.until('an event comes', () => /** @type {any} */ (window).changes.includes(1));
+    await tab.evaluate(async (address) => {
+      const { fire, loads } = /** @type {any} */ (window);
+      const iframe = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
+      iframe.src = address;
+      await loads(iframe);
+      await fire.ready();
+      await fire.set('exposure', 2);
+    }, around.address({ allow: around.here }));
+    await tab.until('an event of the next page comes', () => /** @type {any} */ (window).changes.includes(2));
+    const said = tab.problems.filter((problem) => /no event “sauce”.*stats/.test(problem));
+    assert.deepEqual([said.length, tab.problems.length], [2, 2], tab.problems.join('\n'));
+  });
+
+  test('is told an event as long as somebody listens for it', async () => {
+    const tab = await around.open({ allow: around.here }, { more: script('') });
     await tab.until('the client is there', () => 'fire' in window);
-    const why = await tab.evaluate(() => (
-      /** @type {any} */ (window).fire.get('seed').catch((error) => error.message)
-    ));
-    assert.match(why, new RegExp(`does not answer.*allow ${around.here}`));
+    const seen = await tab.evaluate(async () => {
+      const { fire } = /** @type {any} */ (window);
+      await fire.ready();
+      const told = () => fire.call('subscribe', ['ready']).then((list) => list.includes('params-change'));
+      const heard = [];
+      const one = () => heard.push('one');
+      const other = { handleEvent: () => heard.push('other') };
+      const steps = [await told()];
+      const now = async (act) => {
+        act();
+        steps.push(await told());
+      };
+      await now(() => fire.addEventListener('params-change', one));
+      await now(() => fire.addEventListener('params-change', one));
+      await now(() => fire.addEventListener('params-change', other, { capture: true }));
+      await now(() => fire.removeEventListener('params-change', one));
+      await now(() => fire.removeEventListener('params-change', other));
+      await now(() => fire.removeEventListener('params-change', other, true));
+      await now(() => fire.removeEventListener('params-change', other, true));
+      const ends = new AbortController();
+      await now(() => fire.addEventListener('params-change', one, { signal: ends.signal }));
+      await now(() => ends.abort());
+      await now(() => fire.addEventListener('params-change', one, { signal: ends.signal }));
+      await now(() => fire.addEventListener('params-change', other, { once: true }));
+      await fire.set('exposure', 1);
+      steps.push(await told());
+      await fire.set('exposure', 2);
+      return { heard, steps };
+    });
+    assert.deepEqual(seen, {
+      heard: ['other'],
+      steps: [false, true, true, true, true, true, false, false, true, false, false, true, false],
+    });
+    assert.deepEqual(tab.problems, []);
   });
 
   test('connects to a fire that has burnt for long, and to the next one in its frame', async () => {

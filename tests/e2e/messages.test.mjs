@@ -116,6 +116,36 @@ describe('messages from an allowed origin', () => {
     assert.deepEqual([params.seed, params.exposure], [entry.seed.default, entry.exposure.default]);
   });
 
+  test('that read a value change none, whatever they name', async () => {
+    const tab = await around.burning();
+    await ask(tab, 'subscribe', ['params-change', 'error', 'restored']);
+    await ask(tab, 'set', 'wind', 1);
+    for (const id of [['wind'], [['wind']], { id: 'wind' }, null, 5, true, undefined]) {
+      const { ok, error } = await ask(tab, 'get', id);
+      assert.deepEqual([ok, error?.name], [false, 'TypeError'], JSON.stringify(id));
+      assert.match(error.message, /a text, not/);
+    }
+    const { error } = await ask(tab, 'get', 'vind');
+    assert.deepEqual([error.name, error.id], ['RangeError', 'vind']);
+    assert.match(error.message, /vind.*\bwind\b/);
+    assert.equal((await ask(tab, 'get', 'wind')).value, 1);
+    const events = await tab.evaluate(() => /** @type {any} */ (window).heard
+      .filter(({ event }) => event !== undefined).map(({ event }) => event));
+    assert.deepEqual(events, ['hello', 'ready', 'params-change']);
+  });
+
+  test('set an option to false, which of `autoplay` has to be said', async () => {
+    const tab = await around.burning();
+    for (const [name, value, attribute] of [
+      ['autoplay', false, 'false'], ['autoplay', true, ''], ['autoplay', null, null],
+      ['interactive', true, ''], ['interactive', false, null],
+    ]) {
+      assert.equal((await ask(tab, 'option', name, value)).value, attribute, `${name} ${value}`);
+      const property = await inside(tab, (fire, key) => fire[key], name);
+      assert.equal(property, name === 'autoplay' ? value !== false : value, `${name} ${value}`);
+    }
+  });
+
   test('reach no method but those that are listed', async () => {
     const tab = await around.burning();
     for (const method of [

@@ -145,6 +145,9 @@ test('the documentation names what the library has, each in an example and in th
     assert.match(SAMPLES.join('\n'), new RegExp(`\\b${name}\\b`));
     assert.match(types, new RegExp(`\\b${name}\\b\\??[(:<]`));
   }
+  // Node and browsers that know of `using` end a simulation with it; so do the types.
+  assert.match(DOC, /`using sim = /);
+  assert.match(types, /^ {2}\[Symbol\.dispose\]\(\): void;$/m);
 });
 
 test('every example of the documentation runs, and says or draws something', async () => {

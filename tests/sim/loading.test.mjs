@@ -80,12 +80,12 @@ test('where there is no memory left, one simulation stops, says so, and the othe
         sim.step();
       }
     };
-    await assert.rejects(makeMore(), /has stopped and was freed; there may be no memory left/);
+    await assert.rejects(makeMore(), /has stopped for good; there may be no memory left/);
     const alive = large.filter((sim) => {
       try {
         return sim.count > 0;
       } catch (error) {
-        assert.match(error.message, /this simulation was freed/);
+        assert.match(error.message, /^this simulation has stopped for good$/);
         return false;
       }
     });

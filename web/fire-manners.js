@@ -11,7 +11,6 @@
  */
 
 import { CHOICES } from './fire-attributes.js';
-import { showPanel } from './fire-panel.js';
 import { listenToPointer } from './fire-pointer.js';
 
 const LIMITS = ['fps-limit', 'max-pixels'];
@@ -127,4 +126,29 @@ export class FireManners {
     const failed = (why) => this.#ways.complain('load', `The panel could not be loaded: ${why}`);
     this.#hidePanel = wanted ? showPanel(this.#fire, this.#fire.shadowRoot, failed) : undefined;
   }
+}
+
+/**
+ * Shows the panel of a fire inside it. Its code is loaded only here.
+ * @param {HTMLElement} fire
+ * @param {ShadowRoot} root
+ * @param {(why: unknown) => void} fail
+ * @returns {() => void} takes it away
+ */
+function showPanel(fire, root, fail) {
+  const host = document.createElement('div');
+  host.className = 'panel';
+  host.setAttribute('part', 'panel');
+  root.append(host);
+  let ended = false;
+  const mounted = import('./panel.js').then(({ mountPanel }) => !ended && mountPanel({ host, fire }));
+  mounted.catch((error) => {
+    host.remove();
+    if (!ended) fail(error);
+  });
+  return () => {
+    ended = true;
+    mounted.then((panel) => panel && panel.destroy(), () => {});
+    host.remove();
+  };
 }

@@ -61,8 +61,10 @@ export class HearthFire extends FireAttributes {
   #still = false;
   /** Whether it burns although the visitor wants less motion, who said so here. */
   #stoppable = false;
-  /** Whether the engine was ever given a fire of this element. */
+  /** Whether the engine ever had a fire of this element, and has told its values. */
   #started = false;
+  /** Settles when the engine has freed the fire before this one. */
+  #gone = Promise.resolve();
   #announced = false;
   /** Whether the preset's attribute is taken away without a wish for other values. */
   #dropping = false;
@@ -240,9 +242,8 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>} when it is freed
    */
   async destroy() {
-    const link = this.#link;
-    if (link) this.#close();
-    await link?.gone;
+    if (this.#link) this.#close();
+    await this.#gone;
   }
 
   /**
@@ -293,20 +294,21 @@ export class HearthFire extends FireAttributes {
     const id = ID_OF_ATTRIBUTE.get(name);
     this.#manners.change(name, value);
     if (name === 'loading') this.#link?.lookAgain();
-    if (name === 'model' && !this.#started) {
-      // The first fire starts with its model, wherever the attribute stands.
+    // Before, the fire starts with what its attributes say, wherever they stand.
+    const begun = this.#started || this.#link?.live;
+    if (name === 'model' && !begun) {
+      // The first fire starts with its model.
     } else if (id !== undefined) {
       if (value !== null) this.#set({ [id]: value }, 'attribute');
       else this.#ask({ type: 'restore', source: 'attribute', ids: [id] });
     } else if (name === 'preset') {
-      // The first fire starts from its preset, wherever the attribute stands.
-      if (this.#started && !this.#dropping) this.#ask({ type: 'preset', source: 'preset', name: value ?? 'default' });
+      if (begun && !this.#dropping) this.#ask({ type: 'preset', source: 'preset', name: value ?? 'default' });
     } else if (name === 'quality') {
       this.#ask({ type: 'quality', source: 'attribute', quality: value ?? 'auto' });
     } else if (name === 'paused') {
       if ((value !== null) !== this.#paused) this.#setPaused(value !== null);
     } else if (name === 'src') {
-      if (this.#started) this.#changeFile();
+      if (begun) this.#changeFile();
     } else if (name === 'autoplay') {
       if (this.#link && !this.#started && !this.autoplay) this.#setPaused(true);
     } else if (name === 'reduced-motion' && this.#link) {
@@ -432,8 +434,9 @@ export class HearthFire extends FireAttributes {
     opened.catch((error) => link.closed || this.#fail(error.kind ?? 'load', error.message));
   }
 
-  /** What the first fire waits for: its file. */
+  /** What a fire waits for: all that the one before it has to tell, or its file. */
   async #prepare() {
+    await this.#gone;
     let config;
     let src;
     do {
@@ -455,7 +458,6 @@ export class HearthFire extends FireAttributes {
       const [preset, kept, values, ownNumber] = [this.#preset, this.#kept, this.#params, this.#ownNumber];
       return { preset, kept, values, ownNumber, quality, paused };
     }
-    this.#started = true;
     const preset = this.getAttribute('preset') ?? undefined;
     const model = this.getAttribute('model');
     return { preset, config, values: model === null ? {} : { model }, quality, paused };
@@ -484,6 +486,7 @@ export class HearthFire extends FireAttributes {
     // Who waits from now on waits for the next one.
     if (this.#announced) this.#ready = deferred();
     this.#link?.close();
+    this.#gone = this.#link?.gone ?? this.#gone;
     this.#link = null;
     this.#announced = false;
     this.#stats = null;
@@ -496,9 +499,10 @@ export class HearthFire extends FireAttributes {
   /** @type {(message: Message, link: FireLink) => void} */
   #receive(message, link) {
     // Of a fire that was taken off only what it was given before still counts.
-    if (link.closed && !['changed', 'done', 'refused'].includes(message.type)) return;
+    if (link.closed && !['ready', 'changed', 'done', 'refused'].includes(message.type)) return;
     switch (message.type) {
       case 'ready':
+        this.#started = true;
         this.#params = { ...this.#params, ...message.values };
         this.#ownNumber = message.ownNumber;
         this.#preset = message.preset;

@@ -123,8 +123,20 @@ test('a picture has no more pixels than it may, and no more pictures come than m
   assert.ok(size.width * size.height <= 10_000, JSON.stringify(size));
   assert.ok(Math.abs(size.width / size.height - 4 / 3) < 0.03, JSON.stringify(size));
   await tab.burnt(2);
-  const { fps } = await tab.fire((fire) => fire.stats);
-  assert.ok(fps < 11, `${fps} pictures a second`);
+  // Single gaps may be shorter: after a late picture the next one keeps to its time.
+  const pictures = await tab.evaluate(async () => {
+    const { prototype } = ImageBitmapRenderingContext;
+    const original = prototype.transferFromImageBitmap;
+    let count = 0;
+    prototype.transferFromImageBitmap = function transferFromImageBitmap(bitmap) {
+      count += 1;
+      original.call(this, bitmap);
+    };
+    await new Promise((resolve) => setTimeout(resolve, 2000));
+    prototype.transferFromImageBitmap = original;
+    return count;
+  });
+  assert.ok(pictures > 0 && pictures <= 24, `${pictures} pictures in two seconds`);
   await tab.fire((fire) => {
     fire.maxPixels = '';
     fire.removeAttribute('max-pixels');

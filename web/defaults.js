@@ -75,5 +75,10 @@ export const DEFAULTS = {
   smoke_opacity: 0.3,
   bloom: 0.15,
   detail: 1,
+  palette: "blackbody",
+  cool_colour: "#8a12ff",
+  hot_colour: "#38e8ff",
+  backdrop: "none",
+  heat_haze: 0.3,
   background: "transparent",
 };

@@ -137,8 +137,8 @@ export interface HearthParameters {
   printed_divisor: boolean;
   /** Equation 6 as printed: forward Euler, the position moves with the old velocity. Default in classic: false. */
   printed_euler: boolean;
-  /** How the particles are drawn: melted into fire, or as the hard round sprites of the paper. Default "fire". */
-  display_mode: "fire" | "paper";
+  /** What is shown: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. Default "fire". */
+  display_mode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
   /** What is drawn: fire and smoke, the fire alone, or the smoke alone. Default "both". */
   layers: "both" | "fire" | "smoke";
   /** Size at which a particle is drawn. [m] Default in classic: 0.04, from 0.01 to 0.1. */
@@ -153,6 +153,16 @@ export interface HearthParameters {
   bloom: number;
   /** Fine structure that rises with the flow. Default 1, from 0 to 2. */
   detail: number;
+  /** Colours of the fire: those of glowing soot, of gas, of copper or lithium salts, of a ghost, or from a cool colour to a hot one. Default "blackbody". */
+  palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
+  /** Colour of the coolest fire, where the palette is the custom one. Default "#8a12ff". */
+  cool_colour: string;
+  /** Colour of the hottest fire, where the palette is the custom one. Default "#38e8ff". */
+  hot_colour: string;
+  /** What the fire burns in front of, in place of the background: nothing, a wall that it lights, or a landscape. Default "none". */
+  backdrop: "none" | "bricks" | "dusk";
+  /** How strongly hot gas makes the backdrop shimmer; a page cannot be made to. Default 0.3, from 0 to 1. */
+  heat_haze: number;
   /** What stands behind the fire: `transparent` or a colour. Default "transparent". */
   background: string;
 }
@@ -287,8 +297,8 @@ export interface HearthProperties {
   printedDivisor: boolean;
   /** Equation 6 as printed: forward Euler, the position moves with the old velocity. Default in classic: false. */
   printedEuler: boolean;
-  /** How the particles are drawn: melted into fire, or as the hard round sprites of the paper. Default "fire". */
-  displayMode: "fire" | "paper";
+  /** What is shown: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. Default "fire". */
+  displayMode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
   /** What is drawn: fire and smoke, the fire alone, or the smoke alone. Default "both". */
   layers: "both" | "fire" | "smoke";
   /** Size at which a particle is drawn. [m] Default in classic: 0.04, from 0.01 to 0.1. */
@@ -303,6 +313,16 @@ export interface HearthProperties {
   bloom: number;
   /** Fine structure that rises with the flow. Default 1, from 0 to 2. */
   detail: number;
+  /** Colours of the fire: those of glowing soot, of gas, of copper or lithium salts, of a ghost, or from a cool colour to a hot one. Default "blackbody". */
+  palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
+  /** Colour of the coolest fire, where the palette is the custom one. Default "#8a12ff". */
+  coolColour: string;
+  /** Colour of the hottest fire, where the palette is the custom one. Default "#38e8ff". */
+  hotColour: string;
+  /** What the fire burns in front of, in place of the background: nothing, a wall that it lights, or a landscape. Default "none". */
+  backdrop: "none" | "bricks" | "dusk";
+  /** How strongly hot gas makes the backdrop shimmer; a page cannot be made to. Default 0.3, from 0 to 1. */
+  heatHaze: number;
   /** What stands behind the fire: `transparent` or a colour. Default "transparent". */
   background: string;
 }

@@ -191,8 +191,8 @@ export interface HearthFireAttributes {
   "printed-divisor"?: boolean | undefined;
   /** Equation 6 as printed: forward Euler, the position moves with the old velocity. Default in classic: false. */
   "printed-euler"?: boolean | undefined;
-  /** How the particles are drawn: melted into fire, or as the hard round sprites of the paper. Default "fire". */
-  "display-mode"?: "fire" | "paper" | undefined;
+  /** What is shown: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. Default "fire". */
+  "display-mode"?: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites" | undefined;
   /** What is drawn: fire and smoke, the fire alone, or the smoke alone. Default "both". */
   layers?: "both" | "fire" | "smoke" | undefined;
   /** Size at which a particle is drawn. [m] Default in classic: 0.04, from 0.01 to 0.1. */
@@ -207,6 +207,16 @@ export interface HearthFireAttributes {
   bloom?: number | `${number}` | undefined;
   /** Fine structure that rises with the flow. Default 1, from 0 to 2. */
   detail?: number | `${number}` | undefined;
+  /** Colours of the fire: those of glowing soot, of gas, of copper or lithium salts, of a ghost, or from a cool colour to a hot one. Default "blackbody". */
+  palette?: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom" | undefined;
+  /** Colour of the coolest fire, where the palette is the custom one. Default "#8a12ff". */
+  "cool-colour"?: string | undefined;
+  /** Colour of the hottest fire, where the palette is the custom one. Default "#38e8ff". */
+  "hot-colour"?: string | undefined;
+  /** What the fire burns in front of, in place of the background: nothing, a wall that it lights, or a landscape. Default "none". */
+  backdrop?: "none" | "bricks" | "dusk" | undefined;
+  /** How strongly hot gas makes the backdrop shimmer; a page cannot be made to. Default 0.3, from 0 to 1. */
+  "heat-haze"?: number | `${number}` | undefined;
   /** What stands behind the fire: `transparent` or a colour. Default "transparent". */
   background?: string | undefined;
 }

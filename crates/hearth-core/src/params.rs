@@ -20,7 +20,7 @@ use std::ops::Deref;
 
 use table::parameters;
 
-pub use choices::{Choice, DisplayMode, Layers, Model, Walls};
+pub use choices::{Backdrop, Choice, DisplayMode, Layers, Model, Palette, Walls};
 pub use table::{Description, Domain, Kind, Param, Scale};
 pub use value::{Colour, Input, ParamError, Refusal, Value};
 
@@ -199,8 +199,9 @@ parameters! {
         printed_euler: flag "Euler (eq. 6)" { Classic(false) }
     }
     "Look" {
-        /// How the particles are drawn: melted into fire, or as the hard round
-        /// sprites of the paper.
+        /// What is shown: the fire; every particle; a quantity of the gas, with a bar
+        /// that says which colour is how much; the number of neighbours; the hard round
+        /// sprites of the paper; or sprites with a texture.
         display_mode: (choice DisplayMode) "Display" { Every(Fire) }
         /// What is drawn: fire and smoke, the fire alone, or the smoke alone.
         layers: (choice Layers) "Layers" { Every(Both) }
@@ -216,6 +217,18 @@ parameters! {
         bloom: number "Bloom" [""] Linear { Every(0.15, 0.0..=0.6) }
         /// Fine structure that rises with the flow.
         detail: number "Detail" [""] Linear { Every(1.0, 0.0..=2.0) }
+        /// Colours of the fire: those of glowing soot, of gas, of copper or lithium salts,
+        /// of a ghost, or from a cool colour to a hot one.
+        palette: (choice Palette) "Palette" { Every(Blackbody) }
+        /// Colour of the coolest fire, where the palette is the custom one.
+        cool_colour: colour "Cool colour" { Every(Colour::rgb(0x8a, 0x12, 0xff)) }
+        /// Colour of the hottest fire, where the palette is the custom one.
+        hot_colour: colour "Hot colour" { Every(Colour::rgb(0x38, 0xe8, 0xff)) }
+        /// What the fire burns in front of, in place of the background: nothing, a wall
+        /// that it lights, or a landscape.
+        backdrop: (choice Backdrop) "Backdrop" { Every(None) }
+        /// How strongly hot gas makes the backdrop shimmer; a page cannot be made to.
+        heat_haze: number "Heat haze" [""] Linear { Every(0.3, 0.0..=1.0) }
         /// What stands behind the fire: `transparent` or a colour.
         background: colour "Background" { Every(Colour::TRANSPARENT) }
     }

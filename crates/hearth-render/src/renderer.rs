@@ -151,7 +151,11 @@ impl<G: Graphics> Renderer<G> {
         }
         gl.bind_vertex_array(Some(&self.studio.nothing));
         match parameters.display_mode {
-            DisplayMode::Fire => {
+            DisplayMode::Paper => {
+                self.paper(gl, layout, place, parameters);
+                watch("paper");
+            }
+            _ => {
                 self.fit_targets(gl, layout)?;
                 self.drift
                     .advance(view.time, combustion::period(parameters));
@@ -159,10 +163,6 @@ impl<G: Graphics> Renderer<G> {
                 if let Some(targets) = &self.targets {
                     Fire::new(gl, self, targets, place, parameters).paint(watch);
                 }
-            }
-            DisplayMode::Paper => {
-                self.paper(gl, layout, place, parameters);
-                watch("paper");
             }
         }
         gl.bind_vertex_array(None);

@@ -63,13 +63,60 @@ choices! {
         Smoke = "smoke",
     }
 
-    /// How particles are drawn.
+    /// What a picture shows: the fire, or a quantity of its gas by colours that a bar
+    /// explains.
     DisplayMode {
         /// Fire: particles melt into fields of temperature that glow as a black body.
         Fire = "fire",
+        /// Every particle as a disc, coloured by its temperature.
+        Particles = "particles",
+        /// Temperature of the gas \[K\].
+        Temperature = "temperature",
+        /// Density of the gas [kg/m³].
+        Density = "density",
+        /// Pressure of the gas \[Pa\].
+        Pressure = "pressure",
+        /// Speed of the gas [m/s].
+        Velocity = "velocity",
+        /// How fast, and which way, the gas spins [1/s].
+        Vorticity = "vorticity",
+        /// Fuel in the gas; in the classic model, what is left of a particle's life.
+        Fuel = "fuel",
+        /// Soot in the gas; in the classic model, what makes smoke of a particle.
+        Soot = "soot",
+        /// Every particle as a disc, coloured by how many others it feels.
+        Neighbours = "neighbours",
         /// The paper's own drawing: hard round sprites, coloured by the
         /// distance from the sprite's centre.
         Paper = "paper",
+        /// A soft sprite with a texture of noise for each particle.
+        Sprites = "sprites",
+    }
+
+    /// What colours the fire has by its temperature.
+    Palette {
+        /// Those of glowing soot: Planck's law.
+        Blackbody = "blackbody",
+        /// Those of gas that burns without soot: blue.
+        Gas = "gas",
+        /// Those of a flame with copper salts: green.
+        Copper = "copper",
+        /// Those of a flame with lithium salts: crimson.
+        Lithium = "lithium",
+        /// Those of a ghost: pale, between blue and green.
+        Ghost = "ghost",
+        /// From the cool colour to the hot one.
+        Custom = "custom",
+    }
+
+    /// What the fire burns in front of.
+    Backdrop {
+        /// Nothing: the background, or the page.
+        None = "none",
+        /// A wall of bricks, which the fire lights.
+        Bricks = "bricks",
+        /// A landscape after sunset.
+        Dusk = "dusk",
     }
 }
 

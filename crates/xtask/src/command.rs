@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use anyhow::{Result, bail};
 
+use crate::goldens;
 use crate::links::{self, Base};
 use crate::{bench, codegen, package, paths, poster, serve, site, size, soak, stages, validate};
 
@@ -19,6 +20,7 @@ cargo xtask <command>
   soak [--corners N] [--seed S]         drive fires to random corners of all ranges, and back
   bench [--yardstick PROGRAM]           measure, beside this program too, and write docs/evaluation.md
   bench --instructions [--write]        hold the instructions of a step to those written down, or write them
+  goldens [--snapshots] [NAME...]       draw the pictures anew that tests compare with; of new fires too
   poster                                take the picture that a link to the page shows
   size                                  print the download sizes of the built site
   codegen                               write the files that come from the parameter table
@@ -63,6 +65,8 @@ pub enum Command {
     },
     /// Measure.
     Bench(bench::Task),
+    /// Draw the pictures that tests compare with.
+    Goldens(goldens::Wanted),
     /// Take the picture that a link shows.
     Poster,
     /// Print download sizes.
@@ -151,6 +155,17 @@ impl Command {
                 Ok(task) => Command::Bench(task),
                 Err(option) => return unknown(name, &option),
             },
+            "goldens" => {
+                let mut wanted = goldens::Wanted::default();
+                for option in options.by_ref() {
+                    match option {
+                        "--snapshots" => wanted.snapshots = true,
+                        other if other.starts_with('-') => return unknown(name, other),
+                        picture => wanted.names.push(picture.to_owned()),
+                    }
+                }
+                Command::Goldens(wanted)
+            }
             "poster" => Command::Poster,
             "package" => Command::Package,
             "size" => Command::Size,
@@ -217,6 +232,7 @@ pub fn run(command: Command) -> Result<ExitCode> {
         Command::Validate { names } => validate::run(&names)?,
         Command::Soak { corners, seed } => soak::run(corners, seed)?,
         Command::Bench(task) => bench::run(&task)?,
+        Command::Goldens(wanted) => goldens::write(&wanted)?,
         Command::Poster => poster::take()?,
         Command::Size => {
             site::build()?;
@@ -290,6 +306,13 @@ mod tests {
             }
         );
         assert_eq!(
+            parse("goldens --snapshots default")?,
+            Command::Goldens(goldens::Wanted {
+                snapshots: true,
+                names: vec!["default".to_owned()]
+            })
+        );
+        assert_eq!(
             parse("soak --seed 7")?,
             Command::Soak {
                 corners: None,
@@ -311,6 +334,7 @@ mod tests {
             "validate --fast",
             "soak 3",
             "bench --fast",
+            "goldens --fast",
         ] {
             let said = parse(line).err().map(|error| error.to_string());
             assert!(said.is_some_and(|said| said.contains("cargo xtask <command>")));

@@ -7,6 +7,7 @@
 pub mod bench;
 pub mod codegen;
 pub mod command;
+pub mod goldens;
 pub mod links;
 pub mod marks;
 pub mod package;

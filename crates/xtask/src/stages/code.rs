@@ -7,11 +7,12 @@ use crate::{process, tools};
 /// Crates that are libraries for other people.
 const LIBRARIES: [&str; 2] = ["hearth-core", "hearth-render"];
 /// Crates with code that only a browser runs.
-const FOR_THE_BROWSER: [&str; 4] = [
+const FOR_THE_BROWSER: [&str; 5] = [
     "hearth-widget",
     "hearth-sim",
     "hearth-panel",
     "hearth-tests",
+    "hearth-painter",
 ];
 
 /// A package outside the workspace.

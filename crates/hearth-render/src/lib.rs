@@ -21,6 +21,8 @@ mod particles;
 mod passes;
 mod program;
 mod renderer;
+#[cfg(test)]
+mod shaders;
 mod studio;
 mod survey;
 mod target;

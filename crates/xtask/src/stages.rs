@@ -77,6 +77,13 @@ const STAGES: &[Stage] = &[
         run: |_| code::native(),
     },
     Stage {
+        name: "shaders",
+        about: "the reference compiler has nothing to say about any shader",
+        needs: &[],
+        in_browser: false,
+        run: |_| code::shaders(),
+    },
+    Stage {
         name: "site",
         about: "the static site builds",
         needs: &[],

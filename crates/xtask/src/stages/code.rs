@@ -56,3 +56,12 @@ pub(super) fn docs() -> Result<()> {
 pub(super) fn native() -> Result<()> {
     process::run(process::cargo().args(["test", "--workspace"]))
 }
+
+/// The sources as drivers get them, by the compiler that their makers agreed on.
+pub(super) fn shaders() -> Result<()> {
+    let validator = tools::glslang()?;
+    let mut test = process::cargo();
+    test.args(["test", "--package", "hearth-render", "--lib", "--"])
+        .args(["--include-ignored", "shaders::"]);
+    process::run(test.env("HEARTH_GLSLANG", validator))
+}

@@ -46,7 +46,7 @@ async function snapshot(name) {
 }
 
 /** The fire of a wish: a kept one, or one that has burnt until then. */
-async function fireOf({ kept, mode = 'fire', lit, burnt = 0, values = {} }) {
+async function fireOf({ kept, mode = '', lit, burnt = 0, values = {} }) {
   const fire = kept ? Fire.kept(await snapshot(kept), mode) : Fire.lit(lit);
   for (const [id, value] of Object.entries(values)) fire.set(id, String(value));
   if (lit) fire.burn(burnt);
@@ -93,5 +93,83 @@ const value = async (wish, id) => {
   return found;
 };
 
+/**
+ * Two fires in one context, drawn in turn, picture by picture: the last picture of each.
+ * Where there is only one, it is drawn alone.
+ */
+async function inTurn(wishes, pictures, disturbance) {
+  const { context, painter: of } = painter();
+  const fires = await Promise.all(wishes.map(fireOf));
+  const easels = fires.map(() => of.easel('medium'));
+  const last = [];
+  for (let picture = 1; picture <= pictures; picture += 1) {
+    wishes.forEach(({ width, height }, one) => {
+      Object.assign(context.canvas, { width, height });
+      fires[one].burn(wishes[one].burnt + picture / 30);
+      if (disturbance) DISTURBANCES[disturbance](context);
+      easels[one].paint(fires[one], width, height);
+      last[one] = packed(easels[one].pixels(width, height));
+    });
+  }
+  for (const easel of easels) easel.leave();
+  complain(context);
+  if (disturbance) painters.clear();
+  return last;
+}
+
+/** How somebody else may leave a context behind. */
+const DISTURBANCES = {
+  'tests on': (gl) => {
+    for (const test of [gl.DEPTH_TEST, gl.STENCIL_TEST, gl.SCISSOR_TEST, gl.CULL_FACE]) gl.enable(test);
+    gl.scissor(3, 3, 5, 5);
+    gl.cullFace(gl.FRONT_AND_BACK);
+    gl.depthFunc(gl.NEVER);
+    gl.stencilFunc(gl.NEVER, 1, 255);
+  },
+  blending: (gl) => {
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.DST_COLOR, gl.ZERO);
+  },
+  'another target, view and colour': (gl) => {
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 4, 4, 0, gl.RGBA, gl.UNSIGNED_BYTE, null);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+    gl.viewport(1, 1, 2, 2);
+    gl.clearColor(1, 0, 1, 1);
+  },
+  'other textures': (gl) => {
+    const texture = gl.createTexture();
+    for (let unit = 0; unit < 8; unit += 1) {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+    }
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array([255, 0, 255, 255]));
+  },
+  'another program and its arrays': (gl) => {
+    const program = gl.createProgram();
+    for (const [kind, source] of [
+      [gl.VERTEX_SHADER, '#version 300 es\nin vec4 at;\nvoid main() { gl_Position = at; }'],
+      [gl.FRAGMENT_SHADER, '#version 300 es\nprecision highp float;\nout vec4 c;\nvoid main() { c = vec4(1.0); }'],
+    ]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    gl.useProgram(program);
+    gl.bindVertexArray(gl.createVertexArray());
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, 12, gl.STATIC_DRAW);
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+  },
+};
+/** What every host has to give back as it was: the renderer does not ask for it. */
+DISTURBANCES['a colour that nobody may draw'] = (gl) => gl.colorMask(true, false, true, true);
+const disturbances = () => Object.keys(DISTURBANCES);
+
 await init();
-Object.assign(window, { look: { still, formatOf, value, painter, fireOf, packed, complain } });
+Object.assign(window, { look: { still, formatOf, value, inTurn, disturbances } });

@@ -28,9 +28,13 @@ pub struct Fire {
 
 #[wasm_bindgen]
 impl Fire {
-    /// The fire that a snapshot keeps, in a display mode.
+    /// The fire that a snapshot keeps, in a display mode, or in the first that it keeps.
     pub fn kept(snapshot: &[u8], mode: &str) -> Result<Fire, JsValue> {
         let snapshot = Snapshot::read(snapshot)?;
+        let mode = match mode {
+            "" => snapshot.names().next().ok_or("a snapshot of nothing")?,
+            mode => mode,
+        };
         let instances = snapshot.instances(mode);
         let mut parameters = snapshot.parameters()?;
         let set = parameters.set("display_mode", Input::Text(mode));

@@ -5,12 +5,9 @@
  * counting the empty rest would only make every difference smaller.
  */
 
-/** @typedef {{width: number, height: number, rgb: Uint8Array}} Picture */
-/** @typedef {[number, number, number]} Lab  OkLab, times 100. */
+import { okLab } from './figures/colour.mjs';
 
-/** Light that a screen in a room reflects. Without it blacks that nobody can tell
-    apart would differ by more than two oranges. */
-const VEIL = 0.005;
+/** @typedef {{width: number, height: number, rgb: Uint8Array}} Picture */
 
 /** Pixels on a side of the windows in which structure is compared. */
 const WINDOW = 7;
@@ -23,28 +20,6 @@ const GREY = 5;
 
 /** SSIM's constants for values from 0 to 100. */
 const [C1, C2] = [(0.01 * 100) ** 2, (0.03 * 100) ** 2];
-
-const LINEAR = Float64Array.from({ length: 256 }, (_, code) => {
-  const share = code / 255;
-  const light = share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
-  return (light + VEIL) / (1 + VEIL);
-});
-
-/**
- * @param {number} r @param {number} g @param {number} b  sRGB, 0–255.
- * @returns {Lab}
- */
-export function okLab(r, g, b) {
-  const [red, green, blue] = [LINEAR[r], LINEAR[g], LINEAR[b]];
-  const l = Math.cbrt(0.4122214708 * red + 0.5363325363 * green + 0.0514459929 * blue);
-  const m = Math.cbrt(0.2119034982 * red + 0.6806995451 * green + 0.1073969566 * blue);
-  const s = Math.cbrt(0.0883024619 * red + 0.2817188376 * green + 0.6299787005 * blue);
-  return [
-    100 * (0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s),
-    100 * (1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s),
-    100 * (0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s),
-  ];
-}
 
 /** A picture's OkLab, channel by channel. @param {Picture} picture */
 function labs({ width, height, rgb }) {

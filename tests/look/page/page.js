@@ -2,7 +2,8 @@
  * The painter's page: draws what a test asks for and hands the pixels back. A test
  * calls `window.look`.
  */
-import init, { Fire, Painter } from '/painter.js';
+import init, { Fire, Painter, locus } from '/painter.js';
+import { Film } from '/film.mjs';
 
 /** As the engine makes its own context. */
 const ATTRIBUTES = { alpha: true, premultipliedAlpha: true, antialias: false, depth: false };
@@ -171,5 +172,19 @@ const DISTURBANCES = {
 DISTURBANCES['a colour that nobody may draw'] = (gl) => gl.colorMask(true, false, true, true);
 const disturbances = () => Object.keys(DISTURBANCES);
 
+let film;
+/** Starts to watch a fire that burns. */
+async function watch(wish) {
+  film?.easel.leave();
+  const { context, painter: of } = painter();
+  film = new Film({ context, easel: of.easel('medium'), fire: await fireOf(wish), locus });
+}
+/** Watches it until that time, and says what was seen. */
+function seen(seconds) {
+  film.until(seconds);
+  complain(film.context);
+  return film.found();
+}
+
 await init();
-Object.assign(window, { look: { still, formatOf, value, inTurn, disturbances } });
+Object.assign(window, { look: { still, formatOf, value, inTurn, disturbances, watch, seen } });

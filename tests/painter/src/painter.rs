@@ -5,7 +5,7 @@ use std::rc::Rc;
 use hearth_core::params::Input;
 use hearth_core::preset::Preset;
 use hearth_core::{Instance, Parameters, Simulation};
-use hearth_render::{Lines, Renderer, Studio, TargetFormat, View};
+use hearth_render::{Chromaticity, Lines, Renderer, Studio, TargetFormat, View, chromaticity};
 use js_sys::{Float32Array, Uint8Array};
 use wasm_bindgen::prelude::*;
 use web_sys::WebGl2RenderingContext as Context;
@@ -69,6 +69,12 @@ impl Fire {
         self.parameters.set(id, Input::Text(value)).map_err(words)
     }
 
+    /// How long it has burnt \[s\].
+    #[wasm_bindgen(getter)]
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
     /// A parameter's value.
     pub fn value(&self, id: &str) -> Option<String> {
         self.parameters.get(id).map(|value| value.to_string())
@@ -86,6 +92,13 @@ impl Fire {
         fire.write_embers(&mut self.embers);
         self.time = fire.time();
     }
+}
+
+/// Where a black body of that temperature stands in CIE's chart: x, y.
+#[wasm_bindgen]
+pub fn locus(kelvin: f64) -> Vec<f64> {
+    let Chromaticity { x, y } = chromaticity(kelvin);
+    vec![x, y]
 }
 
 /// Linear light before it is made a picture.

@@ -10,9 +10,6 @@ pub const RATES: (f64, f64) = (10.0, 240.0);
 /// Fewest and most pixels of a picture that may be asked for.
 pub const PIXELS: (f64, f64) = (1024.0, 16_777_216.0);
 
-/// Most pixels of a picture where nobody says otherwise: a 1440p screen's.
-const USUAL_PIXELS: f64 = 2560.0 * 1440.0;
-
 /// How much early a frame may come and still be the next one of a limited rate
 /// \[ms\]: displays jitter.
 const EARLY: f64 = 2.0;
@@ -81,9 +78,10 @@ impl Limits {
         }
     }
 
-    /// The size of the picture for an element of that size, in device pixels.
-    pub fn fit(&self, (width, height): (u32, u32)) -> (u32, u32) {
-        let most = self.pixels.unwrap_or(USUAL_PIXELS);
+    /// The size of the picture for an element of that size, in device pixels; `usual`:
+    /// how many it may have where nobody says otherwise.
+    pub fn fit(&self, (width, height): (u32, u32), usual: f64) -> (u32, u32) {
+        let most = self.pixels.unwrap_or(usual);
         let pixels = f64::from(width) * f64::from(height);
         if pixels <= most {
             return (width, height);

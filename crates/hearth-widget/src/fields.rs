@@ -80,6 +80,17 @@ impl<'a> Fields<'a> {
         }
     }
 
+    #[inline(never)]
+    pub fn small(&mut self, id: &str) -> f64 {
+        match *self.raw.field(id) {
+            Raw::Number(x) if x.abs() <= 1000.0 => x,
+            _ => {
+                self.refuse(id, "a number up to 1000");
+                0.0
+            }
+        }
+    }
+
     pub fn optional_number(&mut self, id: &str) -> Option<f64> {
         match *self.raw.field(id) {
             Raw::Missing => None,

@@ -366,6 +366,8 @@ export interface Parameter extends ParameterDomain {
 export interface Preset {
   name: PresetName;
   label: string;
+  /** What there is to see, in a sentence. */
+  description: string;
   values: Partial<HearthParameters>;
 }
 

@@ -2,7 +2,8 @@
 //!
 //! `{"hearth": 1, "preset": "seed", "values": {"viscosity": 0.02}}`: the preset it
 //! starts from, where that is not the default one, and what differs from it. It
-//! holds what a fire burns with and nothing of the device that it burns on.
+//! holds what a fire burns with and nothing of the device that it burns on. A scene's
+//! file is one too: its label and its description are for people.
 
 use hearth_core::params::{Input, Model, PARAMETERS, Param, Value};
 
@@ -15,7 +16,7 @@ use crate::wanted::{NUMBER, Wanted};
 pub const VERSION: u32 = 1;
 
 /// The fields that there are.
-const FIELDS: [&str; 3] = ["hearth", "preset", "values"];
+const FIELDS: [&str; 5] = ["hearth", "preset", "values", "label", "description"];
 
 /// Settings whose form is right. Their values are not checked yet.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +47,9 @@ impl Config {
             Raw::Missing => {}
             Raw::Number(version) if *version == f64::from(VERSION) => {}
             _ => fields.refuse("hearth", "1, the version of the form"),
+        }
+        for words in ["label", "description"] {
+            fields.optional_text(words);
         }
         let config = Config {
             preset: fields.optional_text("preset"),

@@ -21,7 +21,7 @@ cargo xtask <command>
   bench --instructions [--write]        hold the instructions of a step to those written down, or write them
   poster                                take the picture that a link to the page shows
   size                                  print the download sizes of the built site
-  codegen                               write the files that come from the parameter table
+  codegen                               write the files that come from the parameter table and the scenes
   help                                  this text
 ";
 

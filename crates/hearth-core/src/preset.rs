@@ -1,64 +1,34 @@
-//! Named sets of values.
+//! Named sets of values: the scenes.
+//!
+//! Each is a file of `scenes/` in Hearth's repository, and `cargo xtask codegen` writes
+//! the table of all of them: this crate reads no file, and carries none.
+
+// Written by a program, in a form of its own.
+#[rustfmt::skip]
+mod scenes;
 
 use crate::params::{Input, Parameters};
+
+pub use scenes::{CAPTIONS, PRESETS};
 
 /// A named set of values: the defaults, with these changed.
 #[derive(Debug)]
 pub struct Preset {
     /// Its name in attributes and URLs.
     pub name: &'static str,
-    /// What a person reads.
-    pub label: &'static str,
     /// What differs from the defaults.
     pub values: &'static [(&'static str, Input<'static>)],
 }
 
-/// Every preset, the default one first.
-pub static PRESETS: &[Preset] = &[
-    Preset {
-        name: "default",
-        label: "Default",
-        values: &[],
-    },
-    Preset {
-        name: "classic",
-        label: "Classic",
-        values: &[("model", Input::Text("classic"))],
-    },
-    Preset {
-        name: "seed",
-        label: "Seed",
-        // The program that Hearth grew from: 600 pixels, here 1.5 m, other
-        // kernels and no physical units. Lengths are converted; strengths are
-        // chosen so that its picture, a narrow column of sparse dots, and the
-        // effect of each of its sliders come out alike.
-        values: &[
-            ("model", Input::Text("classic")),
-            ("domain_width", Input::Number(1.5)),
-            ("domain_height", Input::Number(1.5)),
-            ("walls", Input::Text("solid")),
-            ("smoothing_radius", Input::Number(0.0075)),
-            ("particle_mass", Input::Number(1e-4)),
-            ("gas_constant", Input::Number(2.0)),
-            ("viscosity", Input::Number(2e-4)),
-            ("buoyancy", Input::Number(0.02)),
-            ("thermal_buoyancy", Input::Number(0.01)),
-            ("max_particles", Input::Number(800.0)),
-            ("emission_rate", Input::Number(400.0)),
-            ("lifetime_min", Input::Number(1.1)),
-            ("lifetime_max", Input::Number(2.0)),
-            ("taper", Input::Number(0.0)),
-            ("emission_speed", Input::Number(0.75)),
-            ("emission_spread", Input::Number(0.45)),
-            ("emission_noise", Input::Number(0.0)),
-            ("source_width", Input::Number(0.125)),
-            ("maximum_temperature", Input::Number(1273.0)),
-            ("cooling_rate", Input::Number(300.0)),
-            ("display_mode", Input::Text("paper")),
-            ("particle_size", Input::Number(0.015)),
-        ],
-    },
-];
+/// What a person reads about a preset. It stands apart, so that an engine that
+/// shows none of it carries none.
+#[derive(Debug)]
+pub struct Caption {
+    /// Its name.
+    pub label: &'static str,
+    /// What there is to see, in a sentence.
+    pub description: &'static str,
+}
 
 impl Preset {
     /// The preset of that name.
@@ -73,6 +43,15 @@ impl Preset {
         debug_assert!(set.is_ok(), "preset {}: {set:?}", self.name);
         parameters
     }
+
+    /// What a person reads about it.
+    pub fn caption(&self) -> &'static Caption {
+        let at = PRESETS.iter().position(|preset| preset.name == self.name);
+        at.and_then(|at| CAPTIONS.get(at)).unwrap_or(&Caption {
+            label: "",
+            description: "",
+        })
+    }
 }
 
 #[cfg(test)]
@@ -80,10 +59,42 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_value_of_every_preset_is_accepted() {
+    fn every_value_of_every_preset_is_accepted_and_read_back() {
         for preset in PRESETS {
-            let set = Parameters::default().set_all(preset.values.iter().copied());
+            let mut parameters = Parameters::default();
+            let set = parameters.set_all(preset.values.iter().copied());
             assert_eq!(set, Ok(()), "preset {}", preset.name);
+            let model = parameters.model();
+            for &(id, input) in preset.values {
+                let param = crate::params::PARAMETERS
+                    .iter()
+                    .find(|param| param.id == id);
+                let value = param.map(|param| param.get(&parameters).to_string());
+                let asked = match input {
+                    Input::Text(text) => text.to_owned(),
+                    input => input.to_string(),
+                };
+                assert_eq!(value, Some(asked), "{id} of {}", preset.name);
+                let used = param.is_some_and(|param| param.domain(model).is_some());
+                assert!(used, "{} has no use for {id}", preset.name);
+            }
+        }
+    }
+
+    #[test]
+    fn presets_have_names_and_words_of_their_own_and_the_default_is_the_first() {
+        assert_eq!(PRESETS[0].name, "default");
+        assert_eq!(PRESETS[0].parameters(), Parameters::default());
+        assert_eq!(PRESETS.len(), CAPTIONS.len());
+        for (at, preset) in PRESETS.iter().enumerate() {
+            let caption = preset.caption();
+            assert!(!caption.label.is_empty() && caption.description.ends_with('.'));
+            for other in &PRESETS[..at] {
+                assert_ne!(other.name, preset.name);
+                assert_ne!(other.caption().label, caption.label);
+                assert_ne!(other.caption().description, caption.description);
+                assert_ne!(other.parameters(), preset.parameters());
+            }
         }
     }
 }

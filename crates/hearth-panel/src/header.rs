@@ -317,7 +317,7 @@ fn presets(panel: &mut Panel, ui: &mut Ui) {
         {
             let face = Face {
                 lit: lit == Some(at),
-                ..Face::text(preset.label)
+                ..Face::text(preset.caption().label)
             };
             let name = format!("action:preset:{}", preset.name);
             let clicked = button::show(ui, rect, Id::unique(&name), face).clicked();

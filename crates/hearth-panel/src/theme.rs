@@ -129,7 +129,7 @@ pub fn apply(ctx: &egui::Context) {
 mod tests {
     use super::*;
     use hearth_core::params::{DESCRIPTIONS, Kind, PARAMETERS};
-    use hearth_core::preset::PRESETS;
+    use hearth_core::preset::{CAPTIONS, PRESETS};
 
     #[test]
     fn the_font_has_every_character_of_the_parameter_table() {
@@ -140,7 +140,12 @@ mod tests {
                 texts.extend(names);
             }
         }
-        texts.extend(PRESETS.iter().flat_map(|p| [p.name, p.label]));
+        texts.extend(PRESETS.iter().map(|preset| preset.name));
+        texts.extend(
+            CAPTIONS
+                .iter()
+                .flat_map(|about| [about.label, about.description]),
+        );
 
         let ctx = egui::Context::default();
         apply(&ctx);

@@ -2,11 +2,13 @@
 //!
 //! `{"hearth": 1, "preset": "seed", "values": {"viscosity": 0.02}}`: the preset it
 //! starts from, where that is not the default one, and what differs from it. It
-//! holds what a fire burns with and nothing of the device that it burns on.
+//! holds what a fire burns with and nothing of the device that it burns on. A scene's
+//! file is one too: its label and its description are for people.
 
 use hearth_core::params::{Input, Model, PARAMETERS, Param, Value};
 
-use crate::message::{Refused, SentValues, optional_text, optional_values, with_values};
+use crate::fields::Fields;
+use crate::message::{Refused, SentValues, with_values};
 use crate::raw::Raw;
 use crate::wanted::{NUMBER, Wanted};
 
@@ -14,7 +16,7 @@ use crate::wanted::{NUMBER, Wanted};
 pub const VERSION: u32 = 1;
 
 /// The fields that there are.
-const FIELDS: [&str; 3] = ["hearth", "preset", "values"];
+const FIELDS: [&str; 5] = ["hearth", "preset", "values", "label", "description"];
 
 /// Settings whose form is right. Their values are not checked yet.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,21 +42,20 @@ impl Config {
                 return Err(unknown_field(name, value));
             }
         }
+        let mut fields = Fields::of(raw);
         match raw.field("hearth") {
             Raw::Missing => {}
             Raw::Number(version) if *version == f64::from(VERSION) => {}
-            other => {
-                return Err(Refused::field(
-                    "hearth",
-                    other,
-                    "1, the version of the form",
-                ));
-            }
+            _ => fields.refuse("hearth", "1, the version of the form"),
         }
-        Ok(Config {
-            preset: optional_text(raw, "preset")?,
-            values: optional_values(raw, "values")?,
-        })
+        for words in ["label", "description"] {
+            fields.optional_text(words);
+        }
+        let config = Config {
+            preset: fields.optional_text("preset"),
+            values: fields.optional_values("values"),
+        };
+        fields.refused().map_or(Ok(config), Err)
     }
 
     /// What a fire with these settings burns with.

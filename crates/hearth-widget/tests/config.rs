@@ -128,6 +128,18 @@ fn settings_replace_all_that_was() {
 }
 
 #[test]
+fn the_words_of_a_scene_change_nothing() {
+    let values = || ("values", object(vec![("wind", Raw::Number(1.0))]));
+    let scene = object(vec![
+        ("hearth", Raw::Number(1.0)),
+        ("label", text("Gale")),
+        ("description", text("A fire in the wind.")),
+        values(),
+    ]);
+    assert_eq!(imported(&scene), imported(&object(vec![values()])));
+}
+
+#[test]
 fn what_is_wrong_is_named_and_nothing_is_taken() {
     let values = |fields| object(vec![("values", object(fields))]);
     for (wrong, named) in [
@@ -139,6 +151,8 @@ fn what_is_wrong_is_named_and_nothing_is_taken() {
         (object(vec![("hearth", Raw::Number(2.0))]), "hearth = 2"),
         (object(vec![("preset", text("sead"))]), "seed"),
         (object(vec![("preset", Raw::Number(1.0))]), "preset = 1"),
+        (object(vec![("label", Raw::Number(1.0))]), "label = 1"),
+        (object(vec![("description", object(vec![]))]), "description"),
         (object(vec![("values", text("many"))]), "values = \"many\""),
         (
             values(vec![("exposurr", Raw::Number(1.0))]),

@@ -1,21 +1,29 @@
-//! Files generated from the table of parameters.
+//! Files generated from the table of parameters and from the scenes.
 //!
 //! A parameter is stated once, in `hearth-core`. What needs it before any wasm
 //! is loaded (the element's attributes), what a compiler reads (types) and what
 //! a person reads (the reference) is written from there and committed. A test
 //! rewrites a file that is behind the table and fails, so a stale one cannot be
 //! merged and needs no work to correct.
+//!
+//! A scene is a file of `scenes/`, and what comes from one is written from there,
+//! not from the table in `hearth-core`, which this program was compiled with.
 
 mod element;
+mod gallery;
 mod javascript;
+mod json;
 mod manifest;
 mod markdown;
 mod react;
+mod rust;
+mod scene;
 mod typescript;
 
 use std::path::Path;
 use std::{fs, io};
 
+use anyhow::{Context, Result};
 use hearth_core::params::{Choice, Domain, Model, Param, Value};
 
 /// A generated file: where it lies in the checkout, and what it must hold.
@@ -27,45 +35,39 @@ pub struct Generated {
     pub text: String,
 }
 
-/// Every generated file, fresh from the table.
-pub fn generate() -> Vec<Generated> {
-    vec![
-        Generated {
-            path: "web/defaults.js",
-            text: javascript::defaults(),
-        },
-        Generated {
-            path: "web/parameters.js",
-            text: javascript::module(),
-        },
-        Generated {
-            path: "web/parameters.d.ts",
-            text: typescript::declarations(),
-        },
-        Generated {
-            path: "web/react.d.ts",
-            text: react::declarations(),
-        },
-        Generated {
-            path: "web/custom-elements.json",
-            text: manifest::manifest(),
-        },
-        Generated {
-            path: "docs/parameters.md",
-            text: markdown::reference(),
-        },
-    ]
+/// Every generated file, fresh from the table and the scenes.
+///
+/// # Errors
+/// A scene that is none, with what is wrong in its file.
+pub fn generate() -> Result<Vec<Generated>> {
+    let scenes = scene::read_all(&crate::paths::root().join("scenes"))?;
+    let files = [
+        (
+            "crates/hearth-core/src/preset/scenes.rs",
+            rust::table(&scenes),
+        ),
+        ("web/defaults.js", javascript::defaults()),
+        ("web/parameters.js", javascript::module(&scenes)),
+        ("web/parameters.d.ts", typescript::declarations(&scenes)),
+        ("web/react.d.ts", react::declarations()),
+        ("web/custom-elements.json", manifest::manifest()),
+        ("docs/parameters.md", markdown::reference()),
+        ("docs/scenes.md", gallery::page(&scenes)),
+    ];
+    let generated = |(path, text)| Generated { path, text };
+    Ok(files.into_iter().map(generated).collect())
 }
 
 /// Writes each generated file under `root` that is missing or differs, and
 /// names those.
 ///
 /// # Errors
-/// A file that can be neither read nor written.
-pub fn refresh(root: &Path) -> io::Result<Vec<&'static str>> {
+/// A wrong scene, or a file that can be neither read nor written.
+pub fn refresh(root: &Path) -> Result<Vec<&'static str>> {
     let mut written = Vec::new();
-    for file in generate() {
-        if ensure_contents(&root.join(file.path), &file.text)? {
+    for file in generate()? {
+        let path = root.join(file.path);
+        if ensure_contents(&path, &file.text).with_context(|| path.display().to_string())? {
             written.push(file.path);
         }
     }
@@ -165,21 +167,21 @@ mod tests {
         let written = refresh(&crate::paths::root());
         assert!(
             written.as_ref().is_ok_and(Vec::is_empty),
-            "files that are generated from the parameter table were behind it and \
+            "files that are generated from the parameter table and the scenes were behind them and \
              have been written anew; commit them: {written:?}"
         );
     }
 
     #[test]
-    fn a_stale_file_is_noticed_and_written_once() -> io::Result<()> {
+    fn a_stale_file_is_noticed_and_written_once() -> Result<()> {
         let root = std::env::temp_dir().join(format!("hearth-codegen-{}", std::process::id()));
-        let all: Vec<_> = generate().iter().map(|file| file.path).collect();
+        let all: Vec<_> = generate()?.iter().map(|file| file.path).collect();
         assert_eq!(refresh(&root)?, all);
         assert!(refresh(&root)?.is_empty());
         fs::write(root.join(all[0]), "stale")?;
         assert_eq!(refresh(&root)?, all[..1]);
         assert!(refresh(&root)?.is_empty());
-        fs::remove_dir_all(root)
+        Ok(fs::remove_dir_all(root)?)
     }
 
     #[test]

@@ -23,7 +23,7 @@ cargo xtask <command>
   goldens [--snapshots] [NAME...]       draw the pictures anew that tests compare with; of new fires too
   poster                                take the picture that a link to the page shows
   size                                  print the download sizes of the built site
-  codegen                               write the files that come from the parameter table
+  codegen                               write the files that come from the parameter table and the scenes
   help                                  this text
 ";
 

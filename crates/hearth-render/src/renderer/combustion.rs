@@ -106,8 +106,8 @@ impl<G: Graphics> Fire<'_, G> {
         }
         let program = renderer.studio.passes.activate(gl, Pass::Drift);
         let [width, height] = self.place.metres;
-        let elapsed = renderer.drift.elapsed;
-        let [a, b] = renderer.drift.kept;
+        let elapsed = renderer.motion.drift.elapsed;
+        let [a, b] = renderer.motion.drift.kept;
         program.set(gl, "carried", [elapsed / width, elapsed / height, a, b]);
         targets.flow.read_here(gl, 0);
         before.read_here(gl, 1);
@@ -131,25 +131,21 @@ impl<G: Graphics> Fire<'_, G> {
         gl.clear(NOTHING);
         let source = burner(parameters);
         program.set(gl, "view", [width, height, source[0], source[1]]);
-        let whole = targets.field.size();
-        let share = |axis: usize, inset: f32| (self.used[axis] as f32 - inset) / whole[axis] as f32;
-        program.set(
-            gl,
-            "part",
-            [share(0, 0.0), share(1, 0.0), share(0, 0.5), share(1, 0.5)],
-        );
+        program.set(gl, "part", self.part());
         program.set(gl, "range", renderer.studio.format.gas_range());
         // Tongues are taller than wide. The tile repeats, also where the shader
         // reads it twice as fine, so whole hundreds make no difference.
         let tiles = [1.15, 0.75].map(|share| share / (noise::CELLS as f32 * self.body.grain));
         let risen = match renderer.studio.format {
             TargetFormat::Rgba16F => 0.0,
-            TargetFormat::Rgba8 => without_hundreds(renderer.rise.distance * f64::from(tiles[1])),
+            TargetFormat::Rgba8 => {
+                without_hundreds(renderer.motion.rise.distance * f64::from(tiles[1]))
+            }
         };
         let warp = parameters.detail * WARP * self.body.grain;
         program.set(gl, "grain", [tiles[0], tiles[1], warp, parameters.detail]);
-        program.set(gl, "start", renderer.drift.places());
-        let [a, b] = renderer.drift.shares();
+        program.set(gl, "start", renderer.motion.drift.places());
+        let [a, b] = renderer.motion.drift.shares();
         let level = (noise::SIZE as f32).log2() + SHARPNESS;
         program.set(gl, "seen", [a, b, level, risen]);
         program.set(
@@ -167,7 +163,7 @@ impl<G: Graphics> Fire<'_, G> {
         targets.field.read_here(gl, 0);
         targets.drift[renderer.newest].read_here(gl, 1);
         bind(gl, 2, &renderer.studio.noise);
-        bind(gl, 3, &renderer.studio.black_body);
+        bind(gl, 3, renderer.colours());
         self.cover(place.rectangle(self.reach, targets.light.size()));
     }
 
@@ -180,7 +176,7 @@ impl<G: Graphics> Fire<'_, G> {
         program.set(gl, "spark", [1.2 * texel, EXPOSURE, 0.0, 0.0]);
         program.set(gl, "shine", self.shine(EMBER));
         program.set(gl, "table", table_coordinates(1.0));
-        bind(gl, 1, &renderer.studio.black_body);
+        bind(gl, 1, renderer.colours());
         gl.enable(glow::BLEND);
         gl.blend_func(glow::ONE_MINUS_DST_ALPHA, glow::ONE);
         renderer.embers.draw(gl, program);

@@ -5,9 +5,10 @@
 
 use std::fmt::Write as _;
 
-use hearth_core::params::{Domain, Input, Kind, Model, PARAMETERS, Param, Scale};
-use hearth_core::preset::{PRESETS, Preset};
+use hearth_core::params::{Domain, Kind, Model, PARAMETERS, Param, Scale};
 
+use super::json::Json;
+use super::scene::Scene;
 use super::{attribute, domains, json_string, json_value, property};
 
 const HEADER: &str = "\
@@ -31,7 +32,7 @@ pub(super) fn defaults() -> String {
 }
 
 /// The module of the whole table.
-pub(super) fn module() -> String {
+pub(super) fn module(scenes: &[Scene]) -> String {
     let mut text = format!(
         "{HEADER}\n\
          /** Every parameter, in the order in which a panel shows them. */\n\
@@ -45,8 +46,8 @@ pub(super) fn module() -> String {
          /** Named sets of values: the defaults, with these changed. */\n\
          export const PRESETS = [\n",
     );
-    for preset in PRESETS {
-        let _ = writeln!(text, "  {},", preset_entry(preset));
+    for scene in scenes {
+        let _ = writeln!(text, "  {},", preset_entry(scene));
     }
     text.push_str("];\n");
     text
@@ -99,24 +100,28 @@ fn domain_fields(param: &Param, domain: &Domain) -> Vec<(&'static str, String)> 
     fields
 }
 
-fn preset_entry(preset: &Preset) -> String {
-    let values: Vec<_> = preset
+fn preset_entry(scene: &Scene) -> String {
+    let values: Vec<_> = scene
         .values
         .iter()
-        .map(|&(id, input)| (id, json_input(input)))
+        .map(|(id, value)| (id.as_str(), json(value)))
         .collect();
     object(&[
-        ("name", json_string(preset.name)),
-        ("label", json_string(preset.label)),
+        ("name", json_string(&scene.name)),
+        ("label", json_string(&scene.label)),
+        ("description", json_string(&scene.description)),
         ("values", object(&values)),
     ])
 }
 
-fn json_input(input: Input<'_>) -> String {
-    match input {
-        Input::Number(x) => x.to_string(),
-        Input::Flag(on) => on.to_string(),
-        Input::Text(text) => json_string(text),
+/// A value of a scene.
+fn json(value: &Json) -> String {
+    match value {
+        Json::Number(x) => x.to_string(),
+        Json::Flag(on) => on.to_string(),
+        Json::Text(text) => json_string(text),
+        // Which no parameter takes, so no scene has one.
+        Json::Object(_) => "{}".to_owned(),
     }
 }
 

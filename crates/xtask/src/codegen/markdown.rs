@@ -2,8 +2,7 @@
 
 use std::fmt::Write as _;
 
-use hearth_core::params::{Domain, Input, Kind, Model, PARAMETERS, Param, Scale, Value};
-use hearth_core::preset::PRESETS;
+use hearth_core::params::{Domain, Kind, Model, PARAMETERS, Param, Scale, Value};
 
 use super::{attribute, models};
 
@@ -43,29 +42,10 @@ pub(super) fn reference() -> String {
         }
         let _ = writeln!(text, "{}", row(param));
     }
-    text.push_str("\n## Presets\n\n| name | | changes |\n|---|---|---|\n");
-    for preset in PRESETS {
-        let values: Vec<_> = preset
-            .values
-            .iter()
-            .map(|(id, input)| match input {
-                Input::Text(name) => format!("`{id}` = {name}"),
-                input => format!("`{id}` = {input}"),
-            })
-            .collect();
-        let changes = if values.is_empty() {
-            "nothing".to_owned()
-        } else {
-            values.join(", ")
-        };
-        let _ = writeln!(
-            text,
-            "| `{}` | {} | {} |",
-            preset.name,
-            cell(preset.label),
-            cell(&changes)
-        );
-    }
+    text.push_str(
+        "\n## Presets\n\n\
+         Named sets of values, each a scene, are shown in [scenes.md](scenes.md).\n",
+    );
     text
 }
 
@@ -132,7 +112,7 @@ fn number(x: f64) -> String {
 }
 
 /// A text that does not end its cell.
-fn cell(text: &str) -> String {
+pub(super) fn cell(text: &str) -> String {
     text.replace('|', "\\|").replace('\n', " ")
 }
 

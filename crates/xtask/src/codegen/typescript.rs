@@ -5,8 +5,8 @@
 use std::fmt::Write as _;
 
 use hearth_core::params::{Choice, Domain, Kind, Model, PARAMETERS, Param};
-use hearth_core::preset::PRESETS;
 
+use super::scene::Scene;
 use super::{domains, json_string, json_value, property};
 
 const HEADER: &str = "\
@@ -54,6 +54,8 @@ export interface Parameter extends ParameterDomain {
 export interface Preset {
   name: PresetName;
   label: string;
+  /** What there is to see, in a sentence. */
+  description: string;
   values: Partial<HearthParameters>;
 }
 
@@ -65,10 +67,10 @@ export declare const PRESETS: Preset[];
 ";
 
 /// The whole file of declarations.
-pub(super) fn declarations() -> String {
+pub(super) fn declarations(scenes: &[Scene]) -> String {
     let mut text = String::from(HEADER);
     let models = Model::NAMES.iter().copied();
-    let presets = PRESETS.iter().map(|preset| preset.name);
+    let presets = scenes.iter().map(|scene| scene.name.as_str());
     let _ = write!(
         text,
         "\n/** Which equations move the particles. */\n\

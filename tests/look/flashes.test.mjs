@@ -94,6 +94,36 @@ test('red flashes fail that would be too dark as general ones', () => {
   assert.ok(blue.passes);
 });
 
+test('a wave that runs over a large area fails', () => {
+  const flashes = new Flashes(WIDTH, HEIGHT, PIXEL);
+  const rgba = new Uint8Array(4 * WIDTH * HEIGHT);
+  for (let picture = 0; picture < 3 * RATE; picture += 1) {
+    for (let at = 0; at < WIDTH * HEIGHT; at += 1) {
+      const light = 0.5 + 0.4 * Math.sin(2 * Math.PI * (5 * (picture / RATE) - (at % WIDTH) / WIDTH));
+      rgba.fill(encode(light), 4 * at, 4 * at + 4);
+    }
+    flashes.see(picture / RATE, rgba);
+  }
+  assert.ok(!flashes.found().passes);
+});
+
+test('a flicker of small places, each in its own time, passes', () => {
+  const flashes = new Flashes(WIDTH, HEIGHT, PIXEL);
+  const rgba = new Uint8Array(4 * WIDTH * HEIGHT);
+  for (let picture = 0; picture < 3 * RATE; picture += 1) {
+    for (let at = 0; at < WIDTH * HEIGHT; at += 1) {
+      // A third of a field flickers, five times a second.
+      const [x, y] = [at % WIDTH - 20, Math.floor(at / WIDTH) - 20];
+      const inside = x >= 0 && x < 11 && y >= 0 && y < 10;
+      const on = inside && ((picture / RATE) * 5 + ((x * 7 + y * 5) % 6) / 6) % 1 < 0.5;
+      rgba.fill(on ? 255 : 0, 4 * at, 4 * at + 4);
+    }
+    flashes.see(picture / RATE, rgba);
+  }
+  const { general } = flashes.found();
+  assert.ok(general.passes && general.flickers > 1, JSON.stringify(general));
+});
+
 test('areas that flash in turn are seen, though no place flashes often', () => {
   const flashes = new Flashes(WIDTH, HEIGHT, PIXEL);
   const rgba = new Uint8Array(4 * WIDTH * HEIGHT);

@@ -28,7 +28,6 @@ const VARIANTS = {
   'default-ghost': { kept: 'default', values: { palette: 'ghost' } },
   'default-custom': { kept: 'default', values: { palette: 'custom' } },
   'default-bricks': { kept: 'default', values: { backdrop: 'bricks', heat_haze: 1 } },
-  'default-dusk': { kept: 'default', values: { backdrop: 'dusk' } },
   'default-smoke': { kept: 'default', values: { layers: 'smoke', smoke_opacity: 1 } },
   'default-low': { kept: 'default', lines: 'low', values: { detail: 0.5, bloom: 0.4 } },
   'classic-copper': { kept: 'classic', values: { palette: 'copper' } },

@@ -4,9 +4,9 @@ use std::process::ExitCode;
 
 use anyhow::{Result, bail};
 
-use crate::goldens;
 use crate::links::{self, Base};
 use crate::{bench, codegen, package, paths, poster, serve, site, size, soak, stages, validate};
+use crate::{goldens, look};
 
 /// What a person reads who asks for help.
 const HELP: &str = "\
@@ -21,6 +21,7 @@ cargo xtask <command>
   bench [--yardstick PROGRAM]           measure, beside this program too, and write docs/evaluation.md
   bench --instructions [--write]        hold the instructions of a step to those written down, or write them
   goldens [--snapshots] [NAME...]       draw the pictures anew that tests compare with; of new fires too
+  look [SCENE...]                       watch fires for flashes and more, and write docs/evaluation.md
   poster                                take the picture that a link to the page shows
   size                                  print the download sizes of the built site
   codegen                               write the files that come from the parameter table and the scenes
@@ -65,6 +66,11 @@ pub enum Command {
     },
     /// Measure.
     Bench(bench::Task),
+    /// Watch what fires look like.
+    Look {
+        /// How the names of the scenes begin that are wanted; none: all.
+        names: Vec<String>,
+    },
     /// Draw the pictures that tests compare with.
     Goldens(goldens::Wanted),
     /// Take the picture that a link shows.
@@ -116,7 +122,7 @@ impl Command {
                     names,
                 }
             }
-            "validate" => {
+            "validate" | "look" => {
                 let mut names = Vec::new();
                 for case in options.by_ref() {
                     if case.starts_with('-') {
@@ -124,7 +130,10 @@ impl Command {
                     }
                     names.push(case.to_owned());
                 }
-                Command::Validate { names }
+                match name.as_str() {
+                    "look" => Command::Look { names },
+                    _ => Command::Validate { names },
+                }
             }
             "soak" => {
                 let (mut corners, mut seed) = (None, None);
@@ -232,6 +241,7 @@ pub fn run(command: Command) -> Result<ExitCode> {
         Command::Validate { names } => validate::run(&names)?,
         Command::Soak { corners, seed } => soak::run(corners, seed)?,
         Command::Bench(task) => bench::run(&task)?,
+        Command::Look { names } => look::run(&names)?,
         Command::Goldens(wanted) => goldens::write(&wanted)?,
         Command::Poster => poster::take()?,
         Command::Size => {
@@ -306,6 +316,12 @@ mod tests {
             }
         );
         assert_eq!(
+            parse("look default")?,
+            Command::Look {
+                names: vec!["default".to_owned()]
+            }
+        );
+        assert_eq!(
             parse("goldens --snapshots default")?,
             Command::Goldens(goldens::Wanted {
                 snapshots: true,
@@ -335,6 +351,7 @@ mod tests {
             "soak 3",
             "bench --fast",
             "goldens --fast",
+            "look --fast",
         ] {
             let said = parse(line).err().map(|error| error.to_string());
             assert!(said.is_some_and(|said| said.contains("cargo xtask <command>")));

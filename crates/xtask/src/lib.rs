@@ -9,6 +9,7 @@ pub mod codegen;
 pub mod command;
 pub mod goldens;
 pub mod links;
+pub mod look;
 pub mod marks;
 mod npm;
 pub mod package;

@@ -26,6 +26,25 @@ const XYZ = [
   [0.0193308, 0.1191948, 0.9505322],
 ];
 
+/** CIE XYZ to linear sRGB. */
+const SRGB = [
+  [3.2409699, -1.5373832, -0.4986108],
+  [-0.9692436, 1.8759675, 0.0415551],
+  [0.0556301, -0.203977, 1.0569715],
+];
+
+/** Chromaticity of linear sRGB. @param {number[]} rgb @returns {[number, number]} */
+function chart(rgb) {
+  const [x, y, z] = XYZ.map((row) => row[0] * rgb[0] + row[1] * rgb[1] + row[2] * rgb[2]);
+  return [x / (x + y + z), y / (x + y + z)];
+}
+
+/** A chromaticity as a screen shows it, which has no less than no blue. */
+function shown([x, y]) {
+  const xyz = [x / y, 1, (1 - x - y) / y];
+  return chart(SRGB.map((row) => Math.max(0, row[0] * xyz[0] + row[1] * xyz[1] + row[2] * xyz[2])));
+}
+
 /** A running sum of shares, and how many there were. */
 class Share {
   of = 0;
@@ -49,11 +68,13 @@ export class Film {
     Object.assign(this, { context, easel, fire });
     this.flashes = new Flashes(WIDTH, HEIGHT, PIXEL);
     this.page = new Uint8ClampedArray(4 * WIDTH * HEIGHT);
-    this.locus = Array.from({ length: 241 }, (_, step) => locus(1000 + 5 * step));
+    const bodies = Array.from({ length: 241 }, (_, step) => locus(1000 + 5 * step));
+    this.locus = { true: bodies, shown: bodies.map(shown) };
     this.warm = new Share();
     this.up = new Share();
+    this.moving = new Share();
     this.exceeds = 0;
-    this.offLocus = [];
+    this.offLocus = { true: [], shown: [] };
     this.mean = new Float64Array(WIDTH * HEIGHT);
     this.jumps = [];
     this.contrast = [0, 1, 2].map(() => new Share());
@@ -98,7 +119,9 @@ export class Film {
     // The page is black.
     this.flashes.see(time, this.page);
     if (this.before && this.pictures % MOTION_EVERY === 0) {
-      this.up.add(...rising(this.before, now, WIDTH, HEIGHT, LUMINOUS));
+      const [up, moving, all] = rising(this.before, now, WIDTH, HEIGHT, LUMINOUS);
+      this.up.add(up, moving);
+      this.moving.add(moving, all);
     }
     this.before = now;
     if (this.pictures % LIGHT_EVERY === 0) {
@@ -111,10 +134,11 @@ export class Film {
   seeLight(light) {
     const { rgba } = light;
     for (let at = 0; at < rgba.length; at += 4) {
-      const [x, y, z] = XYZ.map((row) => row[0] * rgba[at] + row[1] * rgba[at + 1] + row[2] * rgba[at + 2]);
-      if (y > SHINING) {
-        const [u, v] = [x / (x + y + z), y / (x + y + z)];
-        this.offLocus.push(Math.min(...this.locus.map(([a, b]) => Math.hypot(u - a, v - b))));
+      const rgb = [...rgba.subarray(at, at + 3)];
+      if (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2] < SHINING) continue;
+      const [x, y] = chart(rgb);
+      for (const [which, bodies] of Object.entries(this.locus)) {
+        this.offLocus[which].push(Math.min(...bodies.map(([a, b]) => Math.hypot(x - a, y - b))));
       }
     }
     light.free();
@@ -157,7 +181,8 @@ export class Film {
   found() {
     const sorted = (values) => Float64Array.from(values).sort();
     const quantile = (values, share) => values[Math.min(values.length - 1, Math.floor(share * values.length))];
-    const [locus, jumps] = [sorted(this.offLocus), sorted(this.jumps)];
+    const jumps = sorted(this.jumps);
+    const off = Object.entries(this.offLocus).map(([which, all]) => [which, quantile(sorted(all), 0.99)]);
     let [left, right] = [0, 0];
     this.mean.forEach((sum, at) => {
       if (at % WIDTH < WIDTH / 2) left += sum;
@@ -166,10 +191,12 @@ export class Film {
     return {
       seconds: this.pictures / RATE,
       flashes: this.flashes.found(),
-      /** Distance from the locus, exceeded by one luminous pixel in a hundred. */
-      locus: quantile(locus, 0.99),
+      /** Distance from the locus, exceeded by one luminous pixel in a hundred: from where the
+          black bodies stand in the chart, and from where a screen can show them. */
+      locus: Object.fromEntries(off),
       warm: this.warm.value,
       up: this.up.value,
+      moving: this.moving.value,
       asymmetry: Math.abs(left - right) / (left + right),
       /** Jump at the base that one column of twenty exceeds. */
       jump: quantile(jumps, 0.95),

@@ -8,6 +8,11 @@
  * are small where those at a time fill no more than a quarter of any field of 10°:
  * 341 × 256 px at 1024 × 768.
  *
+ * Two things count: places that each flash too often and change at the same time, the
+ * same way; and large areas, whichever, that change one after another. A flame flickers
+ * at every place by itself. How much of it flickers too often, at whatever time, is a
+ * third figure, which the criterion does not ask for.
+ *
  * It is asked of a film, picture by picture, in a browser and in Node alike.
  */
 
@@ -19,8 +24,9 @@ const FIELD = [341, 256];
 export const SMALL = 0.25 * FIELD[0] * FIELD[1];
 /** Changes in a second beyond which there are more than three pairs of them. */
 const MOST = 6;
-/** Changes less apart than so happen at the same time [s]: two pictures of 30 a second. */
-const AT_ONCE = 1 / 15;
+/** Changes less apart than so happen at the same time [s]: it is less than half of the
+    shortest time that four flashes a second leave to each. */
+const AT_ONCE = 0.1;
 
 /**
  * What changes: a value of linear light, whether a change from there or to there
@@ -118,8 +124,10 @@ export class Flashes {
     this.kinds = Object.entries(KINDS).map(([name, kind]) => ({
       name,
       changes: new Changes(width * height, kind),
-      /** Largest area that flashed too often in a second [CSS px²]. */
+      /** Largest area that flashed too often in a second, all of it at once [CSS px²]. */
       area: 0,
+      /** The same, each place when it would. */
+      flickers: 0,
       /** Most large areas that changed one after another in a second. */
       most: 0,
       /** Of those: when, and which way. */
@@ -149,9 +157,12 @@ export class Flashes {
   /** @param {any} kind @param {number} time */
   judge(kind, time) {
     const { changes, events, going } = kind;
-    kind.area = Math.max(kind.area, this.largest((at) => changes.flashes(at, time)));
+    const often = (/** @type {number} */ at) => changes.flashes(at, time);
+    kind.flickers = Math.max(kind.flickers, this.largest(often));
     for (const [way, times, sign] of [['up', changes.up, 1], ['down', changes.down, -1]]) {
-      const large = this.largest((at) => times[at] > time - AT_ONCE + 1e-4) > SMALL;
+      const now = (/** @type {number} */ at) => times[at] > time - AT_ONCE + 1e-4;
+      kind.area = Math.max(kind.area, this.largest((at) => now(at) && often(at)));
+      const large = this.largest(now) > SMALL;
       // One change, however long it takes; and one more that way is no opposing one.
       if (large && !going[way] && events.at(-1)?.[1] !== sign) events.push([time, sign]);
       going[way] = large;
@@ -186,9 +197,11 @@ export class Flashes {
 
   /** What was found: for each kind, and whether all is well. */
   found() {
-    const kinds = Object.fromEntries(this.kinds.map(({ name, area, most }) => [name, {
-      /** Share of a quarter of a field that flashed more than three times in a second. */
+    const kinds = Object.fromEntries(this.kinds.map(({ name, area, flickers, most }) => [name, {
+      /** What flashed more than three times in a second, at once, as a share of a quarter of a field. */
       area: area / SMALL,
+      /** And each place when it would. */
+      flickers: flickers / SMALL,
       /** Pairs of opposing changes of more than a quarter of a field in a second. */
       flashes: most / 2,
       passes: area <= SMALL && most <= MOST,

@@ -8,37 +8,41 @@ const BLOCK = 8;
 const [ACROSS, DOWN, UP] = [5, 6, 16];
 /** How much the lightness in a block has to vary for its motion to be seen, and its best
     place to be better than staying, as a share. */
-const [TEXTURE, BETTER] = [0.02, 0.8];
+const [TEXTURE, BETTER] = [0.02, 0.7];
 
 /**
- * Of the luminous area whose motion can be seen, how many blocks go up, and how many
- * there are. A block that stays does not go up.
+ * Of the luminous area, how many blocks go up, how many go anywhere, and how many have
+ * a motion that can be seen, if only that they stay.
  * @param {Float32Array} before @param {Float32Array} now  Luminances, from the upper left.
  * @param {number} width @param {number} height @param {number} luminous
- * @returns {[number, number]}
+ * @returns {[number, number, number]}
  */
 export function rising(before, now, width, height, luminous) {
   // As an eye sees it: else only the brightest would count.
   const [a, b] = [before, now].map((picture) => picture.map(Math.cbrt));
-  let [up, all] = [0, 0];
+  let [up, moving, all] = [0, 0, 0];
   for (let y = UP; y + BLOCK + DOWN <= height; y += BLOCK) {
     for (let x = ACROSS; x + BLOCK + ACROSS <= width; x += BLOCK) {
       if (!textured(a, x, y, width, Math.cbrt(luminous))) continue;
       const stays = apart(a, b, x, y, 0, 0, width, Infinity);
-      let [least, risen] = [Infinity, 0];
+      let [least, across, risen] = [Infinity, 0, 0];
       for (let dy = -UP; dy <= DOWN; dy += 1) {
         for (let dx = -ACROSS; dx <= ACROSS; dx += 1) {
           const off = apart(a, b, x, y, dx, dy, width, least);
-          if (off < least) [least, risen] = [off, -dy];
+          if (off < least) [least, across, risen] = [off, dx, -dy];
         }
       }
-      // One that has changed more than it has moved says nothing.
-      if (risen !== 0 && least > BETTER * stays) continue;
+      const stayed = risen === 0 && across === 0;
+      // One that has changed more than it has moved says nothing, nor one at the end of
+      // where it was looked for.
+      if (!stayed && least > BETTER * stays) continue;
+      if (Math.abs(across) === ACROSS || risen === UP || risen === -DOWN) continue;
       all += 1;
+      if (!stayed) moving += 1;
       if (risen > 0) up += 1;
     }
   }
-  return [up, all];
+  return [up, moving, all];
 }
 
 /** Whether a block is luminous and not even. */

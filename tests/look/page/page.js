@@ -2,7 +2,7 @@
  * The painter's page: draws what a test asks for and hands the pixels back. A test
  * calls `window.look`.
  */
-import init, { Fire, Painter, locus } from '/painter.js';
+import init, { Fire, Painter, locus, presets } from '/painter.js';
 import { Film } from '/film.mjs';
 
 /** As the engine makes its own context. */
@@ -187,4 +187,4 @@ function seen(seconds) {
 }
 
 await init();
-Object.assign(window, { look: { still, formatOf, value, inTurn, disturbances, watch, seen } });
+Object.assign(window, { look: { still, formatOf, value, inTurn, disturbances, presets, watch, seen } });

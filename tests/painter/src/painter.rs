@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use hearth_core::params::Input;
-use hearth_core::preset::Preset;
+use hearth_core::preset::{PRESETS, Preset};
 use hearth_core::{Instance, Parameters, Simulation};
 use hearth_render::{Chromaticity, Lines, Renderer, Studio, TargetFormat, View, chromaticity};
 use js_sys::{Float32Array, Uint8Array};
@@ -92,6 +92,15 @@ impl Fire {
         fire.write_embers(&mut self.embers);
         self.time = fire.time();
     }
+}
+
+/// The names of all presets.
+#[wasm_bindgen]
+pub fn presets() -> Vec<String> {
+    PRESETS
+        .iter()
+        .map(|preset| preset.name.to_owned())
+        .collect()
 }
 
 /// Where a black body of that temperature stands in CIE's chart: x, y.

@@ -1,7 +1,7 @@
 /**
  * A fire as a picture to keep: over black and, beside that, over white, where what
- * hides without shining is seen. Half as large as it was drawn, and in few enough
- * colours that the file stays small.
+ * hides without shining is seen; once, where nothing shows through. Half as large as it
+ * was drawn, and in few enough colours that the file stays small.
  */
 import { deflateSync } from 'node:zlib';
 import { Picture } from '../e2e/picture.mjs';
@@ -17,7 +17,8 @@ const STEP = 4;
  */
 export function sheet({ width, height, rgba }) {
   const [columns, rows] = [width >> 1, height >> 1];
-  const rgb = new Uint8Array(columns * 2 * rows * 3);
+  const panels = rgba.every((value, at) => at % 4 !== 3 || value === 255) ? 1 : 2;
+  const rgb = new Uint8Array(columns * panels * rows * 3);
   for (let y = 0; y < rows; y += 1) {
     for (let x = 0; x < columns; x += 1) {
       const sum = [0, 0, 0, 0];
@@ -25,16 +26,16 @@ export function sheet({ width, height, rgba }) {
         const from = ((2 * y + dy) * width + 2 * x + dx) * 4;
         for (let channel = 0; channel < 4; channel += 1) sum[channel] += rgba[from + channel] / 4;
       }
-      for (let panel = 0; panel < 2; panel += 1) {
+      for (let panel = 0; panel < panels; panel += 1) {
         const behind = panel * (255 - sum[3]);
-        const to = (y * columns * 2 + panel * columns + x) * 3;
+        const to = ((y * panels + panel) * columns + x) * 3;
         for (let channel = 0; channel < 3; channel += 1) {
           rgb[to + channel] = Math.min(255, Math.round(sum[channel] + behind));
         }
       }
     }
   }
-  return new Picture(columns * 2, rows, rgb);
+  return new Picture(columns * panels, rows, rgb);
 }
 
 /**

@@ -5,6 +5,7 @@
 
 mod classic;
 mod combustion;
+mod display;
 mod fire;
 
 use std::rc::Rc;
@@ -21,6 +22,7 @@ use crate::gl::Graphics;
 use crate::layout::{Layout, Lines, Place};
 use crate::particles::Particles;
 use crate::passes::Pass;
+use crate::scale::{Scale, extremes};
 use crate::studio::Studio;
 use crate::survey::{Rise, Survey};
 use crate::target::bind;
@@ -53,6 +55,9 @@ pub struct Renderer<G: Graphics = glow::Context> {
     drift: Drift,
     /// Which of the two pictures of the drift is the newest.
     newest: usize,
+    /// Least and most of what is measured of the particles.
+    measured: Option<[f32; 2]>,
+    scale: Scale,
 }
 
 impl<G: Graphics> Renderer<G> {
@@ -88,12 +93,20 @@ impl<G: Graphics> Renderer<G> {
             rise: Rise::default(),
             drift: Drift::default(),
             newest: 0,
+            measured: None,
+            scale: Scale::default(),
         })
     }
 
     /// The pixels of the off-screen targets.
     pub fn target_format(&self) -> TargetFormat {
         self.studio.format
+    }
+
+    /// What the first and the last colour of the last picture stand for, in the unit
+    /// of [`DisplayMode::quantity`]; nothing where that measures nothing.
+    pub fn scale(&self) -> Option<[f32; 2]> {
+        self.scale.ends()
     }
 
     /// Draws with so many lines from the next picture on.
@@ -104,6 +117,7 @@ impl<G: Graphics> Renderer<G> {
     /// Sends the particles and the embers to the graphics card.
     pub fn upload(&mut self, gl: &G, instances: &[Instance], embers: &[Instance]) {
         self.survey = Survey::of(instances, embers);
+        self.measured = extremes(instances);
         self.particles.upload(gl, instances);
         self.embers.upload(gl, embers);
     }
@@ -137,8 +151,6 @@ impl<G: Graphics> Renderer<G> {
         let Some(layout) = Layout::new(size, self.lines, self.studio.most) else {
             return Ok(());
         };
-        self.rise
-            .advance(&self.survey, view.time, parameters.model());
         let place = Place::new(layout.picture, parameters.domain_height);
         for capability in [
             glow::DEPTH_TEST,
@@ -150,18 +162,27 @@ impl<G: Graphics> Renderer<G> {
             gl.disable(capability);
         }
         gl.bind_vertex_array(Some(&self.studio.nothing));
-        match parameters.display_mode {
+        let (mode, model) = (parameters.display_mode, parameters.model());
+        self.scale.see(mode, model, self.measured);
+        match mode {
             DisplayMode::Paper => {
                 self.paper(gl, layout, place, parameters);
                 watch("paper");
             }
-            _ => {
+            DisplayMode::Fire => {
                 self.fit_targets(gl, layout)?;
+                self.rise.advance(&self.survey, view.time, model);
                 self.drift
                     .advance(view.time, combustion::period(parameters));
                 self.newest = 1 - self.newest;
                 if let Some(targets) = &self.targets {
                     Fire::new(gl, self, targets, place, parameters).paint(watch);
+                }
+            }
+            _ => {
+                self.fit_targets(gl, layout)?;
+                if let Some(targets) = &self.targets {
+                    Fire::new(gl, self, targets, place, parameters).display(view.time, watch);
                 }
             }
         }

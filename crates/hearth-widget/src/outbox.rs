@@ -79,6 +79,9 @@ pub struct Stats<'a> {
     pub pass_timer: &'static str,
     /// How much work it makes itself, and why.
     pub quality: &'a Quality,
+    /// What the first and the last colour of the picture stand for, where they
+    /// measure something.
+    pub scale: Option<[f32; 2]>,
 }
 
 /// Messages that wait to be posted.
@@ -167,7 +170,7 @@ impl Outbox {
 
     /// How a fire is doing.
     pub fn stats(&mut self, fire: u32, stats: &Stats<'_>) {
-        let fields: [(&str, JsValue); 21] = [
+        let fields: [(&str, JsValue); 22] = [
             ("fps", stats.fps.into()),
             ("particles", (stats.particles as f64).into()),
             ("stepMs", stats.step_ms.into()),
@@ -189,6 +192,7 @@ impl Outbox {
             ("passTimer", stats.pass_timer.into()),
             ("quality", stats.quality.level().name().into()),
             ("qualityReason", stats.quality.reason().into()),
+            ("scale", scale(stats.scale)),
         ];
         let object = Object::new();
         for (name, value) in &fields {
@@ -270,6 +274,12 @@ fn times(times: &[(&str, f64)]) -> JsValue {
         put(&object, name, &(*time).into());
     }
     object.into()
+}
+
+fn scale(ends: Option<[f32; 2]>) -> JsValue {
+    ends.map_or(JsValue::NULL, |ends| {
+        Array::from_iter(ends.map(|end| plain(Value::Number(end)))).into()
+    })
 }
 
 fn plain(value: Value) -> JsValue {

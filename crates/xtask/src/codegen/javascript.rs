@@ -5,7 +5,9 @@
 
 use std::fmt::Write as _;
 
-use hearth_core::params::{Domain, Input, Kind, Model, PARAMETERS, Param, Scale};
+use hearth_core::params::{
+    Choice, DisplayMode, Domain, Input, Kind, Model, PARAMETERS, Param, Scale,
+};
 use hearth_core::preset::{PRESETS, Preset};
 
 use super::{attribute, domains, json_string, json_value, property};
@@ -48,7 +50,23 @@ pub(super) fn module() -> String {
     for preset in PRESETS {
         let _ = writeln!(text, "  {},", preset_entry(preset));
     }
-    text.push_str("];\n");
+    text.push_str(
+        "];\n\n\
+         /** What the colours of a display mode measure; not there are those that show a fire. */\n\
+         export const QUANTITIES = {\n",
+    );
+    for name in DisplayMode::NAMES {
+        let mode = DisplayMode::from_name(name);
+        if let Some(quantity) = mode.and_then(DisplayMode::quantity) {
+            let fields = object(&[
+                ("unit", json_string(quantity.unit)),
+                ("signed", quantity.signed.to_string()),
+                ("whole", quantity.whole.to_string()),
+            ]);
+            let _ = writeln!(text, "  {name}: {fields},");
+        }
+    }
+    text.push_str("};\n");
     text
 }
 

@@ -164,25 +164,24 @@ impl<G: Graphics> Renderer<G> {
         gl.bind_vertex_array(Some(&self.studio.nothing));
         let (mode, model) = (parameters.display_mode, parameters.model());
         self.scale.see(mode, model, self.measured);
-        match mode {
-            DisplayMode::Paper => {
-                self.paper(gl, layout, place, parameters);
-                watch("paper");
-            }
-            DisplayMode::Fire => {
-                self.fit_targets(gl, layout)?;
+        if mode == DisplayMode::Paper {
+            self.paper(gl, layout, place, parameters);
+            watch("paper");
+        } else {
+            self.fit_targets(gl, layout)?;
+            let burns = mode == DisplayMode::Fire;
+            if burns {
                 self.rise.advance(&self.survey, view.time, model);
                 self.drift
                     .advance(view.time, combustion::period(parameters));
                 self.newest = 1 - self.newest;
-                if let Some(targets) = &self.targets {
-                    Fire::new(gl, self, targets, place, parameters).paint(watch);
-                }
             }
-            _ => {
-                self.fit_targets(gl, layout)?;
-                if let Some(targets) = &self.targets {
-                    Fire::new(gl, self, targets, place, parameters).display(view.time, watch);
+            if let Some(targets) = &self.targets {
+                let mut fire = Fire::new(gl, self, targets, place, parameters);
+                if burns {
+                    fire.paint(watch);
+                } else {
+                    fire.display(view.time, watch);
                 }
             }
         }

@@ -139,3 +139,124 @@ fn step(size: f32) -> [f32; 2] {
     let factor = factor.filter(|factor| over * factor >= size * under);
     [over * factor.fold(10.0, f32::min), under]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hearth_core::params::Choice;
+
+    const MODE: DisplayMode = DisplayMode::Velocity;
+
+    fn instances(measured: impl IntoIterator<Item = f32>) -> Vec<Instance> {
+        let of = |measured| [0.0, 0.0, 0.0, 0.0, 300.0, 1e-4, 0.0, measured];
+        measured.into_iter().map(of).collect()
+    }
+
+    /// The ends after pictures that measure that.
+    fn after(
+        scale: &mut Scale,
+        mode: DisplayMode,
+        seen: impl IntoIterator<Item = [f32; 2]>,
+    ) -> [f32; 2] {
+        for seen in seen {
+            scale.see(mode, Model::Combustion, Some(seen));
+        }
+        scale.ends().unwrap()
+    }
+
+    #[test]
+    fn nearly_all_is_enclosed_and_what_lies_far_out_is_not() {
+        // Most of it in little room, as the air around a fire, or spread out.
+        for power in [0.2, 1.0, 3.0, 9.0] {
+            for count in [1, 10, 199, 1000, 5000] {
+                let of = |i: i32| (i as f32 / count as f32).powf(power) * 7.0 - 2.0;
+                let mut all: Vec<f32> = (0..count).map(of).collect();
+                all.push(f32::NAN);
+                let [least, most] = extremes(&instances(all.clone())).unwrap();
+                let inside = |&&x: &&f32| (least..=most).contains(&x);
+                let held = all.iter().filter(inside).count() as f32;
+                assert!(held >= 0.98 * count as f32, "{held} of {count}");
+                assert!(least >= -2.0 && most <= 5.0);
+            }
+        }
+        let mut far = vec![1.0; 999];
+        far[..500].fill(2.0);
+        far.push(1e6);
+        let [_, most] = extremes(&instances(far)).unwrap();
+        assert!(most < 1e4);
+        assert_eq!(extremes(&[]), None);
+        assert_eq!(extremes(&instances([f32::INFINITY])), None);
+        assert_eq!(extremes(&instances([3.0, 3.0])), Some([3.0, 3.0]));
+    }
+
+    #[test]
+    fn ends_are_round_and_outside() {
+        for (seen, mode, ends) in [
+            ([0.0, 2.3], DisplayMode::Velocity, [0.0, 2.5]),
+            ([293.0, 1811.0], DisplayMode::Temperature, [200.0, 2000.0]),
+            ([0.41, 1.19], DisplayMode::Density, [0.4, 1.2]),
+            ([-3.1, 1.0], DisplayMode::Pressure, [-5.0, 5.0]),
+            ([-80.0, 120.0], DisplayMode::Vorticity, [-200.0, 200.0]),
+            ([20.0, 22.0], DisplayMode::Neighbours, [20.0, 22.0]),
+            // Nothing to tell apart.
+            ([293.0, 293.0], DisplayMode::Temperature, [292.0, 294.0]),
+            ([0.0, 0.0], DisplayMode::Fuel, [0.0, 0.002]),
+            ([0.0, 0.0], DisplayMode::Vorticity, [-0.01, 0.01]),
+        ] {
+            assert_eq!(after(&mut Scale::default(), mode, [seen]), ends, "{mode:?}");
+        }
+        for exponent in -30..30 {
+            let size = 3.0 * 10.0_f32.powi(exponent);
+            let [least, most] = after(&mut Scale::default(), MODE, [[-size, 2.0 * size]]);
+            assert!(least <= -size && 2.0 * size <= most, "{least} {most}");
+        }
+    }
+
+    #[test]
+    fn a_flickering_fire_leaves_them_alone() {
+        for mode in [MODE, DisplayMode::Pressure] {
+            let mut scale = Scale::default();
+            let flicker = |picture: i32| {
+                let most = 2.05 + 0.7 * (picture as f32 * 0.7).sin() + 0.2 * (picture as f32).sin();
+                [-0.5 * most, most]
+            };
+            let ends = after(&mut scale, mode, (0..60).map(flicker));
+            for picture in 60..2000 {
+                let [least, most] = flicker(picture);
+                assert_eq!(after(&mut scale, mode, [[least, most]]), ends);
+                assert!(ends[0] <= least && most <= ends[1]);
+            }
+        }
+    }
+
+    #[test]
+    fn they_follow_what_grows_at_once_and_what_shrinks_for_good() {
+        let mut scale = Scale::default();
+        assert_eq!(
+            after(&mut scale, MODE, [[0.0, 1.0], [0.0, 30.0]]),
+            [0.0, 30.0]
+        );
+        let little = [[0.0, 0.8]; PATIENCE as usize - 1];
+        assert_eq!(after(&mut scale, MODE, little), [0.0, 30.0]);
+        assert_eq!(after(&mut scale, MODE, [[0.0, 20.0]]), [0.0, 30.0]);
+        assert_eq!(after(&mut scale, MODE, little), [0.0, 30.0]);
+        assert_eq!(after(&mut scale, MODE, [[0.1, 0.5]]), [0.0, 0.8]);
+    }
+
+    #[test]
+    fn another_mode_or_model_starts_anew() {
+        let mut scale = Scale::default();
+        after(&mut scale, MODE, [[0.0, 30.0]]);
+        assert_eq!(
+            after(&mut scale, DisplayMode::Fuel, [[0.0, 0.8]]),
+            [0.0, 0.8]
+        );
+        scale.see(DisplayMode::Fuel, Model::Classic, Some([0.0, 0.1]));
+        assert_eq!(scale.ends(), Some([0.0, 0.1]));
+        for name in DisplayMode::NAMES {
+            let mode = DisplayMode::from_name(name).unwrap();
+            scale.see(mode, Model::Classic, None);
+            assert_eq!(scale.ends().is_some(), mode.quantity().is_some());
+        }
+    }
+}

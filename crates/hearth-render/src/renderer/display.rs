@@ -37,7 +37,7 @@ const TURN: f64 = 9.0;
 
 impl<G: Graphics> Fire<'_, G> {
     /// Draws what the display mode shows at `time`, pass by pass.
-    pub fn display(mut self, time: f64, watch: &mut dyn FnMut(&'static str)) {
+    pub fn display(&mut self, time: f64, watch: &mut dyn FnMut(&'static str)) {
         let parameters = self.parameters;
         match parameters.display_mode {
             DisplayMode::Sprites => {

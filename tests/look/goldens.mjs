@@ -13,6 +13,10 @@ import { GOLDENS } from './studio.mjs';
 
 /** Lines of a picture as it is drawn: those at which the fields have half as many. */
 const LINES = 400;
+/** And where a picture is all edges, which take most of a file. */
+const FEW = 200;
+/** The display modes of which that is so: a disc for every particle. */
+const DISCS = ['particles', 'neighbours'];
 
 /**
  * What two drawings of the same may differ by. Other versions of the browser round
@@ -60,7 +64,8 @@ export async function drawn(studio, wish) {
     (id) => studio.ask('value', wish, id),
   ));
   const share = Math.min(Math.max((1.15 * Number(width)) / Number(height), 0.4), 1.5);
-  return sheet(await studio.still({ ...wish, width: 4 * Math.round((share * LINES) / 4), height: LINES }));
+  const lines = DISCS.includes(wish.mode ?? '') ? FEW : LINES;
+  return sheet(await studio.still({ ...wish, width: 4 * Math.round((share * lines) / 4), height: lines }));
 }
 
 /** @param {string} name */

@@ -1,12 +1,15 @@
 //! The command line: what may be asked for, and who answers.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use anyhow::{Result, bail};
 
 use crate::links::{self, Base};
-use crate::{bench, codegen, package, paths, poster, serve, site, size, soak, stages, validate};
-use crate::{goldens, look};
+use crate::{
+    bench, codegen, goldens, look, package, paths, poster, serve, showcase, site, size, soak,
+    stages, validate,
+};
 
 /// What a person reads who asks for help.
 const HELP: &str = "\
@@ -23,6 +26,8 @@ cargo xtask <command>
   goldens [--snapshots] [NAME...]       draw the pictures anew that tests compare with; of new fires too
   look [SCENE...]                       watch fires for flashes and more, and write docs/evaluation.md
   poster                                take the picture that a link to the page shows
+  showcase [PICTURE …]                  take the documentation's animation and, with
+                                        pictures of other systems, a sheet of ours and theirs
   size                                  print the download sizes of the built site
   codegen                               write the files that come from the parameter table and the scenes
   help                                  this text
@@ -75,6 +80,11 @@ pub enum Command {
     Goldens(goldens::Wanted),
     /// Take the picture that a link shows.
     Poster,
+    /// Take the documentation's animation and its sheet of pictures.
+    Showcase {
+        /// Pictures of other systems, for the sheet.
+        others: Vec<PathBuf>,
+    },
     /// Print download sizes.
     Size,
     /// Write generated files.
@@ -176,6 +186,16 @@ impl Command {
                 Command::Goldens(wanted)
             }
             "poster" => Command::Poster,
+            "showcase" => {
+                let mut others = Vec::new();
+                for picture in options.by_ref() {
+                    if picture.starts_with('-') {
+                        return unknown(name, picture);
+                    }
+                    others.push(PathBuf::from(picture));
+                }
+                Command::Showcase { others }
+            }
             "package" => Command::Package,
             "size" => Command::Size,
             "codegen" => Command::Codegen,
@@ -244,6 +264,7 @@ pub fn run(command: Command) -> Result<ExitCode> {
         Command::Look { names } => look::run(&names)?,
         Command::Goldens(wanted) => goldens::write(&wanted)?,
         Command::Poster => poster::take()?,
+        Command::Showcase { others } => showcase::take(&others)?,
         Command::Size => {
             site::build()?;
             size::check()?;

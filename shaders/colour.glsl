@@ -1,16 +1,16 @@
 // From light to what a screen shows.
 
 // Compresses the peak and keeps the hue, so that orange stays orange; only
-// what is far too bright pales towards a warm white. Channel by channel,
-// orange would turn lemon.
-vec3 tone_map(vec3 light) {
+// what is far too bright pales: towards `white`, by way of yellow as far as its
+// fourth number says. Channel by channel, orange would turn lemon.
+vec3 tone_map(vec3 light, vec4 white) {
     float peak = max(light.r, max(light.g, light.b));
     float shown = 1.0 - exp(-peak);
     vec3 hue = light / max(peak, 1e-6);
     float bright = max(peak - 0.8, 0.0);
     float pale = bright * bright / (bright * bright + 22.0);
-    vec3 share = vec3(pale, pale * (1.7 - 0.7 * pale), pale * pale);
-    return shown * mix(hue, vec3(1.0, 0.92, 0.66), share);
+    vec3 share = mix(vec3(pale), vec3(pale, pale * (1.7 - 0.7 * pale), pale * pale), white.a);
+    return shown * mix(hue, white.rgb, share);
 }
 
 // The sRGB encoding, the last step of all. Its power law by three square roots:

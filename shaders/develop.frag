@@ -5,6 +5,7 @@ in vec2 uv;
 uniform sampler2D light;
 uniform sampler2D glow;
 uniform vec4 strength; // light range, bloom × light range, light on soot, that of the glow on it
+uniform vec4 pale; // what light that is far too bright pales to, and how
 
 out vec4 shown;
 
@@ -16,7 +17,7 @@ void main() {
         return;
     }
     vec3 sum = sharp.rgb * sharp.rgb * strength.x + soft * soft * (strength.y * (1.0 + strength.w * sharp.a));
-    vec3 colour = encode(tone_map(sum));
+    vec3 colour = encode(tone_map(sum, pale));
     // Glow has no body of its own, yet no colour may exceed its alpha. What
     // covers without shining is soot, and never quite black.
     float peak = max(colour.r, max(colour.g, colour.b));

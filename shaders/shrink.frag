@@ -1,17 +1,19 @@
-// Shrinks the light to a quarter of its width.
+// Shrinks the light, however much larger it is.
 
 in vec2 uv;
 
 uniform sampler2D source;
-uniform vec4 texel; // size of a texel of the source
+uniform vec4 texel; // size of a texel of the smaller copy
 
 out vec4 blurred;
 
-vec3 at(float x, float y) {
-    vec3 root = texture(source, uv + vec2(x, y) * texel.xy).rgb;
-    return root * root;
-}
-
 void main() {
-    blurred = vec4(sqrt(0.25 * (at(-1.0, -1.0) + at(1.0, -1.0) + at(-1.0, 1.0) + at(1.0, 1.0))), 1.0);
+    vec3 sum = vec3(0.0);
+    for (float y = -1.5; y < 2.0; y += 1.0) {
+        for (float x = -1.5; x < 2.0; x += 1.0) {
+            vec3 root = texture(source, uv + vec2(x, y) * 0.4 * texel.xy).rgb;
+            sum += root * root;
+        }
+    }
+    blurred = vec4(sqrt(sum / 16.0), 1.0);
 }

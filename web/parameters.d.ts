@@ -159,8 +159,8 @@ export interface HearthParameters {
   cool_colour: string;
   /** Colour of the hottest fire, where the palette is the custom one. Default "#38e8ff". */
   hot_colour: string;
-  /** What the fire burns in front of, in place of the background: nothing, a wall that it lights, or a landscape. Default "none". */
-  backdrop: "none" | "bricks" | "dusk";
+  /** What the fire burns in front of, in place of the background: nothing, or a wall of bricks that it lights. Default "none". */
+  backdrop: "none" | "bricks";
   /** How strongly hot gas makes the backdrop shimmer; a page cannot be made to. Default 0.3, from 0 to 1. */
   heat_haze: number;
   /** What stands behind the fire: `transparent` or a colour. Default "transparent". */
@@ -319,8 +319,8 @@ export interface HearthProperties {
   coolColour: string;
   /** Colour of the hottest fire, where the palette is the custom one. Default "#38e8ff". */
   hotColour: string;
-  /** What the fire burns in front of, in place of the background: nothing, a wall that it lights, or a landscape. Default "none". */
-  backdrop: "none" | "bricks" | "dusk";
+  /** What the fire burns in front of, in place of the background: nothing, or a wall of bricks that it lights. Default "none". */
+  backdrop: "none" | "bricks";
   /** How strongly hot gas makes the backdrop shimmer; a page cannot be made to. Default 0.3, from 0 to 1. */
   heatHaze: number;
   /** What stands behind the fire: `transparent` or a colour. Default "transparent". */

@@ -213,8 +213,8 @@ export interface HearthFireAttributes {
   "cool-colour"?: string | undefined;
   /** Colour of the hottest fire, where the palette is the custom one. Default "#38e8ff". */
   "hot-colour"?: string | undefined;
-  /** What the fire burns in front of, in place of the background: nothing, a wall that it lights, or a landscape. Default "none". */
-  backdrop?: "none" | "bricks" | "dusk" | undefined;
+  /** What the fire burns in front of, in place of the background: nothing, or a wall of bricks that it lights. Default "none". */
+  backdrop?: "none" | "bricks" | undefined;
   /** How strongly hot gas makes the backdrop shimmer; a page cannot be made to. Default 0.3, from 0 to 1. */
   "heat-haze"?: number | `${number}` | undefined;
   /** What stands behind the fire: `transparent` or a colour. Default "transparent". */

@@ -1,5 +1,5 @@
-//! Takes comments and indentation out of the shaders: the engine carries their
-//! text, and a page downloads it.
+//! Takes out of the shaders what only their readers need, comments and blanks: the
+//! engine carries their text, and a page downloads it.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
@@ -15,9 +15,25 @@ fn main() -> io::Result<()> {
             .lines()
             .map(|line| line.split("//").next().unwrap_or_default().trim())
             .filter(|line| !line.is_empty())
-            .flat_map(|line| [line, "\n"])
+            .flat_map(|line| [without_blanks(line), "\n".into()])
             .collect();
         fs::write(out.join(entry.file_name()), bare)?;
     }
     Ok(())
+}
+
+/// `line` with only those blanks that keep two words, or two signs, apart.
+fn without_blanks(line: &str) -> String {
+    let word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let sign = |c: char| c == '+' || c == '-';
+    let mut kept = String::with_capacity(line.len());
+    let mut rest = line.chars().peekable();
+    while let Some(c) = rest.next() {
+        let (before, after) = (kept.chars().next_back(), rest.peek().copied());
+        let apart = |of: fn(char) -> bool| before.is_some_and(of) && after.is_some_and(of);
+        if c != ' ' || apart(word) || apart(sign) {
+            kept.push(c);
+        }
+    }
+    kept
 }

@@ -224,8 +224,8 @@ parameters! {
         cool_colour: colour "Cool colour" { Every(Colour::rgb(0x8a, 0x12, 0xff)) }
         /// Colour of the hottest fire, where the palette is the custom one.
         hot_colour: colour "Hot colour" { Every(Colour::rgb(0x38, 0xe8, 0xff)) }
-        /// What the fire burns in front of, in place of the background: nothing, a wall
-        /// that it lights, or a landscape.
+        /// What the fire burns in front of, in place of the background: nothing, or a wall
+        /// of bricks that it lights.
         backdrop: (choice Backdrop) "Backdrop" { Every(None) }
         /// How strongly hot gas makes the backdrop shimmer; a page cannot be made to.
         heat_haze: number "Heat haze" [""] Linear { Every(0.3, 0.0..=1.0) }

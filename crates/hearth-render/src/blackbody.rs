@@ -79,7 +79,7 @@ fn tristimulus(temperature: f64) -> [f64; 3] {
     for (band, observer) in OBSERVER.iter().enumerate() {
         let radiance = planck(FIRST + STEP * band as f64, temperature);
         for (sum, share) in sum.iter_mut().zip(observer) {
-            *sum += radiance * share;
+            *sum += radiance * f64::from(*share);
         }
     }
     sum

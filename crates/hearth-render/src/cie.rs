@@ -10,9 +10,9 @@ pub const FIRST: f64 = 380.0;
 /// Distance between two wavelengths of [`OBSERVER`] \[nm\].
 pub const STEP: f64 = 10.0;
 
-/// x̄, ȳ, z̄ at 380, 390, … 780 nm.
+/// x̄, ȳ, z̄ at 380, 390, … 780 nm; all the table's digits fit an `f32`.
 #[rustfmt::skip]
-pub static OBSERVER: [[f64; 3]; 41] = [
+pub static OBSERVER: [[f32; 3]; 41] = [
     [0.001368, 0.000039, 0.00645], // 380
     [0.004243, 0.00012, 0.02005], // 390
     [0.01431, 0.000396, 0.06785], // 400

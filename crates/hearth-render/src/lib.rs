@@ -17,6 +17,7 @@ mod format;
 mod gl;
 mod layout;
 mod noise;
+mod palette;
 mod particles;
 mod passes;
 mod program;

@@ -43,6 +43,12 @@ passes! {
     Develop = DEVELOP,
     /// Displayed colours to the picture, in front of its background.
     Present = PRESENT,
+    /// A backdrop, from nothing.
+    Scenery = SCENERY,
+    /// Glow to the light that falls on the backdrop.
+    Lamp = LAMP,
+    /// Displayed colours to the picture, in front of the backdrop.
+    Backdrop = BACKDROP,
     /// Particles to the picture, as in the paper.
     Paper = PAPER,
 }
@@ -160,7 +166,7 @@ const DEVELOP: Source = Source {
     vertex: &[shader!("screen.vert")],
     fragment: &[shader!("colour.glsl"), shader!("develop.frag")],
     samplers: &["light", "glow"],
-    uniforms: &["strength"],
+    uniforms: &["strength", "pale"],
 };
 
 const PRESENT: Source = Source {
@@ -171,12 +177,36 @@ const PRESENT: Source = Source {
     uniforms: &["background"],
 };
 
+const SCENERY: Source = Source {
+    pass: "scenery",
+    vertex: &[shader!("screen.vert")],
+    fragment: &[shader!("scenery.frag")],
+    samplers: &["noise"],
+    uniforms: &["view"],
+};
+
+const LAMP: Source = Source {
+    pass: "lamp",
+    vertex: &[shader!("screen.vert")],
+    fragment: &[shader!("lamp.frag")],
+    samplers: &["glow"],
+    uniforms: &["view"],
+};
+
+const BACKDROP: Source = Source {
+    pass: "backdrop",
+    vertex: &[shader!("screen.vert")],
+    fragment: &[shader!("colour.glsl"), shader!("backdrop.frag")],
+    samplers: &["fire", "scenery", "lamp", "field", "noise"],
+    uniforms: &["haze", "part", "range"],
+};
+
 const PAPER: Source = Source {
     pass: "paper",
     vertex: &[shader!("particle.glsl"), shader!("paper.vert")],
     fragment: &[shader!("colour.glsl"), shader!("paper.frag")],
     samplers: &["particles", "black_body"],
-    uniforms: &["world", "count", "sprite", "heat", "table"],
+    uniforms: &["world", "count", "sprite", "heat", "table", "pale"],
 };
 
 #[cfg(test)]

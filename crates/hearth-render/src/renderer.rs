@@ -3,6 +3,7 @@
 //! [`Renderer::paint`] reads as the picture is made: fields, light, glow,
 //! picture. Only what the fire can reach is drawn; the rest is cleared.
 
+mod backdrop;
 mod classic;
 mod combustion;
 mod fire;
@@ -19,12 +20,14 @@ use crate::error::RenderError;
 use crate::format::TargetFormat;
 use crate::gl::Graphics;
 use crate::layout::{Layout, Lines, Place};
+use crate::palette::Tint;
 use crate::particles::Particles;
 use crate::passes::Pass;
-use crate::studio::Studio;
+use crate::studio::{Studio, colour_table};
 use crate::survey::{Rise, Survey};
 use crate::target::bind;
 use crate::targets::Targets;
+use backdrop::Scenery;
 use fire::Fire;
 
 /// Brightness of a flame of 1500 K at an exposure of 0.
@@ -48,6 +51,9 @@ pub struct Renderer<G: Graphics = glow::Context> {
     particles: Particles<G>,
     embers: Particles<G>,
     targets: Option<Targets<G>>,
+    scenery: Option<Scenery<G>>,
+    /// Colours that are not the black body's, which all fires share.
+    tinted: Option<(Tint, G::Texture)>,
     survey: Survey,
     rise: Rise,
     drift: Drift,
@@ -84,6 +90,8 @@ impl<G: Graphics> Renderer<G> {
             particles: Particles::new(gl, most)?,
             embers: Particles::new(gl, most)?,
             targets: None,
+            scenery: None,
+            tinted: None,
             survey: Survey::of(&[], &[]),
             rise: Rise::default(),
             drift: Drift::default(),
@@ -150,6 +158,7 @@ impl<G: Graphics> Renderer<G> {
             gl.disable(capability);
         }
         gl.bind_vertex_array(Some(&self.studio.nothing));
+        self.fit_colours(gl, Tint::of(parameters))?;
         match parameters.display_mode {
             DisplayMode::Paper => {
                 self.paper(gl, layout, place, parameters);
@@ -157,6 +166,7 @@ impl<G: Graphics> Renderer<G> {
             }
             _ => {
                 self.fit_targets(gl, layout)?;
+                self.fit_scenery(gl, layout, parameters)?;
                 self.drift
                     .advance(view.time, combustion::period(parameters));
                 self.newest = 1 - self.newest;
@@ -176,9 +186,40 @@ impl<G: Graphics> Renderer<G> {
         if let Some(targets) = &self.targets {
             targets.destroy(gl);
         }
+        if let Some(scenery) = &self.scenery {
+            scenery.destroy(gl);
+        }
+        if let Some((_, colours)) = &self.tinted {
+            gl.delete_texture(colours);
+        }
         if let Some(studio) = Rc::into_inner(self.studio) {
             studio.destroy(gl);
         }
+    }
+
+    /// The colours of the fire by its temperature.
+    fn colours(&self) -> &G::Texture {
+        match &self.tinted {
+            Some((_, colours)) => colours,
+            None => &self.studio.black_body,
+        }
+    }
+
+    fn fit_colours(&mut self, gl: &G, tint: Tint) -> Result<(), RenderError> {
+        if self
+            .tinted
+            .as_ref()
+            .is_some_and(|(drawn, _)| *drawn == tint)
+        {
+            return Ok(());
+        }
+        if let Some((_, old)) = self.tinted.take() {
+            gl.delete_texture(&old);
+        }
+        if !tint.is_black_body() {
+            self.tinted = Some((tint, colour_table(gl, &tint.table())?));
+        }
+        Ok(())
     }
 
     fn fit_targets(&mut self, gl: &G, layout: Layout) -> Result<(), RenderError> {
@@ -225,7 +266,8 @@ impl<G: Graphics> Renderer<G> {
             ],
         );
         program.set(gl, "table", table_coordinates(1.0));
-        bind(gl, 1, &self.studio.black_body);
+        program.set(gl, "pale", Tint::of(parameters).pale());
+        bind(gl, 1, self.colours());
         gl.enable(glow::BLEND);
         gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
         self.particles.draw(gl, program);

@@ -47,7 +47,6 @@ impl<G: Graphics> Studio<G> {
     pub fn with_format(gl: &G, format: TargetFormat) -> Result<Studio<G>, RenderError> {
         // Whether a format can be drawn into is known only once it was tried.
         Target::new(gl, "splat", format, [4, 4])?.destroy(gl);
-        let (internal, _) = TargetFormat::Rgba16F.constants();
         Ok(Studio {
             passes: Passes::new(gl)?,
             format,
@@ -62,13 +61,7 @@ impl<G: Graphics> Studio<G> {
                 gl.generate_mipmap();
                 noise
             },
-            black_body: {
-                let black_body = texture(gl, "shade", glow::CLAMP_TO_EDGE)?;
-                let size = [ENTRIES as u32, 1];
-                gl.make_room(internal, glow::FLOAT, size);
-                gl.replace_floats([0, 0], size, blackbody::table().as_flattened());
-                black_body
-            },
+            black_body: colour_table(gl, &blackbody::table())?,
             nothing: gl.create_vertex_array().ok_or(RenderError::none("splat"))?,
         })
     }
@@ -85,4 +78,15 @@ impl<G: Graphics> Studio<G> {
         gl.delete_texture(&self.black_body);
         gl.delete_vertex_array(&self.nothing);
     }
+}
+
+/// A table of colours by temperature, as a texture.
+pub fn colour_table<G: Graphics>(gl: &G, table: &[[f32; 4]]) -> Result<G::Texture, RenderError> {
+    gl.active_texture(0);
+    let colours = texture(gl, "shade", glow::CLAMP_TO_EDGE)?;
+    let size = [ENTRIES as u32, 1];
+    let (internal, _) = TargetFormat::Rgba16F.constants();
+    gl.make_room(internal, glow::FLOAT, size);
+    gl.replace_floats([0, 0], size, table.as_flattened());
+    Ok(colours)
 }

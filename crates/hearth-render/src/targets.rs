@@ -3,7 +3,7 @@
 use crate::error::RenderError;
 use crate::format::TargetFormat;
 use crate::gl::Graphics;
-use crate::layout::{BLURS, Layout};
+use crate::layout::{Layout, MOST_BLURS};
 use crate::target::Target;
 
 /// Targets of which there is one.
@@ -34,7 +34,8 @@ pub struct Targets<G: Graphics> {
 impl<G: Graphics> Targets<G> {
     /// Makes them all, or none.
     pub fn new(gl: &G, format: TargetFormat, layout: Layout) -> Result<Targets<G>, RenderError> {
-        let joined = &layout.blurs[..BLURS - 1];
+        let blurs = layout.blurs();
+        let joined = &blurs[..blurs.len() - 1];
         let wanted = [
             ("splat", layout.field),
             ("spread", layout.wide),
@@ -45,9 +46,9 @@ impl<G: Graphics> Targets<G> {
             ("develop", layout.light),
         ]
         .into_iter()
-        .chain(layout.blurs.map(|size| ("shrink", size)))
+        .chain(blurs.iter().map(|&size| ("shrink", size)))
         .chain(joined.iter().map(|&size| ("widen", size)));
-        let mut made = Vec::with_capacity(SINGLE + 2 * BLURS);
+        let mut made = Vec::with_capacity(SINGLE + 2 * MOST_BLURS);
         for (pass, size) in wanted {
             let format = if pass == "develop" {
                 TargetFormat::Rgba8
@@ -63,7 +64,7 @@ impl<G: Graphics> Targets<G> {
                 }
             }
         }
-        let joined = made.split_off(SINGLE + BLURS);
+        let joined = made.split_off(SINGLE + blurs.len());
         let blurs = made.split_off(SINGLE);
         match <[Target<G>; SINGLE]>::try_from(made) {
             Ok([field, wide, flow, before, now, light, shown]) => Ok(Targets {

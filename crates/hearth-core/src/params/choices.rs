@@ -115,8 +115,6 @@ choices! {
         None = "none",
         /// A wall of bricks, which the fire lights.
         Bricks = "bricks",
-        /// A landscape after sunset.
-        Dusk = "dusk",
     }
 }
 

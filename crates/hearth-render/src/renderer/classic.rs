@@ -119,13 +119,7 @@ impl<G: Graphics> Fire<'_, G> {
             "view",
             [width, height, parameters.source_height, 1.0 / flame],
         );
-        let whole = targets.field.size();
-        let share = |axis: usize, inset: f32| (self.used[axis] as f32 - inset) / whole[axis] as f32;
-        program.set(
-            gl,
-            "part",
-            [share(0, 0.0), share(1, 0.0), share(0, 0.5), share(1, 0.5)],
-        );
+        program.set(gl, "part", self.part());
         program.set(gl, "range", renderer.studio.format.field_range());
         // The tile repeats, also where the shader scrolls it at 0.62 and 1.05
         // of the speed, so whole hundreds make no difference, and what the
@@ -158,7 +152,7 @@ impl<G: Graphics> Fire<'_, G> {
         targets.field.read_here(gl, 0);
         targets.wide.read_here(gl, 1);
         bind(gl, 2, &renderer.studio.noise);
-        bind(gl, 3, &renderer.studio.black_body);
+        bind(gl, 3, renderer.colours());
         self.cover(self.place.rectangle(self.reach, targets.light.size()));
     }
 }

@@ -131,13 +131,7 @@ impl<G: Graphics> Fire<'_, G> {
         gl.clear(NOTHING);
         let source = burner(parameters);
         program.set(gl, "view", [width, height, source[0], source[1]]);
-        let whole = targets.field.size();
-        let share = |axis: usize, inset: f32| (self.used[axis] as f32 - inset) / whole[axis] as f32;
-        program.set(
-            gl,
-            "part",
-            [share(0, 0.0), share(1, 0.0), share(0, 0.5), share(1, 0.5)],
-        );
+        program.set(gl, "part", self.part());
         program.set(gl, "range", renderer.studio.format.gas_range());
         // Tongues are taller than wide. The tile repeats, also where the shader
         // reads it twice as fine, so whole hundreds make no difference.
@@ -167,7 +161,7 @@ impl<G: Graphics> Fire<'_, G> {
         targets.field.read_here(gl, 0);
         targets.drift[renderer.newest].read_here(gl, 1);
         bind(gl, 2, &renderer.studio.noise);
-        bind(gl, 3, &renderer.studio.black_body);
+        bind(gl, 3, renderer.colours());
         self.cover(place.rectangle(self.reach, targets.light.size()));
     }
 
@@ -180,7 +174,7 @@ impl<G: Graphics> Fire<'_, G> {
         program.set(gl, "spark", [1.2 * texel, EXPOSURE, 0.0, 0.0]);
         program.set(gl, "shine", self.shine(EMBER));
         program.set(gl, "table", table_coordinates(1.0));
-        bind(gl, 1, &renderer.studio.black_body);
+        bind(gl, 1, renderer.colours());
         gl.enable(glow::BLEND);
         gl.blend_func(glow::ONE_MINUS_DST_ALPHA, glow::ONE);
         renderer.embers.draw(gl, program);

@@ -6,13 +6,12 @@ use hearth_core::params::{Layers, Model};
 
 use super::{NOTHING, Renderer, background, classic, clear_picture, combustion, doubled};
 use crate::gl::Graphics;
-use crate::layout::{BLURS, Place, Rectangle};
+use crate::layout::{Place, Rectangle};
+use crate::palette::Tint;
 use crate::passes::Pass;
 use crate::target::Target;
 use crate::targets::Targets;
 
-/// How much of the next sharper copy joins a blurred one.
-const SHARPER: f32 = 0.4;
 /// How much more light falls on smoke where it is alone.
 const SOFTLY: f32 = 2.6;
 /// How much more of the glow there is where smoke scatters it.
@@ -104,11 +103,34 @@ impl<'a, G: Graphics> Fire<'a, G> {
                 }
             }
         }
-        if self.parameters.bloom > 0.0 {
+        let scenery = self.renderer.scenery.as_ref();
+        if self.parameters.bloom > 0.0 || scenery.is_some() {
             draw("bloom", Fire::blur);
         }
         draw("develop", Fire::develop);
-        draw("present", Fire::present);
+        match scenery {
+            Some(scenery) => {
+                self.present_before(scenery);
+                watch("backdrop");
+            }
+            None => draw("present", Fire::present),
+        }
+    }
+
+    /// The used part of the field target, and the largest coordinate in it.
+    pub(super) fn part(&self) -> [f32; 4] {
+        let whole = self.targets.field.size();
+        let share = |axis: usize, inset: f32| (self.used[axis] as f32 - inset) / whole[axis] as f32;
+        [share(0, 0.0), share(1, 0.0), share(0, 0.5), share(1, 0.5)]
+    }
+
+    /// What the field target's range took of each field.
+    pub(super) fn field_range(&self) -> [f32; 4] {
+        let format = self.renderer.studio.format;
+        match self.parameters.model() {
+            Model::Classic => format.field_range(),
+            Model::Combustion => format.gas_range(),
+        }
     }
 
     /// Light to glow: ever wider copies, joined again into one.
@@ -123,16 +145,17 @@ impl<'a, G: Graphics> Fire<'a, G> {
         let program = renderer.studio.passes.activate(gl, Pass::Shrink);
         let mut source = &targets.light;
         for blur in &targets.blurs {
-            let [x, y] = texel(source.size());
+            let [x, y] = texel(blur.size());
             program.set(gl, "texel", [x, y, 0.0, 0.0]);
             source.read_here(gl, 0);
             self.fill(blur);
             source = blur;
         }
         let program = renderer.studio.passes.activate(gl, Pass::Widen);
-        for (narrow, joined) in targets.blurs.iter().zip(&targets.joined).rev() {
+        let pairs = targets.blurs.iter().zip(&targets.joined).rev();
+        for ((narrow, joined), &share) in pairs.zip(targets.layout.fine.sharper) {
             let [x, y] = texel(source.size());
-            program.set(gl, "texel", [x, y, SHARPER, 0.0]);
+            program.set(gl, "texel", [x, y, share, 0.0]);
             source.read_here(gl, 0);
             narrow.read_here(gl, 1);
             self.fill(joined);
@@ -165,6 +188,7 @@ impl<'a, G: Graphics> Fire<'a, G> {
             "strength",
             [range, range * parameters.bloom, soot, scattered],
         );
+        program.set(gl, "pale", Tint::of(parameters).pale());
         targets.light.read_here(gl, 0);
         targets.joined[0].read_here(gl, 1);
         targets.shown.draw_here(gl, targets.shown.size());
@@ -191,8 +215,8 @@ impl<'a, G: Graphics> Fire<'a, G> {
     /// What the fire and its glow can reach \[m\]: the glow ends a few texels of
     /// its widest copy away from the fire.
     fn halo(&self) -> [f32; 4] {
-        let lines = self.targets.blurs[BLURS - 1].size()[1] as f32;
-        let halo = HALO * self.place.metres[1] / lines;
+        let lines = self.targets.blurs.last().map_or(1, |blur| blur.size()[1]);
+        let halo = HALO * self.place.metres[1] / lines as f32;
         let [left, lower, right, upper] = self.reach;
         [left - halo, lower - halo, right + halo, upper + halo]
     }

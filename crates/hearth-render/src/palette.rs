@@ -1,0 +1,166 @@
+//! What colours the fire has by its temperature.
+//!
+//! Soot glows as a black body. A flame of gas, of salts or of ghosts has a hue of
+//! its own, from a cool end to a hot one, at the brightness of a black body of the
+//! same temperature: exposure and luminance exponent mean the same in every palette.
+
+use hearth_core::Parameters;
+use hearth_core::params::{Colour, Palette};
+
+use crate::blackbody::{self, COOLEST, ENTRIES, HOTTEST};
+
+/// Temperature at which a palette's cool colour begins to give way to the hot
+/// one \[K\], and at which it is gone.
+const COOL: f32 = 1000.0;
+const HOT: f32 = 1900.0;
+
+/// What a fire is coloured by: all that a table of colours depends on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tint {
+    palette: Palette,
+    /// Cool and hot colour of the custom palette; nothing of the others.
+    ends: [Colour; 2],
+}
+
+impl Tint {
+    /// What `parameters` ask for.
+    pub fn of(parameters: &Parameters) -> Tint {
+        let palette = parameters.palette;
+        let ends = match palette {
+            Palette::Custom => [parameters.cool_colour, parameters.hot_colour],
+            _ => [Colour::TRANSPARENT; 2],
+        };
+        Tint { palette, ends }
+    }
+
+    /// Whether it is the black body's, whose table all fires share.
+    pub fn is_black_body(self) -> bool {
+        self.palette == Palette::Blackbody
+    }
+
+    /// Linear sRGB of the coolest and of the hottest fire. The hues of the flames
+    /// are those of what shines in them (Gaydon, *The Spectroscopy of Flames*, 1974):
+    /// CH at 431 nm and C₂ at 473 and 516 nm in gas; CuCl at 430–530 nm and CuOH at
+    /// 537 and 547 nm; Li at 671 and 610 nm. Hotter, they are paler.
+    fn hues(self) -> [[f32; 3]; 2] {
+        match self.palette {
+            Palette::Blackbody | Palette::Gas => [[0.07, 0.13, 1.0], [0.30, 0.62, 1.0]],
+            Palette::Copper => [[0.01, 0.42, 0.22], [0.30, 1.0, 0.42]],
+            Palette::Lithium => [[0.75, 0.0, 0.05], [1.0, 0.13, 0.24]],
+            Palette::Ghost => [[0.16, 0.46, 0.70], [0.62, 1.0, 0.86]],
+            Palette::Custom => self.ends.map(linear),
+        }
+    }
+
+    /// What light that is far too bright pales to, in linear sRGB; and 1 where it
+    /// gets there by way of yellow, as glowing soot does, or 0.
+    pub fn pale(self) -> [f32; 4] {
+        if self.is_black_body() {
+            return [1.0, 0.92, 0.66, 1.0];
+        }
+        let [_, [r, g, b]] = self.hues();
+        [r, g, b, 0.0].map(|channel| 0.35 * channel + 0.65 * f32::from(channel > 0.0))
+    }
+
+    /// The look-up table as one row of texels: chroma and ln(luminance), as
+    /// [`blackbody::table`].
+    pub fn table(self) -> Vec<[f32; 4]> {
+        let mut table = blackbody::table();
+        if !self.is_black_body() {
+            let [cool, hot] = self.hues();
+            let span = (HOTTEST - COOLEST) / (ENTRIES - 1) as f32;
+            for (entry, texel) in table.iter_mut().enumerate() {
+                let kelvin = COOLEST + span * entry as f32;
+                let share = ((kelvin - COOL) / (HOT - COOL)).clamp(0.0, 1.0);
+                // As bright as the black body's brightest channel, which is red.
+                let peak = texel[0];
+                for (channel, (cool, hot)) in texel.iter_mut().zip(cool.into_iter().zip(hot)) {
+                    *channel = peak * (cool + share * (hot - cool));
+                }
+            }
+        }
+        table
+    }
+}
+
+/// Linear sRGB of a colour as far as it is opaque. The sRGB decoding is by a cubic,
+/// which is far smaller than a power law.
+fn linear(colour: Colour) -> [f32; 3] {
+    let [r, g, b, a] = colour.rgba.map(|channel| f32::from(channel) / 255.0);
+    [r, g, b].map(|c| a * c * (0.0125 + c * (0.6822 + c * 0.3053)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hearth_core::params::{Choice, Input, Model};
+
+    fn tint(palette: &str) -> Tint {
+        let mut parameters = Parameters::new(Model::Combustion);
+        let set = parameters.set("palette", Input::Text(palette));
+        assert_eq!(set, Ok(()));
+        Tint::of(&parameters)
+    }
+
+    #[test]
+    fn hotter_is_never_darker_in_any_palette() {
+        for name in Palette::NAMES {
+            let table = tint(name).table();
+            let exponent = Parameters::default().luminance_exponent;
+            let peaks: Vec<f32> = table
+                .iter()
+                .map(|[r, g, b, ln]| r.max(*g).max(*b) * (exponent * ln).exp())
+                .collect();
+            assert!(peaks.is_sorted(), "{name}: {peaks:?}");
+        }
+    }
+
+    #[test]
+    fn each_palette_has_its_hue() {
+        let middle = |name: &str| {
+            let table = tint(name).table();
+            let [r, g, b, _] = table[ENTRIES / 2];
+            [r, g, b]
+        };
+        let [r, g, b] = middle("gas");
+        assert!(b > g && g > r, "gas is blue");
+        let [r, g, b] = middle("copper");
+        assert!(g > b && b > r, "copper is green");
+        let [r, g, b] = middle("lithium");
+        assert!(r > b && b > g, "lithium is crimson");
+        let [r, g, b] = middle("ghost");
+        assert!(g > r && b > r && r > 0.2 * g, "a ghost is pale");
+    }
+
+    #[test]
+    fn the_custom_palette_runs_from_one_colour_to_the_other() {
+        let mut parameters = Parameters::new(Model::Combustion);
+        let values = [
+            ("palette", "custom"),
+            ("cool_colour", "#0000ff"),
+            ("hot_colour", "#ff8000"),
+        ];
+        let set = parameters.set_all(values.map(|(id, text)| (id, Input::Text(text))));
+        assert_eq!(set, Ok(()));
+        let table = Tint::of(&parameters).table();
+        let [first, last] = [table[0], table[ENTRIES - 1]];
+        assert!(first[0] == 0.0 && first[1] == 0.0 && first[2] > 0.0);
+        assert_eq!(last[2], 0.0);
+        // sRGB 128 is 0.216 of linear 1.
+        assert!((last[1] / last[0] - 0.216).abs() < 0.005, "{last:?}");
+    }
+
+    #[test]
+    fn decoding_follows_the_standard() {
+        for value in 0..=255_u8 {
+            let [decoded, ..] = linear(Colour::rgb(value, 0, 0));
+            let encoded = f32::from(value) / 255.0;
+            let exact = if encoded <= 0.040_45 {
+                encoded / 12.92
+            } else {
+                ((encoded + 0.055) / 1.055).powf(2.4)
+            };
+            assert!((decoded - exact).abs() < 0.002, "{value}");
+        }
+    }
+}

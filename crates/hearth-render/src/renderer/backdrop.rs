@@ -1,0 +1,140 @@
+//! What the fire burns in front of: a backdrop of its own, which the fire lights and
+//! makes shimmer. A page behind it cannot be made to.
+
+use hearth_core::Parameters;
+use hearth_core::params::Backdrop;
+
+use super::fire::Fire;
+use super::{Renderer, without_hundreds};
+use crate::error::RenderError;
+use crate::format::TargetFormat;
+use crate::gl::Graphics;
+use crate::layout::Layout;
+use crate::noise;
+use crate::passes::Pass;
+use crate::target::{Target, bind};
+
+/// Most lines of the backdrop: it is far away, and drawn once for each size.
+const LINES: u32 = 1080;
+/// Lines of the light that falls on it.
+const LAMP_LINES: u32 = 24;
+/// How far hot gas bends what is seen through it, as a share of the picture.
+const BEND: f32 = 0.035;
+/// How far above the foot of the fire the wall meets the floor, as such a share.
+const BEHIND: f32 = 0.05;
+/// Waves of the haze in the height of the picture.
+const WAVES: f32 = 3.5;
+
+/// A backdrop that is drawn, and the light of the fire on it.
+pub struct Scenery<G: Graphics> {
+    /// What is drawn: for a picture of that size, a wall that stands so high in it.
+    of: ([u32; 2], f32),
+    /// Colours in plain light.
+    seen: Target<G>,
+    /// The light of the fire.
+    lamp: Target<G>,
+}
+
+impl<G: Graphics> Scenery<G> {
+    fn new(gl: &G, format: TargetFormat, of: ([u32; 2], f32)) -> Result<Scenery<G>, RenderError> {
+        let [width, height] = of.0;
+        let lines = |lines: u32| {
+            let lines = lines.min(height);
+            [(width * lines).div_ceil(height).max(1), lines]
+        };
+        let seen = Target::new(gl, "scenery", TargetFormat::Rgba8, lines(LINES))?;
+        match Target::new(gl, "lamp", format, lines(LAMP_LINES)) {
+            Ok(lamp) => Ok(Scenery { of, seen, lamp }),
+            Err(error) => {
+                seen.destroy(gl);
+                Err(error)
+            }
+        }
+    }
+
+    /// Frees it.
+    pub fn destroy(&self, gl: &G) {
+        self.seen.destroy(gl);
+        self.lamp.destroy(gl);
+    }
+}
+
+impl<G: Graphics> Renderer<G> {
+    /// Draws the backdrop that is asked for, where it is not there yet.
+    pub(super) fn fit_scenery(
+        &mut self,
+        gl: &G,
+        layout: Layout,
+        parameters: &Parameters,
+    ) -> Result<(), RenderError> {
+        // The fire stands on the floor, a little in front of the wall.
+        let foot = parameters.source_height / parameters.domain_height + BEHIND;
+        let of = (layout.picture, foot);
+        let wanted = parameters.backdrop == Backdrop::Bricks;
+        if wanted
+            && self
+                .scenery
+                .as_ref()
+                .is_some_and(|scenery| scenery.of == of)
+        {
+            return Ok(());
+        }
+        if let Some(old) = self.scenery.take() {
+            old.destroy(gl);
+        }
+        if !wanted {
+            return Ok(());
+        }
+        let scenery = Scenery::new(gl, self.studio.format, of)?;
+        let program = self.studio.passes.activate(gl, Pass::Scenery);
+        let [width, height] = layout.picture.map(|side| side as f32);
+        program.set(gl, "view", [width / height, foot, 0.0, 0.0]);
+        bind(gl, 0, &self.studio.noise);
+        scenery.seen.draw_here(gl, scenery.seen.size());
+        gl.draw_triangle();
+        self.scenery = Some(scenery);
+        Ok(())
+    }
+}
+
+impl<G: Graphics> Fire<'_, G> {
+    /// The fire in front of its backdrop, which it lights.
+    pub(super) fn present_before(&self, scenery: &Scenery<G>) {
+        let Fire {
+            gl,
+            renderer,
+            targets,
+            parameters,
+            ..
+        } = *self;
+        let [width, height] = self.place.metres;
+        let aspect = width / height;
+        let range = renderer.studio.format.light_range();
+
+        let program = renderer.studio.passes.activate(gl, Pass::Lamp);
+        program.set(gl, "view", [aspect, 0.0, 0.0, 0.0]);
+        if let Some(widest) = targets.blurs.last() {
+            widest.read_here(gl, 0);
+        }
+        self.fill(&scenery.lamp);
+
+        let program = renderer.studio.passes.activate(gl, Pass::Backdrop);
+        let [width, height] = targets.layout.picture;
+        gl.bind_framebuffer(None);
+        gl.viewport(width as i32, height as i32);
+        let risen = renderer.rise.distance / f64::from(self.place.metres[1]);
+        let tiles = WAVES / noise::CELLS as f32;
+        let risen = without_hundreds(risen * f64::from(tiles));
+        let haze = parameters.heat_haze * BEND;
+        program.set(gl, "haze", [tiles * aspect, tiles, risen, haze]);
+        program.set(gl, "part", self.part());
+        let [weight, heat, ..] = self.field_range();
+        program.set(gl, "range", [weight, heat, range, 0.0]);
+        targets.shown.read_here(gl, 0);
+        scenery.seen.read_here(gl, 1);
+        scenery.lamp.read_here(gl, 2);
+        targets.field.read_here(gl, 3);
+        bind(gl, 4, &renderer.studio.noise);
+        gl.draw_triangle();
+    }
+}

@@ -1,0 +1,23 @@
+// The light of the fire on what stands behind it: all of the fire is a lamp, a
+// little way in front of a wall.
+
+in vec2 uv;
+
+uniform sampler2D glow; // the widest blurred copy of the light
+uniform vec4 view; // width / height of the picture
+
+out vec4 lamp; // square root of the light / range
+
+void main() {
+    vec3 sum = vec3(0.0);
+    for (float y = 0.5; y < 12.0; y += 1.0) {
+        for (float x = 0.5; x < 12.0; x += 1.0) {
+            vec2 at = vec2(x, y) / 12.0;
+            vec3 root = texture(glow, at).rgb;
+            vec2 way = (uv - at) * vec2(view.x, 1.0);
+            float near = 0.06 / (0.06 + dot(way, way));
+            sum += root * root * near * near;
+        }
+    }
+    lamp = vec4(sqrt(sum * view.x / 144.0), 1.0);
+}

@@ -8,7 +8,7 @@ vec3 tone_map(vec3 light, vec4 white) {
     float shown = 1.0 - exp(-peak);
     vec3 hue = light / max(peak, 1e-6);
     float bright = max(peak - 0.8, 0.0);
-    float pale = bright * bright / (bright * bright + 22.0);
+    float pale = bright * bright / (bright * bright + 13.0);
     vec3 share = mix(vec3(pale), vec3(pale, pale * (1.7 - 0.7 * pale), pale * pale), white.a);
     return shown * mix(hue, white.rgb, share);
 }

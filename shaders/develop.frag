@@ -23,6 +23,6 @@ void main() {
     float peak = max(colour.r, max(colour.g, colour.b));
     float alpha = clamp(sharp.a, peak, 1.0);
     float dark = alpha - peak;
-    colour += vec3(0.22, 0.19, 0.17) * (strength.z * dark * dark / max(alpha, 1e-4));
+    colour += vec3(0.36, 0.33, 0.31) * (strength.z * dark * dark / max(alpha, 1e-4));
     shown = dither(vec4(colour, alpha));
 }

@@ -34,7 +34,8 @@ void main() {
     vec4 across = dFdx(places);
     vec4 along = dFdy(places);
     across = max(across * across, along * along);
-    if (texture(field, min(uv * part.xy, part.zw)).z * range.z < 0.003) return;
+    float around = texture(field, min(uv * part.xy, part.zw)).z * range.z;
+    if (around < 0.003) return;
     vec2 level = 0.5 * log2(max(across.xz, across.yw)) + seen.z;
     vec4 broad = pattern(places, level, 1.0);
     vec4 fine = pattern(places, level, 2.0);
@@ -46,8 +47,10 @@ void main() {
     float weight = max(gas.x, 1e-4);
     float share = min(1.25 * weight, 1.0);
     float kilokelvin = mix(matter.z, gas.y / weight, share);
-    // What leaves the domain on one side comes back on the other: neither is seen.
-    float soot = gas.z / weight * share * (1.0 - smoothstep(0.36, 0.48, abs(place.x) * matter.w));
+    // What leaves the domain on one side comes back on the other, and above it ends:
+    // none of that is seen. Nor is where the noise would carry gas to nothing.
+    float soot = gas.z / weight * share * smoothstep(0.003, 0.03, around)
+               * (1.0 - smoothstep(0.36, 0.48, abs(place.x) * matter.w)) * (1.0 - smoothstep(0.72, 0.96, uv.y));
 
     // The flame stands on its source as in a bowl, whose rim is higher than its
     // middle, and thins towards it.

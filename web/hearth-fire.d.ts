@@ -156,7 +156,7 @@ export class HearthFire extends HTMLElement {
   loading: 'auto' | 'lazy' | 'eager';
   /** A picture that is shown until it burns, and where it cannot. */
   poster: string;
-  /** Most pixels of its picture, from 1024 to 16777216; empty: those of a 1440p screen. */
+  /** Most pixels of its picture, from 1024 to 16777216; empty: those of a 720p, 1080p or 1440p screen, by quality. */
   get maxPixels(): string;
   set maxPixels(pixels: number | string);
   /** Most pictures a second, from 10 to 240; empty: as many as the display shows. */

@@ -3,11 +3,9 @@
  * allows that page's origin; what is on a list, and nothing else.
  */
 import assert from 'node:assert/strict';
-import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
 import { Around, ask, heard, inside, send } from './around.mjs';
-import { SITE, table } from './site.mjs';
+import { table } from './site.mjs';
 
 const { entry } = await table();
 
@@ -275,7 +273,7 @@ describe('messages from anybody else', () => {
   });
 
   test('are allowed by exact origins only', async () => {
-    const { allowedOrigins } = await import(pathToFileURL(path.join(SITE, 'web/embed-port.js')).href);
+    const { allowedOrigins } = await import('../../web/embed-port.js');
     const exact = ['https://a.example', 'http://localhost:8080', 'https://[::1]:90'];
     assert.deepEqual(allowedOrigins([` ${exact[0]} ,${exact[1]},`, exact[2]]), { origins: exact, refused: [] });
     for (const one of [

@@ -3,12 +3,8 @@
  * and however fast, the way back leads through the same fires to the first one.
  */
 import assert from 'node:assert/strict';
-import path from 'node:path';
 import { describe, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
-import { SITE } from './site.mjs';
-
-const { Steps } = await import(pathToFileURL(path.join(SITE, 'web/panel-steps.js')).href);
+import { Steps } from '../../web/panel-steps.js';
 
 const DEFAULTS = {
   classic: { model: 'classic', width: 1, viscosity: 5, wind: 0, max_particles: 1000 },

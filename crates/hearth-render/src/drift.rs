@@ -32,7 +32,9 @@ impl Drift {
         let moving = (0.0..=LONGEST_FRAME).contains(&elapsed);
         let before = [0.0, 0.5].map(|start| (self.periods + start).floor());
         self.elapsed = if moving { elapsed as f32 } else { AT_ONCE };
-        self.periods += f64::from(self.elapsed / period);
+        if moving {
+            self.periods += elapsed / f64::from(period);
+        }
         let now = [0.0, 0.5].map(|start| (self.periods + start).floor());
         self.kept = [0, 1].map(|k| f32::from(moving && now[k] == before[k]));
     }

@@ -32,5 +32,5 @@ pub use error::RenderError;
 pub use format::TargetFormat;
 pub use gl::Graphics;
 pub use layout::Lines;
-pub use renderer::{Renderer, View};
+pub use renderer::{Motion, Renderer, View};
 pub use studio::Studio;

@@ -44,6 +44,14 @@ pub struct View {
     pub time: f64,
 }
 
+/// How far the fine structure has come. It outlives a renderer, whose context may be
+/// lost: the next one goes on from there.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Motion {
+    rise: Rise,
+    drift: Drift,
+}
+
 /// Draws a fire into the default framebuffer, with premultiplied alpha.
 pub struct Renderer<G: Graphics = glow::Context> {
     studio: Rc<Studio<G>>,
@@ -55,8 +63,7 @@ pub struct Renderer<G: Graphics = glow::Context> {
     /// Colours that are not the black body's, which all fires share.
     tinted: Option<(Tint, G::Texture)>,
     survey: Survey,
-    rise: Rise,
-    drift: Drift,
+    motion: Motion,
     /// Which of the two pictures of the drift is the newest.
     newest: usize,
 }
@@ -93,8 +100,7 @@ impl<G: Graphics> Renderer<G> {
             scenery: None,
             tinted: None,
             survey: Survey::of(&[], &[]),
-            rise: Rise::default(),
-            drift: Drift::default(),
+            motion: Motion::default(),
             newest: 0,
         })
     }
@@ -102,6 +108,17 @@ impl<G: Graphics> Renderer<G> {
     /// The pixels of the off-screen targets.
     pub fn target_format(&self) -> TargetFormat {
         self.studio.format
+    }
+
+    /// How far the fine structure has come.
+    pub fn motion(&self) -> Motion {
+        self.motion
+    }
+
+    /// Goes on where another renderer of the same fire was.
+    pub fn resume(&mut self, motion: Motion) {
+        self.motion = motion;
+        self.motion.drift.forget();
     }
 
     /// Draws with so many lines from the next picture on.
@@ -145,7 +162,8 @@ impl<G: Graphics> Renderer<G> {
         let Some(layout) = Layout::new(size, self.lines, self.studio.most) else {
             return Ok(());
         };
-        self.rise
+        self.motion
+            .rise
             .advance(&self.survey, view.time, parameters.model());
         let place = Place::new(layout.picture, parameters.domain_height);
         for capability in [
@@ -167,7 +185,8 @@ impl<G: Graphics> Renderer<G> {
             _ => {
                 self.fit_targets(gl, layout)?;
                 self.fit_scenery(gl, layout, parameters)?;
-                self.drift
+                self.motion
+                    .drift
                     .advance(view.time, combustion::period(parameters));
                 self.newest = 1 - self.newest;
                 if let Some(targets) = &self.targets {
@@ -233,7 +252,7 @@ impl<G: Graphics> Renderer<G> {
                 old.destroy(gl);
             }
             self.targets = Some(Targets::new(gl, self.studio.format, layout)?);
-            self.drift.forget();
+            self.motion.drift.forget();
         }
         Ok(())
     }

@@ -7,7 +7,8 @@
 
 use hearth_core::params::{Input, Model, PARAMETERS, Param, Value};
 
-use crate::message::{Refused, SentValues, optional_text, optional_values, with_values};
+use crate::fields::Fields;
+use crate::message::{Refused, SentValues, with_values};
 use crate::raw::Raw;
 use crate::wanted::{NUMBER, Wanted};
 
@@ -41,24 +42,20 @@ impl Config {
                 return Err(unknown_field(name, value));
             }
         }
+        let mut fields = Fields::of(raw);
         match raw.field("hearth") {
             Raw::Missing => {}
             Raw::Number(version) if *version == f64::from(VERSION) => {}
-            other => {
-                return Err(Refused::field(
-                    "hearth",
-                    other,
-                    "1, the version of the form",
-                ));
-            }
+            _ => fields.refuse("hearth", "1, the version of the form"),
         }
         for words in ["label", "description"] {
-            optional_text(raw, words)?;
+            fields.optional_text(words);
         }
-        Ok(Config {
-            preset: optional_text(raw, "preset")?,
-            values: optional_values(raw, "values")?,
-        })
+        let config = Config {
+            preset: fields.optional_text("preset"),
+            values: fields.optional_values("values"),
+        };
+        fields.refused().map_or(Ok(config), Err)
     }
 
     /// What a fire with these settings burns with.

@@ -423,12 +423,13 @@ impl Fire {
         let start = host.now();
         self.simulation.write_instances(&mut self.instances);
         self.simulation.write_embers(&mut self.embers);
+        let level = self.quality.level();
         let lines = [Lines::LOW, Lines::MEDIUM, Lines::HIGH];
         let drawn = self.picture.draw(
             self.id,
             easel,
-            self.limits.fit(self.size),
-            lines[self.quality.level() as usize],
+            self.limits.fit(self.size, level.pixels()),
+            lines[level as usize],
             (&self.instances, &self.embers),
             (self.simulation.time(), self.simulation.parameters()),
             host,

@@ -13,6 +13,7 @@
 // Plain logic, which needs no browser and is tested without one.
 pub mod budget;
 pub mod config;
+mod fields;
 pub mod limits;
 pub mod message;
 pub mod quality;

@@ -1,5 +1,6 @@
 //! How much a fire may draw, and what moves its gas from outside.
 
+use crate::fields::Fields;
 use crate::message::Refused;
 use crate::raw::Raw;
 
@@ -9,9 +10,6 @@ pub const RATES: (f64, f64) = (10.0, 240.0);
 
 /// Fewest and most pixels of a picture that may be asked for.
 pub const PIXELS: (f64, f64) = (1024.0, 16_777_216.0);
-
-/// Most pixels of a picture where nobody says otherwise: a 1440p screen's.
-const USUAL_PIXELS: f64 = 2560.0 * 1440.0;
 
 /// How much early a frame may come and still be the next one of a limited rate
 /// \[ms\]: displays jitter.
@@ -52,22 +50,25 @@ impl Limit {
     pub fn parse(raw: &Raw) -> Result<Limit, Refused> {
         let id = raw.field("id");
         // In words: formatting a number would bring more code than all of this.
-        let within = |id, (min, max): (f64, f64), allowed| match *raw.field("value") {
-            Raw::Missing => Ok(None),
-            Raw::Number(x) if x >= min && x <= max => Ok(Some(x)),
+        let (name, (min, max), allowed, limit): (_, _, _, fn(_) -> _) = match id {
+            Raw::Text(name) if name == "fps_limit" => {
+                (name, RATES, "a number from 10 to 240", Limit::Fps)
+            }
+            Raw::Text(name) if name == "max_pixels" => (
+                name,
+                PIXELS,
+                "a number from 1024 to 16777216",
+                Limit::Pixels,
+            ),
+            other => return Err(Refused::field("id", other, "one of fps_limit, max_pixels")),
+        };
+        match *raw.field("value") {
+            Raw::Missing => Ok(limit(None)),
+            Raw::Number(x) if x >= min && x <= max => Ok(limit(Some(x))),
             ref other => Err(Refused {
                 range: Some((min, max)),
-                ..Refused::field(id, other, allowed)
+                ..Refused::field(name, other, allowed)
             }),
-        };
-        match id {
-            Raw::Text(name) if name == "fps_limit" => {
-                within(name, RATES, "a number from 10 to 240").map(Limit::Fps)
-            }
-            Raw::Text(name) if name == "max_pixels" => {
-                within(name, PIXELS, "a number from 1024 to 16777216").map(Limit::Pixels)
-            }
-            other => Err(Refused::field("id", other, "one of fps_limit, max_pixels")),
         }
     }
 }
@@ -81,9 +82,10 @@ impl Limits {
         }
     }
 
-    /// The size of the picture for an element of that size, in device pixels.
-    pub fn fit(&self, (width, height): (u32, u32)) -> (u32, u32) {
-        let most = self.pixels.unwrap_or(USUAL_PIXELS);
+    /// The size of the picture for an element of that size, in device pixels; `usual`:
+    /// how many it may have where nobody says otherwise.
+    pub fn fit(&self, (width, height): (u32, u32), usual: f64) -> (u32, u32) {
+        let most = self.pixels.unwrap_or(usual);
         let pixels = f64::from(width) * f64::from(height);
         if pixels <= most {
             return (width, height);
@@ -131,15 +133,14 @@ impl Stir {
     /// # Errors
     /// What is no number.
     pub fn parse(raw: &Raw) -> Result<Stir, Refused> {
-        let read = |id| match *raw.field(id) {
-            Raw::Number(x) if x.abs() <= 1000.0 => Ok(x as f32),
-            ref other => Err(Refused::field(id, other, "a number up to 1000")),
-        };
-        Ok(Stir {
-            place: [read("x")?, read("y")?],
-            velocity: [read("u")?, read("v")?],
+        let mut fields = Fields::of(raw);
+        let mut read = |id| fields.small(id) as f32;
+        let stir = Stir {
+            place: [read("x"), read("y")],
+            velocity: [read("u"), read("v")],
             left: PUSHED,
-        })
+        };
+        fields.refused().map_or(Ok(stir), Err)
     }
 
     /// The acceleration [m/s²] of gas at that place \[m\] and velocity [m/s].

@@ -24,6 +24,7 @@
 use hearth_core::Parameters;
 
 use crate::config::Config;
+use crate::fields::Fields;
 use crate::limits::{Limit, Stir};
 use crate::quality::Level;
 use crate::raw::Raw;
@@ -149,7 +150,7 @@ impl Refused {
         Refused::field("fire", &value, "the number of a fire, or a new one to add")
     }
 
-    fn whole(id: &str, value: &Raw, min: u32, max: u32) -> Refused {
+    pub(crate) fn whole(id: &str, value: &Raw, min: u32, max: u32) -> Refused {
         Refused {
             range: Some((min.into(), max.into())),
             ..Refused::field(id, value, &format!("a whole number from {min} to {max}"))
@@ -176,174 +177,87 @@ impl Message {
     /// # Errors
     /// The first field that is not as the table above has it.
     pub fn parse(raw: &Raw) -> Result<Message, RefusedMessage> {
-        let fire = whole(raw, "fire", 0, u32::MAX);
-        let request = number(raw, "request");
-        let source = optional_text(raw, "source").ok().flatten();
-        let source = source.unwrap_or_default();
-        let parsed = fire.clone().and_then(|fire| {
-            Ok(Message {
+        let mut fields = Fields::of(raw);
+        let fire = fields.whole("fire", 0, u32::MAX);
+        let named = fields.are_good();
+        let request = fields.optional_number("request");
+        let source = match raw.field("source") {
+            Raw::Text(source) => source.clone(),
+            _ => String::new(),
+        };
+        let order = Order::read(&mut fields);
+        match (order, fields.refused()) {
+            (Some(order), None) => Ok(Message {
                 fire,
-                request: request.clone()?,
-                source: source.clone(),
-                order: Order::parse(raw)?,
-            })
-        });
-        parsed.map_err(|error| RefusedMessage {
-            fire: fire.ok(),
-            request: request.ok().flatten(),
-            source,
-            errors: vec![error],
-        })
+                request,
+                source,
+                order,
+            }),
+            (_, refused) => Err(RefusedMessage {
+                fire: named.then_some(fire),
+                request,
+                source,
+                errors: refused.into_iter().collect(),
+            }),
+        }
     }
 }
 
 impl Order {
-    fn parse(raw: &Raw) -> Result<Order, Refused> {
-        let kind = raw.field("type");
-        let Raw::Text(name) = kind else {
-            return Err(Refused::field("type", kind, "the name of a message"));
+    /// Reads it; nothing, or anything, where a field is refused.
+    fn read(fields: &mut Fields<'_>) -> Option<Order> {
+        let raw = fields.raw;
+        let name = match raw.field("type") {
+            Raw::Text(name) => name.as_str(),
+            _ => "",
         };
-        let side = |id| whole(raw, id, 0, LONGEST_SIDE);
-        match name.as_str() {
-            "add" => Ok(Order::Add(Start {
-                size: (side("width")?, side("height")?),
-                preset: optional_text(raw, "preset")?,
+        Some(match name {
+            "add" => Order::Add(Start {
+                size: Order::size(fields),
+                preset: fields.optional_text("preset"),
                 config: raw.field("config").clone(),
-                kept: optional_values(raw, "kept")?,
-                values: optional_values(raw, "values")?,
-                own_number: flag_or(raw, "ownNumber", false)?,
-                quality: quality(raw, "quality")?,
-                guess: quality(raw, "guess")?,
-                paused: flag_or(raw, "paused", false)?,
-                visible: flag_or(raw, "visible", true)?,
-            })),
-            "resize" => Ok(Order::Resize(side("width")?, side("height")?)),
-            "set" => values(raw, "values").map(Order::Set),
-            "restore" => ids(raw).map(Order::Restore),
-            "preset" => text(raw, "name").map(Order::Preset),
-            "import" => Config::parse(raw.field("config")).map(Order::Import),
-            "export" => Ok(Order::Export),
-            "limit" => Limit::parse(raw).map(Order::Limit),
-            "stir" => Stir::parse(raw).map(Order::Stir),
-            "quality" => quality(raw, "quality").map(Order::Quality),
-            "play" => Ok(Order::Play),
-            "pause" => Ok(Order::Pause),
-            "reset" => Ok(Order::Reset),
-            "step" => whole(raw, "steps", 1, MOST_STEPS).map(Order::Step),
-            "burn" => seconds(raw, "seconds").map(Order::Burn),
-            "visible" => flag(raw, "visible").map(Order::Visible),
-            "remove" => Ok(Order::Remove),
-            _ => Err(Refused::field("type", kind, "the name of a message")),
-        }
-    }
-}
-
-#[inline(never)]
-fn whole(raw: &Raw, id: &str, min: u32, max: u32) -> Result<u32, Refused> {
-    match *raw.field(id) {
-        Raw::Number(x) if x.fract() == 0.0 && x >= min.into() && x <= max.into() => Ok(x as u32),
-        ref other => Err(Refused::whole(id, other, min, max)),
-    }
-}
-
-fn seconds(raw: &Raw, id: &str) -> Result<f64, Refused> {
-    match *raw.field(id) {
-        Raw::Number(x) if x > 0.0 && x <= MOST_SECONDS => Ok(x),
-        ref other => {
-            // In words: formatting a number of its own would bring 20 KB of code.
-            Err(Refused {
-                range: Some((0.0, MOST_SECONDS)),
-                ..Refused::field(id, other, "a number above 0, up to 1000")
-            })
-        }
-    }
-}
-
-#[inline(never)]
-fn number(raw: &Raw, id: &str) -> Result<Option<f64>, Refused> {
-    match *raw.field(id) {
-        Raw::Missing => Ok(None),
-        Raw::Number(x) if x.is_finite() => Ok(Some(x)),
-        ref other => Err(Refused::field(id, other, "a number")),
-    }
-}
-
-#[inline(never)]
-fn flag(raw: &Raw, id: &str) -> Result<bool, Refused> {
-    match *raw.field(id) {
-        Raw::Flag(on) => Ok(on),
-        ref other => Err(Refused::field(id, other, "true or false")),
-    }
-}
-
-fn flag_or(raw: &Raw, id: &str, default: bool) -> Result<bool, Refused> {
-    match raw.field(id) {
-        Raw::Missing => Ok(default),
-        _ => flag(raw, id),
-    }
-}
-
-#[inline(never)]
-fn text(raw: &Raw, id: &str) -> Result<String, Refused> {
-    match raw.field(id) {
-        Raw::Text(text) => Ok(text.clone()),
-        other => Err(Refused::field(id, other, "a text")),
-    }
-}
-
-#[inline(never)]
-pub(crate) fn optional_text(raw: &Raw, id: &str) -> Result<Option<String>, Refused> {
-    match raw.field(id) {
-        Raw::Missing => Ok(None),
-        _ => text(raw, id).map(Some),
-    }
-}
-
-/// A level by its name; nothing where it is `auto`, or nothing is said.
-#[inline(never)]
-fn quality(raw: &Raw, id: &str) -> Result<Option<Level>, Refused> {
-    let name = optional_text(raw, id)?;
-    let level = Level::ALL
-        .into_iter()
-        .find(|level| Some(level.name()) == name.as_deref());
-    if level.is_none() && name.is_some_and(|name| name != "auto") {
-        let allowed = "one of auto, low, medium, high";
-        return Err(Refused::field(id, raw.field(id), allowed));
-    }
-    Ok(level)
-}
-
-#[inline(never)]
-fn values(raw: &Raw, id: &str) -> Result<SentValues, Refused> {
-    match raw.field(id) {
-        Raw::Object(values) => Ok(values.clone()),
-        other => Err(Refused::field(
-            id,
-            other,
-            "an object of values by their ids",
-        )),
-    }
-}
-
-pub(crate) fn optional_values(raw: &Raw, id: &str) -> Result<SentValues, Refused> {
-    match raw.field(id) {
-        Raw::Missing => Ok(Vec::new()),
-        _ => values(raw, id),
-    }
-}
-
-#[inline(never)]
-fn ids(raw: &Raw) -> Result<Vec<String>, Refused> {
-    let wrong = |value| Refused::field("ids", value, "an array of ids");
-    let Raw::List(list) = raw.field("ids") else {
-        return Err(wrong(raw.field("ids")));
-    };
-    list.iter()
-        .map(|id| match id {
-            Raw::Text(id) => Ok(id.clone()),
-            other => Err(wrong(other)),
+                kept: fields.optional_values("kept"),
+                values: fields.optional_values("values"),
+                own_number: fields.flag("ownNumber", Some(false)),
+                quality: fields.quality("quality"),
+                guess: fields.quality("guess"),
+                paused: fields.flag("paused", Some(false)),
+                visible: fields.flag("visible", Some(true)),
+            }),
+            "resize" => {
+                let (width, height) = Order::size(fields);
+                Order::Resize(width, height)
+            }
+            "set" => Order::Set(fields.values("values")),
+            "restore" => Order::Restore(fields.texts("ids", "an array of ids")),
+            "preset" => Order::Preset(fields.text("name")),
+            "import" => Order::Import(fields.keep(Config::parse(raw.field("config")))?),
+            "export" => Order::Export,
+            "limit" => Order::Limit(fields.keep(Limit::parse(raw))?),
+            "stir" => Order::Stir(fields.keep(Stir::parse(raw))?),
+            "quality" => Order::Quality(fields.quality("quality")),
+            "play" => Order::Play,
+            "pause" => Order::Pause,
+            "reset" => Order::Reset,
+            "step" => Order::Step(fields.whole("steps", 1, MOST_STEPS)),
+            "burn" => Order::Burn(fields.positive(
+                "seconds",
+                MOST_SECONDS,
+                "a number above 0, up to 1000",
+            )),
+            "visible" => Order::Visible(fields.flag("visible", None)),
+            "remove" => Order::Remove,
+            _ => {
+                fields.refuse("type", "the name of a message");
+                return None;
+            }
         })
-        .collect()
+    }
+
+    fn size(fields: &mut Fields<'_>) -> (u32, u32) {
+        let mut side = |id| fields.whole(id, 0, LONGEST_SIDE);
+        (side("width"), side("height"))
+    }
 }
 
 /// `parameters` with these values, all of them or none. The model comes first,

@@ -167,33 +167,35 @@ impl Outbox {
 
     /// How a fire is doing.
     pub fn stats(&mut self, fire: u32, stats: &Stats<'_>) {
-        let fields: [(&str, JsValue); 21] = [
-            ("fps", stats.fps.into()),
-            ("particles", (stats.particles as f64).into()),
-            ("stepMs", stats.step_ms.into()),
-            ("drawMs", stats.draw_ms.into()),
-            ("stepsPerFrame", stats.steps_per_frame.into()),
+        // Numbers and texts apart: so there is no list of JavaScript's values, each of
+        // which wants to be let go.
+        let object = numbers(&[
+            ("fps", stats.fps),
+            ("particles", stats.particles as f64),
+            ("stepMs", stats.step_ms),
+            ("drawMs", stats.draw_ms),
+            ("stepsPerFrame", stats.steps_per_frame),
             ("substeps", stats.substeps.into()),
             ("neighbours", stats.neighbours.into()),
             ("atSpeedLimit", stats.at_speed_limit.into()),
-            ("time", stats.time.into()),
-            ("paused", stats.paused.into()),
-            ("slowed", stats.slowed.into()),
-            ("timeScale", stats.time_scale.into()),
-            ("stepLength", stats.step_length.into()),
-            ("power", stats.power.into()),
-            ("embers", (stats.embers as f64).into()),
-            ("targetFormat", stats.target_format.into()),
-            ("stages", times(&stats.stages)),
-            ("passes", times(stats.passes)),
-            ("passTimer", stats.pass_timer.into()),
-            ("quality", stats.quality.level().name().into()),
-            ("qualityReason", stats.quality.reason().into()),
-        ];
-        let object = Object::new();
-        for (name, value) in &fields {
-            put(&object, name, value);
+            ("time", stats.time),
+            ("timeScale", stats.time_scale),
+            ("stepLength", stats.step_length),
+            ("power", stats.power),
+            ("embers", stats.embers as f64),
+        ]);
+        for (name, text) in [
+            ("targetFormat", stats.target_format),
+            ("passTimer", stats.pass_timer),
+            ("quality", stats.quality.level().name()),
+            ("qualityReason", stats.quality.reason()),
+        ] {
+            put(&object, name, &text.into());
         }
+        put(&object, "paused", &stats.paused.into());
+        put(&object, "slowed", &stats.slowed.into());
+        put(&object, "stages", &numbers(&stats.stages));
+        put(&object, "passes", &numbers(stats.passes));
         let message = about("stats", fire);
         put(&message, "stats", &object);
         self.0.push(message.into());
@@ -264,12 +266,13 @@ fn put_start(message: &Object, wanted: &Wanted) {
     put(message, "preset", &wanted.preset.into());
 }
 
-fn times(times: &[(&str, f64)]) -> JsValue {
+#[inline(never)]
+fn numbers(numbers: &[(&str, f64)]) -> Object {
     let object = Object::new();
-    for (name, time) in times {
-        put(&object, name, &(*time).into());
+    for (name, number) in numbers {
+        put(&object, name, &(*number).into());
     }
-    object.into()
+    object
 }
 
 fn plain(value: Value) -> JsValue {

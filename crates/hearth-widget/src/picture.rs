@@ -1,7 +1,7 @@
 //! The picture of one fire: what it needs for itself in the context that all share.
 
 use hearth_core::{Instance, Parameters};
-use hearth_render::{Lines, Renderer, View};
+use hearth_render::{Lines, Motion, Renderer, View};
 
 use crate::easel::{Easel, Ground};
 use crate::host::Host;
@@ -23,6 +23,8 @@ struct Drawing {
 #[derive(Default)]
 pub struct Picture {
     drawing: Option<Drawing>,
+    /// How far the fine structure has come: a context that is lost takes none of it.
+    motion: Motion,
     on_the_way: u32,
 }
 
@@ -67,6 +69,7 @@ impl Picture {
             return Ok(host.now());
         };
         let context = &ground.gl.context;
+        let mut motion = self.motion;
         let painted = self.begin(ground).and_then(|drawing| {
             let gl: &WebGl = &ground.gl;
             let Some(renderer) = &mut drawing.renderer else {
@@ -86,8 +89,10 @@ impl Picture {
             let watch = &mut |pass| passes.end(context, host, pass);
             let painted = renderer.paint_watched(gl, &view, parameters, watch);
             passes.finish(context);
+            motion = renderer.motion();
             painted.map(|()| sent)
         });
+        self.motion = motion;
         match painted {
             Ok(sent) => {
                 if !easel.show(fire) {
@@ -107,7 +112,8 @@ impl Picture {
     fn begin(&mut self, ground: &Ground) -> Result<&mut Drawing, hearth_render::RenderError> {
         if self.drawing.is_none() {
             let gl: &WebGl = &ground.gl;
-            let renderer = Renderer::within(gl, ground.studio.clone())?;
+            let mut renderer = Renderer::within(gl, ground.studio.clone())?;
+            renderer.resume(self.motion);
             self.drawing = Some(Drawing {
                 ground: ground.clone(),
                 renderer: Some(renderer),

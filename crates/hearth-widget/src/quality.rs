@@ -36,7 +36,13 @@ impl Level {
         [1200, 3000, 6700][self as usize]
     }
 
-    /// The same as a person reads it.
+    /// Most pixels of a picture, where nobody asks for a number: a 720p, 1080p or 1440p
+    /// screen's.
+    pub fn pixels(self) -> f64 {
+        [921_600.0, 2_073_600.0, 3_686_400.0][self as usize]
+    }
+
+    /// Its particles as a person reads them.
     fn words(self) -> &'static str {
         ["1,200", "3,000", "6,700"][self as usize]
     }

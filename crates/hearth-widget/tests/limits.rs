@@ -1,6 +1,7 @@
 //! How much a fire may draw, and what stirs it.
 
 use hearth_widget::limits::{Limit, Limits, PIXELS, RATES, Stir};
+use hearth_widget::quality::Level;
 use hearth_widget::raw::Raw;
 
 fn object(fields: &[(&str, Raw)]) -> Raw {
@@ -53,7 +54,9 @@ fn after_a_pause_nothing_is_made_up_for() {
 fn a_picture_keeps_its_shape_and_has_no_more_pixels_than_it_may() {
     for size in [(1920, 1080), (300, 4000), (1, 8192), (64, 64), (8192, 8192)] {
         for most in [PIXELS.0, 90_000.0, PIXELS.1] {
-            let (width, height) = Limits::default().with(Limit::Pixels(Some(most))).fit(size);
+            let (width, height) = Limits::default()
+                .with(Limit::Pixels(Some(most)))
+                .fit(size, Level::High.pixels());
             let pixels = f64::from(width) * f64::from(height);
             assert!(width > 0 && height > 0);
             assert!(
@@ -68,6 +71,18 @@ fn a_picture_keeps_its_shape_and_has_no_more_pixels_than_it_may() {
             }
         }
     }
+}
+
+#[test]
+fn where_nobody_limits_them_the_quality_does() {
+    let screen = (3840, 2160);
+    let pixels = Level::ALL.map(|level| {
+        let (width, height) = Limits::default().fit(screen, level.pixels());
+        width * height
+    });
+    assert!(pixels.is_sorted_by(|a, b| a < b), "{pixels:?}");
+    let own = Limits::default().with(Limit::Pixels(Some(PIXELS.1)));
+    assert_eq!(own.fit(screen, Level::Low.pixels()), screen);
 }
 
 #[test]

@@ -46,7 +46,7 @@ for (const name of DOCS) {
 }
 await writeFile(path.join(out, 'package.json'), `${JSON.stringify(built, null, 2)}\n`);
 await shrink(path.join(out, 'wasm'));
-await writeFile(path.join(out, 'hearth-fire.inline.js'), await inlined(out, built));
+await writeFile(path.join(out, 'hearth-fire.inline.js'), await inlined(path.join(ROOT, 'web'), path.join(out, 'wasm'), built));
 
 /** @type {(from: string, to: string) => Promise<void>} */
 async function put(from, to) {

@@ -5,7 +5,7 @@
  */
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
-import { build } from 'esbuild';
+import { build } from '../scripts/esbuild.mjs';
 
 const BESIDE = /new URL\(\s*(['"])(\.\.?\/[^'"]+)\1,\s*import\.meta\.url\s*\)/g;
 const IN_PAGE = /(?:src|href|content)=(['"])(\.\/[^'"]+)\1/g;

@@ -2,15 +2,16 @@
  * The package's one file of all: element, engine, wasm and the worker's script in
  * one module, for a page that wants to name one file and nothing else.
  *
- * It is the same element with another `engine-files.js` (inline-files.js here),
- * which has in it what the original looks for beside itself. Only the panel stays
+ * It is the same element, from its sources, with another `engine-files.js`
+ * (inline-files.js here), which has in it what the original looks for beside itself.
+ * Only the panel stays
  * outside: who asks for it needs the package's folder.
  */
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { deflateRawSync } from 'node:zlib';
-import { build } from 'esbuild';
+import { build } from '../scripts/esbuild.mjs';
 
 const FILES = path.join(path.dirname(fileURLToPath(import.meta.url)), 'inline-files.js');
 
@@ -27,25 +28,27 @@ const COMMON = {
 };
 
 /**
- * The text of the file, made of the package in `folder`.
- * @param {string} folder
+ * The text of the file.
+ * @param {string} sources  The folder of the element's scripts as they are written.
+ * @param {string} wasm  The folder of the package's wasm and its scripts.
  * @param {{name: string, version: string, license: string}} about
  */
-export async function inlined(folder, { name, version, license }) {
-  const wasm = await readFile(path.join(folder, 'wasm/hearth-widget_bg.wasm'));
+export async function inlined(sources, wasm, { name, version, license }) {
+  const engine = await readFile(path.join(wasm, 'hearth-widget_bg.wasm'));
   const worker = await build({
     ...COMMON,
-    entryPoints: [path.join(folder, 'engine-worker.js')],
+    entryPoints: [path.join(sources, 'engine-worker.js')],
     format: 'iife',
+    plugins: [filesInside(sources, wasm)],
   });
   const script = await build({
     ...COMMON,
-    entryPoints: [path.join(folder, 'hearth-fire.js')],
+    entryPoints: [path.join(sources, 'hearth-fire.js')],
     format: 'esm',
     banner: { js: `/* ${name} ${version}, ${license} */` },
     external: ['./panel.js'],
-    plugins: [filesInside(folder, {
-      wasm: deflateRawSync(wasm, { level: 9 }).toString('base64'),
+    plugins: [filesInside(sources, wasm, {
+      wasm: deflateRawSync(engine, { level: 9 }).toString('base64'),
       worker: worker.outputFiles[0].text,
     })],
   });
@@ -53,20 +56,23 @@ export async function inlined(folder, { name, version, license }) {
 }
 
 /**
- * Puts inline-files.js in the place of engine-files.js, with its texts.
- * @param {string} folder
- * @param {{[name: string]: string}} texts  What `inline:name` is.
+ * Puts inline-files.js in the place of engine-files.js, with its texts, and finds the
+ * scripts of wasm where they are.
+ * @param {string} sources
+ * @param {string} wasm
+ * @param {{[name: string]: string}} [texts]  What `inline:name` is.
  * @returns {import('esbuild').Plugin}
  */
-function filesInside(folder, texts) {
+function filesInside(sources, wasm, texts = {}) {
   return {
     name: 'files-inside',
     setup({ onLoad, onResolve }) {
       onResolve({ filter: /\/engine-files\.js$/ }, () => ({ path: FILES, namespace: 'files' }));
       onLoad({ filter: /.*/, namespace: 'files' }, async () => ({
         contents: await readFile(FILES, 'utf8'),
-        resolveDir: path.resolve(folder),
+        resolveDir: sources,
       }));
+      onResolve({ filter: /^\.\/wasm\// }, ({ path: name }) => ({ path: path.resolve(wasm, path.basename(name)) }));
       onResolve({ filter: /^inline:/ }, ({ path: name }) => ({ path: name.slice(7), namespace: 'text' }));
       onLoad({ filter: /.*/, namespace: 'text' }, ({ path: name }) => ({ contents: texts[name], loader: 'text' }));
     },

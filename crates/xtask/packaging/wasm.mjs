@@ -1,6 +1,5 @@
 /**
- * wasm-opt over the engine and the headless library, and esbuild over the scripts
- * that wasm-bindgen makes, which nobody reads.
+ * wasm-opt over the engine and the headless library.
  *
  * -O3 takes 6 % off the engine and half a percent off its download, and a step
  * takes as long as before, to the bit the same; -Os takes another half percent off
@@ -8,18 +7,16 @@
  * smaller to parse makes it compress worse, 806 KB after -Oz where it had 776.
  */
 import { execFile } from 'node:child_process';
-import { readFile, readdir, rename, stat, writeFile } from 'node:fs/promises';
+import { readdir, rename, stat } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { promisify } from 'node:util';
-import { transform } from 'esbuild';
 
 const WASM_OPT = path.join(path.dirname(createRequire(import.meta.url).resolve('binaryen/package.json')), 'bin/wasm-opt');
 
-/** Makes the modules in a folder smaller, and their scripts. @param {string} folder */
+/** Makes the modules in a folder smaller. @param {string} folder */
 export async function shrink(folder) {
   for (const name of await readdir(folder)) {
-    if (name.endsWith('.js')) await minify(path.join(folder, name));
     if (!name.endsWith('.wasm') || name.startsWith('hearth-panel')) continue;
     const file = path.join(folder, name);
     const { size: before } = await stat(file);
@@ -29,12 +26,4 @@ export async function shrink(folder) {
     const { size: after } = await stat(file);
     console.log(`wasm-opt: ${name} ${before} → ${after} bytes`);
   }
-}
-
-/** @param {string} file */
-async function minify(file) {
-  const { code } = await transform(await readFile(file, 'utf8'), {
-    minify: true, format: 'esm', target: 'es2022', legalComments: 'none',
-  });
-  await writeFile(file, code);
 }

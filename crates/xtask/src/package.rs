@@ -4,12 +4,11 @@
 //! scripts of `packaging/`, which need npm's tools; here they get what they need.
 //! Nothing is ever published from here.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 
-use crate::{paths, process, site, tools};
+use crate::{npm, paths, process, site};
 
 /// Builds the site and makes the package of it.
 ///
@@ -27,8 +26,7 @@ pub fn build() -> Result<()> {
 
 /// Makes the package of the site that is built.
 pub(crate) fn make() -> Result<()> {
-    tools::node()?;
-    install(&packaging())?;
+    npm::install(&packaging())?;
     let (package, web) = (folder(), paths::site().join("web"));
     let scratch = site::target_folder()?.join("package-check");
     // The crates of the workspace share their version with the package.
@@ -41,25 +39,6 @@ pub(crate) fn make() -> Result<()> {
 /// Where the package is made.
 pub(crate) fn folder() -> PathBuf {
     paths::root().join("dist").join("npm")
-}
-
-/// Installs what the lock file in `folder` says, if that was not done since it was
-/// written.
-pub(crate) fn install(folder: &Path) -> Result<()> {
-    let written = |file: &str| fs::metadata(folder.join(file)).and_then(|about| about.modified());
-    let fresh = match (
-        written("node_modules/.package-lock.json"),
-        written("package-lock.json"),
-    ) {
-        (Ok(installed), Ok(locked)) => installed >= locked,
-        _ => false,
-    };
-    if fresh {
-        return Ok(());
-    }
-    // On Windows npm is a script, which only its full path starts.
-    let npm = process::find("npm").unwrap_or_else(|| "npm".into());
-    process::run(process::command(npm).current_dir(folder).arg("ci"))
 }
 
 fn packaging() -> PathBuf {

@@ -1,103 +1,82 @@
-//! Scripts without what only their readers need: a visitor downloads code, and
-//! a third of these files, compressed, would be comments.
+//! Scripts and style sheets as they are shipped: a visitor downloads code, and half
+//! of these files, compressed, would be what only their readers need.
 
-/// `script` without the lines that hold nothing but a comment, without blank ones,
-/// without the blanks that lines begin with, and without the types of casts. What else
-/// stands behind code, and all of a template, is left alone.
-pub fn without_comments(script: &str) -> String {
-    let mut kept = String::with_capacity(script.len());
-    let (mut in_comment, mut in_template) = (false, false);
-    for line in script.lines() {
-        let words = line.trim();
-        if in_comment {
-            in_comment = !words.ends_with("*/");
-        } else if in_template || !is_comment(words) {
-            let was_in_template = in_template;
-            in_template ^= backticks(words) % 2 == 1;
-            if was_in_template || in_template {
-                // Blanks at its ends may be the template's.
-                kept.push_str(if was_in_template {
-                    line
-                } else {
-                    line.trim_start()
-                });
-            } else {
-                kept.push_str(&without_casts(words));
-            }
-            kept.push('\n');
-        } else {
-            in_comment = words.starts_with("/*") && !words.ends_with("*/");
-        }
-    }
-    kept
-}
+use std::path::Path;
 
-/// A line of code without `/** @type {…} */`, which no text of ours holds.
-fn without_casts(line: &str) -> String {
-    let mut kept = String::with_capacity(line.len());
-    let mut rest = line;
-    while let Some((before, cast)) = rest.split_once("/** @type") {
-        let Some((_, after)) = cast.split_once("*/") else {
-            break;
-        };
-        kept.push_str(before);
-        rest = after.strip_prefix(' ').unwrap_or(after);
-    }
-    kept.push_str(rest);
-    kept
-}
+use anyhow::Result;
 
-/// Whether a line, without the blanks around it, is blank, is a comment, or
-/// begins one that goes on below it.
-fn is_comment(words: &str) -> bool {
-    let alone = words.find("*/").is_none_or(|end| end + 2 == words.len());
-    words.is_empty() || words.starts_with("//") || words.starts_with("/*") && alone
-}
+use crate::{npm, paths, process};
 
-/// How many backticks begin or end a template.
-fn backticks(words: &str) -> usize {
-    words.matches('`').count() - words.matches("\\`").count()
+/// Makes every script and style sheet of the site small, each in its place, by one run
+/// of the esbuild that `scripts/` pins; `web` is the folder with `package.json`. A script
+/// that only one other needs goes into that one.
+///
+/// # Errors
+/// No Node, npm cannot install, or a script that is none.
+pub(crate) fn minify(web: &Path) -> Result<()> {
+    let scripts = paths::root().join("crates").join("xtask").join("scripts");
+    npm::install(&scripts)?;
+    process::run(
+        process::command("node")
+            .arg(scripts.join("minify.mjs"))
+            .arg(web),
+    )
 }
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
-    #[test]
-    fn comments_and_blank_lines_go() {
-        let script =
-            "/** A\n * `b\n */\n\n// c\nlet d = 1; // e\n  /* f */\n  /* g\n  h */\n  d();\n";
-        assert_eq!(without_comments(script), "let d = 1; // e\nd();\n");
-    }
+    /// Files of a small site.
+    const FILES: [(&str, &str); 8] = [
+        (
+            "package.json",
+            r#"{ "exports": { ".": "./a.js", "./open": "./open.js" } }"#,
+        ),
+        (
+            "a.js",
+            "/*! A licence. */\nimport { one } from './one.js';\nimport './shared.js';\n\
+             import './open.js';\n/** @type {number} */\n\
+             export const warmth = { perHour: one }; // Much.\n\
+             export const ask = () => import('./asked.js');\n",
+        ),
+        ("one.js", "import './two.js';\nexport const one = 1;\n"),
+        (
+            "two.js",
+            "globalThis.style = new URL('./a.css', import.meta.url);\n",
+        ),
+        ("open.js", "globalThis.open = 1;\n"),
+        ("asked.js", "import './shared.js';\n"),
+        ("shared.js", "globalThis.shared = 1;\n"),
+        ("a.css", "/* Red. */\na {\n  color: red;\n}\n"),
+    ];
 
     #[test]
-    fn types_of_casts_go() {
-        let script = "const a = /** @type {A} */ (b);\nc(/** @type {any} */(d), /** @type x";
-        assert_eq!(
-            without_comments(script),
-            "const a = (b);\nc((d), /** @type x\n"
-        );
-    }
-
-    #[test]
-    fn code_behind_a_comment_stays() {
-        let script = "/* a */ b();\n/* @__PURE__ */ c(/* d */);\n";
-        assert_eq!(without_comments(script), script);
-    }
-
-    #[test]
-    fn templates_stay_as_they_are() {
-        let script = "const a = `\n// b\n\n/* c */ \\`\n`;\nd(`e`);\n";
-        assert_eq!(without_comments(script), script);
-        assert_eq!(
-            without_comments("a(`b`);\n// `\nc(`\n// d\n`);\n// e"),
-            "a(`b`);\nc(`\n// d\n`);\n"
-        );
-    }
-
-    #[test]
-    fn a_comment_that_never_ends_is_no_trouble() {
-        assert_eq!(without_comments("a();\n/* b\nc"), "a();\n");
-        assert_eq!(without_comments(""), "");
+    fn what_is_for_readers_goes_and_what_others_name_stays() -> Result<()> {
+        let web = std::env::temp_dir().join(format!("hearth-script-{}", std::process::id()));
+        fs::create_dir_all(&web)?;
+        for (name, text) in FILES {
+            fs::write(web.join(name), text)?;
+        }
+        minify(&web)?;
+        let script = fs::read_to_string(web.join("a.js"))?;
+        for kept in [
+            "/*! A licence. */",
+            "warmth",
+            "perHour",
+            "new URL(\"./a.css\",import.meta.url)",
+            "\"./shared.js\"",
+            "\"./open.js\"",
+            "import(\"./asked.js\")",
+        ] {
+            assert!(script.contains(kept), "{kept} is not in {script}");
+        }
+        assert!(!script.contains("Much") && !script.contains("@type"));
+        assert_eq!(fs::read_to_string(web.join("a.css"))?, "a{color:red}\n");
+        // Each of these was needed by one file alone.
+        assert!(!web.join("one.js").exists() && !web.join("two.js").exists());
+        Ok(fs::remove_dir_all(web)?)
     }
 }

@@ -78,7 +78,7 @@ pub fn build() -> Result<()> {
     for module in &MODULES {
         bind(module, module.package, &site.join("web").join("wasm"))?;
     }
-    strip_scripts(&site)?;
+    script::minify(&site.join("web"))?;
     copy_pages(&paths::root().join("examples"), &site.join("examples"))?;
     let page = paths::root().join("index.html");
     let html = fs::read_to_string(&page)
@@ -145,7 +145,8 @@ pub(crate) fn bind(module: &Module, name: &str, into: &Path) -> Result<()> {
         .with_context(|| format!("cannot make the bindings of {}", module.package))
 }
 
-fn copy_folder(from: &Path, to: &Path) -> Result<()> {
+/// Copies a folder with all that lies in it.
+pub(crate) fn copy_folder(from: &Path, to: &Path) -> Result<()> {
     fs::create_dir_all(to)?;
     let listed =
         fs::read_dir(from).with_context(|| format!("cannot read {}", paths::shown(from)))?;
@@ -170,21 +171,6 @@ fn copy_pages(from: &Path, to: &Path) -> Result<()> {
         let path = entry?.path();
         if path.extension().is_some_and(|ending| ending == "html") {
             fs::copy(&path, to.join(path.file_name().unwrap_or_default()))?;
-        }
-    }
-    Ok(())
-}
-
-/// Takes the comments out of every script under `folder`.
-fn strip_scripts(folder: &Path) -> Result<()> {
-    let listed =
-        fs::read_dir(folder).with_context(|| format!("cannot read {}", paths::shown(folder)))?;
-    for entry in listed {
-        let path = entry?.path();
-        if path.is_dir() {
-            strip_scripts(&path)?;
-        } else if path.extension().is_some_and(|ending| ending == "js") {
-            fs::write(&path, script::without_comments(&fs::read_to_string(&path)?))?;
         }
     }
     Ok(())

@@ -119,6 +119,8 @@ export class WebKitTab extends Tab {
   /** @param {string} url */
   async go(url) {
     await this.session.post('url', { url });
+    // Its driver does not always wait for the page's modules.
+    await this.until('the page is loaded', () => document.readyState === 'complete');
   }
 
   /** @override */

@@ -122,7 +122,7 @@ impl<G: Graphics> Fire<'_, G> {
         let [width, height] = targets.layout.picture;
         gl.bind_framebuffer(None);
         gl.viewport(width as i32, height as i32);
-        let risen = renderer.rise.distance / f64::from(self.place.metres[1]);
+        let risen = renderer.motion.rise.distance / f64::from(self.place.metres[1]);
         let tiles = WAVES / noise::CELLS as f32;
         let risen = without_hundreds(risen * f64::from(tiles));
         let haze = parameters.heat_haze * BEND;

@@ -111,6 +111,7 @@ impl<G: Graphics> Fire<'_, G> {
         gl.clear(NOTHING);
 
         let flame = renderer
+            .motion
             .rise
             .flame_height(parameters.source_height)
             .max(2.0 * self.body.grain);
@@ -125,7 +126,7 @@ impl<G: Graphics> Fire<'_, G> {
         // of the speed, so whole hundreds make no difference, and what the
         // shader gets stays small, however long the fire burns.
         let tiles = 1.0 / (noise::CELLS as f32 * self.body.grain);
-        let risen = without_hundreds(renderer.rise.distance * f64::from(tiles));
+        let risen = without_hundreds(renderer.motion.rise.distance * f64::from(tiles));
         let warp = parameters.detail * WARP * self.body.grain;
         program.set(gl, "rise", [tiles, risen, warp, parameters.detail]);
         program.set(

@@ -106,8 +106,8 @@ impl<G: Graphics> Fire<'_, G> {
         }
         let program = renderer.studio.passes.activate(gl, Pass::Drift);
         let [width, height] = self.place.metres;
-        let elapsed = renderer.drift.elapsed;
-        let [a, b] = renderer.drift.kept;
+        let elapsed = renderer.motion.drift.elapsed;
+        let [a, b] = renderer.motion.drift.kept;
         program.set(gl, "carried", [elapsed / width, elapsed / height, a, b]);
         targets.flow.read_here(gl, 0);
         before.read_here(gl, 1);
@@ -138,12 +138,14 @@ impl<G: Graphics> Fire<'_, G> {
         let tiles = [1.15, 0.75].map(|share| share / (noise::CELLS as f32 * self.body.grain));
         let risen = match renderer.studio.format {
             TargetFormat::Rgba16F => 0.0,
-            TargetFormat::Rgba8 => without_hundreds(renderer.rise.distance * f64::from(tiles[1])),
+            TargetFormat::Rgba8 => {
+                without_hundreds(renderer.motion.rise.distance * f64::from(tiles[1]))
+            }
         };
         let warp = parameters.detail * WARP * self.body.grain;
         program.set(gl, "grain", [tiles[0], tiles[1], warp, parameters.detail]);
-        program.set(gl, "start", renderer.drift.places());
-        let [a, b] = renderer.drift.shares();
+        program.set(gl, "start", renderer.motion.drift.places());
+        let [a, b] = renderer.motion.drift.shares();
         let level = (noise::SIZE as f32).log2() + SHARPNESS;
         program.set(gl, "seen", [a, b, level, risen]);
         program.set(

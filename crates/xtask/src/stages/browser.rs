@@ -1,12 +1,11 @@
 //! Stages that run wasm, in Node and in browsers.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::Result;
 
-use crate::{paths, process, tools};
+use crate::{npm, paths, process, tools};
 
 /// Longest time for one wasm test program, in seconds: a browser that draws
 /// without a GPU on two cores is slow.
@@ -70,11 +69,7 @@ fn drive(test: &mut Command, folder: &Path) -> Result<()> {
 /// # Errors
 /// No Node, or npm cannot install.
 pub(crate) fn packages() -> Result<()> {
-    tools::node()?;
-    if packages_are_fresh() {
-        return Ok(());
-    }
-    process::run(in_e2e("npm").arg("ci"))
+    npm::install(&e2e())
 }
 
 fn e2e() -> PathBuf {
@@ -82,21 +77,7 @@ fn e2e() -> PathBuf {
 }
 
 fn in_e2e(program: &str) -> Command {
-    // On Windows npm is a script, which only its full path starts.
-    let program = process::find(program).unwrap_or_else(|| program.into());
     let mut command = process::command(program);
     command.current_dir(e2e());
     command
-}
-
-/// Whether npm has installed what the lock file says since that was written.
-fn packages_are_fresh() -> bool {
-    let written = |file: &str| fs::metadata(e2e().join(file)).and_then(|about| about.modified());
-    match (
-        written("node_modules/.package-lock.json"),
-        written("package-lock.json"),
-    ) {
-        (Ok(installed), Ok(locked)) => installed >= locked,
-        _ => false,
-    }
 }

@@ -103,3 +103,16 @@ export const PRESETS = [
   { name: "paper-stiffness", label: "Paper, stiffness", description: "The same with a ten times larger gas constant: the fire is wider.", values: { model: "classic", domain_height: 1.5, smoothing_radius: 0.022, particle_mass: 0.00015, gas_constant: 6, buoyancy: 0.12, thermal_buoyancy: 0.02, emission_rate: 2500, lifetime_min: 0.4, lifetime_max: 1.2, taper: 0.6, emission_speed: 0.5, emission_spread: 0.3, emission_noise: 0, source_width: 0.24, source_height: 0.2, display_mode: "paper", particle_size: 0.03 } },
   { name: "seed", label: "Seed", description: "The program that Hearth grew from: a narrow column of sparse dots.", values: { model: "classic", domain_width: 1.5, domain_height: 1.5, walls: "solid", smoothing_radius: 0.0075, particle_mass: 0.0001, gas_constant: 2, viscosity: 0.0002, buoyancy: 0.02, thermal_buoyancy: 0.01, max_particles: 800, emission_rate: 400, lifetime_min: 1.1, lifetime_max: 2, taper: 0, emission_speed: 0.75, emission_spread: 0.45, emission_noise: 0, source_width: 0.125, maximum_temperature: 1273, cooling_rate: 300, display_mode: "paper", particle_size: 0.015 } },
 ];
+
+/** What the colours of a display mode measure; not there are those that show a fire. */
+export const QUANTITIES = {
+  particles: { unit: "K", signed: false, whole: false },
+  temperature: { unit: "K", signed: false, whole: false },
+  density: { unit: "kg/m³", signed: false, whole: false },
+  pressure: { unit: "Pa", signed: true, whole: false },
+  velocity: { unit: "m/s", signed: false, whole: false },
+  vorticity: { unit: "1/s", signed: true, whole: false },
+  fuel: { unit: "", signed: false, whole: false },
+  soot: { unit: "", signed: false, whole: false },
+  neighbours: { unit: "", signed: false, whole: true },
+};

@@ -8,7 +8,7 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use hearth_core::params::Model;
+use hearth_core::params::{Input, Model};
 use hearth_core::{Parameters, Simulation};
 use hearth_tests::fires::everything;
 
@@ -55,9 +55,14 @@ fn allocations(parameters: Parameters, steps: u32) -> (usize, usize) {
 #[test]
 fn a_warm_fire_allocates_nothing() {
     for parameters in [Parameters::new(Model::Classic), everything()] {
-        let model = parameters.model();
-        let (cold, warm) = allocations(parameters, 2400);
-        assert!(cold > 0, "the count does not count");
-        assert_eq!(warm, 0, "{model:?}");
+        // Briefly where each picture takes as long as a step.
+        for (mode, steps) in [("fire", 2400), ("vorticity", 800)] {
+            let mut parameters = parameters.clone();
+            assert_eq!(parameters.set("display_mode", Input::Text(mode)), Ok(()));
+            let model = parameters.model();
+            let (cold, warm) = allocations(parameters, steps);
+            assert!(cold > 0, "the count does not count");
+            assert_eq!(warm, 0, "{model:?}, {mode}");
+        }
     }
 }

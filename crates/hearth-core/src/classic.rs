@@ -14,9 +14,10 @@ mod printed;
 
 use crate::Particle;
 use crate::bounds::Bounds;
+use crate::extremes::smaller;
 use crate::kernel::Kernel;
-use crate::params::{Values, Walls};
-use crate::particle::Instance;
+use crate::params::{DisplayMode, Values, Walls};
+use crate::particle::{Instance, numbered};
 use crate::random::Random;
 use crate::simulation::{Push, Stage, StepReport};
 use crate::turbulence::Turbulence;
@@ -65,11 +66,7 @@ impl Classic {
         push: Option<Push<'_>>,
         watch: &mut dyn FnMut(Stage),
     ) {
-        let kernel = if values.printed_kernel {
-            Kernel::as_printed(values.smoothing_radius)
-        } else {
-            Kernel::new(values.smoothing_radius)
-        };
+        let kernel = kernel(values);
         let bounds = bounds(values);
         let particles = &mut self.particles;
         let pairs = &mut self.pairs;
@@ -137,6 +134,39 @@ impl Classic {
                 1.0 - one.age / one.lifetime,
             ]
         }));
+    }
+
+    /// The particle at `i` with what `mode` measures of it.
+    // Taken into a loop, it would be a loop for each mode.
+    #[inline(never)]
+    pub fn measured(&self, i: usize, values: &Values, mode: DisplayMode) -> Instance {
+        let one = &self.particles[i];
+        let lived = one.age / one.lifetime;
+        let measured = match mode {
+            DisplayMode::Particles | DisplayMode::Temperature => one.temperature,
+            DisplayMode::Density => one.density,
+            DisplayMode::Pressure => one.pressure,
+            DisplayMode::Velocity => one.velocity().length(),
+            DisplayMode::Fuel | DisplayMode::Sprites => 1.0 - lived,
+            DisplayMode::Soot => lived * lived * lived,
+            _ => 0.0,
+        };
+        // A particle alone has all the room of its kernel. The factor that the paper
+        // prints makes other densities, but no other volumes.
+        let bell = Kernel::new(values.smoothing_radius).value(0.0);
+        let share = kernel(values).value(0.0) / bell;
+        let volume = smaller(share * values.particle_mass / one.density, 1.0 / bell);
+        let [x, y, vx, vy] = one.motion.to_array();
+        let number = numbered(one.id, mode);
+        [x, y, vx, vy, one.temperature, volume, number, measured]
+    }
+}
+
+fn kernel(values: &Values) -> Kernel {
+    if values.printed_kernel {
+        Kernel::as_printed(values.smoothing_radius)
+    } else {
+        Kernel::new(values.smoothing_radius)
     }
 }
 

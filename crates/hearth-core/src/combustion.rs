@@ -18,8 +18,8 @@ mod whirls;
 use crate::Particle;
 use crate::grid::Grid;
 use crate::kernel::Kernel;
-use crate::params::{Parameters, Values};
-use crate::particle::Instance;
+use crate::params::{DisplayMode, Parameters, Values};
+use crate::particle::{Instance, numbered};
 use crate::random::Random;
 use crate::simulation::{Push, Stage, StepReport};
 use crate::turbulence::Turbulence;
@@ -235,6 +235,26 @@ impl Combustion {
                 ]
             })
         }));
+    }
+
+    /// The particle at `i` with what `mode` measures of it.
+    // Taken into a loop, it would be a loop for each mode.
+    #[inline(never)]
+    pub fn measured(&self, i: usize, mode: DisplayMode) -> Instance {
+        let gas = &self.gas;
+        let (at, v, volume) = (gas.position[i], gas.velocity[i], gas.volume[i]);
+        let [temperature, fuel, _, soot] = gas.state[i].to_array();
+        let measured = match mode {
+            DisplayMode::Particles | DisplayMode::Temperature => temperature,
+            DisplayMode::Density => gas.mass / volume,
+            DisplayMode::Pressure => gas.pressure[i],
+            DisplayMode::Velocity => v.length(),
+            DisplayMode::Fuel => fuel,
+            DisplayMode::Soot | DisplayMode::Sprites => soot,
+            _ => 0.0,
+        };
+        let number = numbered(gas.id[i].into(), mode);
+        [at.x, at.y, v.x, v.y, temperature, volume, number, measured]
     }
 
     /// Copies out the embers.

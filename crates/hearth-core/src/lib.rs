@@ -37,6 +37,7 @@ mod particle;
 pub mod preset;
 pub mod random;
 pub mod simulation;
+mod surroundings;
 mod turbulence;
 
 pub use combustion::{Burner, Ember};

@@ -11,6 +11,7 @@
 
 mod choices;
 mod decimal;
+mod quantity;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -21,6 +22,7 @@ use std::ops::Deref;
 use table::parameters;
 
 pub use choices::{Backdrop, Choice, DisplayMode, Layers, Model, Palette, Walls};
+pub use quantity::Quantity;
 pub use table::{Description, Domain, Kind, Param, Scale};
 pub use value::{Colour, Input, ParamError, Refusal, Value};
 

@@ -2,6 +2,8 @@
 
 use glam::Vec2;
 
+use crate::params::DisplayMode;
+
 /// A particle as it is put in and read out. What its model does not use is left
 /// as it is in air.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,4 +47,17 @@ impl Particle {
 /// age \[s\] and remaining life [0–1]; in the combustion model, volume \[m²\],
 /// soot, and fuel burnt in a second [1/s]; of an ember, size \[m\], age \[s\] and
 /// remaining life [0–1].
+///
+/// Where the [display mode](crate::params::DisplayMode) is not fire's or the paper's,
+/// in both models: volume \[m²\], zero, and what the mode measures; of sprites, volume,
+/// the particle's number modulo 4096, and how much there is of it to glow: remaining
+/// life, or soot.
 pub type Instance = [f32; 8];
+
+/// What a particle of that id is told by in a picture, where that is asked for.
+pub(crate) fn numbered(id: u64, mode: DisplayMode) -> f32 {
+    match mode {
+        DisplayMode::Sprites => (id % 4096) as f32,
+        _ => 0.0,
+    }
+}

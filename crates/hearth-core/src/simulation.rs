@@ -11,9 +11,10 @@ use glam::Vec2;
 use crate::bounds::Bounds;
 use crate::classic::{self, Classic, Living};
 use crate::combustion::{self, Combustion, Ember};
-use crate::params::{Input, Model, ParamError, Parameters};
+use crate::params::{DisplayMode, Input, Model, ParamError, Parameters};
 use crate::particle::{Instance, Particle};
 use crate::random::Random;
+use crate::surroundings::look_around;
 
 /// What the last step did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -233,13 +234,31 @@ impl Simulation {
         }
     }
 
-    /// Copies out what the renderer needs, in no particular order; in the
-    /// combustion model only what can be seen.
+    /// Copies out what the renderer needs, in no particular order: of a fire in the
+    /// combustion model only what can be seen, in every other
+    /// [`DisplayMode`] all particles.
     pub fn write_instances(&self, out: &mut Vec<Instance>) {
         out.clear();
-        match &self.gas {
-            Gas::Classic(classic) => classic.write_instances(out),
-            Gas::Combustion(gas) => gas.write_instances(out),
+        match (self.parameters.display_mode, &self.gas) {
+            (DisplayMode::Fire | DisplayMode::Paper, Gas::Classic(classic)) => {
+                classic.write_instances(out);
+            }
+            (DisplayMode::Fire | DisplayMode::Paper, Gas::Combustion(gas)) => {
+                gas.write_instances(out);
+            }
+            (mode, _) => self.write_measured(mode, out),
+        }
+    }
+
+    fn write_measured(&self, mode: DisplayMode, out: &mut Vec<Instance>) {
+        out.extend((0..self.count()).map(|i| match &self.gas {
+            Gas::Classic(classic) => classic.measured(i, &self.parameters, mode),
+            Gas::Combustion(gas) => gas.measured(i, mode),
+        }));
+        let spin = mode == DisplayMode::Vorticity;
+        if spin || mode == DisplayMode::Neighbours {
+            let h = self.parameters.smoothing_length();
+            look_around(out, &self.bounds(), h, spin);
         }
     }
 
@@ -322,6 +341,32 @@ impl Simulation {
     /// none in the classic model.
     pub fn burn_rates(&self) -> Vec<f32> {
         self.read(|_| 0.0, |gas, i| gas.burn[i])
+    }
+
+    /// Vorticities [1/s], counterclockwise above zero, in the order of birth: twice
+    /// the speed at which the neighbours of each particle turn around it now.
+    pub fn vorticities(&self) -> Vec<f32> {
+        self.measured(DisplayMode::Vorticity)
+    }
+
+    /// How many others each particle has within 2h now, in the order of birth.
+    pub fn neighbour_counts(&self) -> Vec<u32> {
+        let counts = self.measured(DisplayMode::Neighbours).into_iter();
+        counts.map(|count| count as u32).collect()
+    }
+
+    fn measured(&self, mode: DisplayMode) -> Vec<f32> {
+        let mut all = Vec::new();
+        self.write_measured(mode, &mut all);
+        let order = match &self.gas {
+            Gas::Classic(classic) => classic.particles().by_id(),
+            Gas::Combustion(combustion) => combustion.gas().by_id(),
+        };
+        let found = order.into_iter().map(|i| {
+            let [.., measured] = all[i];
+            measured
+        });
+        found.collect()
     }
 
     fn read<T>(

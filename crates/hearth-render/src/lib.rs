@@ -22,6 +22,7 @@ mod particles;
 mod passes;
 mod program;
 mod renderer;
+mod scale;
 mod studio;
 mod survey;
 mod target;

@@ -51,6 +51,14 @@ passes! {
     Backdrop = BACKDROP,
     /// Particles to the picture, as in the paper.
     Paper = PAPER,
+    /// What is measured of particles to a field.
+    Gather = GATHER,
+    /// That to colours.
+    Chart = CHART,
+    /// What is measured of particles to discs.
+    Disc = DISC,
+    /// Particles to sprites with a texture.
+    Sprite = SPRITE,
 }
 
 /// All passes, compiled.
@@ -207,6 +215,46 @@ const PAPER: Source = Source {
     fragment: &[shader!("colour.glsl"), shader!("paper.frag")],
     samplers: &["particles", "black_body"],
     uniforms: &["world", "count", "sprite", "heat", "table", "pale"],
+};
+
+const GATHER: Source = Source {
+    pass: "gather",
+    vertex: &[shader!("particle.glsl"), shader!("gather.vert")],
+    fragment: &[shader!("splat.frag")],
+    samplers: &["particles"],
+    uniforms: &["world", "count", "kernel", "span"],
+};
+
+const CHART: Source = Source {
+    pass: "chart",
+    vertex: &[shader!("screen.vert")],
+    fragment: &[
+        shader!("colour.glsl"),
+        shader!("scale.glsl"),
+        shader!("chart.frag"),
+    ],
+    samplers: &["field"],
+    uniforms: &["part", "span"],
+};
+
+const DISC: Source = Source {
+    pass: "disc",
+    vertex: &[shader!("particle.glsl"), shader!("gather.vert")],
+    fragment: &[
+        shader!("colour.glsl"),
+        shader!("scale.glsl"),
+        shader!("disc.frag"),
+    ],
+    samplers: &["particles"],
+    uniforms: &["world", "count", "kernel", "span"],
+};
+
+const SPRITE: Source = Source {
+    pass: "sprite",
+    vertex: &[shader!("particle.glsl"), shader!("sprite.vert")],
+    fragment: &[shader!("colour.glsl"), shader!("sprite.frag")],
+    samplers: &["particles", "noise", "black_body"],
+    uniforms: &["world", "count", "sprite", "shine", "table", "pale"],
 };
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 mod backdrop;
 mod classic;
 mod combustion;
+mod display;
 mod fire;
 
 use std::rc::Rc;
@@ -23,6 +24,7 @@ use crate::layout::{Layout, Lines, Place};
 use crate::palette::Tint;
 use crate::particles::Particles;
 use crate::passes::Pass;
+use crate::scale::{Scale, extremes};
 use crate::studio::{Studio, colour_table};
 use crate::survey::{Rise, Survey};
 use crate::target::bind;
@@ -66,6 +68,9 @@ pub struct Renderer<G: Graphics = glow::Context> {
     motion: Motion,
     /// Which of the two pictures of the drift is the newest.
     newest: usize,
+    /// Least and most of what is measured of the particles.
+    measured: Option<[f32; 2]>,
+    scale: Scale,
 }
 
 impl<G: Graphics> Renderer<G> {
@@ -102,6 +107,8 @@ impl<G: Graphics> Renderer<G> {
             survey: Survey::of(&[], &[]),
             motion: Motion::default(),
             newest: 0,
+            measured: None,
+            scale: Scale::default(),
         })
     }
 
@@ -121,6 +128,12 @@ impl<G: Graphics> Renderer<G> {
         self.motion.drift.forget();
     }
 
+    /// What the first and the last colour of the last picture stand for, in the unit
+    /// of [`DisplayMode::quantity`]; nothing where that measures nothing.
+    pub fn scale(&self) -> Option<[f32; 2]> {
+        self.scale.ends()
+    }
+
     /// Draws with so many lines from the next picture on.
     pub fn set_lines(&mut self, lines: Lines) {
         self.lines = lines;
@@ -129,6 +142,7 @@ impl<G: Graphics> Renderer<G> {
     /// Sends the particles and the embers to the graphics card.
     pub fn upload(&mut self, gl: &G, instances: &[Instance], embers: &[Instance]) {
         self.survey = Survey::of(instances, embers);
+        self.measured = extremes(instances);
         self.particles.upload(gl, instances);
         self.embers.upload(gl, embers);
     }
@@ -162,9 +176,6 @@ impl<G: Graphics> Renderer<G> {
         let Some(layout) = Layout::new(size, self.lines, self.studio.most) else {
             return Ok(());
         };
-        self.motion
-            .rise
-            .advance(&self.survey, view.time, parameters.model());
         let place = Place::new(layout.picture, parameters.domain_height);
         for capability in [
             glow::DEPTH_TEST,
@@ -176,21 +187,29 @@ impl<G: Graphics> Renderer<G> {
             gl.disable(capability);
         }
         gl.bind_vertex_array(Some(&self.studio.nothing));
+        let (mode, model) = (parameters.display_mode, parameters.model());
         self.fit_colours(gl, Tint::of(parameters))?;
-        match parameters.display_mode {
-            DisplayMode::Paper => {
-                self.paper(gl, layout, place, parameters);
-                watch("paper");
-            }
-            _ => {
-                self.fit_targets(gl, layout)?;
+        self.scale.see(mode, model, self.measured);
+        if mode == DisplayMode::Paper {
+            self.paper(gl, layout, place, parameters);
+            watch("paper");
+        } else {
+            self.fit_targets(gl, layout)?;
+            let burns = mode == DisplayMode::Fire;
+            if burns {
                 self.fit_scenery(gl, layout, parameters)?;
+                self.motion.rise.advance(&self.survey, view.time, model);
                 self.motion
                     .drift
                     .advance(view.time, combustion::period(parameters));
                 self.newest = 1 - self.newest;
-                if let Some(targets) = &self.targets {
-                    Fire::new(gl, self, targets, place, parameters).paint(watch);
+            }
+            if let Some(targets) = &self.targets {
+                let mut fire = Fire::new(gl, self, targets, place, parameters);
+                if burns {
+                    fire.paint(watch);
+                } else {
+                    fire.display(view.time, watch);
                 }
             }
         }

@@ -329,11 +329,14 @@ impl Fire {
         // Asked-for steps are a jump: what lies between is not shown.
         let stands = passed.is_none();
         let drawn = self.wants_picture() && self.asked.is_empty() && self.seen();
+        let shown = self.picture.scale();
         let draw_ms = if drawn {
             self.draw(easel, host, out)
         } else {
             0.0
         };
+        // Whoever shows what the colours stand for shows it with the picture.
+        let rescaled = self.picture.scale() != shown;
         self.since.steps_ms += made.stages.iter().sum::<f64>();
         self.since.burnt += made.burnt;
         if passed.is_some() && made.steps != made.played {
@@ -362,7 +365,7 @@ impl Fire {
                 self.adapt();
             }
         }
-        if (drawn && stands) || now - self.told_at >= STATS_EVERY_MS {
+        if (drawn && stands) || rescaled || now - self.told_at >= STATS_EVERY_MS {
             self.told_at = now;
             self.tell(easel, out);
         }
@@ -475,6 +478,7 @@ impl Fire {
             passes: passes.map_or(&[], |passes| &passes.times),
             pass_timer: passes.map_or("", |passes| passes.timer()),
             quality: &self.quality,
+            scale: self.picture.scale(),
         };
         out.stats(self.id, &stats);
     }

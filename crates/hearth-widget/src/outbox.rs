@@ -79,6 +79,9 @@ pub struct Stats<'a> {
     pub pass_timer: &'static str,
     /// How much work it makes itself, and why.
     pub quality: &'a Quality,
+    /// What the first and the last colour of the picture stand for, where they
+    /// measure something.
+    pub scale: Option<[f32; 2]>,
 }
 
 /// Messages that wait to be posted.
@@ -196,6 +199,7 @@ impl Outbox {
         put(&object, "slowed", &stats.slowed.into());
         put(&object, "stages", &numbers(&stats.stages));
         put(&object, "passes", &numbers(stats.passes));
+        put(&object, "scale", &scale(stats.scale));
         let message = about("stats", fire);
         put(&message, "stats", &object);
         self.0.push(message.into());
@@ -273,6 +277,12 @@ fn numbers(numbers: &[(&str, f64)]) -> Object {
         put(&object, name, &(*number).into());
     }
     object
+}
+
+fn scale(ends: Option<[f32; 2]>) -> JsValue {
+    ends.map_or(JsValue::NULL, |ends| {
+        Array::from_iter(ends.map(|end| plain(Value::Number(end)))).into()
+    })
 }
 
 fn plain(value: Value) -> JsValue {

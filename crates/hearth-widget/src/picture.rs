@@ -49,6 +49,11 @@ impl Picture {
         self.drawing.as_ref().map(|drawing| &drawing.passes)
     }
 
+    /// What its first and its last colour stand for, where they measure something.
+    pub fn scale(&self) -> Option<[f32; 2]> {
+        self.drawing.as_ref()?.renderer.as_ref()?.scale()
+    }
+
     /// Draws these particles and shows them as the picture of `fire`; returns when
     /// the particles had been sent to the graphics card \[ms\].
     ///

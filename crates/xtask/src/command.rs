@@ -1,11 +1,14 @@
 //! The command line: what may be asked for, and who answers.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use anyhow::{Result, bail};
 
 use crate::links::{self, Base};
-use crate::{bench, codegen, package, paths, poster, serve, site, size, soak, stages, validate};
+use crate::{
+    bench, codegen, package, paths, poster, serve, showcase, site, size, soak, stages, validate,
+};
 
 /// What a person reads who asks for help.
 const HELP: &str = "\
@@ -20,6 +23,8 @@ cargo xtask <command>
   bench [--yardstick PROGRAM]           measure, beside this program too, and write docs/evaluation.md
   bench --instructions [--write]        hold the instructions of a step to those written down, or write them
   poster                                take the picture that a link to the page shows
+  showcase [PICTURE …]                  take the documentation's animation and, with
+                                        pictures of other systems, a sheet of ours and theirs
   size                                  print the download sizes of the built site
   codegen                               write the files that come from the parameter table and the scenes
   help                                  this text
@@ -65,6 +70,11 @@ pub enum Command {
     Bench(bench::Task),
     /// Take the picture that a link shows.
     Poster,
+    /// Take the documentation's animation and its sheet of pictures.
+    Showcase {
+        /// Pictures of other systems, for the sheet.
+        others: Vec<PathBuf>,
+    },
     /// Print download sizes.
     Size,
     /// Write generated files.
@@ -152,6 +162,16 @@ impl Command {
                 Err(option) => return unknown(name, &option),
             },
             "poster" => Command::Poster,
+            "showcase" => {
+                let mut others = Vec::new();
+                for picture in options.by_ref() {
+                    if picture.starts_with('-') {
+                        return unknown(name, picture);
+                    }
+                    others.push(PathBuf::from(picture));
+                }
+                Command::Showcase { others }
+            }
             "package" => Command::Package,
             "size" => Command::Size,
             "codegen" => Command::Codegen,
@@ -218,6 +238,7 @@ pub fn run(command: Command) -> Result<ExitCode> {
         Command::Soak { corners, seed } => soak::run(corners, seed)?,
         Command::Bench(task) => bench::run(&task)?,
         Command::Poster => poster::take()?,
+        Command::Showcase { others } => showcase::take(&others)?,
         Command::Size => {
             site::build()?;
             size::check()?;

@@ -17,6 +17,7 @@ pub mod process;
 pub mod report;
 mod script;
 pub mod serve;
+pub mod showcase;
 pub mod site;
 pub mod size;
 pub mod soak;

@@ -235,6 +235,17 @@ pub fn valgrind() -> Result<()> {
     Ok(())
 }
 
+/// Makes sure that `img2webp` is there, which makes an animation of pictures.
+///
+/// # Errors
+/// It is missing and cannot be installed.
+pub fn webp() -> Result<()> {
+    if process::find("img2webp").is_none() {
+        apt_install(&["webp"]).context("no img2webp: install Debian's package webp")?;
+    }
+    Ok(())
+}
+
 /// The program that a variable names.
 fn named(variable: &str) -> Option<PathBuf> {
     env::var_os(variable)

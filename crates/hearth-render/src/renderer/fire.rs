@@ -197,7 +197,7 @@ impl<'a, G: Graphics> Fire<'a, G> {
     }
 
     /// Colours to the picture, in front of its background.
-    fn present(&self) {
+    pub(super) fn present(&self) {
         let Fire {
             gl,
             renderer,

@@ -5,7 +5,7 @@
 
 use std::fmt::Write as _;
 
-use hearth_core::params::{Domain, Kind, Model, PARAMETERS, Param, Scale};
+use hearth_core::params::{Choice, DisplayMode, Domain, Kind, Model, PARAMETERS, Param, Scale};
 
 use super::json::Json;
 use super::scene::Scene;
@@ -49,7 +49,23 @@ pub(super) fn module(scenes: &[Scene]) -> String {
     for scene in scenes {
         let _ = writeln!(text, "  {},", preset_entry(scene));
     }
-    text.push_str("];\n");
+    text.push_str(
+        "];\n\n\
+         /** What the colours of a display mode measure; not there are those that show a fire. */\n\
+         export const QUANTITIES = {\n",
+    );
+    for name in DisplayMode::NAMES {
+        let mode = DisplayMode::from_name(name);
+        if let Some(quantity) = mode.and_then(DisplayMode::quantity) {
+            let fields = object(&[
+                ("unit", json_string(quantity.unit)),
+                ("signed", quantity.signed.to_string()),
+                ("whole", quantity.whole.to_string()),
+            ]);
+            let _ = writeln!(text, "  {name}: {fields},");
+        }
+    }
+    text.push_str("};\n");
     text
 }
 

@@ -64,6 +64,19 @@ export declare const PARAMETERS: Parameter[];
 
 /** Every preset, the default one first. */
 export declare const PRESETS: Preset[];
+
+/** What the colours of a display mode measure, from `stats.scale[0]` to `stats.scale[1]`. */
+export interface Quantity {
+  /** Empty for a pure number. */
+  unit: string;
+  /** Whether it goes both ways from zero, which is then the middle of the colours. */
+  signed: boolean;
+  /** Whether it is a whole number. */
+  whole: boolean;
+}
+
+/** Of each display mode that measures something, what. */
+export declare const QUANTITIES: Partial<Record<HearthParameters['display_mode'], Quantity>>;
 ";
 
 /// The whole file of declarations.

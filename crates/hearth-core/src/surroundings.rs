@@ -1,0 +1,126 @@
+//! What a particle has around it, for whoever looks: how fast that turns, and how
+//! many others the particle feels.
+//!
+//! A fire that stands still is looked at too, and so are particles that were just
+//! put in. So this goes by the particles as they are, and not by the lists of the last
+//! step. Its memory is the list of instances itself: behind them stands the first
+//! particle of each cell, and in a field of theirs that is free the next one of
+//! the same cell. So a picture of a warm fire allocates nothing and changes nothing.
+
+use crate::bounds::Bounds;
+use crate::extremes::larger;
+use crate::kernel;
+use crate::particle::Instance;
+
+/// Fields of an instance: its volume; what is free; what is found out.
+const VOLUME: usize = 5;
+const NEXT: usize = 6;
+const FOUND: usize = 7;
+
+/// Numbers of an instance.
+const FIELDS: usize = size_of::<Instance>() / size_of::<f32>();
+
+/// Finds for each particle its vorticity [1/s] if it is `spin` that is asked for,
+/// or the number of its neighbours within 2`h` \[m\].
+///
+/// The vorticity is twice the speed at which its neighbours turn around it,
+/// ω = 2 Σ V g (r × v)/Σ V g r², g = −W'/r, with r and v from it to each of them:
+/// the curl of SPH over what that makes of a rigid rotation, which so comes out
+/// exactly, at the rim of the gas too.
+pub(crate) fn look_around(instances: &mut Vec<Instance>, bounds: &Bounds, h: f32, spin: bool) {
+    let count = instances.len();
+    let reach = 2.0 * h;
+    // As wide as a kernel reaches, and no more of them than particles.
+    let area = bounds.width * bounds.height;
+    let edge = larger(reach, (area / (count + 1) as f32).sqrt());
+    let across = Axis::new(bounds.width, edge, bounds.periodic);
+    let up = Axis::new(bounds.height, edge, bounds.endless);
+    let place = |one: &Instance| (across.cell(one[0] + 0.5 * bounds.width), up.cell(one[1]));
+
+    let cells = across.cells * up.cells;
+    instances.resize(count + cells.div_ceil(FIELDS), [0.0; FIELDS]);
+    let (particles, first) = instances.split_at_mut(count);
+    let first = first.as_flattened_mut();
+    for (i, one) in particles.iter_mut().enumerate() {
+        let (column, row) = place(one);
+        if let Some(first) = first.get_mut(row * across.cells + column) {
+            one[NEXT] = *first;
+            // From one on, zero is nobody. An f32 holds each up to sixteen million.
+            *first = (i + 1) as f32;
+        }
+    }
+    for i in 0..count {
+        let one = particles[i];
+        let (column, row) = place(&one);
+        let (mut turn, mut inertia, mut near) = (0.0, 0.0, 0.0);
+        for side in 0..9 {
+            let ((column, beside), (row, above)) =
+                (across.next_to(column, side % 3), up.next_to(row, side / 3));
+            let cell = row.saturating_mul(across.cells).saturating_add(column);
+            let mut next = first.get(cell).copied().unwrap_or(0.0);
+            // Outside of the domain, and at the end of the list, is nobody.
+            while let Some(other) = particles.get((next as usize).wrapping_sub(1)) {
+                let is_other = next as usize != i + 1;
+                next = other[NEXT];
+                let (x, y) = (other[0] + beside - one[0], other[1] + above - one[1]);
+                let square = x * x + y * y;
+                if square < reach * reach && (is_other || square > 0.0) {
+                    near += 1.0;
+                    let q = larger(square.sqrt() / h, 1e-6);
+                    let weight = other[VOLUME] * kernel::steepness(q) / q;
+                    turn += weight * (x * (other[3] - one[3]) - y * (other[2] - one[2]));
+                    inertia += weight * square;
+                }
+            }
+        }
+        particles[i][FOUND] = match spin {
+            true if inertia > 0.0 => 2.0 * turn / inertia,
+            true => 0.0,
+            false => near,
+        };
+    }
+    instances.truncate(count);
+    for one in instances {
+        one[NEXT] = 0.0;
+    }
+}
+
+/// The cells of the domain along an axis.
+struct Axis {
+    length: f32,
+    cells: usize,
+    /// Whether its ends are the same place.
+    closed: bool,
+}
+
+impl Axis {
+    fn new(length: f32, edge: f32, closed: bool) -> Axis {
+        Axis {
+            length,
+            cells: ((length / edge) as usize).max(1),
+            closed,
+        }
+    }
+
+    /// The cell so far from its beginning. What is outside, or not a number, comes
+    /// to an end.
+    fn cell(&self, at: f32) -> usize {
+        ((at / self.length * self.cells as f32) as usize).min(self.cells - 1)
+    }
+
+    /// The cell before a cell, that cell or the one after it (`side` of 0, 1, 2), and
+    /// what is to be added to the places in it; far away where there is none.
+    #[inline(never)]
+    fn next_to(&self, cell: usize, side: usize) -> (usize, f32) {
+        let next = cell + side;
+        if (1..=self.cells).contains(&next) {
+            (next - 1, 0.0)
+        } else if !self.closed {
+            (usize::MAX, 0.0)
+        } else if next == 0 {
+            (self.cells - 1, -self.length)
+        } else {
+            (0, self.length)
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! Display modes that are neither fire nor paper: a quantity of the gas as a field or
+//! as discs, by colours; and sprites with a texture.
+
+use hearth_core::params::{DisplayMode, Model};
+
+use super::fire::Fire;
+use super::{NOTHING, clear_picture, gain, table_coordinates};
+use crate::format::TargetFormat;
+use crate::gl::Graphics;
+use crate::palette::Tint;
+use crate::passes::Pass;
+use crate::program::Program;
+use crate::target::bind;
+
+/// Radius of a field's kernel in smoothing lengths; it blurs as much as the one that
+/// moved the gas.
+const RADII_PER_LENGTH: f32 = 1.6;
+/// Largest weight that eight bits hold.
+const WEIGHT: f32 = 1.25;
+/// Weight of gas that covers what is behind it: of a particle alone, for gas whose
+/// rim is nothing but particles, and at the edge of a domain that is full.
+const ALONE: f32 = 0.85;
+const AT_AN_EDGE: f32 = 0.45;
+/// Diameter of a disc in spacings.
+const DISC: f32 = 0.8;
+/// Radius of a sprite: in sizes of the classic model's particles, and in spacings.
+const SIZES: f32 = 1.6;
+const SPACINGS: f32 = 4.0;
+/// How much life, or soot, there must be for a sprite to glow fully.
+const LIFE: f32 = 0.25;
+const SOOT: f32 = 0.3;
+/// Opacity of a sprite.
+const OPACITY: f32 = 0.9;
+/// Brightness of one, beside that of a fire's gas: many lie over each other.
+const BRIGHTNESS: f32 = 0.16;
+/// Seconds in which a sprite turns once, on average.
+const TURN: f64 = 9.0;
+
+impl<G: Graphics> Fire<'_, G> {
+    /// Draws what the display mode shows at `time`, pass by pass.
+    pub fn display(&mut self, time: f64, watch: &mut dyn FnMut(&'static str)) {
+        let parameters = self.parameters;
+        match parameters.display_mode {
+            DisplayMode::Sprites => {
+                let (radius, full) = match parameters.model() {
+                    Model::Classic => (SIZES * parameters.particle_size, LIFE),
+                    Model::Combustion => (SPACINGS * parameters.spacing(), SOOT),
+                };
+                self.reach_out(radius);
+                self.sprites(full, time);
+                watch("sprites");
+                self.present();
+                watch("present");
+            }
+            DisplayMode::Particles | DisplayMode::Neighbours => {
+                self.discs();
+                watch("discs");
+            }
+            _ => {
+                self.reach_out(RADII_PER_LENGTH * parameters.smoothing_length());
+                self.gather();
+                watch("gather");
+                self.chart();
+                watch("chart");
+            }
+        }
+    }
+
+    /// Lets particles reach so far \[m\], if texels can show it.
+    #[inline(never)]
+    fn reach_out(&mut self, radius: f32) {
+        let (height, count) = (self.place.metres[1], self.renderer.particles.count());
+        self.used = self.targets.layout.used_field(count, radius, height);
+        let radius = radius.max(1.5 * height / self.used[1] as f32);
+        let [left, lower, right, upper] = self.renderer.survey.bounds;
+        self.reach = [
+            left - radius,
+            lower - radius,
+            right + radius,
+            upper + radius,
+        ];
+        self.body.radius = radius;
+    }
+
+    /// Largest weight that the field can hold.
+    fn weight(&self) -> f32 {
+        match self.renderer.studio.format {
+            TargetFormat::Rgba16F => 1.0,
+            TargetFormat::Rgba8 => WEIGHT,
+        }
+    }
+
+    /// The program of that pass, which knows what the colours stand for.
+    #[inline(never)]
+    fn measuring(&self, pass: Pass) -> &Program<G> {
+        let Fire {
+            gl,
+            renderer,
+            parameters,
+            ..
+        } = *self;
+        let program = renderer.studio.passes.activate(gl, pass);
+        let [least, most] = renderer.scale().unwrap_or([0.0, 1.0]);
+        let quantity = parameters.display_mode.quantity();
+        let signed = f32::from(quantity.is_some_and(|quantity| quantity.signed));
+        let solid = match parameters.model() {
+            Model::Classic => ALONE,
+            Model::Combustion => AT_AN_EDGE,
+        };
+        let span = [least, 1.0 / (most - least), signed, self.weight() / solid];
+        program.set(gl, "span", span);
+        program
+    }
+
+    /// Adds a quad for each particle; what is behind it stays as far as `kept` says.
+    #[inline(never)]
+    fn add(&self, program: &Program<G>, kept: u32) {
+        let gl = self.gl;
+        program.set(gl, "world", self.place.to_clip());
+        gl.enable(glow::BLEND);
+        gl.blend_func(glow::ONE, kept);
+        self.renderer.particles.draw(gl, program);
+        gl.disable(glow::BLEND);
+    }
+
+    /// Particles to sums of smooth kernels.
+    fn gather(&self) {
+        let gl = self.gl;
+        let program = self.measuring(Pass::Gather);
+        self.targets.field.draw_here(gl, self.used);
+        gl.clear(NOTHING);
+        let radius = self.body.radius;
+        let peak = 3.0 / (std::f32::consts::PI * radius * radius * self.weight());
+        program.set(gl, "kernel", [radius, peak, 1.0, 0.0]);
+        self.add(program, glow::ONE);
+    }
+
+    /// These to colours.
+    fn chart(&self) {
+        let Fire { gl, targets, .. } = *self;
+        clear_picture(gl, targets.layout, self.parameters.background);
+        let program = self.measuring(Pass::Chart);
+        program.set(gl, "part", self.part());
+        targets.field.read_here(gl, 0);
+        gl.enable(glow::BLEND);
+        gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
+        self.cover(self.place.rectangle(self.reach, targets.layout.picture));
+        gl.disable(glow::BLEND);
+    }
+
+    /// Particles to discs.
+    fn discs(&self) {
+        let Fire { gl, targets, .. } = *self;
+        clear_picture(gl, targets.layout, self.parameters.background);
+        let program = self.measuring(Pass::Disc);
+        let pixel = self.place.metres[1] / targets.layout.picture[1] as f32;
+        let pixels = (0.5 * DISC * self.parameters.spacing() / pixel).max(1.0);
+        let kernel = [pixels * pixel, 0.0, 1.0 + 1.0 / pixels, pixels];
+        program.set(gl, "kernel", kernel);
+        self.add(program, glow::ONE_MINUS_SRC_ALPHA);
+    }
+
+    /// Particles to sprites.
+    fn sprites(&self, full: f32, time: f64) {
+        let Fire {
+            gl,
+            renderer,
+            targets,
+            parameters,
+            ..
+        } = *self;
+        let program = renderer.studio.passes.activate(gl, Pass::Sprite);
+        targets.shown.draw_here(gl, targets.shown.size());
+        gl.clear(NOTHING);
+        // Each makes a whole number of half turns to one of this, so two are a period.
+        let turns = time / (2.0 * TURN);
+        let turns = 2.0 * (turns - turns.floor()) as f32;
+        program.set(gl, "sprite", [self.body.radius, turns, OPACITY, full]);
+        let gain = BRIGHTNESS * gain(parameters);
+        program.set(gl, "shine", [parameters.luminance_exponent, gain, 0.0, 0.0]);
+        program.set(gl, "table", table_coordinates(1.0));
+        program.set(gl, "pale", Tint::of(parameters).pale());
+        bind(gl, 1, &renderer.studio.noise);
+        bind(gl, 2, renderer.colours());
+        // Light on light, channel by channel and alpha too: it does not matter which
+        // sprite is drawn first, and no colour exceeds its alpha.
+        self.add(program, glow::ONE_MINUS_SRC_COLOR);
+    }
+}

@@ -1,0 +1,16 @@
+// The colour of a share of the span, 0–1. Even steps of it are even steps of lightness
+// (OkLCh, B. Ottosson 2020), so that no colour pretends an edge: from violet over red to
+// yellow, or, where the middle is zero, from it to blue and to orange.
+vec3 scale_colour(float share, float two_sided) {
+    vec3 lch = vec3(0.18 + 0.77 * share, 0.03 + share * (0.66 - 0.6 * share), 5.1487 + 2.9671 * share);
+    if (two_sided > 0.0) {
+        float side = 2.0 * share - 1.0;
+        float far = abs(side);
+        vec3 way = side < 0.0 ? vec3(0.34, 4.5728, -0.733) : vec3(0.46, 0.2618, 1.1345);
+        lch = vec3(0.16 + 0.74 * far, way.x * far * (1.0 - 0.74 * far), way.y + way.z * far);
+    }
+    vec2 ab = lch.y * vec2(cos(lch.z), sin(lch.z));
+    vec3 root = lch.x + ab.x * vec3(0.39634, -0.10556, -0.08948) + ab.y * vec3(0.2158, -0.06385, -1.29149);
+    return encode(mat3(4.07674, -1.26844, -0.0042, -3.30771, 2.60976, -0.70342, 0.23097, -0.34132, 1.70761)
+        * (root * root * root));
+}

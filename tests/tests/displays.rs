@@ -1,0 +1,198 @@
+//! What a display mode measures is what the gas is, of every particle, and
+//! measuring changes nothing.
+
+use hearth_core::params::{Choice, DisplayMode, Input, Model};
+use hearth_core::{Instance, Parameters, Simulation, Vec2};
+use hearth_tests::fires::{burn, closed_box, combustion, filled, mean, with};
+
+/// Neighbours of each particle, every one compared with every other.
+fn counted(fire: &Simulation) -> Vec<u32> {
+    let parameters = fire.parameters();
+    let size = Vec2::new(parameters.domain_width, parameters.domain_height);
+    let is_combustion = parameters.model() == Model::Combustion;
+    let reach = 2.0 * parameters.smoothing_length();
+    let places = fire.positions();
+    let near = |a: Vec2, b: Vec2| {
+        let mut offset = a - b;
+        if is_combustion || parameters.walls.name() == "periodic" {
+            offset.x -= size.x * (offset.x / size.x).round();
+        }
+        if is_combustion {
+            offset.y -= size.y * (offset.y / size.y).round();
+        }
+        offset.length() < reach
+    };
+    let others = |&a: &Vec2| places.iter().filter(|&&b| near(a, b)).count() as u32 - 1;
+    places.iter().map(others).collect()
+}
+
+/// What the picture of that mode gets.
+fn shown(fire: &Simulation, mode: DisplayMode) -> Vec<Instance> {
+    let mut fire = fire.clone();
+    let set = fire.set("display_mode", Input::Text(mode.name()));
+    assert_eq!(set, Ok(()));
+    let mut instances = Vec::new();
+    fire.write_instances(&mut instances);
+    instances
+}
+
+fn fires() -> [Simulation; 4] {
+    [
+        burn(combustion(&[]), 0.7),
+        // Narrow: most particles feel some beyond an edge.
+        burn(
+            combustion(&[("domain_width", 0.3), ("domain_height", 0.6)]),
+            0.1,
+        ),
+        burn(Parameters::new(Model::Classic), 1.0),
+        burn(with([("walls", Input::Text("periodic"))]), 1.0),
+    ]
+}
+
+#[test]
+fn a_rigid_rotation_has_twice_its_speed_as_vorticity() {
+    for spin in [-3.0, 0.5, 8.0] {
+        let middle = Vec2::new(0.0, 0.4);
+        let turning = |particle: &mut hearth_core::Particle| {
+            particle.velocity = spin * (particle.position - middle).perp();
+            particle.lifetime = 9.0;
+        };
+        let box_of_gas = filled(closed_box(&[]), 32, turning);
+        let alone = with([
+            ("domain_width", Input::Number(0.8)),
+            ("domain_height", Input::Number(0.8)),
+        ]);
+        for fire in [box_of_gas, filled(alone, 40, turning)] {
+            // Beyond a periodic edge it turns otherwise. Gas that ends has its rim.
+            let inside = match fire.parameters().model() {
+                Model::Combustion => 0.25,
+                Model::Classic => 1.0,
+            };
+            for (place, found) in fire.positions().into_iter().zip(fire.vorticities()) {
+                let off = (found / (2.0 * spin) - 1.0).abs();
+                assert!(
+                    place.distance(middle) > inside || off < 1e-3,
+                    "{found} 1/s at {place} where gas turns at {spin} 1/s"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn gas_that_moves_as_a_whole_has_no_vorticity_and_shear_has_its_own() {
+    let moving = filled(closed_box(&[]), 32, |one| {
+        one.velocity = Vec2::new(2.0, -1.0);
+    });
+    assert!(moving.vorticities().iter().all(|&found| found == 0.0));
+
+    let shear = 4.0;
+    let sheared = filled(closed_box(&[]), 32, |one| {
+        one.velocity = Vec2::new(shear * one.position.y, 0.0);
+    });
+    let places = sheared.positions().into_iter();
+    let inside = places
+        .zip(sheared.vorticities())
+        .filter(|(place, _)| (0.2..0.6).contains(&place.y))
+        .map(|(_, found)| found);
+    let found = mean(inside);
+    assert!((found / -f64::from(shear) - 1.0).abs() < 0.02, "{found}");
+}
+
+#[test]
+fn neighbours_are_as_many_as_there_are() {
+    for fire in fires() {
+        assert_eq!(fire.neighbour_counts(), counted(&fire));
+    }
+    assert_eq!(
+        Simulation::new(Parameters::new(Model::Classic)).neighbour_counts(),
+        []
+    );
+}
+
+#[test]
+fn every_particle_is_shown_with_what_its_reader_says() {
+    for fire in fires() {
+        let speeds = fire.velocities().into_iter().map(|v| v.length());
+        let counts = fire.neighbour_counts().into_iter().map(|n| n as f32);
+        let ages = fire.particles().into_iter();
+        let lived = ages.map(|one| one.age / one.lifetime);
+        let (fuels, soots) = match fire.parameters().model() {
+            Model::Combustion => (fire.fuels(), fire.soots()),
+            Model::Classic => lived.map(|lived| (1.0 - lived, lived.powi(3))).unzip(),
+        };
+        for (mode, expected) in [
+            (DisplayMode::Particles, fire.temperatures()),
+            (DisplayMode::Temperature, fire.temperatures()),
+            (DisplayMode::Density, fire.densities()),
+            (DisplayMode::Pressure, fire.pressures()),
+            (DisplayMode::Velocity, speeds.collect()),
+            (DisplayMode::Vorticity, fire.vorticities()),
+            (DisplayMode::Fuel, fuels),
+            (DisplayMode::Soot, soots),
+            (DisplayMode::Neighbours, counts.collect()),
+        ] {
+            let sorted = |mut all: Vec<[f32; 3]>| {
+                all.sort_by(|a, b| a.partial_cmp(b).unwrap());
+                all
+            };
+            let places = fire.positions().into_iter();
+            let expected = places.zip(expected).map(|(at, q)| [at.x, at.y, q]);
+            let shown = shown(&fire, mode).into_iter().map(|one| {
+                let [x, y, _, _, _, volume, nothing, quantity] = one;
+                assert!(volume > 0.0 && nothing == 0.0, "{mode:?}: {one:?}");
+                [x, y, quantity]
+            });
+            assert_eq!(sorted(shown.collect()), sorted(expected.collect()));
+        }
+    }
+}
+
+#[test]
+fn a_sprite_is_known_by_its_particle_whatever_the_order() {
+    let mut fire = burn(Parameters::new(Model::Classic), 1.0);
+    let numbers = |fire: &Simulation| {
+        let sprites = shown(fire, DisplayMode::Sprites).into_iter();
+        let mut numbers: Vec<_> = sprites.map(|one| one[6] as u64).collect();
+        numbers.sort_unstable();
+        numbers
+    };
+    for _ in 0..3 {
+        let mut ids: Vec<_> = fire.ids().iter().map(|id| id % 4096).collect();
+        ids.sort_unstable();
+        assert_eq!(numbers(&fire), ids);
+        fire.step();
+    }
+}
+
+#[test]
+fn gas_fills_the_room_that_its_picture_gives_it() {
+    // The paper's own factor makes densities of another kind, but no other room.
+    for printed in [false, true] {
+        let parameters = with([
+            ("printed_kernel", Input::Flag(printed)),
+            ("gas_constant", Input::Number(0.05)),
+        ]);
+        let fire = burn(parameters, 0.5);
+        let room: f32 = shown(&fire, DisplayMode::Fuel).iter().map(|i| i[5]).sum();
+        let each = room / fire.count() as f32;
+        let h = fire.parameters().smoothing_length();
+        assert!((0.02..2.3).contains(&(each / (h * h))), "{each} m²");
+    }
+}
+
+#[test]
+fn what_is_shown_changes_nothing_that_burns() {
+    for parameters in [combustion(&[]), Parameters::new(Model::Classic)] {
+        let mut left = Simulation::new(parameters.clone());
+        let mut watched = Simulation::new(parameters);
+        let mut instances = Vec::new();
+        for (step, name) in DisplayMode::NAMES.iter().cycle().take(60).enumerate() {
+            assert_eq!(watched.set("display_mode", Input::Text(name)), Ok(()));
+            left.step();
+            watched.step();
+            watched.write_instances(&mut instances);
+            assert_eq!(left.particles(), watched.particles(), "step {step}");
+        }
+    }
+}

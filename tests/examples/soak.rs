@@ -1,4 +1,5 @@
-//! Drives many fires to random corners of all ranges, and back.
+//! Burns every scene for a minute, and drives many fires to random corners of all
+//! ranges, and back.
 //!
 //! `soak [--corners N] [--seed S]`: N corners of each model, of two simulated
 //! seconds. Prints how it goes, every corner that fails with all its values,
@@ -11,11 +12,14 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::thread;
 use std::time::Instant;
 
-use hearth_core::Parameters;
 use hearth_core::params::Model;
+use hearth_core::preset::PRESETS;
 use hearth_core::random::Random;
+use hearth_core::{Parameters, Simulation};
 use hearth_tests::sweep::{self, Fared};
 
+/// Simulated time of a scene [s].
+const MINUTE: f64 = 60.0;
 /// Simulated time at a corner [s].
 const SECONDS: f64 = 2.0;
 const MODELS: [Model; 2] = [Model::Combustion, Model::Classic];
@@ -40,6 +44,7 @@ fn main() -> ExitCode {
         }
     };
     let start = Instant::now();
+    let dark = scenes();
     let mut finished = run(corners, seed);
     let failed = finished
         .iter()
@@ -56,11 +61,31 @@ fn main() -> ExitCode {
         corners,
         start.elapsed().as_secs_f64() / 60.0
     );
-    if failed == 0 {
+    if failed == 0 && dark == 0 {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE
     }
+}
+
+/// Burns every scene for a minute of fire; returns how many failed.
+fn scenes() -> u32 {
+    let mut failed = 0;
+    println!("Scenes: particles at a guard, steps of particles in a second of the clock, its time");
+    for preset in PRESETS {
+        let parameters = preset.parameters();
+        let clock = MINUTE / f64::from(parameters.time_scale);
+        let start = Instant::now();
+        let fared = sweep::burn(&mut Simulation::new(parameters), MINUTE);
+        let (work, time) = (fared.work / clock, start.elapsed().as_secs_f64() / clock);
+        let (name, held) = (preset.name, 100.0 * fared.held);
+        println!("{name:20}{held:8.3} %{work:12.0}{time:8.3} s");
+        if let Some(fault) = fared.fault() {
+            println!("FAILED {name}: {fault}");
+            failed += 1;
+        }
+    }
+    failed
 }
 
 /// How many corners, and the seed.

@@ -113,6 +113,8 @@ pub struct Fared {
     pub held: f64,
     /// The part of it that the guard of the speed held.
     pub held_back: f64,
+    /// Work that it took, in steps of particles.
+    pub work: f64,
     /// What broke, if anything did.
     pub broken: Option<String>,
 }
@@ -146,6 +148,7 @@ pub fn there_and_back(parameters: &Parameters, seconds: f64) -> Fared {
 pub fn burn(fire: &mut Simulation, seconds: f64) -> Fared {
     let until = fire.time() + seconds;
     let (mut steps, mut held, mut held_back, mut moved) = (0_u32, 0.0, 0.0, 0.0);
+    let mut work = 0.0;
     let mut broken = None;
     while fire.time() < until && broken.is_none() {
         fire.step();
@@ -154,6 +157,8 @@ pub fn burn(fire: &mut Simulation, seconds: f64) -> Fared {
         held += f64::from(report.at_guard);
         held_back += f64::from(report.at_speed_limit);
         moved += fire.count() as f64;
+        // The classic model divides a step.
+        work += fire.count() as f64 * f64::from(report.substeps);
         if steps.is_multiple_of(256) {
             broken = fault(fire);
         }
@@ -165,6 +170,7 @@ pub fn burn(fire: &mut Simulation, seconds: f64) -> Fared {
     Fared {
         held: held / moved,
         held_back: held_back / moved,
+        work,
         broken: broken.or_else(|| fault(fire)),
     }
 }

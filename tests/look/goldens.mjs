@@ -11,11 +11,9 @@ import { GOLDENS } from './studio.mjs';
 /** @typedef {import('./studio.mjs').Wish} Wish */
 /** @typedef {import('./studio.mjs').Studio} Studio */
 
-/** Lines of a picture as it is drawn: those at which the fields have half as many. */
-const LINES = 400;
-/** And where a picture is all edges, which take most of a file. */
-const FEW = 200;
-/** The display modes of which that is so: a disc for every particle. */
+/** Pixels of a picture as it is drawn, and of one that is all edges, which take most of
+    a file: a disc for every particle. */
+const PIXELS = { most: 100_000, discs: 24_000 };
 const DISCS = ['particles', 'neighbours'];
 
 /**
@@ -64,8 +62,9 @@ export async function drawn(studio, wish) {
     (id) => studio.ask('value', wish, id),
   ));
   const share = Math.min(Math.max((1.15 * Number(width)) / Number(height), 0.4), 1.5);
-  const lines = DISCS.includes(wish.mode ?? '') ? FEW : LINES;
-  return sheet(await studio.still({ ...wish, width: 4 * Math.round((share * lines) / 4), height: lines }));
+  const pixels = DISCS.includes(wish.mode ?? '') ? PIXELS.discs : PIXELS.most;
+  const size = [share, 1].map((side) => 2 * Math.round((side * Math.sqrt(pixels / share)) / 2));
+  return sheet(await studio.still({ ...wish, width: size[0], height: size[1] }));
 }
 
 /** @param {string} name */

@@ -13,8 +13,25 @@ const percent = (/** @type {number} */ share) => `${(100 * share).toFixed(1)} %`
  * @property {(figure: any) => boolean} holds
  * @property {(figure: any) => string} show
  * @property {boolean} brief  Whether a few seconds say it.
- * @property {boolean} [warm]  Whether it is of flames in the colours of a black body only.
+ * @property {string[]} [needs]  Without which of a scene's traits it says nothing.
  */
+
+/**
+ * The traits of a scene by some of its values.
+ * @param {{[id: string]: string}} values
+ */
+export function traits({ display_mode, palette, backdrop, background, wind }) {
+  return Object.entries({
+    fire: display_mode === 'fire',
+    black_body: palette === 'blackbody',
+    // A wall shines, and does not move.
+    bare: backdrop === 'none' && background === 'transparent',
+    calm: Number(wind) === 0,
+  }).filter(([, has]) => has).map(([trait]) => trait);
+}
+
+/** The values that these follow from. */
+export const TELLING = ['display_mode', 'palette', 'backdrop', 'background', 'wind'];
 
 /** @type {Bar[]} */
 export const BARS = [
@@ -44,7 +61,7 @@ export const BARS = [
     holds: (off) => off <= 0.01,
     show: (off) => off.toFixed(4),
     brief: true,
-    warm: true,
+    needs: ['fire', 'black_body'],
   },
   {
     id: 'warm',
@@ -54,7 +71,7 @@ export const BARS = [
     holds: (share) => share >= 0.95,
     show: percent,
     brief: true,
-    warm: true,
+    needs: ['fire', 'black_body'],
   },
   {
     id: 'up',
@@ -64,6 +81,7 @@ export const BARS = [
     holds: (share) => share >= 0.9,
     show: percent,
     brief: false,
+    needs: ['fire', 'bare', 'calm'],
   },
   {
     id: 'asymmetry',
@@ -73,6 +91,7 @@ export const BARS = [
     holds: (share) => share < 0.1,
     show: percent,
     brief: false,
+    needs: ['bare', 'calm'],
   },
   {
     id: 'jump',
@@ -82,6 +101,7 @@ export const BARS = [
     holds: (share) => share < 0.5,
     show: percent,
     brief: true,
+    needs: ['fire', 'bare'],
   },
   {
     id: 'alpha',
@@ -100,5 +120,6 @@ export const BARS = [
     holds: (/** @type {number[]} */ all) => all.every((one) => one >= 10),
     show: (/** @type {number[]} */ all) => all.map((one) => one.toFixed(0)).join(', '),
     brief: true,
+    needs: ['fire', 'bare'],
   },
 ];

@@ -4,7 +4,7 @@
  * names begin so. `cargo xtask look` runs this. HEARTH_SECONDS says for how long.
  */
 import { writeFileSync } from 'node:fs';
-import { BARS } from './bars.mjs';
+import { BARS, TELLING, traits } from './bars.mjs';
 import { Studio } from './studio.mjs';
 
 const SECONDS = Number(process.env.HEARTH_SECONDS ?? 60);
@@ -24,15 +24,16 @@ let missed = 0;
 try {
   for (const lit of await studio.ask('presets')) {
     if (begins.length > 0 && !begins.some((begin) => lit.startsWith(begin))) continue;
-    const own = await Promise.all(['palette', 'display_mode'].map((id) => studio.ask('value', { lit }, id)));
-    const warm = own[0] === 'blackbody' && own[1] === 'fire';
+    const values = {};
+    for (const id of TELLING) values[id] = await studio.ask('value', { lit }, id);
+    const has = traits(values);
     await studio.ask('watch', { lit, burnt: BURNT });
     let found;
     // In parts: a browser's driver waits for an answer only so long.
     for (let second = 1; second <= SECONDS; second += 1) found = await studio.ask('seen', second);
-    const cells = BARS.map(({ figure, holds, show, warm: only }) => {
+    const cells = BARS.map(({ figure, holds, show, needs = [] }) => {
       const value = figure(found);
-      if (only && !warm) return '–';
+      if (!needs.every((trait) => has.includes(trait))) return '–';
       if (holds(value)) return show(value);
       missed += 1;
       return `**${show(value)}**`;

@@ -211,13 +211,19 @@ impl Easel {
         self.paint(fire, width, height)
     }
 
-    /// Paints a fire, and gives its light before glow and tone map. Not what embers add.
-    pub fn light(&mut self, fire: &Fire, width: u32, height: u32) -> Result<Light, JsValue> {
+    /// Paints a fire, and gives its light before glow and tone map, where it is drawn with
+    /// any. Not what embers add.
+    pub fn light(
+        &mut self,
+        fire: &Fire,
+        width: u32,
+        height: u32,
+    ) -> Result<Option<Light>, JsValue> {
         let context = self.context.clone();
-        let mut read = Err(JsValue::from("no pass makes light"));
+        let mut read = Ok(None);
         self.draw(fire, [width, height], fire.time, &mut |pass| {
             if pass == "shade" || pass == "flame" {
-                read = target(&context);
+                read = target(&context).map(Some);
             }
         })?;
         read

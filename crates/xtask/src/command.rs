@@ -7,7 +7,8 @@ use anyhow::{Result, bail};
 
 use crate::links::{self, Base};
 use crate::{
-    bench, codegen, package, paths, poster, serve, showcase, site, size, soak, stages, validate,
+    bench, codegen, package, paths, poster, serve, showcase, site, size, soak, stages, thumbnails,
+    validate,
 };
 
 /// What a person reads who asks for help.
@@ -23,6 +24,7 @@ cargo xtask <command>
   bench [--yardstick PROGRAM]           measure, beside this program too, and write docs/evaluation.md
   bench --instructions [--write]        hold the instructions of a step to those written down, or write them
   poster                                take the picture that a link to the page shows
+  thumbnails [SCENE...]                 take the small pictures of all scenes, or only of these
   showcase [PICTURE …]                  take the documentation's animation and, with
                                         pictures of other systems, a sheet of ours and theirs
   size                                  print the download sizes of the built site
@@ -70,6 +72,11 @@ pub enum Command {
     Bench(bench::Task),
     /// Take the picture that a link shows.
     Poster,
+    /// Take the small pictures of scenes.
+    Thumbnails {
+        /// The scenes; none: all.
+        names: Vec<String>,
+    },
     /// Take the documentation's animation and its sheet of pictures.
     Showcase {
         /// Pictures of other systems, for the sheet.
@@ -162,6 +169,16 @@ impl Command {
                 Err(option) => return unknown(name, &option),
             },
             "poster" => Command::Poster,
+            "thumbnails" => {
+                let mut names = Vec::new();
+                for scene in options.by_ref() {
+                    if scene.starts_with('-') {
+                        return unknown(name, scene);
+                    }
+                    names.push(scene.to_owned());
+                }
+                Command::Thumbnails { names }
+            }
             "showcase" => {
                 let mut others = Vec::new();
                 for picture in options.by_ref() {
@@ -238,6 +255,7 @@ pub fn run(command: Command) -> Result<ExitCode> {
         Command::Soak { corners, seed } => soak::run(corners, seed)?,
         Command::Bench(task) => bench::run(&task)?,
         Command::Poster => poster::take()?,
+        Command::Thumbnails { names } => thumbnails::take(&names)?,
         Command::Showcase { others } => showcase::take(&others)?,
         Command::Size => {
             site::build()?;
@@ -311,6 +329,12 @@ mod tests {
             }
         );
         assert_eq!(
+            parse("thumbnails candle")?,
+            Command::Thumbnails {
+                names: vec!["candle".to_owned()]
+            }
+        );
+        assert_eq!(
             parse("soak --seed 7")?,
             Command::Soak {
                 corners: None,
@@ -330,6 +354,7 @@ mod tests {
             "size 3",
             "package now",
             "validate --fast",
+            "thumbnails --all",
             "soak 3",
             "bench --fast",
         ] {

@@ -36,7 +36,7 @@ function shortNames(names) {
   const found = new Map();
   const taken = new Set();
   for (const name of names) {
-    const plain = name.replace(/^__wb(?:g|indgen)_/, '').replace(/_[0-9a-f]{16}$/, '');
+    const plain = name.replace(/_[0-9a-f]{16}$/, '');
     let short = plain;
     for (let at = 1; taken.has(short); at += 1) short = `${plain}${at}`;
     taken.add(short);

@@ -6,8 +6,9 @@
  *
  * A script that only one other needs goes into that one: fewer files to fetch, and
  * they compress better together. What the package exports, a page or a worker begins
- * with, or is only loaded when asked stays a file, and so does what several need.
- * Properties keep their names, and licences stay.
+ * with, or is only loaded when asked stays a file, and so do what several need and
+ * what looks whether it bears its own name. Properties keep their names, and licences
+ * stay.
  */
 import { readFile, readdir, rm } from 'node:fs/promises';
 import path from 'node:path';
@@ -58,6 +59,10 @@ async function ownersOf() {
     ...COMMON, entryPoints: scripts, outdir: folder, write: false, metafile: true, external: ['node:*'],
   });
   const own = new Set(beginningsOf(manifest).map((file) => path.posix.normalize(file)));
+  for (const file of scripts) {
+    const text = await readFile(path.join(folder, file), 'utf8');
+    if (text.includes(path.basename(file).replace('.', '\\.'))) own.add(file);
+  }
   /** @type {Map<string, string[]>} */
   const importers = new Map(scripts.map((file) => [file, []]));
   for (const [from, { imports }] of Object.entries(metafile.inputs)) {

@@ -41,7 +41,7 @@ mod tests {
     use super::*;
 
     /// Files of a small site.
-    const FILES: [(&str, &str); 8] = [
+    const FILES: [(&str, &str); 9] = [
         (
             "package.json",
             r#"{ "exports": { ".": "./a.js", "./open": "./open.js" } }"#,
@@ -53,7 +53,14 @@ mod tests {
              export const warmth = { perHour: one }; // Much.\n\
              export const ask = () => import('./asked.js');\n",
         ),
-        ("one.js", "import './two.js';\nexport const one = 1;\n"),
+        (
+            "one.js",
+            "import './two.js';\nimport './named.js';\nexport const one = 1;\n",
+        ),
+        (
+            "named.js",
+            "globalThis.alone = /named\\.js$/.test(import.meta.url);\n",
+        ),
         (
             "two.js",
             "globalThis.style = new URL('./a.css', import.meta.url);\n",
@@ -80,6 +87,7 @@ mod tests {
             "new URL(\"./a.css\",import.meta.url)",
             "\"./shared.js\"",
             "\"./open.js\"",
+            "\"./named.js\"",
             "import(\"./asked.js\")",
         ] {
             assert!(script.contains(kept), "{kept} is not in {script}");

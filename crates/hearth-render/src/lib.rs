@@ -23,6 +23,8 @@ mod passes;
 mod program;
 mod renderer;
 mod scale;
+#[cfg(test)]
+mod shaders;
 mod studio;
 mod survey;
 mod target;

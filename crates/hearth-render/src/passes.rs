@@ -16,7 +16,7 @@ macro_rules! passes {
         #[derive(Clone, Copy)]
         pub enum Pass { $( $(#[$doc])* $name, )+ }
 
-        const SOURCES: &[Source] = &[$($source),+];
+        pub(crate) const SOURCES: &[Source] = &[$($source),+];
     };
 }
 
@@ -108,7 +108,7 @@ const SPREAD: Source = Source {
     vertex: &[shader!("screen.vert")],
     fragment: &[shader!("spread.frag")],
     samplers: &["field"],
-    uniforms: &["step"],
+    uniforms: &["reads"],
 };
 
 const SHADE: Source = Source {

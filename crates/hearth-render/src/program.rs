@@ -9,7 +9,7 @@ use crate::gl::Graphics;
 /// What every shader starts with: one version, one precision. Phones round
 /// `mediump` to eleven bits, too few for a position in the picture, and a
 /// sampler is `lowp` unless it is told otherwise.
-const HEADER: &str = "#version 300 es
+pub const HEADER: &str = "#version 300 es
 precision highp float;
 precision highp int;
 precision highp sampler2D;

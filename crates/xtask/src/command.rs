@@ -7,8 +7,8 @@ use anyhow::{Result, bail};
 
 use crate::links::{self, Base};
 use crate::{
-    bench, codegen, package, paths, poster, serve, showcase, site, size, soak, stages, thumbnails,
-    validate,
+    bench, codegen, goldens, look, package, paths, poster, serve, showcase, site, size, soak,
+    stages, thumbnails, validate,
 };
 
 /// What a person reads who asks for help.
@@ -23,6 +23,8 @@ cargo xtask <command>
   soak [--corners N] [--seed S]         drive fires to random corners of all ranges, and back
   bench [--yardstick PROGRAM]           measure, beside this program too, and write docs/evaluation.md
   bench --instructions [--write]        hold the instructions of a step to those written down, or write them
+  goldens [--snapshots] [NAME...]       draw the pictures anew that tests compare with; of new fires too
+  look [SCENE...]                       watch fires for flashes and more, and write docs/evaluation.md
   poster                                take the picture that a link to the page shows
   thumbnails [SCENE...]                 take the small pictures of all scenes, or only of these
   showcase [PICTURE …]                  take the documentation's animation and, with
@@ -70,6 +72,13 @@ pub enum Command {
     },
     /// Measure.
     Bench(bench::Task),
+    /// Watch what fires look like.
+    Look {
+        /// How the names of the scenes begin that are wanted; none: all.
+        names: Vec<String>,
+    },
+    /// Draw the pictures that tests compare with.
+    Goldens(goldens::Wanted),
     /// Take the picture that a link shows.
     Poster,
     /// Take the small pictures of scenes.
@@ -129,15 +138,22 @@ impl Command {
                     names,
                 }
             }
-            "validate" => {
+            "validate" | "look" | "thumbnails" | "showcase" => {
                 let mut names = Vec::new();
-                for case in options.by_ref() {
-                    if case.starts_with('-') {
-                        return unknown(name, case);
+                for given in options.by_ref() {
+                    if given.starts_with('-') {
+                        return unknown(name, given);
                     }
-                    names.push(case.to_owned());
+                    names.push(given.to_owned());
                 }
-                Command::Validate { names }
+                match name.as_str() {
+                    "look" => Command::Look { names },
+                    "thumbnails" => Command::Thumbnails { names },
+                    "showcase" => Command::Showcase {
+                        others: names.into_iter().map(PathBuf::from).collect(),
+                    },
+                    _ => Command::Validate { names },
+                }
             }
             "soak" => {
                 let (mut corners, mut seed) = (None, None);
@@ -168,27 +184,18 @@ impl Command {
                 Ok(task) => Command::Bench(task),
                 Err(option) => return unknown(name, &option),
             },
+            "goldens" => {
+                let mut wanted = goldens::Wanted::default();
+                for option in options.by_ref() {
+                    match option {
+                        "--snapshots" => wanted.snapshots = true,
+                        other if other.starts_with('-') => return unknown(name, other),
+                        picture => wanted.names.push(picture.to_owned()),
+                    }
+                }
+                Command::Goldens(wanted)
+            }
             "poster" => Command::Poster,
-            "thumbnails" => {
-                let mut names = Vec::new();
-                for scene in options.by_ref() {
-                    if scene.starts_with('-') {
-                        return unknown(name, scene);
-                    }
-                    names.push(scene.to_owned());
-                }
-                Command::Thumbnails { names }
-            }
-            "showcase" => {
-                let mut others = Vec::new();
-                for picture in options.by_ref() {
-                    if picture.starts_with('-') {
-                        return unknown(name, picture);
-                    }
-                    others.push(PathBuf::from(picture));
-                }
-                Command::Showcase { others }
-            }
             "package" => Command::Package,
             "size" => Command::Size,
             "codegen" => Command::Codegen,
@@ -254,6 +261,8 @@ pub fn run(command: Command) -> Result<ExitCode> {
         Command::Validate { names } => validate::run(&names)?,
         Command::Soak { corners, seed } => soak::run(corners, seed)?,
         Command::Bench(task) => bench::run(&task)?,
+        Command::Look { names } => look::run(&names)?,
+        Command::Goldens(wanted) => goldens::write(&wanted)?,
         Command::Poster => poster::take()?,
         Command::Thumbnails { names } => thumbnails::take(&names)?,
         Command::Showcase { others } => showcase::take(&others)?,
@@ -335,6 +344,19 @@ mod tests {
             }
         );
         assert_eq!(
+            parse("look default")?,
+            Command::Look {
+                names: vec!["default".to_owned()]
+            }
+        );
+        assert_eq!(
+            parse("goldens --snapshots default")?,
+            Command::Goldens(goldens::Wanted {
+                snapshots: true,
+                names: vec!["default".to_owned()]
+            })
+        );
+        assert_eq!(
             parse("soak --seed 7")?,
             Command::Soak {
                 corners: None,
@@ -357,6 +379,8 @@ mod tests {
             "thumbnails --all",
             "soak 3",
             "bench --fast",
+            "goldens --fast",
+            "look --fast",
         ] {
             let said = parse(line).err().map(|error| error.to_string());
             assert!(said.is_some_and(|said| said.contains("cargo xtask <command>")));

@@ -7,7 +7,9 @@
 pub mod bench;
 pub mod codegen;
 pub mod command;
+pub mod goldens;
 pub mod links;
+pub mod look;
 pub mod marks;
 mod npm;
 pub mod package;

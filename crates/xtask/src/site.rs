@@ -124,9 +124,14 @@ pub(crate) fn target_folder() -> Result<PathBuf> {
 
 /// Makes `name.js` and `name_bg.wasm` of the compiled `module`.
 pub(crate) fn bind(module: &Module, name: &str, into: &Path) -> Result<()> {
+    // cargo's own profile has a folder of another name.
+    let profile = match module.profile {
+        "dev" => "debug",
+        other => other,
+    };
     let wasm = target_folder()?
         .join(tools::WASM)
-        .join(module.profile)
+        .join(profile)
         .join(format!("{}.wasm", module.package.replace('-', "_")));
     if !wasm.is_file() {
         bail!("{} gave no {}", module.package, wasm.display());

@@ -14,7 +14,7 @@ mod trunk;
 use anyhow::{Result, bail};
 
 use crate::report::Report;
-use crate::{bench, codegen, paths, site, size};
+use crate::{bench, codegen, goldens, paths, site, size};
 
 /// One check.
 struct Stage {
@@ -77,6 +77,13 @@ const STAGES: &[Stage] = &[
         run: |_| code::native(),
     },
     Stage {
+        name: "shaders",
+        about: "the reference compiler has nothing to say about any shader",
+        needs: &[],
+        in_browser: false,
+        run: |_| code::shaders(),
+    },
+    Stage {
         name: "site",
         about: "the static site builds",
         needs: &[],
@@ -131,6 +138,13 @@ const STAGES: &[Stage] = &[
         needs: &[],
         in_browser: true,
         run: |_| browser::wasm_in_chromium(),
+    },
+    Stage {
+        name: "goldens",
+        about: "fires look as they did, and as they should",
+        needs: &[],
+        in_browser: true,
+        run: |_| goldens::check(),
     },
     Stage {
         name: "e2e",

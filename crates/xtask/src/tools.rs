@@ -4,7 +4,7 @@
 //!
 //! `serve` and `build` need the wasm target and Node. Tests also need
 //! Chromium with its driver, Firefox, WebKit's driver, a screen for these two,
-//! wasm-bindgen's test runner, valgrind and Trunk.
+//! wasm-bindgen's test runner, valgrind, the reference compiler of GLSL and Trunk.
 
 use std::env;
 use std::ffi::OsString;
@@ -233,6 +233,22 @@ pub fn valgrind() -> Result<()> {
             .context("no valgrind: install Debian's packages valgrind and libc6-dbg")?;
     }
     Ok(())
+}
+
+/// Makes sure that the reference compiler of GLSL is there.
+///
+/// # Errors
+/// It is missing and cannot be installed.
+pub fn glslang() -> Result<PathBuf> {
+    const NAME: &str = "glslangValidator";
+    let find = || named("HEARTH_GLSLANG").or_else(|| process::find(NAME));
+    if find().is_none() {
+        apt_install(&["glslang-tools"]).context(
+            "no glslangValidator: install Debian's package glslang-tools, or name the \
+             program in HEARTH_GLSLANG",
+        )?;
+    }
+    find().with_context(|| format!("glslang-tools is installed, but {NAME} is not on the PATH"))
 }
 
 /// Makes sure that `img2webp` is there, which makes an animation of pictures.

@@ -89,8 +89,8 @@ impl<G: Graphics> Fire<'_, G> {
         let [across, up] = self.used.map(|side| side as f32);
         // Five reads each way span six radii of a kernel.
         let texels = 1.0 * self.body.radius / self.place.metres[1] * up;
-        let step = [texels / width, texels / height, across / width, up / height];
-        program.set(gl, "step", step);
+        let reads = [texels / width, texels / height, across / width, up / height];
+        program.set(gl, "reads", reads);
         targets.field.read_here(gl, 0);
         self.fill(&targets.wide);
     }

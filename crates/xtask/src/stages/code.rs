@@ -7,11 +7,12 @@ use crate::{process, tools};
 /// Crates that are libraries for other people.
 const LIBRARIES: [&str; 2] = ["hearth-core", "hearth-render"];
 /// Crates with code that only a browser runs.
-const FOR_THE_BROWSER: [&str; 4] = [
+const FOR_THE_BROWSER: [&str; 5] = [
     "hearth-widget",
     "hearth-sim",
     "hearth-panel",
     "hearth-tests",
+    "hearth-painter",
 ];
 
 /// A package outside the workspace.
@@ -54,4 +55,13 @@ pub(super) fn docs() -> Result<()> {
 
 pub(super) fn native() -> Result<()> {
     process::run(process::cargo().args(["test", "--workspace"]))
+}
+
+/// The sources as drivers get them, by the compiler that their makers agreed on.
+pub(super) fn shaders() -> Result<()> {
+    let validator = tools::glslang()?;
+    let mut test = process::cargo();
+    test.args(["test", "--package", "hearth-render", "--lib", "--"])
+        .args(["--include-ignored", "shaders::"]);
+    process::run(test.env("HEARTH_GLSLANG", validator))
 }

@@ -1,0 +1,80 @@
+/**
+ * A picture is the fire's own affair: not of what else is drawn in its context, nor
+ * of how somebody left that behind, and of its size only as far as it has pixels.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { compare } from './compare.mjs';
+import { show } from './goldens.mjs';
+import { sheet } from './sheet.mjs';
+import { Studio } from './studio.mjs';
+
+/** @type {Studio} */
+let studio;
+before(async () => { studio = await Studio.open(); });
+after(() => studio?.close());
+
+/** Fires of both models, of different sizes. */
+const TWO = [
+  { lit: 'default', burnt: 0.4, width: 160, height: 200, values: { max_particles: 1000 } },
+  { lit: 'classic', burnt: 0.4, width: 131, height: 217 },
+];
+
+test('two fires in one context look as each alone, to the bit', async () => {
+  const together = await studio.ask('inTurn', TWO, 4);
+  const alone = [];
+  for (const one of TWO) alone.push(...await studio.ask('inTurn', [one], 4));
+  assert.ok(together[0] !== together[1] && together[0].length > 10_000);
+  assert.deepEqual(together.map((one, at) => one === alone[at]), [true, true]);
+});
+
+test('nothing that somebody else leaves in a context changes a picture', async () => {
+  const right = await studio.ask('inTurn', TWO, 2);
+  for (const disturbance of await studio.ask('disturbances')) {
+    const disturbed = await studio.ask('inTurn', TWO, 2, disturbance);
+    // A mask of colours is the one thing here that a host has to undo; and so it is seen
+    // that what is left behind would be seen.
+    const same = disturbance !== 'a colour that nobody may draw';
+    assert.deepEqual(disturbed.map((one, at) => one === right[at]), [same, same], disturbance);
+  }
+});
+
+for (const kept of ['default', 'classic', 'seed']) {
+  for (const [width, height] of [[1, 1], [3, 1000], [1000, 3], [641, 359]]) {
+    test(`${kept} fits a picture of ${width} × ${height}`, async () => {
+      const { rgba } = await studio.still({ kept, width, height });
+      assert.equal(rgba.length, 4 * width * height);
+      for (let at = 0; at < rgba.length; at += 4) {
+        const most = Math.max(...rgba.subarray(at, at + 3));
+        assert.ok(most <= rgba[at + 3], `${[...rgba.subarray(at, at + 4)]} at ${at / 4}`);
+      }
+    });
+  }
+}
+
+// Not the hard discs of the paper's drawing, which are all rim.
+for (const kept of ['default', 'classic']) {
+  test(`${kept} is the same fire in odd numbers of pixels`, async () => {
+    // One line less of a thousand moves nothing by more than half a pixel.
+    const [even, odd] = [{ width: 640, height: 720 }, { width: 641, height: 721 }];
+    const [a, b] = [sheet(await studio.still({ kept, ...even })), sheet(await studio.still({ kept, ...odd }))];
+    const { colour, structure } = compare(a, { ...b, width: a.width, rgb: cut(b, a) });
+    if (colour > 2 || structure < 0.93) {
+      assert.fail(`colours differ by ${colour.toFixed(2)}, structure agrees by ${structure.toFixed(3)}: see ${show(`${kept}-odd`, b, a)}`);
+    }
+  });
+}
+
+/** Both panels of a sheet without the columns and rows that another one has not. */
+function cut(from, to) {
+  const rgb = new Uint8Array(to.rgb.length);
+  const [wide, narrow] = [from.width / 2, to.width / 2];
+  for (let y = 0; y < to.height; y += 1) {
+    for (let x = 0; x < to.width; x += 1) {
+      const column = x < narrow ? x : wide + x - narrow;
+      const at = (y * from.width + column) * 3;
+      rgb.set(from.rgb.subarray(at, at + 3), (y * to.width + x) * 3);
+    }
+  }
+  return rgb;
+}

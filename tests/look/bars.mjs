@@ -1,0 +1,125 @@
+/**
+ * What the pixels of a fire are held against.
+ */
+
+const percent = (/** @type {number} */ share) => `${(100 * share).toFixed(1)} %`;
+
+/**
+ * @typedef {object} Bar
+ * @property {string} id
+ * @property {string} words  What is measured.
+ * @property {string} bar
+ * @property {(found: any) => any} figure
+ * @property {(figure: any) => boolean} holds
+ * @property {(figure: any) => string} show
+ * @property {boolean} brief  Whether a few seconds say it.
+ * @property {string[]} [needs]  Without which of a scene's traits it says nothing.
+ */
+
+/**
+ * The traits of a scene by some of its values.
+ * @param {{[id: string]: string}} values
+ */
+export function traits({ display_mode, palette, backdrop, background, wind }) {
+  return Object.entries({
+    fire: display_mode === 'fire',
+    black_body: palette === 'blackbody',
+    // A wall shines, and does not move.
+    bare: backdrop === 'none' && background === 'transparent',
+    calm: Number(wind) === 0,
+  }).filter(([, has]) => has).map(([trait]) => trait);
+}
+
+/** The values that these follow from. */
+export const TELLING = ['display_mode', 'palette', 'backdrop', 'background', 'wind'];
+
+/** @type {Bar[]} */
+export const BARS = [
+  {
+    id: 'flashes',
+    words: 'general flashes of a large area at once, in any second',
+    bar: '≤ 3',
+    figure: (found) => found.flashes.general,
+    holds: ({ passes }) => passes,
+    show: ({ flashes, area }) => `${flashes}; ${percent(area / 4)}`,
+    brief: true,
+  },
+  {
+    id: 'red',
+    words: 'red flashes, the same',
+    bar: '≤ 3',
+    figure: (found) => found.flashes.red,
+    holds: ({ passes }) => passes,
+    show: ({ flashes, area }) => `${flashes}; ${percent(area / 4)}`,
+    brief: true,
+  },
+  {
+    id: 'locus',
+    words: 'Δxy of luminous pixels from a black body, 99 % below',
+    bar: '≤ 0.01',
+    figure: (found) => found.locus.shown,
+    holds: (off) => off <= 0.01,
+    show: (off) => off.toFixed(4),
+    brief: true,
+    needs: ['fire', 'black_body'],
+  },
+  {
+    id: 'warm',
+    words: 'luminous pixels with R ≥ G ≥ B',
+    bar: '≥ 95 %',
+    figure: (found) => found.warm,
+    holds: (share) => share >= 0.95,
+    show: percent,
+    brief: true,
+    needs: ['fire', 'black_body'],
+  },
+  {
+    id: 'up',
+    words: 'luminous area that moves, moving up',
+    bar: '≥ 90 %',
+    figure: (found) => found.up,
+    holds: (share) => share >= 0.9,
+    show: percent,
+    brief: false,
+    needs: ['fire', 'bare', 'calm'],
+  },
+  {
+    id: 'asymmetry',
+    words: 'left–right asymmetry of the mean',
+    bar: '< 10 %',
+    figure: (found) => found.asymmetry,
+    holds: (share) => share < 0.1,
+    show: percent,
+    brief: false,
+    needs: ['bare', 'calm'],
+  },
+  {
+    id: 'jump',
+    words: 'jump of luminance at the base, 95 % of columns',
+    bar: '< 50 %',
+    figure: (found) => found.jump,
+    holds: (share) => share < 0.5,
+    show: percent,
+    brief: true,
+    needs: ['fire', 'bare'],
+  },
+  {
+    id: 'alpha',
+    words: 'pixels with a colour above their alpha',
+    bar: '0',
+    figure: (found) => found.exceeds,
+    holds: (count) => count === 0,
+    show: String,
+    brief: true,
+  },
+  {
+    id: 'contrast',
+    words: 'contrast with black, white, a photograph [OkLab / 100]',
+    bar: '≥ 10',
+    figure: (found) => found.contrast,
+    holds: (/** @type {number[]} */ all) => all.every((one) => one >= 10),
+    show: (/** @type {number[]} */ all) => all.map((one) => one.toFixed(0)).join(', '),
+    brief: true,
+    needs: ['fire', 'bare'],
+  },
+];

@@ -1,0 +1,69 @@
+/**
+ * What a device sees that can draw into nothing but eight bits: the same fire, but
+ * for rounding. Where the gas carries its fine structure along, eight bits cannot
+ * say how far; there the structure is another one, of the same colours.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { compare } from './compare.mjs';
+import { show, wishes } from './goldens.mjs';
+import { sheet } from './sheet.mjs';
+import { Studio } from './studio.mjs';
+
+/** Most that eight bits may change where the structure is the same: twice what nobody
+    sees for one pixel in a hundred. In hundredths of OkLab, as everything here. */
+const ROUNDED = { colour: 1, worst: 4, structure: 0.985 };
+
+/** And the colours of the whole where it is another. */
+const SHIFT = 1;
+
+/** What a device lacks that draws into half floats alone, or into no floats. */
+const [HALF, NONE] = [
+  ['EXT_color_buffer_float'],
+  ['EXT_color_buffer_float', 'EXT_color_buffer_half_float'],
+];
+
+/** @type {Studio} */
+let studio;
+before(async () => { studio = await Studio.open(); });
+after(() => studio?.close());
+
+/** Every scene: what is kept of it as fire. */
+const scenes = Object.entries(wishes()).filter(([name, wish]) => wish.kept === name);
+
+for (const [name, wish] of scenes) {
+  test(`eight bits show ${name} but for rounding`, async () => {
+    const [floats, bytes] = await both({ ...wish, values: { detail: 0 } });
+    const { colour, worst, structure } = compare(floats, bytes);
+    const said = `mean ${colour.toFixed(2)}, 99 % below ${worst.toFixed(2)}, structure ${structure.toFixed(4)}`;
+    console.log(`   ${name}: ${said}`);
+    if (colour > ROUNDED.colour || worst > ROUNDED.worst || structure < ROUNDED.structure) {
+      assert.fail(`${said}: see ${show(`${name}-rgba8`, bytes, floats).join(', ')}`);
+    }
+  });
+
+  test(`eight bits show ${name} in the same colours`, async () => {
+    const [floats, bytes] = await both(wish);
+    const { shift } = compare(floats, bytes);
+    console.log(`   ${name}: shift ${shift.toFixed(2)}`);
+    if (shift > SHIFT) assert.fail(`${shift}: see ${show(`${name}-rgba8`, bytes, floats).join(', ')}`);
+  });
+}
+
+/** A fire in half floats, and in eight bits. @param {import('./studio.mjs').Wish} wish */
+async function both(wish) {
+  const floats = await studio.still({ ...wish, format: 'rgba16f' });
+  return [floats, await studio.still({ ...wish, without: NONE })].map(sheet);
+}
+
+test('a device draws into the best that it has', async () => {
+  const formats = await Promise.all([[], HALF, NONE].map((without) => studio.ask('formatOf', { without })));
+  assert.deepEqual(formats, ['rgba16f', 'rgba16f', 'rgba8']);
+});
+
+for (const [name, wish] of scenes) {
+  test(`half floats give ${name} the same bits whichever extension gives them`, async () => {
+    const [all, half] = await Promise.all([[], HALF].map((without) => studio.still({ ...wish, without })));
+    assert.equal(Buffer.compare(all.rgba, half.rgba), 0);
+  });
+}

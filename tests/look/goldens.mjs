@@ -1,0 +1,109 @@
+/**
+ * The pictures that are kept, and what counts as another one.
+ */
+import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { Picture } from '../e2e/picture.mjs';
+import { compare } from './compare.mjs';
+import { encode, sheet } from './sheet.mjs';
+import { GOLDENS } from './studio.mjs';
+
+/** @typedef {import('./studio.mjs').Wish} Wish */
+/** @typedef {import('./studio.mjs').Studio} Studio */
+
+/** Pixels of a picture as it is drawn, and of one that is all edges, which take most of
+    a file: a disc for every particle. */
+const PIXELS = { most: 100_000, discs: 24_000 };
+const DISCS = ['particles', 'neighbours'];
+
+/**
+ * What two drawings of the same may differ by. Other versions of the browser round
+ * elsewhere; nobody sees a difference of 2. The tests show what lies beyond.
+ */
+export const TOLERANCE = { colour: 1, shift: 0.4, structure: 0.985 };
+
+/** Settings that no snapshot has: @type {{[name: string]: Wish}} */
+const VARIANTS = {
+  'default-gas': { kept: 'default', values: { palette: 'gas' } },
+  'default-copper': { kept: 'default', values: { palette: 'copper' } },
+  'default-lithium': { kept: 'default', values: { palette: 'lithium' } },
+  'default-ghost': { kept: 'default', values: { palette: 'ghost' } },
+  'default-custom': { kept: 'default', values: { palette: 'custom' } },
+  'default-bricks': { kept: 'default', values: { backdrop: 'bricks', heat_haze: 1 } },
+  'default-smoke': { kept: 'default', values: { layers: 'smoke', smoke_opacity: 1 } },
+  'default-low': { kept: 'default', lines: 'low', values: { detail: 0.5, bloom: 0.4 } },
+  'classic-copper': { kept: 'classic', values: { palette: 'copper' } },
+  'classic-bricks': { kept: 'classic', values: { backdrop: 'bricks', heat_haze: 1 } },
+};
+
+/** The display modes that a snapshot keeps. @param {string} name */
+function modes(name) {
+  const file = readFileSync(path.join(GOLDENS, 'snapshots', `${name}.bin`)).toString('latin1');
+  return [...file.slice(0, file.indexOf('\nend\n')).matchAll(/^rows (\S+)/gm)].map(([, mode]) => mode);
+}
+
+/** Every picture that is kept, by its name. @returns {{[name: string]: Wish}} */
+export function wishes() {
+  const snapshots = readdirSync(path.join(GOLDENS, 'snapshots')).map((file) => path.parse(file).name);
+  const all = {};
+  for (const kept of snapshots.sort()) {
+    const shown = modes(kept);
+    // Where all modes are kept, fire is that of a scene.
+    for (const mode of shown.length === 1 ? shown : shown.filter((one) => one !== 'fire')) {
+      all[shown.length === 1 ? kept : `${kept}-${mode}`] = { kept, mode };
+    }
+  }
+  return { ...all, ...VARIANTS };
+}
+
+/** A picture as wide as its fire, and not much wider. @param {Studio} studio @param {Wish} wish */
+export async function drawn(studio, wish) {
+  const [width, height] = await Promise.all(['domain_width', 'domain_height'].map(
+    (id) => studio.ask('value', wish, id),
+  ));
+  const share = Math.min(Math.max((1.15 * Number(width)) / Number(height), 0.4), 1.5);
+  const pixels = DISCS.includes(wish.mode ?? '') ? PIXELS.discs : PIXELS.most;
+  const size = [share, 1].map((side) => 2 * Math.round((side * Math.sqrt(pixels / share)) / 2));
+  return sheet(await studio.still({ ...wish, width: size[0], height: size[1] }));
+}
+
+/** @param {string} name */
+export const file = (name) => path.join(GOLDENS, `${name}.png`);
+
+/** The picture that is kept. @param {string} name */
+export function golden(name) {
+  if (!existsSync(file(name))) throw new Error(`there is no ${name}.png: \`cargo xtask goldens ${name}\` draws it`);
+  return Picture.decode(readFileSync(file(name)));
+}
+
+/**
+ * What is wrong with a picture, in words; nothing where it is the kept one.
+ * @param {Picture} actual @param {Picture} expected
+ */
+export function complaint(actual, expected) {
+  const { colour, shift, structure } = compare(actual, expected);
+  const said = [];
+  if (!(colour <= TOLERANCE.colour)) said.push(`its colours differ by ${colour.toFixed(2)}`);
+  if (!(shift <= TOLERANCE.shift)) said.push(`all of them are shifted by ${shift.toFixed(2)}`);
+  if (!(structure >= TOLERANCE.structure)) said.push(`its structure agrees by ${structure.toFixed(4)}`);
+  return said.join(', ');
+}
+
+/**
+ * Writes what was drawn, what was expected and the difference between them, and says
+ * where.
+ * @param {string} name @param {Picture} actual @param {Picture} expected
+ */
+export function show(name, actual, expected) {
+  const folder = process.env.HEARTH_SHOWN ?? 'shown';
+  mkdirSync(folder, { recursive: true });
+  const { each } = compare(actual, expected);
+  const rgb = new Uint8Array(3 * each.length);
+  each.forEach((value, at) => rgb.fill(Math.min(255, 16 * value), 3 * at, 3 * at + 3));
+  const pictures = { actual, expected, difference: { ...actual, rgb } };
+  return Object.entries(pictures).map(([what, picture]) => {
+    const target = path.join(folder, `${name}-${what}.png`);
+    writeFileSync(target, encode(picture));
+    return target;
+  });
+}

@@ -1,0 +1,85 @@
+/**
+ * Fires look as they did: what is drawn is what was kept. And what the comparison
+ * would see: a mistake in a drawing that a person would, it reports.
+ */
+import assert from 'node:assert/strict';
+import { readdirSync } from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { compare } from './compare.mjs';
+import { complaint, drawn, golden, show, TOLERANCE, wishes } from './goldens.mjs';
+import { hueTurned, toneMappedByChannel } from './mistakes.mjs';
+import { coarse, sheet } from './sheet.mjs';
+import { GOLDENS, Studio } from './studio.mjs';
+
+/** @type {Studio} */
+let studio;
+before(async () => { studio = await Studio.open(); });
+after(() => studio?.close());
+
+for (const [name, wish] of Object.entries(wishes())) {
+  test(`${name} looks as it did`, async () => {
+    const [actual, expected] = [await drawn(studio, wish), golden(name)];
+    const said = complaint(actual, expected);
+    if (said !== '') assert.fail(`${said}: see ${show(name, actual, expected).join(', ')}`);
+  });
+}
+
+test('every kept picture is one that is drawn', () => {
+  const kept = readdirSync(GOLDENS).filter((file) => file.endsWith('.png'));
+  assert.deepEqual(kept.map((file) => path.parse(file).name).sort(), Object.keys(wishes()).sort());
+});
+
+/** Settings that make a picture as a mistake in the drawing would. */
+const WRONG = {
+  'no glow': { bloom: 0 },
+  'no fine structure': { detail: 0 },
+  'no smoke': { smoke_opacity: 0 },
+  'a quarter of a stop more light': { exposure: 0.25 },
+  'a quarter of a stop less light': { exposure: -0.25 },
+  'another spectrum': { luminance_exponent: 0.45 },
+  'the paper instead': { display_mode: 'paper' },
+};
+
+for (const kept of ['default', 'classic']) {
+  for (const [mistake, values] of Object.entries(WRONG)) {
+    test(`${mistake} is reported of ${kept}`, async () => {
+      assertReported(await drawn(studio, { kept, values }), golden(kept));
+    });
+  }
+  for (const [mistake, make] of Object.entries({
+    'a hue turned by 8° towards yellow': hueTurned(8),
+    'a hue turned by 8° towards red': hueTurned(-8),
+    'another tone map': toneMappedByChannel,
+  })) {
+    test(`${mistake} is reported of ${kept}`, async () => {
+      const right = await studio.still({ kept });
+      const [wrong, expected] = [make(right), right].map(sheet);
+      assertReported(wrong, coarse(expected));
+    });
+  }
+
+  test(`what nobody sees is not reported of ${kept}`, async () => {
+    const right = await studio.still({ kept });
+    // Rounding elsewhere: each channel one step off, this way or that.
+    let seed = 1;
+    const step = () => {
+      seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+      return Math.floor((seed / 2 ** 32) * 3) - 1;
+    };
+    const rgba = right.rgba.map((value) => Math.min(Math.max(value + (value > 0 ? step() : 0), 0), 255));
+    assert.equal(complaint(sheet({ ...right, rgba }), coarse(sheet(right))), '');
+  });
+}
+
+/** @param {import('../e2e/picture.mjs').Picture} wrong @param {import('../e2e/picture.mjs').Picture} right */
+function assertReported(wrong, right) {
+  const { colour, shift, structure } = compare(wrong, right);
+  // Clearly, and not by a hair.
+  const clearly = [
+    colour / TOLERANCE.colour,
+    shift / TOLERANCE.shift,
+    (1 - structure) / (1 - TOLERANCE.structure),
+  ];
+  assert.ok(Math.max(...clearly) > 1.5, `only ${clearly.map((one) => one.toFixed(2))} of what is tolerated`);
+}

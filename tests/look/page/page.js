@@ -1,0 +1,190 @@
+/**
+ * The painter's page: draws what a test asks for and hands the pixels back. A test
+ * calls `window.look`.
+ */
+import init, { Fire, Painter, locus, presets } from '/painter.js';
+import { Film } from '/film.mjs';
+
+/** As the engine makes its own context. */
+const ATTRIBUTES = { alpha: true, premultipliedAlpha: true, antialias: false, depth: false };
+
+/** Painters by how they were made: compiling shaders takes longer than drawing. */
+const painters = new Map();
+const snapshots = new Map();
+
+/**
+ * A context and what paints in it.
+ * @param {string} format  `rgba16f`, `rgba8`, or the best.
+ * @param {string[]} without  Extensions that this device has not.
+ */
+function painter(format = '', without = []) {
+  const key = JSON.stringify([format, without]);
+  if (!painters.has(key)) {
+    const context = new OffscreenCanvas(1, 1).getContext('webgl2', ATTRIBUTES);
+    if (!context) throw new Error('this browser has no WebGL2');
+    lessCapable(context, without);
+    painters.set(key, { context, painter: new Painter(context, format) });
+  }
+  return painters.get(key);
+}
+
+/** Takes extensions from a context, before anybody asks for them. */
+function lessCapable(context, without) {
+  const { getExtension, getSupportedExtensions } = WebGL2RenderingContext.prototype;
+  context.getExtension = (name) => (without.includes(name) ? null : getExtension.call(context, name));
+  context.getSupportedExtensions = () => (
+    getSupportedExtensions.call(context).filter((name) => !without.includes(name))
+  );
+}
+
+async function snapshot(name) {
+  if (!snapshots.has(name)) {
+    const answer = await fetch(`/snapshots/${name}.bin`);
+    if (!answer.ok) throw new Error(`there is no snapshot ${name}`);
+    snapshots.set(name, new Uint8Array(await answer.arrayBuffer()));
+  }
+  return snapshots.get(name);
+}
+
+/** The fire of a wish: a kept one, or one that has burnt until then. */
+async function fireOf({ kept, mode = '', lit, burnt = 0, values = {} }) {
+  const fire = kept ? Fire.kept(await snapshot(kept), mode) : Fire.lit(lit);
+  for (const [id, value] of Object.entries(values)) fire.set(id, String(value));
+  if (lit) fire.burn(burnt);
+  return fire;
+}
+
+/** Bytes as text, which is what a test can be sent. */
+function packed(bytes) {
+  let text = '';
+  for (let at = 0; at < bytes.length; at += 32768) {
+    text += String.fromCharCode(...bytes.subarray(at, at + 32768));
+  }
+  return btoa(text);
+}
+
+/** A fire that stands still, as RGBA from the upper left. */
+async function still({ width, height, format, without, lines = 'medium', ...wish }) {
+  const fire = await fireOf(wish);
+  const { context, painter: of } = painter(format, without);
+  Object.assign(context.canvas, { width, height });
+  const easel = of.easel(lines);
+  easel.paint_still(fire, width, height);
+  const pixels = easel.pixels(width, height);
+  easel.leave();
+  easel.free();
+  fire.free();
+  complain(context);
+  return packed(pixels);
+}
+
+/** Nothing that GL refused goes by unnoticed. */
+function complain(context) {
+  const error = context.getError();
+  if (error !== 0) throw new Error(`GL says ${error}`);
+}
+
+/** The format of the fields on a device like that. */
+const formatOf = ({ format, without }) => painter(format, without).painter.format;
+
+const value = async (wish, id) => {
+  const fire = await fireOf(wish);
+  const found = fire.value(id);
+  fire.free();
+  return found;
+};
+
+/**
+ * Two fires in one context, drawn in turn, picture by picture: the last picture of each.
+ * Where there is only one, it is drawn alone.
+ */
+async function inTurn(wishes, pictures, disturbance) {
+  const { context, painter: of } = painter();
+  const fires = await Promise.all(wishes.map(fireOf));
+  const easels = fires.map(() => of.easel('medium'));
+  const last = [];
+  for (let picture = 1; picture <= pictures; picture += 1) {
+    wishes.forEach(({ width, height }, one) => {
+      Object.assign(context.canvas, { width, height });
+      fires[one].burn(wishes[one].burnt + picture / 30);
+      if (disturbance) DISTURBANCES[disturbance](context);
+      easels[one].paint(fires[one], width, height);
+      last[one] = packed(easels[one].pixels(width, height));
+    });
+  }
+  for (const easel of easels) easel.leave();
+  complain(context);
+  if (disturbance) painters.clear();
+  return last;
+}
+
+/** How somebody else may leave a context behind. */
+const DISTURBANCES = {
+  'tests on': (gl) => {
+    for (const test of [gl.DEPTH_TEST, gl.STENCIL_TEST, gl.SCISSOR_TEST, gl.CULL_FACE]) gl.enable(test);
+    gl.scissor(3, 3, 5, 5);
+    gl.cullFace(gl.FRONT_AND_BACK);
+    gl.depthFunc(gl.NEVER);
+    gl.stencilFunc(gl.NEVER, 1, 255);
+  },
+  blending: (gl) => {
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.DST_COLOR, gl.ZERO);
+  },
+  'another target, view and colour': (gl) => {
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 4, 4, 0, gl.RGBA, gl.UNSIGNED_BYTE, null);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+    gl.viewport(1, 1, 2, 2);
+    gl.clearColor(1, 0, 1, 1);
+  },
+  'other textures': (gl) => {
+    const texture = gl.createTexture();
+    for (let unit = 0; unit < 8; unit += 1) {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+    }
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array([255, 0, 255, 255]));
+  },
+  'another program and its arrays': (gl) => {
+    const program = gl.createProgram();
+    for (const [kind, source] of [
+      [gl.VERTEX_SHADER, '#version 300 es\nin vec4 at;\nvoid main() { gl_Position = at; }'],
+      [gl.FRAGMENT_SHADER, '#version 300 es\nprecision highp float;\nout vec4 c;\nvoid main() { c = vec4(1.0); }'],
+    ]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    gl.useProgram(program);
+    gl.bindVertexArray(gl.createVertexArray());
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, 12, gl.STATIC_DRAW);
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+  },
+};
+/** What every host has to give back as it was: the renderer does not ask for it. */
+DISTURBANCES['a colour that nobody may draw'] = (gl) => gl.colorMask(true, false, true, true);
+const disturbances = () => Object.keys(DISTURBANCES);
+
+let film;
+/** Starts to watch a fire that burns. */
+async function watch(wish) {
+  film?.easel.leave();
+  const { context, painter: of } = painter();
+  film = new Film({ context, easel: of.easel('medium'), fire: await fireOf(wish), locus });
+}
+/** Watches it until that time, and says what was seen. */
+function seen(seconds) {
+  film.until(seconds);
+  complain(film.context);
+  return film.found();
+}
+
+await init();
+Object.assign(window, { look: { still, formatOf, value, inTurn, disturbances, presets, watch, seen } });

@@ -1,0 +1,57 @@
+/**
+ * What a few seconds of a fire's pixels say. `cargo xtask look` watches every scene for
+ * a minute.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { BARS } from './bars.mjs';
+import { rising } from './figures/motion.mjs';
+import { Studio } from './studio.mjs';
+
+/** @type {Studio} */
+let studio;
+before(async () => { studio = await Studio.open(); });
+after(() => studio?.close());
+
+for (const lit of ['default', 'classic']) {
+  test(`the pixels of ${lit} are those of a fire`, async () => {
+    await studio.ask('watch', { lit, burnt: 2 });
+    const found = await studio.ask('seen', 2.5);
+    for (const { words, figure, holds, brief } of BARS) {
+      if (brief) assert.ok(holds(figure(found)), `${words}: ${JSON.stringify(figure(found))}`);
+    }
+    assert.ok(found.luminous > 0.02, `${found.luminous} of it is luminous`);
+  });
+}
+
+test('light that is none of a black body is seen as such', async () => {
+  await studio.ask('watch', { lit: 'default', burnt: 1, values: { palette: 'copper' } });
+  const found = await studio.ask('seen', 0.5);
+  for (const id of ['locus', 'warm']) {
+    const { figure, holds } = BARS.find((bar) => bar.id === id) ?? assert.fail(id);
+    assert.ok(!holds(figure(found)), `${id}: ${figure(found)}`);
+  }
+});
+
+/** Blobs at places that do not repeat, moved down by so many pixels. */
+function blobs(/** @type {number} */ down) {
+  const [width, height] = [96, 96];
+  return Float32Array.from({ length: width * height }, (_, at) => {
+    const [x, y] = [at % width, Math.floor(at / width) - down];
+    return 0.4 + 0.2 * Math.sin(0.31 * x + 0.017 * y * y * 0.1) * Math.cos(0.27 * y + 0.011 * x * x * 0.1);
+  });
+}
+
+test('motion is seen which way it goes', () => {
+  const see = (/** @type {number} */ down) => rising(blobs(0), blobs(down), 96, 96, 0.03);
+  for (const down of [-9, -4, -1]) {
+    const [up, moving, all] = see(down);
+    assert.ok(all > 20 && up > 0.95 * moving && moving > 0.9 * all, `${[down, up, moving, all]}`);
+  }
+  for (const down of [1, 4]) {
+    const [up, moving] = see(down);
+    assert.ok(moving > 20 && up < 0.05 * moving, `${[down, up, moving]}`);
+  }
+  const [up, moving, all] = see(0);
+  assert.ok(up === 0 && moving === 0 && all > 20);
+});

@@ -1,0 +1,83 @@
+/**
+ * Where tests have fires painted: headless Chromium without a graphics card, whose
+ * pictures are the same on every machine, with the painter's page open.
+ */
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { Browser } from '../e2e/driver.mjs';
+
+const HERE = path.dirname(fileURLToPath(import.meta.url));
+
+/** Snapshots and the pictures of them. */
+export const GOLDENS = path.resolve(HERE, '../goldens');
+
+/** Where `cargo xtask` has put the painter. */
+const PAINTER = process.env.HEARTH_PAINTER;
+
+/** @typedef {{width: number, height: number, rgba: Uint8Array}} Pixels  Premultiplied sRGB. */
+/**
+ * What a test wants to see.
+ * @typedef {object} Wish
+ * @property {string} [kept]  A snapshot.
+ * @property {string} [mode]  And what is seen of it.
+ * @property {string} [lit]  Or a preset that burns.
+ * @property {number} [burnt]  For so long [s].
+ * @property {{[id: string]: string | number}} [values]  What is set beside that.
+ * @property {number} [width]
+ * @property {number} [height]
+ * @property {string} [format]  Of the fields.
+ * @property {string[]} [without]  Extensions that the device lacks.
+ * @property {string} [lines]  Those of which level of quality.
+ */
+
+export class Studio {
+  /** @param {Browser} browser @param {import('../e2e/driver.mjs').Tab} tab */
+  constructor(browser, tab) {
+    this.browser = browser;
+    this.tab = tab;
+  }
+
+  static async open() {
+    if (!PAINTER) throw new Error('HEARTH_PAINTER names no painter: `cargo xtask test goldens` makes one');
+    const browser = await Browser.launch(PAINTER, path.join(HERE, 'page'), path.join(HERE, 'figures'), GOLDENS);
+    try {
+      const tab = await browser.open('index.html');
+      await tab.until('the painter is there', () => /** @type {any} */ (window).look);
+      return new Studio(browser, tab);
+    } catch (error) {
+      await browser.close();
+      throw error;
+    }
+  }
+
+  /**
+   * A fire that stands still.
+   * @param {Wish} wish
+   * @returns {Promise<Pixels>}
+   */
+  async still(wish) {
+    const { width = 320, height = 400 } = wish;
+    return unpacked(await this.ask('still', { ...wish, width, height }), width, height);
+  }
+
+  /**
+   * Calls a function of the page.
+   * @param {string} what @param {...unknown} args
+   * @returns {Promise<any>}
+   */
+  ask(what, ...args) {
+    return this.tab.evaluate((name, given) => /** @type {any} */ (window).look[name](...given), what, args);
+  }
+
+  close() {
+    return this.browser.close();
+  }
+}
+
+/**
+ * @param {string} text @param {number} width @param {number} height
+ * @returns {Pixels}
+ */
+export function unpacked(text, width, height) {
+  return { width, height, rgba: Buffer.from(text, 'base64') };
+}

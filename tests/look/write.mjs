@@ -1,0 +1,39 @@
+/**
+ * Draws the pictures anew that tests compare with: `node write.mjs`, or
+ * `node write.mjs default seed` for those whose names begin so. `cargo xtask goldens`
+ * runs this.
+ */
+import { readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { drawn, file, wishes } from './goldens.mjs';
+import { coarse, encode } from './sheet.mjs';
+import { GOLDENS, Studio } from './studio.mjs';
+
+/** Most bytes of one picture, and of all that lies in the folder. */
+const [LARGEST, ALL] = [36_000, 1_200_000];
+
+const begins = process.argv.slice(2);
+const all = wishes();
+const studio = await Studio.open();
+try {
+  for (const [name, wish] of Object.entries(all)) {
+    if (begins.length > 0 && !begins.some((begin) => name.startsWith(begin))) continue;
+    const png = encode(coarse(await drawn(studio, wish)));
+    if (png.length > LARGEST) throw new Error(`${name}.png takes ${png.length} bytes, more than ${LARGEST}`);
+    writeFileSync(file(name), png);
+    console.log(`${name}.png: ${(png.length / 1000).toFixed(1)} KB`);
+  }
+} finally {
+  await studio.close();
+}
+
+// What nobody draws any more goes.
+for (const found of readdirSync(GOLDENS).filter((one) => one.endsWith('.png'))) {
+  if (!(path.parse(found).name in all)) rmSync(path.join(GOLDENS, found));
+}
+const folders = [GOLDENS, path.join(GOLDENS, 'snapshots')];
+const files = folders.flatMap((folder) => readdirSync(folder, { withFileTypes: true })
+  .filter((entry) => entry.isFile()).map((entry) => path.join(folder, entry.name)));
+const bytes = files.reduce((sum, one) => sum + statSync(one).size, 0);
+console.log(`${files.length} files, ${(bytes / 1000).toFixed(0)} KB`);
+if (bytes > ALL) throw new Error(`that is more than ${ALL} bytes`);

@@ -25,6 +25,8 @@ export class FireManners {
   /** The last good limits. @type {Map<string, unknown>} */
   #limits = new Map();
   #burns = false;
+  /** The bar of colours, where there was one. @type {Promise<any> | undefined} */
+  #scale;
   /** Takes the panel away, where there is one. @type {(() => void) | undefined} */
   #hidePanel;
   /** Stops listening to pointers, where it listens. @type {(() => void) | undefined} */
@@ -60,9 +62,25 @@ export class FireManners {
 
   /** The fire is gone. */
   end() {
+    this.measure();
     this.#open = this.#burns = false;
     this.#control();
     this.#listen();
+  }
+
+  /**
+   * Shows which colour is how much, or that none is. Its code is loaded only here.
+   * @param {string} [mode] the display
+   * @param {[number, number] | null} [ends] what its first and its last colour stand for
+   */
+  async measure(mode, ends) {
+    if (ends) {
+      this.#scale ??= import('./scale.js').then(
+        ({ Scale }) => new Scale(this.#view.root),
+        (why) => this.#ways.complain('load', `The bar of colours could not be loaded: ${why}`),
+      );
+    }
+    (await this.#scale)?.show(mode, ends);
   }
 
   /**

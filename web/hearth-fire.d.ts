@@ -54,6 +54,11 @@ export interface HearthStats {
   passTimer: 'gpu' | 'submit' | '';
   /** Where the engine runs. */
   engine: 'worker' | 'main';
+  /**
+   * What the first and the last colour of the picture stand for, in the unit of what
+   * `display_mode` shows; null where that is a fire.
+   */
+  scale: [least: number, most: number] | null;
 }
 
 /**

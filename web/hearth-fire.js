@@ -514,6 +514,8 @@ export class HearthFire extends FireAttributes {
         this.#ownNumber = message.ownNumber;
         this.#preset = message.preset;
         if (message.anew) this.#reflectPreset();
+        // Its next picture tells what another display measures.
+        if ('display_mode' in message.values) this.#manners.measure();
         if (!this.#announced) break;
         for (const [id, value] of Object.entries(message.values)) {
           this.#emit('params-change', { id, value, source: message.source });
@@ -527,6 +529,7 @@ export class HearthFire extends FireAttributes {
         break;
       case 'stats':
         this.#stats = { ...message.stats, engine: link.place };
+        this.#manners.measure(this.#params.display_mode, message.stats.scale);
         this.#emit('stats', this.stats);
         break;
       case 'quality': {

@@ -11,13 +11,16 @@
  */
 
 import { COPIES, COPY_LABELS } from './panel-desk.js';
-import { PARAMETERS, PRESETS } from './parameters.js';
+import { PARAMETERS } from './parameters.js';
 
 /** How many presses of an arrow key cross a logarithmic range. */
 const LOG_STEPS = 100;
 
 /** The id of the parameter that decides which others there are. */
 const MODEL = 'model';
+
+/** The choices that decide whether others count. */
+const DECIDES = new Set(PARAMETERS.flatMap(({ when = {} }) => Object.keys(when)));
 
 /** The model of a fire that says nothing of it. */
 const DEFAULT_MODEL = PARAMETERS.find(({ id }) => id === MODEL).default;
@@ -95,9 +98,8 @@ export function mountMirror({ host, fire, desk, reveal }) {
   const paste = addButton('paste', 'Paste settings', () => desk.paste());
   for (const button of [...copies, paste]) button.addEventListener('focus', () => reveal('share'));
   addButton('help', 'Keys', () => desk.help());
-  for (const preset of PRESETS) {
-    addButton(`preset:${preset.name}`, `Preset ${preset.label}`, () => desk.preset(preset.name));
-  }
+  const scenes = addButton('scenes', 'Scenes', () => desk.scenes());
+  scenes.setAttribute('aria-haspopup', 'dialog');
   addButton('reset-all', 'Reset all parameters of the model', () => {
     const used = PARAMETERS.filter((one) => one.id !== MODEL && domainOf(one));
     return desk.restore(...used.map(({ id }) => id));
@@ -108,7 +110,7 @@ export function mountMirror({ host, fire, desk, reveal }) {
 
   for (const parameter of PARAMETERS) {
     const id = parameter.id;
-    const { row, control, show } = makeControl(parameter, (value) => {
+    const { row, control, note, show } = makeControl(parameter, (value) => {
       quietly(desk.set(id, value).finally(shows.get(id)));
     });
     control.dataset.parameter = id;
@@ -125,6 +127,9 @@ export function mountMirror({ host, fire, desk, reveal }) {
       row.hidden = !domain;
       restore.hidden = !domain || value === domain.default;
       if (domain) show(value, domain);
+      const waits = Object.entries(parameter.when ?? {}).filter(([of, names]) => !names.includes(valueOf(of)));
+      note.textContent = waits.length > 0 ? `Only with ${waits.map(conditionOf).join(' and ')}` : '';
+      row.classList.toggle('idle', waits.length > 0);
     });
     control.addEventListener('focus', () => reveal(id));
     control.addEventListener('blur', () => reveal(''));
@@ -145,8 +150,9 @@ export function mountMirror({ host, fire, desk, reveal }) {
   };
   const changed = (event) => {
     const { id } = event.detail ?? {};
-    // Another model has other controls, and its own values in those that stay.
-    if (id === MODEL) showAll();
+    // Another model has other controls, and its own values in those that stay; a
+    // choice makes others count or not.
+    if (id === MODEL || DECIDES.has(id)) showAll();
     else shows.get(id)?.();
   };
   const failed = (event) => say(event.detail?.message ?? '');
@@ -166,6 +172,7 @@ export function mountMirror({ host, fire, desk, reveal }) {
     // A button that has the focus would lose it if it were disabled.
     undo.setAttribute('aria-disabled', String(!state.undo));
     redo.setAttribute('aria-disabled', String(!state.redo));
+    scenes.textContent = state.scene ? `Scene: ${state.scene}` : 'Scenes';
     fullscreen.hidden = !state.fullscreen;
     copies[COPIES.indexOf('link')].hidden = !state.link;
     copies[COPIES.indexOf('iframe')].hidden = !state.iframe;
@@ -237,7 +244,11 @@ function makeControl(parameter, wish) {
   label.htmlFor = `hearth-mirror-${(made += 1)}`;
   const control = document.createElement(parameter.kind === 'choice' ? 'select' : 'input');
   control.id = label.htmlFor;
-  row.append(label, control);
+  // Why it counts for nothing at present, where it does not.
+  const note = document.createElement('small');
+  note.id = `${control.id}-note`;
+  control.setAttribute('aria-describedby', note.id);
+  row.append(label, control, note);
   const show = {
     number: slider,
     integer: slider,
@@ -246,7 +257,15 @@ function makeControl(parameter, wish) {
     colour: field,
     seed: field,
   }[parameter.kind](parameter, /** @type {any} */ (control), wish, row);
-  return { row, control, show };
+  return { row, control, note, show };
+}
+
+/** What somebody has to choose for it, in words. @param {[string, string[]]} condition */
+function conditionOf([id, names]) {
+  const label = PARAMETERS.find((parameter) => parameter.id === id)?.label ?? id;
+  const [last, ...others] = [...names].reverse();
+  const before = others.length > 0 ? `${others.reverse().join(', ')} or ` : '';
+  return `${label.toLowerCase()} ${before}${last}`;
 }
 
 function slider(parameter, control, wish, row) {
@@ -255,7 +274,7 @@ function slider(parameter, control, wish, row) {
   control.step = parameter.kind === 'integer' ? '1' : 'any';
   const output = document.createElement('output');
   output.htmlFor.add(control.id);
-  row.append(output);
+  control.after(output);
   const say = () => {
     const text = `${Number(Number(control.value).toPrecision(4))} ${parameter.unit}`.trim();
     output.textContent = text;

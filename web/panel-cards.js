@@ -1,11 +1,12 @@
 /**
  * Cards that lie over the panel: text to be copied by hand, a field for settings,
- * the keys. They are the page's own elements, since only in those can text be
+ * the keys, the scenes (panel-scenes.js). They are the page's own elements, since only in those can text be
  * selected, pasted and read aloud everywhere.
  *
  * @typedef {object} Card
  * @property {() => void} close
  * @property {(name: string) => boolean} isOpen  Whether it is the one of that name, and in sight.
+ * @property {() => void} [mark]  Shows what is so by now.
  */
 
 import { KEYS } from './panel-keys.js';
@@ -18,7 +19,7 @@ let made = 0;
  * @returns {Card}
  */
 export function showText({ host, title, text }) {
-  const card = open(host, 'copy', title);
+  const card = openCard(host, 'copy', title);
   card.add('p', 'This browser lets the panel copy nothing. The text is selected: copy it by hand.');
   const field = card.field(title);
   field.readOnly = true;
@@ -36,7 +37,7 @@ export function showText({ host, title, text }) {
  * @returns {Card}
  */
 export function askForSettings({ host, take }) {
-  const card = open(host, 'paste', 'Paste settings');
+  const card = openCard(host, 'paste', 'Paste settings');
   const field = card.field('Settings as JSON');
   field.placeholder = '{"hearth": 1, "preset": "seed", "values": {"viscosity": 0.02}}';
   const alert = card.add('p', '');
@@ -68,7 +69,7 @@ export function askForSettings({ host, take }) {
  * @returns {Card}
  */
 export function showKeys({ host }) {
-  const card = open(host, 'help', 'Keys');
+  const card = openCard(host, 'help', 'Keys');
   const list = card.add('dl', '');
   for (const [keys, words] of KEYS) {
     const term = document.createElement('dt');
@@ -93,7 +94,7 @@ export function showKeys({ host }) {
  * @param {string} name
  * @param {string} title
  */
-function open(host, name, title) {
+export function openCard(host, name, title) {
   const root = /** @type {Document | ShadowRoot} */ (host.getRootNode());
   const before = /** @type {HTMLElement | null} */ (root.activeElement);
   const card = document.createElement('section');

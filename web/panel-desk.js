@@ -8,20 +8,28 @@
  */
 
 import { askForSettings, showKeys, showText } from './panel-cards.js';
-import { PARAMETERS } from './parameters.js';
+import { showScenes } from './panel-scenes.js';
+import { PARAMETERS, PRESETS } from './parameters.js';
 import { Steps } from './panel-steps.js';
 import { elementCode, iframeCode, pageLink } from './share.js';
 
 /**
- * Where the files of this folder are. A bundler gives this one another name, or the
- * one of its own disk, and leaves most of the others out; then nobody knows.
+ * Where the files of this folder are; the site has this one in panel.js. A bundler gives
+ * it another name, or the one of its own disk, and leaves most of the others out; then
+ * nobody knows.
  */
-const FOLDER = /^https?:.*\/panel-desk\.js/.test(import.meta.url) ? import.meta.url : undefined;
+const FOLDER = /^https?:.*\/panel(-desk)?\.js(\?|$)/.test(import.meta.url) ? import.meta.url : undefined;
 
 /** How long a button says that it has done it [ms]. */
 const DONE_MS = 2000;
 
 const DOMAINS = new Map(PARAMETERS.map(({ id, domains }) => [id, domains]));
+
+/** Decides which parameters count. */
+const MODEL = /** @type {any} */ (PARAMETERS.find(({ id }) => id === 'model'));
+
+/** What of a fire may make it another one. */
+const NEWS = ['ready', 'params-change'];
 
 /** What can be copied, in the order of its buttons. */
 export const COPIES = ['link', 'element', 'iframe', 'json'];
@@ -33,6 +41,7 @@ export const COPY_LABELS = {
 
 /**
  * @typedef {object} State  What there is to press and to say.
+ * @property {string} scene  The scene that the fire started from, in words.
  * @property {boolean} undo
  * @property {boolean} redo
  * @property {boolean} link  Whether the page has an address that shows this fire.
@@ -56,6 +65,7 @@ export class Desk extends EventTarget {
   #said = '';
   /** @type {import('./panel-cards.js').Card | undefined} */
   #card;
+  #scene = '';
 
   /**
    * @param {object} parts
@@ -74,11 +84,14 @@ export class Desk extends EventTarget {
     this.#script = script;
     this.#embed = embed;
     this.#steps = new Steps(fire, () => this.#changed(), (id, model) => DOMAINS.get(id)?.[model]?.default);
+    for (const name of NEWS) fire.addEventListener(name, this.#look);
+    this.#look();
   }
 
   /** @returns {State} */
   get state() {
     return {
+      scene: this.#scene,
       undo: this.#steps.canUndo,
       redo: this.#steps.canRedo,
       link: this.#page !== undefined,
@@ -112,6 +125,22 @@ export class Desk extends EventTarget {
   preset(name) {
     const config = { hearth: 1, preset: name, values: {} };
     return this.#steps.all(() => this.#fire.importConfig(config), { anew: true });
+  }
+
+  /** Shows the scenes to start from, or hides them. */
+  scenes() {
+    if (this.#card?.isOpen('scenes')) {
+      this.#card.close();
+      return;
+    }
+    this.#show(showScenes({
+      host: this.#host,
+      scenes: PRESETS,
+      pictureOf: (name) => beside(`scenes/${name}.jpg`),
+      present: () => this.#fire.preset,
+      // What is refused is told by the element's error event.
+      choose: (name) => this.preset(name).then(this.#look, () => {}),
+    }));
   }
 
   /** @param {string} name */
@@ -199,9 +228,19 @@ export class Desk extends EventTarget {
 
   /** Ends what is open. */
   close() {
+    for (const name of NEWS) this.#fire.removeEventListener(name, this.#look);
     clearTimeout(this.#doneEnds);
     this.#card?.close();
   }
+
+  /** Another scene, or not quite the same any more? */
+  #look = () => {
+    this.#card?.mark?.();
+    const scene = sceneOf(this.#fire);
+    if (scene === this.#scene) return;
+    this.#scene = scene;
+    this.#changed();
+  };
 
   /** @type {(what: string, config: any) => string} */
   #written(what, config) {
@@ -252,6 +291,21 @@ export class Desk extends EventTarget {
   #changed() {
     this.dispatchEvent(new Event('change'));
   }
+}
+
+/**
+ * The scene that a fire started from, and whether it is another fire by now.
+ * @param {any} fire
+ */
+function sceneOf({ preset: name = 'default', params = {} }) {
+  const scene = PRESETS.find((preset) => preset.name === name);
+  if (!scene) return '';
+  const values = { model: MODEL.default, ...scene.values };
+  const same = PARAMETERS.every(({ id, domains }) => {
+    const domain = domains[values.model];
+    return !domain || params[id] === (values[id] ?? domain.default);
+  });
+  return same ? scene.label : `${scene.label}, changed`;
 }
 
 /** @param {string} file */

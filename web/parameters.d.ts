@@ -360,6 +360,11 @@ export interface Parameter extends ParameterDomain {
   /** The models that use it. */
   models: ModelName[];
   domains: Partial<Record<ModelName, ParameterDomain>>;
+  /**
+   * The choices, by id, that must each have one of these names, or the value shows nowhere.
+   * It can be set all the same.
+   */
+  when?: Partial<Record<ParameterId, string[]>>;
 }
 
 /** A named set of values: the defaults, with these changed. */

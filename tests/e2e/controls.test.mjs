@@ -84,6 +84,55 @@ test('a choice takes the name that is clicked, and even a paused fire is drawn a
   assert.equal(fire.difference(await tab.firePicture()), 0);
 });
 
+test('each of many names is chosen from a list, by hand, by finger and by keys', async () => {
+  const { tab, panel } = await openPage();
+  const names = entry.display_mode.choices;
+  assert.ok(names.length > 4);
+  for (const name of [...names].reverse()) {
+    await panel.choose('display_mode', name);
+    await panel.value('display_mode', name, (value) => value === name);
+  }
+  // A list that has the focus goes on by the arrows.
+  await tab.click(along(await panel.reveal('display_mode'), 0.5));
+  await tab.key('ArrowDown');
+  await panel.value('display_mode', names[1], (value) => value === names[1]);
+  assert.deepEqual(tab.problems, []);
+
+  const phone = await browser.open('index.html?model=classic', { width: 360, height: 640, ratio: 3, touch: true });
+  await phone.burnt(0.3);
+  const sheet = await new Panel(phone).mounted();
+  await sheet.choose('display_mode', 'sprites');
+  await sheet.value('display_mode', 'sprites', (value) => value === 'sprites');
+});
+
+test('what counts for nothing says so to hand, eye and ear, and is set all the same', async () => {
+  const { tab, panel } = await openPage();
+  const told = (id) => tab.page.$eval(`[data-parameter="${id}"]`, (control) => (
+    document.getElementById(control.getAttribute('aria-describedby') ?? '')?.textContent
+  ));
+  assert.equal(await told('hot_colour'), 'Only with palette custom');
+  const swatch = await panel.reveal('hot_colour');
+  const dim = await tab.picture(swatch);
+  await panel.choose('palette', 'custom');
+  await tab.until('the mirror says no more', (id) => (
+    document.querySelector(`[data-parameter="${id}"]`)?.closest('.idle') === null
+  ), 'hot_colour');
+  assert.equal(await told('hot_colour'), '');
+  const lit = await tab.picture({ ...await panel.reveal('hot_colour'), width: swatch.width, height: swatch.height });
+  const brightness = (picture) => picture.rgb.reduce((sum, x) => sum + x, 0);
+  assert.ok(brightness(lit) > 1.3 * brightness(dim), 'it is brighter than it was');
+
+  await tab.fire((fire) => fire.set('display_mode', 'density'));
+  await tab.until('the mirror knows', (id) => (
+    document.querySelector(`[data-parameter="${id}"]`)?.closest('.idle') !== null
+  ), 'bloom');
+  assert.equal(await told('bloom'), 'Only with display fire');
+  assert.equal(await told('exposure'), 'Only with display fire, paper or sprites');
+  await panel.dragSlider('bloom', 0.3, 0.8);
+  const near = (value) => Math.abs(fractionOf(entry.bloom, value) - 0.8) < AIM;
+  await panel.value('bloom', 'where the mouse let go', near);
+});
+
 test('a flag goes on with one click and off with the next', async () => {
   const { tab, panel } = await openPage();
   for (const on of [true, false]) {
@@ -164,10 +213,10 @@ test('one value, and then all of them, go back to their defaults', async () => {
   }
 });
 
-test('a preset button brings the preset’s values', async () => {
+test('a scene brings its values', async () => {
   const { panel } = await openPage();
   for (const name of ['seed', 'default', 'classic']) {
-    await panel.press(`preset:${name}`);
+    await panel.scene(name);
     const { values } = PRESETS.find((preset) => preset.name === name);
     const expected = { ...defaultsOf(values.model ?? PAGE.model), ...values };
     for (const [id, value] of Object.entries(expected)) {

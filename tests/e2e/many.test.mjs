@@ -84,6 +84,8 @@ test('with its last fire a page loses the engine, and gets another with the next
   await tab.until('there is no worker', () => (
     /** @type {any} */ (window).driver.workers() === 0
   ));
+  // The browser tells of it a little later.
+  for (let tries = 0; tries < 100 && tab.page.workers().length > 0; tries += 1) await tab.frames();
   assert.equal(tab.page.workers().length, 0);
   await tab.evaluate(() => document.body.append(document.createElement('hearth-fire')));
   await tab.burnt(1);

@@ -14,7 +14,7 @@ import { domainOf } from './site.mjs';
 /** The mirror control of a parameter. */
 export const mirrorOf = (/** @type {string} */ id) => `[data-parameter="${id}"]`;
 
-/** The mirror of a button: pause, reset, reset-all, preset:seed, restore:viscosity … */
+/** The mirror of a button: pause, reset, reset-all, scenes, restore:viscosity … */
 export const actionOf = (/** @type {string} */ name) => `[data-action="${name}"]`;
 
 /**
@@ -170,12 +170,37 @@ export class Panel {
   }
 
   /**
-   * Clicks one of a choice's names.
+   * Clicks one of a choice's names, in its list where that is folded.
    * @param {string} id @param {string} name
    */
   async choose(id, name) {
-    await this.reveal(id);
-    await this.tab.click(along(await this.part(`choice:${id}:${name}`), 0.5));
+    const rectangle = await this.reveal(id);
+    const key = `choice:${id}:${name}`;
+    const unfolded = await this.tab.evaluate(
+      (wanted) => wanted in (/** @type {any} */ (window).panelRectangles ?? {}),
+      key,
+    );
+    if (!unfolded) {
+      await this.tab.click(along(rectangle, 0.5));
+    }
+    await this.tab.click(along(await this.part(key), 0.5));
+  }
+
+  /** Clicks the button that opens the scenes, and waits for them. */
+  async openScenes() {
+    await this.pointAt(actionOf('scenes'));
+    await this.press('scenes');
+    await this.tab.page.waitForSelector(this.find('[data-scene]'));
+  }
+
+  /**
+   * Clicks a scene, and closes the scenes.
+   * @param {string} name
+   */
+  async scene(name) {
+    await this.openScenes();
+    await this.tab.page.click(this.find(`[data-scene="${name}"]`));
+    await this.tab.page.click(this.find('[data-card="close"]'));
   }
 
   /** The ids of the parameters that have a control at present, in their order. */

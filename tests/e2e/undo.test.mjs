@@ -54,7 +54,7 @@ const DEEDS = [
   ['the way back to one default', (panel) => panel.restore('viscosity')],
   ['another model', (panel) => panel.choose('model', 'combustion')],
   ['a slider of that model', (panel) => panel.dragSlider('fuel_power', 0.5, 0.8)],
-  ['a preset', (panel) => panel.press('preset:seed')],
+  ['a scene', (panel) => panel.scene('seed')],
   ['all defaults', (panel) => panel.press('reset-all')],
 ];
 

@@ -26,6 +26,12 @@ pub use quantity::Quantity;
 pub use table::{Description, Domain, Kind, Param, Scale};
 pub use value::{Colour, Input, ParamError, Refusal, Value};
 
+/// The displays that show light, so that its brightness and its colours count.
+const LIGHT: &[&str] = &["fire", "paper", "sprites"];
+
+/// The display that shows all of the fire, with smoke, glow and fine structure.
+const FIRE: &[&str] = &["fire"];
+
 parameters! {
     "World" {
         /// Which equations move the particles. Classic: the paper's, in which hot
@@ -206,33 +212,33 @@ parameters! {
         /// sprites of the paper; or sprites with a texture.
         display_mode: (choice DisplayMode) "Display" { Every(Fire) }
         /// What is drawn: fire and smoke, the fire alone, or the smoke alone.
-        layers: (choice Layers) "Layers" { Every(Both) }
+        layers: (choice Layers) "Layers" { Every(Both) } when { display_mode: FIRE }
         /// Size at which a particle is drawn.
-        particle_size: number "Particle size" ["m"] Log { Classic(0.04, 0.01..=0.1) }
+        particle_size: number "Particle size" ["m"] Log { Classic(0.04, 0.01..=0.1) } when { display_mode: LIGHT }
         /// Brightness, in steps that each double it.
-        exposure: number "Exposure" ["EV"] Linear { Every(0.0, -4.0..=4.0) }
+        exposure: number "Exposure" ["EV"] Linear { Every(0.0, -4.0..=4.0) } when { display_mode: LIGHT }
         /// How much of a black body's enormous range of brightness is kept.
-        luminance_exponent: number "Luminance exponent" [""] Linear { Every(0.35, 0.15..=1.0) }
+        luminance_exponent: number "Luminance exponent" [""] Linear { Every(0.35, 0.15..=1.0) } when { display_mode: LIGHT }
         /// How strongly smoke hides what is behind it.
-        smoke_opacity: number "Smoke opacity" [""] Linear { Every(0.3, 0.0..=2.0) }
+        smoke_opacity: number "Smoke opacity" [""] Linear { Every(0.3, 0.0..=2.0) } when { display_mode: FIRE }
         /// Glow around bright places.
-        bloom: number "Bloom" [""] Linear { Every(0.15, 0.0..=0.6) }
+        bloom: number "Bloom" [""] Linear { Every(0.15, 0.0..=0.6) } when { display_mode: FIRE }
         /// Fine structure that rises with the flow.
-        detail: number "Detail" [""] Linear { Every(1.0, 0.0..=2.0) }
+        detail: number "Detail" [""] Linear { Every(1.0, 0.0..=2.0) } when { display_mode: FIRE }
         /// Colours of the fire: those of glowing soot, of gas, of copper or lithium salts,
         /// of a ghost, or from a cool colour to a hot one.
-        palette: (choice Palette) "Palette" { Every(Blackbody) }
+        palette: (choice Palette) "Palette" { Every(Blackbody) } when { display_mode: LIGHT }
         /// Colour of the coolest fire, where the palette is the custom one.
-        cool_colour: colour "Cool colour" { Every(Colour::rgb(0x8a, 0x12, 0xff)) }
+        cool_colour: colour "Cool colour" { Every(Colour::rgb(0x8a, 0x12, 0xff)) } when { palette: &["custom"], display_mode: LIGHT }
         /// Colour of the hottest fire, where the palette is the custom one.
-        hot_colour: colour "Hot colour" { Every(Colour::rgb(0x38, 0xe8, 0xff)) }
+        hot_colour: colour "Hot colour" { Every(Colour::rgb(0x38, 0xe8, 0xff)) } when { palette: &["custom"], display_mode: LIGHT }
         /// What the fire burns in front of, in place of the background: nothing, or a wall
         /// of bricks that it lights.
         backdrop: (choice Backdrop) "Backdrop" { Every(None) }
         /// How strongly hot gas makes the backdrop shimmer; a page cannot be made to.
-        heat_haze: number "Heat haze" [""] Linear { Every(0.3, 0.0..=1.0) }
+        heat_haze: number "Heat haze" [""] Linear { Every(0.3, 0.0..=1.0) } when { backdrop: &["bricks"] }
         /// What stands behind the fire: `transparent` or a colour.
-        background: colour "Background" { Every(Colour::TRANSPARENT) }
+        background: colour "Background" { Every(Colour::TRANSPARENT) } when { backdrop: &["none"] }
     }
 }
 
@@ -421,5 +427,18 @@ impl Param {
             .position(|param| std::ptr::eq(param, self))
             .unwrap_or_default();
         &DESCRIPTIONS[at]
+    }
+
+    /// The choices that would have to be other ones for its value to count, with the
+    /// names that would do.
+    pub fn waits_for(
+        &self,
+        parameters: &Parameters,
+    ) -> impl Iterator<Item = &'static (&'static str, &'static [&'static str])> {
+        let unmet = move |&&(id, names): &&(&str, &[&str])| match parameters.get(id) {
+            Some(Value::Choice(name)) => !names.contains(&name),
+            _ => false,
+        };
+        self.description().when.iter().filter(unmet)
     }
 }

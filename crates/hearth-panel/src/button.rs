@@ -2,7 +2,7 @@
 
 use egui::{Align2, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
 
-use crate::icons::Icon;
+use crate::icons::{self, Icon};
 use crate::theme;
 
 /// What stands on a button.
@@ -97,6 +97,39 @@ pub fn show(ui: &Ui, rect: Rect, id: Id, face: Face<'_>) -> Response {
     let text =
         Align2::LEFT_CENTER.anchor_size(pos2(left + icon_room, rect.center().y), galley.size());
     painter.galley(text.min, galley, ink);
+    response
+}
+
+/// Shows a button that opens a list, with what is chosen of it at present.
+pub fn unfolder(ui: &Ui, rect: Rect, id: Id, text: &str, open: bool) -> Response {
+    let face = Face {
+        lit: open,
+        ..Face::text("")
+    };
+    let response = show(ui, rect, id, face);
+    let ink = if response.hovered() {
+        theme::ACCENT
+    } else {
+        theme::WEAK
+    };
+    // A text that is too long ends at the mark.
+    let room = rect
+        .shrink2(vec2(10.0, 0.0))
+        .with_max_x(rect.right() - 24.0);
+    let painter = ui.painter();
+    painter.with_clip_rect(room.intersect(ui.clip_rect())).text(
+        room.left_center(),
+        Align2::LEFT_CENTER,
+        text,
+        theme::body(),
+        theme::TEXT,
+    );
+    icons::chevron(
+        painter,
+        pos2(rect.right() - 14.0, rect.center().y),
+        true,
+        ink,
+    );
     response
 }
 

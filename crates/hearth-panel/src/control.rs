@@ -1,4 +1,4 @@
-//! The controls of numbers, seeds, flags and choices.
+//! The controls of numbers, seeds and flags.
 
 use egui::{CursorIcon, Id, Rect, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
 use hearth_core::params::{Input, Param, Scale, Value};
@@ -150,48 +150,4 @@ pub fn tick(ui: &Ui, hit: Rect, id: Id, on: bool) -> bool {
         painter.rect_stroke(rect, 4.0, stroke, StrokeKind::Inside);
     }
     response.clicked()
-}
-
-/// A choice: a button for each name, the present one lit.
-pub fn choice(
-    panel: &mut Panel,
-    ui: &mut Ui,
-    param: &'static Param,
-    names: &'static [&'static str],
-) {
-    const IN_A_LINE: usize = 4;
-    row::line(panel, ui, param, panel.measures.line);
-    let mut whole: Option<Rect> = None;
-    for names in names.chunks(IN_A_LINE) {
-        let rect = strip(ui, panel.measures.control);
-        whole = Some(whole.map_or(rect, |so_far| so_far.union(rect)));
-        choices(panel, ui, param, names, rect);
-        ui.add_space(4.0);
-    }
-    if let Some(whole) = whole {
-        panel.place(ui, param.id, whole);
-    }
-}
-
-/// These names of a choice side by side in `rect`.
-pub fn choices(
-    panel: &mut Panel,
-    ui: &Ui,
-    param: &'static Param,
-    names: &'static [&'static str],
-    rect: Rect,
-) {
-    let now = param.get(&panel.fire.parameters);
-    for (rect, &name) in button::split(rect, names.len(), 4.0).zip(names) {
-        let face = Face {
-            lit: now == Value::Choice(name),
-            ..Face::text(name)
-        };
-        let key = format!("choice:{}:{name}", param.id);
-        let clicked = button::show(ui, rect, Id::unique(&key), face).clicked();
-        panel.place(ui, key, rect);
-        if clicked && let Ok(now) = panel.fire.wish(param, Input::Text(name)) {
-            panel.ask_for(param, now);
-        }
-    }
 }

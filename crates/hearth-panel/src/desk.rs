@@ -4,6 +4,8 @@
 /// What there is to press besides the fire's own values.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Desk {
+    /// The scene that the fire started from, in words; empty where nobody knows.
+    pub scene: String,
     /// Whether there is a step to undo.
     pub undo: bool,
     /// Whether there is a step to do again.

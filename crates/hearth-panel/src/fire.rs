@@ -25,8 +25,8 @@ pub enum Command {
     Set(&'static str, Value),
     /// Put these parameters back to their defaults.
     Restore(Vec<&'static str>),
-    /// Take a preset.
-    Preset(&'static str),
+    /// Show the scenes, or hide them.
+    Scenes,
     /// Make so much work.
     Quality(&'static str),
     /// Let time pass.
@@ -131,15 +131,6 @@ impl Fire {
             .filter(move |param| param.id != MODEL && param.domain(model).is_some())
     }
 
-    /// Whether the model and all that it uses are as in `parameters`. What it
-    /// does not use cannot be seen, and does not count.
-    pub fn looks_like(&self, parameters: &Parameters) -> bool {
-        self.parameters.model() == parameters.model()
-            && self
-                .used()
-                .all(|param| param.get(&self.parameters) == param.get(parameters))
-    }
-
     /// Checks a wish and shows it at once.
     ///
     /// # Errors
@@ -219,11 +210,8 @@ mod tests {
         let mut fire = classic();
         fire.learn("wind", Input::Number(2.0));
         assert!(!fire.is_changed());
-        assert!(fire.looks_like(&Parameters::new(Model::Classic)));
-        assert!(!fire.looks_like(&Parameters::new(Model::Combustion)));
         fire.learn("viscosity", Input::Number(0.02));
         assert!(fire.is_changed());
-        assert!(!fire.looks_like(&Parameters::new(Model::Classic)));
         fire.learn(MODEL, Input::Text("combustion"));
         assert_eq!(fire.parameters.wind, 2.0);
         assert!(fire.used().all(|param| param.id != "viscosity"));

@@ -1,8 +1,7 @@
-//! The header: how the fire does, play and pause, model, presets, search.
+//! The header: how the fire does, play and pause, model, scenes, search.
 
 use egui::{Align2, Color32, CursorIcon, Id, Rect, Sense, TextEdit, Ui, UiBuilder, pos2, vec2};
 use hearth_core::params::{Kind, Param};
-use hearth_core::preset::PRESETS;
 
 use crate::button::{self, Face};
 use crate::fire::{Command, MODEL, QUALITIES};
@@ -10,9 +9,9 @@ use crate::format::{count_text, significant};
 use crate::history;
 use crate::icons::{self, Icon};
 use crate::panel::{Panel, strip};
-use crate::{control, row, theme, tools};
+use crate::{choices, row, theme, tools};
 
-/// Width of the words before the models and the presets.
+/// Width of the words before the models and the scenes.
 pub const LABEL: f32 = 56.0;
 
 /// The part that never scrolls: one line where there is little height.
@@ -60,7 +59,7 @@ pub fn movable(panel: &mut Panel, ui: &mut Ui) {
 fn movable_rows(panel: &mut Panel, ui: &mut Ui, scrolls: bool) {
     model(panel, ui, scrolls);
     ui.add_space(8.0);
-    presets(panel, ui);
+    scenes(panel, ui);
     ui.add_space(8.0);
     quality(panel, ui);
     ui.add_space(8.0);
@@ -79,7 +78,7 @@ fn model(panel: &mut Panel, ui: &mut Ui, scrolls: bool) {
         let mut rect = strip(ui, panel.measures.control);
         row::name(panel, ui, param, rect);
         rect.min.x += LABEL;
-        control::choices(panel, ui, param, names, rect);
+        choices::buttons(panel, ui, param, names, rect, names.len());
         panel.place(ui, param.id, rect);
     });
 }
@@ -292,41 +291,30 @@ fn transport(panel: &mut Panel, ui: &Ui, rect: Rect, bare: bool) {
     }
 }
 
-fn presets(panel: &mut Panel, ui: &mut Ui) {
-    const IN_A_LINE: usize = 3;
-    let lit = PRESETS
-        .iter()
-        .position(|preset| panel.fire.looks_like(&preset.parameters()));
-    for (line, presets) in PRESETS.chunks(IN_A_LINE).enumerate() {
-        if line > 0 {
-            ui.add_space(6.0);
-        }
-        let mut rect = strip(ui, panel.measures.control);
-        ui.painter().text(
-            rect.left_center(),
-            Align2::LEFT_CENTER,
-            if line == 0 { "Preset" } else { "" },
-            theme::small(),
-            theme::WEAK,
-        );
-        rect.min.x += LABEL;
-        let parts = presets.len().max(PRESETS.len().min(IN_A_LINE));
-        for ((rect, preset), at) in button::split(rect, parts, 6.0)
-            .zip(presets)
-            .zip(line * IN_A_LINE..)
-        {
-            let face = Face {
-                lit: lit == Some(at),
-                ..Face::text(preset.caption().label)
-            };
-            let name = format!("action:preset:{}", preset.name);
-            let clicked = button::show(ui, rect, Id::unique(&name), face).clicked();
-            panel.place(ui, name, rect);
-            if clicked {
-                panel.fire.refusals.clear();
-                panel.ask(Command::Preset(preset.name));
-            }
-        }
+/// What the fire started from, and the way to all other scenes.
+fn scenes(panel: &mut Panel, ui: &mut Ui) {
+    let mut rect = strip(ui, panel.measures.control);
+    ui.painter().text(
+        rect.left_center(),
+        Align2::LEFT_CENTER,
+        "Scene",
+        theme::small(),
+        theme::WEAK,
+    );
+    rect.min.x += LABEL;
+    let name = "action:scenes";
+    let scene = match &*panel.desk.scene {
+        "" => "All scenes",
+        scene => scene,
+    };
+    let response = button::unfolder(ui, rect, Id::unique(name), scene, false);
+    panel.place(ui, name, rect);
+    if response
+        .on_hover_text("Other fires to start from")
+        .clicked()
+    {
+        panel.fire.refusals.clear();
+        panel.ask(Command::Scenes);
     }
 }
 

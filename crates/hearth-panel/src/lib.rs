@@ -8,6 +8,7 @@
 //! connects it to a canvas and an element.
 
 mod button;
+mod choices;
 mod colour;
 mod control;
 pub mod desk;

@@ -48,6 +48,8 @@ pub struct Panel {
     pub(crate) search: String,
     pub(crate) typing: Option<Typing>,
     pub(crate) colour: Option<OpenColour>,
+    /// The choice whose list is unfolded.
+    pub(crate) listed: Option<&'static str>,
     /// The parameter whose doc is shown in its row.
     pub(crate) told: Option<&'static str>,
     /// The parameter that the page's own controls point at.
@@ -81,6 +83,7 @@ impl Panel {
             search: String::new(),
             typing: None,
             colour: None,
+            listed: None,
             told: None,
             shown: None,
             revealing: false,

@@ -11,6 +11,10 @@ use crate::icons::Icon;
 use crate::panel::{Panel, in_sight, strip};
 use crate::{control, theme};
 
+/// How much is seen of a control whose value counts for nothing at present: it can
+/// be set all the same, so it has to be read.
+const IDLE: f32 = 0.5;
+
 /// Shows the row of `param`.
 pub fn show(panel: &mut Panel, ui: &mut Ui, param: &'static Param) {
     framed(panel, ui, param, true, |panel, ui| match param.kind {
@@ -18,7 +22,7 @@ pub fn show(panel: &mut Panel, ui: &mut Ui, param: &'static Param) {
         Kind::Integer(scale) => control::number(panel, ui, param, scale, true),
         Kind::Seed => control::seed(panel, ui, param),
         Kind::Flag => control::flag(panel, ui, param),
-        Kind::Choice(names) => control::choice(panel, ui, param, names),
+        Kind::Choice(names) => crate::choices::show(panel, ui, param, names),
         Kind::Colour => crate::colour::show(panel, ui, param),
     });
     ui.add_space(panel.measures.gap);
@@ -36,7 +40,16 @@ pub fn framed(
 ) {
     let ground = ui.painter().add(Shape::Noop);
     let top = ui.cursor().top();
-    content(panel, ui);
+    let idle = idle(panel, param);
+    ui.scope(|ui| {
+        if idle.is_some() {
+            ui.multiply_opacity(IDLE);
+        }
+        content(panel, ui);
+    });
+    if let Some(words) = idle {
+        paragraph(ui, &words, theme::WEAK);
+    }
     if let Some(refusal) = panel.fire.refusals.get(param.id) {
         paragraph(ui, refusal, theme::ERROR);
     }
@@ -52,6 +65,23 @@ pub fn framed(
             in_sight(ui, rect);
         }
     }
+}
+
+/// What a parameter waits for whose value counts for nothing at present, in words.
+fn idle(panel: &Panel, param: &Param) -> Option<String> {
+    let waits = param.waits_for(&panel.fire.parameters);
+    let each = waits.map(|&(id, names)| {
+        let label = Param::find(id).map_or(id, |choice| choice.description().label);
+        let names = match names {
+            [others @ .., last] if !others.is_empty() => {
+                format!("{} or {last}", others.join(", "))
+            }
+            names => names.concat(),
+        };
+        format!("{} {names}", label.to_lowercase())
+    });
+    let each: Vec<_> = each.collect();
+    (!each.is_empty()).then(|| format!("Only with {}", each.join(" and ")))
 }
 
 /// The first line of a row: the name, and beside it the way back to the

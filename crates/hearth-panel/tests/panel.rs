@@ -4,7 +4,7 @@
 //! A character that the font lacks panics, so everything that is painted here
 //! is painted without boxes.
 
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, vec2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, Shape, vec2};
 use hearth_core::params::{Choice, Input, Kind, Model, Param, Value};
 use hearth_panel::desk::Desk;
 use hearth_panel::fire::{Command, MODEL, Stats};
@@ -56,6 +56,23 @@ impl Hands {
         output.textures_delta.clear();
     }
 
+    /// Every text that is painted.
+    fn texts(&mut self) -> Vec<String> {
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, self.size)),
+            time: Some(self.time),
+            ..RawInput::default()
+        };
+        let mut output = self.ctx.run_ui(input, |ui| self.panel.ui(ui));
+        output.textures_delta.clear();
+        let shapes = output.shapes.iter().map(|clipped| &clipped.shape);
+        let texts = shapes.filter_map(|shape| match shape {
+            Shape::Text(text) => Some(text.galley.text().to_owned()),
+            _ => None,
+        });
+        texts.collect()
+    }
+
     fn wait(&mut self) {
         for _ in 0..3 {
             self.frame(Vec::new());
@@ -68,6 +85,10 @@ impl Hands {
             .rectangles()
             .get(name)
             .unwrap_or_else(|| panic!("{name} is not in sight"))
+    }
+
+    fn in_sight(&self, name: &str) -> bool {
+        self.panel.rectangles().contains_key(name)
     }
 
     fn reveal(&mut self, id: &str) {
@@ -264,6 +285,10 @@ fn press_every_button(mut hands: Hands) {
                 let Some(other) = other else {
                     panic!("{} has only one name", param.id);
                 };
+                // A list of many is folded.
+                if !hands.in_sight(&format!("choice:{}:{other}", param.id)) {
+                    hands.click(param.id);
+                }
                 hands.click(&format!("choice:{}:{other}", param.id));
             }
             Kind::Colour => {
@@ -277,6 +302,88 @@ fn press_every_button(mut hands: Hands) {
         assert_ne!(hands.value(param.id), before, "{}", param.id);
         let last = hands.panel.take_commands().pop();
         assert_eq!(last, Some(Command::Set(param.id, hands.value(param.id))));
+    }
+}
+
+#[test]
+fn a_long_choice_unfolds_in_its_row_on_every_screen() {
+    // As much of a window of 640 as the page's sheet has.
+    for size in [TALL, (360.0, 281.0, Measures::COARSE)] {
+        let mut hands = Hands::new(size);
+        let Kind::Choice(names) = Param::find("display_mode").expect("the table has it").kind
+        else {
+            panic!("a display is a choice");
+        };
+        assert!(names.len() > 4);
+        let name_of = |name: &str| format!("choice:display_mode:{name}");
+        hands.reveal("display_mode");
+        assert!(!names.iter().any(|name| hands.in_sight(&name_of(name))));
+        hands.click("display_mode");
+        // All of it comes into sight.
+        for name in names.iter().rev() {
+            let place = hands.place(&name_of(name));
+            assert!(place.width() > 90.0 && place.right() <= size.0, "{name}");
+            hands.click(&name_of(name));
+            assert_eq!(hands.value("display_mode"), Value::Choice(name));
+        }
+        hands.click("display_mode");
+        assert!(!hands.in_sight(&name_of("paper")));
+    }
+}
+
+#[test]
+fn the_arrow_keys_go_through_a_long_choice_and_stop_at_its_ends() {
+    let mut hands = Hands::new(TALL);
+    hands.reveal("palette");
+    hands.click("palette");
+    hands.key(Key::ArrowUp);
+    assert_eq!(hands.value("palette"), Value::Choice("blackbody"));
+    hands.key(Key::ArrowDown);
+    assert_eq!(hands.value("palette"), Value::Choice("gas"));
+    let last = hands.panel.take_commands().pop();
+    assert_eq!(last, Some(Command::Set("palette", Value::Choice("gas"))));
+    for _ in 0..9 {
+        hands.key(Key::ArrowDown);
+    }
+    assert_eq!(hands.value("palette"), Value::Choice("custom"));
+}
+
+#[test]
+fn what_counts_for_nothing_is_dimmed_says_why_and_is_set_all_the_same() {
+    let mut hands = Hands::of_model(Model::Combustion, TALL);
+    hands.reveal("hot_colour");
+    let words = "Only with palette custom";
+    assert!(hands.texts().iter().any(|text| text == words));
+    hands.panel.fire.learn("palette", Input::Text("custom"));
+    hands.wait();
+    assert!(!hands.texts().iter().any(|text| text == words));
+
+    hands
+        .panel
+        .fire
+        .learn("display_mode", Input::Text("density"));
+    hands.reveal("bloom");
+    let all = hands.texts();
+    assert!(all.iter().any(|text| text == "Only with display fire"));
+    assert!(
+        all.iter()
+            .any(|text| text == "Only with display fire, paper or sprites")
+    );
+    let place = hands.place("bloom");
+    hands.drag(place.left_center(), place.right_center());
+    assert_eq!(hands.value("bloom"), Value::Number(0.6));
+}
+
+#[test]
+fn the_header_names_the_scene() {
+    for size in [TALL, PHONE] {
+        let mut hands = Hands::new(size);
+        hands.panel.desk.scene = "Campfire, changed".to_owned();
+        hands.wait();
+        let texts = hands.texts();
+        assert!(texts.iter().any(|text| text == "Campfire, changed"));
+        hands.click("action:scenes");
+        assert_eq!(hands.panel.take_commands(), [Command::Scenes]);
     }
 }
 
@@ -328,7 +435,7 @@ fn buttons_ask_for_what_they_say() {
     for (button, asked) in [
         ("action:pause", Command::Pause),
         ("action:reset", Command::Reset),
-        ("action:preset:seed", Command::Preset("seed")),
+        ("action:scenes", Command::Scenes),
         ("quality:low", Command::Quality("low")),
         ("quality:auto", Command::Quality("auto")),
         ("action:reset-all", Command::Restore(all)),

@@ -7,7 +7,7 @@
 import { copyFile, mkdir, readFile, rm, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { reached, typesReached } from './graph.mjs';
+import { pictures, reached, typesReached } from './graph.mjs';
 import { inlined } from './inline.mjs';
 import { DOCS, beginningsOf, packageJson, typesOf } from './manifest.mjs';
 import { shrink } from './wasm.mjs';
@@ -33,7 +33,7 @@ const code = await reached(site, beginningsOf(source));
 const types = await typesReached(site, typesOf(source));
 
 await rm(out, { recursive: true, force: true });
-for (const file of [...code, ...types, source.customElements]) {
+for (const file of [...code, ...types, ...(await pictures(site)), source.customElements]) {
   await put(path.join(site, file), file);
 }
 for (const [from, to] of Object.entries(CARRIED)) {

@@ -9,7 +9,7 @@ import { cp, readFile, rm, stat, symlink, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
-import { reached, typesReached } from './graph.mjs';
+import { pictures, reached, typesReached } from './graph.mjs';
 import { DOCS, beginningsOf, entries, typesOf } from './manifest.mjs';
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
@@ -58,6 +58,7 @@ async function packsExactly() {
     'hearth-fire.inline.js',
     ...(await reached(folder, beginningsOf(manifest))),
     ...(await typesReached(folder, typesOf(manifest))),
+    ...(await pictures(folder)),
   ];
   assert.deepEqual(packed, [...new Set(wanted)].sort());
 }

@@ -3,7 +3,7 @@
  * asked, and what it names beside itself as `new URL('./file', import.meta.url)`,
  * as wasm, workers and style sheets are named; and what a page names.
  */
-import { readFile } from 'node:fs/promises';
+import { readFile, readdir } from 'node:fs/promises';
 import path from 'node:path';
 import { build } from '../scripts/esbuild.mjs';
 
@@ -33,6 +33,17 @@ export async function reached(folder, beginnings, later = () => false) {
     waiting.push(...(await named(folder, file, BESIDE)));
   }
   return [...found].sort();
+}
+
+/**
+ * The pictures of the scenes, which the panel finds beside itself by their names; no text
+ * names them, or bundlers would look for them.
+ * @param {string} folder
+ * @returns {Promise<string[]>}
+ */
+export async function pictures(folder) {
+  const found = await readdir(path.join(folder, 'scenes')).catch(() => []);
+  return found.filter((name) => name.endsWith('.jpg')).map((name) => `scenes/${name}`).sort();
 }
 
 /**

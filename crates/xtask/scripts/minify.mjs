@@ -1,29 +1,37 @@
 /**
  * Makes the scripts and style sheets of the site small, each in its place:
  * `node minify.mjs FOLDER`, the folder with `package.json`. A visitor downloads code;
- * comments, long names and blanks are for those who read it in the checkout.
+ * comments, long names and blanks are for those who read it in the checkout, and
+ * the names between wasm and its script are nobody's.
  *
  * A script that only one other needs goes into that one: fewer files to fetch, and
  * they compress better together. What the package exports, a page or a worker begins
- * with, or is only loaded when asked stays a file, and so does what several need.
- * Properties keep their names, and licences stay.
+ * with, or is only loaded when asked stays a file, and so do what several need and
+ * what looks whether it bears its own name. Properties keep their names, and licences
+ * stay.
  */
 import { readFile, readdir, rm } from 'node:fs/promises';
 import path from 'node:path';
 import { beginningsOf } from '../packaging/manifest.mjs';
 import { build } from './esbuild.mjs';
+import { shortenImports } from './imports.mjs';
 
 const folder = path.resolve(process.argv[2] ?? '');
 const manifest = JSON.parse(await readFile(path.join(folder, 'package.json'), 'utf8'));
-const files = await filesOf('');
+const all = await filesOf('');
+const scripts = all.filter((file) => file.endsWith('.js'));
+for (const script of scripts) {
+  const wasm = script.replace(/\.js$/, '_bg.wasm');
+  if (all.includes(wasm)) await shortenImports(path.join(folder, script), path.join(folder, wasm));
+}
 
 const COMMON = { absWorkingDir: folder, format: 'esm', bundle: true, logLevel: 'warning' };
 
 /** Into which file each script goes. */
-const owners = await ownersOf(files.filter((file) => file.endsWith('.js')));
+const owners = await ownersOf();
 await build({
   ...COMMON,
-  entryPoints: files.filter((file) => (owners.get(file) ?? file) === file),
+  entryPoints: all.filter((file) => owners.get(file) === file || file.endsWith('.css')),
   outdir: folder,
   outbase: folder,
   allowOverwrite: true,
@@ -45,15 +53,16 @@ function resolved({ path: name, kind, importer, resolveDir }) {
   return owners.get(from) === owners.get(to) && owners.has(to) ? undefined : { path: name, external: true };
 }
 
-/**
- * @param {string[]} scripts
- * @returns {Promise<Map<string, string>>}
- */
-async function ownersOf(scripts) {
+/** @returns {Promise<Map<string, string>>} */
+async function ownersOf() {
   const { metafile } = await build({
     ...COMMON, entryPoints: scripts, outdir: folder, write: false, metafile: true, external: ['node:*'],
   });
   const own = new Set(beginningsOf(manifest).map((file) => path.posix.normalize(file)));
+  for (const file of scripts) {
+    const text = await readFile(path.join(folder, file), 'utf8');
+    if (text.includes(path.basename(file).replace('.', '\\.'))) own.add(file);
+  }
   /** @type {Map<string, string[]>} */
   const importers = new Map(scripts.map((file) => [file, []]));
   for (const [from, { imports }] of Object.entries(metafile.inputs)) {
@@ -77,13 +86,12 @@ async function ownersOf(scripts) {
   return found;
 }
 
-/** Every script and style sheet below a folder of the site. @type {(below: string) => Promise<string[]>} */
+/** Every file below a folder of the site. @type {(below: string) => Promise<string[]>} */
 async function filesOf(below) {
   const entries = await readdir(path.join(folder, below), { withFileTypes: true });
   const found = await Promise.all(entries.map((entry) => {
     const name = path.posix.join(below, entry.name);
-    if (entry.isDirectory()) return filesOf(name);
-    return /\.(js|css)$/.test(entry.name) ? [name] : [];
+    return entry.isDirectory() ? filesOf(name) : [name];
   }));
   return found.flat();
 }

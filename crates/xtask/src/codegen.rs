@@ -48,6 +48,7 @@ pub fn generate() -> Result<Vec<Generated>> {
         ),
         ("web/defaults.js", javascript::defaults()),
         ("web/parameters.js", javascript::module(&scenes)),
+        ("web/quantities.js", javascript::quantities()),
         ("web/parameters.d.ts", typescript::declarations(&scenes)),
         ("web/react.d.ts", react::declarations()),
         ("web/custom-elements.json", manifest::manifest()),

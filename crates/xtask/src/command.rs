@@ -8,7 +8,7 @@ use anyhow::{Result, bail};
 use crate::links::{self, Base};
 use crate::{
     bench, codegen, goldens, look, package, paths, poster, serve, showcase, site, size, soak,
-    stages, validate,
+    stages, thumbnails, validate,
 };
 
 /// What a person reads who asks for help.
@@ -26,6 +26,7 @@ cargo xtask <command>
   goldens [--snapshots] [NAME...]       draw the pictures anew that tests compare with; of new fires too
   look [SCENE...]                       watch fires for flashes and more, and write docs/evaluation.md
   poster                                take the picture that a link to the page shows
+  thumbnails [SCENE...]                 take the small pictures of all scenes, or only of these
   showcase [PICTURE …]                  take the documentation's animation and, with
                                         pictures of other systems, a sheet of ours and theirs
   size                                  print the download sizes of the built site
@@ -80,6 +81,11 @@ pub enum Command {
     Goldens(goldens::Wanted),
     /// Take the picture that a link shows.
     Poster,
+    /// Take the small pictures of scenes.
+    Thumbnails {
+        /// The scenes; none: all.
+        names: Vec<String>,
+    },
     /// Take the documentation's animation and its sheet of pictures.
     Showcase {
         /// Pictures of other systems, for the sheet.
@@ -132,16 +138,20 @@ impl Command {
                     names,
                 }
             }
-            "validate" | "look" => {
+            "validate" | "look" | "thumbnails" | "showcase" => {
                 let mut names = Vec::new();
-                for case in options.by_ref() {
-                    if case.starts_with('-') {
-                        return unknown(name, case);
+                for given in options.by_ref() {
+                    if given.starts_with('-') {
+                        return unknown(name, given);
                     }
-                    names.push(case.to_owned());
+                    names.push(given.to_owned());
                 }
                 match name.as_str() {
                     "look" => Command::Look { names },
+                    "thumbnails" => Command::Thumbnails { names },
+                    "showcase" => Command::Showcase {
+                        others: names.into_iter().map(PathBuf::from).collect(),
+                    },
                     _ => Command::Validate { names },
                 }
             }
@@ -186,16 +196,6 @@ impl Command {
                 Command::Goldens(wanted)
             }
             "poster" => Command::Poster,
-            "showcase" => {
-                let mut others = Vec::new();
-                for picture in options.by_ref() {
-                    if picture.starts_with('-') {
-                        return unknown(name, picture);
-                    }
-                    others.push(PathBuf::from(picture));
-                }
-                Command::Showcase { others }
-            }
             "package" => Command::Package,
             "size" => Command::Size,
             "codegen" => Command::Codegen,
@@ -264,6 +264,7 @@ pub fn run(command: Command) -> Result<ExitCode> {
         Command::Look { names } => look::run(&names)?,
         Command::Goldens(wanted) => goldens::write(&wanted)?,
         Command::Poster => poster::take()?,
+        Command::Thumbnails { names } => thumbnails::take(&names)?,
         Command::Showcase { others } => showcase::take(&others)?,
         Command::Size => {
             site::build()?;
@@ -337,6 +338,12 @@ mod tests {
             }
         );
         assert_eq!(
+            parse("thumbnails candle")?,
+            Command::Thumbnails {
+                names: vec!["candle".to_owned()]
+            }
+        );
+        assert_eq!(
             parse("look default")?,
             Command::Look {
                 names: vec!["default".to_owned()]
@@ -369,6 +376,7 @@ mod tests {
             "size 3",
             "package now",
             "validate --fast",
+            "thumbnails --all",
             "soak 3",
             "bench --fast",
             "goldens --fast",

@@ -24,5 +24,6 @@ pub mod site;
 pub mod size;
 pub mod soak;
 pub mod stages;
+pub mod thumbnails;
 pub mod tools;
 pub mod validate;

@@ -1,26 +1,37 @@
 //! Scripts and style sheets as they are shipped: a visitor downloads code, and half
 //! of these files, compressed, would be what only their readers need.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 
 use crate::{npm, paths, process};
 
+/// Makes sure that what makes them small is installed: the esbuild that `scripts/` pins.
+///
+/// # Errors
+/// No Node, or npm cannot install.
+pub(crate) fn tools() -> Result<()> {
+    npm::install(&folder())
+}
+
 /// Makes every script and style sheet of the site small, each in its place, by one run
-/// of the esbuild that `scripts/` pins; `web` is the folder with `package.json`. A script
-/// that only one other needs goes into that one.
+/// of esbuild; `web` is the folder with `package.json`. A script that only one other
+/// needs goes into that one.
 ///
 /// # Errors
 /// No Node, npm cannot install, or a script that is none.
 pub(crate) fn minify(web: &Path) -> Result<()> {
-    let scripts = paths::root().join("crates").join("xtask").join("scripts");
-    npm::install(&scripts)?;
+    tools()?;
     process::run(
         process::command("node")
-            .arg(scripts.join("minify.mjs"))
+            .arg(folder().join("minify.mjs"))
             .arg(web),
     )
+}
+
+fn folder() -> PathBuf {
+    paths::root().join("crates").join("xtask").join("scripts")
 }
 
 #[cfg(test)]
@@ -30,7 +41,7 @@ mod tests {
     use super::*;
 
     /// Files of a small site.
-    const FILES: [(&str, &str); 8] = [
+    const FILES: [(&str, &str); 9] = [
         (
             "package.json",
             r#"{ "exports": { ".": "./a.js", "./open": "./open.js" } }"#,
@@ -42,7 +53,14 @@ mod tests {
              export const warmth = { perHour: one }; // Much.\n\
              export const ask = () => import('./asked.js');\n",
         ),
-        ("one.js", "import './two.js';\nexport const one = 1;\n"),
+        (
+            "one.js",
+            "import './two.js';\nimport './named.js';\nexport const one = 1;\n",
+        ),
+        (
+            "named.js",
+            "globalThis.alone = /named\\.js$/.test(import.meta.url);\n",
+        ),
         (
             "two.js",
             "globalThis.style = new URL('./a.css', import.meta.url);\n",
@@ -69,6 +87,7 @@ mod tests {
             "new URL(\"./a.css\",import.meta.url)",
             "\"./shared.js\"",
             "\"./open.js\"",
+            "\"./named.js\"",
             "import(\"./asked.js\")",
         ] {
             assert!(script.contains(kept), "{kept} is not in {script}");

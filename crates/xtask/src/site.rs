@@ -45,6 +45,7 @@ const MODULES: [Module; 3] = [
 /// A tool that is missing, code that does not compile, a disk that is full.
 pub fn build() -> Result<()> {
     tools::wasm_target()?;
+    script::tools()?;
     let start = Instant::now();
     println!("Building the site (the first time takes some minutes) …");
     // The last part of each is one long link on one core, and profiles do not

@@ -17,13 +17,21 @@ struct Download {
     holds: fn(&str) -> bool,
 }
 
-const DOWNLOADS: [Download; 3] = [
+const DOWNLOADS: [Download; 4] = [
     Download {
         name: "element and engine",
         ceiling: 100_000,
         holds: |path| {
-            is_code(path) && !is_of_panel(path) && !is_of_library(path) && !is_of_page(path)
+            is_code(path)
+                && ![is_of_panel, is_of_library, is_of_bar, is_of_page]
+                    .iter()
+                    .any(|other| other(path))
         },
+    },
+    Download {
+        name: "bar of colours, on request",
+        ceiling: 3_000,
+        holds: |path| is_code(path) && is_of_bar(path),
     },
     Download {
         name: "headless library",
@@ -59,6 +67,11 @@ fn is_of_panel(path: &str) -> bool {
 
 fn is_of_library(path: &str) -> bool {
     begins(path, &["sim.", "wasm/hearth-sim"])
+}
+
+/// Only a fire that shows a quantity loads its bar.
+fn is_of_bar(path: &str) -> bool {
+    begins(path, &["scale.", "quantities."])
 }
 
 /// Pages are examples, and React's entry is the element again; who embeds the
@@ -157,8 +170,12 @@ mod tests {
         for path in ["sim.js", "wasm/hearth-sim.js", "wasm/hearth-sim_bg.wasm"] {
             assert_eq!(downloads(path), ["headless library"]);
         }
+        for path in ["scale.js", "quantities.js"] {
+            assert_eq!(downloads(path), ["bar of colours, on request"]);
+        }
         for path in [
             "panel.js",
+            "panel-scenes.js",
             "panel.css",
             "mirror.js",
             "parameters.js",
@@ -174,6 +191,7 @@ mod tests {
             "package.json",
             "parameters.d.ts",
             "sim.d.ts",
+            "scenes/campfire.jpg",
         ] {
             assert!(downloads(path).is_empty());
         }

@@ -2,7 +2,7 @@
 //! installed where they are not and that is allowed, and otherwise named with
 //! the line that installs them.
 //!
-//! `serve` and `build` need the wasm target and nothing else. Tests need Node,
+//! `serve` and `build` need the wasm target and Node. Tests also need
 //! Chromium with its driver, Firefox, WebKit's driver, a screen for these two,
 //! wasm-bindgen's test runner, valgrind, the reference compiler of GLSL and Trunk.
 
@@ -21,7 +21,7 @@ const WASM_BINDGEN: &str = "0.2.130";
 const TRUNK: &str = "0.21.14";
 /// The target of everything that runs in a browser.
 pub const WASM: &str = "wasm32-unknown-unknown";
-/// Oldest Node that the tests' own tools run in.
+/// Oldest Node that the tools run in which npm installs.
 const NODE_MAJOR: u32 = 20;
 
 /// The PATH of this process with the tools' folder before it.
@@ -291,7 +291,7 @@ fn find_browser() -> Option<Browser> {
 pub fn node() -> Result<()> {
     let say = || {
         format!(
-            "the tests in a browser need Node {NODE_MAJOR} or newer with npm: install it \
+            "Hearth is built with Node {NODE_MAJOR} or newer and npm: install it \
              from https://nodejs.org or as Debian's packages nodejs and npm"
         )
     };

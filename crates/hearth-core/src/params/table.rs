@@ -68,6 +68,9 @@ pub struct Description {
     pub label: &'static str,
     /// One or two sentences for a tooltip and the reference.
     pub doc: &'static str,
+    /// The choices, by id, that each must have one of these names, or its value shows
+    /// nowhere; empty: it always counts. It can be set all the same.
+    pub when: &'static [(&'static str, &'static [&'static str])],
 }
 
 impl Param {
@@ -178,6 +181,7 @@ fn edit_distance(known: &str, asked: &str) -> usize {
 /// `id: kind "Label" ["unit"] Scale { Model(default, min..=max) … }`,
 /// after its doc; a choice names its type as `(choice Type)`; unit, scale and
 /// range stand only where the kind has them; `Every` stands for every model.
+/// `when { id: names, … }` behind it says when it is of use: see [`Description::when`].
 ///
 /// [`PARAMETERS`]: super::PARAMETERS
 /// [`DESCRIPTIONS`]: super::DESCRIPTIONS
@@ -185,7 +189,7 @@ macro_rules! parameters {
     ($( $group:literal { $(
         $(#[doc = $doc:literal])+
         $id:ident : $kind:tt $label:literal $([$unit:literal])? $($scale:ident)?
-            { $( $model:ident $domain:tt )+ }
+            { $( $model:ident $domain:tt )+ } $(when { $( $choice:ident : $names:expr ),+ })?
     )+ } )+) => {
         /// The value of every parameter. Read it through [`Parameters`]; it is
         /// written only by the validator.
@@ -251,7 +255,11 @@ macro_rules! parameters {
         /// What a person reads about each parameter, in the order of
         /// [`PARAMETERS`].
         pub static DESCRIPTIONS: &[Description] = &[ $($(
-            Description { label: $label, doc: concat!($($doc),+).trim_ascii() },
+            Description {
+                label: $label,
+                doc: concat!($($doc),+).trim_ascii(),
+                when: &[ $($( (stringify!($choice), $names) ),+)? ],
+            },
         )+)+ ];
     };
 

@@ -225,3 +225,41 @@ fn the_smoothing_length_follows_the_number_of_particles() {
     let density = classic.particle_mass / (classic.spacing() * classic.spacing());
     assert!((density / classic.rest_density - 1.0).abs() < 1e-6);
 }
+
+#[test]
+fn whatever_makes_a_parameter_count_can_be_chosen_and_leaves_some_model_with_it() {
+    for (param, about) in PARAMETERS.iter().zip(DESCRIPTIONS) {
+        for &(id, names) in about.when {
+            let choice = Param::find(id).expect("it is of the table");
+            let Kind::Choice(all) = choice.kind else {
+                panic!("{id} of {} is no choice", param.id);
+            };
+            assert!(names.iter().all(|name| all.contains(name)), "{}", param.id);
+            assert!(!names.is_empty() && names.len() < all.len(), "{}", param.id);
+            for domain in param.domains {
+                let model = domain.model.unwrap_or_default();
+                assert!(choice.domain(model).is_some(), "{}", param.id);
+            }
+        }
+    }
+}
+
+#[test]
+fn what_counts_for_nothing_says_what_it_waits_for_and_is_set_all_the_same() {
+    let mut parameters = Parameters::default();
+    let waits = |parameters: &Parameters, id| {
+        let param = Param::find(id).expect("it is of the table");
+        let ids = param.waits_for(parameters).map(|&(id, _)| id);
+        ids.collect::<Vec<_>>()
+    };
+    assert_eq!(waits(&parameters, "cool_colour"), ["palette"]);
+    let colour = Colour::rgb(1, 2, 3);
+    set(&mut parameters, "cool_colour", Value::Colour(colour));
+    assert_eq!(parameters.cool_colour, colour);
+    set(&mut parameters, "palette", Value::Choice("custom"));
+    assert!(waits(&parameters, "cool_colour").is_empty());
+    set(&mut parameters, "display_mode", Value::Choice("density"));
+    assert_eq!(waits(&parameters, "cool_colour"), ["display_mode"]);
+    assert_eq!(waits(&parameters, "bloom"), ["display_mode"]);
+    assert!(waits(&parameters, "viscosity").is_empty());
+}

@@ -110,10 +110,6 @@ impl Element {
                 arguments.extend(ids.into_iter().map(JsValue::from_str));
                 "restore"
             }
-            Command::Preset(name) => {
-                arguments.push(&name.into());
-                "preset"
-            }
             Command::Quality(name) => {
                 arguments.push(&name.into());
                 "quality"
@@ -122,6 +118,7 @@ impl Element {
                 arguments.push(&what.into());
                 "copy"
             }
+            Command::Scenes => "scenes",
             Command::Play => "play",
             Command::Pause => "pause",
             Command::Reset => "reset",
@@ -283,6 +280,7 @@ fn times(value: &JsValue) -> Vec<(String, f64)> {
 pub(super) fn desk(state: &JsValue) -> Desk {
     let flag = |name| property(state, name).is_truthy();
     Desk {
+        scene: text(state, "scene").unwrap_or_default(),
         undo: flag("undo"),
         redo: flag("redo"),
         link: flag("link"),

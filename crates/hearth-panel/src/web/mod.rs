@@ -97,7 +97,7 @@ impl Panel {
     /// Where each visible control stands: name → `[x, y, width, height]` in CSS
     /// pixels from the canvas's upper left corner. A parameter's id names what
     /// is dragged or pressed to change it; `action:pause`, `action:reset`,
-    /// `action:step`, `action:undo`, `action:copy:<what>`, `action:preset:<name>`,
+    /// `action:step`, `action:undo`, `action:copy:<what>`, `action:scenes`,
     /// `action:restore:<id>` and others name buttons; `value:<id>` is what is clicked to
     /// type, `label:<id>` the name, `choice:<id>:<name>` one of the choices.
     pub fn rectangles(&self) -> js_sys::Object {

@@ -345,6 +345,11 @@ pub(super) const PARTS: &[Named] = &[
         kind: "",
         doc: "The panel of sliders, where there is one.",
     },
+    Named {
+        name: "scale",
+        kind: "",
+        doc: "The bar that says which colour is how much, where the picture shows a quantity.",
+    },
 ];
 
 /// Where a page puts what is its own.

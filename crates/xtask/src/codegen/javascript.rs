@@ -1,7 +1,7 @@
 //! `web/defaults.js`: the little of the table that the element needs.
 //! `observedAttributes` is read before wasm is loaded, so the element cannot ask
 //! the engine for it. `web/parameters.js`: all of the table, for the panel's
-//! native mirror and any tool.
+//! native mirror and any tool; `web/quantities.js`: a part of it.
 
 use std::fmt::Write as _;
 
@@ -49,10 +49,17 @@ pub(super) fn module(scenes: &[Scene]) -> String {
     for scene in scenes {
         let _ = writeln!(text, "  {},", preset_entry(scene));
     }
-    text.push_str(
-        "];\n\n\
+    text.push_str("];\n\nexport { QUANTITIES } from './quantities.js';\n");
+    text
+}
+
+/// The module of what displays measure: apart, since the element's bar of colours
+/// needs no more of the table.
+pub(super) fn quantities() -> String {
+    let mut text = format!(
+        "{HEADER}\n\
          /** What the colours of a display mode measure; not there are those that show a fire. */\n\
-         export const QUANTITIES = {\n",
+         export const QUANTITIES = {{\n",
     );
     for name in DisplayMode::NAMES {
         let mode = DisplayMode::from_name(name);
@@ -85,10 +92,7 @@ fn entry(param: &Param) -> String {
         Kind::Number(scale) | Kind::Integer(scale) => {
             fields.push(("scale", json_string(scale_name(scale))));
         }
-        Kind::Choice(names) => {
-            let names: Vec<_> = names.iter().map(|name| json_string(name)).collect();
-            fields.push(("choices", format!("[{}]", names.join(", "))));
-        }
+        Kind::Choice(names) => fields.push(("choices", list(names))),
         Kind::Flag | Kind::Colour | Kind::Seed => {}
     }
     let mut models = Vec::new();
@@ -103,6 +107,11 @@ fn entry(param: &Param) -> String {
     }
     fields.push(("models", format!("[{}]", models.join(", "))));
     fields.push(("domains", object(&by_model)));
+    if !description.when.is_empty() {
+        let when = description.when.iter();
+        let when: Vec<_> = when.map(|&(id, names)| (id, list(names))).collect();
+        fields.push(("when", object(&when)));
+    }
     object(&fields)
 }
 
@@ -139,6 +148,12 @@ fn json(value: &Json) -> String {
         // Which no parameter takes, so no scene has one.
         Json::Object(_) => "{}".to_owned(),
     }
+}
+
+/// A list of texts on one line.
+fn list(texts: &[&str]) -> String {
+    let texts: Vec<_> = texts.iter().map(|text| json_string(text)).collect();
+    format!("[{}]", texts.join(", "))
 }
 
 /// An object on one line; ids and field names are identifiers, so they need no quotes.

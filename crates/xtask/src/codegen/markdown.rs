@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use hearth_core::params::{Domain, Kind, Model, PARAMETERS, Param, Scale, Value};
+use hearth_core::params::{Description, Domain, Kind, Model, PARAMETERS, Param, Scale, Value};
 
 use super::{attribute, models};
 
@@ -69,8 +69,20 @@ fn row(param: &Param) -> String {
         cell(param.unit),
         by_model.join(" | "),
         cell(description.label),
-        cell(description.doc),
+        cell(&(description.doc.to_owned() + &condition(description))),
     )
+}
+
+/// When its value counts, where that is not always.
+fn condition(description: &Description) -> String {
+    let each = description.when.iter().map(|(id, names)| {
+        let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
+        format!("`{id}` {}", names.join(" or "))
+    });
+    match each.collect::<Vec<_>>() {
+        each if each.is_empty() => String::new(),
+        each => format!(" Only with {}.", each.join(" and ")),
+    }
 }
 
 fn default_text(default: Value) -> String {

@@ -1,0 +1,226 @@
+/**
+ * The bar that says which colour is how much: it is there where a quantity is shown
+ * and nowhere else, follows the picture's range, and is loaded by nobody else.
+ */
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { Browser } from './driver.mjs';
+import { SITE, table } from './site.mjs';
+
+const { entry } = await table();
+const load = (/** @type {string} */ name) => import(pathToFileURL(path.join(SITE, 'web', name)).href);
+const { colour, ticks, words } = await load('scale.js');
+const { QUANTITIES } = await load('parameters.js');
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+/** Every range that a picture may have, from a thousandth on: both ways, or from some least on. */
+const RANGES = [0.001, 0.1, 1, 10, 1000, 100_000].flatMap((power) => [1, 2, 5].flatMap((part) => {
+  const most = Number((part * power).toPrecision(3));
+  return [[0, most], [-most, most], [most / 10, most], [most / 2, most], [0.3 * most, 1.2 * most], [0, 0.6 * most], [0, 0.7 * most]];
+}));
+
+describe('its numbers', () => {
+  test('are one to three round ticks between the ends, even and apart from both', () => {
+    for (const [least, most] of RANGES) {
+      const between = ticks(least, most, false);
+      assert.ok(between.length >= 1 && between.length <= 3, `${least} to ${most}: ${between}`);
+      for (const tick of between) {
+        const part = (tick - least) / (most - least);
+        assert.ok(part > 0.1 && part < 0.9, `${tick} of ${least} to ${most}`);
+        assert.ok(words(tick).replace(/[^1-9]/g, '').length <= 2, `${tick} of ${least} to ${most}`);
+      }
+      const marks = [least, ...between, most];
+      const gaps = marks.slice(1).map((mark, at) => (mark - marks[at]) / (most - least));
+      assert.ok(Math.max(...gaps) < 0.61, `${marks} are uneven`);
+    }
+    for (const most of [1, 2, 5, 10, 20, 50]) {
+      for (const tick of ticks(0, most, true)) assert.ok(Number.isInteger(tick), `${tick} of ${most}`);
+    }
+  });
+
+  test('are written as people read them', () => {
+    for (const [value, text] of [
+      [0, '0'], [-0, '0'], [2000, '2000'], [0.1 + 0.2, '0.3'], [-200, '−200'], [20_000, '20\u202f000'],
+      [5e-6, '5·10⁻⁶'], [1e8, '10⁸'], [-2e7, '−2·10⁷'], [0.002, '0.002'],
+    ]) assert.equal(words(value), text);
+  });
+
+  test('come with every display that is no fire, of which the table has each', () => {
+    const shown = entry.display_mode.choices.filter((name) => name in QUANTITIES);
+    const lights = entry.bloom.when.display_mode.concat(entry.exposure.when.display_mode);
+    assert.deepEqual(shown, entry.display_mode.choices.filter((name) => !lights.includes(name)));
+    assert.deepEqual(Object.keys(QUANTITIES).sort(), [...shown].sort());
+  });
+});
+
+test('its colours grow brighter from the dark end, or from the middle both ways', () => {
+  const light = ([r, g, b]) => 0.2126 * (r / 255) ** 2.2 + 0.7152 * (g / 255) ** 2.2 + 0.0722 * (b / 255) ** 2.2;
+  const lights = (signed, from, to) => Array.from({ length: 11 }, (_, at) => light(colour(from + (to - from) * at / 10, signed)));
+  for (const row of [lights(false, 0, 1), lights(true, 0.5, 1), lights(true, 0.5, 0)]) {
+    assert.deepEqual(row, [...row].sort((a, b) => a - b));
+    assert.ok(row[0] < 0.03 && row[10] > 0.4, `${row[0]} to ${row[10]}`);
+  }
+});
+
+/** What the bar says, to the ear and to the eye; null where there is none. */
+const bar = (tab, selector = 'hearth-fire') => tab.on(selector, (fire) => {
+  const found = fire.shadowRoot.querySelector('[part="scale"]');
+  if (!found?.checkVisibility()) return null;
+  const { left, bottom, height } = found.getBoundingClientRect();
+  const outer = fire.getBoundingClientRect();
+  return {
+    label: found.getAttribute('aria-label'),
+    role: found.getAttribute('role'),
+    marks: [...found.querySelectorAll('span')].map((mark) => mark.textContent),
+    left: left - outer.left,
+    below: outer.bottom - bottom,
+    height,
+  };
+});
+
+/** Waits until the bar's label is so. */
+const labelled = (tab, pattern) => tab.until(`the bar says ${pattern}`, (wanted) => {
+  const found = document.querySelector('hearth-fire')?.shadowRoot?.querySelector('[part="scale"]');
+  return found?.checkVisibility() && new RegExp(wanted).test(found.getAttribute('aria-label') ?? '');
+}, pattern.source);
+
+/** Waits until there is no bar in sight. */
+const gone = (tab) => tab.until('there is no bar', () => (
+  !document.querySelector('hearth-fire')?.shadowRoot?.querySelector('[part="scale"]')?.checkVisibility()
+));
+
+describe('the bar', () => {
+  test('is loaded and shown where a quantity is, with its unit, and goes with it', async () => {
+    const tab = await browser.open('<hearth-fire></hearth-fire>');
+    await tab.burnt(0.3);
+    const loaded = () => tab.evaluate(() => (
+      performance.getEntriesByType('resource').some(({ name }) => /\/(scale|quantities)\.js$/.test(name))
+    ));
+    assert.equal(await bar(tab), null);
+    assert.equal(await loaded(), false);
+    assert.equal(await tab.fire((fire) => fire.stats.scale), null);
+
+    await tab.fire((fire) => fire.set('display_mode', 'temperature'));
+    await labelled(tab, /^Temperature, \d+ to \d+\u00a0K$/);
+    const { role, marks, left, below } = await bar(tab);
+    assert.equal(role, 'img');
+    assert.ok(marks.length >= 3 && marks.length <= 5, String(marks));
+    assert.ok(marks[0].endsWith('K') && marks.at(-1).endsWith('K'));
+    assert.ok(left > 0 && left < 20 && below > 0 && below < 20, `${left} from the left, ${below} from below`);
+
+    for (const [name, { unit, signed }] of Object.entries(QUANTITIES)) {
+      await tab.fire((fire, mode) => fire.set('display_mode', mode), name);
+      await tab.until('its range', () => (/** @type {any} */ (document.querySelector('hearth-fire'))).stats.scale);
+      const label = { particles: 'Temperature', velocity: 'Speed' }[name] ?? name[0].toUpperCase() + name.slice(1);
+      await labelled(tab, new RegExp(`^${label}, ${signed ? '−' : ''}[\\d.·⁻⁰-⁹\u202f]+ to [\\d.·⁻⁰-⁹\u202f]+${unit && `\u00a0${unit}`}$`));
+    }
+    await tab.fire((fire) => fire.set('display_mode', 'paper'));
+    await gone(tab);
+    await tab.fire((fire) => fire.set('display_mode', 'fire'));
+    await gone(tab);
+    assert.equal(await loaded(), true);
+    assert.deepEqual(tab.problems, []);
+  });
+
+  test('says the range of the picture, and follows it', async () => {
+    // The engine's word about its range is put in its mouth.
+    const beforeWorker = () => {
+      const post = globalThis.postMessage.bind(globalThis);
+      globalThis.postMessage = (/** @type {any} */ message, /** @type {any} */ ...rest) => {
+        if (message?.type === 'stats') message.stats.scale = message.stats.time < 0.5 ? [0, 1000] : [200, 5000];
+        post(message, ...rest);
+      };
+    };
+    const tab = await browser.open('<hearth-fire display-mode="temperature"></hearth-fire>', { beforeWorker });
+    await labelled(tab, /^Temperature, 0 to 1000\u00a0K$/);
+    await labelled(tab, /^Temperature, 200 to 5000\u00a0K$/);
+    assert.deepEqual(await tab.fire((fire) => fire.stats.scale), [200, 5000]);
+    const { marks } = await bar(tab);
+    assert.deepEqual([marks[0], marks.at(-1)], ['200\u00a0K', '5000\u00a0K']);
+  });
+
+  test('has the colours of the picture', async () => {
+    const tab = await browser.open('<hearth-fire display-mode="temperature"></hearth-fire>');
+    await tab.burnt(1);
+    await labelled(tab, /^Temperature/);
+    const pixels = await tab.fire(async (fire) => {
+      const bitmap = await createImageBitmap(await fire.toBlob());
+      const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+      const context = /** @type {any} */ (canvas.getContext('2d'));
+      context.drawImage(bitmap, 0, 0);
+      return [...context.getImageData(0, 0, bitmap.width, bitmap.height).data];
+    });
+    const stops = Array.from({ length: 257 }, (_, at) => colour(at / 256, false));
+    let [opaque, alike] = [0, 0];
+    for (let at = 0; at < pixels.length; at += 4 * 7) {
+      if (pixels[at + 3] < 255) continue;
+      opaque += 1;
+      const near = stops.some((stop) => stop.every((x, part) => Math.abs(x - pixels[at + part]) <= 8));
+      alike += Number(near);
+    }
+    assert.ok(opaque > 500, `${opaque} opaque pixels`);
+    assert.ok(alike > 0.97 * opaque, `${alike} of ${opaque} have a colour of the bar`);
+  });
+
+  test('is left out of a fire too small for it, and of one that is gone', async () => {
+    const sized = (side) => `<hearth-fire display-mode="density" style="width: ${side}px; height: ${side}px"></hearth-fire>`;
+    const tab = await browser.open(sized(150));
+    await tab.burnt(0.3);
+    await tab.until('its range', () => (/** @type {any} */ (document.querySelector('hearth-fire'))).stats?.scale);
+    await tab.frames(10);
+    assert.equal(await bar(tab), null);
+    await tab.fire((fire) => (fire.style.height = fire.style.width = '170px'));
+    await labelled(tab, /^Density/);
+    await tab.fire((fire) => fire.destroy());
+    await gone(tab);
+  });
+
+  test('stands above the panel of its fire, and above the button that pauses it', async () => {
+    const tab = await browser.open(
+      '<hearth-fire controls display-mode="density" style="width: 360px; height: 600px"></hearth-fire>',
+      { height: 640, reducedMotion: true },
+    );
+    await tab.ready();
+    await tab.until('the panel', () => document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.hearth-panel'));
+    await labelled(tab, /^Density/);
+    const sheet = await tab.fire((fire) => fire.shadowRoot.querySelector('.hearth-panel').getBoundingClientRect().height);
+    const { below } = await bar(tab);
+    assert.ok(below > sheet, `${below} above the edge, and the sheet is ${sheet} high`);
+    await tab.fire((fire) => fire.play());
+    await tab.frames(10);
+    assert.ok((await bar(tab)).below > sheet + 50, 'it makes room for the button');
+  });
+
+  test('obeys a page that allows no styles but its own origin’s', async () => {
+    const tab = await browser.open('<hearth-fire display-mode="pressure" style="height: 300px"></hearth-fire>', {
+      headers: { 'content-security-policy': "style-src 'self'" },
+    });
+    await tab.burnt(0.3);
+    await labelled(tab, /^Pressure, −.* to .*Pa$/);
+    const { left } = await bar(tab);
+    assert.ok(left > 0 && left < 20);
+  });
+
+  test('that cannot be loaded is said once, and the fire burns on', async () => {
+    const tab = await browser.open('<hearth-fire display-mode="density"></hearth-fire>', {
+      without: 'scale.js',
+      before: () => {
+        const said = (/** @type {any} */ (window).said = []);
+        addEventListener('error', () => {}, true);
+        document.addEventListener('DOMContentLoaded', () => document.querySelector('hearth-fire')?.addEventListener(
+          'error', ({ detail }) => said.push(detail.kind),
+        ));
+      },
+    });
+    await tab.burnt(1);
+    assert.deepEqual(await tab.evaluate(() => /** @type {any} */ (window).said), ['load']);
+  });
+});

@@ -81,6 +81,8 @@ export class Film {
     this.pictures = 0;
     this.before = undefined;
     const number = (id) => Number(fire.value(id));
+    /** Seconds of fire in one of the clock. */
+    this.pace = number('time_scale');
     this.base = HEIGHT * (1 - Math.max(number('source_height'), number('seam') * number('domain_height')) / number('domain_height'));
     this.source = (number('source_width') / number('domain_height')) * HEIGHT;
     this.behind = behinds();
@@ -92,7 +94,7 @@ export class Film {
     Object.assign(this.context.canvas, { width: WIDTH, height: HEIGHT });
     for (; this.pictures < seconds * RATE; this.pictures += 1) {
       const time = this.pictures / RATE;
-      this.fire.burn(this.start + time);
+      this.fire.burn(this.start + time * this.pace);
       const light = this.pictures % LIGHT_EVERY === 0
         ? this.easel.light(this.fire, WIDTH, HEIGHT)
         : this.easel.paint(this.fire, WIDTH, HEIGHT);

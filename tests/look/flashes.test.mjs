@@ -128,10 +128,10 @@ test('areas that flash in turn are seen, though no place flashes often', () => {
   const flashes = new Flashes(WIDTH, HEIGHT, PIXEL);
   const rgba = new Uint8Array(4 * WIDTH * HEIGHT);
   for (let picture = 0; picture < 3 * RATE; picture += 1) {
-    // Four columns of 256 px: each flashes as the next one goes dark, twice in a second and a bit.
-    const lit = Math.floor((picture / RATE) * 10);
+    // Three columns of 96 px in one field: each is bright for a tenth of a second, in turn.
+    const turn = Math.floor((picture / RATE) * 10);
     for (let at = 0; at < WIDTH * HEIGHT; at += 1) {
-      const on = lit % 2 === 0 && Math.floor((at % WIDTH) / 16) === (lit / 2) % 4;
+      const on = turn % 2 === 0 && at % WIDTH < 18 && Math.floor((at % WIDTH) / 6) === (turn / 2) % 3;
       rgba.set(on ? [255, 255, 255, 255] : [0, 0, 0, 255], 4 * at);
     }
     flashes.see(picture / RATE, rgba);

@@ -149,9 +149,9 @@ export class Film {
   seeBase(now) {
     const most = now.reduce((a, b) => Math.max(a, b), 0);
     if (most < LUMINOUS) return;
-    const middle = WIDTH / 2;
+    const [middle, half] = [WIDTH / 2, Math.min(this.source, WIDTH) / 2];
     const reach = 0.08 * HEIGHT;
-    for (let x = Math.ceil(middle - this.source / 2); x < middle + this.source / 2; x += 1) {
+    for (let x = Math.ceil(middle - half); x < middle + half; x += 1) {
       let largest = 0;
       for (let y = Math.max(1, Math.floor(this.base - reach)); y < Math.min(HEIGHT, this.base + reach); y += 1) {
         largest = Math.max(largest, Math.abs(now[y * WIDTH + x] - now[(y - 1) * WIDTH + x]));

@@ -9,7 +9,8 @@
  * 341 × 256 px at 1024 × 768.
  *
  * Two things count: places that each flash too often and change at the same time, the
- * same way; and large areas, whichever, that change one after another. A flame flickers
+ * same way; and changes of a large part of one field, of whichever places, that follow
+ * one another. A flame flickers
  * at every place by itself. How much of it flickers too often, at whatever time, is a
  * third figure, which the criterion does not ask for.
  *
@@ -121,6 +122,10 @@ export class Flashes {
     this.height = height;
     this.pixel = pixel;
     this.field = FIELD.map((side) => Math.max(1, Math.round(side / pixel)));
+    // Fields that overlap by all but an eighth: the upper left of each.
+    this.corners = places(this.field[0], width).flatMap((x) => (
+      places(this.field[1], height).map((y) => [x, y])
+    ));
     this.kinds = Object.entries(KINDS).map(([name, kind]) => ({
       name,
       changes: new Changes(width * height, kind),
@@ -128,12 +133,11 @@ export class Flashes {
       area: 0,
       /** The same, each place when it would. */
       flickers: 0,
-      /** Most large areas that changed one after another in a second. */
+      /** Most changes of a large part of a field in a second. */
       most: 0,
-      /** Of those: when, and which way. */
-      events: /** @type {[number, number][]} */ ([]),
-      /** Which way a large area goes just now. */
-      going: { up: false, down: false },
+      /** Of each field: when it changed, and which way; which way it goes just now. */
+      events: this.corners.map(() => /** @type {[number, number][]} */ ([])),
+      going: this.corners.map(() => ({ up: false, down: false })),
     }));
     this.sums = new Float64Array((width + 1) * (height + 1));
   }
@@ -158,22 +162,34 @@ export class Flashes {
   judge(kind, time) {
     const { changes, events, going } = kind;
     const often = (/** @type {number} */ at) => changes.flashes(at, time);
-    kind.flickers = Math.max(kind.flickers, this.largest(often));
-    for (const [way, times, sign] of [['up', changes.up, 1], ['down', changes.down, -1]]) {
+    const largest = () => this.corners.reduce((most, corner) => Math.max(most, this.inField(corner)), 0);
+    this.sum(often);
+    kind.flickers = Math.max(kind.flickers, largest());
+    for (const [way, times, others, sign] of [
+      ['up', changes.up, changes.down, 1],
+      ['down', changes.down, changes.up, -1],
+    ]) {
       const now = (/** @type {number} */ at) => times[at] > time - AT_ONCE + 1e-4;
-      kind.area = Math.max(kind.area, this.largest((at) => now(at) && often(at)));
-      const large = this.largest(now) > SMALL;
-      // One change, however long it takes; and one more that way is no opposing one.
-      if (large && !going[way] && events.at(-1)?.[1] !== sign) events.push([time, sign]);
-      going[way] = large;
+      this.sum((at) => now(at) && often(at));
+      kind.area = Math.max(kind.area, largest());
+      // One half of a flash: what had gone the other way no more than a second ago.
+      this.sum((at) => now(at) && others[at] > time - 1 + 1e-4);
+      this.corners.forEach((corner, field) => {
+        const large = this.inField(corner) > SMALL;
+        // However long it takes it is one; and one more that way is no opposing one.
+        if (large && !going[field][way] && events[field].at(-1)?.[1] !== sign) events[field].push([time, sign]);
+        going[field][way] = large;
+      });
     }
-    while (events.length > 0 && events[0][0] <= time - 1 + 1e-4) events.shift();
-    kind.most = Math.max(kind.most, events.length);
+    for (const one of events) {
+      while (one.length > 0 && one[0][0] <= time - 1 + 1e-4) one.shift();
+      kind.most = Math.max(kind.most, one.length);
+    }
   }
 
-  /** The largest area in any field of places for which that holds [CSS px²].
+  /** Counts the places for which that holds, from the upper left to everywhere.
       @param {(at: number) => boolean} holds */
-  largest(holds) {
+  sum(holds) {
     const { width, height, sums } = this;
     const stride = width + 1;
     for (let y = 0; y < height; y += 1) {
@@ -183,16 +199,15 @@ export class Flashes {
         sums[(y + 1) * stride + x + 1] = sums[y * stride + x + 1] + row;
       }
     }
-    const [across, down] = [Math.min(this.field[0], width), Math.min(this.field[1], height)];
-    let most = 0;
-    for (let y = down; y <= height; y += 1) {
-      for (let x = across; x <= width; x += 1) {
-        const sum = sums[y * stride + x] - sums[(y - down) * stride + x]
-          - sums[y * stride + x - across] + sums[(y - down) * stride + x - across];
-        if (sum > most) most = sum;
-      }
-    }
-    return most * this.pixel ** 2;
+  }
+
+  /** The area of those in a field [CSS px²]. @param {number[]} corner */
+  inField([x, y]) {
+    const stride = this.width + 1;
+    const [right, low] = [Math.min(x + this.field[0], this.width), Math.min(y + this.field[1], this.height)];
+    const { sums } = this;
+    return (sums[low * stride + right] - sums[y * stride + right] - sums[low * stride + x] + sums[y * stride + x])
+      * this.pixel ** 2;
   }
 
   /** What was found: for each kind, and whether all is well. */
@@ -208,4 +223,12 @@ export class Flashes {
     }]));
     return { ...kinds, passes: Object.values(kinds).every(({ passes }) => passes) };
   }
+}
+
+/** Where fields of that size begin, along a side: the last one ends where that does.
+    @param {number} field @param {number} side */
+function places(field, side) {
+  const last = Math.max(side - field, 0);
+  const count = Math.ceil(last / Math.max(field / 8, 1));
+  return Array.from({ length: count + 1 }, (_, at) => (count === 0 ? 0 : Math.round((at * last) / count)));
 }

@@ -7,6 +7,9 @@ pub trait Choice: Copy + PartialEq + 'static {
     /// Every value, in the same order.
     const VALUES: &'static [Self];
 
+    /// The name of this value.
+    fn name(self) -> &'static str;
+
     /// The value of that name.
     fn from_name(name: &str) -> Option<Self> {
         Some(*Self::VALUES.get(place(Self::NAMES, name)?)?)
@@ -38,6 +41,9 @@ macro_rules! choices {
         impl Choice for $type {
             const NAMES: &'static [&'static str] = &[$($name),+];
             const VALUES: &'static [$type] = &[$($type::$variant),+];
+            fn name(self) -> &'static str {
+                $type::name(self)
+            }
         }
     )+ };
 }

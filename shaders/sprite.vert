@@ -16,6 +16,6 @@ void main() {
     float angle = 6.2832 * (any.x + sprite.y * (floor(6.0 * any.y) - 2.5));
     part = vec4(any.zy, cos(angle), sin(angle));
     heat.x = state.x * 1e-3;
-    heat.y = sprite.z * any.w * any.w * smoothstep(0.75, 1.05, heat.x) * smoothstep(0.0, sprite.w, state.w);
+    heat.y = sprite.z * (0.3 + 0.7 * any.w * any.w) * smoothstep(0.75, 1.05, heat.x) * smoothstep(0.0, sprite.w, state.w);
     gl_Position = clip(particle, particle.place + corner * (heat.y > 0.0 ? sprite.x * (0.6 + 0.4 * any.z) : 0.0));
 }

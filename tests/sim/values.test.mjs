@@ -52,6 +52,18 @@ test('a simulation starts with its preset, the options, and params on top', asyn
   assert.deepEqual(none.params, (await createSimulation()).params);
 });
 
+test('a simulation starts with each scene by its name', async () => {
+  for (const { name, values } of PRESETS) {
+    const sim = await createSimulation({ preset: name });
+    for (const [id, value] of Object.entries(values)) assert.equal(sim.get(id), value, `${id} of ${name}`);
+    sim.step();
+    assert.ok(sim.time > 0, name);
+    sim.free();
+  }
+  const { message } = await rejected(RangeError, createSimulation({ preset: 'candel' }));
+  for (const { name } of PRESETS) assert.ok(message.includes(name), message);
+});
+
 test('every number beyond its range is refused with id, value, min and max', async () => {
   for (const sim of await fires()) {
     const before = everything(sim);
@@ -141,8 +153,8 @@ test('objects that are no plain data are refused, and what they throw is the cau
 
 test('options are checked as values are', async () => {
   const wrong = [
-    [{ preset: 'sed' }, RangeError, /default, classic, seed/],
-    [{ preset: '__proto__' }, RangeError, /default, classic, seed/],
+    [{ preset: 'sed' }, RangeError, /one of default, .*classic, .*seed/],
+    [{ preset: '__proto__' }, RangeError, /one of default, .*classic, .*seed/],
     [{ preset: 5 }, TypeError, /preset must be a text, not 5/],
     [{ model: 'fire' }, RangeError, /classic, combustion/],
     [{ model: null }, RangeError, /classic, combustion/],

@@ -19,7 +19,7 @@ mod value;
 
 use std::ops::Deref;
 
-use table::parameters;
+use table::{Place, parameters};
 
 pub use choices::{Backdrop, Choice, DisplayMode, Layers, Model, Palette, Walls};
 pub use quantity::Quantity;
@@ -370,10 +370,10 @@ impl Parameters {
         let shared = domain.is_some_and(|domain| domain.model.is_none());
         let before = self.model;
         if domain.is_some() {
-            self.current.put(param.field, value);
+            self.current.place(param.field).put(value);
         }
         if shared || domain.is_none() {
-            self.other.put(param.field, value);
+            self.other.place(param.field).put(value);
         }
         if self.model != before {
             std::mem::swap(&mut self.current, &mut self.other);

@@ -17,6 +17,8 @@ const VOLUME: usize = 5;
 const NEXT: usize = 6;
 const FOUND: usize = 7;
 
+/// After so many metres an axis with two ends begins again: out of every reach.
+const FAR: f32 = 1e9;
 /// Numbers of an instance.
 const FIELDS: usize = size_of::<Instance>() / size_of::<f32>();
 
@@ -52,19 +54,18 @@ pub(crate) fn look_around(instances: &mut Vec<Instance>, bounds: &Bounds, h: f32
     for i in 0..count {
         let one = particles[i];
         let (column, row) = place(&one);
-        let (mut turn, mut inertia, mut near) = (0.0, 0.0, 0.0);
+        // Its own neighbour is itself too, which turns nothing.
+        let (mut turn, mut inertia, mut near) = (0.0, 0.0, -1.0);
         for side in 0..9 {
-            let ((column, beside), (row, above)) =
-                (across.next_to(column, side % 3), up.next_to(row, side / 3));
-            let cell = row.saturating_mul(across.cells).saturating_add(column);
-            let mut next = first.get(cell).copied().unwrap_or(0.0);
-            // Outside of the domain, and at the end of the list, is nobody.
+            let (column, beside) = across.next_to(column, side % 3);
+            let (row, above) = up.next_to(row, side / 3);
+            let first = first.get(row * across.cells + column);
+            let mut next = first.copied().unwrap_or(0.0);
             while let Some(other) = particles.get((next as usize).wrapping_sub(1)) {
-                let is_other = next as usize != i + 1;
                 next = other[NEXT];
                 let (x, y) = (other[0] + beside - one[0], other[1] + above - one[1]);
                 let square = x * x + y * y;
-                if square < reach * reach && (is_other || square > 0.0) {
+                if square < reach * reach {
                     near += 1.0;
                     let q = larger(square.sqrt() / h, 1e-6);
                     let weight = other[VOLUME] * kernel::steepness(q) / q;
@@ -73,10 +74,10 @@ pub(crate) fn look_around(instances: &mut Vec<Instance>, bounds: &Bounds, h: f32
                 }
             }
         }
-        particles[i][FOUND] = match spin {
-            true if inertia > 0.0 => 2.0 * turn / inertia,
-            true => 0.0,
-            false => near,
+        particles[i][FOUND] = if spin {
+            2.0 * turn / larger(inertia, f32::MIN_POSITIVE)
+        } else {
+            near
         };
     }
     instances.truncate(count);
@@ -89,8 +90,8 @@ pub(crate) fn look_around(instances: &mut Vec<Instance>, bounds: &Bounds, h: f32
 struct Axis {
     length: f32,
     cells: usize,
-    /// Whether its ends are the same place.
-    closed: bool,
+    /// After so much it begins again.
+    turn: f32,
 }
 
 impl Axis {
@@ -98,7 +99,7 @@ impl Axis {
         Axis {
             length,
             cells: ((length / edge) as usize).max(1),
-            closed,
+            turn: if closed { length } else { FAR },
         }
     }
 
@@ -109,18 +110,16 @@ impl Axis {
     }
 
     /// The cell before a cell, that cell or the one after it (`side` of 0, 1, 2), and
-    /// what is to be added to the places in it; far away where there is none.
+    /// what is to be added to the places in it.
     #[inline(never)]
     fn next_to(&self, cell: usize, side: usize) -> (usize, f32) {
         let next = cell + side;
-        if (1..=self.cells).contains(&next) {
-            (next - 1, 0.0)
-        } else if !self.closed {
-            (usize::MAX, 0.0)
-        } else if next == 0 {
-            (self.cells - 1, -self.length)
+        if next == 0 {
+            (self.cells - 1, -self.turn)
+        } else if next > self.cells {
+            (0, self.turn)
         } else {
-            (0, self.length)
+            (next - 1, 0.0)
         }
     }
 }

@@ -234,7 +234,7 @@ const CHART: Source = Source {
         shader!("chart.frag"),
     ],
     samplers: &["field"],
-    uniforms: &["part", "span"],
+    uniforms: &["part", "edge", "span"],
 };
 
 const DISC: Source = Source {

@@ -5,7 +5,7 @@
 //! leaves them alone.
 
 use hearth_core::Instance;
-use hearth_core::params::{DisplayMode, Model, Quantity};
+use hearth_core::params::{DisplayMode, Model};
 
 /// One particle of so many may lie beyond either end.
 const BEYOND: u32 = 200;
@@ -25,12 +25,13 @@ const PATIENCE: u32 = 60;
 pub fn extremes(instances: &[Instance]) -> Option<[f32; 2]> {
     let measured = || {
         let last = instances.iter().map(|&[.., measured]| measured);
-        last.filter(|measured| measured.is_finite())
+        last.filter(|measured| measured.abs() < f32::MAX)
     };
-    let [mut least, mut most] = [f32::INFINITY, f32::NEG_INFINITY];
+    let [mut least, mut most] = [f32::MAX, f32::MIN];
     for measured in measured() {
-        least = least.min(measured);
-        most = most.max(measured);
+        // Not `min` and `max`, which are longer in wasm.
+        least = if measured < least { measured } else { least };
+        most = if measured > most { measured } else { most };
     }
     if least > most {
         return None;
@@ -78,66 +79,53 @@ impl Scale {
         };
         let is_new = self.of != Some((mode, model));
         self.of = Some((mode, model));
-        let Some(seen) = seen else {
-            if is_new {
-                (self.ends, self.waited) = (rounded([0.0, 0.0], quantity), 0);
+        let [mut least, mut most] = match seen {
+            Some(seen) => seen,
+            None if is_new => [0.0; 2],
+            None => return,
+        };
+        if quantity.signed {
+            most = most.max(-least).max(SMALLEST);
+            least = -most;
+        }
+        let [from, to] = self.ends;
+        if !is_new && from <= least && most <= to {
+            if most - least >= LITTLE * (to - from) {
+                self.waited = 0;
+                return;
             }
-            return;
-        };
-        let [least, most] = self.ends;
-        let encloses = least <= seen[0] && seen[1] <= most;
-        let whole = if quantity.signed {
-            2.0 * seen[1].max(-seen[0])
-        } else {
-            seen[1] - seen[0]
-        };
-        if is_new || !encloses {
-            (self.ends, self.waited) = (rounded(seen, quantity), 0);
-        } else if whole >= LITTLE * (most - least) {
-            self.waited = 0;
-        } else {
-            let [least, most] = if self.waited == 0 { seen } else { self.lately };
-            self.lately = [least.min(seen[0]), most.max(seen[1])];
+            if self.waited > 0 {
+                least = least.min(self.lately[0]);
+                most = most.max(self.lately[1]);
+            }
+            self.lately = [least, most];
             self.waited += 1;
-            if self.waited >= PATIENCE {
-                (self.ends, self.waited) = (rounded(self.lately, quantity), 0);
+            if self.waited < PATIENCE {
+                return;
             }
         }
+        self.ends = rounded([least, most], quantity.whole);
+        self.waited = 0;
     }
 }
 
 /// Round numbers around `least` and `most`.
-fn rounded([least, most]: [f32; 2], quantity: Quantity) -> [f32; 2] {
-    let largest = most.max(-least);
-    if quantity.signed {
-        let [over, under] = step(largest.max(SMALLEST));
-        return [-over / under, over / under];
-    }
-    let whole = (most - least).max(SLIGHTEST * largest).max(SMALLEST);
-    let [mut over, mut under] = step(whole / STEPS);
-    if quantity.whole && over < under {
-        [over, under] = [1.0, 1.0];
-    }
-    // Of whole numbers, so that each end is the float next to its decimal.
-    let to_step = |end: f32| end * under / over;
-    let lower = to_step(least).floor();
-    let upper = to_step(most).ceil().max(lower + 1.0);
-    [lower, upper].map(|end| end * over / under)
-}
-
-/// The least of 1, 2, 5, 10, 20, … and 0.5, 0.2, 0.1, … that is not below `size`: what
-/// is to be divided by what.
-fn step(size: f32) -> [f32; 2] {
-    let [mut over, mut under] = [1.0, 1.0];
-    while size * under < 1.0 && under < 1e9 {
+fn rounded([least, most]: [f32; 2], are_whole: bool) -> [f32; 2] {
+    let enough = (SLIGHTEST * most).max(SMALLEST);
+    let step = (most - least).max(enough) / STEPS;
+    // 1, 2, 5, 10, 20, … or 0.5, 0.2, 0.1, …, told by what is to be divided by what,
+    // so that each end is the float next to its decimal.
+    let (mut over, mut under, mut doubled) = (1.0, 1.0, 0);
+    while step * under < 1.0 && !are_whole {
         under *= 10.0;
     }
-    while over * 10.0 <= size * under && over < 1e30 {
-        over *= 10.0;
+    while over < step * under {
+        over *= if doubled == 1 { 2.5 } else { 2.0 };
+        doubled = (doubled + 1) % 3;
     }
-    let factor = [1.0, 2.0, 5.0].into_iter();
-    let factor = factor.filter(|factor| over * factor >= size * under);
-    [over * factor.fold(10.0, f32::min), under]
+    let lower = (least * under / over).floor();
+    let upper = (most * under / over).ceil().max(lower + 1.0);
+    [lower, upper].map(|end| end * over / under)
 }
 
 #[cfg(test)]
@@ -195,8 +183,8 @@ mod tests {
             ([0.0, 2.3], DisplayMode::Velocity, [0.0, 2.5]),
             ([293.0, 1811.0], DisplayMode::Temperature, [200.0, 2000.0]),
             ([0.41, 1.19], DisplayMode::Density, [0.4, 1.2]),
-            ([-3.1, 1.0], DisplayMode::Pressure, [-5.0, 5.0]),
-            ([-80.0, 120.0], DisplayMode::Vorticity, [-200.0, 200.0]),
+            ([-3.1, 1.0], DisplayMode::Pressure, [-4.0, 4.0]),
+            ([-80.0, 130.0], DisplayMode::Vorticity, [-150.0, 150.0]),
             ([20.0, 22.0], DisplayMode::Neighbours, [20.0, 22.0]),
             // Nothing to tell apart.
             ([293.0, 293.0], DisplayMode::Temperature, [292.0, 294.0]),
@@ -205,7 +193,7 @@ mod tests {
         ] {
             assert_eq!(after(&mut Scale::default(), mode, [seen]), ends, "{mode:?}");
         }
-        for exponent in -30..30 {
+        for exponent in -30..20 {
             let size = 3.0 * 10.0_f32.powi(exponent);
             let [least, most] = after(&mut Scale::default(), MODE, [[-size, 2.0 * size]]);
             assert!(least <= -size && 2.0 * size <= most, "{least} {most}");

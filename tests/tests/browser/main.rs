@@ -7,6 +7,8 @@
 
 mod canvas;
 mod combustion;
+mod displays;
+mod scale;
 
 use canvas::{Canvas, Pixels, words};
 use hearth_core::Instance;

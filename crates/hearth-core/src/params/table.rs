@@ -2,7 +2,7 @@
 //! that turns the table of [`crate::params`] into a struct, its defaults and
 //! its one validator.
 
-use super::choices::Model;
+use super::choices::{Choice, Model};
 use super::value::{Colour, Input, ParamError, Refusal, Value};
 use super::{Field, Parameters};
 
@@ -148,6 +148,60 @@ impl Param {
     }
 }
 
+/// Where a parameter's value stands in [`Values`](super::Values).
+pub(super) enum Place<'a> {
+    Number(&'a mut f32),
+    Whole(&'a mut u32),
+    Seed(&'a mut u32),
+    Flag(&'a mut bool),
+    Colour(&'a mut Colour),
+    Choice(&'a mut dyn Chosen),
+}
+
+impl Place<'_> {
+    pub fn value(self) -> Value {
+        match self {
+            Place::Number(x) => Value::Number(*x),
+            Place::Whole(n) => Value::Integer(*n),
+            Place::Seed(n) => Value::Seed(*n),
+            Place::Flag(on) => Value::Flag(*on),
+            Place::Colour(colour) => Value::Colour(*colour),
+            Place::Choice(chosen) => Value::Choice(chosen.chosen()),
+        }
+    }
+
+    /// Writes a value of the place's own kind; another changes nothing.
+    pub fn put(self, value: Value) {
+        match (self, value) {
+            (Place::Number(x), Value::Number(new)) => *x = new,
+            (Place::Whole(n), Value::Integer(new)) => *n = new,
+            (Place::Seed(n), Value::Seed(new)) => *n = new,
+            (Place::Flag(on), Value::Flag(new)) => *on = new,
+            (Place::Colour(colour), Value::Colour(new)) => *colour = new,
+            (Place::Choice(chosen), Value::Choice(name)) => chosen.choose(name),
+            _ => {}
+        }
+    }
+}
+
+/// A choice of whatever type.
+pub(super) trait Chosen {
+    fn chosen(&self) -> &'static str;
+    fn choose(&mut self, name: &str);
+}
+
+impl<T: Choice> Chosen for T {
+    fn chosen(&self) -> &'static str {
+        self.name()
+    }
+
+    fn choose(&mut self, name: &str) {
+        if let Some(new) = T::from_name(name) {
+            *self = new;
+        }
+    }
+}
+
 /// The known id that is nearest to `id`, where one is near enough to be meant.
 pub(super) fn nearest_id(id: &str) -> Option<&'static str> {
     super::PARAMETERS
@@ -207,17 +261,17 @@ macro_rules! parameters {
 
         impl Values {
             #[inline(never)]
-            fn get(&self, field: Field) -> Value {
+            fn place(&mut self, field: Field) -> Place<'_> {
                 match field { $($(
-                    Field::$id => parameters!(@value $kind, self.$id),
+                    Field::$id => parameters!(@place $kind, self.$id),
                 )+)+ }
             }
 
+            // Of a copy: one table of places is half the code of one to read and one
+            // to write.
             #[inline(never)]
-            fn put(&mut self, field: Field, value: Value) {
-                match field { $($(
-                    Field::$id => parameters!(@put $kind, self.$id, value),
-                )+)+ }
+            fn get(&self, field: Field) -> Value {
+                self.clone().place(field).value()
             }
 
             fn of_model(model: Model) -> Values {
@@ -226,7 +280,7 @@ macro_rules! parameters {
                 )+)+ };
                 for param in PARAMETERS {
                     if let Some(domain) = param.domain(model) {
-                        values.put(param.field, domain.default);
+                        values.place(param.field).put(domain.default);
                     }
                 }
                 values.model = model;
@@ -297,14 +351,12 @@ macro_rules! parameters {
     (@value colour, $x:expr) => { Value::Colour($x) };
     (@value (choice $type:ident), $x:expr) => { Value::Choice($x.name()) };
 
-    (@put number, $place:expr, $value:expr) => { if let Value::Number(x) = $value { $place = x } };
-    (@put integer, $place:expr, $value:expr) => { if let Value::Integer(x) = $value { $place = x } };
-    (@put seed, $place:expr, $value:expr) => { if let Value::Seed(x) = $value { $place = x } };
-    (@put flag, $place:expr, $value:expr) => { if let Value::Flag(x) = $value { $place = x } };
-    (@put colour, $place:expr, $value:expr) => { if let Value::Colour(x) = $value { $place = x } };
-    (@put (choice $type:ident), $place:expr, $value:expr) => {
-        if let Value::Choice(name) = $value && let Some(x) = $type::from_name(name) { $place = x }
-    };
+    (@place number, $x:expr) => { Place::Number(&mut $x) };
+    (@place integer, $x:expr) => { Place::Whole(&mut $x) };
+    (@place seed, $x:expr) => { Place::Seed(&mut $x) };
+    (@place flag, $x:expr) => { Place::Flag(&mut $x) };
+    (@place colour, $x:expr) => { Place::Colour(&mut $x) };
+    (@place (choice $type:ident), $x:expr) => { Place::Choice(&mut $x) };
 }
 
 pub(super) use parameters;

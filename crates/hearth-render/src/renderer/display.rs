@@ -5,7 +5,6 @@ use hearth_core::params::{DisplayMode, Model};
 
 use super::fire::Fire;
 use super::{NOTHING, clear_picture, gain, table_coordinates};
-use crate::format::TargetFormat;
 use crate::gl::Graphics;
 use crate::palette::Tint;
 use crate::passes::Pass;
@@ -15,22 +14,20 @@ use crate::target::bind;
 /// Radius of a field's kernel in smoothing lengths; it blurs as much as the one that
 /// moved the gas.
 const RADII_PER_LENGTH: f32 = 1.6;
-/// Largest weight that eight bits hold.
-const WEIGHT: f32 = 1.25;
+/// Largest weight of gas, which a target of eight bits holds as one.
+const MOST: f32 = 1.5;
 /// Weight of gas that covers what is behind it: of a particle alone, for gas whose
 /// rim is nothing but particles, and at the edge of a domain that is full.
-const ALONE: f32 = 0.85;
+const ALONE: f32 = 0.65;
 const AT_AN_EDGE: f32 = 0.45;
 /// Diameter of a disc in spacings.
 const DISC: f32 = 0.8;
 /// Radius of a sprite: in sizes of the classic model's particles, and in spacings.
 const SIZES: f32 = 1.6;
 const SPACINGS: f32 = 4.0;
-/// How much life, or soot, there must be for a sprite to glow fully.
-const LIFE: f32 = 0.25;
-const SOOT: f32 = 0.3;
-/// Opacity of a sprite.
-const OPACITY: f32 = 0.9;
+/// Opacity of a sprite, and how much life, or soot, there must be for that.
+const OF_LIFE: [f32; 2] = [0.45, 0.25];
+const OF_SOOT: [f32; 2] = [0.9, 0.3];
 /// Brightness of one, beside that of a fire's gas: many lie over each other.
 const BRIGHTNESS: f32 = 0.16;
 /// Seconds in which a sprite turns once, on average.
@@ -42,12 +39,12 @@ impl<G: Graphics> Fire<'_, G> {
         let parameters = self.parameters;
         match parameters.display_mode {
             DisplayMode::Sprites => {
-                let (radius, full) = match parameters.model() {
-                    Model::Classic => (SIZES * parameters.particle_size, LIFE),
-                    Model::Combustion => (SPACINGS * parameters.spacing(), SOOT),
+                let (radius, opacity) = match parameters.model() {
+                    Model::Classic => (SIZES * parameters.particle_size, OF_LIFE),
+                    Model::Combustion => (SPACINGS * parameters.spacing(), OF_SOOT),
                 };
                 self.reach_out(radius);
-                self.sprites(full, time);
+                self.sprites(opacity, time);
                 watch("sprites");
                 self.present();
                 watch("present");
@@ -82,14 +79,6 @@ impl<G: Graphics> Fire<'_, G> {
         self.body.radius = radius;
     }
 
-    /// Largest weight that the field can hold.
-    fn weight(&self) -> f32 {
-        match self.renderer.studio.format {
-            TargetFormat::Rgba16F => 1.0,
-            TargetFormat::Rgba8 => WEIGHT,
-        }
-    }
-
     /// The program of that pass, which knows what the colours stand for.
     #[inline(never)]
     fn measuring(&self, pass: Pass) -> &Program<G> {
@@ -107,7 +96,7 @@ impl<G: Graphics> Fire<'_, G> {
             Model::Classic => ALONE,
             Model::Combustion => AT_AN_EDGE,
         };
-        let span = [least, 1.0 / (most - least), signed, self.weight() / solid];
+        let span = [least, 1.0 / (most - least), signed, MOST / solid];
         program.set(gl, "span", span);
         program
     }
@@ -130,7 +119,7 @@ impl<G: Graphics> Fire<'_, G> {
         self.targets.field.draw_here(gl, self.used);
         gl.clear(NOTHING);
         let radius = self.body.radius;
-        let peak = 3.0 / (std::f32::consts::PI * radius * radius * self.weight());
+        let peak = 3.0 / (std::f32::consts::PI * radius * radius * MOST);
         program.set(gl, "kernel", [radius, peak, 1.0, 0.0]);
         self.add(program, glow::ONE);
     }
@@ -141,6 +130,9 @@ impl<G: Graphics> Fire<'_, G> {
         clear_picture(gl, targets.layout, self.parameters.background);
         let program = self.measuring(Pass::Chart);
         program.set(gl, "part", self.part());
+        let width = self.place.metres[0];
+        let edge = 0.5 * self.parameters.domain_width / width;
+        program.set(gl, "edge", [edge, width / self.body.radius, 0.0, 0.0]);
         targets.field.read_here(gl, 0);
         gl.enable(glow::BLEND);
         gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);
@@ -161,7 +153,7 @@ impl<G: Graphics> Fire<'_, G> {
     }
 
     /// Particles to sprites.
-    fn sprites(&self, full: f32, time: f64) {
+    fn sprites(&self, [opacity, full]: [f32; 2], time: f64) {
         let Fire {
             gl,
             renderer,
@@ -175,7 +167,7 @@ impl<G: Graphics> Fire<'_, G> {
         // Each makes a whole number of half turns to one of this, so two are a period.
         let turns = time / (2.0 * TURN);
         let turns = 2.0 * (turns - turns.floor()) as f32;
-        program.set(gl, "sprite", [self.body.radius, turns, OPACITY, full]);
+        program.set(gl, "sprite", [self.body.radius, turns, opacity, full]);
         let gain = BRIGHTNESS * gain(parameters);
         program.set(gl, "shine", [parameters.luminance_exponent, gain, 0.0, 0.0]);
         program.set(gl, "table", table_coordinates(1.0));

@@ -18,19 +18,28 @@ chosen by its name: `preset=\"candle\"` in HTML, `fire.preset = 'candle'` in Jav
 `?scene=candle` in an address, `Preset::find(\"candle\")` in Rust. What each value
 means stands in [parameters.md](parameters.md).
 
-Sizes are chosen for the eye. A candle of 3 cm would need steps so short that
-it costs twenty times what a campfire costs; so small fires burn in a larger
-domain and in slower time. All scenes stay within twice the work of the default one.
+Sizes are chosen for the eye and not with a ruler. In a domain of 12 cm a step is so short
+that a candle would be some ten times the work of a campfire; so small fires burn in a
+larger domain, and in slower time. No scene is more than twice the work of the default one.
 ";
 
 const PAPER: &str = "
 ## The paper's figures
 
-The scenes `paper-…` are named after what the paper's figures 3 to 6 are about, in
-the model of the paper and drawn as the paper draws. They are not copies
-of those figures, whose values are not known here. They show what the paper says: with more
-buoyancy β the fire narrows, with a larger gas constant k it widens, with a larger
-smoothing radius h its particles cluster; and beside them its plain picture.
+The paper shows its fire in figures 3 to 6 and says of it, in §4.1.1, what three of its
+parameters do. The scenes `paper-…` stand for those figures: in the paper's model, drawn as the
+paper draws, `paper-fire` plainly and each of the others with one of the three changed
+(`paper-buoyancy` also lives shorter, to stay in the picture). They are no copies: the values
+of the figures are not known here.
+
+| | changed | what the paper says |
+|---|---|---|
+| `paper-buoyancy` | buoyancy β | more of it narrows the fire |
+| `paper-stiffness` | gas constant k | more of it widens the fire |
+| `paper-smoothing` | smoothing radius h | more of it clusters the particles |
+
+A test holds each against `paper-fire`. What §4.1.2 says of flames that are not premixed, that
+they are hottest at their outer sheet, is a law of the combustion model with `source_oxygen` 0.
 ";
 
 const ANOTHER: &str = "
@@ -53,10 +62,10 @@ The name is made of small letters, digits and hyphens. Then
     cargo xtask codegen       # checks it; writes the table, the types and this page
     cargo xtask thumbnails    # draws its small picture, web/scenes/NAME.jpg
 
-and `cargo xtask test native` burns it for a while. A value that is out of its range, an unknown id or one that the
-scene's model has no use for is refused with the file's name. The file is
-also one of settings as it stands: `<hearth-fire src=\"lantern.json\">` burns it
-anywhere, without being one of these.
+and `cargo xtask test native` burns it for a while. A value out of its range, an unknown
+id, or one that the scene's model has no use for is refused with the file's name. The file
+is also one of settings as it stands: `<hearth-fire src=\"lantern.json\">` burns it anywhere,
+without its being one of these.
 ";
 
 /// The whole page.

@@ -1,0 +1,391 @@
+//! Display modes in a real browser: a colour stands for what the gas is, in every
+//! format; nothing shows a texel or exceeds its alpha; sprites are where it glows.
+
+use hearth_core::params::{Choice, DisplayMode, Input, Model, Parameters};
+use hearth_core::{Instance, Particle, Simulation, Vec2};
+use hearth_render::{Renderer, View};
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_test::{console_log, wasm_bindgen_test};
+
+use crate::canvas::{Canvas, Pixels, words};
+use crate::light;
+use crate::scale::colour;
+
+const WIDTH: u32 = 240;
+const HEIGHT: u32 = 360;
+
+/// A disc of hot gas that turns rigidly \[1/s\], in the middle of air at rest, and how
+/// far from its rim neither looks like the other \[m\].
+const MIDDLE: Vec2 = Vec2::new(0.0, 0.9);
+const RADIUS: f32 = 0.44;
+const SPIN: f32 = 6.0;
+const RIM: f32 = 0.15;
+
+/// The modes that show a field.
+const FIELDS: [DisplayMode; 7] = [
+    DisplayMode::Temperature,
+    DisplayMode::Density,
+    DisplayMode::Pressure,
+    DisplayMode::Velocity,
+    DisplayMode::Vorticity,
+    DisplayMode::Fuel,
+    DisplayMode::Soot,
+];
+
+fn every_mode() -> impl Iterator<Item = DisplayMode> {
+    DisplayMode::NAMES
+        .iter()
+        .filter_map(|name| DisplayMode::from_name(name))
+}
+
+/// Gas of the combustion model: the disc, and the air around it.
+fn turning_disc() -> Result<Simulation, JsValue> {
+    let mut parameters = Parameters::new(Model::Combustion);
+    // Before the first step hot gas has not made the room yet that it takes.
+    let slight = Input::Number(0.1);
+    parameters.set("gas_expansion", slight).map_err(words)?;
+    let mut fire = Simulation::new(parameters);
+    let mut gas = fire.particles();
+    for particle in &mut gas {
+        let off = particle.position - MIDDLE;
+        if off.length() < RADIUS {
+            particle.velocity = SPIN * off.perp();
+            particle.temperature = 1500.0;
+            (particle.fuel, particle.soot) = (0.6, 0.3);
+        }
+    }
+    fire.set_particles(&gas).map_err(words)?;
+    Ok(fire)
+}
+
+/// A fire of that model that has burnt.
+fn burnt(model: Model) -> Simulation {
+    let mut fire = Simulation::new(Parameters::new(model));
+    while fire.time() < 0.8 {
+        fire.step();
+    }
+    fire
+}
+
+/// Its particles as that mode wants them.
+fn instances(fire: &mut Simulation, mode: DisplayMode) -> Result<Vec<Instance>, JsValue> {
+    fire.set("display_mode", Input::Text(mode.name()))
+        .map_err(words)?;
+    let mut instances = Vec::new();
+    fire.write_instances(&mut instances);
+    Ok(instances)
+}
+
+/// Its picture in that mode, and what the colours stand for.
+fn shown(
+    canvas: &Canvas,
+    fire: &mut Simulation,
+    mode: DisplayMode,
+) -> Result<(Pixels, Option<[f32; 2]>), JsValue> {
+    let instances = instances(fire, mode)?;
+    let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
+    let pixels = canvas.paint_with(&mut renderer, &instances, fire.parameters())?;
+    let scale = renderer.scale();
+    renderer.destroy(&canvas.gl);
+    Ok((pixels, scale))
+}
+
+/// Largest difference in a channel.
+fn off(pixel: [u8; 4], expected: [f32; 3]) -> f32 {
+    let channels = pixel.iter().zip(expected);
+    channels.fold(0.0, |most, (&shown, expected)| {
+        most.max((f32::from(shown) - expected).abs())
+    })
+}
+
+/// What a reader of the library says of the disc at a place.
+fn read(fire: &Simulation, mode: DisplayMode, place: Vec2) -> f32 {
+    let turns = place.distance(MIDDLE) < RADIUS;
+    let of_disc = |value: f32, of_air: f32| if turns { value } else { of_air };
+    match mode {
+        DisplayMode::Temperature => of_disc(1500.0, 293.0),
+        DisplayMode::Velocity => of_disc(SPIN * place.distance(MIDDLE), 0.0),
+        DisplayMode::Vorticity => of_disc(2.0 * SPIN, 0.0),
+        DisplayMode::Fuel => of_disc(0.6, 0.0),
+        DisplayMode::Soot => of_disc(0.3, 0.0),
+        DisplayMode::Density => {
+            let values = fire.parameters();
+            let room = (1500.0 / values.ambient_temperature).powf(values.gas_expansion);
+            let densities = fire.densities();
+            let thickest = densities.into_iter().fold(0.0, f32::max);
+            of_disc(thickest / room, thickest)
+        }
+        // None before the first step.
+        _ => 0.0,
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_colour_stands_for_what_the_gas_is() -> Result<(), JsValue> {
+    // How far off a place on the scale may be: for half floats, and for eight bits.
+    for (canvas, astray) in [
+        (Canvas::new(WIDTH, HEIGHT)?, 0.0),
+        (Canvas::without_float_targets(WIDTH, HEIGHT)?, 0.03),
+    ] {
+        let mut fire = turning_disc()?;
+        let mut worst = 0.0_f32;
+        for mode in FIELDS {
+            let (pixels, scale) = shown(&canvas, &mut fire, mode)?;
+            let [least, most] = scale.ok_or("no scale")?;
+            let signed = mode.quantity().is_some_and(|quantity| quantity.signed);
+            for (x, y, pixel) in pixels.all() {
+                let place = Vec2::new(x, y);
+                let is_inside = x.abs() < 0.5 && (0.1..1.7).contains(&y);
+                // The speed of the turning gas has a tip in its middle.
+                let apart = place.distance(MIDDLE);
+                if !is_inside || (apart - RADIUS).abs() < RIM || apart < 0.12 {
+                    continue;
+                }
+                let expected = read(&fire, mode, place);
+                let share = (expected - least) / (most - least);
+                assert!((-0.01..=1.01).contains(&share), "{mode:?}: {expected}");
+                let near = (-8..=8).map(|k| share + astray * k as f32 / 8.0);
+                let found = near.map(|share| off(pixel, colour(share.clamp(0.0, 1.0), signed)));
+                let found = found.fold(f32::INFINITY, f32::min);
+                worst = worst.max(found);
+                assert!(
+                    found <= 6.0 && pixel[3] == 255,
+                    "{mode:?} at {place}: {pixel:?} for {expected} of {least} to {most}"
+                );
+            }
+        }
+        console_log!("colours are at most {worst} of 255 off, {astray} astray");
+    }
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn a_disc_has_the_colour_of_its_particle_and_a_smooth_rim() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    let mut parameters = Parameters::new(Model::Classic);
+    let set = [
+        ("display_mode", Input::Text("particles")),
+        // A spacing of 0.1 m: discs of 19 pixels.
+        ("particle_mass", Input::Number(2e-3)),
+        ("rest_density", Input::Number(0.5)),
+    ];
+    parameters.set_all(set).map_err(|_| "refused")?;
+    let kelvins = [400.0, 900.0, 1400.0, 1900.0];
+    let particles: Vec<Instance> = (0..)
+        .zip(kelvins)
+        .map(|(i, kelvin)| {
+            let x = -0.3 + 0.2 * i as f32;
+            [x, 0.75, 0.0, 0.0, kelvin, 1e-4, 0.0, kelvin]
+        })
+        .collect();
+    let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
+    let pixels = canvas.paint_with(&mut renderer, &particles, &parameters)?;
+    let [least, most] = renderer.scale().ok_or("no scale")?;
+    renderer.destroy(&canvas.gl);
+    for &[x, y, _, _, kelvin, ..] in &particles {
+        let expected = colour((kelvin - least) / (most - least), false);
+        let pixel = pixels.at(x, y);
+        assert!(off(pixel, expected) <= 2.0 && pixel[3] == 255, "{pixel:?}");
+    }
+    let radius = 0.4 * parameters.spacing();
+    let mut between = 0;
+    for (x, y, [.., alpha]) in pixels.all() {
+        let nearest = particles.iter().map(|one| (x - one[0]).hypot(y - one[1]));
+        let nearest = nearest.fold(f32::INFINITY, f32::min);
+        assert!(nearest > radius - 0.008 || alpha == 255);
+        assert!(nearest < radius + 0.008 || alpha == 0);
+        between += u32::from((1..255).contains(&alpha));
+    }
+    assert!(between > 60, "{between} pixels of four rims");
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn particles_too_small_for_pixels_are_seen() -> Result<(), JsValue> {
+    let canvas = Canvas::new(40, 60)?;
+    let mut fire = Simulation::new(Parameters::new(Model::Combustion));
+    let (pixels, _) = shown(&canvas, &mut fire, DisplayMode::Particles)?;
+    let seen = pixels.all().filter(|(_, _, pixel)| pixel[3] > 100).count();
+    assert!(seen > 1200, "{seen} of 2400 pixels");
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn every_mode_shows_something_and_something_else_than_the_fire() -> Result<(), JsValue> {
+    for canvas in [
+        Canvas::new(WIDTH, HEIGHT)?,
+        Canvas::without_float_targets(WIDTH, HEIGHT)?,
+    ] {
+        for model in [Model::Classic, Model::Combustion] {
+            let mut fire = burnt(model);
+            let (usual, nothing) = shown(&canvas, &mut fire, DisplayMode::Fire)?;
+            assert_eq!(nothing, None);
+            for mode in every_mode().filter(|&mode| mode != DisplayMode::Fire) {
+                let (pixels, scale) = shown(&canvas, &mut fire, mode)?;
+                assert_eq!(scale.is_some(), mode.quantity().is_some(), "{mode:?}");
+                let all = || pixels.all().zip(usual.all());
+                let seen = all().filter(|((.., pixel), _)| light(*pixel) > 30).count();
+                assert!(seen > 300, "{model:?}, {mode:?}: {seen} pixels");
+                let others = all().filter(|((.., a), (.., b))| light(*a).abs_diff(light(*b)) > 20);
+                let others = others.count();
+                assert!(others > 300, "{model:?}, {mode:?}: {others} pixels");
+                for (x, y, pixel) in pixels.all() {
+                    assert!(light(pixel) <= pixel[3], "{mode:?}: {pixel:?} at {x}, {y}");
+                }
+            }
+        }
+        assert_eq!(canvas.gl_error(), 0);
+    }
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn neighbouring_pixels_of_a_field_are_alike() -> Result<(), JsValue> {
+    // The value rises evenly over the domain, so that no colour may jump: no texel, no
+    // particle and no edge of a quad is seen.
+    for (canvas, allowed) in [
+        (Canvas::new(WIDTH, HEIGHT)?, 3.0),
+        (Canvas::without_float_targets(WIDTH, HEIGHT)?, 6.0),
+    ] {
+        let mut fire = Simulation::new(Parameters::new(Model::Combustion));
+        let mut gas: Vec<Particle> = fire.particles();
+        for particle in &mut gas {
+            particle.fuel = particle.position.y / 1.8;
+        }
+        fire.set_particles(&gas).map_err(words)?;
+        let (pixels, _) = shown(&canvas, &mut fire, DisplayMode::Fuel)?;
+        let metre = HEIGHT as f32 / 1.8;
+        // As displays encode it; the eye sees little of blue.
+        let bright =
+            |[r, g, b, _]: [u8; 4]| 0.3 * f32::from(r) + 0.6 * f32::from(g) + 0.1 * f32::from(b);
+        let mut worst = 0.0_f32;
+        for (x, y, pixel) in pixels.all() {
+            if x.abs() > 0.45 || !(0.1..1.7).contains(&y) {
+                continue;
+            }
+            for beside in [pixels.at(x + 1.0 / metre, y), pixels.at(x, y + 1.0 / metre)] {
+                let apart = (bright(pixel) - bright(beside)).abs();
+                worst = worst.max(apart);
+                assert!(apart <= allowed, "{pixel:?}, {beside:?} at {x}, {y}");
+            }
+        }
+        console_log!("neighbouring pixels are at most {worst} of 255 apart");
+    }
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn eight_bits_show_nearly_what_half_floats_show() -> Result<(), JsValue> {
+    let fine = Canvas::new(WIDTH, HEIGHT)?;
+    let coarse = Canvas::without_float_targets(WIDTH, HEIGHT)?;
+    for model in [Model::Classic, Model::Combustion] {
+        let mut fire = burnt(model);
+        for mode in FIELDS {
+            let (expected, _) = shown(&fine, &mut fire, mode)?;
+            let (pixels, _) = shown(&coarse, &mut fire, mode)?;
+            let pairs = expected.all().zip(pixels.all());
+            let mut apart: Vec<_> = pairs
+                .map(|((.., a), (.., b))| off(a, [b[0], b[1], b[2]].map(f32::from)))
+                .collect();
+            apart.sort_by(f32::total_cmp);
+            let most = apart[apart.len() * 99 / 100];
+            let mean = apart.iter().sum::<f32>() / apart.len() as f32;
+            console_log!("{model:?}, {mode:?}: {mean} of 255 apart, 99 % less than {most}");
+            assert!(mean <= 6.0 && most <= 24.0, "{model:?}, {mode:?}: {most}");
+        }
+    }
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn the_background_is_seen_where_there_is_no_gas() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    let mut fire = burnt(Model::Classic);
+    fire.set("background", Input::Text("#204060"))
+        .map_err(words)?;
+    for mode in every_mode() {
+        let (pixels, _) = shown(&canvas, &mut fire, mode)?;
+        let pixel = pixels.at(-0.45, 1.4);
+        assert!(
+            off(pixel, [0x20, 0x40, 0x60].map(|channel| channel as f32)) <= 3.0,
+            "{mode:?}: {pixel:?}"
+        );
+        assert!(
+            pixels.all().all(|(_, _, pixel)| pixel[3] == 255),
+            "{mode:?}"
+        );
+    }
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn what_is_gone_leaves_nothing_behind() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    for model in [Model::Classic, Model::Combustion] {
+        let mut fire = burnt(model);
+        let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
+        for mode in every_mode() {
+            let particles = instances(&mut fire, mode)?;
+            canvas.paint_with(&mut renderer, &particles, fire.parameters())?;
+            let pixels = canvas.paint_with(&mut renderer, &[], fire.parameters())?;
+            assert!(
+                pixels.all().all(|(_, _, pixel)| pixel == [0; 4]),
+                "{model:?}, {mode:?}"
+            );
+        }
+        renderer.destroy(&canvas.gl);
+    }
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn sprites_look_the_same_in_any_order_and_turn_without_a_jump() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    for model in [Model::Classic, Model::Combustion] {
+        let mut fire = burnt(model);
+        let mut sprites = instances(&mut fire, DisplayMode::Sprites)?;
+        let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
+        let mut paint = |sprites: &[Instance], time| {
+            canvas.paint_at(&mut renderer, time, [sprites, &[]], fire.parameters())
+        };
+        let first = paint(&sprites, 1.0)?;
+        let later = paint(&sprites, 1.0 + 1.0 / 60.0)?;
+        let much_later = paint(&sprites, 4.0)?;
+        // Two turns of the slowest are a period: nothing is seen to begin again.
+        let again = paint(&sprites, 37.0)?;
+        sprites.reverse();
+        let reversed = paint(&sprites, 1.0)?;
+        renderer.destroy(&canvas.gl);
+        let apart = |a: &Pixels, b: &Pixels| {
+            let pairs = a.all().zip(b.all());
+            let pairs = pairs.map(|((.., a), (.., b))| off(a, [b[0], b[1], b[2]].map(f32::from)));
+            pairs.fold(0.0, f32::max)
+        };
+        assert!(apart(&first, &reversed) <= 8.0);
+        assert!(apart(&first, &again) <= 8.0);
+        assert!(apart(&first, &later) <= 24.0);
+        assert!(apart(&first, &much_later) > 24.0);
+    }
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn a_context_lost_on_the_way_is_survived_in_every_mode() -> Result<(), JsValue> {
+    let mut fire = burnt(Model::Combustion);
+    for mode in every_mode() {
+        let canvas = Canvas::new(WIDTH, HEIGHT)?;
+        let particles = instances(&mut fire, mode)?;
+        let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
+        renderer.upload(&canvas.gl, &particles, &[]);
+        canvas.lose_context()?;
+        let view = View {
+            width: WIDTH,
+            height: HEIGHT,
+            time: 0.0,
+        };
+        // Whether it says so or paints into nothing: the page goes on.
+        let _ = renderer.paint(&canvas.gl, &view, fire.parameters());
+        renderer.destroy(&canvas.gl);
+    }
+    Ok(())
+}

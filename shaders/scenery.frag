@@ -27,9 +27,9 @@ vec3 bricks(vec2 place, vec2 size) {
 void main() {
     vec2 place = vec2((uv.x - 0.5) * view.x, uv.y);
     float depth = view.y - place.y; // below the foot of the wall
-    // A floor that is seen from above its edge, and dark where it meets the wall.
-    float near = 0.3 / (0.3 - depth);
-    vec3 colour = depth > 0.0 ? bricks(vec2(place.x / near, near), vec2(0.3, 0.2)).ggb * 0.8
+    // A floor that comes nearer downwards, and is dark where it meets the wall.
+    float near = 1.0 + depth / 0.3;
+    vec3 colour = depth > 0.0 ? bricks(vec2(place.x, 0.9) / near, vec2(0.3, 0.15)).ggb * 0.8
                               : bricks(place, vec2(0.17, 0.062));
     scenery = vec4(sqrt(colour * smoothstep(0.0, 0.04, abs(depth) + 0.01)), 1.0);
 }

@@ -137,7 +137,7 @@ export interface HearthParameters {
   printed_divisor: boolean;
   /** Equation 6 as printed: forward Euler, the position moves with the old velocity. Default in classic: false. */
   printed_euler: boolean;
-  /** What is shown: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. Default "fire". */
+  /** What is shown: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model fuel is what is left of a particle's life, and soot what makes smoke of it. Default "fire". */
   display_mode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
   /** What is drawn: fire and smoke, the fire alone, or the smoke alone. Default "both". */
   layers: "both" | "fire" | "smoke";
@@ -155,9 +155,9 @@ export interface HearthParameters {
   detail: number;
   /** Colours of the fire: those of glowing soot, of gas, of copper or lithium salts, of a ghost, or from a cool colour to a hot one. Default "blackbody". */
   palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
-  /** Colour of the coolest fire, where the palette is the custom one. Default "#8a12ff". */
+  /** Colour of the coolest fire, where the palette is the custom one; transparent is black. Default "#8a12ff". */
   cool_colour: string;
-  /** Colour of the hottest fire, where the palette is the custom one. Default "#38e8ff". */
+  /** Colour of the hottest fire, where the palette is the custom one; transparent is black. Default "#38e8ff". */
   hot_colour: string;
   /** What the fire burns in front of, in place of the background: nothing, or a wall of bricks that it lights. Default "none". */
   backdrop: "none" | "bricks";
@@ -297,7 +297,7 @@ export interface HearthProperties {
   printedDivisor: boolean;
   /** Equation 6 as printed: forward Euler, the position moves with the old velocity. Default in classic: false. */
   printedEuler: boolean;
-  /** What is shown: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. Default "fire". */
+  /** What is shown: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model fuel is what is left of a particle's life, and soot what makes smoke of it. Default "fire". */
   displayMode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
   /** What is drawn: fire and smoke, the fire alone, or the smoke alone. Default "both". */
   layers: "both" | "fire" | "smoke";
@@ -315,9 +315,9 @@ export interface HearthProperties {
   detail: number;
   /** Colours of the fire: those of glowing soot, of gas, of copper or lithium salts, of a ghost, or from a cool colour to a hot one. Default "blackbody". */
   palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
-  /** Colour of the coolest fire, where the palette is the custom one. Default "#8a12ff". */
+  /** Colour of the coolest fire, where the palette is the custom one; transparent is black. Default "#8a12ff". */
   coolColour: string;
-  /** Colour of the hottest fire, where the palette is the custom one. Default "#38e8ff". */
+  /** Colour of the hottest fire, where the palette is the custom one; transparent is black. Default "#38e8ff". */
   hotColour: string;
   /** What the fire burns in front of, in place of the background: nothing, or a wall of bricks that it lights. Default "none". */
   backdrop: "none" | "bricks";

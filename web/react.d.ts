@@ -191,7 +191,7 @@ export interface HearthFireAttributes {
   "printed-divisor"?: boolean | undefined;
   /** Equation 6 as printed: forward Euler, the position moves with the old velocity. Default in classic: false. */
   "printed-euler"?: boolean | undefined;
-  /** What is shown: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. Default "fire". */
+  /** What is shown: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model fuel is what is left of a particle's life, and soot what makes smoke of it. Default "fire". */
   "display-mode"?: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites" | undefined;
   /** What is drawn: fire and smoke, the fire alone, or the smoke alone. Default "both". */
   layers?: "both" | "fire" | "smoke" | undefined;
@@ -209,9 +209,9 @@ export interface HearthFireAttributes {
   detail?: number | `${number}` | undefined;
   /** Colours of the fire: those of glowing soot, of gas, of copper or lithium salts, of a ghost, or from a cool colour to a hot one. Default "blackbody". */
   palette?: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom" | undefined;
-  /** Colour of the coolest fire, where the palette is the custom one. Default "#8a12ff". */
+  /** Colour of the coolest fire, where the palette is the custom one; transparent is black. Default "#8a12ff". */
   "cool-colour"?: string | undefined;
-  /** Colour of the hottest fire, where the palette is the custom one. Default "#38e8ff". */
+  /** Colour of the hottest fire, where the palette is the custom one; transparent is black. Default "#38e8ff". */
   "hot-colour"?: string | undefined;
   /** What the fire burns in front of, in place of the background: nothing, or a wall of bricks that it lights. Default "none". */
   backdrop?: "none" | "bricks" | undefined;

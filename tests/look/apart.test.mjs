@@ -14,32 +14,33 @@ let studio;
 before(async () => { studio = await Studio.open(); });
 after(() => studio?.close());
 
-/** Fires of both models, of different sizes. */
-const TWO = [
+/** Fires of both models, of different sizes; one with all that only it needs in a context. */
+const FIRES = [
   { lit: 'default', burnt: 0.4, width: 160, height: 200, values: { max_particles: 1000 } },
   { lit: 'classic', burnt: 0.4, width: 131, height: 217 },
+  { lit: 'forge', burnt: 0.2, width: 120, height: 90, values: { max_particles: 1000, palette: 'custom' } },
 ];
 
-test('two fires in one context look as each alone, to the bit', async () => {
-  const together = await studio.ask('inTurn', TWO, 4);
+test('fires in one context look as each alone, to the bit', async () => {
+  const together = await studio.ask('inTurn', FIRES, 4);
   const alone = [];
-  for (const one of TWO) alone.push(...await studio.ask('inTurn', [one], 4));
-  assert.ok(together[0] !== together[1] && together[0].length > 10_000);
-  assert.deepEqual(together.map((one, at) => one === alone[at]), [true, true]);
+  for (const one of FIRES) alone.push(...await studio.ask('inTurn', [one], 4));
+  assert.ok(together.every((one, at) => one.length > 10_000 && together.indexOf(one) === at));
+  assert.deepEqual(together.map((one, at) => one === alone[at]), [true, true, true]);
 });
 
 test('nothing that somebody else leaves in a context changes a picture', async () => {
-  const right = await studio.ask('inTurn', TWO, 2);
+  const right = await studio.ask('inTurn', FIRES, 2);
   for (const disturbance of await studio.ask('disturbances')) {
-    const disturbed = await studio.ask('inTurn', TWO, 2, disturbance);
+    const disturbed = await studio.ask('inTurn', FIRES, 2, disturbance);
     // A mask of colours is the one thing here that a host has to undo; and so it is seen
     // that what is left behind would be seen.
     const same = disturbance !== 'a colour that nobody may draw';
-    assert.deepEqual(disturbed.map((one, at) => one === right[at]), [same, same], disturbance);
+    assert.deepEqual(disturbed.map((one, at) => one === right[at]), [same, same, same], disturbance);
   }
 });
 
-for (const kept of ['default', 'classic', 'seed']) {
+for (const kept of ['default', 'classic', 'seed', 'forge']) {
   for (const [width, height] of [[1, 1], [3, 1000], [1000, 3], [641, 359]]) {
     test(`${kept} fits a picture of ${width} × ${height}`, async () => {
       const { rgba } = await studio.still({ kept, width, height });

@@ -209,7 +209,8 @@ parameters! {
     "Look" {
         /// What is shown: the fire; every particle; a quantity of the gas, with a bar
         /// that says which colour is how much; the number of neighbours; the hard round
-        /// sprites of the paper; or sprites with a texture.
+        /// sprites of the paper; or sprites with a texture. In the classic model fuel is what
+        /// is left of a particle's life, and soot what makes smoke of it.
         display_mode: (choice DisplayMode) "Display" { Every(Fire) }
         /// What is drawn: fire and smoke, the fire alone, or the smoke alone.
         layers: (choice Layers) "Layers" { Every(Both) } when { display_mode: FIRE }
@@ -228,17 +229,17 @@ parameters! {
         /// Colours of the fire: those of glowing soot, of gas, of copper or lithium salts,
         /// of a ghost, or from a cool colour to a hot one.
         palette: (choice Palette) "Palette" { Every(Blackbody) } when { display_mode: LIGHT }
-        /// Colour of the coolest fire, where the palette is the custom one.
+        /// Colour of the coolest fire, where the palette is the custom one; transparent is black.
         cool_colour: colour "Cool colour" { Every(Colour::rgb(0x8a, 0x12, 0xff)) } when { palette: &["custom"], display_mode: LIGHT }
-        /// Colour of the hottest fire, where the palette is the custom one.
+        /// Colour of the hottest fire, where the palette is the custom one; transparent is black.
         hot_colour: colour "Hot colour" { Every(Colour::rgb(0x38, 0xe8, 0xff)) } when { palette: &["custom"], display_mode: LIGHT }
         /// What the fire burns in front of, in place of the background: nothing, or a wall
         /// of bricks that it lights.
-        backdrop: (choice Backdrop) "Backdrop" { Every(None) }
+        backdrop: (choice Backdrop) "Backdrop" { Every(None) } when { display_mode: FIRE }
         /// How strongly hot gas makes the backdrop shimmer; a page cannot be made to.
-        heat_haze: number "Heat haze" [""] Linear { Every(0.3, 0.0..=1.0) } when { backdrop: &["bricks"] }
+        heat_haze: number "Heat haze" [""] Linear { Every(0.3, 0.0..=1.0) } when { backdrop: &["bricks"], display_mode: FIRE }
         /// What stands behind the fire: `transparent` or a colour.
-        background: colour "Background" { Every(Colour::TRANSPARENT) } when { backdrop: &["none"] }
+        background: colour "Background" { Every(Colour::TRANSPARENT) }
     }
 }
 

@@ -1,7 +1,7 @@
 //! What colours the fire has by its temperature.
 //!
 //! Soot glows as a black body. A flame of gas, of salts or of ghosts has a hue of
-//! its own, from a cool end to a hot one, at the brightness of a black body of the
+//! its own, from a cool end to a hot one, times the brightness of a black body of the
 //! same temperature: exposure and luminance exponent mean the same in every palette.
 
 use hearth_core::Parameters;
@@ -13,6 +13,8 @@ use crate::blackbody::{self, COOLEST, ENTRIES, HOTTEST};
 /// one \[K\], and at which it is gone.
 const COOL: f32 = 1000.0;
 const HOT: f32 = 1900.0;
+/// Of a channel that has so little, half goes into what is far too bright.
+const PALE: f32 = 0.03;
 
 /// What a fire is coloured by: all that a table of colours depends on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +61,7 @@ impl Tint {
             return [1.0, 0.92, 0.66, 1.0];
         }
         let [_, [r, g, b]] = self.hues();
-        [r, g, b, 0.0].map(|channel| 0.35 * channel + 0.65 * f32::from(channel > 0.0))
+        [r, g, b, 0.0].map(|channel| 0.35 * channel + 0.65 * channel / (channel + PALE))
     }
 
     /// The look-up table as one row of texels: chroma and ln(luminance), as
@@ -72,7 +74,7 @@ impl Tint {
             for (entry, texel) in table.iter_mut().enumerate() {
                 let kelvin = COOLEST + span * entry as f32;
                 let share = ((kelvin - COOL) / (HOT - COOL)).clamp(0.0, 1.0);
-                // As bright as the black body's brightest channel, which is red.
+                // The black body's brightest channel, which is red.
                 let peak = texel[0];
                 for (channel, (cool, hot)) in texel.iter_mut().zip(cool.into_iter().zip(hot)) {
                     *channel = peak * (cool + share * (hot - cool));

@@ -46,12 +46,13 @@ pub struct View {
     pub time: f64,
 }
 
-/// How far the fine structure has come. It outlives a renderer, whose context may be
+/// How far the fine structure has come, and the scale of what is measured. It outlives a renderer, whose context may be
 /// lost: the next one goes on from there.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Motion {
     rise: Rise,
     drift: Drift,
+    scale: Scale,
 }
 
 /// Draws a fire into the default framebuffer, with premultiplied alpha.
@@ -70,7 +71,6 @@ pub struct Renderer<G: Graphics = glow::Context> {
     newest: usize,
     /// Least and most of what is measured of the particles.
     measured: Option<[f32; 2]>,
-    scale: Scale,
 }
 
 impl<G: Graphics> Renderer<G> {
@@ -108,7 +108,6 @@ impl<G: Graphics> Renderer<G> {
             motion: Motion::default(),
             newest: 0,
             measured: None,
-            scale: Scale::default(),
         })
     }
 
@@ -131,7 +130,7 @@ impl<G: Graphics> Renderer<G> {
     /// What the first and the last colour of the last picture stand for, in the unit
     /// of [`DisplayMode::quantity`]; nothing where that measures nothing.
     pub fn scale(&self) -> Option<[f32; 2]> {
-        self.scale.ends()
+        self.motion.scale.ends()
     }
 
     /// Draws with so many lines from the next picture on.
@@ -139,10 +138,17 @@ impl<G: Graphics> Renderer<G> {
         self.lines = lines;
     }
 
-    /// Sends the particles and the embers to the graphics card.
-    pub fn upload(&mut self, gl: &G, instances: &[Instance], embers: &[Instance]) {
+    /// Sends the particles, as they are for that display mode, and the embers to the
+    /// graphics card.
+    pub fn upload(
+        &mut self,
+        gl: &G,
+        mode: DisplayMode,
+        instances: &[Instance],
+        embers: &[Instance],
+    ) {
         self.survey = Survey::of(instances, embers);
-        self.measured = extremes(instances);
+        self.measured = mode.quantity().and_then(|_| extremes(instances));
         self.particles.upload(gl, instances);
         self.embers.upload(gl, embers);
     }
@@ -189,7 +195,7 @@ impl<G: Graphics> Renderer<G> {
         gl.bind_vertex_array(Some(&self.studio.nothing));
         let (mode, model) = (parameters.display_mode, parameters.model());
         self.fit_colours(gl, Tint::of(parameters))?;
-        self.scale.see(mode, model, self.measured);
+        self.motion.scale.see(mode, model, self.measured);
         if mode == DisplayMode::Paper {
             self.paper(gl, layout, place, parameters);
             watch("paper");

@@ -37,6 +37,9 @@ pub fn extremes(instances: &[Instance]) -> Option<[f32; 2]> {
         return None;
     }
     let width = (most - least) / BINS as f32;
+    if width.is_infinite() {
+        return None;
+    }
     let mut bins = [0; BINS];
     let mut count = 0;
     for measured in measured() {

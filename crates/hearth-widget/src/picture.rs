@@ -82,7 +82,7 @@ impl Picture {
             };
             let passes = &mut drawing.passes;
             let [width, height] = easel.make_room(size);
-            renderer.upload(gl, instances, embers);
+            renderer.upload(gl, parameters.display_mode, instances, embers);
             let sent = host.now();
             renderer.set_lines(lines);
             passes.begin(context, host);

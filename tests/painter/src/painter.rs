@@ -265,7 +265,8 @@ impl Easel {
             .renderer
             .as_mut()
             .ok_or("nobody paints here any more")?;
-        renderer.upload(&self.gl, &fire.instances, &fire.embers);
+        let mode = fire.parameters.display_mode;
+        renderer.upload(&self.gl, mode, &fire.instances, &fire.embers);
         let view = View {
             width,
             height,

@@ -106,7 +106,7 @@ impl Canvas {
         [particles, embers]: [&[Instance]; 2],
         parameters: &Parameters,
     ) -> Result<Pixels, JsValue> {
-        renderer.upload(&self.gl, particles, embers);
+        renderer.upload(&self.gl, parameters.display_mode, particles, embers);
         let view = View { time, ..self.view };
         renderer.paint(&self.gl, &view, parameters).map_err(words)?;
         let View { width, height, .. } = self.view;

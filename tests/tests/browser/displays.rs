@@ -376,7 +376,8 @@ fn a_context_lost_on_the_way_is_survived_in_every_mode() -> Result<(), JsValue> 
         let canvas = Canvas::new(WIDTH, HEIGHT)?;
         let particles = instances(&mut fire, mode)?;
         let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-        renderer.upload(&canvas.gl, &particles, &[]);
+        let mode = fire.parameters().display_mode;
+        renderer.upload(&canvas.gl, mode, &particles, &[]);
         canvas.lose_context()?;
         let view = View {
             width: WIDTH,

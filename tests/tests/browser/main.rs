@@ -12,7 +12,7 @@ mod scale;
 
 use canvas::{Canvas, Pixels, words};
 use hearth_core::Instance;
-use hearth_core::params::{Input, Model, Parameters};
+use hearth_core::params::{DisplayMode, Input, Model, Parameters};
 use hearth_render::{Renderer, TargetFormat, View};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::{console_log, wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -221,7 +221,12 @@ fn one_renderer_follows_a_change_of_size() -> Result<(), JsValue> {
 fn a_view_of_no_size_is_nothing_to_paint() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-    renderer.upload(&canvas.gl, &puff((0.0, 0.3), 1900.0), &[]);
+    renderer.upload(
+        &canvas.gl,
+        DisplayMode::Fire,
+        &puff((0.0, 0.3), 1900.0),
+        &[],
+    );
     for (width, height) in [(0, 0), (0, HEIGHT), (WIDTH, 0)] {
         let view = View {
             width,
@@ -259,9 +264,19 @@ fn a_context_lost_on_the_way_is_survived() -> Result<(), JsValue> {
         height: HEIGHT,
         time: 0.0,
     };
-    renderer.upload(&canvas.gl, &puff((0.0, 0.3), 1900.0), &[]);
+    renderer.upload(
+        &canvas.gl,
+        DisplayMode::Fire,
+        &puff((0.0, 0.3), 1900.0),
+        &[],
+    );
     canvas.lose_context()?;
-    renderer.upload(&canvas.gl, &puff((0.1, 0.3), 1900.0), &[]);
+    renderer.upload(
+        &canvas.gl,
+        DisplayMode::Fire,
+        &puff((0.1, 0.3), 1900.0),
+        &[],
+    );
     // Whether it says so or paints into nothing: the page goes on.
     let _ = renderer.paint(&canvas.gl, &view, &Parameters::new(Model::Classic));
     renderer.destroy(&canvas.gl);

@@ -411,19 +411,19 @@ pub static CAPTIONS: &[Caption] = &[
     },
     Caption {
         label: "Paper, buoyancy",
-        description: "The same with much more buoyancy: the fire is narrower and taller.",
+        description: "As Paper, plain, with much more buoyancy and shorter lives: the fire is narrower.",
     },
     Caption {
         label: "Paper, plain",
-        description: "The classic model drawn as in the paper, with the fire that the next three change.",
+        description: "The classic model drawn as in the paper: the fire that three other scenes change.",
     },
     Caption {
         label: "Paper, smoothing",
-        description: "The same with a three times larger smoothing radius: its particles cluster.",
+        description: "As Paper, plain, with a three times larger smoothing radius: its particles cluster.",
     },
     Caption {
         label: "Paper, stiffness",
-        description: "The same with a ten times larger gas constant: the fire is wider.",
+        description: "As Paper, plain, with a ten times larger gas constant: the fire is wider.",
     },
     Caption {
         label: "Seed",

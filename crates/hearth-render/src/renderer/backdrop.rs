@@ -2,10 +2,10 @@
 //! makes shimmer. A page behind it cannot be made to.
 
 use hearth_core::Parameters;
-use hearth_core::params::Backdrop;
+use hearth_core::params::{Backdrop, Model};
 
 use super::fire::Fire;
-use super::{Renderer, without_hundreds};
+use super::{Renderer, combustion, without_hundreds};
 use crate::error::RenderError;
 use crate::format::TargetFormat;
 use crate::gl::Graphics;
@@ -22,13 +22,17 @@ const LAMP_LINES: u32 = 24;
 const BEND: f32 = 0.035;
 /// How far above the foot of the fire the wall meets the floor, as such a share.
 const BEHIND: f32 = 0.05;
+/// Highest foot of the fire that the floor reaches.
+const HIGHEST: f32 = 0.6;
 /// Waves of the haze in the height of the picture.
 const WAVES: f32 = 3.5;
 
 /// A backdrop that is drawn, and the light of the fire on it.
 pub struct Scenery<G: Graphics> {
-    /// What is drawn: for a picture of that size, a wall that stands so high in it.
-    of: ([u32; 2], f32),
+    /// Size of the picture that it is for.
+    size: [u32; 2],
+    /// Where the wall stands that is drawn; nothing is drawn yet.
+    foot: Option<f32>,
     /// Colours in plain light.
     seen: Target<G>,
     /// The light of the fire.
@@ -36,15 +40,27 @@ pub struct Scenery<G: Graphics> {
 }
 
 impl<G: Graphics> Scenery<G> {
-    fn new(gl: &G, format: TargetFormat, of: ([u32; 2], f32)) -> Result<Scenery<G>, RenderError> {
-        let [width, height] = of.0;
+    /// Room for one, in which nothing is drawn; no side is longer than `most`.
+    fn new(
+        gl: &G,
+        format: TargetFormat,
+        size: [u32; 2],
+        most: u32,
+    ) -> Result<Scenery<G>, RenderError> {
+        let [width, height] = size;
         let lines = |lines: u32| {
-            let lines = lines.min(height);
-            [(width * lines).div_ceil(height).max(1), lines]
+            let lines = lines.min(height).min(most);
+            let across = f64::from(width) * f64::from(lines) / f64::from(height);
+            [(across as u32).max(1).min(most), lines]
         };
         let seen = Target::new(gl, "scenery", TargetFormat::Rgba8, lines(LINES))?;
         match Target::new(gl, "lamp", format, lines(LAMP_LINES)) {
-            Ok(lamp) => Ok(Scenery { of, seen, lamp }),
+            Ok(lamp) => Ok(Scenery {
+                size,
+                foot: None,
+                seen,
+                lamp,
+            }),
             Err(error) => {
                 seen.destroy(gl);
                 Err(error)
@@ -59,6 +75,16 @@ impl<G: Graphics> Scenery<G> {
     }
 }
 
+/// Where the wall meets the floor, as a share of the picture: the fire stands on the
+/// floor, a little in front of the wall.
+fn foot(parameters: &Parameters) -> f32 {
+    let bottom = match parameters.model() {
+        Model::Classic => parameters.source_height,
+        Model::Combustion => combustion::burner(parameters)[0],
+    };
+    (bottom / parameters.domain_height).min(HIGHEST) + BEHIND
+}
+
 impl<G: Graphics> Renderer<G> {
     /// Draws the backdrop that is asked for, where it is not there yet.
     pub(super) fn fit_scenery(
@@ -67,31 +93,30 @@ impl<G: Graphics> Renderer<G> {
         layout: Layout,
         parameters: &Parameters,
     ) -> Result<(), RenderError> {
-        // The fire stands on the floor, a little in front of the wall.
-        let foot = parameters.source_height / parameters.domain_height + BEHIND;
-        let of = (layout.picture, foot);
+        let size = layout.picture;
         let wanted = parameters.backdrop == Backdrop::Bricks;
-        if wanted
-            && self
-                .scenery
-                .as_ref()
-                .is_some_and(|scenery| scenery.of == of)
-        {
-            return Ok(());
-        }
-        if let Some(old) = self.scenery.take() {
+        let old = self.scenery.take();
+        let fits = |scenery: &Scenery<G>| wanted && scenery.size == size;
+        if let Some(old) = old.as_ref().filter(|old| !fits(old)) {
             old.destroy(gl);
         }
         if !wanted {
             return Ok(());
         }
-        let scenery = Scenery::new(gl, self.studio.format, of)?;
-        let program = self.studio.passes.activate(gl, Pass::Scenery);
-        let [width, height] = layout.picture.map(|side| side as f32);
-        program.set(gl, "view", [width / height, foot, 0.0, 0.0]);
-        bind(gl, 0, &self.studio.noise);
-        scenery.seen.draw_here(gl, scenery.seen.size());
-        gl.draw_triangle();
+        let mut scenery = match old.filter(fits) {
+            Some(old) => old,
+            None => Scenery::new(gl, self.studio.format, size, self.studio.most)?,
+        };
+        let foot = foot(parameters);
+        if scenery.foot != Some(foot) {
+            scenery.foot = Some(foot);
+            let program = self.studio.passes.activate(gl, Pass::Scenery);
+            let [width, height] = size.map(|side| side as f32);
+            program.set(gl, "view", [width / height, foot, 0.0, 0.0]);
+            bind(gl, 0, &self.studio.noise);
+            scenery.seen.draw_here(gl, scenery.seen.size());
+            gl.draw_triangle();
+        }
         self.scenery = Some(scenery);
         Ok(())
     }

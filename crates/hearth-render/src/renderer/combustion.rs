@@ -48,7 +48,7 @@ pub(super) fn period(parameters: &Parameters) -> f32 {
 }
 
 /// Height and width of the burner \[m\] as the gas has it.
-fn burner(parameters: &Parameters) -> [f32; 2] {
+pub(super) fn burner(parameters: &Parameters) -> [f32; 2] {
     let burner = Burner::of(parameters);
     [burner.bottom, 2.0 * burner.half_width]
 }

@@ -11,29 +11,42 @@ fn main() -> io::Result<()> {
     for entry in fs::read_dir(shaders)? {
         let entry = entry?;
         let source = fs::read_to_string(entry.path())?;
-        let bare: String = source
-            .lines()
-            .map(|line| line.split("//").next().unwrap_or_default().trim())
-            .filter(|line| !line.is_empty())
-            .flat_map(|line| [without_blanks(line), "\n".into()])
-            .collect();
+        let bare = bare(&source);
         fs::write(out.join(entry.file_name()), bare)?;
     }
     Ok(())
 }
 
-/// `line` with only those blanks that keep two words, or two signs, apart.
-fn without_blanks(line: &str) -> String {
-    let word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    let sign = |c: char| c == '+' || c == '-';
-    let mut kept = String::with_capacity(line.len());
-    let mut rest = line.chars().peekable();
-    while let Some(c) = rest.next() {
-        let (before, after) = (kept.chars().next_back(), rest.peek().copied());
-        let apart = |of: fn(char) -> bool| before.is_some_and(of) && after.is_some_and(of);
-        if c != ' ' || apart(word) || apart(sign) {
-            kept.push(c);
+/// What a compiler reads of it: lines for it alone, and code with blanks only where
+/// two words would become one.
+fn bare(source: &str) -> String {
+    let lines = source
+        .lines()
+        .map(|line| line.split("//").next().unwrap_or_default().trim())
+        .filter(|line| !line.is_empty());
+    let mut kept = String::with_capacity(source.len());
+    for line in lines {
+        if line.starts_with('#') {
+            if !kept.is_empty() && !kept.ends_with('\n') {
+                kept.push('\n');
+            }
+            kept.push_str(line);
+            kept.push('\n');
+            continue;
+        }
+        for word in line.split_whitespace() {
+            if let (Some(last), Some(first)) = (kept.chars().last(), word.chars().next())
+                && (is_of_word(last) && is_of_word(first) || last == first && "+-".contains(last))
+            {
+                kept.push(' ');
+            }
+            kept.push_str(word);
         }
     }
+    kept.push('\n');
     kept
+}
+
+fn is_of_word(letter: char) -> bool {
+    letter.is_alphanumeric() || letter == '_' || letter == '.'
 }

@@ -14,6 +14,7 @@ const ALONE = {
   manners: 'counts the pictures of two seconds, and stirs a fire that burns meanwhile',
   many: 'watches for how long thirty fires hold the page up',
   memory: 'counts the objects of so many frames',
+  mirror: 'moves the focus out of the page and back, which comes late on a busy machine',
   model: 'holds the time that a fire tells against the clock',
   page: 'holds the speed of a fire against the clock',
   phone: 'draws nine times as many pixels as others',

@@ -42,3 +42,9 @@ mod webgl;
 
 #[cfg(target_arch = "wasm32")]
 pub use engine::Engine;
+
+/// wasm's memory, as it is given out: std's own way of that is 2 KB more to download, and
+/// a fire that burns asks for none.
+#[cfg(target_arch = "wasm32")]
+#[global_allocator]
+static MEMORY: rlsf::SmallGlobalTlsf = rlsf::SmallGlobalTlsf::new();

@@ -1,6 +1,6 @@
 /**
  * Takes the pictures that show in documentation what Hearth draws. `cargo xtask showcase`
- * runs this: `node showcase.mjs frames-folder [sheet.jpg picture.png…]`.
+ * runs this: `node showcase.mjs frames-folder frames-a-second [sheet.jpg picture.png…]`.
  *
  * Into the folder go the frames of an animation; into the sheet six moments of the
  * default fire, above what other systems draw, each at the size of its picture.
@@ -9,12 +9,11 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { Browser } from './driver.mjs';
 
-const [folder, sheet, ...others] = process.argv.slice(2);
-if (folder === undefined) throw new Error('usage: node showcase.mjs frames-folder [sheet.jpg picture.png…]');
+const [folder, rate, sheet, ...others] = process.argv.slice(2);
+if (!(Number(rate) > 0)) throw new Error('usage: node showcase.mjs frames-folder frames-a-second [sheet.jpg picture.png…]');
 
-/** Of the animation: seconds, frames a second, and its size. */
+/** Of the animation: how long it is [s], and its size. */
 const SECONDS = 5;
-const RATE = 20;
 const ANIMATED = { width: 480, height: 480 };
 
 /** Of the sheet: how many moments, how far apart they are [s], and the size of one. */
@@ -55,7 +54,7 @@ const source = (picture) => `data:image/png;base64,${Buffer.from(picture).toStri
 
 const browser = await Browser.launch();
 try {
-  const frames = await moments(browser, ANIMATED, { backdrop: 'bricks', heat_haze: 0.5 }, SECONDS * RATE, 1 / RATE);
+  const frames = await moments(browser, ANIMATED, { backdrop: 'bricks', heat_haze: 0.5 }, SECONDS * rate, 1 / rate);
   frames.forEach((frame, at) => writeFileSync(join(folder, `${String(at).padStart(3, '0')}.png`), frame));
 
   if (sheet !== undefined) {

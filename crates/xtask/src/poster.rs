@@ -5,23 +5,13 @@
 use anyhow::Result;
 
 use crate::stages::browser;
-use crate::{paths, process, site, tools};
+use crate::{paths, process};
 
 /// Builds the site and takes the picture of a fire in it.
 ///
 /// # Errors
 /// No browser, no Node, a site that does not build, or a picture without a fire.
 pub fn take() -> Result<()> {
-    let browser = tools::browser()?;
-    browser::packages()?;
-    site::build()?;
-    let root = paths::root();
-    process::run(
-        process::command("node")
-            .current_dir(root.join("tests").join("e2e"))
-            .arg("poster.mjs")
-            .arg(root.join("web").join("poster.jpg"))
-            .env("HEARTH_CHROMIUM", browser.chromium)
-            .env("HEARTH_SITE", paths::site()),
-    )
+    let mut script = browser::script("poster.mjs")?;
+    process::run(script.arg(paths::root().join("web").join("poster.jpg")))
 }

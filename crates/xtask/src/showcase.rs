@@ -12,8 +12,8 @@ use crate::{paths, process, site, tools};
 
 /// Most of the animation \[bytes\].
 const LARGEST: u64 = 2_000_000;
-/// Time of a frame \[ms\]; `RATE` in `tests/e2e/showcase.mjs`.
-const FRAME: &str = "50";
+/// Pictures a second of it.
+const RATE: u32 = 20;
 
 /// Builds the site and takes the pictures; `others` are set beside ours.
 ///
@@ -21,44 +21,35 @@ const FRAME: &str = "50";
 /// No browser, no Node, no `img2webp`, a site that does not build, or an animation that
 /// is too large.
 pub fn take(others: &[PathBuf]) -> Result<()> {
-    let browser = tools::browser()?;
     tools::webp()?;
-    browser::packages()?;
-    site::build()?;
-    let root = paths::root();
-    let docs = root.join("docs");
-    let frames = paths::root().join("target").join("showcase");
-    if frames.exists() {
-        fs::remove_dir_all(&frames).context("the folder of the frames")?;
+    let mut script = browser::script("showcase.mjs")?;
+    let docs = paths::root().join("docs");
+    let made = site::target_folder()?.join("hearth-showcase");
+    if made.exists() {
+        fs::remove_dir_all(&made).context("the folder of the frames")?;
     }
-    fs::create_dir_all(&frames).context("the folder of the frames")?;
-    let mut node = process::command("node");
-    node.current_dir(root.join("tests").join("e2e"))
-        .arg("showcase.mjs")
-        .arg(&frames)
-        .env("HEARTH_CHROMIUM", browser.chromium)
-        .env("HEARTH_SITE", paths::site());
+    fs::create_dir_all(&made).context("the folder of the frames")?;
+    script.arg(&made).arg(RATE.to_string());
     if !others.is_empty() {
-        node.arg(docs.join("comparison.jpg"));
+        script.arg(docs.join("comparison.jpg"));
         for other in others {
-            node.arg(
-                other
-                    .canonicalize()
-                    .with_context(|| format!("no {}", other.display()))?,
-            );
+            let there = other.canonicalize();
+            script.arg(there.with_context(|| format!("no {}", other.display()))?);
         }
     }
-    process::run(&mut node)?;
+    process::run(&mut script)?;
 
-    let mut pictures: Vec<PathBuf> = fs::read_dir(&frames)?
+    let mut frames: Vec<PathBuf> = fs::read_dir(&made)?
         .map(|entry| entry.map(|entry| entry.path()))
         .collect::<Result<_, _>>()?;
-    pictures.sort();
-    let animation = docs.join("fire.webp");
+    frames.sort();
+    // Looked at before it takes the place of the last one.
+    let animation = made.join("fire.webp");
     process::run(
         process::command("img2webp")
-            .args(["-loop", "0", "-lossy", "-q", "62", "-m", "6", "-d", FRAME])
-            .args(&pictures)
+            .args(["-loop", "0", "-lossy", "-q", "62", "-m", "6", "-d"])
+            .arg((1000 / RATE).to_string())
+            .args(&frames)
             .arg("-o")
             .arg(&animation),
     )?;
@@ -66,10 +57,7 @@ pub fn take(others: &[PathBuf]) -> Result<()> {
     if size > LARGEST {
         bail!("the animation takes {size} bytes, more than {LARGEST}");
     }
-    println!(
-        "{}: {} frames, {size} bytes",
-        animation.display(),
-        pictures.len()
-    );
+    fs::copy(&animation, docs.join("fire.webp"))?;
+    println!("docs/fire.webp: {} frames, {size} bytes", frames.len());
     Ok(())
 }

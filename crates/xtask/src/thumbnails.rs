@@ -5,7 +5,7 @@
 use anyhow::Result;
 
 use crate::stages::browser;
-use crate::{paths, process, site, tools};
+use crate::{paths, process};
 
 /// Builds the site and takes the pictures of these scenes in it; without a name, of
 /// all of them.
@@ -13,19 +13,9 @@ use crate::{paths, process, site, tools};
 /// # Errors
 /// No browser, no Node, a site that does not build, or a name that no scene has.
 pub fn take(names: &[String]) -> Result<()> {
-    let browser = tools::browser()?;
-    browser::packages()?;
-    site::build()?;
-    let root = paths::root();
-    process::run(
-        process::command("node")
-            .current_dir(root.join("tests").join("e2e"))
-            .arg("thumbnails.mjs")
-            .arg(root.join("web").join("scenes"))
-            .args(names)
-            .env("HEARTH_CHROMIUM", browser.chromium)
-            .env("HEARTH_SITE", paths::site()),
-    )
+    let mut script = browser::script("thumbnails.mjs")?;
+    script.arg(paths::root().join("web").join("scenes"));
+    process::run(script.args(names))
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use std::process::Command;
 
 use anyhow::Result;
 
-use crate::{npm, paths, process, tools};
+use crate::{npm, paths, process, site, tools};
 
 /// Longest time for one wasm test program, in seconds: a browser that draws
 /// without a GPU on two cores is slow.
@@ -56,12 +56,31 @@ pub(super) fn smoke(folder: &Path, address: Option<&str>) -> Result<()> {
 
 /// Runs a test that drives Chromium against the site in `folder`.
 fn drive(test: &mut Command, folder: &Path) -> Result<()> {
+    equip(test, folder)?;
+    process::run(test)
+}
+
+/// Builds the site; returns the script of that name beside the tests, with what it needs
+/// to look at it.
+///
+/// # Errors
+/// No browser, no Node, or a site that does not build.
+pub(crate) fn script(name: &str) -> Result<Command> {
+    let mut script = in_e2e("node");
+    script.arg(name);
+    equip(&mut script, &paths::site())?;
+    site::build()?;
+    Ok(script)
+}
+
+/// Gives a script the browser, and the site in `folder`.
+fn equip(script: &mut Command, folder: &Path) -> Result<()> {
     let browser = tools::browser()?;
     packages()?;
-    process::run(
-        test.env("HEARTH_CHROMIUM", browser.chromium)
-            .env("HEARTH_SITE", folder),
-    )
+    script
+        .env("HEARTH_CHROMIUM", browser.chromium)
+        .env("HEARTH_SITE", folder);
+    Ok(())
 }
 
 /// Makes sure that what drives the browser is installed.

@@ -514,8 +514,6 @@ export class HearthFire extends FireAttributes {
         this.#ownNumber = message.ownNumber;
         this.#preset = message.preset;
         if (message.anew) this.#reflectPreset();
-        // Its next picture tells what another display measures.
-        if ('display_mode' in message.values) this.#manners.measure();
         if (!this.#announced) break;
         for (const [id, value] of Object.entries(message.values)) {
           this.#emit('params-change', { id, value, source: message.source });

@@ -130,6 +130,43 @@ describe('the bar', () => {
     assert.deepEqual(tab.problems, []);
   });
 
+  test('stays from one display to the next, and goes with the picture that has none', async () => {
+    const tab = await browser.open('<hearth-fire display-mode="temperature"></hearth-fire>');
+    await labelled(tab, /^Temperature/);
+    await tab.fire((fire) => {
+      const bar = fire.shadowRoot.querySelector('[part="scale"]');
+      const seen = (/** @type {any} */ (window).seen = []);
+      new MutationObserver(() => seen.push(bar.hidden ? '' : bar.getAttribute('aria-label')))
+        .observe(bar, { attributeFilter: ['hidden', 'aria-label'] });
+    });
+    for (const mode of ['particles', 'velocity', 'temperature']) {
+      await tab.fire((fire, wanted) => fire.set('display_mode', wanted), mode);
+      await labelled(tab, mode === 'velocity' ? /^Speed/ : /^Temperature/);
+      await tab.burnt((await tab.fire((fire) => fire.stats.time)) + 0.3);
+    }
+    const seen = await tab.evaluate(() => /** @type {any} */ (window).seen);
+    assert.ok(seen.some((label) => label.startsWith('Speed')) && !seen.includes(''), String(seen));
+    await tab.fire((fire) => fire.set('display_mode', 'fire'));
+    await gone(tab);
+  });
+
+  test('never gives one quantity the numbers of another', async () => {
+    const tab = await browser.open('<hearth-fire display-mode="temperature"></hearth-fire>');
+    await labelled(tab, /^Temperature/);
+    const told = await tab.fire((fire) => new Promise((resolve) => {
+      /** @type {unknown[]} */
+      const told = [];
+      fire.addEventListener('params-change', () => fire.addEventListener('stats', ({ detail }) => {
+        if (told.push(detail.scale) === 3) resolve(told);
+      }));
+      fire.set('display_mode', 'velocity');
+      // Until all of them are made nothing is drawn.
+      fire.step(100_000).catch(() => {});
+    }));
+    for (const scale of told) assert.ok(scale === null || scale[1] < 100, `${scale} m/s`);
+    await tab.fire((fire) => fire.destroy());
+  });
+
   test('says the range of the picture, and follows it', async () => {
     // The engine's word about its range is put in its mouth.
     const beforeWorker = () => {

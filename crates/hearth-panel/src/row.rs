@@ -12,8 +12,8 @@ use crate::panel::{Panel, in_sight, strip};
 use crate::{control, theme};
 
 /// How much is seen of a control whose value counts for nothing at present: it can
-/// be set all the same, so it has to be read.
-const IDLE: f32 = 0.5;
+/// be set all the same, so its words keep 4.5:1 wherever they stand.
+const IDLE: f32 = 0.8;
 
 /// Shows the row of `param`.
 pub fn show(panel: &mut Panel, ui: &mut Ui, param: &'static Param) {
@@ -105,11 +105,11 @@ pub fn line(panel: &mut Panel, ui: &mut Ui, param: &'static Param, height: f32) 
 
 /// The name of a parameter at the left of `rect`, which tells about it.
 pub fn name(panel: &mut Panel, ui: &mut Ui, param: &'static Param, rect: Rect) -> Rect {
-    let label = ui.painter().layout_no_wrap(
-        param.description().label.to_owned(),
-        theme::body(),
-        theme::TEXT,
-    );
+    let counts = param.waits_for(&panel.fire.parameters).next().is_none();
+    let rest = if counts { theme::TEXT } else { theme::WEAK };
+    let label =
+        ui.painter()
+            .layout_no_wrap(param.description().label.to_owned(), theme::body(), rest);
     let name = Rect::from_min_size(rect.min, vec2(label.size().x + 4.0, rect.height()));
     let response = ui
         .interact(name, Id::unique(("name", param.id)), Sense::click())
@@ -117,7 +117,7 @@ pub fn name(panel: &mut Panel, ui: &mut Ui, param: &'static Param, rect: Rect) -
     let ink = if response.hovered() {
         theme::ACCENT
     } else {
-        theme::TEXT
+        rest
     };
     let at = pos2(rect.left(), rect.center().y - label.size().y / 2.0);
     ui.painter().galley_with_override_text_color(at, label, ink);
@@ -187,4 +187,44 @@ pub fn value(ui: &Ui, room: Rect, text: &str, unit: &str, ink: Color32) -> Rect 
     let gap = if unit.is_empty() { 0.0 } else { 4.0 };
     let at = pos2(place.left() - gap, room.center().y);
     place.union(painter.text(at, Align2::RIGHT_CENTER, text, theme::body(), ink))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// How bright a colour is, as the contrast of two is defined (WCAG 2).
+    fn luminance(colour: Color32) -> f64 {
+        let [r, g, b, _] = colour.to_array().map(|byte| {
+            let part = f64::from(byte) / 255.0;
+            if part <= 0.04045 {
+                part / 12.92
+            } else {
+                ((part + 0.055) / 1.055).powf(2.4)
+            }
+        });
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    }
+
+    #[test]
+    fn words_that_are_dimmed_can_be_read() {
+        let on = |ground: Color32, ink: Color32| ground.lerp_to_gamma(ink, IDLE);
+        // The panel, a row that is pointed at, and in both a button, also a lit one.
+        for behind in [theme::GROUND, theme::RAISED] {
+            let words = [
+                (behind, theme::TEXT),
+                (behind, theme::WEAK),
+                (behind, theme::ACCENT),
+                (on(behind, theme::RAISED), theme::TEXT),
+                (on(behind, theme::HOVERED), theme::TEXT),
+                (on(behind, theme::EMBER), theme::TEXT),
+            ];
+            for (ground, ink) in words {
+                let [ground, ink] =
+                    [ground, on(ground, ink)].map(|colour| luminance(colour) + 0.05);
+                let contrast = ink / ground;
+                assert!(contrast >= 4.5, "{contrast} in {ink:?} on {ground:?}");
+            }
+        }
+    }
 }

@@ -127,9 +127,9 @@ impl<G: Graphics> Renderer<G> {
         self.motion.drift.forget();
     }
 
-    /// What the first and the last colour of the last picture stand for, in the unit
-    /// of [`DisplayMode::quantity`]; nothing where that measures nothing.
-    pub fn scale(&self) -> Option<[f32; 2]> {
+    /// The display of the last picture, and what its first and its last colour stand
+    /// for, in the unit of [`DisplayMode::quantity`]; nothing where that measures nothing.
+    pub fn scale(&self) -> Option<(DisplayMode, [f32; 2])> {
         self.motion.scale.ends()
     }
 

@@ -69,9 +69,9 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// The ends; nothing where nothing is measured.
-    pub fn ends(&self) -> Option<[f32; 2]> {
-        self.of.map(|_| self.ends)
+    /// What is measured, and the ends; nothing where nothing is.
+    pub fn ends(&self) -> Option<(DisplayMode, [f32; 2])> {
+        self.of.map(|(mode, _)| (mode, self.ends))
     }
 
     /// Takes in what a picture measures.
@@ -152,7 +152,7 @@ mod tests {
         for seen in seen {
             scale.see(mode, Model::Combustion, Some(seen));
         }
-        scale.ends().unwrap()
+        scale.ends().unwrap().1
     }
 
     #[test]
@@ -243,11 +243,12 @@ mod tests {
             [0.0, 0.8]
         );
         scale.see(DisplayMode::Fuel, Model::Classic, Some([0.0, 0.1]));
-        assert_eq!(scale.ends(), Some([0.0, 0.1]));
+        assert_eq!(scale.ends(), Some((DisplayMode::Fuel, [0.0, 0.1])));
         for name in DisplayMode::NAMES {
             let mode = DisplayMode::from_name(name).unwrap();
             scale.see(mode, Model::Classic, None);
-            assert_eq!(scale.ends().is_some(), mode.quantity().is_some());
+            let measured = scale.ends().map(|(mode, _)| mode);
+            assert_eq!(measured, mode.quantity().map(|_| mode));
         }
     }
 }

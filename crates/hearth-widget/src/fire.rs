@@ -478,7 +478,11 @@ impl Fire {
             passes: passes.map_or(&[], |passes| &passes.times),
             pass_timer: passes.map_or("", |passes| passes.timer()),
             quality: &self.quality,
-            scale: self.picture.scale(),
+            // Until the display that is wanted is drawn, its colours stand for nothing.
+            scale: match self.picture.scale() {
+                Some((mode, ends)) if mode == self.wanted.parameters.display_mode => Some(ends),
+                _ => None,
+            },
         };
         out.stats(self.id, &stats);
     }

@@ -1,5 +1,6 @@
 //! The picture of one fire: what it needs for itself in the context that all share.
 
+use hearth_core::params::DisplayMode;
 use hearth_core::{Instance, Parameters};
 use hearth_render::{Lines, Motion, Renderer, View};
 
@@ -49,8 +50,9 @@ impl Picture {
         self.drawing.as_ref().map(|drawing| &drawing.passes)
     }
 
-    /// What its first and its last colour stand for, where they measure something.
-    pub fn scale(&self) -> Option<[f32; 2]> {
+    /// The display that it was drawn with, and what its first and its last colour
+    /// stand for, where they measure something.
+    pub fn scale(&self) -> Option<(DisplayMode, [f32; 2])> {
         self.drawing.as_ref()?.renderer.as_ref()?.scale()
     }
 

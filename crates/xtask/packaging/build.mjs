@@ -33,7 +33,8 @@ const code = await reached(site, beginningsOf(source));
 const types = await typesReached(site, typesOf(source));
 
 await rm(out, { recursive: true, force: true });
-for (const file of [...code, ...types, ...(await pictures(site)), source.customElements]) {
+const shown = await pictures(site);
+for (const file of [...code, ...types, ...shown, source.customElements]) {
   await put(path.join(site, file), file);
 }
 for (const [from, to] of Object.entries(CARRIED)) {
@@ -56,11 +57,13 @@ async function put(from, to) {
 }
 
 /**
- * A document whose links into the rest of the checkout are their words only.
+ * A document whose links into the rest of the checkout are their words only; `web/` of
+ * the checkout is the package itself.
  * @param {string} name @param {string} text
  */
 function withoutLinksOut(name, text) {
-  return text.replace(/\[([^\]]*)\]\(([^)#:]+)(?:#[^)]*)?\)/g, (link, words, to) => (
-    DOCS.includes(path.posix.join(path.posix.dirname(name), to)) ? link : words
+  const inside = text.replaceAll('](../web/', '](../');
+  return inside.replace(/\[([^\]]*)\]\(([^)#:]+)(?:#[^)]*)?\)/g, (link, words, to) => (
+    [...DOCS, ...shown].includes(path.posix.join(path.posix.dirname(name), to)) ? link : words
   ));
 }

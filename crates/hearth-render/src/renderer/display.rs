@@ -89,7 +89,7 @@ impl<G: Graphics> Fire<'_, G> {
             ..
         } = *self;
         let program = renderer.studio.passes.activate(gl, pass);
-        let [least, most] = renderer.scale().unwrap_or([0.0, 1.0]);
+        let [least, most] = renderer.scale().map_or([0.0, 1.0], |(_, ends)| ends);
         let quantity = parameters.display_mode.quantity();
         let signed = f32::from(quantity.is_some_and(|quantity| quantity.signed));
         let solid = match parameters.model() {

@@ -77,7 +77,13 @@ fn row(param: &Param) -> String {
 fn condition(description: &Description) -> String {
     let each = description.when.iter().map(|(id, names)| {
         let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
-        format!("`{id}` {}", names.join(" or "))
+        let names = match names.split_last() {
+            Some((last, others)) if !others.is_empty() => {
+                format!("{} or {last}", others.join(", "))
+            }
+            _ => names.concat(),
+        };
+        format!("`{id}` {names}")
     });
     match each.collect::<Vec<_>>() {
         each if each.is_empty() => String::new(),
@@ -161,6 +167,19 @@ mod tests {
                 assert!(cell.starts_with(&expected), "{} of {model:?}", param.id);
             }
         }
+    }
+
+    #[test]
+    fn a_condition_reads_as_in_the_panel() {
+        let when: &[(_, &[_])] = &[("a", &["x", "y", "z"]), ("b", &["x", "y"]), ("c", &["x"])];
+        let description = Description {
+            when,
+            ..*PARAMETERS[0].description()
+        };
+        assert_eq!(
+            condition(&description),
+            " Only with `a` `x`, `y` or `z` and `b` `x` or `y` and `c` `x`."
+        );
     }
 
     #[test]

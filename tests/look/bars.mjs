@@ -37,11 +37,11 @@ export const TELLING = ['display_mode', 'palette', 'backdrop', 'background', 'wi
 export const BARS = [
   {
     id: 'flashes',
-    words: 'general flashes of a large area at once, in any second',
+    words: 'general flashes of more than a quarter of a field, in any second',
     bar: '≤ 3',
     figure: (found) => found.flashes.general,
     holds: ({ passes }) => passes,
-    show: ({ flashes, area }) => `${flashes}; ${percent(area / 4)}`,
+    show: ({ flashes, area }) => `${flashes}; ${percent(area)}`,
     brief: true,
   },
   {
@@ -50,7 +50,7 @@ export const BARS = [
     bar: '≤ 3',
     figure: (found) => found.flashes.red,
     holds: ({ passes }) => passes,
-    show: ({ flashes, area }) => `${flashes}; ${percent(area / 4)}`,
+    show: ({ flashes, area }) => `${flashes}; ${percent(area)}`,
     brief: true,
   },
   {

@@ -38,7 +38,7 @@ try {
       missed += 1;
       return `**${show(value)}**`;
     });
-    const share = (/** @type {number} */ of) => `${(25 * of).toFixed(0)} %`;
+    const share = (/** @type {number} */ of) => `${(100 * of).toFixed(0)} %`;
     const { general, red } = found.flashes;
     lines.push(`| ${lit} | ${cells.join(' | ')} | ${share(general.flickers)}, ${share(red.flickers)} |`);
     console.log(lines.at(-1));
@@ -47,7 +47,7 @@ try {
   await studio.close();
 }
 writeFileSync(file, `Each scene for ${SECONDS} s as the page shows it at 1024 × 768, 30 pictures a second. What is bold misses its bar. `
-  + 'Behind the number of flashes: the most of a field of 10° that flashed more than three times in a second, at once; 25 % are allowed.\n\n'
+  + 'Behind the number of flashes: the most of a field of 10° that flashed together more than three times in a second; 25 % are allowed.\n\n'
   + `${lines.join('\n')}\n`);
 if (missed > 0) {
   console.log(`${missed} figures miss their bars`);

@@ -18,22 +18,33 @@ pub fn run(names: &[String]) -> Result<()> {
     if table.exists() {
         fs::remove_file(&table)?;
     }
-    let held = process::run(watch.arg(&table).args(names));
+    watch.arg(&table).args(names);
     if !names.is_empty() {
-        return held;
+        return process::run(&mut watch);
     }
 
+    // A minute of every scene is long: it is to be known before that it can be written down.
+    write(None)?;
+    let held = process::run(&mut watch);
     // What was seen is written down whether or not it holds.
     let Ok(table) = fs::read_to_string(table) else {
         held?;
         bail!("nobody looked");
     };
+    write(Some(&table))?;
+    held
+}
+
+/// Writes that table into the page; without one it only sees that it could.
+fn write(table: Option<&str>) -> Result<()> {
     let page = paths::root().join("docs").join("evaluation.md");
     let present = fs::read_to_string(&page)
         .with_context(|| format!("cannot read {}", paths::shown(&page)))?;
-    let updated = marks::with(&present, "looked", &table)
-        .with_context(|| format!("{} lacks its marks", paths::shown(&page)))?;
-    fs::write(&page, updated)?;
-    println!("wrote {}", paths::shown(&page));
-    held
+    let updated = marks::with(&present, "looked", table.unwrap_or_default())
+        .with_context(|| format!("{} lacks the marks `looked`", paths::shown(&page)))?;
+    if table.is_some() {
+        fs::write(&page, updated)?;
+        println!("wrote {}", paths::shown(&page));
+    }
+    Ok(())
 }

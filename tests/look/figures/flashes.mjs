@@ -1,18 +1,17 @@
 /**
- * Flashes by success criterion 2.3.1 of the Web Content Accessibility Guidelines:
- * nothing flashes more than three times in any second, unless what flashes is small.
+ * Flashes by success criterion 2.3.1 of the Web Content Accessibility Guidelines 2.2:
+ * no more than three general flashes, and no more than three red ones, in any second,
+ * unless those that happen concurrently fill no more than a quarter of any field of
+ * 10°: 341 × 256 px at 1024 × 768.
  *
  * A general flash is a pair of opposing changes of relative luminance by a tenth of
  * white or more, the darker of which is below 0.80. A red flash is a pair of opposing
- * changes to or from a saturated red, by more than 20 in (R − G − B) × 320. Flashes
- * are small where those at a time fill no more than a quarter of any field of 10°:
- * 341 × 256 px at 1024 × 768.
+ * changes to or from a saturated red, by more than 0.2 in the chromaticity of CIE 1976.
  *
- * Two things count: places that each flash too often and change at the same time, the
- * same way; and changes of a large part of one field, of whichever places, that follow
- * one another. A flame flickers
- * at every place by itself. How much of it flickers too often, at whatever time, is a
- * third figure, which the criterion does not ask for.
+ * So a flash of a field is one of more than a quarter of it that changes together, there
+ * and back, whichever places they are the next time. Places that flicker each in its own
+ * time are no flash of their sum: how much of a field flickers too often, at whatever
+ * time, is told beside it, and the criterion does not ask for that.
  *
  * It is asked of a film, picture by picture, in a browser and in Node alike.
  */
@@ -21,48 +20,25 @@ import { LINEAR } from './colour.mjs';
 
 /** Of a field of 10° [CSS px]. */
 const FIELD = [341, 256];
-/** More than so much of it is not small [CSS px²]. */
-export const SMALL = 0.25 * FIELD[0] * FIELD[1];
+/** More than such a share of it is not small. */
+export const SMALL = 0.25;
+/** The shares that are asked whether so much flashes too often: that tells how near to
+    the criterion a film comes. */
+const SHARES = Array.from({ length: 40 }, (_, at) => (at + 1) / 40);
 /** Changes in a second beyond which there are more than three pairs of them. */
 const MOST = 6;
-/** Changes less apart than so happen at the same time [s]: it is less than half of the
-    shortest time that four flashes a second leave to each. */
-const AT_ONCE = 0.1;
+/** What changes within so long changes together [s]: in one picture of thirty a second,
+    or, where an edge comes between two, in two. In three, places that flicker five times
+    a second, each in its own time, would half of them seem to change at once. */
+const TOGETHER = [0.02, 0.05];
+/** Changes together are over when less than such a share of what they need goes on: a
+    steady flow of single ones, now a little more and now less, is no flash after flash. */
+const OVER = 0.5;
 
-/**
- * What changes: a value of linear light, whether a change from there or to there
- * counts, and by how much it has to.
- * @typedef {object} Kind
- * @property {(r: number, g: number, b: number) => number} value
- * @property {(r: number, g: number, b: number) => boolean} counts
- * @property {number} least
- */
-
-const luminance = (/** @type {number} */ r, /** @type {number} */ g, /** @type {number} */ b) => (
-  0.2126 * r + 0.7152 * g + 0.0722 * b
-);
-
-/** @type {{[name: string]: Kind}} */
-const KINDS = {
-  // The darker of two is below 0.80 where either is.
-  general: { value: luminance, counts: (r, g, b) => luminance(r, g, b) < 0.8, least: 0.1 - 1e-6 },
-  red: {
-    value: (r, g, b) => 320 * Math.max(r - g - b, 0),
-    counts: (r, g, b) => r > 0 && r / (r + g + b) >= 0.8,
-    least: 20 + 1e-6,
-  },
-};
-
-/** How one kind of change goes on at every place. */
+/** How often every place has changed, one way and the other. */
 class Changes {
-  /** @param {number} count @param {Kind} kind */
-  constructor(count, kind) {
-    this.kind = kind;
-    /** The lowest and the highest value since it last changed, and whether each counts. */
-    this.low = new Float32Array(count).fill(Infinity);
-    this.high = new Float32Array(count).fill(-Infinity);
-    this.lowCounts = new Uint8Array(count);
-    this.highCounts = new Uint8Array(count);
+  /** @param {number} count */
+  constructor(count) {
     /** 1: it went up last; −1: down; 0: it has never changed by so much. */
     this.went = new Int8Array(count);
     /** When each place changed the last times, in turn. */
@@ -71,28 +47,6 @@ class Changes {
     /** When it last went up, and down. */
     this.up = new Float32Array(count).fill(-Infinity);
     this.down = new Float32Array(count).fill(-Infinity);
-  }
-
-  /** @param {number} at @param {number} time @param {number} r @param {number} g @param {number} b */
-  see(at, time, r, g, b) {
-    const { kind, low, high, lowCounts, highCounts } = this;
-    const value = kind.value(r, g, b);
-    const counts = kind.counts(r, g, b);
-    if (this.went[at] <= 0 && value - low[at] >= kind.least && (counts || lowCounts[at])) {
-      this.change(at, time, 1);
-      high[at] = -Infinity;
-    } else if (this.went[at] >= 0 && high[at] - value >= kind.least && (counts || highCounts[at])) {
-      this.change(at, time, -1);
-      low[at] = Infinity;
-    }
-    if (value > high[at]) {
-      high[at] = value;
-      highCounts[at] = Number(counts);
-    }
-    if (value < low[at]) {
-      low[at] = value;
-      lowCounts[at] = Number(counts);
-    }
   }
 
   /** @param {number} at @param {number} time @param {number} way */
@@ -111,6 +65,135 @@ class Changes {
   }
 }
 
+/** Relative luminance, up and down. */
+class Light extends Changes {
+  /** A change is by so much, and between two of which one is below that. */
+  static LEAST = 0.1 - 1e-6;
+  static BRIGHT = 0.8;
+
+  /** @param {number} count */
+  constructor(count) {
+    super(count);
+    /** The lowest and the highest since it last changed. */
+    this.low = new Float32Array(count).fill(Infinity);
+    this.high = new Float32Array(count).fill(-Infinity);
+  }
+
+  /** @param {number} at @param {number} time @param {number} r @param {number} g @param {number} b */
+  see(at, time, r, g, b) {
+    const { low, high } = this;
+    const light = luminance(r, g, b);
+    if (this.went[at] <= 0 && light - low[at] >= Light.LEAST && low[at] < Light.BRIGHT) {
+      this.change(at, time, 1);
+      high[at] = -Infinity;
+    } else if (this.went[at] >= 0 && high[at] - light >= Light.LEAST && light < Light.BRIGHT) {
+      this.change(at, time, -1);
+      low[at] = Infinity;
+    }
+    high[at] = Math.max(high[at], light);
+    low[at] = Math.min(low[at], light);
+  }
+}
+
+/** To a saturated red, and from it. No two of these are 0.2 apart, so that a change is
+    always one between such a red and another colour. */
+class Red extends Changes {
+  /** A red of such a share of all light is saturated. */
+  static SATURATED = 0.8;
+  /** A change is by more than so much, here squared. */
+  static MOST = 0.2 ** 2;
+  /** Darker than that is black, which has no chromaticity, and counts as the white point
+      does: the chromaticity of the light that a screen reflects, which is what an eye sees
+      there. Below, a single step of eight bits would be the purest red. */
+  static BLACK = 0.001;
+  static WHITE = chromaticity(1, 1, 1);
+  static PRIMARY = chromaticity(1, 0, 0);
+
+  /** @param {number} count */
+  constructor(count) {
+    super(count);
+    /** The peak and the valley since it last changed: how red the reddest was (0: none
+        was), and how far from red the least red, squared; and their chromaticities. */
+    this.reddest = new Float32Array(count);
+    this.peak = new Float32Array(2 * count);
+    this.furthest = new Float32Array(count).fill(-1);
+    this.valley = new Float32Array(2 * count);
+  }
+
+  /** @param {number} at @param {number} time @param {number} r @param {number} g @param {number} b */
+  see(at, time, r, g, b) {
+    const dark = luminance(r, g, b) < Red.BLACK;
+    const uv = dark ? Red.WHITE : chromaticity(r, g, b);
+    const share = dark ? 0 : r / (r + g + b);
+    const red = share >= Red.SATURATED;
+    if (this.went[at] <= 0 && red && this.furthest[at] >= 0 && apart(uv, this.valley, at) > Red.MOST) {
+      this.change(at, time, 1);
+      this.reddest[at] = 0;
+    } else if (this.went[at] >= 0 && this.reddest[at] > 0 && apart(uv, this.peak, at) > Red.MOST) {
+      this.change(at, time, -1);
+      this.furthest[at] = -1;
+    }
+    if (red && share > this.reddest[at]) {
+      this.reddest[at] = share;
+      this.peak.set(uv, 2 * at);
+    }
+    const off = (uv[0] - Red.PRIMARY[0]) ** 2 + (uv[1] - Red.PRIMARY[1]) ** 2;
+    if (off > this.furthest[at]) {
+      this.furthest[at] = off;
+      this.valley.set(uv, 2 * at);
+    }
+  }
+}
+
+/** @param {number} r @param {number} g @param {number} b */
+function luminance(r, g, b) {
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+}
+
+/** u′ and v′ of CIE 1976, of linear sRGB. @param {number} r @param {number} g @param {number} b */
+function chromaticity(r, g, b) {
+  const x = 0.4123908 * r + 0.3575843 * g + 0.1804808 * b;
+  const y = 0.212639 * r + 0.7151687 * g + 0.0721923 * b;
+  const z = 0.0193308 * r + 0.1191948 * g + 0.9505322 * b;
+  const all = x + 15 * y + 3 * z;
+  return [(4 * x) / all, (9 * y) / all];
+}
+
+/** How far one chromaticity is from another of many, squared.
+    @param {number[]} uv @param {Float32Array} of @param {number} at */
+function apart([u, v], of, at) {
+  return (u - of[2 * at]) ** 2 + (v - of[2 * at + 1]) ** 2;
+}
+
+/** What fields have done together, each asked for one share of its area. */
+class Together {
+  /** @param {number} count */
+  constructor(count) {
+    this.times = Array.from({ length: count }, () => /** @type {number[]} */ ([]));
+    /** Which way each went last, and which way it goes just now. */
+    this.went = new Int8Array(count);
+    this.going = { up: new Uint8Array(count), down: new Uint8Array(count) };
+    /** Most changes in a second. */
+    this.most = new Uint16Array(count);
+  }
+
+  /** @param {number} at @param {number} time @param {'up' | 'down'} way @param {boolean} large @param {boolean} over */
+  see(at, time, way, large, over) {
+    const going = this.going[way];
+    if (over) going[at] = 0;
+    if (!large || going[at]) return;
+    // However long it takes it is one; and one more that way is no opposing one.
+    going[at] = 1;
+    const sign = way === 'up' ? 1 : -1;
+    if (this.went[at] === sign) return;
+    this.went[at] = sign;
+    const times = this.times[at];
+    times.push(time);
+    while (times[0] <= time - 1 + 1e-4) times.shift();
+    this.most[at] = Math.max(this.most[at], times.length);
+  }
+}
+
 /** A film's flashes. */
 export class Flashes {
   /**
@@ -126,18 +209,13 @@ export class Flashes {
     this.corners = places(this.field[0], width).flatMap((x) => (
       places(this.field[1], height).map((y) => [x, y])
     ));
-    this.kinds = Object.entries(KINDS).map(([name, kind]) => ({
+    const count = width * height;
+    this.kinds = Object.entries({ general: new Light(count), red: new Red(count) }).map(([name, changes]) => ({
       name,
-      changes: new Changes(width * height, kind),
-      /** Largest area that flashed too often in a second, all of it at once [CSS px²]. */
-      area: 0,
-      /** The same, each place when it would. */
+      changes,
+      /** The largest share of a field that flickers too often, each place when it would. */
       flickers: 0,
-      /** Most changes of a large part of a field in a second. */
-      most: 0,
-      /** Of each field: when it changed, and which way; which way it goes just now. */
-      events: this.corners.map(() => /** @type {[number, number][]} */ ([])),
-      going: this.corners.map(() => ({ up: false, down: false })),
+      together: TOGETHER.map(() => SHARES.map(() => new Together(this.corners.length))),
     }));
     this.sums = new Float64Array((width + 1) * (height + 1));
   }
@@ -155,35 +233,27 @@ export class Flashes {
         changes.see(at, time, LINEAR[rgba[4 * at]], LINEAR[rgba[4 * at + 1]], LINEAR[rgba[4 * at + 2]]);
       }
       this.judge(kind, time);
+      this.sum((at) => changes.flashes(at, time));
+      kind.flickers = this.corners.reduce((most, corner) => Math.max(most, this.inField(corner)), kind.flickers);
     }
   }
 
   /** @param {any} kind @param {number} time */
-  judge(kind, time) {
-    const { changes, events, going } = kind;
-    const often = (/** @type {number} */ at) => changes.flashes(at, time);
-    const largest = () => this.corners.reduce((most, corner) => Math.max(most, this.inField(corner)), 0);
-    this.sum(often);
-    kind.flickers = Math.max(kind.flickers, largest());
-    for (const [way, times, others, sign] of [
-      ['up', changes.up, changes.down, 1],
-      ['down', changes.down, changes.up, -1],
-    ]) {
-      const now = (/** @type {number} */ at) => times[at] > time - AT_ONCE + 1e-4;
-      this.sum((at) => now(at) && often(at));
-      kind.area = Math.max(kind.area, largest());
-      // One half of a flash: what had gone the other way no more than a second ago.
-      this.sum((at) => now(at) && others[at] > time - 1 + 1e-4);
-      this.corners.forEach((corner, field) => {
-        const large = this.inField(corner) > SMALL;
-        // However long it takes it is one; and one more that way is no opposing one.
-        if (large && !going[field][way] && events[field].at(-1)?.[1] !== sign) events[field].push([time, sign]);
-        going[field][way] = large;
+  judge({ changes, together }, time) {
+    for (const [way, times, others] of /** @type {const} */ ([
+      ['up', changes.up, changes.down],
+      ['down', changes.down, changes.up],
+    ])) {
+      TOGETHER.forEach((long, which) => {
+        // One half of a flash: what had gone the other way no more than a second ago.
+        this.sum((at) => times[at] > time - long && others[at] > time - 1 + 1e-4);
+        this.corners.forEach((corner, field) => {
+          const share = this.inField(corner);
+          SHARES.forEach((least, at) => {
+            together[which][at].see(field, time, way, share > least, share < OVER * least);
+          });
+        });
       });
-    }
-    for (const one of events) {
-      while (one.length > 0 && one[0][0] <= time - 1 + 1e-4) one.shift();
-      kind.most = Math.max(kind.most, one.length);
     }
   }
 
@@ -201,26 +271,32 @@ export class Flashes {
     }
   }
 
-  /** The area of those in a field [CSS px²]. @param {number[]} corner */
+  /** The share of a field that they fill. @param {number[]} corner */
   inField([x, y]) {
     const stride = this.width + 1;
     const [right, low] = [Math.min(x + this.field[0], this.width), Math.min(y + this.field[1], this.height)];
     const { sums } = this;
     return (sums[low * stride + right] - sums[y * stride + right] - sums[low * stride + x] + sums[y * stride + x])
-      * this.pixel ** 2;
+      * (this.pixel ** 2 / (FIELD[0] * FIELD[1]));
   }
 
   /** What was found: for each kind, and whether all is well. */
   found() {
-    const kinds = Object.fromEntries(this.kinds.map(({ name, area, flickers, most }) => [name, {
-      /** What flashed more than three times in a second, at once, as a share of a quarter of a field. */
-      area: area / SMALL,
-      /** And each place when it would. */
-      flickers: flickers / SMALL,
-      /** Pairs of opposing changes of more than a quarter of a field in a second. */
-      flashes: most / 2,
-      passes: area <= SMALL && most <= MOST,
-    }]));
+    const kinds = Object.fromEntries(this.kinds.map(({ name, flickers, together }) => {
+      const most = SHARES.map((_, at) => (
+        Math.max(...together.flatMap((/** @type {Together[]} */ shares) => [...shares[at].most]))
+      ));
+      const flashes = Math.max(...most.filter((_, at) => SHARES[at] >= SMALL)) / 2;
+      return [name, {
+        /** Pairs of opposing changes of more than a quarter of a field in a second. */
+        flashes,
+        /** More than that share of a field flashed more than three times in a second. */
+        area: Math.max(0, ...SHARES.filter((_, at) => most[at] > MOST)),
+        /** And that share did, each place when it would. */
+        flickers,
+        passes: flashes <= MOST / 2,
+      }];
+    }));
     return { ...kinds, passes: Object.values(kinds).every(({ passes }) => passes) };
   }
 }

@@ -61,8 +61,10 @@ The name is made of small letters, digits and hyphens. Then
 
     cargo xtask codegen       # checks it; writes the table, the types and this page
     cargo xtask thumbnails    # draws its small picture, web/scenes/NAME.jpg
+    cargo xtask look NAME     # watches it for flashes and more, a minute long
 
-and `cargo xtask test native` burns it for a while. A value out of its range, an unknown
+and `cargo xtask test native` burns it for a while. A scene that flashes is made slower, dimmer
+or smaller until it does not: flashes can bring on seizures. A value out of its range, an unknown
 id, or one that the scene's model has no use for is refused with the file's name. The file
 is also one of settings as it stands: `<hearth-fire src=\"lantern.json\">` burns it anywhere,
 without its being one of these.

@@ -138,8 +138,7 @@ export class Desk extends EventTarget {
       scenes: PRESETS,
       pictureOf: (name) => beside(`scenes/${name}.jpg`),
       present: () => this.#fire.preset,
-      // What is refused is told by the element's error event.
-      choose: (name) => this.preset(name).then(this.#look, () => {}),
+      choose: (name) => this.#try(() => this.preset(name)).then(this.#look),
     }));
   }
 

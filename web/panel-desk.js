@@ -11,14 +11,15 @@ import { askForSettings, showKeys, showText } from './panel-cards.js';
 import { showScenes } from './panel-scenes.js';
 import { PARAMETERS, PRESETS } from './parameters.js';
 import { Steps } from './panel-steps.js';
-import { elementCode, iframeCode, pageLink } from './share.js';
+import { FILE as SHARE, elementCode, iframeCode, pageLink } from './share.js';
 
 /**
- * Where the files of this folder are; the site has this one in panel.js. A bundler gives
- * it another name, or the one of its own disk, and leaves most of the others out; then
- * nobody knows.
+ * Where the files of this folder are. A bundler puts several into one, or gives them the
+ * addresses of its own disk, and leaves most others out; then nobody knows. So this is known
+ * where share.js still is a file beside this one.
  */
-const FOLDER = /^https?:.*\/panel(-desk)?\.js(\?|$)/.test(import.meta.url) ? import.meta.url : undefined;
+const FOLDER = /^https?:/.test(import.meta.url) && SHARE.split('?')[0] === new URL('share.js', import.meta.url).href
+  ? import.meta.url : undefined;
 
 /** How long a button says that it has done it [ms]. */
 const DONE_MS = 2000;
@@ -138,8 +139,7 @@ export class Desk extends EventTarget {
       scenes: PRESETS,
       pictureOf: (name) => beside(`scenes/${name}.jpg`),
       present: () => this.#fire.preset,
-      // What is refused is told by the element's error event.
-      choose: (name) => this.preset(name).then(this.#look, () => {}),
+      choose: (name) => this.#try(() => this.preset(name)).then(this.#look),
     }));
   }
 

@@ -21,6 +21,9 @@ export function showScenes({ host, scenes, pictureOf, present, choose }) {
   const card = openCard(host, 'scenes', 'Scenes');
   const list = card.add('div', '');
   list.className = 'hearth-scenes';
+  // Buttons that arrows lead to; none of them is pressed by that.
+  list.setAttribute('role', 'toolbar');
+  list.setAttribute('aria-label', 'Scenes');
   const about = card.add('p', '');
   about.className = 'hearth-scenes-about';
   // Each picture has these words as its own.
@@ -93,11 +96,12 @@ function makeTile({ name, label, description = '' }, picture) {
   image.loading = 'lazy';
   image.decoding = 'async';
   image.draggable = false;
-  // What is broken would be drawn over the ground that stands in for it.
   image.addEventListener('error', () => tile.classList.add('bare'));
   if (picture) image.src = picture.href;
   else tile.classList.add('bare');
-  tile.append(image);
+  const ground = document.createElement('i');
+  ground.append(image);
+  tile.append(ground);
   return tile;
 }
 

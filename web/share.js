@@ -14,6 +14,9 @@
 import { DEFAULTS } from './defaults.js';
 import { OWN_ATTRIBUTES } from './fire-attributes.js';
 
+/** Where this file is; what a bundler made of it is somewhere else. */
+export const FILE = import.meta.url;
+
 /** The preset's names in an address: the first is written, both are read. */
 const PRESET = ['scene', 'preset'];
 

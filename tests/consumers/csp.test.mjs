@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { serve } from '../e2e/server.mjs';
 import { copied } from './package.mjs';
-import { browser, burnsWell } from './pages.mjs';
+import { browser, burnsWell, opensScenes } from './pages.mjs';
 
 const OTHERS = "worker-src 'self'; connect-src 'self'; style-src 'self'; img-src 'self'; report-uri /report";
 
@@ -21,10 +21,14 @@ before(async () => {
 });
 after(() => site?.close());
 
-/** Every file comes with the policy: a worker obeys that of its own script. @param {string} scripts */
-function under(scripts) {
+/**
+ * Every file comes with the policy: a worker obeys that of its own script.
+ * @param {string} scripts
+ * @param {Parameters<typeof site.replace>[0]} [others]
+ */
+function under(scripts, others = {}) {
   const policy = `default-src 'none'; script-src ${scripts}; ${OTHERS}`;
-  site.replace({ '': { headers: { 'content-security-policy': policy } } });
+  site.replace({ ...others, '': { headers: { 'content-security-policy': policy } } });
   refused.length = 0;
   return open(`${site.origin}/strict.html`);
 }
@@ -34,6 +38,25 @@ test('a strict policy that allows wasm is kept, by the worker too', async () => 
   await burnsWell(tab);
   assert.deepEqual(await tab.evaluate(() => /** @type {any} */ (window).violations), []);
   assert.deepEqual(refused, [], 'the browser reported a violation');
+});
+
+test('a strict policy is kept by the scenes of the panel, with their pictures or without', async () => {
+  const tab = await under("'self' 'wasm-unsafe-eval'", { '/candle.jpg': { drop: true } });
+  await tab.ready();
+  await tab.fire((fire) => {
+    fire.style.cssText = 'width: 640px; height: 480px';
+    fire.setAttribute('controls', '');
+  });
+  await opensScenes(tab);
+  await tab.fire((fire) => fire.shadowRoot.querySelector('[data-scene=candle]').scrollIntoView());
+  await tab.until('one picture is there, and one is known to be missing', () => {
+    const root = document.querySelector('hearth-fire')?.shadowRoot;
+    const picture = /** @type {HTMLImageElement} */ (root?.querySelector('[data-scene=default] img'));
+    return picture.naturalWidth > 0 && root?.querySelector('[data-scene=candle].bare');
+  });
+  await tab.frames(5);
+  assert.deepEqual(await tab.evaluate(() => /** @type {any} */ (window).violations), []);
+  assert.deepEqual(refused.filter((problem) => problem.endsWith('/report')), []);
 });
 
 test('a policy without wasm gives an error, the poster and words', async () => {

@@ -35,6 +35,18 @@ export async function burnsWell(tab, place = 'worker') {
 }
 
 /**
+ * The fire's panel comes and shows its scenes.
+ * @param {import('../e2e/driver.mjs').Tab} tab
+ */
+export async function opensScenes(tab) {
+  await tab.until('the panel has its buttons', () => {
+    const root = document.querySelector('hearth-fire')?.shadowRoot;
+    return root?.querySelector('[part~=panel] canvas') && root.querySelector('[data-action=scenes]');
+  });
+  await tab.fire((fire) => fire.shadowRoot.querySelector('[data-action=scenes]').click());
+}
+
+/**
  * A page with a fire, as small as there can be one.
  * @param {string} script where the element's module is
  */

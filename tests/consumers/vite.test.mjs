@@ -7,7 +7,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { installed } from './package.mjs';
-import { browser, burnsWell } from './pages.mjs';
+import { browser, burnsWell, opensScenes } from './pages.mjs';
 
 const PAGES = ['index', 'inline', 'panel', 'wasm', 'sim'];
 
@@ -63,6 +63,28 @@ test('what Vite builds burns', async () => {
   const server = await vite.preview({ ...options, preview: { port: 0, host: '127.0.0.1' } });
   servers.push(server);
   for (const name of PAGES) await burns(server.resolvedUrls.local[0], name);
+});
+
+test('a panel whose folder nobody knows looks for no file there, whatever it is called', async () => {
+  const output = { entryFileNames: '[name].js', chunkFileNames: '[name].js', assetFileNames: '[name][extname]' };
+  const options = { root, logLevel: 'error', configFile: false };
+  // The page's own script leaves that name to the panel's.
+  const rollupOptions = { input: { page: path.join(root, 'panel.html') }, output };
+  await vite.build({ ...options, build: { outDir: 'plain', rollupOptions } });
+  const server = await vite.preview({
+    ...options, build: { outDir: 'plain' }, preview: { port: 0, host: '127.0.0.1' },
+  });
+  servers.push(server);
+  const tab = await open(new URL('panel.html', server.resolvedUrls.local[0]).href, { width: 640, height: 480 });
+  await burnsWell(tab);
+  await opensScenes(tab);
+  const [pictures, frame] = await tab.fire(({ shadowRoot }) => [
+    shadowRoot.querySelectorAll('[data-scene] img[src]').length,
+    shadowRoot.querySelector('[data-action="copy:iframe"]').hidden,
+  ]);
+  assert.equal(pictures, 0);
+  assert.equal(frame, true, 'there is no page to put into a frame');
+  assert.deepEqual(tab.problems, []);
 });
 
 test("what Vite's server gives while a page is written burns", async () => {

@@ -145,6 +145,22 @@ describe('the scenes', () => {
     assert.equal(await heading(panel), `Scene: ${PRESETS[1].label}`);
   });
 
+  test('are one group by name, and one that is refused says why', async () => {
+    const { tab, panel } = await openPage();
+    await panel.openScenes();
+    const { role, name } = await panel.in((root) => {
+      const list = root.querySelector('[data-scene]').parentElement;
+      return { role: list.role, name: list.ariaLabel };
+    });
+    assert.deepEqual([role, name], ['toolbar', 'Scenes']);
+    await tab.fire((fire) => {
+      fire.importConfig = () => Promise.reject(new Error('no such fire'));
+    });
+    await tab.page.click(`[data-scene="${PRESETS[1].name}"]`);
+    await panel.until('it is said', (root) => root.querySelector('[role=status]').textContent === 'no such fire');
+    assert.deepEqual(await marked(panel), ['default']);
+  });
+
   test('nothing moves when a picture comes, and what never comes leaves its words', async () => {
     const missing = PRESETS[1].name;
     const { tab, panel } = await openPage('', { files: { [`scenes/${missing}.jpg`]: { drop: true } } });
@@ -161,6 +177,11 @@ describe('the scenes', () => {
     ), missing);
     await tab.frames(10);
     assert.deepEqual(await places(), before);
+    const shown = await panel.in((root, name) => {
+      const image = root.querySelector(`[data-scene="${name}"] img`);
+      return { seen: image.checkVisibility({ opacityProperty: true }), alt: image.alt };
+    }, missing);
+    assert.deepEqual(shown, { seen: false, alt: PRESETS[1].description });
     await tab.page.click(`[data-scene="${missing}"]`);
     await isScene(tab, missing);
   });

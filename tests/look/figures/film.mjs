@@ -209,6 +209,31 @@ export class Film {
   }
 }
 
+/**
+ * The flashes of a fire, and its pixels with a colour above their alpha, in a film of so
+ * long [s]. A coarse one: what flashes is larger than its pixels.
+ * @param {{context: WebGL2RenderingContext, easel: any, fire: any}} of @param {number} seconds
+ */
+export function glance({ context, easel, fire }, seconds) {
+  const [width, height] = [WIDTH / 2, HEIGHT / 2];
+  Object.assign(context.canvas, { width, height });
+  const flashes = new Flashes(width, height, 2 * PIXEL);
+  const [start, pace] = [fire.time, Number(fire.value('time_scale'))];
+  let [exceeds, luminous] = [0, 0];
+  for (let picture = 0; picture < seconds * RATE; picture += 1) {
+    fire.burn(start + (picture / RATE) * pace);
+    easel.paint(fire, width, height);
+    const rgba = easel.pixels(width, height);
+    for (let at = 0; at < rgba.length; at += 4) {
+      const [r, g, b, a] = rgba.subarray(at, at + 4);
+      if (Math.max(r, g, b) > a) exceeds += 1;
+      if (relativeLuminance(r, g, b) > LUMINOUS) luminous += 1;
+    }
+    flashes.see(picture / RATE, rgba);
+  }
+  return { flashes: flashes.found(), exceeds, luminous: luminous / (seconds * RATE * width * height) };
+}
+
 /** What a fire may burn in front of: black, white, and something like a photograph, with
     its own lights and shades at every size. */
 function behinds() {

@@ -88,7 +88,8 @@ export class Film {
     this.behind = behinds();
   }
 
-  /** Goes on until that time [s] since the first picture. */
+  /** Goes on until that time [s] since the first picture. What was seen by then is asked
+      for once: it takes long to find. */
   until(seconds) {
     this.start ??= this.fire.time;
     Object.assign(this.context.canvas, { width: WIDTH, height: HEIGHT });
@@ -140,7 +141,12 @@ export class Film {
       if (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2] < SHINING) continue;
       const [x, y] = chart(rgb);
       for (const [which, bodies] of Object.entries(this.locus)) {
-        this.offLocus[which].push(Math.min(...bodies.map(([a, b]) => Math.hypot(x - a, y - b))));
+        let least = Infinity;
+        for (let body = 0; body < bodies.length; body += 1) {
+          const off = (x - bodies[body][0]) ** 2 + (y - bodies[body][1]) ** 2;
+          if (off < least) least = off;
+        }
+        this.offLocus[which].push(Math.sqrt(least));
       }
     }
     light.free();

@@ -179,10 +179,14 @@ async function watch(wish) {
   const { context, painter: of } = painter();
   film = new Film({ context, easel: of.easel('medium'), fire: await fireOf(wish), locus });
 }
-/** Watches it until that time, and says what was seen. */
-function seen(seconds) {
+/** Watches it until that time. */
+function until(seconds) {
   film.until(seconds);
   complain(film.context);
+}
+/** The same, and says what was seen. */
+function seen(seconds) {
+  until(seconds);
   return film.found();
 }
 
@@ -199,4 +203,4 @@ async function glanced(wish, seconds) {
 }
 
 await init();
-Object.assign(window, { look: { still, formatOf, value, inTurn, disturbances, presets, watch, seen, glanced } });
+Object.assign(window, { look: { still, formatOf, value, inTurn, disturbances, presets, watch, until, seen, glanced } });

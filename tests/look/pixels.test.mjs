@@ -24,6 +24,17 @@ for (const lit of ['default', 'classic']) {
   });
 }
 
+test('no scene flashes, or shines through more than it covers', async (t) => {
+  // Each until it fills its height, and then for a few seconds.
+  for (const lit of await studio.ask('presets')) {
+    await t.test(lit, async () => {
+      const { flashes, exceeds, luminous } = await studio.ask('glanced', { lit, burnt: 3 }, 3);
+      assert.ok(flashes.passes && exceeds === 0, JSON.stringify({ flashes, exceeds }));
+      assert.ok(luminous > 0.002, `${luminous} of it is luminous`);
+    });
+  }
+});
+
 test('light that is none of a black body is seen as such', async () => {
   await studio.ask('watch', { lit: 'default', burnt: 1, values: { palette: 'copper' } });
   const found = await studio.ask('seen', 0.5);

@@ -28,9 +28,9 @@ try {
     for (const id of TELLING) values[id] = await studio.ask('value', { lit }, id);
     const has = traits(values);
     await studio.ask('watch', { lit, burnt: BURNT });
-    let found;
     // In parts: a browser's driver waits for an answer only so long.
-    for (let second = 1; second <= SECONDS; second += 1) found = await studio.ask('seen', second);
+    for (let second = 1; second < SECONDS; second += 1) await studio.ask('until', second);
+    const found = await studio.ask('seen', SECONDS);
     const cells = BARS.map(({ figure, holds, show, needs = [] }) => {
       const value = figure(found);
       if (!needs.every((trait) => has.includes(trait))) return '–';

@@ -88,7 +88,8 @@ export class Film {
     this.behind = behinds();
   }
 
-  /** Goes on until that time [s] since the first picture. */
+  /** Goes on until that time [s] since the first picture. What was seen by then is asked
+      for once: it takes long to find. */
   until(seconds) {
     this.start ??= this.fire.time;
     Object.assign(this.context.canvas, { width: WIDTH, height: HEIGHT });
@@ -140,7 +141,12 @@ export class Film {
       if (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2] < SHINING) continue;
       const [x, y] = chart(rgb);
       for (const [which, bodies] of Object.entries(this.locus)) {
-        this.offLocus[which].push(Math.min(...bodies.map(([a, b]) => Math.hypot(x - a, y - b))));
+        let least = Infinity;
+        for (let body = 0; body < bodies.length; body += 1) {
+          const off = (x - bodies[body][0]) ** 2 + (y - bodies[body][1]) ** 2;
+          if (off < least) least = off;
+        }
+        this.offLocus[which].push(Math.sqrt(least));
       }
     }
     light.free();
@@ -207,6 +213,31 @@ export class Film {
       luminous: this.warm.all / this.pictures / (WIDTH * HEIGHT),
     };
   }
+}
+
+/**
+ * The flashes of a fire, and its pixels with a colour above their alpha, in a film of so
+ * long [s]. A coarse one: what flashes is larger than its pixels.
+ * @param {{context: WebGL2RenderingContext, easel: any, fire: any}} of @param {number} seconds
+ */
+export function glance({ context, easel, fire }, seconds) {
+  const [width, height] = [WIDTH / 2, HEIGHT / 2];
+  Object.assign(context.canvas, { width, height });
+  const flashes = new Flashes(width, height, 2 * PIXEL);
+  const [start, pace] = [fire.time, Number(fire.value('time_scale'))];
+  let [exceeds, luminous] = [0, 0];
+  for (let picture = 0; picture < seconds * RATE; picture += 1) {
+    fire.burn(start + (picture / RATE) * pace);
+    easel.paint(fire, width, height);
+    const rgba = easel.pixels(width, height);
+    for (let at = 0; at < rgba.length; at += 4) {
+      const [r, g, b, a] = rgba.subarray(at, at + 4);
+      if (Math.max(r, g, b) > a) exceeds += 1;
+      if (relativeLuminance(r, g, b) > LUMINOUS) luminous += 1;
+    }
+    flashes.see(picture / RATE, rgba);
+  }
+  return { flashes: flashes.found(), exceeds, luminous: luminous / (seconds * RATE * width * height) };
 }
 
 /** What a fire may burn in front of: black, white, and something like a photograph, with

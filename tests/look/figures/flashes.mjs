@@ -27,13 +27,15 @@ export const SMALL = 0.25;
 const SHARES = Array.from({ length: 40 }, (_, at) => (at + 1) / 40);
 /** Changes in a second beyond which there are more than three pairs of them. */
 const MOST = 6;
-/** What changes within so long changes together [s]: in one picture of thirty a second,
-    or, where an edge comes between two, in two. In three, places that flicker five times
-    a second, each in its own time, would half of them seem to change at once. */
-const TOGETHER = [0.02, 0.05];
-/** Changes together are over when less than such a share of what they need goes on: a
-    steady flow of single ones, now a little more and now less, is no flash after flash. */
-const OVER = 0.5;
+/**
+ * What changes within so long changes together [s]: in one picture of thirty a second, or,
+ * where an edge comes between two, in two. In three, places that flicker five times a
+ * second, each in its own time, would half of them seem to change at once. Changes
+ * together are over when no more than such a share of what they need goes on: a steady
+ * flow of single ones through two pictures, now a little more and now less, is no flash
+ * after flash.
+ */
+const TOGETHER = [{ long: 0.02, over: 1 }, { long: 0.05, over: 0.5 }];
 
 /** How often every place has changed, one way and the other. */
 class Changes {
@@ -244,13 +246,13 @@ export class Flashes {
       ['up', changes.up, changes.down],
       ['down', changes.down, changes.up],
     ])) {
-      TOGETHER.forEach((long, which) => {
+      TOGETHER.forEach(({ long, over }, which) => {
         // One half of a flash: what had gone the other way no more than a second ago.
         this.sum((at) => times[at] > time - long && others[at] > time - 1 + 1e-4);
         this.corners.forEach((corner, field) => {
           const share = this.inField(corner);
           SHARES.forEach((least, at) => {
-            together[which][at].see(field, time, way, share > least, share < OVER * least);
+            together[which][at].see(field, time, way, share > least, share <= over * least);
           });
         });
       });

@@ -3,7 +3,7 @@
  * calls `window.look`.
  */
 import init, { Fire, Painter, locus, presets } from '/painter.js';
-import { Film } from '/film.mjs';
+import { Film, glance } from '/film.mjs';
 
 /** As the engine makes its own context. */
 const ATTRIBUTES = { alpha: true, premultipliedAlpha: true, antialias: false, depth: false };
@@ -179,12 +179,28 @@ async function watch(wish) {
   const { context, painter: of } = painter();
   film = new Film({ context, easel: of.easel('medium'), fire: await fireOf(wish), locus });
 }
-/** Watches it until that time, and says what was seen. */
-function seen(seconds) {
+/** Watches it until that time. */
+function until(seconds) {
   film.until(seconds);
   complain(film.context);
+}
+/** The same, and says what was seen. */
+function seen(seconds) {
+  until(seconds);
   return film.found();
 }
 
+/** What a short and coarse film of a fire says. */
+async function glanced(wish, seconds) {
+  const { context, painter: of } = painter();
+  const [easel, fire] = [of.easel('low'), await fireOf(wish)];
+  const found = glance({ context, easel, fire }, seconds);
+  easel.leave();
+  easel.free();
+  fire.free();
+  complain(context);
+  return found;
+}
+
 await init();
-Object.assign(window, { look: { still, formatOf, value, inTurn, disturbances, presets, watch, seen } });
+Object.assign(window, { look: { still, formatOf, value, inTurn, disturbances, presets, watch, until, seen, glanced } });

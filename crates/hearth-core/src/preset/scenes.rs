@@ -226,7 +226,7 @@ pub static PRESETS: &[Preset] = &[
             ("source_oxygen", Input::Number(0.8)),
             ("soot_life", Input::Number(0.4)),
             ("ember_rate", Input::Number(60.0)),
-            ("time_scale", Input::Number(0.8)),
+            ("time_scale", Input::Number(0.5)),
             ("exposure", Input::Number(0.5)),
             ("detail", Input::Number(1.4)),
         ],
@@ -403,7 +403,7 @@ pub static CAPTIONS: &[Caption] = &[
     },
     Caption {
         label: "Wall of fire",
-        description: "Flames from side to side.",
+        description: "A broad front of flames, in slow motion.",
     },
     Caption {
         label: "Classic",

@@ -85,7 +85,7 @@ fn shown(
     let instances = instances(fire, mode)?;
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
     let pixels = canvas.paint_with(&mut renderer, &instances, fire.parameters())?;
-    let scale = renderer.scale();
+    let scale = renderer.scale().map(|(_, ends)| ends);
     renderer.destroy(&canvas.gl);
     Ok((pixels, scale))
 }
@@ -180,7 +180,7 @@ fn a_disc_has_the_colour_of_its_particle_and_a_smooth_rim() -> Result<(), JsValu
         .collect();
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
     let pixels = canvas.paint_with(&mut renderer, &particles, &parameters)?;
-    let [least, most] = renderer.scale().ok_or("no scale")?;
+    let (_, [least, most]) = renderer.scale().ok_or("no scale")?;
     renderer.destroy(&canvas.gl);
     for &[x, y, _, _, kelvin, ..] in &particles {
         let expected = colour((kelvin - least) / (most - least), false);

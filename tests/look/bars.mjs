@@ -26,6 +26,8 @@ export function traits({ display_mode, palette, backdrop, background, wind }) {
     black_body: palette === 'blackbody',
     // A wall shines, and does not move.
     bare: backdrop === 'none' && background === 'transparent',
+    // Smoke before a sky is of its colour.
+    no_sky: backdrop !== 'dusk' && background === 'transparent',
     calm: Number(wind) === 0,
   }).filter(([, has]) => has).map(([trait]) => trait);
 }
@@ -71,7 +73,7 @@ export const BARS = [
     holds: (share) => share >= 0.95,
     show: percent,
     brief: true,
-    needs: ['fire', 'black_body'],
+    needs: ['fire', 'black_body', 'no_sky'],
   },
   {
     id: 'up',

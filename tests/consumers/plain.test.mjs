@@ -45,7 +45,9 @@ test('custom-elements.json names what the element has', async () => {
   await tab.ready();
   await tab.fire(async (fire) => {
     fire.controls = true;
-    while (!fire.shadowRoot.querySelector('[part~=panel]')) await new Promise(requestAnimationFrame);
+    fire.displayMode = 'temperature';
+    const there = (part) => fire.shadowRoot.querySelector(`[part~=${part}]`);
+    while (!there('panel') || !there('scale')) await new Promise(requestAnimationFrame);
   });
   const has = await tab.fire((fire) => {
     const { constructor, shadowRoot } = fire;

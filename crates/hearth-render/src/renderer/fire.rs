@@ -13,7 +13,7 @@ use crate::target::Target;
 use crate::targets::Targets;
 
 /// How much more light falls on smoke where it is alone.
-const SOFTLY: f32 = 2.6;
+const SOFTLY: f32 = 1.6;
 /// How much more of the glow there is where smoke scatters it.
 const SCATTERED: f32 = 4.0;
 /// How far glow reaches, in texels of its widest copy.

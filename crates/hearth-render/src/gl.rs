@@ -54,6 +54,8 @@ pub trait Graphics {
     fn replace_bytes(&self, size: [u32; 2], texels: &[u8]);
     /// Replaces a part of the bound texture, whose texels are four floats.
     fn replace_floats(&self, from: [u32; 2], size: [u32; 2], texels: &[f32]);
+    /// Copies out the lower left part of what the bound framebuffer draws into.
+    fn read_floats(&self, size: [u32; 2], texels: &mut [f32]);
     fn generate_mipmap(&self);
 
     fn create_framebuffer(&self) -> Option<Self::Framebuffer>;
@@ -168,6 +170,13 @@ impl Graphics for glow::Context {
 
     fn replace_floats(&self, from: [u32; 2], size: [u32; 2], texels: &[f32]) {
         replace(self, from, size, glow::FLOAT, bytemuck::cast_slice(texels));
+    }
+
+    fn read_floats(&self, size: [u32; 2], texels: &mut [f32]) {
+        let [width, height] = size.map(|side| side as i32);
+        let pixels = glow::PixelPackData::Slice(Some(bytemuck::cast_slice_mut(texels)));
+        // SAFETY: see the module's text.
+        unsafe { Gl::read_pixels(self, 0, 0, width, height, glow::RGBA, glow::FLOAT, pixels) }
     }
 
     fn attach_texture(&self, texture: &glow::Texture) -> u32 {

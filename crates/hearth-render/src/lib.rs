@@ -35,5 +35,5 @@ pub use error::RenderError;
 pub use format::TargetFormat;
 pub use gl::Graphics;
 pub use layout::Lines;
-pub use renderer::{Motion, Renderer, View};
+pub use renderer::{Carried, Motion, Renderer, View};
 pub use studio::Studio;

@@ -55,6 +55,13 @@ pub struct Motion {
     scale: Scale,
 }
 
+/// How far the gas had carried the fine structure in a picture that stood still: the
+/// card's memory forgets it, and the gas does not carry it there again.
+pub struct Carried {
+    layout: Layout,
+    texels: Vec<f32>,
+}
+
 /// Draws a fire into the default framebuffer, with premultiplied alpha.
 pub struct Renderer<G: Graphics = glow::Context> {
     studio: Rc<Studio<G>>,
@@ -67,6 +74,7 @@ pub struct Renderer<G: Graphics = glow::Context> {
     tinted: Option<(Tint, G::Texture)>,
     survey: Survey,
     motion: Motion,
+    carried: Option<Carried>,
     /// Which of the two pictures of the drift is the newest.
     newest: usize,
     /// Least and most of what is measured of the particles.
@@ -106,6 +114,7 @@ impl<G: Graphics> Renderer<G> {
             tinted: None,
             survey: Survey::of(&[], &[]),
             motion: Motion::default(),
+            carried: None,
             newest: 0,
             measured: None,
         })
@@ -121,10 +130,20 @@ impl<G: Graphics> Renderer<G> {
         self.motion
     }
 
+    /// How far the gas has carried the fine structure, for a fire that stands still:
+    /// reading it makes the processor wait for the card.
+    pub fn carried(&self, gl: &G) -> Option<Carried> {
+        let targets = self.targets.as_ref()?;
+        (self.studio.format == TargetFormat::Rgba16F).then(|| Carried {
+            layout: targets.layout,
+            texels: targets.drift[self.newest].read(gl),
+        })
+    }
+
     /// Goes on where another renderer of the same fire was.
-    pub fn resume(&mut self, motion: Motion) {
+    pub fn resume(&mut self, motion: Motion, carried: Option<Carried>) {
         self.motion = motion;
-        self.motion.drift.forget();
+        self.carried = carried;
     }
 
     /// The display of the last picture, and what its first and its last colour stand
@@ -276,8 +295,16 @@ impl<G: Graphics> Renderer<G> {
             if let Some(old) = self.targets.take() {
                 old.destroy(gl);
             }
-            self.targets = Some(Targets::new(gl, self.studio.format, layout)?);
-            self.motion.drift.forget();
+            let targets = Targets::new(gl, self.studio.format, layout)?;
+            match self.carried.take() {
+                Some(carried) if carried.layout == layout => {
+                    for drift in &targets.drift {
+                        drift.write(gl, &carried.texels);
+                    }
+                }
+                _ => self.motion.drift.forget(),
+            }
+            self.targets = Some(targets);
         }
         Ok(())
     }

@@ -80,6 +80,22 @@ impl<G: Graphics> Target<G> {
         bind(gl, unit, &self.texture);
     }
 
+    /// Copies out all of it.
+    pub fn read(&self, gl: &G) -> Vec<f32> {
+        let [width, height] = self.size;
+        let mut texels = vec![0.0; 4 * (width * height) as usize];
+        gl.bind_framebuffer(Some(&self.framebuffer));
+        gl.read_floats(self.size, &mut texels);
+        gl.bind_framebuffer(None);
+        texels
+    }
+
+    /// Replaces all of it.
+    pub fn write(&self, gl: &G, texels: &[f32]) {
+        bind(gl, 0, &self.texture);
+        gl.replace_floats([0, 0], self.size, texels);
+    }
+
     /// Frees the target.
     pub fn destroy(&self, gl: &G) {
         gl.delete_framebuffer(&self.framebuffer);

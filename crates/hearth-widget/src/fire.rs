@@ -331,7 +331,7 @@ impl Fire {
         let drawn = self.wants_picture() && self.asked.is_empty() && self.seen();
         let shown = self.picture.scale();
         let draw_ms = if drawn {
-            self.draw(easel, host, out)
+            self.draw(stands, easel, host, out)
         } else {
             0.0
         };
@@ -422,7 +422,7 @@ impl Fire {
     }
 
     /// Draws it; returns how long that took \[ms\].
-    fn draw(&mut self, easel: &Easel, host: &Host, out: &mut Outbox) -> f64 {
+    fn draw(&mut self, stands: bool, easel: &Easel, host: &Host, out: &mut Outbox) -> f64 {
         let start = host.now();
         self.simulation.write_instances(&mut self.instances);
         self.simulation.write_embers(&mut self.embers);
@@ -435,6 +435,7 @@ impl Fire {
             lines[level as usize],
             (&self.instances, &self.embers),
             (self.simulation.time(), self.simulation.parameters()),
+            stands,
             host,
         );
         match drawn {

@@ -2,7 +2,7 @@
 
 use hearth_core::params::DisplayMode;
 use hearth_core::{Instance, Parameters};
-use hearth_render::{Lines, Motion, Renderer, View};
+use hearth_render::{Carried, Lines, Motion, Renderer, View};
 
 use crate::easel::{Easel, Ground};
 use crate::host::Host;
@@ -26,6 +26,8 @@ pub struct Picture {
     drawing: Option<Drawing>,
     /// How far the fine structure has come: a context that is lost takes none of it.
     motion: Motion,
+    /// And where it was in a picture that stood still.
+    carried: Option<Carried>,
     on_the_way: u32,
 }
 
@@ -56,8 +58,8 @@ impl Picture {
         self.drawing.as_ref()?.renderer.as_ref()?.scale()
     }
 
-    /// Draws these particles and shows them as the picture of `fire`; returns when
-    /// the particles had been sent to the graphics card \[ms\].
+    /// Draws these particles and shows them as the picture of `fire`, which `stands` still
+    /// or burns; returns when the particles had been sent to the graphics card \[ms\].
     ///
     /// # Errors
     /// The driver refuses, in words.
@@ -70,6 +72,7 @@ impl Picture {
         lines: Lines,
         (instances, embers): (&[Instance], &[Instance]),
         (time, parameters): (f64, &Parameters),
+        stands: bool,
         host: &Host,
     ) -> Result<f64, String> {
         let Some(ground) = easel.ground() else {
@@ -77,6 +80,7 @@ impl Picture {
         };
         let context = &ground.gl.context;
         let mut motion = self.motion;
+        let mut carried = None;
         let painted = self.begin(ground).and_then(|drawing| {
             let gl: &WebGl = &ground.gl;
             let Some(renderer) = &mut drawing.renderer else {
@@ -97,9 +101,13 @@ impl Picture {
             let painted = renderer.paint_watched(gl, &view, parameters, watch);
             passes.finish(context);
             motion = renderer.motion();
+            if stands {
+                carried = renderer.carried(gl);
+            }
             painted.map(|()| sent)
         });
         self.motion = motion;
+        self.carried = carried;
         match painted {
             Ok(sent) => {
                 if !easel.show(fire) {
@@ -120,7 +128,7 @@ impl Picture {
         if self.drawing.is_none() {
             let gl: &WebGl = &ground.gl;
             let mut renderer = Renderer::within(gl, ground.studio.clone())?;
-            renderer.resume(self.motion);
+            renderer.resume(self.motion, self.carried.take());
             self.drawing = Some(Drawing {
                 ground: ground.clone(),
                 renderer: Some(renderer),

@@ -228,6 +228,21 @@ impl Graphics for WebGl {
         );
     }
 
+    fn read_floats(&self, [width, height]: [u32; 2], texels: &mut [f32]) {
+        let read = Float32Array::new_with_length(texels.len() as u32);
+        // Only an array of another type, or too short a one, is refused.
+        let _ = self.context.read_pixels_with_opt_array_buffer_view(
+            0,
+            0,
+            width as i32,
+            height as i32,
+            Context::RGBA,
+            Context::FLOAT,
+            Some(&read),
+        );
+        read.copy_to(texels);
+    }
+
     fn attach_texture(&self, texture: &WebGlTexture) -> u32 {
         self.context.framebuffer_texture_2d(
             Context::FRAMEBUFFER,

@@ -150,7 +150,9 @@ export class PuppeteerTab extends Tab {
 
   /** @override */
   async picture(clip) {
-    return Picture.decode(await this.page.screenshot({ clip, type: 'png' }));
+    // What is beyond the window would be had by another size of it, for a moment of one pixel:
+    // a fire that burns is drawn for that too, and its picture would be of it at times.
+    return Picture.decode(await this.page.screenshot({ clip, captureBeyondViewport: false, type: 'png' }));
   }
 
   /** @override */

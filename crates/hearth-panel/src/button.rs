@@ -141,3 +141,30 @@ pub fn split(rect: Rect, parts: usize, gap: f32) -> impl Iterator<Item = Rect> {
         Rect::from_min_size(pos2(left, rect.top()), vec2(width, rect.height()))
     })
 }
+
+/// Splits `rect` among buttons with these words: each has the room of its word, and
+/// what is left is shared.
+pub fn split_by_words(ui: &Ui, rect: Rect, words: &[&str], gap: f32) -> Vec<Rect> {
+    let widths: Vec<f32> = words
+        .iter()
+        .map(|&word| {
+            let galley = ui
+                .painter()
+                .layout_no_wrap(word.to_owned(), theme::body(), theme::TEXT);
+            galley.size().x
+        })
+        .collect();
+    let gaps = gap * words.len().saturating_sub(1) as f32;
+    let left = rect.width() - gaps - widths.iter().sum::<f32>();
+    let share = left / words.len().max(1) as f32;
+    let mut from = rect.left();
+    widths
+        .into_iter()
+        .map(|width| {
+            let size = vec2((width + share).max(0.0), rect.height());
+            let part = Rect::from_min_size(pos2(from, rect.top()), size);
+            from = part.right() + gap;
+            part
+        })
+        .collect()
+}

@@ -222,9 +222,8 @@ fn quality(panel: &mut Panel, ui: &mut Ui) {
     rect.min.x += LABEL;
     panel.place(ui, "quality", rect);
     let labels = ["Auto", "Low", "Medium", "High"];
-    for (rect, (name, label)) in
-        button::split(rect, labels.len(), 6.0).zip(QUALITIES.into_iter().zip(labels))
-    {
+    let parts = button::split_by_words(ui, rect, &labels, 6.0);
+    for (rect, (name, label)) in parts.into_iter().zip(QUALITIES.into_iter().zip(labels)) {
         let face = Face {
             lit: panel.fire.quality == name,
             ..Face::text(label)

@@ -58,6 +58,12 @@ impl Hands {
 
     /// Every text that is painted.
     fn texts(&mut self) -> Vec<String> {
+        let painted = self.painted_texts();
+        painted.into_iter().map(|(text, _)| text).collect()
+    }
+
+    /// Every text that is painted, and where.
+    fn painted_texts(&mut self) -> Vec<(String, Rect)> {
         let input = RawInput {
             screen_rect: Some(Rect::from_min_size(Pos2::ZERO, self.size)),
             time: Some(self.time),
@@ -67,7 +73,10 @@ impl Hands {
         output.textures_delta.clear();
         let shapes = output.shapes.iter().map(|clipped| &clipped.shape);
         let texts = shapes.filter_map(|shape| match shape {
-            Shape::Text(text) => Some(text.galley.text().to_owned()),
+            Shape::Text(text) => {
+                let place = text.galley.rect.translate(text.pos.to_vec2());
+                Some((text.galley.text().to_owned(), place))
+            }
             _ => None,
         });
         texts.collect()
@@ -527,6 +536,31 @@ fn a_narrow_panel_keeps_its_buttons_free() {
     hands.wait();
     hands.click("action:pause");
     assert_eq!(hands.panel.take_commands(), [Command::Pause]);
+}
+
+#[test]
+fn the_words_on_a_button_stay_inside_it() {
+    for measures in [Measures::FINE, Measures::COARSE] {
+        for width in [288.0, 340.0] {
+            for model in models() {
+                let mut hands = Hands::of_model(model, (width, 2000.0, measures));
+                for (text, place) in hands.painted_texts() {
+                    let mut buttons = hands.panel.rectangles().iter().filter(|(name, button)| {
+                        let words = ["quality:", "choice:", "action:"];
+                        let worded = words.iter().any(|kind| name.starts_with(kind));
+                        worded && button.contains(place.center())
+                    });
+                    if let Some((name, button)) = buttons.next() {
+                        let room = button.x_range();
+                        assert!(
+                            room.contains(place.left()) && room.contains(place.right()),
+                            "{text} of {name} at {width}: {place} in {button}"
+                        );
+                    }
+                }
+            }
+        }
+    }
 }
 
 #[test]

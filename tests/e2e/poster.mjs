@@ -5,6 +5,7 @@
  */
 import { writeFileSync } from 'node:fs';
 import { Browser } from './driver.mjs';
+import { burnAnew } from './still.mjs';
 
 const [file] = process.argv.slice(2);
 if (file === undefined) throw new Error('usage: node poster.mjs file.jpg');
@@ -31,10 +32,8 @@ const FIRE = {
   seed: 12,
 };
 
-/** How many steps it has burnt, and how many of the last ones are also drawn:
-    the gas carries the fine structure from picture to picture. */
+/** How many steps it has burnt. */
 const STEPS = 3600;
-const DRAWN = 200;
 
 // Higher than the picture, so that the flame is cut and the top of its world is not seen.
 const PAGE = `<!doctype html>
@@ -54,16 +53,8 @@ const browser = await Browser.launch();
 try {
   const tab = await browser.open(PAGE, { width: WIDTH, height: HEIGHT });
   await tab.ready();
-  await tab.fire(async (fire, values, quick, drawn) => {
-    await fire.set(values);
-    await fire.reset();
-    for (let left = quick; left > 0; left -= 50) await fire.step(Math.min(left, 50));
-    for (let left = drawn; left > 0; left -= 4) {
-      await fire.step(4);
-      await new Promise(requestAnimationFrame);
-    }
-  }, FIRE, STEPS - DRAWN, DRAWN);
-  await tab.frames(4);
+  await tab.fire((fire, values) => fire.set(values), FIRE);
+  await burnAnew(tab, STEPS);
   if (tab.problems.length > 0) throw new Error(tab.problems.join('\n'));
   const glow = (await tab.picture()).part(0.35, 0.2, 0.65, 0.9).glowing();
   if (glow < 0.3) throw new Error(`only ${glow} of the picture's middle glows`);

@@ -44,7 +44,7 @@ async function moments(browser, size, values, count, apart) {
       while ((fire.stats?.time ?? 0) < time) await fire.step(time - (fire.stats?.time ?? 0) > 0.5 ? 60 : 4);
     }, BURNT + at * apart);
     await tab.frames(3);
-    pictures.push(await tab.page.screenshot({ clip: { x: 0, y: 0, ...size }, captureBeyondViewport: false }));
+    pictures.push(await tab.page.screenshot());
   }
   if (tab.problems.length > 0) throw new Error(tab.problems.join('\n'));
   return pictures;

@@ -7,6 +7,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { Browser } from './driver.mjs';
 import { table } from './site.mjs';
+import { burnAnew } from './still.mjs';
 
 const [folder, ...names] = process.argv.slice(2);
 if (folder === undefined) throw new Error('usage: node thumbnails.mjs folder [scene…]');
@@ -20,10 +21,8 @@ const FINER = 2;
 const LARGEST = 6000;
 const QUALITIES = [0.9, 0.85, 0.8, 0.7, 0.6];
 
-/** How many steps each model has burnt, some three seconds, and how many of the last
-    ones are also drawn: the gas carries the fine structure from picture to picture. */
+/** How many steps each model has burnt: some three seconds. */
 const STEPS = { combustion: 1800, classic: 600 };
-const DRAWN = 160;
 
 const PAGE = `<!doctype html>
 <html lang="en">
@@ -61,17 +60,11 @@ try {
 async function taken(name) {
   const tab = await browser.open(PAGE, { width: WIDTH * FINER, height: HEIGHT * FINER });
   await tab.ready();
-  await tab.fire(async (fire, preset, steps, drawn) => {
+  const model = await tab.fire(async (fire, preset) => {
     await fire.importConfig({ preset });
-    await fire.reset();
-    const quick = steps[fire.params.model] - drawn;
-    for (let left = quick; left > 0; left -= 50) await fire.step(Math.min(left, 50));
-    for (let left = drawn; left > 0; left -= 4) {
-      await fire.step(4);
-      await new Promise(requestAnimationFrame);
-    }
-  }, name, STEPS, DRAWN);
-  await tab.frames(4);
+    return fire.params.model;
+  }, name);
+  await burnAnew(tab, STEPS[model]);
   const seen = await tab.page.screenshot({ encoding: 'base64' });
   for (const quality of QUALITIES) {
     const jpeg = Buffer.from(await tab.evaluate(shrunk, seen, WIDTH, HEIGHT, quality), 'base64');

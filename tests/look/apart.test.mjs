@@ -79,3 +79,30 @@ function cut(from, to) {
   }
   return rgb;
 }
+
+test('a wall is lit alike in pictures of any shape', async () => {
+  const height = 240;
+  // A narrow flame, and the wall at so many heights on either side of it.
+  const wish = { kept: 'torch', values: { backdrop: 'bricks', heat_haze: 0 }, height };
+  const lit = async (/** @type {number} */ aspect) => {
+    const width = Math.round(aspect * height);
+    const { rgba } = await studio.still({ ...wish, width });
+    let [sum, count] = [0, 0];
+    for (let y = 0.2 * height; y < 0.6 * height; y += 1) {
+      for (let x = 0.12 * height; x < 0.28 * height; x += 1) {
+        for (const side of [-1, 1]) {
+          const at = 4 * (Math.round(y) * width + Math.round(width / 2 + side * x));
+          sum += rgba[at];
+          count += 1;
+        }
+      }
+    }
+    return sum / count;
+  };
+  const usual = await lit(0.9);
+  assert.ok(usual > 30, `the wall is lit: ${usual}`);
+  for (const aspect of [0.6, 1.5, 16 / 9, 2.4, 4]) {
+    const other = await lit(aspect);
+    assert.ok(Math.abs(other / usual - 1) < 0.1, `${aspect}: ${other} for ${usual}`);
+  }
+});

@@ -16,9 +16,9 @@ use crate::target::{Target, bind};
 
 /// Most lines of the backdrop: it is far away, and drawn once for each size.
 const LINES: u32 = 1080;
-/// Lines of the light that falls on it.
-const LAMP_LINES: u32 = 24;
-/// How far hot gas bends what is seen through it, as a share of the picture.
+/// Lines of the light that falls on it, and most columns: each reads all of the fire.
+const LAMP: [u32; 2] = [16, 64];
+/// How far hot gas bends what is seen through it, as a share of the picture's height.
 const BEND: f32 = 0.035;
 /// How far above the foot of the fire the wall meets the floor, as such a share.
 const BEHIND: f32 = 0.05;
@@ -48,13 +48,14 @@ impl<G: Graphics> Scenery<G> {
         most: u32,
     ) -> Result<Scenery<G>, RenderError> {
         let [width, height] = size;
-        let lines = |lines: u32| {
+        let lines = |lines: u32, columns: u32| {
             let lines = lines.min(height).min(most);
             let across = f64::from(width) * f64::from(lines) / f64::from(height);
-            [(across as u32).max(1).min(most), lines]
+            [(across as u32).clamp(1, columns.min(most)), lines]
         };
-        let seen = Target::new(gl, "scenery", TargetFormat::Rgba8, lines(LINES))?;
-        match Target::new(gl, "lamp", format, lines(LAMP_LINES)) {
+        let seen = Target::new(gl, "scenery", TargetFormat::Rgba8, lines(LINES, most))?;
+        let [rows, columns] = LAMP;
+        match Target::new(gl, "lamp", format, lines(rows, columns)) {
             Ok(lamp) => Ok(Scenery {
                 size,
                 foot: None,

@@ -35,7 +35,7 @@ passes! {
     Flame = FLAME,
     /// Embers to light.
     Ember = EMBER,
-    /// Light to a blurred copy a quarter as wide, and that to ones of half its size.
+    /// Light to a blurred copy of so many lines, and that to ones of half its size.
     Shrink = SHRINK,
     /// Blurred copies joined, from the widest to the sharpest.
     Widen = WIDEN,

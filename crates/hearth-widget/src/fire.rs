@@ -5,6 +5,7 @@ use std::cell::Cell;
 use glam::Vec2;
 use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
+use hearth_core::params::DisplayMode;
 use hearth_core::{Instance, Simulation, Stage};
 use hearth_render::Lines;
 
@@ -425,7 +426,11 @@ impl Fire {
     fn draw(&mut self, stands: bool, easel: &Easel, host: &Host, out: &mut Outbox) -> f64 {
         let start = host.now();
         self.simulation.write_instances(&mut self.instances);
-        self.simulation.write_embers(&mut self.embers);
+        if self.simulation.parameters().display_mode == DisplayMode::Fire {
+            self.simulation.write_embers(&mut self.embers);
+        } else {
+            self.embers.clear();
+        }
         let level = self.quality.level();
         let lines = [Lines::LOW, Lines::MEDIUM, Lines::HIGH];
         let drawn = self.picture.draw(

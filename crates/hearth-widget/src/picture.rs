@@ -1,6 +1,6 @@
 //! The picture of one fire: what it needs for itself in the context that all share.
 
-use hearth_core::params::DisplayMode;
+use hearth_core::params::{DisplayMode, Model};
 use hearth_core::{Instance, Parameters};
 use hearth_render::{Carried, Lines, Motion, Renderer, View};
 
@@ -101,13 +101,16 @@ impl Picture {
             let painted = renderer.paint_watched(gl, &view, parameters, watch);
             passes.finish(context);
             motion = renderer.motion();
-            if stands {
+            if stands && parameters.model() == Model::Combustion {
                 carried = renderer.carried(gl);
             }
             painted.map(|()| sent)
         });
         self.motion = motion;
-        self.carried = carried;
+        // A context that is gone gives nothing back.
+        if !context.is_context_lost() {
+            self.carried = carried;
+        }
         match painted {
             Ok(sent) => {
                 if !easel.show(fire) {

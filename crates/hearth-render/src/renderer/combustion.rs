@@ -3,7 +3,7 @@
 
 use hearth_core::{Burner, Parameters};
 
-use super::fire::{Body, Fire};
+use super::fire::{Body, Fire, RADII_PER_LENGTH, peak};
 use super::{NOTHING, fire_share, gain, smoke_opacity, table_coordinates, without_hundreds};
 use crate::format::TargetFormat;
 use crate::gl::Graphics;
@@ -11,9 +11,6 @@ use crate::noise;
 use crate::passes::Pass;
 use crate::target::bind;
 
-/// Radius of a kernel (1 − q²)² that blurs as much as the cubic spline of the
-/// same smoothing length, in smoothing lengths.
-const RADII_PER_LENGTH: f32 = 1.6;
 /// Brightness beside that of the classic model: this gas is hotter.
 const BRIGHTNESS: f32 = 0.34;
 /// Optical depth of gas with a soot of 1.
@@ -81,7 +78,7 @@ impl<G: Graphics> Fire<'_, G> {
             // A kernel narrower than the texels would flicker as it moves.
             let texel = self.place.metres[1] / used[1] as f32;
             let radius = self.body.radius.max(1.5 * texel);
-            let peak = 3.0 / (std::f32::consts::PI * radius * radius);
+            let peak = peak(radius);
             program.set(gl, "kernel", [radius, peak, pass as f32, 0.0]);
             program.set(gl, "scale", scale);
             renderer.particles.draw(gl, program);

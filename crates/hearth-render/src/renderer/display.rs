@@ -3,7 +3,7 @@
 
 use hearth_core::params::{DisplayMode, Model};
 
-use super::fire::Fire;
+use super::fire::{Fire, RADII_PER_LENGTH, peak};
 use super::{NOTHING, clear_picture, gain, table_coordinates};
 use crate::gl::Graphics;
 use crate::palette::Tint;
@@ -11,9 +11,6 @@ use crate::passes::Pass;
 use crate::program::Program;
 use crate::target::bind;
 
-/// Radius of a field's kernel in smoothing lengths; it blurs as much as the one that
-/// moved the gas.
-const RADII_PER_LENGTH: f32 = 1.6;
 /// Largest weight of gas, which a target of eight bits holds as one.
 const MOST: f32 = 1.5;
 /// Weight of gas that covers what is behind it: of a particle alone, for gas whose
@@ -119,8 +116,7 @@ impl<G: Graphics> Fire<'_, G> {
         self.targets.field.draw_here(gl, self.used);
         gl.clear(NOTHING);
         let radius = self.body.radius;
-        let peak = 3.0 / (std::f32::consts::PI * radius * radius * MOST);
-        program.set(gl, "kernel", [radius, peak, 1.0, 0.0]);
+        program.set(gl, "kernel", [radius, peak(radius) / MOST, 1.0, 0.0]);
         self.add(program, glow::ONE);
     }
 

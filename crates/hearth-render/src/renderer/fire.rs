@@ -12,12 +12,20 @@ use crate::passes::Pass;
 use crate::target::Target;
 use crate::targets::Targets;
 
+/// Radius of a kernel (1 − q²)² that blurs as much as the cubic spline of the
+/// same smoothing length, in smoothing lengths.
+pub const RADII_PER_LENGTH: f32 = 1.6;
 /// How much more light falls on smoke where it is alone.
 const SOFTLY: f32 = 1.6;
 /// How much more of the glow there is where smoke scatters it.
 const SCATTERED: f32 = 4.0;
 /// How far glow reaches, in texels of its widest copy.
 const HALO: f32 = 3.5;
+
+/// Value of that kernel in its middle, for it to add up to 1 over its disc.
+pub fn peak(radius: f32) -> f32 {
+    3.0 / (std::f32::consts::PI * radius * radius)
+}
 
 /// How a model's particles become fields.
 #[derive(Clone, Copy)]

@@ -6,7 +6,7 @@
 //! one name after the other can be tried.
 
 use egui::style::ScrollAnimation;
-use egui::{EventFilter, Id, Key, Rect, Ui};
+use egui::{EventFilter, Id, Key, PointerButton, Rect, Ui};
 use hearth_core::params::{Input, Param, Value};
 
 use crate::button::{self, Face};
@@ -68,7 +68,8 @@ fn unfolder(
     };
     let open = panel.listed == Some(param.id);
     let response = button::unfolder(ui, rect, Id::unique(("list", param.id)), now, open);
-    if response.clicked() {
+    // Not by a key, which egui takes for a click too: Space pauses the fire.
+    if response.clicked_by(PointerButton::Primary) {
         response.request_focus();
         panel.listed = (!open).then_some(param.id);
     }

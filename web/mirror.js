@@ -20,7 +20,7 @@ const LOG_STEPS = 100;
 const MODEL = 'model';
 
 /** The choices that decide whether others count. */
-const DECIDES = new Set(PARAMETERS.flatMap(({ when = {} }) => Object.keys(when)));
+const DECIDES = new Set(PARAMETERS.flatMap(({ when, unless }) => Object.keys({ ...when, ...unless })));
 
 /** The model of a fire that says nothing of it. */
 const DEFAULT_MODEL = PARAMETERS.find(({ id }) => id === MODEL).default;
@@ -127,9 +127,12 @@ export function mountMirror({ host, fire, desk, reveal }) {
       row.hidden = !domain;
       restore.hidden = !domain || value === domain.default;
       if (domain) show(value, domain);
-      const waits = Object.entries(parameter.when ?? {}).filter(([of, names]) => !names.includes(valueOf(of)));
-      note.textContent = waits.length > 0 ? `Only with ${waits.map(conditionOf).join(' and ')}` : '';
-      row.classList.toggle('idle', waits.length > 0);
+      const isChosen = ([of, names]) => names.includes(valueOf(of));
+      const waits = Object.entries(parameter.when ?? {}).filter((chosen) => !isChosen(chosen));
+      const bars = Object.entries(parameter.unless ?? {});
+      const why = waits.length > 0 ? ['Only', waits] : bars.length > 0 && bars.every(isChosen) ? ['Not', bars] : null;
+      note.textContent = why ? `${why[0]} with ${why[1].map(inWords).join(' and ')}` : '';
+      row.classList.toggle('idle', why !== null);
     });
     control.addEventListener('focus', () => reveal(id));
     control.addEventListener('blur', () => reveal(''));
@@ -260,8 +263,8 @@ function makeControl(parameter, wish) {
   return { row, control, note, show };
 }
 
-/** What somebody has to choose for it, in words. @param {[string, string[]]} condition */
-function conditionOf([id, names]) {
+/** A choice and some of its names. @param {[string, string[]]} chosen */
+function inWords([id, names]) {
   const label = PARAMETERS.find((parameter) => parameter.id === id)?.label ?? id;
   const [last, ...others] = [...names].reverse();
   const before = others.length > 0 ? `${others.reverse().join(', ')} or ` : '';

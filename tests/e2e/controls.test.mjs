@@ -118,6 +118,10 @@ test('what counts for nothing says so to hand, eye and ear, and is set all the s
     document.querySelector(`[data-parameter="${id}"]`)?.closest('.idle') === null
   ), 'hot_colour');
   assert.equal(await told('hot_colour'), '');
+  assert.equal(await told('background'), '');
+  await tab.fire((fire) => fire.set('backdrop', 'bricks'));
+  assert.equal(await told('background'), 'Not with backdrop bricks and display fire');
+  await tab.fire((fire) => fire.restore('backdrop'));
   const lit = await tab.picture({ ...await panel.reveal('hot_colour'), width: swatch.width, height: swatch.height });
   const brightness = (picture) => picture.rgb.reduce((sum, x) => sum + x, 0);
   assert.ok(brightness(lit) > 1.1 * brightness(dim), 'it is brighter than it was');

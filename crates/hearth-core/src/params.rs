@@ -23,7 +23,7 @@ use table::{Place, parameters};
 
 pub use choices::{Backdrop, Choice, DisplayMode, Layers, Model, Palette, Walls};
 pub use quantity::Quantity;
-pub use table::{Description, Domain, Kind, Param, Scale};
+pub use table::{Description, Domain, Kind, Param, Scale, Selection, selections_in_words};
 pub use value::{Colour, Input, ParamError, Refusal, Value};
 
 /// The displays that show light, so that its brightness and its colours count.
@@ -31,6 +31,16 @@ const LIGHT: &[&str] = &["fire", "paper", "sprites"];
 
 /// The display that shows all of the fire, with smoke, glow and fine structure.
 const FIRE: &[&str] = &["fire"];
+
+/// The layers of which light is one, and those of which smoke is one.
+const LIT: &[&str] = &["both", "fire"];
+const SMOKY: &[&str] = &["both", "smoke"];
+
+/// The layers without any light.
+const DARK: &[&str] = &["smoke"];
+
+/// The backdrop that there is.
+const WALL: &[&str] = &["bricks"];
 
 parameters! {
     "World" {
@@ -178,13 +188,13 @@ parameters! {
     }
     "Embers" {
         /// Embers thrown each second: sparks that the flow carries off.
-        ember_rate: number "Ember rate" ["1/s"] Linear { Combustion(40.0, 0.0..=1000.0) }
+        ember_rate: number "Ember rate" ["1/s"] Linear { Combustion(40.0, 0.0..=1000.0) } when { display_mode: FIRE, layers: LIT }
         /// Shortest life of an ember.
-        ember_life_min: number "Shortest ember life" ["s"] Linear { Combustion(0.5, 0.1..=5.0) }
+        ember_life_min: number "Shortest ember life" ["s"] Linear { Combustion(0.5, 0.1..=5.0) } when { display_mode: FIRE, layers: LIT }
         /// Longest life of an ember. A life below the shortest one counts as the shortest.
-        ember_life_max: number "Longest ember life" ["s"] Linear { Combustion(2.0, 0.1..=5.0) }
+        ember_life_max: number "Longest ember life" ["s"] Linear { Combustion(2.0, 0.1..=5.0) } when { display_mode: FIRE, layers: LIT }
         /// Size of an ember.
-        ember_size: number "Ember size" ["m"] Log { Combustion(0.004, 0.001..=0.02) }
+        ember_size: number "Ember size" ["m"] Log { Combustion(0.004, 0.001..=0.02) } when { display_mode: FIRE, layers: LIT }
     }
     "Time" {
         /// Seconds of fire for each second of the clock: below 1 is slow motion.
@@ -219,32 +229,40 @@ parameters! {
         /// Brightness, in steps that each double it.
         exposure: number "Exposure" ["EV"] Linear { Every(0.0, -4.0..=4.0) } when { display_mode: LIGHT }
         /// How much of a black body's enormous range of brightness is kept.
-        luminance_exponent: number "Luminance exponent" [""] Linear { Every(0.35, 0.15..=1.0) } when { display_mode: LIGHT }
+        luminance_exponent: number "Luminance exponent" [""] Linear { Every(0.35, 0.15..=1.0) } when { display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// How strongly smoke hides what is behind it.
-        smoke_opacity: number "Smoke opacity" [""] Linear { Every(0.3, 0.0..=2.0) } when { display_mode: FIRE }
+        smoke_opacity: number "Smoke opacity" [""] Linear { Every(0.3, 0.0..=2.0) } when { display_mode: FIRE, layers: SMOKY }
         /// Glow around bright places.
-        bloom: number "Bloom" [""] Linear { Every(0.15, 0.0..=0.6) } when { display_mode: FIRE }
+        bloom: number "Bloom" [""] Linear { Every(0.15, 0.0..=0.6) } when { display_mode: FIRE, layers: LIT }
         /// Fine structure that rises with the flow.
         detail: number "Detail" [""] Linear { Every(1.0, 0.0..=2.0) } when { display_mode: FIRE }
         /// Colours of the fire: those of glowing soot, of gas, of copper or lithium salts,
         /// of a ghost, or from a cool colour to a hot one.
-        palette: (choice Palette) "Palette" { Every(Blackbody) } when { display_mode: LIGHT }
+        palette: (choice Palette) "Palette" { Every(Blackbody) } when { display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// Colour of the coolest fire, where the palette is the custom one; transparent is black.
-        cool_colour: colour "Cool colour" { Every(Colour::rgb(0x8a, 0x12, 0xff)) } when { palette: &["custom"], display_mode: LIGHT }
+        cool_colour: colour "Cool colour" { Every(Colour::rgb(0x8a, 0x12, 0xff)) } when { palette: &["custom"], display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// Colour of the hottest fire, where the palette is the custom one; transparent is black.
-        hot_colour: colour "Hot colour" { Every(Colour::rgb(0x38, 0xe8, 0xff)) } when { palette: &["custom"], display_mode: LIGHT }
+        hot_colour: colour "Hot colour" { Every(Colour::rgb(0x38, 0xe8, 0xff)) } when { palette: &["custom"], display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// What the fire burns in front of, in place of the background: nothing, or a wall
         /// of bricks that it lights.
         backdrop: (choice Backdrop) "Backdrop" { Every(None) } when { display_mode: FIRE }
         /// How strongly hot gas makes the backdrop shimmer; a page cannot be made to.
-        heat_haze: number "Heat haze" [""] Linear { Every(0.3, 0.0..=1.0) } when { backdrop: &["bricks"], display_mode: FIRE }
+        heat_haze: number "Heat haze" [""] Linear { Every(0.3, 0.0..=1.0) } when { backdrop: WALL, display_mode: FIRE }
         /// What stands behind the fire: `transparent` or a colour.
-        background: colour "Background" { Every(Colour::TRANSPARENT) }
+        background: colour "Background" { Every(Colour::TRANSPARENT) } unless { backdrop: WALL, display_mode: FIRE }
     }
 }
 
 /// The id of the parameter that says which of them the others are for.
 const MODEL: &str = "model";
+
+/// Whether one of these names is chosen.
+fn is_chosen(parameters: &Parameters, &(id, names): &Selection) -> bool {
+    match parameters.get(id) {
+        Some(Value::Choice(name)) => names.contains(&name),
+        _ => true,
+    }
+}
 
 /// A checked set of values: whatever it holds is in range for its model.
 ///
@@ -432,14 +450,19 @@ impl Param {
 
     /// The choices that would have to be other ones for its value to count, with the
     /// names that would do.
-    pub fn waits_for(
-        &self,
-        parameters: &Parameters,
-    ) -> impl Iterator<Item = &'static (&'static str, &'static [&'static str])> {
-        let unmet = move |&&(id, names): &&(&str, &[&str])| match parameters.get(id) {
-            Some(Value::Choice(name)) => !names.contains(&name),
-            _ => false,
-        };
-        self.description().when.iter().filter(unmet)
+    pub fn waits_for(&self, parameters: &Parameters) -> impl Iterator<Item = &'static Selection> {
+        let when = self.description().when.iter();
+        when.filter(|chosen| !is_chosen(parameters, chosen))
+    }
+
+    /// The choices that together leave its value without an effect; empty: it has one,
+    /// if it does not wait for others.
+    pub fn ruled_out_by(&self, parameters: &Parameters) -> &'static [Selection] {
+        let unless = self.description().unless;
+        if unless.iter().all(|chosen| is_chosen(parameters, chosen)) {
+            unless
+        } else {
+            &[]
+        }
     }
 }

@@ -2,7 +2,7 @@
 //! default, and in words why a value was refused.
 
 use egui::{Align2, Color32, CursorIcon, Id, Rect, Response, Sense, Shape, Ui, pos2, vec2};
-use hearth_core::params::{Kind, Param};
+use hearth_core::params::{Kind, Param, Selection, selections_in_words};
 
 use crate::button::{self, Face};
 use crate::fire::Command;
@@ -67,21 +67,21 @@ pub fn framed(
     }
 }
 
-/// What a parameter waits for whose value counts for nothing at present, in words.
+/// Why the value of a parameter counts for nothing at present, in words.
 fn idle(panel: &Panel, param: &Param) -> Option<String> {
-    let waits = param.waits_for(&panel.fire.parameters);
-    let each = waits.map(|&(id, names)| {
-        let label = Param::find(id).map_or(id, |choice| choice.description().label);
-        let names = match names {
-            [others @ .., last] if !others.is_empty() => {
-                format!("{} or {last}", others.join(", "))
-            }
-            names => names.concat(),
-        };
-        format!("{} {names}", label.to_lowercase())
-    });
-    let each: Vec<_> = each.collect();
-    (!each.is_empty()).then(|| format!("Only with {}", each.join(" and ")))
+    let label = |id: &str| {
+        Param::find(id).map_or_else(String::new, |choice| {
+            choice.description().label.to_lowercase()
+        })
+    };
+    let in_words = |all: &[Selection]| selections_in_words(all, label, str::to_owned);
+    let now = &panel.fire.parameters;
+    let waits: Vec<_> = param.waits_for(now).copied().collect();
+    if !waits.is_empty() {
+        return Some(format!("Only with {}", in_words(&waits)));
+    }
+    let ruled_out = param.ruled_out_by(now);
+    (!ruled_out.is_empty()).then(|| format!("Not with {}", in_words(ruled_out)))
 }
 
 /// The first line of a row: the name, and beside it the way back to the
@@ -105,8 +105,8 @@ pub fn line(panel: &mut Panel, ui: &mut Ui, param: &'static Param, height: f32) 
 
 /// The name of a parameter at the left of `rect`, which tells about it.
 pub fn name(panel: &mut Panel, ui: &mut Ui, param: &'static Param, rect: Rect) -> Rect {
-    let counts = param.waits_for(&panel.fire.parameters).next().is_none();
-    let rest = if counts { theme::TEXT } else { theme::WEAK };
+    let idle = idle(panel, param).is_some();
+    let rest = if idle { theme::WEAK } else { theme::TEXT };
     let label =
         ui.painter()
             .layout_no_wrap(param.description().label.to_owned(), theme::body(), rest);

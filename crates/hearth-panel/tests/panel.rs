@@ -355,6 +355,10 @@ fn the_arrow_keys_go_through_a_long_choice_and_stop_at_its_ends() {
         hands.key(Key::ArrowDown);
     }
     assert_eq!(hands.value("palette"), Value::Choice("custom"));
+    // The page takes Space, to pause the fire.
+    assert!(hands.in_sight("choice:palette:gas"));
+    hands.key(Key::Space);
+    assert!(hands.in_sight("choice:palette:gas"));
 }
 
 #[test]
@@ -381,6 +385,20 @@ fn what_counts_for_nothing_is_dimmed_says_why_and_is_set_all_the_same() {
     let place = hands.place("bloom");
     hands.drag(place.left_center(), place.right_center());
     assert_eq!(hands.value("bloom"), Value::Number(0.6));
+
+    hands.panel.fire.learn("display_mode", Input::Text("fire"));
+    hands.reveal("background");
+    let words = "Not with backdrop bricks and display fire";
+    assert!(!hands.texts().iter().any(|text| text == words));
+    hands.panel.fire.learn("backdrop", Input::Text("bricks"));
+    hands.wait();
+    assert!(hands.texts().iter().any(|text| text == words));
+    hands
+        .panel
+        .fire
+        .learn("display_mode", Input::Text("density"));
+    hands.wait();
+    assert!(!hands.texts().iter().any(|text| text == words));
 }
 
 #[test]

@@ -68,9 +68,35 @@ pub struct Description {
     pub label: &'static str,
     /// One or two sentences for a tooltip and the reference.
     pub doc: &'static str,
-    /// The choices, by id, that each must have one of these names, or its value shows
-    /// nowhere; empty: it always counts. It can be set all the same.
-    pub when: &'static [(&'static str, &'static [&'static str])],
+    /// The choices that each must have one of these names, or its value shows nowhere;
+    /// empty: none has to. It can be set all the same.
+    pub when: &'static [Selection],
+    /// The choices with whose names, all of them chosen together, it shows nowhere
+    /// either; empty: there are none.
+    pub unless: &'static [Selection],
+}
+
+/// A choice, by its id, and some of its names.
+pub type Selection = (&'static str, &'static [&'static str]);
+
+/// Choices as words, "layers both or fire and display fire", each id and each name as
+/// these say it.
+pub fn selections_in_words<'a>(
+    all: impl IntoIterator<Item = &'a Selection>,
+    id_in_words: impl Fn(&str) -> String,
+    name_in_words: impl Fn(&str) -> String,
+) -> String {
+    let each = all.into_iter().map(|(id, names)| {
+        let names: Vec<_> = names.iter().map(|name| name_in_words(name)).collect();
+        let names = match names.split_last() {
+            Some((last, others)) if !others.is_empty() => {
+                format!("{} or {last}", others.join(", "))
+            }
+            _ => names.concat(),
+        };
+        format!("{} {names}", id_in_words(id))
+    });
+    each.collect::<Vec<_>>().join(" and ")
 }
 
 impl Param {
@@ -235,7 +261,8 @@ fn edit_distance(known: &str, asked: &str) -> usize {
 /// `id: kind "Label" ["unit"] Scale { Model(default, min..=max) … }`,
 /// after its doc; a choice names its type as `(choice Type)`; unit, scale and
 /// range stand only where the kind has them; `Every` stands for every model.
-/// `when { id: names, … }` behind it says when it is of use: see [`Description::when`].
+/// `when { id: names, … }` behind it says when it is of use, `unless { id: names, … }`
+/// when not: see [`Description::when`] and [`Description::unless`].
 ///
 /// [`PARAMETERS`]: super::PARAMETERS
 /// [`DESCRIPTIONS`]: super::DESCRIPTIONS
@@ -244,6 +271,7 @@ macro_rules! parameters {
         $(#[doc = $doc:literal])+
         $id:ident : $kind:tt $label:literal $([$unit:literal])? $($scale:ident)?
             { $( $model:ident $domain:tt )+ } $(when { $( $choice:ident : $names:expr ),+ })?
+            $(unless { $( $other:ident : $excluded:expr ),+ })?
     )+ } )+) => {
         /// The value of every parameter. Read it through [`Parameters`]; it is
         /// written only by the validator.
@@ -313,6 +341,7 @@ macro_rules! parameters {
                 label: $label,
                 doc: concat!($($doc),+).trim_ascii(),
                 when: &[ $($( (stringify!($choice), $names) ),+)? ],
+                unless: &[ $($( (stringify!($other), $excluded) ),+)? ],
             },
         )+)+ ];
     };

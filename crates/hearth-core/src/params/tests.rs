@@ -229,7 +229,7 @@ fn the_smoothing_length_follows_the_number_of_particles() {
 #[test]
 fn whatever_makes_a_parameter_count_can_be_chosen_and_leaves_some_model_with_it() {
     for (param, about) in PARAMETERS.iter().zip(DESCRIPTIONS) {
-        for &(id, names) in about.when {
+        for &(id, names) in about.when.iter().chain(about.unless) {
             let choice = Param::find(id).expect("it is of the table");
             let Kind::Choice(all) = choice.kind else {
                 panic!("{id} of {} is no choice", param.id);

@@ -107,10 +107,11 @@ fn entry(param: &Param) -> String {
     }
     fields.push(("models", format!("[{}]", models.join(", "))));
     fields.push(("domains", object(&by_model)));
-    if !description.when.is_empty() {
-        let when = description.when.iter();
-        let when: Vec<_> = when.map(|&(id, names)| (id, list(names))).collect();
-        fields.push(("when", object(&when)));
+    for (name, chosen) in [("when", description.when), ("unless", description.unless)] {
+        if !chosen.is_empty() {
+            let chosen = chosen.iter().map(|&(id, names)| (id, list(names)));
+            fields.push((name, object(&chosen.collect::<Vec<_>>())));
+        }
     }
     object(&fields)
 }

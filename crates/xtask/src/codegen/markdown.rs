@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use hearth_core::params::{Description, Domain, Kind, Model, PARAMETERS, Param, Scale, Value};
+use hearth_core::params::{
+    Description, Domain, Kind, Model, PARAMETERS, Param, Scale, Value, selections_in_words,
+};
 
 use super::{attribute, models};
 
@@ -75,20 +77,17 @@ fn row(param: &Param) -> String {
 
 /// When its value counts, where that is not always.
 fn condition(description: &Description) -> String {
-    let each = description.when.iter().map(|(id, names)| {
-        let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
-        let names = match names.split_last() {
-            Some((last, others)) if !others.is_empty() => {
-                format!("{} or {last}", others.join(", "))
-            }
-            _ => names.concat(),
-        };
-        format!("`{id}` {names}")
+    let quoted = |word: &str| format!("`{word}`");
+    let each = [("Only", description.when), ("Not", description.unless)].map(|(how, chosen)| {
+        if chosen.is_empty() {
+            return String::new();
+        }
+        format!(
+            " {how} with {}.",
+            selections_in_words(chosen, quoted, quoted)
+        )
     });
-    match each.collect::<Vec<_>>() {
-        each if each.is_empty() => String::new(),
-        each => format!(" Only with {}.", each.join(" and ")),
-    }
+    each.concat()
 }
 
 fn default_text(default: Value) -> String {
@@ -174,11 +173,12 @@ mod tests {
         let when: &[(_, &[_])] = &[("a", &["x", "y", "z"]), ("b", &["x", "y"]), ("c", &["x"])];
         let description = Description {
             when,
+            unless: &[("d", &["x"])],
             ..*PARAMETERS[0].description()
         };
         assert_eq!(
             condition(&description),
-            " Only with `a` `x`, `y` or `z` and `b` `x` or `y` and `c` `x`."
+            " Only with `a` `x`, `y` or `z` and `b` `x` or `y` and `c` `x`. Not with `d` `x`."
         );
     }
 

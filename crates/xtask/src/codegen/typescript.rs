@@ -53,6 +53,8 @@ export interface Parameter extends ParameterDomain {
    * It can be set all the same.
    */
   when?: Partial<Record<ParameterId, string[]>>;
+  /** The choices with whose names, all of them chosen together, it shows nowhere either. */
+  unless?: Partial<Record<ParameterId, string[]>>;
 }
 
 /** A named set of values: the defaults, with these changed. */

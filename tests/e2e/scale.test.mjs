@@ -156,7 +156,7 @@ describe('the bar', () => {
     const { kelvin, told } = await tab.fire(async (fire) => {
       const kelvin = fire.stats.scale[1];
       // Until all of them are made nothing is drawn: the picture stays that of the temperature.
-      const made = fire.step(600);
+      const made = fire.step(1500);
       await fire.set('display_mode', 'velocity');
       /** @type {unknown[]} */
       const told = [];

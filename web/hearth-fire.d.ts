@@ -71,6 +71,9 @@ export interface HearthConfig {
   /** The preset, where it is not the default one. */
   preset?: PresetName;
   values: Partial<HearthParameters>;
+  /** What it is called and what it shows, for people: the fire leaves both alone. */
+  label?: string;
+  description?: string;
 }
 
 /** A point: of the element in CSS pixels, y down, or of the fire's world in metres, y up. */

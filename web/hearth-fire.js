@@ -63,7 +63,7 @@ export class HearthFire extends FireAttributes {
   #stoppable = false;
   /** Whether the engine ever had a fire of this element, and has told its values. */
   #started = false;
-  /** Settles when the engine has freed the fire before this one. */
+  /** Settles when the engine has freed all fires before this one. */
   #gone = Promise.resolve();
   #announced = false;
   /** Whether the preset's attribute is taken away without a wish for other values. */
@@ -486,7 +486,9 @@ export class HearthFire extends FireAttributes {
     // Who waits from now on waits for the next one.
     if (this.#announced) this.#ready = deferred();
     this.#link?.close();
-    this.#gone = this.#link?.gone ?? this.#gone;
+    // One that never got its fire leaves none behind; the fire before it may still be there.
+    const gone = this.#link?.gone;
+    this.#gone = this.#gone.then(() => gone);
     this.#link = null;
     this.#announced = false;
     this.#stats = null;

@@ -10,7 +10,16 @@ export interface HearthSharedConfig {
   hearth?: 1;
   preset?: string;
   values?: Record<string, unknown>;
+  /** For people; neither an address nor HTML holds them. */
+  label?: string;
+  description?: string;
 }
+
+/**
+ * Where this file is, by which the panel knows whether its own files still lie beside each
+ * other; what a bundler made of it is somewhere else.
+ */
+export const FILE: string;
 
 /** What a query asks for. */
 export interface HearthQuery {

@@ -9,6 +9,8 @@
  * @property {number} [hearth]  The version of the form: 1.
  * @property {string} [preset]  The preset that it starts from, if not the default one.
  * @property {{[id: string]: unknown}} [values]  What differs from that.
+ * @property {string} [label]  What it is called, for people.
+ * @property {string} [description]  And what it shows.
  */
 
 import { DEFAULTS } from './defaults.js';

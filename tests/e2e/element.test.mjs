@@ -93,6 +93,48 @@ test('a fire that was removed is ready when it is back, and does then what it wa
   assert.deepEqual(seen, { early: false, viscosity: 0.02 });
 });
 
+/** Whatever a worker says is heard half a second later, in the same order. */
+const beforeWorker = () => {
+  const post = globalThis.postMessage.bind(globalThis);
+  globalThis.postMessage = (/** @type {any} */ ...said) => void setTimeout(() => post(...said), 500);
+};
+
+test('a fire that is taken off twice in a row holds what it was told before', async () => {
+  const tab = await browser.open(FIRE, { beforeWorker });
+  await tab.ready();
+  const viscosity = await tab.fire(async (fire) => {
+    const parent = fire.parentElement;
+    fire.set('viscosity', 0.02);
+    for (let round = 0; round < 2; round += 1) {
+      fire.remove();
+      await undefined;
+      parent.append(fire);
+      await undefined;
+    }
+    await fire.ready;
+    return fire.params.viscosity;
+  });
+  assert.equal(viscosity, 0.02);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a fire that is destroyed before it is back is gone with the one before', async () => {
+  const tab = await browser.open(FIRE, { beforeWorker });
+  await tab.ready();
+  const answered = await tab.fire(async (fire) => {
+    let answered = false;
+    // It is answered before the fire that it was said to is freed.
+    fire.set('viscosity', 0.02).then(() => (answered = true));
+    fire.remove();
+    await undefined;
+    document.body.append(fire);
+    await fire.destroy();
+    return answered;
+  });
+  assert.equal(answered, true);
+  assert.deepEqual(tab.problems, []);
+});
+
 test('a fire that is moved in the document burns on', async () => {
   const tab = await browser.open(`${FIRE}<section></section>`);
   await tab.burnt(0.5);

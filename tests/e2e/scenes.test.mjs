@@ -203,6 +203,10 @@ describe('on a phone', () => {
       }, name);
       const { top, bottom } = await place('default');
       assert.ok(top >= 0.55 * PHONE.height && bottom <= PHONE.height, 'the fire stays in sight');
+      const cut = await panel.in((root) => [...root.querySelectorAll('[data-scene] > span')].filter((name) => (
+        name.scrollHeight > name.clientHeight + 1 || name.scrollWidth > name.clientWidth + 1
+      )).map((name) => name.textContent));
+      assert.deepEqual(cut, [], 'names are read to their ends');
       for (const name of [PRESETS[1].name, PRESETS[5].name]) {
         for (let pushes = 0; (await place(name)).x > PHONE.width - 20 && pushes < 20; pushes += 1) {
           const { y } = await place('default');

@@ -27,7 +27,7 @@ export function traits({ display_mode, palette, backdrop, background, wind }) {
     // A wall shines, and does not move.
     bare: backdrop === 'none' && background === 'transparent',
     // Smoke before a sky is of its colour.
-    no_sky: backdrop !== 'dusk' && background === 'transparent',
+    no_sky: background === 'transparent',
     calm: Number(wind) === 0,
   }).filter(([, has]) => has).map(([trait]) => trait);
 }

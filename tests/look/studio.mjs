@@ -75,6 +75,21 @@ export class Studio {
 }
 
 /**
+ * Those names that begin as somebody wants them; all of them where nobody said how.
+ * @param {string[]} names
+ * @param {string[]} begins
+ * @param {string} what they are the names of
+ * @throws {Error} where none begins so: a slip of the pen must not look like work done
+ */
+export function named(names, begins, what) {
+  for (const begin of begins) {
+    if (names.some((name) => name.startsWith(begin))) continue;
+    throw new Error(`there is no ${what} "${begin}"; there are ${names.join(', ')}`);
+  }
+  return names.filter((name) => begins.length === 0 || begins.some((begin) => name.startsWith(begin)));
+}
+
+/**
  * @param {string} text @param {number} width @param {number} height
  * @returns {Pixels}
  */

@@ -5,7 +5,7 @@
  */
 import { writeFileSync } from 'node:fs';
 import { BARS, TELLING, traits } from './bars.mjs';
-import { Studio } from './studio.mjs';
+import { Studio, named } from './studio.mjs';
 
 const SECONDS = Number(process.env.HEARTH_SECONDS ?? 60);
 /** How long a fire has burnt before [s]: until it fills its height. */
@@ -22,8 +22,7 @@ const lines = [
 ];
 let missed = 0;
 try {
-  for (const lit of await studio.ask('presets')) {
-    if (begins.length > 0 && !begins.some((begin) => lit.startsWith(begin))) continue;
+  for (const lit of named(await studio.ask('presets'), begins, 'scene')) {
     const values = {};
     for (const id of TELLING) values[id] = await studio.ask('value', { lit }, id);
     const has = traits(values);

@@ -33,7 +33,7 @@ pub struct Wanted {
 /// Burns the fires that are kept, if that is wanted, and draws the pictures anew.
 ///
 /// # Errors
-/// No browser, no Node, code that does not compile, a picture of nothing.
+/// No browser, no Node, code that does not compile, a picture of nothing, no picture of a name.
 pub fn write(wanted: &Wanted) -> Result<()> {
     if wanted.snapshots {
         let mut burn = process::cargo();

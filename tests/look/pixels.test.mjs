@@ -66,3 +66,18 @@ test('motion is seen which way it goes', () => {
   const [up, moving, all] = see(0);
   assert.ok(up === 0 && moving === 0 && all > 20);
 });
+
+test('what flickers is seen which way it goes', () => {
+  // A flame that fades towards its tip, with streaks in it that go down by so many pixels
+  // while it grows darker, or brighter, as a whole.
+  const flame = (/** @type {number} */ down, /** @type {number} */ lightness) => blobs(down).map((streaks, at) => (
+    (lightness + 0.008 * Math.floor(at / 96) + 0.5 * (streaks - 0.4)) ** 3
+  ));
+  for (const later of [0.37, 0.43]) {
+    const see = (/** @type {number} */ down) => rising(flame(0, 0.4), flame(down, later), 96, 96, 0.03);
+    const [up, moving, all] = see(-4);
+    assert.ok(all > 20 && up > 0.95 * moving && moving > 0.9 * all, `${[later, up, moving, all]}`);
+    const [falls, moves] = see(4);
+    assert.ok(moves > 20 && falls < 0.05 * moves, `${[later, falls, moves]}`);
+  }
+});

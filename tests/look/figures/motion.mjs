@@ -1,5 +1,10 @@
 /**
  * Which way a picture moves, block by block.
+ *
+ * Blocks are compared less their own means. Flames flicker: where one that only fades
+ * towards its tip grows darker as a whole, what was dark is found further down, and gas
+ * that rises would seem to fall. Of a block that brightens or darkens, its structure says
+ * where it went.
  */
 
 /** Pixels on a side of a block. */
@@ -20,16 +25,22 @@ const [TEXTURE, BETTER] = [0.02, 0.7];
 export function rising(before, now, width, height, luminous) {
   // As an eye sees it: else only the brightest would count.
   const [a, b] = [before, now].map((picture) => picture.map(Math.cbrt));
+  const [inA, inB] = [a, b].map((picture) => sums(picture, width, height));
+  /** @param {number} x @param {number} y @param {number} dx @param {number} dy @param {number} enough */
+  const off = (x, y, dx, dy, enough) => {
+    const brighter = (inA(x, y) - inB(x + dx, y + dy)) / BLOCK ** 2;
+    return apart(a, b, x, y, dx, dy, brighter, width, enough);
+  };
   let [up, moving, all] = [0, 0, 0];
   for (let y = UP; y + BLOCK + DOWN <= height; y += BLOCK) {
     for (let x = ACROSS; x + BLOCK + ACROSS <= width; x += BLOCK) {
       if (!textured(a, x, y, width, Math.cbrt(luminous))) continue;
-      const stays = apart(a, b, x, y, 0, 0, width, Infinity);
+      const stays = off(x, y, 0, 0, Infinity);
       let [least, across, risen] = [Infinity, 0, 0];
       for (let dy = -UP; dy <= DOWN; dy += 1) {
         for (let dx = -ACROSS; dx <= ACROSS; dx += 1) {
-          const off = apart(a, b, x, y, dx, dy, width, least);
-          if (off < least) [least, across, risen] = [off, dx, -dy];
+          const found = off(x, y, dx, dy, least);
+          if (found < least) [least, across, risen] = [found, dx, -dy];
         }
       }
       const stayed = risen === 0 && across === 0;
@@ -58,13 +69,35 @@ function textured(picture, x, y, width, luminous) {
   return mean > luminous && squares / BLOCK ** 2 - mean ** 2 > TEXTURE ** 2;
 }
 
-/** How different a block is from what stands there, moved, one picture later. */
-function apart(a, b, x, y, dx, dy, width, enough) {
+/**
+ * The sum over a block that begins there.
+ * @param {Float32Array} picture @param {number} width @param {number} height
+ * @returns {(x: number, y: number) => number}
+ */
+function sums(picture, width, height) {
+  const stride = width + 1;
+  const before = new Float64Array(stride * (height + 1));
+  for (let y = 0; y < height; y += 1) {
+    let row = 0;
+    for (let x = 0; x < width; x += 1) {
+      row += picture[y * width + x];
+      before[(y + 1) * stride + x + 1] = before[y * stride + x + 1] + row;
+    }
+  }
+  return (x, y) => {
+    const [upper, lower] = [y * stride + x, (y + BLOCK) * stride + x];
+    return before[lower + BLOCK] - before[lower] - before[upper + BLOCK] + before[upper];
+  };
+}
+
+/** How different a block is from what stands there, moved, one picture later, but for
+    being that much brighter as a whole. */
+function apart(a, b, x, y, dx, dy, brighter, width, enough) {
   let sum = 0;
   for (let row = y; row < y + BLOCK; row += 1) {
     const shift = dy * width + dx;
     for (let at = row * width + x; at < row * width + x + BLOCK; at += 1) {
-      sum += Math.abs(a[at] - b[at + shift]);
+      sum += Math.abs(a[at] - b[at + shift] - brighter);
     }
     if (sum >= enough) return sum;
   }

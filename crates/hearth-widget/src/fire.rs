@@ -9,6 +9,7 @@ use hearth_core::params::DisplayMode;
 use hearth_core::{Instance, Simulation, Stage};
 use hearth_render::Lines;
 
+use crate::asked::Asked;
 use crate::average::smooth;
 use crate::budget::{Pace, make_steps};
 use crate::easel::Easel;
@@ -25,26 +26,6 @@ const STATS_EVERY_MS: f64 = 250.0;
 
 /// The stages of a step, in the order of the core's `Stage`.
 const STAGES: [&str; 4] = ["sort", "density", "forces", "integrate"];
-
-/// Steps that somebody asked for, apart from those that time brings: so many of
-/// them, or as many as so much fire needs.
-struct Asked {
-    request: Option<f64>,
-    steps: u32,
-    seconds: f64,
-}
-
-impl Asked {
-    fn is_open(&self) -> bool {
-        self.steps > 0 || self.seconds > 0.0
-    }
-
-    /// A step of `length` seconds was made for it.
-    fn take(&mut self, length: f64) {
-        self.steps = self.steps.saturating_sub(1);
-        self.seconds -= length;
-    }
-}
 
 /// The steps of a frame.
 #[derive(Default)]
@@ -92,9 +73,7 @@ pub struct Fire {
     playing: bool,
     /// Whether the picture is not what it should show.
     stale: bool,
-    asked: Vec<Asked>,
-    /// Requests whose steps are made and not drawn yet.
-    made: Vec<Option<f64>>,
+    asked: Asked,
     clock: Clock,
     /// Length of the last step in seconds of fire: about what the next will have.
     last_step: f64,
@@ -132,8 +111,7 @@ impl Fire {
             visible: start.visible,
             playing: !start.paused,
             stale: true,
-            asked: Vec::new(),
-            made: Vec::new(),
+            asked: Asked::default(),
             clock: Clock::new(),
             last_step: 0.0,
             fps: FpsCounter::new(),
@@ -254,11 +232,7 @@ impl Fire {
     /// for so many seconds of fire. The answer to `request` follows when they are
     /// made and drawn.
     pub fn ask_steps(&mut self, steps: u32, seconds: f64, request: Option<f64>) {
-        self.asked.push(Asked {
-            request,
-            steps,
-            seconds,
-        });
+        self.asked.add(steps, seconds, request);
     }
 
     /// Whether there is a context to draw it in: it may be lost, and back. The fire
@@ -273,8 +247,8 @@ impl Fire {
 
     /// Whether it has anything to do in the next frame.
     pub fn wants_frame(&self) -> bool {
-        let open = !self.asked.is_empty() || !(self.made.is_empty() || self.seen());
-        open || (self.seen() && (self.playing || self.wants_picture()))
+        let asked = !self.asked.is_empty() || (self.asked.waits() && !self.seen());
+        asked || (self.seen() && (self.playing || self.wants_picture()))
     }
 
     fn wants_picture(&self) -> bool {
@@ -325,7 +299,7 @@ impl Fire {
             self.pace.frame(passed, scale, made.burnt, dropped);
             smooth(&mut self.steps_per_frame, f64::from(made.played));
         }
-        self.take_made();
+        self.asked.take_made();
 
         // Asked-for steps are a jump: what lies between is not shown.
         let stands = passed.is_none();
@@ -372,7 +346,7 @@ impl Fire {
         }
         // Whoever waits for steps finds them in picture and statistics.
         if drawn || !self.seen() || !self.asked.is_empty() {
-            for request in self.made.drain(..) {
+            for request in self.asked.answers() {
                 out.done(self.id, request);
             }
         }
@@ -387,7 +361,7 @@ impl Fire {
         let steps = make_steps(
             || last.get() < deadline,
             || {
-                let asked = self.asked.iter_mut().find(|asked| asked.is_open());
+                let asked = self.asked.next_open();
                 if asked.is_none() && !(burns && self.clock.due(self.last_step)) {
                     return false;
                 }
@@ -412,14 +386,6 @@ impl Fire {
             },
         );
         Made { steps, ..made }
-    }
-
-    /// Takes away the requests whose steps are made: they are answered when these are
-    /// drawn.
-    fn take_made(&mut self) {
-        let open = self.asked.iter().position(Asked::is_open);
-        let made = self.asked.drain(..open.unwrap_or(self.asked.len()));
-        self.made.extend(made.map(|asked| asked.request));
     }
 
     /// Draws it; returns how long that took \[ms\].

@@ -22,6 +22,8 @@ pub mod wanted;
 
 // What touches the page.
 #[cfg(target_arch = "wasm32")]
+mod asked;
+#[cfg(target_arch = "wasm32")]
 mod average;
 #[cfg(target_arch = "wasm32")]
 mod easel;

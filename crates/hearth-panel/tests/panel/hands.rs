@@ -1,0 +1,169 @@
+//! Hands that use a panel without a browser: it is painted, and pointer and keys go
+//! where it says its controls are.
+//!
+//! A character that the font lacks panics, so everything that is painted here
+//! is painted without boxes.
+
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, Shape, vec2};
+use hearth_core::params::{Choice, Input, Model, Param, Value};
+use hearth_panel::Panel;
+use hearth_panel::fire::MODEL;
+use hearth_panel::theme::{self, Measures};
+
+pub struct Hands {
+    pub ctx: egui::Context,
+    pub panel: Panel,
+    pub size: egui::Vec2,
+    pub time: f64,
+}
+
+impl Hands {
+    /// A panel of the classic model.
+    pub fn new(size: Size) -> Hands {
+        Hands::of_model(Model::Classic, size)
+    }
+
+    pub fn of_model(model: Model, (width, height, measures): Size) -> Hands {
+        let ctx = egui::Context::default();
+        theme::apply(&ctx);
+        ctx.set_missing_glyph_policy(egui::MissingGlyphPolicy::Panic);
+        let mut hands = Hands {
+            ctx,
+            panel: Panel::new(measures),
+            size: vec2(width, height),
+            time: 0.0,
+        };
+        hands.panel.fire.learn(MODEL, Input::Text(model.name()));
+        hands.wait();
+        hands
+    }
+
+    /// What the panel shows of the table.
+    pub fn used(&self) -> Vec<&'static Param> {
+        self.panel.fire.used().collect()
+    }
+
+    pub fn frame(&mut self, events: Vec<Event>) {
+        self.time += 0.1;
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, self.size)),
+            time: Some(self.time),
+            events,
+            ..RawInput::default()
+        };
+        let mut output = self.ctx.run_ui(input, |ui| self.panel.ui(ui));
+        output.textures_delta.clear();
+    }
+
+    /// Every text that is painted.
+    pub fn texts(&mut self) -> Vec<String> {
+        let painted = self.painted_texts();
+        painted.into_iter().map(|(text, _)| text).collect()
+    }
+
+    /// Every text that is painted, and where.
+    pub fn painted_texts(&mut self) -> Vec<(String, Rect)> {
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, self.size)),
+            time: Some(self.time),
+            ..RawInput::default()
+        };
+        let mut output = self.ctx.run_ui(input, |ui| self.panel.ui(ui));
+        output.textures_delta.clear();
+        let shapes = output.shapes.iter().map(|clipped| &clipped.shape);
+        let texts = shapes.filter_map(|shape| match shape {
+            Shape::Text(text) => {
+                let place = text.galley.rect.translate(text.pos.to_vec2());
+                Some((text.galley.text().to_owned(), place))
+            }
+            _ => None,
+        });
+        texts.collect()
+    }
+
+    pub fn wait(&mut self) {
+        for _ in 0..3 {
+            self.frame(Vec::new());
+        }
+    }
+
+    pub fn place(&self, name: &str) -> Rect {
+        *self
+            .panel
+            .rectangles()
+            .get(name)
+            .unwrap_or_else(|| panic!("{name} is not in sight"))
+    }
+
+    pub fn in_sight(&self, name: &str) -> bool {
+        self.panel.rectangles().contains_key(name)
+    }
+
+    pub fn reveal(&mut self, id: &str) {
+        self.panel.reveal(id);
+        self.wait();
+    }
+
+    pub fn button(&mut self, pos: Pos2, pressed: bool) {
+        self.frame(vec![
+            Event::PointerMoved(pos),
+            Event::PointerButton {
+                pos,
+                button: PointerButton::Primary,
+                pressed,
+                modifiers: Modifiers::NONE,
+            },
+        ]);
+    }
+
+    pub fn click(&mut self, name: &str) {
+        let pos = self.place(name).center();
+        self.frame(vec![Event::PointerMoved(pos)]);
+        self.button(pos, true);
+        self.button(pos, false);
+        self.wait();
+    }
+
+    pub fn drag(&mut self, from: Pos2, to: Pos2) {
+        self.frame(vec![Event::PointerMoved(from)]);
+        self.button(from, true);
+        for part in 1..=10 {
+            let pos = from + (to - from) * (part as f32 / 10.0);
+            self.frame(vec![Event::PointerMoved(pos)]);
+        }
+        self.button(to, false);
+        self.wait();
+    }
+
+    pub fn key(&mut self, key: Key) {
+        for pressed in [true, false] {
+            self.frame(vec![Event::Key {
+                key,
+                physical_key: None,
+                pressed,
+                repeat: false,
+                modifiers: Modifiers::NONE,
+            }]);
+        }
+        self.wait();
+    }
+
+    pub fn value(&self, id: &str) -> Value {
+        let value = self.panel.fire.parameters.get(id);
+        value.unwrap_or_else(|| panic!("there is no {id}"))
+    }
+}
+
+/// Width, height, and for whose hand.
+pub type Size = (f32, f32, Measures);
+
+pub const TALL: Size = (340.0, 900.0, Measures::FINE);
+pub const LOWER: Size = (340.0, 600.0, Measures::FINE);
+pub const PHONE: Size = (360.0, 288.0, Measures::COARSE);
+
+/// Every model.
+pub fn models() -> impl Iterator<Item = Model> {
+    Model::NAMES
+        .iter()
+        .filter_map(|name| Model::from_name(name))
+}

@@ -4,6 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { isDeepStrictEqual } from 'node:util';
 import { Browser } from './driver.mjs';
 import { assertBurns } from './laws.mjs';
 import { Panel, along, entriesOf, fractionOf } from './panel.mjs';
@@ -284,13 +285,15 @@ test('reset all resets the model that burns and leaves the other one alone', asy
   assert.deepEqual({ model, wind }, { model: 'classic', wind: 1.5 });
 });
 
-for (const model of ['classic', 'combustion']) {
+for (const model of ['combustion', 'classic']) {
   test(`every slider of the ${model} model moves its own value and no other`, async () => {
     const { tab, panel } = await openPage(model);
     await tab.fire((fire) => fire.pause());
     const sliders = Object.values(entriesOf(PARAMETERS, model))
-      .filter(({ used, kind }) => used && (kind === 'number' || kind === 'integer'));
-    assert.ok(sliders.length > 30, `${sliders.length} sliders`);
+      .filter(({ used, kind }) => used && (kind === 'number' || kind === 'integer'))
+      // Those that are the same in both models are moved in the first.
+      .filter(({ domains }) => model === 'combustion' || !isDeepStrictEqual(domains.classic, domains.combustion));
+    assert.ok(sliders.length > 15, `${sliders.length} sliders`);
     for (const slider of sliders) {
       const before = await tab.fire((fire) => fire.params);
       const from = fractionOf(slider, before[slider.id]);

@@ -47,7 +47,9 @@ pub fn take(others: &[PathBuf]) -> Result<()> {
     let animation = made.join("fire.webp");
     process::run(
         process::command("img2webp")
-            .args(["-loop", "0", "-lossy", "-q", "62", "-m", "6", "-d"])
+            // Each frame is whole: what is left out between whole ones shows as blocks.
+            .args(["-loop", "0", "-kmin", "0", "-kmax", "1"])
+            .args(["-lossy", "-q", "50", "-m", "6", "-d"])
             .arg((1000 / RATE).to_string())
             .args(&frames)
             .arg("-o")

@@ -76,6 +76,29 @@ pub static PRESETS: &[Preset] = &[
         ],
     },
     Preset {
+        name: "fireside",
+        values: &[
+            ("domain_width", Input::Number(1.8)),
+            ("domain_height", Input::Number(1.8)),
+            ("turbulence", Input::Number(0.8)),
+            ("turbulence_scale", Input::Number(0.25)),
+            ("fuel_power", Input::Number(300.0)),
+            ("emission_speed", Input::Number(0.6)),
+            ("emission_noise", Input::Number(0.6)),
+            ("source_width", Input::Number(0.5)),
+            ("source_height", Input::Number(0.13)),
+            ("source_oxygen", Input::Number(0.5)),
+            ("soot_life", Input::Number(0.35)),
+            ("ember_rate", Input::Number(110.0)),
+            ("ember_life_max", Input::Number(3.0)),
+            ("exposure", Input::Number(0.5)),
+            ("smoke_opacity", Input::Number(0.4)),
+            ("bloom", Input::Number(0.2)),
+            ("detail", Input::Number(1.4)),
+            ("backdrop", Input::Text("bricks")),
+        ],
+    },
+    Preset {
         name: "forge",
         values: &[
             ("domain_width", Input::Number(2.8)),
@@ -381,6 +404,10 @@ pub static CAPTIONS: &[Caption] = &[
     Caption {
         label: "Candle",
         description: "A small flame, steady as in a room without a draught.",
+    },
+    Caption {
+        label: "Fireside",
+        description: "A campfire on a stone floor before a wall of bricks, which it lights.",
     },
     Caption {
         label: "Forge",

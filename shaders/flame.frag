@@ -8,6 +8,7 @@ uniform sampler2D drift;      // how far, in pictures, the gas has carried two p
 uniform sampler2D noise;      // a tile; 0.5 is zero
 uniform sampler2D black_body; // chroma, ln luminance, by temperature
 uniform vec4 view;   // width, height [m], height of the source [m], its width [m]
+uniform vec4 origin; // the floor's middle, in pictures; place of the source [m]
 uniform vec4 part;   // used part of the field target, largest coordinate in it
 uniform vec4 range;  // what the target's range took of each field
 uniform vec4 grain;  // noise tiles per metre: across, up; warp [m], detail
@@ -28,7 +29,7 @@ vec4 pattern(vec4 places, vec2 level, float finer) {
 
 void main() {
     light = vec4(0.0);
-    vec2 place = vec2((uv.x - 0.5) * view.x, uv.y * view.y);
+    vec2 place = (uv - origin.xy) * view.xy;
     vec4 carried = texture(drift, uv) * view.xyxy;
     vec4 places = (place.xyxy - carried) * grain.xyxy + start - vec2(0.0, seen.w).xyxy;
     vec4 across = dFdx(places);
@@ -54,7 +55,7 @@ void main() {
 
     // The flame stands on its source as in a bowl, whose rim is higher than its
     // middle, and thins towards it.
-    float rim = 2.0 * place.x / view.w;
+    float rim = 2.0 * (place.x - origin.z) / view.w;
     float base = smoothstep(0.0, 0.5, above - 0.2 * min(rim * rim, 2.0) + 0.24 * broad.w * min(grain.w, 1.0));
 
     // Dark gaps and bright sheets.

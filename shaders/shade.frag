@@ -8,6 +8,7 @@ uniform sampler2D wide;       // the same as seen from farther away
 uniform sampler2D noise;      // a tile; 0.5 is zero
 uniform sampler2D black_body; // chroma, ln luminance, by temperature
 uniform vec4 view;    // width, height [m], height of the source [m], 1 / flame height
+uniform vec4 origin;  // the floor's middle, in pictures; place of the source [m]
 uniform vec4 part;    // used part of the field target, largest coordinate in it
 uniform vec4 range;   // what the target's range took of each field
 uniform vec4 rise;    // noise tiles per metre, tiles risen, warp [m], erosion
@@ -23,7 +24,7 @@ void main() {
         light = vec4(0.0);
         return;
     }
-    vec2 place = vec2((uv.x - 0.5) * view.x, uv.y * view.y);
+    vec2 place = (uv - origin.xy) * view.xy;
     float above = max(place.y - view.z, 0.0) * view.w;
     vec2 tile = place * rise.x;
 
@@ -45,7 +46,7 @@ void main() {
 
     // The flame stands on its source as in a bowl, whose rim is higher than its
     // middle, and thins towards it.
-    float rim = min(abs(place.x) * shine.w, 1.5);
+    float rim = min(abs(place.x - origin.z) * shine.w, 1.5);
     float over = abs(place.y - view.z) * shine.w - 0.8 * rim * rim + 0.25 * grain * min(rise.w, 1.0);
     left *= smoothstep(-0.35, 0.4, over);
 

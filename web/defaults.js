@@ -43,6 +43,7 @@ export const DEFAULTS = {
   emission_spread: 0.25,
   emission_noise: 0.2,
   source_width: 0.4,
+  source_x: 0,
   source_height: 0.25,
   maximum_temperature: 1900,
   cooling_rate: 900,

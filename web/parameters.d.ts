@@ -11,7 +11,7 @@ export type PresetName = "default" | "bonfire-in-wind" | "campfire" | "candle" |
 export interface HearthParameters {
   /** Which equations move the particles. Classic: the paper's, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
   model: "classic" | "combustion";
-  /** Width of the simulated domain; the source stands in its middle. In the combustion model what leaves on one side comes back in on the other. [m] Default 1.2, from 0.1 to 6. */
+  /** Width of the simulated domain; the source stands in it where its place says. In the combustion model what leaves on one side comes back in on the other. [m] Default 1.2, from 0.1 to 6. */
   domain_width: number;
   /** Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
   domain_height: number;
@@ -89,6 +89,8 @@ export interface HearthParameters {
   emission_noise: number;
   /** Width of the source; combustion: of the burner, which is at least four particles wide. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
   source_width: number;
+  /** Moves the fire to the right, below 0 to the left: place of the middle of the source, all of which stays inside the domain. [m] Default 0, from -3 to 3. */
+  source_x: number;
   /** Height of the source above the floor; combustion: of the burner, which stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
   source_height: number;
   /** Temperature of a particle at birth. [K] Default in classic: 1900, from 1000 to 2500. */
@@ -171,7 +173,7 @@ export interface HearthParameters {
 export interface HearthProperties {
   /** Which equations move the particles. Classic: the paper's, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
   model: "classic" | "combustion";
-  /** Width of the simulated domain; the source stands in its middle. In the combustion model what leaves on one side comes back in on the other. [m] Default 1.2, from 0.1 to 6. */
+  /** Width of the simulated domain; the source stands in it where its place says. In the combustion model what leaves on one side comes back in on the other. [m] Default 1.2, from 0.1 to 6. */
   domainWidth: number;
   /** Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
   domainHeight: number;
@@ -249,6 +251,8 @@ export interface HearthProperties {
   emissionNoise: number;
   /** Width of the source; combustion: of the burner, which is at least four particles wide. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
   sourceWidth: number;
+  /** Moves the fire to the right, below 0 to the left: place of the middle of the source, all of which stays inside the domain. [m] Default 0, from -3 to 3. */
+  sourceX: number;
   /** Height of the source above the floor; combustion: of the burner, which stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
   sourceHeight: number;
   /** Temperature of a particle at birth. [K] Default in classic: 1900, from 1000 to 2500. */

@@ -65,7 +65,7 @@ export interface HearthFireAttributes {
   "reduced-motion"?: 'auto' | 'ignore' | undefined;
   /** Which equations move the particles. Classic: the paper's, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
   model?: "classic" | "combustion" | undefined;
-  /** Width of the simulated domain; the source stands in its middle. In the combustion model what leaves on one side comes back in on the other. [m] Default 1.2, from 0.1 to 6. */
+  /** Width of the simulated domain; the source stands in it where its place says. In the combustion model what leaves on one side comes back in on the other. [m] Default 1.2, from 0.1 to 6. */
   "domain-width"?: number | `${number}` | undefined;
   /** Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
   "domain-height"?: number | `${number}` | undefined;
@@ -143,6 +143,8 @@ export interface HearthFireAttributes {
   "emission-noise"?: number | `${number}` | undefined;
   /** Width of the source; combustion: of the burner, which is at least four particles wide. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
   "source-width"?: number | `${number}` | undefined;
+  /** Moves the fire to the right, below 0 to the left: place of the middle of the source, all of which stays inside the domain. [m] Default 0, from -3 to 3. */
+  "source-x"?: number | `${number}` | undefined;
   /** Height of the source above the floor; combustion: of the burner, which stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
   "source-height"?: number | `${number}` | undefined;
   /** Temperature of a particle at birth. [K] Default in classic: 1900, from 1000 to 2500. */

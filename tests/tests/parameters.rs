@@ -52,8 +52,10 @@ fn every_parameter_of_the_classic_fire_changes_it_and_none_of_its_look_does() {
             0.0
         };
         let stirred = ("turbulence", Input::Number(strength));
-        // The domain is no wider than the source, so that there are walls to meet.
-        let narrow = ("domain_width", Input::Number(0.36));
+        // The domain is no wider than the source, so that there are walls to meet;
+        // a source that moves needs room.
+        let width = if param.id == "source_x" { 1.2 } else { 0.36 };
+        let narrow = ("domain_width", Input::Number(width));
         let burnt = |more: Option<(&'static str, Input<'static>)>| {
             let values = [wild, stirred, narrow].into_iter().chain(more);
             fires::burn(with(values), 1.0).particles()

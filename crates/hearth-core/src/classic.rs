@@ -23,6 +23,7 @@ use crate::simulation::{Push, Stage, StepReport};
 use crate::turbulence::Turbulence;
 
 use emitter::Emitter;
+pub(crate) use emitter::place as source;
 use integrate::{Motion, Substeps};
 use pairs::Pairs;
 pub(crate) use particles::{Living, Particles};

@@ -37,6 +37,7 @@ mod particle;
 pub mod preset;
 pub mod random;
 pub mod simulation;
+mod source;
 mod surroundings;
 mod turbulence;
 
@@ -45,6 +46,7 @@ pub use glam::Vec2;
 pub use params::Parameters;
 pub use particle::{Instance, Particle};
 pub use simulation::{Simulation, Stage, StepReport};
+pub use source::Source;
 
 // The examples of the README run with those of the documentation.
 #[cfg(doctest)]

@@ -48,7 +48,7 @@ parameters! {
         /// particles are born, cool and die. Combustion: fuel enters the air, mixes
         /// with it and burns.
         model: (choice Model) "Model" { Every(DEFAULT) }
-        /// Width of the simulated domain; the source stands in its middle. In the
+        /// Width of the simulated domain; the source stands in it where its place says. In the
         /// combustion model what leaves on one side comes back in on the other.
         domain_width: number "Width" ["m"] Log { Every(1.2, 0.1..=6.0) }
         /// Height of the simulated domain; the picture fits it.
@@ -156,6 +156,9 @@ parameters! {
         /// Width of the source; combustion: of the burner, which is at least four
         /// particles wide.
         source_width: number "Source width" ["m"] Linear { Classic(0.36, 0.05..=0.6) Combustion(0.4, 0.01..=1.0) }
+        /// Moves the fire to the right, below 0 to the left: place of the middle of the
+        /// source, all of which stays inside the domain.
+        source_x: number "Source place" ["m"] Linear { Every(0.0, -3.0..=3.0) }
         /// Height of the source above the floor; combustion: of the burner, which stays
         /// above the seam.
         source_height: number "Source height" ["m"] Linear { Classic(0.0, 0.0..=1.0) Combustion(0.25, 0.0..=1.0) }

@@ -166,6 +166,11 @@ impl Place {
         [2.0 / self.metres[0], 2.0 / self.metres[1], 0.0, -1.0]
     }
 
+    /// For a shader: where in the picture the middle of the floor is, and `x` \[m\].
+    pub fn origin(self, x: f32) -> [f32; 4] {
+        [0.5, 0.0, x, 0.0]
+    }
+
     /// The texels of a target of that size that `bounds` (left, lower, right,
     /// upper \[m\]) touches.
     pub fn rectangle(self, bounds: [f32; 4], size: [u32; 2]) -> Rectangle {

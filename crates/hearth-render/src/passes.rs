@@ -116,7 +116,9 @@ const SHADE: Source = Source {
     vertex: &[shader!("screen.vert")],
     fragment: &[shader!("shade.frag")],
     samplers: &["field", "wide", "noise", "black_body"],
-    uniforms: &["view", "part", "range", "rise", "matter", "shine", "table"],
+    uniforms: &[
+        "view", "origin", "part", "range", "rise", "matter", "shine", "table",
+    ],
 };
 
 const GAS: Source = Source {
@@ -141,7 +143,7 @@ const FLAME: Source = Source {
     fragment: &[shader!("flame.frag")],
     samplers: &["field", "drift", "noise", "black_body"],
     uniforms: &[
-        "view", "part", "range", "grain", "start", "seen", "matter", "shine", "table",
+        "view", "origin", "part", "range", "grain", "start", "seen", "matter", "shine", "table",
     ],
 };
 

@@ -305,11 +305,14 @@ impl Combustion {
         let lowest = (seam * height).min(highest);
         let bottom = f64::from(p.source_height).max(lowest).min(highest);
         let narrowest = f64::from(p.source_width).max(4.0 * common.spacing);
-        let half = 0.5 * narrowest.min(p.domain_width.into());
+        let width = f64::from(p.domain_width);
+        let half = 0.5 * narrowest.min(width);
+        let farthest = (0.5 * width - half - seam * width).max(0.0);
+        let middle = f64::from(p.source_x).clamp(-farthest, farthest);
         let in_block = |particle: &Plain, above: f64| {
             let at = particle.position.value;
             let (low, high) = (bottom + above, bottom + block + above);
-            at.x.abs() < half && at.y > low && at.y < high
+            (at.x - middle).abs() < half && at.y > low && at.y < high
         };
 
         let mut heated = Sum::default();

@@ -16,6 +16,7 @@ use crate::noise::perlin;
 use crate::params::Values;
 use crate::particle::Particle;
 use crate::random::Random;
+use crate::source;
 
 /// Least distance between a birth and any other particle, in units of the
 /// distance of particles at rest, √(m/ρ₀). It lets the source be compressed to
@@ -140,6 +141,20 @@ impl Emitter {
     }
 }
 
+/// Where the source of these values is, and how wide what of it is inside the domain.
+pub(crate) fn place(values: &Values) -> source::Source {
+    let rise = values.emission_speed * values.time_step;
+    let top = (values.domain_height - rise).max(0.0);
+    let width = values.source_width.min(values.domain_width);
+    source::Source {
+        foot: Vec2::new(
+            source::middle(values, width, 0.0),
+            values.source_height.min(top),
+        ),
+        width,
+    }
+}
+
 /// The source during one step.
 struct Source {
     middle: Vec2,
@@ -154,12 +169,11 @@ struct Source {
 
 impl Source {
     fn new(values: &Values, time: f64) -> Source {
-        let rise = values.emission_speed * values.time_step;
-        let top = (values.domain_height - rise).max(0.0);
+        let place = place(values);
         Source {
-            middle: Vec2::new(0.0, values.source_height.min(top)),
-            half_width: 0.5 * values.source_width.min(values.domain_width),
-            rise,
+            middle: place.foot,
+            half_width: 0.5 * place.width,
+            rise: values.emission_speed * values.time_step,
             room: ROOM * (values.particle_mass / values.rest_density).sqrt(),
             time,
         }

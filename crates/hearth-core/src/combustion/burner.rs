@@ -11,6 +11,7 @@ use super::gas::Gas;
 use crate::extremes::{larger, smaller};
 use crate::noise::perlin;
 use crate::params::{Parameters, Values};
+use crate::source;
 
 /// Height of the block, in spacings of the particles.
 const ROWS: f32 = 3.0;
@@ -26,9 +27,11 @@ const NOISE_CELLS: f32 = 5.0;
 /// Lattice cells of the emission noise for each second.
 const NOISE_PER_SECOND: f64 = 3.0;
 
-/// Where the burner of the combustion model is: a block in the middle.
+/// Where the burner of the combustion model is: a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Burner {
+    /// Where its middle is, right (above 0) or left of the domain's \[m\].
+    pub middle: f32,
     /// Half of its width \[m\].
     pub half_width: f32,
     /// Height of its lower edge \[m\].
@@ -62,6 +65,7 @@ impl Burner {
             .max(NARROWEST * spacing)
             .min(values.domain_width);
         Burner {
+            middle: source::middle(values, width, values.seam * values.domain_width),
             half_width: 0.5 * width,
             bottom,
             top: bottom + height,
@@ -111,7 +115,7 @@ impl Burner {
     /// what it cannot take, since no gas can be more than fuel.
     fn mix_in(&self, gas: &mut Gas, values: &Values, time: f64, above: f32, fuel: f32) -> f32 {
         let share = |x: f32| {
-            let across = x / self.half_width * (0.5 * NOISE_CELLS);
+            let across = (x - self.middle) / self.half_width * (0.5 * NOISE_CELLS);
             let noise = perlin(values.seed, across, time * NOISE_PER_SECOND);
             1.0 + values.emission_noise * noise
         };
@@ -139,7 +143,7 @@ impl Burner {
     fn holds(&self, gas: &Gas, i: usize, above: f32) -> bool {
         let at = gas.position[i];
         let height = at.y - above;
-        at.x.abs() < self.half_width && height > self.bottom && height < self.top
+        (at.x - self.middle).abs() < self.half_width && height > self.bottom && height < self.top
     }
 }
 
@@ -177,6 +181,34 @@ mod tests {
                 (power / parameters.fuel_power - 1.0).abs() < 1e-3,
                 "{power} at {n}, {width}, {noise}"
             );
+        }
+    }
+
+    #[test]
+    fn it_burns_as_unevenly_wherever_it_stands() {
+        // The fuel of each place, by its way from the middle of the burner.
+        let fuel = |x: f64| {
+            let values = [("source_x", x), ("emission_noise", 1.0)];
+            let parameters = with(&[&values[..], &[("max_particles", 50_000.0)]].concat());
+            let gas = fed(&parameters, 1e-3).expect("a burner");
+            let middle = Burner::of(&parameters).middle;
+            assert!((f64::from(middle) - x).abs() < 1e-6);
+            let mut parts = [(0.0_f32, 0.0_f32); 10];
+            for (position, state) in gas.position.iter().zip(&gas.state) {
+                let across = (position.x - middle) / parameters.source_width + 0.5;
+                if state.y > 0.0 {
+                    let (sum, n) = &mut parts[(across * 10.0) as usize];
+                    *sum += state.y;
+                    *n += 1.0;
+                }
+            }
+            parts.map(|(sum, n)| sum / n)
+        };
+        let there = fuel(0.0);
+        for x in [-0.25, 0.3] {
+            for (here, there) in fuel(x).into_iter().zip(there) {
+                assert!((here / there - 1.0).abs() < 0.1, "{here}, {there} at {x}");
+            }
         }
     }
 

@@ -1,11 +1,11 @@
 //! What the fire burns in front of: a backdrop of its own, which the fire lights and
 //! makes shimmer. A page behind it cannot be made to.
 
-use hearth_core::Parameters;
-use hearth_core::params::{Backdrop, Model};
+use hearth_core::params::Backdrop;
+use hearth_core::{Parameters, Source};
 
 use super::fire::Fire;
-use super::{Renderer, combustion, without_hundreds};
+use super::{Renderer, without_hundreds};
 use crate::error::RenderError;
 use crate::format::TargetFormat;
 use crate::gl::Graphics;
@@ -79,11 +79,7 @@ impl<G: Graphics> Scenery<G> {
 /// Where the wall meets the floor, as a share of the picture: the fire stands on the
 /// floor, a little in front of the wall.
 fn foot(parameters: &Parameters) -> f32 {
-    let bottom = match parameters.model() {
-        Model::Classic => parameters.source_height,
-        Model::Combustion => combustion::burner(parameters)[0],
-    };
-    (bottom / parameters.domain_height).min(HIGHEST) + BEHIND
+    (Source::of(parameters).foot.y / parameters.domain_height).min(HIGHEST) + BEHIND
 }
 
 impl<G: Graphics> Renderer<G> {

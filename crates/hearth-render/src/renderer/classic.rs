@@ -1,6 +1,6 @@
 //! The classic model's passes: particles to fields to light.
 
-use hearth_core::Parameters;
+use hearth_core::{Parameters, Source};
 
 use super::fire::{Body, Fire};
 use super::{NOTHING, fire_share, gain, smoke_opacity, table_coordinates, without_hundreds};
@@ -38,15 +38,10 @@ fn kernel_weight(radius: f32, parameters: &Parameters) -> f32 {
     (OVERLAP / overlap).sqrt().clamp(0.1, 4.0)
 }
 
-/// Width of what of the source is inside the domain \[m\].
-fn source_width(parameters: &Parameters) -> f32 {
-    parameters.source_width.min(parameters.domain_width)
-}
-
 /// Kernels as wide as the particles.
 pub(super) fn body(parameters: &Parameters) -> Body {
     let radius = RADII_PER_SIZE * parameters.particle_size;
-    let grain = (0.35 * source_width(parameters)).max(parameters.particle_size);
+    let grain = (0.35 * Source::of(parameters).width).max(parameters.particle_size);
     Body {
         radius,
         grain,
@@ -110,16 +105,14 @@ impl<G: Graphics> Fire<'_, G> {
         targets.light.draw_here(gl, targets.light.size());
         gl.clear(NOTHING);
 
+        let source = Source::of(parameters);
         let flame = renderer
             .motion
             .rise
-            .flame_height(parameters.source_height)
+            .flame_height(source.foot.y)
             .max(2.0 * self.body.grain);
-        program.set(
-            gl,
-            "view",
-            [width, height, parameters.source_height, 1.0 / flame],
-        );
+        program.set(gl, "view", [width, height, source.foot.y, 1.0 / flame]);
+        program.set(gl, "origin", place.origin(source.foot.x));
         program.set(gl, "part", self.part());
         program.set(gl, "range", renderer.studio.format.field_range());
         // The tile repeats, also where the shader scrolls it at 0.62 and 1.05
@@ -146,7 +139,7 @@ impl<G: Graphics> Fire<'_, G> {
                 parameters.luminance_exponent,
                 gain(parameters),
                 1.0 / renderer.studio.format.light_range(),
-                2.0 / source_width(parameters),
+                2.0 / source.width,
             ],
         );
         program.set(gl, "table", table_coordinates(fire_share(parameters)));

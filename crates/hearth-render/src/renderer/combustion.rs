@@ -1,7 +1,7 @@
 //! The combustion model's passes: gas to fields, noise that it carries along,
 //! flames and embers to light.
 
-use hearth_core::{Burner, Parameters};
+use hearth_core::{Parameters, Source};
 
 use super::fire::{Body, Fire, RADII_PER_LENGTH, peak};
 use super::{NOTHING, fire_share, gain, smoke_opacity, table_coordinates, without_hundreds};
@@ -29,8 +29,7 @@ const EMBER: f32 = 12.0;
 /// Kernels as wide as those that moved the gas.
 pub(super) fn body(parameters: &Parameters) -> Body {
     let radius = RADII_PER_LENGTH * parameters.smoothing_length();
-    let [_, width] = burner(parameters);
-    let grain = (0.3 * width).max(2.5 * parameters.spacing());
+    let grain = (0.3 * Source::of(parameters).width).max(2.5 * parameters.spacing());
     Body {
         radius,
         grain,
@@ -41,13 +40,7 @@ pub(super) fn body(parameters: &Parameters) -> Body {
 /// How long the gas carries a pattern of noise \[s\]: as long as it takes to rise
 /// by a few source widths.
 pub(super) fn period(parameters: &Parameters) -> f32 {
-    burner(parameters)[1].sqrt().clamp(0.25, 1.5) * 0.75
-}
-
-/// Height and width of the burner \[m\] as the gas has it.
-pub(super) fn burner(parameters: &Parameters) -> [f32; 2] {
-    let burner = Burner::of(parameters);
-    [burner.bottom, 2.0 * burner.half_width]
+    Source::of(parameters).width.sqrt().clamp(0.25, 1.5) * 0.75
 }
 
 impl<G: Graphics> Fire<'_, G> {
@@ -126,8 +119,9 @@ impl<G: Graphics> Fire<'_, G> {
         let program = renderer.studio.passes.activate(gl, Pass::Flame);
         targets.light.draw_here(gl, targets.light.size());
         gl.clear(NOTHING);
-        let source = burner(parameters);
-        program.set(gl, "view", [width, height, source[0], source[1]]);
+        let source = Source::of(parameters);
+        program.set(gl, "view", [width, height, source.foot.y, source.width]);
+        program.set(gl, "origin", place.origin(source.foot.x));
         program.set(gl, "part", self.part());
         program.set(gl, "range", renderer.studio.format.gas_range());
         // Tongues are taller than wide. The tile repeats, also where the shader
@@ -188,27 +182,5 @@ impl<G: Graphics> Fire<'_, G> {
             1.0 / self.renderer.studio.format.light_range(),
             0.0,
         ]
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use hearth_core::params::{Input, Model};
-
-    #[test]
-    fn the_base_stands_where_the_burner_does() {
-        let at = |height: f64, width: f64| {
-            let mut parameters = Parameters::new(Model::Combustion);
-            let values = [("source_height", height), ("source_width", width)];
-            let set = parameters.set_all(values.map(|(id, x)| (id, Input::Number(x))));
-            assert_eq!(set, Ok(()));
-            (burner(&parameters), parameters)
-        };
-        assert_eq!(at(0.5, 0.3).0, [0.5, 0.3]);
-        // Not below the seam, and not narrower than the gas can tell.
-        let ([height, width], parameters) = at(0.0, 0.01);
-        assert_eq!(height, parameters.seam * parameters.domain_height);
-        assert_eq!(width, 4.0 * parameters.spacing());
     }
 }

@@ -1,0 +1,113 @@
+//! Where a fire stands, whichever model burns it.
+
+use glam::Vec2;
+
+use crate::classic;
+use crate::combustion::Burner;
+use crate::params::{Model, Parameters, Values};
+
+/// The place of the source as the fire has it: inside its domain, wherever the
+/// parameters would have it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Source {
+    /// Middle of its lower edge \[m\].
+    pub foot: Vec2,
+    /// Its width \[m\].
+    pub width: f32,
+}
+
+impl Source {
+    /// The source of these parameters.
+    pub fn of(parameters: &Parameters) -> Source {
+        match parameters.model() {
+            Model::Classic => classic::source(parameters),
+            Model::Combustion => {
+                let burner = Burner::of(parameters);
+                Source {
+                    foot: Vec2::new(burner.middle, burner.bottom),
+                    width: 2.0 * burner.half_width,
+                }
+            }
+        }
+    }
+}
+
+/// `source_x`, but no part of a source so wide nearer to a side than `margin` \[m\]; in
+/// the middle where there is no room.
+pub(crate) fn middle(values: &Values, width: f32, margin: f32) -> f32 {
+    let farthest = (0.5 * (values.domain_width - width) - margin).max(0.0);
+    values.source_x.max(-farthest).min(farthest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::Input;
+
+    fn of(model: Model, values: &[(&str, f64)]) -> (Source, Parameters) {
+        let mut parameters = Parameters::new(model);
+        for &(id, value) in values {
+            assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
+        }
+        (Source::of(&parameters), parameters)
+    }
+
+    #[test]
+    fn it_stands_where_it_is_put() {
+        for model in [Model::Classic, Model::Combustion] {
+            for x in [-0.2, 0.0, 0.15] {
+                let values = [
+                    ("source_x", x),
+                    ("source_height", 0.5),
+                    ("source_width", 0.3),
+                ];
+                let source = Source {
+                    foot: Vec2::new(x as f32, 0.5),
+                    width: 0.3,
+                };
+                assert_eq!(of(model, &values).0, source);
+            }
+        }
+    }
+
+    #[test]
+    fn a_burner_is_not_below_the_seam_and_not_narrower_than_the_gas_can_tell() {
+        let values = [("source_height", 0.0), ("source_width", 0.01)];
+        let (source, parameters) = of(Model::Combustion, &values);
+        assert_eq!(source.foot.y, parameters.seam * parameters.domain_height);
+        assert_eq!(source.width, 4.0 * parameters.spacing());
+    }
+
+    #[test]
+    fn all_of_it_stays_inside_the_domain() {
+        for model in [Model::Classic, Model::Combustion] {
+            for x in [-3.0, -0.7, 0.4, 3.0] {
+                for (width, domain, seam) in [(0.3, 1.2, 0.07), (0.6, 0.5, 0.2), (0.6, 6.0, 0.0)] {
+                    let (source, parameters) = of(
+                        model,
+                        &[
+                            ("source_x", x),
+                            ("source_width", width),
+                            ("domain_width", domain),
+                            ("seam", seam),
+                        ],
+                    );
+                    let side = 0.5 * (parameters.domain_width - source.width);
+                    let free = match model {
+                        Model::Classic => side,
+                        Model::Combustion => side - parameters.seam * parameters.domain_width,
+                    };
+                    assert!(
+                        source.foot.x.abs() <= free.max(0.0) + 1e-6,
+                        "{source:?} of {x} in {domain}"
+                    );
+                    let wanted = x.abs() as f32;
+                    assert!(
+                        source.foot.x.abs() >= wanted.min(free) - 1e-6,
+                        "{source:?} of {x} in {domain}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! A fire burns where its source stands, as it would in the middle, and goes with it
+//! without a burst or a hole.
+#![cfg(not(target_arch = "wasm32"))]
+
+use hearth_core::params::Input;
+use hearth_core::{Simulation, Source};
+use hearth_tests::fires::{burn, burn_on, combustion, mean, watch, with_numbers};
+
+/// Mean power and mean number of particles over so many seconds.
+fn means(fire: &mut Simulation, seconds: f64) -> (f64, f64) {
+    let (mut heat, mut length, mut alive) = (0.0, 0.0, 0.0);
+    watch(fire, seconds, |fire| {
+        let dt = fire.step_length();
+        heat += f64::from(fire.power()) * dt;
+        alive += fire.count() as f64 * dt;
+        length += dt;
+    });
+    (heat / length, alive / length)
+}
+
+/// Mean place across of what burns \[m\].
+fn middle(fire: &Simulation) -> f64 {
+    let hot = fire.positions().into_iter().zip(fire.temperatures());
+    mean(
+        hot.filter(|(_, kelvin)| *kelvin > 900.0)
+            .map(|(at, _)| at.x),
+    )
+}
+
+fn put(fire: &mut Simulation, x: f64) {
+    assert_eq!(fire.set("source_x", Input::Number(x)), Ok(()));
+}
+
+#[test]
+fn a_fire_is_as_strong_wherever_it_stands() {
+    let power = |x: f64| {
+        let mut fire = burn(combustion(&[("source_x", x)]), 1.0);
+        let (power, _) = means(&mut fire, 3.0);
+        let off = middle(&fire) - x;
+        assert!(off.abs() < 0.08, "{off} m off at {x} m");
+        power
+    };
+    let there = power(0.0);
+    for x in [-0.3, 0.15] {
+        let here = power(x);
+        assert!(
+            (here / there - 1.0).abs() < 0.05,
+            "{here}, {there} kW/m at {x} m"
+        );
+    }
+
+    let alive = |x: f64| {
+        let mut fire = burn(with_numbers(&[("source_x", x)]), 2.0);
+        let (_, alive) = means(&mut fire, 2.0);
+        let off = middle(&fire) - x;
+        assert!(off.abs() < 0.05, "{off} m off at {x} m");
+        alive
+    };
+    let there = alive(0.0);
+    for x in [-0.3, 0.15] {
+        let here = alive(x);
+        assert!(
+            (here / there - 1.0).abs() < 0.05,
+            "{here}, {there} alive at {x} m"
+        );
+    }
+}
+
+#[test]
+fn a_fire_that_is_moved_goes_on_without_a_burst_or_a_hole() {
+    // From side to side at once is the hardest.
+    let mut fire = burn(combustion(&[("source_x", -0.25)]), 2.0);
+    let (before, _) = means(&mut fire, 1.0);
+    let fastest = fire.report().fastest;
+    put(&mut fire, 0.25);
+    for _ in 0..10 {
+        let (power, _) = means(&mut fire, 0.1);
+        assert!(
+            (0.6..1.4).contains(&(power / before)),
+            "{power} after {before} kW/m"
+        );
+        let now = fire.report().fastest;
+        assert!(now < 2.0 * fastest, "{now} after {fastest} m/s");
+    }
+    assert!((middle(&fire) - 0.25).abs() < 0.1, "{}", middle(&fire));
+
+    let mut fire = burn(with_numbers(&[("source_x", -0.25)]), 2.0);
+    let (_, before) = means(&mut fire, 1.0);
+    put(&mut fire, 0.25);
+    for _ in 0..10 {
+        let (_, alive) = means(&mut fire, 0.15);
+        assert!(
+            (0.75..1.25).contains(&(alive / before)),
+            "{alive} after {before}"
+        );
+    }
+    assert!((middle(&fire) - 0.25).abs() < 0.05, "{}", middle(&fire));
+}
+
+#[test]
+fn a_fire_that_is_put_outside_burns_at_the_side() {
+    for parameters in [
+        combustion(&[("source_x", 3.0)]),
+        with_numbers(&[("source_x", 3.0)]),
+    ] {
+        let source = Source::of(&parameters).foot.x;
+        assert!(source > 0.2 && source < 0.5 * parameters.domain_width);
+        let mut fire = burn(parameters, 1.0);
+        burn_on(&mut fire, 0.5);
+        assert!(fire.temperatures().iter().any(|&kelvin| kelvin > 900.0));
+    }
+}

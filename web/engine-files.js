@@ -1,9 +1,12 @@
 /**
- * Where the engine's files are: its wasm, its script, and the script of its worker.
+ * Where the engine's files are: its wasm, its script, the script of its worker, and the
+ * fires that start burning.
  *
  * They stand here as bundlers look for them, and nowhere else, so that a build of
  * another form, as a single file, has only this module to replace.
  */
+
+import { BURNING } from './burning.js';
 
 /**
  * The engine's wasm: where it is, or its bytes.
@@ -11,6 +14,22 @@
  */
 export function wasm() {
   return new URL('./wasm/hearth-widget_bg.wasm', import.meta.url);
+}
+
+/**
+ * The fire that starts burning of that scene, as bytes; nothing where none is kept, or it
+ * does not come: it is then lit as any other.
+ * @param {string} scene
+ * @returns {Promise<Uint8Array | undefined>}
+ */
+export async function burning(scene) {
+  if (!Object.hasOwn(BURNING, scene)) return undefined;
+  try {
+    const response = await fetch(BURNING[scene](), { credentials: 'same-origin' });
+    return response.ok ? new Uint8Array(await response.arrayBuffer()) : undefined;
+  } catch {
+    return undefined;
+  }
 }
 
 /**

@@ -9,7 +9,7 @@ import { DEFAULTS } from './defaults.js';
 /** The attributes that are no parameters, and the one that says what the others mean. */
 export const OWN_ATTRIBUTES = [
   'preset', 'model', 'src', 'quality', 'paused', 'autoplay', 'loading', 'poster', 'alt', 'max-pixels', 'fps-limit',
-  'interactive', 'touch-action', 'controls', 'reduced-motion',
+  'warm', 'interactive', 'touch-action', 'controls', 'reduced-motion',
 ];
 
 const IDS = Object.keys(DEFAULTS);
@@ -86,6 +86,24 @@ export function chosen(element, name) {
   const value = element.getAttribute(name) ?? '';
   return CHOICES[name].includes(value) ? value : CHOICES[name][0];
 }
+
+/** Seconds of fire before the first picture where `warm` has no value; and the most. */
+const [WARM, WARMEST] = [3, 30];
+
+/**
+ * How long a new fire burns before it is shown [s]; NaN where that is no such number.
+ * @param {HTMLElement} element
+ */
+export function warmth(element) {
+  const text = element.getAttribute('warm');
+  if (text === null || text === 'false') return 0;
+  const seconds = text.trim() ? Number(text) : WARM;
+  return seconds >= 0 && seconds <= WARMEST ? seconds : NaN;
+}
+
+reflect('warm', (element) => warmth(element) || 0, (element, value) => {
+  setOrRemove(element, 'warm', value === true ? '' : value === false ? undefined : value);
+});
 
 // The others are kept in their attributes as HTML's own elements keep theirs: texts,
 // and flags, which are there or not.

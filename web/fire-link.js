@@ -21,7 +21,7 @@ export class FireLink {
   #requests;
   #tell;
   #watcher;
-  #size = { width: 0, height: 0 };
+  #size = { width: 0, height: 0, side: 0 };
   #visible = false;
   #closed = false;
   /** @type {any} */
@@ -30,6 +30,9 @@ export class FireLink {
   /** Settles when the engine has freed the fire. */
   gone = Promise.resolve();
   #removed = () => {};
+  #looked = () => {};
+  /** Settles when it is known whether anybody sees it. */
+  looked = new Promise((resolve) => (this.#looked = resolve));
   /** When it is made may be decided anew. */
   lookAgain = () => {};
   #shown = () => this.#port.shown(this.#fire);
@@ -49,12 +52,13 @@ export class FireLink {
     this.#requests = requests;
     this.#tell = tell;
     this.#watcher = watch(host, canvas, {
-      resized: (width, height) => {
-        this.#size = { width, height };
-        this.send({ type: 'resize', width, height });
+      resized: (width, height, side) => {
+        this.#size = { width, height, side };
+        this.send({ type: 'resize', ...this.#size });
       },
       visible: (visible) => {
         this.#visible = visible;
+        this.#looked();
         this.send({ type: 'visible', visible });
       },
       motion: tell.motion,

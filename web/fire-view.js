@@ -7,14 +7,19 @@
  */
 
 import { deferred } from './requests.js';
+import { motionIsReduced } from './watch.js';
+
+/** How long the picture before a new fire takes to fade [ms]. */
+const FADE_MS = 400;
 
 const STYLES = `
 :host { display: block; position: relative; overflow: hidden; pointer-events: none; }
 :host([hidden]) { display: none; }
 /* Gives the element a height where its page gives it none. */
 .room { inline-size: 100%; aspect-ratio: 4 / 5; max-block-size: 80vh; }
-canvas, .poster { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; }
+canvas, .poster, .before { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; }
 canvas { display: block; }
+.before { pointer-events: none; }
 .poster { display: grid; place-items: center; overflow: hidden; }
 ::slotted([slot='poster']), .poster img { max-inline-size: 100%; max-block-size: 100%; }
 .root[data-state='shown'][data-drawn] .poster { display: none; }
@@ -62,6 +67,19 @@ function make(name, attributes, ...inside) {
   return made;
 }
 
+/**
+ * What is on a canvas now, as another one.
+ * @param {HTMLCanvasElement} canvas
+ */
+function copy(canvas) {
+  const made = document.createElement('canvas');
+  made.className = 'before';
+  made.ariaHidden = 'true';
+  [made.width, made.height] = [canvas.width, canvas.height];
+  made.getContext('2d')?.drawImage(canvas, 0, 0);
+  return made;
+}
+
 /** The inside of one element. */
 export class FireView {
   #host;
@@ -76,6 +94,8 @@ export class FireView {
   #surface;
   /** There is a picture. */
   #drawn = deferred();
+  /** Whether the next picture is that of another fire, into which the last one fades. */
+  #fades = false;
   /** @type {HTMLCanvasElement | undefined} */
   canvas;
 
@@ -144,6 +164,7 @@ export class FireView {
   /** Takes the canvas away. */
   dropCanvas() {
     this.canvas?.remove();
+    this.#fades = false;
     this.canvas = this.#surface = undefined;
     delete this.#root.dataset.drawn;
     this.#drawn.reject(new Error('the fire was taken off the page'));
@@ -157,6 +178,7 @@ export class FireView {
   draw(picture) {
     const { canvas } = this;
     if (!canvas) return;
+    if (this.#fades) this.#fade(canvas);
     const bitmap = 'close' in picture ? picture : undefined;
     this.#surface ??= canvas.getContext(bitmap ? 'bitmaprenderer' : '2d');
     // Setting a size empties the canvas, so only where it is another one.
@@ -172,6 +194,29 @@ export class FireView {
     if ('drawn' in this.#root.dataset) return;
     this.#root.dataset.drawn = '';
     this.#drawn.resolve(canvas);
+  }
+
+  /** The next picture is that of another fire: what is seen until then fades into it. */
+  fade() {
+    this.#fades = true;
+  }
+
+  /** @param {HTMLCanvasElement} canvas */
+  #fade(canvas) {
+    this.#fades = false;
+    if (motionIsReduced()) return;
+    let before = /** @type {HTMLElement | undefined} */ (this.#root.querySelector('.poster'));
+    /** @type {Keyframe} */
+    const shown = { opacity: 1 };
+    if ('drawn' in this.#root.dataset) {
+      before = copy(canvas);
+      canvas.after(before);
+    } else {
+      // It is hidden as soon as there is a picture.
+      shown.display = 'grid';
+    }
+    const fading = before?.animate([shown, { ...shown, opacity: 0 }], FADE_MS);
+    if (before?.matches('canvas')) fading?.finished.catch(() => {}).then(() => before.remove());
   }
 
   /**

@@ -14,8 +14,9 @@
 
 import { DEFAULTS } from './defaults.js';
 import { EngineError } from './engine.js';
+import { burning } from './engine-files.js';
 import {
-  FireAttributes, ID_OF_ATTRIBUTE, ID_OF_PROPERTY, chosen, keepEarlyProperties, setOrRemove,
+  FireAttributes, ID_OF_ATTRIBUTE, ID_OF_PROPERTY, chosen, keepEarlyProperties, setOrRemove, warmth,
 } from './fire-attributes.js';
 import { FireLink } from './fire-link.js';
 import { FireManners } from './fire-manners.js';
@@ -309,6 +310,10 @@ export class HearthFire extends FireAttributes {
       if ((value !== null) !== this.#paused) this.#setPaused(value !== null);
     } else if (name === 'src') {
       if (begun) this.#changeFile();
+    } else if (name === 'warm') {
+      const seconds = warmth(this);
+      if (Number.isNaN(seconds)) this.#refuse(name, value ?? '', 'a number of seconds from 0 to 30');
+      else if (begun) this.#ask({ type: 'warm', seconds });
     } else if (name === 'autoplay') {
       if (this.#link && !this.#started && !this.autoplay) this.#setPaused(true);
     } else if (name === 'reduced-motion' && this.#link) {
@@ -411,31 +416,33 @@ export class HearthFire extends FireAttributes {
     const canvas = this.#view.newCanvas();
     this.#view.describe(this.alt);
     this.#view.show('loading');
+    if (this.warm) this.#view.fade();
     const reduced = this.reducedMotion !== 'ignore' && motionIsReduced();
     // One that stood still for that when it was taken off does so again.
-    const warm = reduced && (this.#still || !this.#paused);
+    const still = reduced && (this.#still || !this.#paused);
     if (this.#still && !reduced) this.#setPaused(false);
     const link = new FireLink(this, canvas, this.#requests, {
       heard: (message) => this.#receive(message, link),
       drawn: (picture) => this.#view.draw(picture),
-      begun: () => this.#begin(link, warm),
+      begun: () => this.#begin(link, still),
       motion: (reduced) => this.#motion(reduced),
     });
     this.#link = link;
     this.#manners.begin();
-    if (warm) this.#setPaused(true, true);
+    if (still) this.#setPaused(true, true);
     else if (!this.#started && !this.autoplay) this.#setPaused(true);
     const opened = link.open(
       () => chosen(this, 'loading'),
       () => [HearthFire.wasmUrl, HearthFire.engine],
       () => this.#prepare(),
-      (config) => this.#start(config),
+      (prepared) => ({ ...this.#start(prepared.config), warm: this.warm, state: prepared.state }),
     );
     opened.catch((error) => link.closed || this.#fail(error.kind ?? 'load', error.message));
   }
 
-  /** What a fire waits for: all that the one before it has to tell, or its file. */
+  /** What a fire waits for: all that the one before it has to tell, or its file; and a kept fire. */
   async #prepare() {
+    const state = this.warm && !this.src ? burning(this.preset) : undefined;
     await this.#gone;
     let config;
     let src;
@@ -444,7 +451,7 @@ export class HearthFire extends FireAttributes {
       config = this.#started ? undefined : await this.#settingsOfFile();
       // Another file may have been named meanwhile.
     } while (src !== this.src);
-    return config;
+    return { config, state: await state };
   }
 
   /**
@@ -466,13 +473,17 @@ export class HearthFire extends FireAttributes {
   /**
    * The fire is there and has its values.
    * @param {FireLink} link
-   * @param {boolean} warm
+   * @param {boolean} still
    */
-  async #begin(link, warm) {
-    if (warm) {
+  async #begin(link, still) {
+    if (this.warm) {
+      // Before, it may be taken for one that nobody sees.
+      if (!document.hidden) await link.looked;
+      await this.#ask({ type: 'warm' }).catch(() => {});
+    } else if (still) {
       await this.#ask({ type: 'burn', seconds: STILL_AFTER }).catch(() => {});
-      if (!link.live) return;
     }
+    if (!link.live) return;
     this.#view.show('shown');
     this.#offer();
     this.#announced = true;
@@ -540,6 +551,9 @@ export class HearthFire extends FireAttributes {
       }
       case 'state':
         this.#emit(message.playing ? 'play' : 'pause');
+        break;
+      case 'warming':
+        this.#view.fade();
         break;
       case 'restored':
         this.#emit('restored');

@@ -25,7 +25,7 @@ export interface HearthParameters {
   ambient_density: number;
   /** How much of the height, at the top and at the bottom, gas becomes fresh air again. 0 closes the domain upon itself; then no wind blows, and nothing is lifted: nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
   seam: number;
-  /** Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided; more of them are finer, and slower. Default in combustion: 3000, from 1000 to 100000. Default in classic: 1000, from 100 to 100000. */
+  /** Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided; more of them are finer, and slower. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
   max_particles: number;
   /** Smoothing length h: particles feel each other up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
   smoothing_radius: number;
@@ -187,7 +187,7 @@ export interface HearthProperties {
   ambientDensity: number;
   /** How much of the height, at the top and at the bottom, gas becomes fresh air again. 0 closes the domain upon itself; then no wind blows, and nothing is lifted: nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
   seam: number;
-  /** Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided; more of them are finer, and slower. Default in combustion: 3000, from 1000 to 100000. Default in classic: 1000, from 100 to 100000. */
+  /** Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided; more of them are finer, and slower. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
   maxParticles: number;
   /** Smoothing length h: particles feel each other up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
   smoothingRadius: number;

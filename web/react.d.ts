@@ -55,6 +55,8 @@ export interface HearthFireAttributes {
   "max-pixels"?: number | string | undefined;
   /** Most pictures a second. */
   "fps-limit"?: number | string | undefined;
+  /** Seconds of fire, 0 to 30, that a new fire burns before it is shown: 3 where the attribute has no value. The poster or the picture before stays meanwhile. */
+  warm?: number | boolean | string | undefined;
   /** The fire takes pointers, which stir it; without this clicks go through it. */
   interactive?: boolean | undefined;
   /** What fingers do on an interactive fire, as CSS's `touch-action`; without it `pan-y`. */
@@ -79,7 +81,7 @@ export interface HearthFireAttributes {
   "ambient-density"?: number | `${number}` | undefined;
   /** How much of the height, at the top and at the bottom, gas becomes fresh air again. 0 closes the domain upon itself; then no wind blows, and nothing is lifted: nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
   seam?: number | `${number}` | undefined;
-  /** Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided; more of them are finer, and slower. Default in combustion: 3000, from 1000 to 100000. Default in classic: 1000, from 100 to 100000. */
+  /** Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided; more of them are finer, and slower. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
   "max-particles"?: number | `${number}` | undefined;
   /** Smoothing length h: particles feel each other up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
   "smoothing-radius"?: number | `${number}` | undefined;

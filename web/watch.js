@@ -80,7 +80,8 @@ export function sight(host, loading, stopped) {
  * @param {HTMLElement} host
  * @param {HTMLCanvasElement} canvas
  * @param {object} tell
- * @param {(width: number, height: number) => void} tell.resized
+ * @param {(width: number, height: number, side: number) => void} tell.resized with the
+ *   height, or that of a square of its area, in CSS pixels
  * @param {(visible: boolean) => void} tell.visible
  * @param {(reduced: boolean) => void} tell.motion
  * @returns {{stop: () => void}}
@@ -106,7 +107,8 @@ export function watch(host, canvas, tell) {
       density,
       touch,
     );
-    tell.resized(width, height);
+    const css = entry.contentRect;
+    tell.resized(width, height, Math.min(css.height, Math.sqrt(css.width * css.height)));
   });
   try {
     sizes.observe(canvas, { box: 'device-pixel-content-box' });

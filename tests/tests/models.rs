@@ -72,25 +72,25 @@ fn each_model_keeps_its_own_values_and_shares_the_rest() {
     assert_eq!(number(&fire, "fuel_power"), Some(300.0));
     set(&mut fire, "fuel_power", 400.0);
     set(&mut fire, "buoyancy", 0.5);
-    set(&mut fire, "max_particles", 300.0);
+    set(&mut fire, "max_particles", 150.0);
     switch(&mut fire, "combustion");
     assert_eq!(number(&fire, "buoyancy"), Some(1.5));
     assert_eq!(number(&fire, "fuel_power"), Some(400.0));
     assert_eq!(number(&fire, "max_particles"), Some(1000.0));
     switch(&mut fire, "classic");
     assert_eq!(number(&fire, "buoyancy"), Some(0.5));
-    assert_eq!(number(&fire, "max_particles"), Some(300.0));
+    assert_eq!(number(&fire, "max_particles"), Some(150.0));
 }
 
 #[test]
 fn a_value_is_checked_against_the_range_of_its_model() {
     let mut fire = Simulation::new(combustion(&[]));
     assert!(fire.set("buoyancy", Input::Number(1.5)).is_ok());
-    assert!(fire.set("max_particles", Input::Number(300.0)).is_err());
+    assert!(fire.set("max_particles", Input::Number(150.0)).is_err());
     assert!(fire.set("walls", Input::Text("solid")).is_ok());
     switch(&mut fire, "classic");
     assert!(fire.set("buoyancy", Input::Number(1.5)).is_err());
-    assert!(fire.set("max_particles", Input::Number(300.0)).is_ok());
+    assert!(fire.set("max_particles", Input::Number(150.0)).is_ok());
     assert!(fire.set("fuel_power", Input::Number(601.0)).is_err());
 }
 

@@ -176,6 +176,25 @@ impl Combustion {
         (self.power, self.preheat, self.length) = (0.0, 0.0, 0.0);
     }
 
+    /// Burns on from these particles and embers, of a fire whose `max_particles` was
+    /// `made_with`: where this one's is another, as many as it has take over.
+    pub fn resume(
+        &mut self,
+        particles: &[Particle],
+        embers: Vec<Ember>,
+        made_with: u32,
+        parameters: &Parameters,
+        random: &mut Random,
+    ) {
+        self.set_particles(particles, parameters);
+        self.embers = Embers::of(embers);
+        self.made_for = Made {
+            particles: made_with,
+            ..Made::by(parameters)
+        };
+        self.adapt(parameters, random);
+    }
+
     /// Length of the last step, or about that of the first \[s\].
     pub fn step_length(&self, parameters: &Parameters) -> f64 {
         f64::from(if self.length > 0.0 {

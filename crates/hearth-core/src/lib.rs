@@ -45,7 +45,7 @@ pub use combustion::{Burner, Ember};
 pub use glam::Vec2;
 pub use params::Parameters;
 pub use particle::{Instance, Particle};
-pub use simulation::{Simulation, Stage, StepReport};
+pub use simulation::{Simulation, Stage, StepReport, burning};
 pub use source::Source;
 
 // The examples of the README run with those of the documentation.

@@ -71,7 +71,7 @@ parameters! {
     "Gas" {
         /// Classic: most particles alive at one time. Combustion: into about how many
         /// particles air and gas are divided; more of them are finer, and slower.
-        max_particles: integer "Particles" [""] Log { Classic(1000, 100.0..=100_000.0) Combustion(3000, 1000.0..=100_000.0) }
+        max_particles: integer "Particles" [""] Log { Classic(1000, 100.0..=100_000.0) Combustion(3000, 200.0..=100_000.0) }
         /// Smoothing length h: particles feel each other up to twice this distance.
         smoothing_radius: number "Smoothing radius" ["m"] Log { Classic(0.026, 0.005..=0.1) }
         /// Smoothing length h in spacings of the particles: they feel each other up

@@ -4,6 +4,8 @@
 //! [`Classic`](crate::params::Model::Classic) and
 //! [`Combustion`](crate::params::Model::Combustion) each say how they step.
 
+pub mod burning;
+
 use std::fmt;
 
 use glam::Vec2;

@@ -144,7 +144,7 @@ impl Engine {
                 out.refused(refuse(errors));
             }
             out.ready(id, &wanted);
-            let mut fire = Fire::new(id, wanted, &start);
+            let mut fire = Fire::new(id, wanted, start);
             fire.set_drawable(self.easel.ground().is_some());
             self.fires.push(fire);
             return out.done(id, request);
@@ -160,14 +160,15 @@ impl Engine {
             Order::Add(_) => return out.refused(refuse(vec![Refused::fire(id)])),
             Order::Set(_) | Order::Restore(_) | Order::Preset(_) | Order::Import(_) => {}
             Order::Export => return out.config(id, request, fire.wanted()),
-            Order::Resize(width, height) => fire.resize(width, height),
+            Order::Resize(width, height, side) => fire.resize((width, height), side),
             Order::Visible(visible) => fire.set_visible(visible),
             Order::Limit(limit) => fire.limit(limit),
             Order::Stir(stir) => fire.stir(stir),
             Order::Quality(wish) => fire.ask_quality(wish, out),
             Order::Play => fire.set_playing(true, out),
             Order::Pause => fire.set_playing(false, out),
-            Order::Reset => fire.reset(),
+            Order::Reset => fire.reset(out),
+            Order::Warm(seconds) => return fire.warm(seconds, request),
             Order::Step(steps) => return fire.ask_steps(steps, 0.0, request),
             Order::Burn(seconds) => return fire.ask_steps(0, seconds, request),
             Order::Remove => {

@@ -102,6 +102,32 @@ impl<'a> Fields<'a> {
         }
     }
 
+    /// A number from 0 up to `most`, where there is one; `allowed` says that in words.
+    #[inline(never)]
+    pub fn optional_seconds(&mut self, id: &str, most: f64, allowed: &str) -> Option<f64> {
+        match *self.raw.field(id) {
+            Raw::Missing => None,
+            Raw::Number(x) if x >= 0.0 && x <= most => Some(x),
+            ref other => {
+                self.keep_first(Refused {
+                    range: Some((0.0, most)),
+                    ..Refused::field(id, other, allowed)
+                });
+                None
+            }
+        }
+    }
+
+    /// Bytes; none where nothing is said.
+    pub fn optional_bytes(&mut self, id: &str) -> Vec<u8> {
+        match self.raw.field(id) {
+            Raw::Bytes(bytes) => return bytes.clone(),
+            Raw::Missing => {}
+            _ => self.refuse(id, "an array of bytes"),
+        }
+        Vec::new()
+    }
+
     /// True or false; `default`, where there is one, if nothing is said.
     #[inline(never)]
     pub fn flag(&mut self, id: &str, default: Option<bool>) -> bool {

@@ -1,25 +1,30 @@
 //! One fire: a simulation, its clock and its picture.
 
+mod tell;
+mod warming;
+
 use std::cell::Cell;
 
 use glam::Vec2;
 use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
 use hearth_core::params::DisplayMode;
-use hearth_core::{Instance, Simulation, Stage};
+use hearth_core::{Instance, Parameters, Simulation, Stage, burning};
 use hearth_render::Lines;
 
 use crate::asked::Asked;
 use crate::average::smooth;
 use crate::budget::{Pace, make_steps};
 use crate::easel::Easel;
+use crate::grain::Grain;
 use crate::host::Host;
 use crate::limits::{Limit, Limits, Stir};
 use crate::message::Start;
-use crate::outbox::{Outbox, Stats, Trouble};
+use crate::outbox::{Outbox, Trouble};
 use crate::picture::Picture;
 use crate::quality::{Frame, Level, Quality};
 use crate::wanted::{Wanted, adapt};
+use crate::warm::Warm;
 
 /// Time between two messages about how a fire is doing, in ms.
 const STATS_EVERY_MS: f64 = 250.0;
@@ -57,7 +62,12 @@ pub struct Fire {
     /// of particles that goes with the quality.
     wanted: Wanted,
     simulation: Simulation,
+    warm: Warm,
+    /// Whether it is to begin before its next step, and whether it ever was drawn.
+    begins: bool,
+    begun: bool,
     quality: Quality,
+    grain: Grain,
     picture: Picture,
     /// Whether there is a context to draw it in.
     drawable: bool,
@@ -92,14 +102,19 @@ pub struct Fire {
 
 impl Fire {
     /// A fire that has not burnt yet.
-    pub fn new(id: u32, wanted: Wanted, start: &Start) -> Fire {
+    pub fn new(id: u32, wanted: Wanted, start: Start) -> Fire {
         let guess = start.guess.unwrap_or(Level::Medium);
         let quality = Quality::new(start.quality, guess);
-        Fire {
+        let warm = Warm::new(start.warm, start.state);
+        let mut fire = Fire {
             id,
-            simulation: Simulation::new(wanted.at(quality.level())),
+            simulation: Simulation::new(Parameters::default()),
             wanted,
+            begins: warm.is_wanted(),
+            begun: false,
+            warm,
             quality,
+            grain: Grain::of(start.side),
             picture: Picture::default(),
             drawable: false,
             instances: Vec::new(),
@@ -124,7 +139,9 @@ impl Fire {
             power: 0.0,
             told_at: f64::NEG_INFINITY,
             since: Since::default(),
-        }
+        };
+        fire.simulation = Simulation::new(fire.values());
+        fire
     }
 
     /// Its number.
@@ -152,8 +169,15 @@ impl Fire {
             self.pace.forgive();
             self.quality.skip();
         }
+        let time = self.simulation.time();
+        // A scene's fire carries nothing of the one before.
+        let other = burning::digest(&wanted.parameters) != burning::digest(&old.parameters);
         self.wanted = wanted;
         self.adapt();
+        let again = anew && other || self.simulation.time() < time;
+        if self.warm.is_wanted() && (again || other && !self.begun) {
+            self.begin(out);
+        }
     }
 
     /// Lets it have that quality, or find its own.
@@ -170,16 +194,20 @@ impl Fire {
     /// Gives the simulation the values, and the number of particles that goes with
     /// the quality: other particles take over the fire that burns.
     fn adapt(&mut self) {
-        let parameters = self.wanted.at(self.quality.level());
+        let parameters = self.warm.coarse(&self.values());
         adapt(&mut self.simulation, parameters);
         self.stale = true;
     }
 
     /// Another size of its picture; nothing is drawn while it is zero.
-    pub fn resize(&mut self, width: u32, height: u32) {
+    pub fn resize(&mut self, size: (u32, u32), side: f64) {
         let was_seen = self.seen();
-        self.stale |= self.size != (width, height);
-        self.size = (width, height);
+        self.stale |= self.size != size;
+        self.size = size;
+        if self.grain.resize(side) {
+            self.quality.skip();
+            self.adapt();
+        }
         self.keep_time(was_seen);
     }
 
@@ -222,8 +250,11 @@ impl Fire {
     }
 
     /// Starts again from nothing.
-    pub fn reset(&mut self) {
+    pub fn reset(&mut self, out: &mut Outbox) {
         self.simulation.reset();
+        if self.warm.is_wanted() {
+            self.begin(out);
+        }
         self.stale = true;
         self.restart_clock();
     }
@@ -248,7 +279,7 @@ impl Fire {
     /// Whether it has anything to do in the next frame.
     pub fn wants_frame(&self) -> bool {
         let asked = !self.asked.is_empty() || (self.asked.waits() && !self.seen());
-        asked || (self.seen() && (self.playing || self.wants_picture()))
+        asked || (self.seen() && (self.playing || self.is_warming() || self.wants_picture()))
     }
 
     fn wants_picture(&self) -> bool {
@@ -257,7 +288,7 @@ impl Fire {
 
     /// Whether a frame at `now` \[ms\] is one of its own, if their rate is limited.
     pub fn is_due(&mut self, now: f64) -> bool {
-        !self.asked.is_empty() || self.limits.is_due(now, &mut self.next)
+        !self.asked.is_empty() || self.is_warming() || self.limits.is_due(now, &mut self.next)
     }
 
     /// One frame: the steps that are due, as far as `deadline` allows, and the
@@ -273,13 +304,24 @@ impl Fire {
         out: &mut Outbox,
     ) -> f64 {
         let scale = f64::from(self.wanted.parameters.time_scale);
-        let passed = if self.playing && self.seen() {
+        // Whoever asked for steps asked for those of a warm fire.
+        let warms = self.is_warming() && (self.seen() || self.asked.next_open().is_some());
+        if warms && self.begins {
+            self.begins = false;
+            let values = self.values();
+            if let Some(words) = self.warm.begin(&mut self.simulation, &values) {
+                out.complaint(self.id, words);
+            }
+            // What it may have taken up is drawn before it burns on.
+            self.stale = true;
+        }
+        let passed = if self.playing && self.seen() && !self.is_warming() {
             Some(self.clock.advance(now / 1000.0, scale))
         } else {
             None
         };
 
-        let made = self.make_steps(passed.is_some(), deadline, host);
+        let made = self.make_steps(passed.is_some(), warms, deadline, host);
         if made.steps > 0 {
             let steps = f64::from(made.steps);
             for (average, stage) in self.stages.iter_mut().zip(made.stages) {
@@ -302,8 +344,9 @@ impl Fire {
         self.asked.take_made();
 
         // Asked-for steps are a jump: what lies between is not shown.
-        let stands = passed.is_none();
-        let drawn = self.wants_picture() && self.asked.is_empty() && self.seen();
+        let (stands, warming) = (!self.playing, self.is_warming());
+        let drawn = self.wants_picture() && self.asked.is_empty() && self.seen() && !warming;
+        self.begun |= drawn;
         let shown = self.picture.scale();
         let draw_ms = if drawn {
             self.draw(stands, easel, host, out)
@@ -330,7 +373,10 @@ impl Fire {
                 draw_ms: if on_card > draw_ms { on_card } else { draw_ms },
                 time_scale: scale,
                 slowed: self.pace.slowed(),
-                particles: self.wanted.follows_level(),
+                particles: self
+                    .wanted
+                    .follows_level()
+                    .then(|| Level::ALL.map(|level| self.particles(level))),
                 fires,
             };
             if self.quality.frame(&frame) {
@@ -345,7 +391,7 @@ impl Fire {
             self.tell(easel, out);
         }
         // Whoever waits for steps finds them in picture and statistics.
-        if drawn || !self.seen() || !self.asked.is_empty() {
+        if drawn || !self.seen() || (!self.asked.is_empty() && !warming) {
             for request in self.asked.answers() {
                 out.done(self.id, request);
             }
@@ -355,14 +401,17 @@ impl Fire {
 
     /// Makes the steps that were asked for and, if it `burns`, those that are due,
     /// as far as there is time.
-    fn make_steps(&mut self, burns: bool, deadline: f64, host: &Host) -> Made {
+    fn make_steps(&mut self, burns: bool, warms: bool, deadline: f64, host: &Host) -> Made {
         let mut made = Made::default();
+        let values = warms.then(|| self.values());
         let last = Cell::new(host.now());
         let steps = make_steps(
             || last.get() < deadline,
             || {
+                let warms = values.as_ref().filter(|_| self.warm.is_on());
                 let asked = self.asked.next_open();
-                if asked.is_none() && !(burns && self.clock.due(self.last_step)) {
+                if warms.is_none() && asked.is_none() && !(burns && self.clock.due(self.last_step))
+                {
                     return false;
                 }
                 let length = step(&mut self.simulation, self.stir, &mut |stage| {
@@ -374,6 +423,12 @@ impl Fire {
                 }
                 self.last_step = length;
                 made.seconds += length;
+                if let Some(values) = warms {
+                    if self.warm.burnt(length, &mut self.simulation, values) {
+                        self.restart_clock();
+                    }
+                    return true;
+                }
                 match asked {
                     Some(asked) => asked.take(length),
                     None => {
@@ -420,43 +475,6 @@ impl Fire {
         smooth(&mut self.draw_ms, took);
         self.stale = false;
         took
-    }
-
-    fn tell(&mut self, easel: &Easel, out: &mut Outbox) {
-        let report = self.simulation.report();
-        let passes = self.picture.passes();
-        let mut stages = [("upload", self.upload_ms); STAGES.len() + 1];
-        for (at, name) in STAGES.into_iter().enumerate() {
-            stages[at] = (name, self.stages[at] * self.steps_per_frame);
-        }
-        let stats = Stats {
-            fps: self.fps.fps(),
-            particles: self.simulation.count(),
-            step_ms: self.stages.iter().sum(),
-            draw_ms: self.draw_ms,
-            steps_per_frame: self.steps_per_frame,
-            substeps: report.substeps,
-            neighbours: report.mean_neighbours,
-            at_speed_limit: report.at_speed_limit,
-            time: self.simulation.time(),
-            paused: !self.playing,
-            slowed: self.pace.slowed(),
-            time_scale: self.pace.time_scale(),
-            step_length: self.step_length,
-            power: self.power,
-            embers: self.simulation.embers().len(),
-            target_format: easel.target_format(),
-            stages,
-            passes: passes.map_or(&[], |passes| &passes.times),
-            pass_timer: passes.map_or("", |passes| passes.timer()),
-            quality: &self.quality,
-            // Until the display that is wanted is drawn, its colours stand for nothing.
-            scale: match self.picture.scale() {
-                Some((mode, ends)) if mode == self.wanted.parameters.display_mode => Some(ends),
-                _ => None,
-            },
-        };
-        out.stats(self.id, &stats);
     }
 
     /// Whether its picture can be drawn and somebody sees it.

@@ -14,11 +14,13 @@
 pub mod budget;
 pub mod config;
 mod fields;
+pub mod grain;
 pub mod limits;
 pub mod message;
 pub mod quality;
 pub mod raw;
 pub mod wanted;
+pub mod warm;
 
 // What touches the page.
 #[cfg(target_arch = "wasm32")]

@@ -2,8 +2,8 @@
 //!
 //! | type | other fields | what it does |
 //! |---|---|---|
-//! | `add` | `width`, `height`, `preset`?, `config`?, `kept`?, `values`?, `ownNumber`?, `quality`?, `guess`?, `paused`?, `visible`? | a new fire |
-//! | `resize` | `width`, `height` | its size in device pixels; 0 is fine |
+//! | `add` | `width`, `height`, `side`?, `warm`?, `state`?, `preset`?, `config`?, `kept`?, `values`?, `ownNumber`?, `quality`?, `guess`?, `paused`?, `visible`? | a new fire |
+//! | `resize` | `width`, `height`, `side`? | its size in device pixels; 0 is fine; `side`: its height, or that of a square of its area, in CSS pixels |
 //! | `set` | `request`, `source`, `values` | sets parameters, all or none |
 //! | `restore` | `request`, `source`, `ids` | puts parameters back to their defaults |
 //! | `preset` | `request`, `name` | sets every parameter to the preset's |
@@ -15,6 +15,7 @@
 //! | `play`, `pause`, `reset` | `request` | what they say |
 //! | `step` | `request`, `steps` | makes that many steps, playing or not |
 //! | `burn` | `request`, `seconds` | the same, as many as so much fire needs |
+//! | `warm` | `request`, `seconds`? | how long a new fire burns before it is shown; answered when it is, or nobody looks |
 //! | `visible` | `visible` | a fire that nobody sees does no work |
 //! | `remove` | | frees the fire |
 //!
@@ -28,6 +29,7 @@ use crate::fields::Fields;
 use crate::limits::{Limit, Stir};
 use crate::quality::Level;
 use crate::raw::Raw;
+use crate::warm::LONGEST as LONGEST_WARM;
 
 /// Longest side of a canvas in device pixels; browsers allow no more.
 pub const LONGEST_SIDE: u32 = 16_384;
@@ -37,6 +39,9 @@ pub const MOST_STEPS: u32 = 100_000;
 
 /// Most seconds of fire that one message may ask for.
 pub const MOST_SECONDS: f64 = 1000.0;
+
+/// How long a fire may burn before it is shown, in words.
+const WARM: &str = "a number from 0 to 30";
 
 /// Values as they were sent, by id.
 pub type SentValues = Vec<(String, Raw)>;
@@ -60,8 +65,8 @@ pub struct Message {
 pub enum Order {
     /// A new fire.
     Add(Start),
-    /// Another size of its canvas.
-    Resize(u32, u32),
+    /// Another size of its canvas, and the side that tells how many particles it needs.
+    Resize(u32, u32, f64),
     /// Other values.
     Set(SentValues),
     /// The default values of these ids.
@@ -88,6 +93,8 @@ pub enum Order {
     Step(u32),
     /// Make steps for so many seconds of fire.
     Burn(f64),
+    /// Burn so long before the first picture; as long as before, where nothing is said.
+    Warm(Option<f64>),
     /// Whether anybody sees it.
     Visible(bool),
     /// Free it.
@@ -99,6 +106,12 @@ pub enum Order {
 pub struct Start {
     /// Width and height of its canvas in device pixels.
     pub size: (u32, u32),
+    /// Its height, or that of a square of its area, in CSS pixels; 0: not known.
+    pub side: f64,
+    /// Seconds of fire before it is shown.
+    pub warm: f64,
+    /// A kept fire to start with, where its values are those that are wanted.
+    pub state: Vec<u8>,
     /// The preset to start from.
     pub preset: Option<String>,
     /// The settings to start from, in its place, not checked yet.
@@ -214,6 +227,11 @@ impl Order {
         Some(match name {
             "add" => Order::Add(Start {
                 size: Order::size(fields),
+                side: Order::side(fields),
+                warm: fields
+                    .optional_seconds("warm", LONGEST_WARM, WARM)
+                    .unwrap_or(0.0),
+                state: fields.optional_bytes("state"),
                 preset: fields.optional_text("preset"),
                 config: raw.field("config").clone(),
                 kept: fields.optional_values("kept"),
@@ -226,7 +244,7 @@ impl Order {
             }),
             "resize" => {
                 let (width, height) = Order::size(fields);
-                Order::Resize(width, height)
+                Order::Resize(width, height, Order::side(fields))
             }
             "set" => Order::Set(fields.values("values")),
             "restore" => Order::Restore(fields.texts("ids", "an array of ids")),
@@ -245,6 +263,7 @@ impl Order {
                 MOST_SECONDS,
                 "a number above 0, up to 1000",
             )),
+            "warm" => Order::Warm(fields.optional_seconds("seconds", LONGEST_WARM, WARM)),
             "visible" => Order::Visible(fields.flag("visible", None)),
             "remove" => Order::Remove,
             _ => {
@@ -257,6 +276,10 @@ impl Order {
     fn size(fields: &mut Fields<'_>) -> (u32, u32) {
         let mut side = |id| fields.whole(id, 0, LONGEST_SIDE);
         (side("width"), side("height"))
+    }
+
+    fn side(fields: &mut Fields<'_>) -> f64 {
+        fields.optional_number("side").unwrap_or(0.0)
     }
 }
 

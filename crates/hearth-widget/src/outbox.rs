@@ -9,7 +9,8 @@
 //! | `stats` | `fire`, `stats`: see [`Stats`] |
 //! | `quality` | `fire`, `wish`: auto or as asked for; `quality`, `reason`: what it has and why |
 //! | `state` | `fire`, `playing` |
-//! | `error` | `fire`, `kind`: unsupported, context-lost; `message` |
+//! | `warming` | `fire`: the next picture is that of a new fire, which burns first |
+//! | `error` | `fire`, `kind`: unsupported, context-lost, load; `message`; `burns`: it does all the same |
 //! | `restored` | `fire`: its lost context is back |
 //!
 //! They are collected here and posted when the engine is done with what it was
@@ -79,6 +80,8 @@ pub struct Stats<'a> {
     pub pass_timer: &'static str,
     /// How much work it makes itself, and why.
     pub quality: &'a Quality,
+    /// What the number of particles follows from, in words; empty: somebody set it.
+    pub limit: &'a str,
     /// What the first and the last colour of the picture stand for, where they
     /// measure something.
     pub scale: Option<[f32; 2]>,
@@ -192,6 +195,7 @@ impl Outbox {
             ("passTimer", stats.pass_timer),
             ("quality", stats.quality.level().name()),
             ("qualityReason", stats.quality.reason()),
+            ("limit", stats.limit),
         ] {
             put(&object, name, &text.into());
         }
@@ -219,6 +223,20 @@ impl Outbox {
     pub fn state(&mut self, fire: u32, playing: bool) {
         let message = about("state", fire);
         put(&message, "playing", &playing.into());
+        self.0.push(message.into());
+    }
+
+    /// A new fire burns before it is shown.
+    pub fn warming(&mut self, fire: u32) {
+        self.0.push(about("warming", fire).into());
+    }
+
+    /// Something could not be used, and the fire burns without it.
+    pub fn complaint(&mut self, fire: u32, words: &str) {
+        let message = about("error", fire);
+        put(&message, "kind", &"load".into());
+        put(&message, "message", &words.into());
+        put(&message, "burns", &true.into());
         self.0.push(message.into());
     }
 
@@ -303,7 +321,7 @@ fn error(refused: &Refused) -> JsValue {
         Raw::Number(x) => (*x).into(),
         Raw::Text(text) => text.as_str().into(),
         Raw::Flag(on) => (*on).into(),
-        Raw::List(_) => "an array".into(),
+        Raw::List(_) | Raw::Bytes(_) => "an array".into(),
         Raw::Object(_) => "an object".into(),
         Raw::Other(words) => (*words).into(),
     };

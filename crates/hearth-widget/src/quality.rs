@@ -41,11 +41,6 @@ impl Level {
     pub fn pixels(self) -> f64 {
         [921_600.0, 2_073_600.0, 3_686_400.0][self as usize]
     }
-
-    /// Its particles as a person reads them.
-    fn words(self) -> &'static str {
-        ["1,200", "3,000", "6,700"][self as usize]
-    }
 }
 
 /// What a frame took, and all that came since the one before it.
@@ -65,8 +60,8 @@ pub struct Frame {
     pub time_scale: f64,
     /// Whether the fire lately fell behind the clock.
     pub slowed: bool,
-    /// Whether the number of particles follows from the level.
-    pub particles: bool,
+    /// The number of particles at each level, where it follows from that.
+    pub particles: Option<[u32; 3]>,
     /// Fires that share it.
     pub fires: usize,
 }
@@ -317,7 +312,7 @@ impl Quality {
             too_much: false,
             late: false,
         };
-        load.too_much = if frame.particles {
+        load.too_much = if frame.particles.is_some() {
             // Whose frames are rare falls behind, too, whatever its steps take.
             let budget = ALL_OF_IT * STEPS_BUDGET_MS / frame.fires.max(1) as f64;
             let slowed = frame.slowed && !trial && load.steps > budget;
@@ -329,7 +324,7 @@ impl Quality {
         // is the steps, and their number is somebody else's, nothing can be done.
         let rare = load.gap > LATE * self.display;
         let busy = (window.steps_ms + window.draw_ms) / window.frames;
-        let helps = frame.particles || busy + self.display < load.gap;
+        let helps = frame.particles.is_some() || busy + self.display < load.gap;
         load.late = rare && helps && !load.too_much;
         load
     }
@@ -343,7 +338,7 @@ impl Quality {
             all.find(|level| load.fits(*level))
                 .filter(|level| *level > self.level && !load.late)
         };
-        let level = level.filter(|_| load.particles)?;
+        let level = level.filter(|_| load.particles.is_some())?;
         self.because("steps should take ", load.expected(level), load, level);
         Some(level)
     }
@@ -394,8 +389,11 @@ impl Quality {
             let tenths = (ms * 10.0).round() as u32;
             let _ = write!(reason, "{words}{}.{} ms", tenths / 10, tenths % 10);
         }
-        let (new, old) = (level.words(), self.level.words());
-        let _ = if load.particles {
+        let number = |level: Level| load.particles.map(|numbers| numbers[level as usize]);
+        let _ = if let (Some(new), Some(old)) = (number(level), number(self.level))
+            && new != old
+        {
+            let (new, old) = (in_words(new), in_words(old));
             write!(reason, ": {new} particles instead of {old}")
         } else {
             let than = if level < self.level {
@@ -412,7 +410,7 @@ impl Quality {
 /// What the frames of a window took, each.
 struct Load {
     level: Level,
-    particles: bool,
+    particles: Option<[u32; 3]>,
     /// Time of all the steps that are wanted \[ms\].
     steps: f64,
     /// Time of drawing \[ms\].
@@ -428,13 +426,11 @@ struct Load {
 impl Load {
     /// What a frame may be expected to take at another level \[ms\].
     fn expected(&self, level: Level) -> f64 {
-        let more = f64::from(level.particles()) / f64::from(self.level.particles());
         // More particles are more work a step, and shorter steps.
-        let steps = if self.particles {
-            self.steps * more * more.sqrt()
-        } else {
-            self.steps
-        };
+        let more = self.particles.map_or(1.0, |numbers| {
+            f64::from(numbers[level as usize]) / f64::from(numbers[self.level as usize].max(1))
+        });
+        let steps = self.steps * more * more.sqrt();
         steps + self.draw * if level > self.level { 2.0 } else { 1.0 }
     }
 
@@ -449,6 +445,15 @@ impl Load {
             .find(|level| *level < self.level && self.fits(*level))
             .or((self.level > Level::Low).then_some(Level::Low))
     }
+}
+
+/// A number of particles as a person reads it.
+fn in_words(number: u32) -> String {
+    let mut words = number.to_string();
+    if number >= 1000 {
+        words.insert(words.len() - 3, ',');
+    }
+    words
 }
 
 /// How many times in a row it was so.

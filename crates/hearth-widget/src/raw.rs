@@ -17,6 +17,9 @@ const LONGEST: u32 = 1000;
 /// Longest text that anything has use for, in UTF-16 units.
 const LONGEST_TEXT: u32 = 1000;
 
+/// Most bytes of a kept fire.
+const LONGEST_BYTES: u32 = 65_536;
+
 /// A piece of a message.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Raw {
@@ -30,6 +33,8 @@ pub enum Raw {
     Flag(bool),
     /// An array.
     List(Vec<Raw>),
+    /// Bytes.
+    Bytes(Vec<u8>),
     /// An object's own fields.
     Object(Vec<(String, Raw)>),
     /// Something that no message has use for, in words.
@@ -63,6 +68,12 @@ impl Raw {
         }
         if !value.is_object() || depth == DEEPEST {
             return Raw::Other(Raw::words(value));
+        }
+        if let Some(bytes) = value.dyn_ref::<js_sys::Uint8Array>() {
+            if bytes.length() > LONGEST_BYTES {
+                return Raw::Other("more than 64 KiB");
+            }
+            return Raw::Bytes(bytes.to_vec());
         }
         let copy = |key: &JsValue| match js_sys::Reflect::get(value, key) {
             Ok(field) => Raw::at_depth(&field, depth + 1),
@@ -118,7 +129,7 @@ impl Raw {
             Raw::Text(text) => Input::Text(text),
             Raw::Flag(on) => Input::Flag(*on),
             Raw::Missing => Input::Text("undefined"),
-            Raw::List(_) => Input::Text("an array"),
+            Raw::List(_) | Raw::Bytes(_) => Input::Text("an array"),
             Raw::Object(_) => Input::Text("an object"),
             Raw::Other(words) => Input::Text(words),
         }

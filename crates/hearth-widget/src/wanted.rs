@@ -132,11 +132,11 @@ impl Wanted {
             && self.parameters.max_particles == Level::Medium.particles()
     }
 
-    /// The values, with as many particles as the level has where that is its affair.
-    pub fn at(&self, level: Level) -> Parameters {
+    /// The values, with so many particles where that is the level's affair.
+    pub fn at(&self, particles: u32) -> Parameters {
         let mut parameters = self.parameters.clone();
         if self.follows_level() {
-            let particles = Input::Number(level.particles().into());
+            let particles = Input::Number(particles.into());
             let set = parameters.set(NUMBER, particles);
             debug_assert_eq!(set, Ok(()));
         }

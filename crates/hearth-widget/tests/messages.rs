@@ -33,6 +33,9 @@ fn message(kind: &str, field: &str, value: Raw) -> Raw {
 fn start(values: SentValues) -> Start {
     Start {
         size: (1, 1),
+        side: 0.0,
+        warm: 0.0,
+        state: Vec::new(),
         preset: None,
         config: Raw::Missing,
         kept: Vec::new(),
@@ -81,6 +84,32 @@ fn a_message_says_who_wants_what_of_whom() {
 }
 
 #[test]
+fn a_new_fire_may_be_warmed_and_start_with_a_kept_one() {
+    let start = |field, value| {
+        let size = ["width", "height"].map(|side| (side.to_owned(), Raw::Number(8.0)));
+        let Raw::Object(mut fields) = message("add", field, value) else {
+            return None;
+        };
+        fields.extend(size);
+        match order(&Raw::Object(fields)) {
+            Some(Order::Add(start)) => Some((start.side, start.warm, start.state)),
+            _ => None,
+        }
+    };
+    assert_eq!(start("side", Raw::Number(3.5)), Some((3.5, 0.0, vec![])));
+    assert_eq!(start("warm", Raw::Number(3.0)), Some((0.0, 3.0, vec![])));
+    let kept = Raw::Bytes(vec![7, 8]);
+    assert_eq!(start("state", kept), Some((0.0, 0.0, vec![7, 8])));
+    assert_eq!(start("state", text("bytes")), None);
+    for wrong in [-1.0, 30.5, f64::NAN] {
+        assert_eq!(start("warm", Raw::Number(wrong)), None);
+        let refused = refused(&message("warm", "seconds", Raw::Number(wrong)));
+        let error = refused.and_then(|refused| refused.errors.into_iter().next());
+        assert!(error.is_some_and(|error| error.message.ends_with("a number from 0 to 30")));
+    }
+}
+
+#[test]
 fn every_order_has_its_form() {
     let none = || ("nothing", Raw::Missing);
     let plain = |kind| order(&message(kind, none().0, none().1));
@@ -96,6 +125,11 @@ fn every_order_has_its_form() {
         order(&message("burn", "seconds", Raw::Number(0.5))),
         Some(Order::Burn(0.5))
     );
+    assert_eq!(
+        order(&message("warm", "seconds", Raw::Number(2.5))),
+        Some(Order::Warm(Some(2.5)))
+    );
+    assert_eq!(plain("warm"), Some(Order::Warm(None)));
     assert_eq!(
         order(&message("visible", "visible", Raw::Flag(false))),
         Some(Order::Visible(false))

@@ -63,7 +63,7 @@ impl Burning {
                 draw_ms,
                 time_scale: 1.0,
                 slowed: wanted > 1.06 * steps_ms,
-                particles,
+                particles: particles.then(|| Level::ALL.map(Level::particles)),
                 fires: 1,
             });
             if changed {
@@ -237,7 +237,7 @@ fn steps_that_somebody_asked_for_make_no_coarser_picture() {
             steps_ms: 30.0,
             made: 0.002,
             slowed: true,
-            particles: false,
+            particles: None,
             ..idle()
         });
     }
@@ -254,7 +254,7 @@ fn idle() -> Frame {
         draw_ms: 0.5,
         time_scale: 1.0,
         slowed: false,
-        particles: true,
+        particles: Some(Level::ALL.map(Level::particles)),
         fires: 1,
     }
 }
@@ -431,7 +431,7 @@ fn several_fires_share_the_frame() {
             draw_ms: 1.0,
             time_scale: 1.0,
             slowed: false,
-            particles: true,
+            particles: Some(Level::ALL.map(Level::particles)),
             fires: 4,
         });
     }

@@ -11,6 +11,9 @@ use hearth_widget::wanted::{Wanted, adapt};
 fn start() -> Start {
     Start {
         size: (1, 1),
+        side: 0.0,
+        warm: 0.0,
+        state: Vec::new(),
         preset: None,
         config: Raw::Missing,
         kept: Vec::new(),
@@ -63,7 +66,7 @@ fn after<const N: usize>(orders: [Order; N]) -> Wanted {
 
 /// The particles that it has at each level.
 fn particles(wanted: &Wanted) -> [u32; 3] {
-    Level::ALL.map(|level| wanted.at(level).max_particles)
+    Level::ALL.map(|level| wanted.at(level.particles()).max_particles)
 }
 
 const FOLLOWS: [u32; 3] = [1200, 3000, 6700];
@@ -160,9 +163,9 @@ fn what_a_fire_starts_with_does_not_depend_on_the_guess_for_the_machine() {
         (set(sent([("domain_height", Raw::Number(1.2))])), Level::Low),
     ];
     for (asked, level) in cases {
-        let burnt = |guess| {
-            let mut fire = Simulation::new(wanted.at(guess));
-            adapt(&mut fire, asked.at(level));
+        let burnt = |guess: Level| {
+            let mut fire = Simulation::new(wanted.at(guess.particles()));
+            adapt(&mut fire, asked.at(level.particles()));
             for _ in 0..20 {
                 fire.step();
             }
@@ -171,9 +174,9 @@ fn what_a_fire_starts_with_does_not_depend_on_the_guess_for_the_machine() {
         let (low, high) = (burnt(Level::Low), burnt(Level::High));
         assert_eq!(low, high);
         // It is the one that starts again from nothing, too.
-        let mut again = Simulation::new(wanted.at(Level::High));
+        let mut again = Simulation::new(wanted.at(Level::High.particles()));
         again.step();
-        adapt(&mut again, asked.at(level));
+        adapt(&mut again, asked.at(level.particles()));
         again.reset();
         for _ in 0..20 {
             again.step();
@@ -186,12 +189,12 @@ fn what_a_fire_starts_with_does_not_depend_on_the_guess_for_the_machine() {
 fn a_burning_fire_is_taken_over() {
     let wanted = at_first(&start());
     assert_eq!(wanted.parameters.model(), Model::Combustion);
-    let mut fire = Simulation::new(wanted.at(Level::Medium));
+    let mut fire = Simulation::new(wanted.at(Level::Medium.particles()));
     for _ in 0..20 {
         fire.step();
     }
     let time = fire.time();
-    adapt(&mut fire, wanted.at(Level::Low));
+    adapt(&mut fire, wanted.at(Level::Low.particles()));
     assert_eq!(fire.time(), time);
     assert!(fire.count() < 1500);
 }

@@ -24,6 +24,7 @@ use std::path::Path;
 use std::{fs, io};
 
 use anyhow::{Context, Result};
+use hearth_core::Parameters;
 use hearth_core::params::{Choice, Domain, Model, Param, Value};
 
 /// A generated file: where it lies in the checkout, and what it must hold.
@@ -49,6 +50,7 @@ pub fn generate() -> Result<Vec<Generated>> {
         ("web/defaults.js", javascript::defaults()),
         ("web/parameters.js", javascript::module(&scenes)),
         ("web/quantities.js", javascript::quantities()),
+        ("web/burning.js", javascript::burning()),
         ("web/parameters.d.ts", typescript::declarations(&scenes)),
         ("web/react.d.ts", react::declarations()),
         ("web/custom-elements.json", manifest::manifest()),
@@ -57,6 +59,18 @@ pub fn generate() -> Result<Vec<Generated>> {
     ];
     let generated = |(path, text)| Generated { path, text };
     Ok(files.into_iter().map(generated).collect())
+}
+
+/// The values of the scene of that name, as its file has them.
+///
+/// # Errors
+/// There is no such scene, or a file that is none.
+pub(crate) fn values_of_scene(name: &str) -> Result<Parameters> {
+    let scenes = scene::read_all(&crate::paths::root().join("scenes"))?;
+    let scene = scenes.iter().find(|scene| scene.name == name);
+    scene
+        .with_context(|| format!("scenes/{name}.json is missing"))?
+        .parameters()
 }
 
 /// Writes each generated file under `root` that is missing or differs, and

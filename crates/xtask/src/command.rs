@@ -7,8 +7,8 @@ use anyhow::{Result, bail};
 
 use crate::links::{self, Base};
 use crate::{
-    bench, codegen, goldens, look, package, paths, poster, serve, showcase, site, size, soak,
-    stages, thumbnails, validate,
+    bench, burning, codegen, goldens, look, package, paths, poster, serve, showcase, site, size,
+    soak, stages, thumbnails, validate,
 };
 
 /// What a person reads who asks for help.
@@ -29,6 +29,7 @@ cargo xtask <command>
   thumbnails [SCENE...]                 take the small pictures of all scenes, or only of these
   showcase [PICTURE …]                  take the documentation's animation and, with
                                         pictures of other systems, a sheet of ours and theirs
+  burning                               burn the scenes that a page may open on, and keep them burning
   size                                  print the download sizes of the built site
   codegen                               write the files that come from the parameter table and the scenes
   help                                  this text
@@ -91,6 +92,8 @@ pub enum Command {
         /// Pictures of other systems, for the sheet.
         others: Vec<PathBuf>,
     },
+    /// Keep scenes burning.
+    Burning,
     /// Print download sizes.
     Size,
     /// Write generated files.
@@ -197,6 +200,7 @@ impl Command {
             }
             "poster" => Command::Poster,
             "package" => Command::Package,
+            "burning" => Command::Burning,
             "size" => Command::Size,
             "codegen" => Command::Codegen,
             "help" | "--help" | "-h" => Command::Help,
@@ -270,12 +274,21 @@ pub fn run(command: Command) -> Result<ExitCode> {
             site::build()?;
             size::check()?;
         }
+        Command::Burning => {
+            for path in burning::refresh(true)? {
+                println!("wrote {}", paths::shown(&path));
+            }
+        }
         Command::Codegen => {
             let written = codegen::refresh(&paths::root())?;
             for path in &written {
                 println!("wrote {path}");
             }
-            if written.is_empty() {
+            let burning = burning::refresh(false)?;
+            for path in &burning {
+                println!("wrote {}", paths::shown(path));
+            }
+            if written.is_empty() && burning.is_empty() {
                 println!("every generated file is up to date");
             }
         }

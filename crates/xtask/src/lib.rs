@@ -5,6 +5,7 @@
 //! same thing. The parts are a library, so that tests reach them.
 
 pub mod bench;
+pub mod burning;
 pub mod codegen;
 pub mod command;
 pub mod goldens;

@@ -55,6 +55,11 @@ pub(crate) struct Embers {
 }
 
 impl Embers {
+    /// These.
+    pub fn of(alive: Vec<Ember>) -> Embers {
+        Embers { alive, owed: 0.0 }
+    }
+
     pub fn alive(&self) -> &[Ember] {
         &self.alive
     }

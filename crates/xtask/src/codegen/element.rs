@@ -125,6 +125,13 @@ pub(super) const ATTRIBUTES: &[Attribute] = &[
         doc: "Most pictures a second.",
     },
     Attribute {
+        name: "warm",
+        kind: "number | boolean | string",
+        default: "",
+        reflects: true,
+        doc: "Seconds of fire, 0 to 30, that a new fire burns before it is shown: 3 where the attribute has no value. The poster or the picture before stays meanwhile.",
+    },
+    Attribute {
         name: "interactive",
         kind: "boolean",
         default: "false",

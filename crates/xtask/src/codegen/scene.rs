@@ -38,6 +38,20 @@ pub(super) struct Scene {
     pub(super) values: Vec<(String, Json)>,
 }
 
+impl Scene {
+    /// All values of its fire.
+    ///
+    /// # Errors
+    /// A value that the table does not take.
+    pub(super) fn parameters(&self) -> Result<Parameters> {
+        let mut parameters = Parameters::default();
+        for (id, value) in &self.values {
+            parameters.set(id, input(value))?;
+        }
+        Ok(parameters)
+    }
+}
+
 /// Every scene under `folder`: the default one first, then those of each model by
 /// their names, the default model's first.
 ///
@@ -233,7 +247,7 @@ mod tests {
                 "lifetime_min is of no use in the model combustion",
             ),
             // In the range of the other model.
-            (r#"{"max_particles": 100}"#, "from 1000 to 100000"),
+            (r#"{"max_particles": 100}"#, "from 200 to 100000"),
             (r#"{"max_particles": 100, "model": "classic"}"#, "taken"),
             ("3", "\"values\" must be"),
         ] {

@@ -1,0 +1,106 @@
+//! A fire that burns before it is shown.
+//!
+//! A fire that is just lit is a mushroom cloud. One that is to be warm burns some seconds
+//! first, or takes up where a kept fire burnt. Steps cost a power of 1.5 of the number of
+//! particles, so most of the time it burns with few, and the full number takes over for
+//! the last part.
+
+use hearth_core::burning::BurningError;
+use hearth_core::params::{Input, Model};
+use hearth_core::{Parameters, Simulation};
+
+use crate::wanted::NUMBER;
+
+/// Longest time that a fire may burn before it is shown \[s\].
+pub const LONGEST: f64 = 30.0;
+
+/// Seconds of fire for which all particles burn.
+const FINE: f64 = 0.9;
+/// Part of the particles that burn before, and how many at least.
+const FEW: u32 = 4;
+const FEWEST: u32 = 600;
+
+/// How long a fire burns before it is shown.
+#[derive(Debug, Default)]
+pub struct Warm {
+    seconds: f64,
+    /// What is left of it.
+    left: f64,
+    /// A kept fire.
+    kept: Vec<u8>,
+}
+
+impl Warm {
+    /// So many seconds, or a kept fire where its values are those that are wanted.
+    pub fn new(seconds: f64, kept: Vec<u8>) -> Warm {
+        Warm {
+            seconds,
+            left: 0.0,
+            kept,
+        }
+    }
+
+    /// Another time, for the next fire.
+    pub fn set(&mut self, seconds: f64) {
+        self.seconds = seconds;
+    }
+
+    /// Whether a new fire burns before it is shown.
+    pub fn is_wanted(&self) -> bool {
+        self.seconds > 0.0
+    }
+
+    /// Whether it still does.
+    pub fn is_on(&self) -> bool {
+        self.left > 0.0
+    }
+
+    /// A new fire of these values begins. Returns what is wrong with the kept one.
+    pub fn begin(
+        &mut self,
+        simulation: &mut Simulation,
+        parameters: &Parameters,
+    ) -> Option<&'static str> {
+        self.left = 0.0;
+        *simulation = Simulation::new(parameters.clone());
+        if !self.is_wanted() {
+            return None;
+        }
+        let mut wrong = None;
+        if !self.kept.is_empty() {
+            match simulation.restore_burning(&self.kept) {
+                Ok(()) => return None,
+                Err(BurningError::Other) => {}
+                Err(BurningError::Damaged(words)) => {
+                    self.kept.clear();
+                    wrong = Some(words);
+                }
+            }
+        }
+        self.left = self.seconds;
+        *simulation = Simulation::new(self.coarse(parameters));
+        wrong
+    }
+
+    /// A step of that length was made; whether the fire is warm now.
+    pub fn burnt(&mut self, length: f64, simulation: &mut Simulation, wanted: &Parameters) -> bool {
+        let was_coarse = self.left > FINE;
+        self.left -= length;
+        if was_coarse && self.left <= FINE {
+            simulation.set_parameters(wanted.clone());
+        }
+        self.left <= 0.0
+    }
+
+    /// The values that it burns with for now where these are wanted.
+    pub fn coarse(&self, wanted: &Parameters) -> Parameters {
+        let mut parameters = wanted.clone();
+        let few = (wanted.max_particles / FEW).max(FEWEST);
+        if self.left > FINE && parameters.model() == Model::Combustion && few < wanted.max_particles
+        {
+            let set = parameters.set(NUMBER, Input::Number(few.into()));
+            debug_assert_eq!(set, Ok(()));
+        }
+        parameters
+    }
+}

@@ -1,0 +1,67 @@
+//! How many particles go with the size of an element.
+
+use hearth_widget::grain::Grain;
+use hearth_widget::quality::Level;
+
+fn at(side: f64, level: Level) -> u32 {
+    Grain::of(side).particles(level)
+}
+
+#[test]
+fn an_icon_has_300_a_card_some_600_and_a_stage_what_the_level_has() {
+    for level in Level::ALL {
+        assert_eq!(at(64.0, level), 300);
+        assert_eq!(at(16.0, level), 300);
+        // 240 × 300.
+        assert!((500..=700).contains(&at(72_000_f64.sqrt(), level)));
+        for side in [560.0, 600.0, 4000.0] {
+            assert_eq!(at(side, level), level.particles());
+        }
+        // Until it has a size, and while it is hidden.
+        assert_eq!(at(0.0, level), level.particles());
+        assert_eq!(Grain::default().particles(level), level.particles());
+    }
+}
+
+#[test]
+fn a_larger_element_and_a_higher_level_never_have_fewer() {
+    let mut before = [0; 3];
+    for side in 1..1000 {
+        let now = Level::ALL.map(|level| at(side.into(), level));
+        assert!(now.iter().zip(before).all(|(now, before)| *now >= before));
+        assert!(now[0] <= now[1] && now[1] <= now[2], "{now:?} at {side}");
+        before = now;
+    }
+}
+
+#[test]
+fn a_window_that_is_dragged_to_and_fro_changes_nothing() {
+    for start in [64.0, 90.0, 200.0, 268.0, 300.0, 500.0, 559.0, 800.0] {
+        let mut grain = Grain::of(start);
+        for side in [1.04, 0.96, 1.08, 1.0, 0.93, 1.0] {
+            let before = grain;
+            let counts = grain.resize(side * start);
+            // Only at an end is anything exact; and once it is reached, it stays.
+            assert!(!counts || [64.0, 560.0].contains(&(side * start).clamp(64.0, 560.0)));
+            assert_eq!(counts, grain != before);
+        }
+        let settled = grain;
+        for side in [1.02, 0.99, 1.0] {
+            grain.resize(side * start);
+        }
+        assert_eq!(grain, settled);
+    }
+}
+
+#[test]
+fn a_card_that_grows_into_a_stage_gets_all_of_it_in_few_changes() {
+    let mut grain = Grain::of(240.0);
+    let changes = (240..1000)
+        .filter(|&side| grain.resize(side.into()))
+        .count();
+    assert_eq!(grain.particles(Level::High), Level::High.particles());
+    assert!((2..=12).contains(&changes), "{changes}");
+    assert!(!grain.resize(0.0), "what is hidden keeps its particles");
+    assert!(grain.resize(64.0));
+    assert_eq!(grain.particles(Level::High), 300);
+}

@@ -68,8 +68,12 @@ void main() {
     float covered = 1.0 - exp(-matter.x * left);
     vec4 body = texture(black_body, vec2(kilokelvin * table.x + table.y, 0.5));
     vec3 emitted = body.rgb * exp(shine.x * body.a) * (shine.y * covered * glowing);
-    float hidden = 1.0 - exp(-matter.y * soot * growth * (1.0 - smoothstep(0.7, 1.6, kilokelvin)));
-    // Over something bright, thin flame has to hide more than it shines.
-    float opaque = covered * (2.0 - covered) * glowing;
+    // Smoke forms above the flame. Cool soot beside the flame would draw a grey rim.
+    float aloft = smoothstep(0.2, 1.4, above);
+    float hidden = 1.0 - exp(-matter.y * soot * aloft * (1.0 - smoothstep(0.5, 1.1, kilokelvin)));
+    // Over a bright ground, thin bright flame hides more than it shines. Dim red gas
+    // hides no more than it shines: it would draw a dark rim.
+    float bright = smoothstep(0.02, 0.5, max(emitted.r, max(emitted.g, emitted.b)));
+    float opaque = covered * (2.0 - covered) * glowing * bright;
     light = vec4(sqrt(emitted * shine.z), 1.0 - (1.0 - opaque) * (1.0 - hidden));
 }

@@ -5,7 +5,7 @@ in vec2 uv;
 uniform sampler2D noise; // a tile; 0.5 is zero
 uniform vec4 view; // width / height of the picture; where the wall stands
 
-out vec4 scenery; // square root of colour
+out vec4 scenery; // square root of colour; share of floor
 
 vec4 rough(vec2 place) {
     return textureLod(noise, place, 0.0) * 2.0 - 1.0;
@@ -29,7 +29,8 @@ void main() {
     float depth = view.y - place.y; // below the foot of the wall
     // A floor that comes nearer downwards, and is dark where it meets the wall.
     float near = 1.0 + depth / 0.3;
-    vec3 colour = depth > 0.0 ? bricks(vec2(place.x, 0.9) / near, vec2(0.3, 0.15)).ggb * 0.8
+    vec3 colour = depth > 0.0 ? bricks(vec2(place.x, 0.9) / near, vec2(0.3, 0.15)).ggb
                               : bricks(place, vec2(0.17, 0.062));
-    scenery = vec4(sqrt(colour * smoothstep(0.0, 0.04, abs(depth) + 0.01)), 1.0);
+    float joint = smoothstep(0.0, depth > 0.0 ? 0.02 : 0.04, abs(depth) + 0.005);
+    scenery = vec4(sqrt(colour * joint), step(0.0, depth));
 }

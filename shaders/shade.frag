@@ -60,6 +60,8 @@ void main() {
     float opaque = covered * smoothstep(0.7, 1.05, kilokelvin) * min(2.5 * depth, 1.0);
     float hidden = 1.0 - exp(-matter.w * around.w);
     vec3 emitted = body.rgb * exp(shine.x * body.a) * (shine.y * depth * (0.25 + 0.75 * depth) * covered);
+    // Dim red gas hides no more than it shines: over a bright ground it would draw a dark rim.
+    opaque *= smoothstep(0.02, 0.5, max(emitted.r, max(emitted.g, emitted.b)));
     vec3 sum = emitted * (1.0 - 0.5 * hidden);
     light = vec4(sqrt(sum * shine.z), 1.0 - (1.0 - opaque) * (1.0 - hidden));
 }

@@ -21,7 +21,7 @@ const LAMP: [u32; 2] = [16, 64];
 /// How far hot gas bends what is seen through it, as a share of the picture's height.
 const BEND: f32 = 0.035;
 /// How far above the foot of the fire the wall meets the floor, as such a share.
-const BEHIND: f32 = 0.05;
+const BEHIND: f32 = 0.1;
 /// Highest foot of the fire that the floor reaches.
 const HIGHEST: f32 = 0.6;
 /// Waves of the haze in the height of the picture.

@@ -1,30 +1,38 @@
 /**
- * The full page: one fire, its panel, and the fire in the address.
+ * The full page: one fire, what stands around it, its panel, and the fire in the
+ * address.
  *
+ * An address that names no scene and no value shows the scene in the HTML of the page.
  * `?scene=seed&viscosity=0.01&paused` sets what it says, by the names of the
- * element's attributes; whatever of it is refused is said in the console and on
- * the page. What is changed later is written back, so that the address, copied
- * or loaded anew, is always this fire. The panel is loaded after the fire burns
- * and a page without it still has a fire.
+ * element's attributes; values without a scene change the scene `default`. The console
+ * and the page say what is refused. Later changes are written back, so that the
+ * address, copied or loaded anew, always shows this fire.
+ *
+ * Scenes, panel and dialogs load after the fire burns; a page without them still has
+ * a fire.
  */
 
 import { applyAddress, readAddress } from './address.js';
 import './hearth-fire.js';
+import { stepBack } from './page-chrome.js';
+import { showHint } from './page-hint.js';
+import { PagePanel } from './page-panel.js';
 import { toQuery } from './share.js';
 
 /** How long a message stays on the page [ms]. */
 const TOAST_MS = 8000;
 
-/** Most messages that it shows at one time. */
+/** How many messages the page shows at a time. */
 const TOASTS = 4;
 
-/** The address is at least so old when it is written [ms]: browsers refuse many in a short time. */
+/** The address is at least this old when it is written [ms]: browsers refuse many changes in a short time. */
 const ADDRESS_MS = 1000;
 
 const fire = /** @type {import('./hearth-fire.js').HearthFire} */ (document.getElementById('fire'));
-const panel = /** @type {HTMLElement} */ (document.getElementById('panel'));
-const toggle = /** @type {HTMLElement} */ (document.getElementById('toggle'));
 const toast = /** @type {HTMLElement} */ (document.getElementById('toast'));
+
+/** The scene in the HTML of the page, which an empty address shows. */
+const LANDING = fire.getAttribute('preset') ?? 'default';
 
 /** @type {string[]} */
 const said = [];
@@ -45,7 +53,7 @@ function say(words) {
   }, TOAST_MS);
 }
 
-/** Sets what the address asks for, and says what of it could not be. */
+/** Sets what the address asks for, and says what of it is refused. */
 function setFromAddress() {
   const address = readAddress(location.search);
   for (const words of address.refused) {
@@ -57,13 +65,27 @@ function setFromAddress() {
   };
   fire.addEventListener('error', refused);
   fire.ready.catch(() => {}).then(() => fire.removeEventListener('error', refused));
+  // Links from before the page had a scene of its own name values alone.
+  if (address.scene === undefined && address.values.length > 0) fire.removeAttribute('preset');
   applyAddress(fire, address);
+  // The still picture shows the landing scene and no other.
+  if (fire.getAttribute('preset') !== LANDING) document.getElementById('still')?.remove();
   keepAddress(address.options);
 }
 
 /**
+ * The query that shows this fire on this page.
+ * @param {import('./share.js').Config} config
+ */
+function queryOf(config) {
+  const query = toQuery(config);
+  if (config.preset === undefined) return ['scene=default', query].filter(Boolean).join('&');
+  return config.preset === LANDING && Object.keys(config.values ?? {}).length === 0 ? '' : query;
+}
+
+/**
  * Writes what the fire burns with into the address, a while after it changed: the
- * scene and what differs from it. No entry of the history is made, for "back"
+ * scene and what differs from it. The history gets no entry, for "back"
  * leads away from the page and not through positions of a slider.
  * @param {[string, string][]} options  What the address said besides; it stays.
  */
@@ -72,7 +94,7 @@ function keepAddress(options) {
   let planned;
   const write = async () => {
     planned = undefined;
-    const query = toQuery(await fire.exportConfig());
+    const query = queryOf(await fire.exportConfig());
     const others = new URLSearchParams(options).toString().replace(/=(?=&|$)/g, '');
     const address = new URL(location.href);
     address.search = [query, others].filter(Boolean).join('&');
@@ -83,50 +105,42 @@ function keepAddress(options) {
   });
 }
 
-/** @param {boolean} shown */
-function showPanel(shown) {
-  document.documentElement.dataset.panel = shown ? 'shown' : 'hidden';
-  toggle.setAttribute('aria-expanded', String(shown));
+/** Opens the dialog that a button names. Its code is loaded with the first one. */
+function openDialogs() {
+  for (const button of document.querySelectorAll('[data-opens]')) {
+    const id = /** @type {HTMLElement} */ (button).dataset.opens ?? '';
+    button.addEventListener('click', async () => {
+      try {
+        const { openDialog } = await import('./page-dialogs.js');
+        await openDialog(id, fire);
+      } catch (error) {
+        console.warn('Hearth: the dialog could not be opened.', error);
+        say('The dialog could not be opened.');
+      }
+    });
+  }
 }
 
-function panelIsShown() {
-  return document.documentElement.dataset.panel !== 'hidden';
-}
-
-/**
- * Whether a key belongs to what is being typed.
- * @param {KeyboardEvent} event
- */
-function isTyping(event) {
-  const target = event.composedPath()[0];
-  if (!(target instanceof HTMLElement)) return false;
-  if (target instanceof HTMLInputElement) return !['range', 'checkbox', 'button'].includes(target.type);
-  return target.isContentEditable || ['TEXTAREA', 'SELECT'].includes(target.tagName);
-}
-
-toggle.addEventListener('click', () => showPanel(!panelIsShown()));
-document.addEventListener('keydown', (event) => {
-  const plain = !(event.ctrlKey || event.metaKey || event.altKey || event.repeat);
-  if (plain && event.key.toLowerCase() === 'h' && !isTyping(event)) showPanel(!panelIsShown());
-});
-
-/** Shows the panel, or says why it is not there. */
-async function loadPanel() {
+/** Shows the strip of scenes; without it the panel still has them. */
+async function showScenes() {
   try {
-    const { mountPanel } = await import('./panel.js');
-    await mountPanel({ host: panel, fire, page: location.href });
+    const { showStrip } = await import('./page-scenes.js');
+    showStrip(/** @type {HTMLElement} */ (document.getElementById('scenes')), fire, LANDING, say);
   } catch (error) {
-    console.warn('Hearth: the panel could not be loaded.', error);
-    const words = document.createElement('p');
-    words.className = 'words';
-    words.textContent = 'The controls could not be loaded. The fire burns without them.';
-    panel.replaceChildren(words);
+    console.warn('Hearth: the scenes could not be loaded.', error);
   }
 }
 
 setFromAddress();
-fire.ready.then(loadPanel, () => {
+stepBack(document.documentElement);
+openDialogs();
+const panel = new PagePanel(fire);
+fire.ready.then(
+  () => {
+    panel.begin();
+    showHint(/** @type {HTMLElement} */ (document.getElementById('hint')), fire);
+    return showScenes();
+  },
   // Without a fire there is nothing to control; the fire itself says why.
-  showPanel(false);
-  toggle.hidden = true;
-});
+  () => panel.drop(),
+);

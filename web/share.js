@@ -66,13 +66,19 @@ export function fromQuery(search, names = []) {
 }
 
 /**
- * The address of a page that shows this fire, and nothing else of its old query.
+ * The address of a page that shows this fire, and nothing else of its old query. It names
+ * the scene `default` rather than nothing: an empty query shows what the page opens with.
  * @param {Config} config
  * @param {string | URL} base  The whole address of a page that reads its query.
  */
 export function pageLink(config, base) {
+  return addressOf(base, toQuery(config) || `${PRESET[0]}=default`);
+}
+
+/** @type {(base: string | URL, query: string) => string} */
+function addressOf(base, query) {
   const url = new URL(base);
-  url.search = toQuery(config);
+  url.search = query;
   url.hash = '';
   return url.href;
 }
@@ -106,7 +112,7 @@ export function elementCode(config, scriptUrl) {
  */
 export function iframeCode(config, embedUrl) {
   const parts = [
-    attribute('src', pageLink(config, embedUrl)),
+    attribute('src', addressOf(embedUrl, toQuery(config))),
     attribute('width', String(SIZE.width)),
     attribute('height', String(SIZE.height)),
     // Of another colour scheme than its page the frame would get an opaque ground.

@@ -42,7 +42,7 @@ function longestTask(milliseconds) {
 export async function onThePage(site) {
   const browser = await Browser.launch(site);
   try {
-    const full = await browser.open('index.html', { width: 1280, height: 720 });
+    const full = await browser.open('index.html?scene=default', { width: 1280, height: 720 });
     await full.burnt(10);
     const stats = await full.fire((fire) => fire.stats);
 

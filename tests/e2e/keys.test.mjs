@@ -16,7 +16,7 @@ after(() => browser?.close());
 
 /** @param {() => void} [before] */
 async function openPage(before) {
-  const tab = await browser.open('index.html', { width: 760, height: 600, before });
+  const tab = await browser.open('index.html?scene=default', { width: 760, height: 600, before });
   await tab.burnt(0.3);
   return { tab, panel: await new Panel(tab).mounted() };
 }

@@ -25,12 +25,13 @@ test('the page loads without a complaint and its fire becomes ready', async () =
 });
 
 test('fire burns in the lower middle and nowhere else, and it moves', async () => {
-  const tab = await browser.open('index.html', { width: 1000, height: 500 });
+  const tab = await browser.open('index.html?scene=default', { width: 1000, height: 500 });
   await tab.burnt(1.5);
   await assertBurns(tab);
   const picture = await tab.firePicture();
-  assert.ok(picture.part(0, 0, 0.15, 1).dark() > 0.98, 'the left edge is dark');
-  assert.ok(picture.part(0, 0, 0.6, 0.05).dark() > 0.95, 'the upper edge is dark');
+  // Between the name and the scenes, which stand at the edges.
+  assert.ok(picture.part(0, 0.3, 0.15, 0.85).dark() > 0.98, 'the left edge is dark');
+  assert.ok(picture.part(0.4, 0, 0.6, 0.05).dark() > 0.95, 'the upper edge is dark');
 });
 
 test('the fire still burns after ten seconds, with a whole fire of particles', async () => {
@@ -96,10 +97,10 @@ test('the address follows the fire: its scene and what was changed, and nothing 
     (end) => location.href.endsWith(`/index.html${end}`),
     address,
   );
-  await tab.fire((fire) => fire.set({ exposure: 0.5, seed: 7 }));
-  await follows('?seed=7&exposure=0.5&quality=low#hearth');
-  await tab.fire((fire) => fire.restore('exposure'));
-  await follows('?seed=7&quality=low#hearth');
+  await tab.fire((fire) => fire.set({ exposure: 0.25, seed: 7 }));
+  await follows('?scene=fireside&seed=7&exposure=0.25&quality=low#hearth');
+  await tab.fire((fire) => fire.importConfig({ hearth: 1, values: { seed: 7 } }));
+  await follows('?scene=default&seed=7&quality=low#hearth');
   await tab.fire((fire) => fire.importConfig({ hearth: 1, preset: 'seed', values: { viscosity: 0.02 } }));
   await follows('?scene=seed&viscosity=0.02&quality=low#hearth');
   const shown = await tab.fire((fire) => fire.exportConfig());
@@ -110,16 +111,19 @@ test('the address follows the fire: its scene and what was changed, and nothing 
   await again.ready();
   assert.deepEqual(await again.fire((fire) => fire.exportConfig()), shown);
   await again.fire((fire) => fire.restore());
+  await again.until('the address names the scene', () => location.search === '?scene=default&quality=low');
+  await again.fire((fire) => fire.importConfig({ hearth: 1, preset: 'fireside', values: {} }));
   await again.until('the address is clean', () => location.search === '?quality=low');
   assert.deepEqual([...tab.problems, ...again.problems], []);
 });
 
-test('the address of a fire of the defaults stays as it is', async () => {
+test('the address of the landing scene stays empty', async () => {
   const tab = await browser.open('index.html');
   await tab.burnt(0.3);
   await tab.fire(async (fire) => {
-    await fire.set('exposure', 1);
-    await fire.set('exposure', 0);
+    const { exposure } = fire.params;
+    await fire.set('exposure', exposure + 1);
+    await fire.set('exposure', exposure);
     await new Promise((resolve) => setTimeout(resolve, 1500));
   });
   assert.equal(await tab.evaluate(() => location.search), '');
@@ -148,7 +152,7 @@ for (const [about, query, said, seed] of [
       assert.match(toast, words);
     }
     assert.ok(tab.problems.every((problem) => problem.startsWith('console.warn')), console);
-    assert.equal(await tab.evaluate(() => document.querySelectorAll('#toast *, img').length), 0);
+    assert.equal(await tab.evaluate(() => document.querySelectorAll('#toast *, img[src=x]').length), 0);
     assert.equal(await tab.fire((fire) => fire.params.seed), seed);
     await tab.burnt(0.1);
   });

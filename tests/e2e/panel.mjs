@@ -38,6 +38,12 @@ export function along(/** @type {Rectangle} */ rectangle, /** @type {number} */ 
 /** Runs in the page: what the panel stands in. */
 const ROOT = `((inside) => inside ? document.querySelector('hearth-fire').shadowRoot : document)`;
 
+/** Runs in the page: presses the button that shows the panel, where it is hidden. */
+function openPanel() {
+  if (document.documentElement.dataset.panel !== 'hidden') return;
+  /** @type {HTMLElement} */ (document.getElementById('toggle')).click();
+}
+
 /** The panel of the page in a tab, or the one inside of the page's first fire. */
 export class Panel {
   /** @param {Tab} tab @param {{inside?: boolean}} [where] */
@@ -65,8 +71,9 @@ export class Panel {
     return this.tab.until(what, /** @type {any} */ (call));
   }
 
-  /** Waits until the panel has painted its controls. */
+  /** Opens the panel of a page, where it is closed, and waits until it has painted its controls. */
   async mounted() {
+    if (!this.inside) await this.tab.evaluate(openPanel);
     await this.until(
       'the panel shows its controls',
       (root) => root.querySelector('[data-action="pause"][data-rect]') !== null,

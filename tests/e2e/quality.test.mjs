@@ -143,7 +143,7 @@ test('quality is kept when set early, in the address, and off the page', async (
     await fire.ready;
   });
   await settles(tab, 'low');
-  const page = await browser.open('index.html?quality=low', { width: 480, height: 320 });
+  const page = await browser.open('index.html?scene=default&quality=low', { width: 480, height: 320 });
   await page.burnt(0.1);
   await settles(page, 'low');
   assert.deepEqual([...tab.problems, ...page.problems], []);
@@ -197,7 +197,7 @@ test('the parts of the steps add up, and every pass is told', async () => {
 });
 
 test('the panel and its mirror choose the quality, and show what somebody else chose', async () => {
-  const tab = await browser.open('index.html?quality=medium', { width: 760, height: 600 });
+  const tab = await browser.open('index.html?scene=default&quality=medium', { width: 760, height: 600 });
   await tab.burnt(0.1);
   const panel = await new Panel(tab).mounted();
   const mirror = '[data-action="quality"]';
@@ -220,7 +220,7 @@ test('the panel and its mirror choose the quality, and show what somebody else c
 });
 
 test('another quality does not take away the words that a visitor is reading', async () => {
-  const tab = await browser.open('index.html?quality=medium', { width: 760, height: 900 });
+  const tab = await browser.open('index.html?scene=default&quality=medium', { width: 760, height: 900 });
   await tab.burnt(0.1);
   await new Panel(tab).mounted();
   // Words in the header push down the rows below it.

@@ -17,7 +17,7 @@ before(async () => {
 });
 after(() => browser?.close());
 
-async function openPage(query = '', options = {}) {
+async function openPage(query = 'scene=default', options = {}) {
   const tab = await browser.open(`index.html?${query}`, { width: 900, height: 700, ...options });
   await tab.ready();
   return { tab, panel: await new Panel(tab).mounted() };
@@ -97,7 +97,7 @@ describe('the scenes', () => {
       const now = await tab.fire((fire) => fire.params);
       for (const { id } of used) assert.equal(now[id], expected[id], `${id} of ${name}`);
       await tab.until('it is marked', (wanted) => (
-        document.querySelector('[aria-current="true"]')?.getAttribute('data-scene') === wanted
+        document.querySelector('.hearth-card [aria-current="true"]')?.getAttribute('data-scene') === wanted
       ), name);
       assert.equal((await marked(panel)).length, 1);
     }
@@ -163,7 +163,7 @@ describe('the scenes', () => {
 
   test('nothing moves when a picture comes, and what never comes leaves its words', async () => {
     const missing = PRESETS[1].name;
-    const { tab, panel } = await openPage('', { files: { [`scenes/${missing}.jpg`]: { drop: true } } });
+    const { tab, panel } = await openPage('scene=default', { files: { [`scenes/${missing}.jpg`]: { drop: true } } });
     await panel.openScenes();
     const places = () => panel.in((root) => (
       [...root.querySelectorAll('[data-scene]')].map((tile) => {
@@ -191,7 +191,7 @@ describe('on a phone', () => {
   for (const inside of [false, true]) {
     test(`a finger pushes and taps them in the sheet ${inside ? 'of a fire' : 'of the page'}`, async () => {
       const tab = await browser.open(
-        inside ? '<hearth-fire controls style="width: 360px; height: 640px"></hearth-fire>' : 'index.html',
+        inside ? '<hearth-fire controls style="width: 360px; height: 640px"></hearth-fire>' : 'index.html?scene=default',
         PHONE,
       );
       await tab.ready();

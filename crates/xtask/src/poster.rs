@@ -1,6 +1,7 @@
-//! `cargo xtask poster`: takes the picture that a link to Hearth shows,
-//! `web/poster.jpg`. The fire on it is always the same; it wants a new picture
-//! when the way in which fires are drawn has changed.
+//! `cargo xtask poster`: takes the picture that a link to Hearth shows, and the page
+//! while its fire loads: `web/poster.jpg`, a moment of the scene that the page opens with.
+//! The same scene gives the same picture; it needs a new one when the scene changes, or the
+//! way in which fires are drawn.
 
 use anyhow::Result;
 

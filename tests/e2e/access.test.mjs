@@ -1,0 +1,96 @@
+/**
+ * axe-core finds no violation on any page, whatever is open on it. What it cannot judge, as
+ * words over a picture, is looked at elsewhere.
+ */
+import assert from 'node:assert/strict';
+import { readFile, readdir } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { Panel } from './panel.mjs';
+import { SITE } from './site.mjs';
+
+const AXE = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+const WIDE = { width: 1000, height: 640 };
+const PHONE = { width: 360, height: 640, touch: true };
+const LYING = { width: 740, height: 360, touch: true };
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+/**
+ * What axe-core finds wrong, a line each.
+ * @param {import('./driver.mjs').Tab} tab
+ * @returns {Promise<string[]>}
+ */
+async function violations(tab) {
+  // Evaluated by the driver, whatever the page's policy allows.
+  await tab.evaluate(AXE);
+  return tab.evaluate(async () => {
+    const { axe } = /** @type {any} */ (window);
+    const { violations: found } = await axe.run(document, { resultTypes: ['violations'] });
+    return found.flatMap(({ id, help, nodes }) => nodes.map(({ target, failureSummary }) => (
+      `${id} (${help}) at ${target.flat().join(' ')}: ${failureSummary}`
+    )));
+  });
+}
+
+/** Waits until the strip of scenes is there. @param {import('./driver.mjs').Tab} tab */
+const strip = (tab) => tab.until('the strip of scenes', () => (
+  document.querySelector('#scenes [aria-current="true"]') !== null
+));
+
+for (const [about, size, act] of [
+  ['with its panel', WIDE, (tab) => new Panel(tab).mounted()],
+  ['with the scenes of the panel', WIDE, async (tab) => (await new Panel(tab).mounted()).openScenes()],
+  ['with what Hearth is', WIDE, (tab) => tab.page.click('[data-opens="about"]')],
+  ['with the code to embed it', WIDE, (tab) => tab.page.click('[data-opens="embed"]')],
+  ['on a phone', PHONE, () => {}],
+  ['on a phone, with the sheet', PHONE, (tab) => new Panel(tab).mounted()],
+  ['on a phone that lies', LYING, () => {}],
+  ['whose links have stepped back', PHONE, (tab) => (
+    tab.until('the links step back', () => document.documentElement.dataset.chrome === 'back')
+  )],
+]) {
+  test(`the page ${about}`, async () => {
+    const tab = await browser.open('index.html', size);
+    await tab.ready();
+    await strip(tab);
+    await act(tab);
+    await tab.until('a dialog that was asked for', (wanted) => (
+      !wanted || document.querySelector('dialog[open]') !== null
+    ), /what Hearth|the code/.test(about));
+    assert.deepEqual(await violations(tab), []);
+  });
+}
+
+test('the page whose fire cannot burn', async () => {
+  const tab = await browser.open('index.html', { ...WIDE, without: 'hearth-widget_bg.wasm' });
+  await tab.until('words', () => (
+    /\S/.test(document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.message')?.textContent ?? '')
+  ));
+  assert.deepEqual(await violations(tab), []);
+});
+
+test('the page of a visitor who wants less motion', async () => {
+  const tab = await browser.open('index.html', { ...WIDE, reducedMotion: true });
+  await tab.ready();
+  await strip(tab);
+  assert.deepEqual(await violations(tab), []);
+});
+
+const examples = (await readdir(path.join(SITE, 'examples'))).filter((name) => name.endsWith('.html'));
+for (const page of ['web/embed.html', ...examples.map((name) => `examples/${name}`)]) {
+  test(page, async () => {
+    const tab = await browser.open(page, WIDE);
+    await tab.until('its first picture', () => document.querySelector('hearth-fire')?.shadowRoot
+      ?.querySelector('[data-drawn]') ?? !document.querySelector('hearth-fire'));
+    assert.deepEqual(await violations(tab), []);
+  });
+}

@@ -1,0 +1,145 @@
+/**
+ * How the landing page's fire stands in its stage: how high it is where it is bright, and
+ * how far its base is above the lower edge. `node framing.mjs` measures all sizes,
+ * `node framing.mjs 390x844` one; `--query scene=campfire` another fire than the page's.
+ * `HEARTH_SITE` names the site, `HEARTH_CHROMIUM` the browser.
+ *
+ * The fire stands still and burns by steps that are asked for, so that each measure is of
+ * the same ten seconds on every machine.
+ */
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { Browser } from './driver.mjs';
+
+/** The sizes of a page that are measured. @type {[number, number][]} */
+export const SIZES = [
+  [320, 568], [390, 844], [844, 390], [768, 1024], [1280, 800], [1920, 1080], [3440, 1440],
+];
+
+/** The measures that hold, in shares of the stage's height. */
+export const BARS = { height: [0.55, 0.7], base: [0.06, 0.1] };
+
+/** What is brighter than this counts as the flame, from 0 to 1. */
+const BRIGHT = 0.5;
+
+/**
+ * How bright a pixel is: by the numbers of its channels, or by the light that they stand for.
+ * @typedef {'coded' | 'linear'} Scale
+ */
+
+/** How many moments are measured, and how long each is after the one before [s]. */
+const MOMENTS = 40;
+const APART = 0.25;
+
+/** How long the fire burns before the first [s]. */
+const BURNT = 3;
+
+/** How many steps tell how long a step is. */
+const TRIED = 400;
+
+/** Pixels are drawn for measures alone, so no more of them than are needed. */
+const PIXELS = 200_000;
+
+/**
+ * Measures the page's fire in a page of that size.
+ * @param {Browser} browser
+ * @param {[number, number]} size
+ * @param {string} [query]  Of the page's address.
+ * @returns {Promise<{[scale in Scale]: Measure} & {stage: number[]}>}
+ *
+ * @typedef {object} Measure  Medians, in shares of the stage's height.
+ * @property {number} height
+ * @property {number} base
+ * @property {number[]} heights  Each of them.
+ */
+export async function measure(browser, [width, height], query = '') {
+  const values = new URLSearchParams({ quality: 'low', ...Object.fromEntries(new URLSearchParams(query)) });
+  values.set('paused', '');
+  values.set('max-pixels', `${PIXELS}`);
+  const touch = Math.min(width, height) < 500;
+  const tab = await browser.open(`index.html?${values}`, { width, height, touch });
+  await tab.ready();
+  const { stage, rows } = await tab.fire(async (fire, tried, burnt, moments, apart, bright) => {
+    await fire.reset();
+    const canvas = fire.shadowRoot.querySelector('canvas');
+    /** @type {{[scale in Scale]: number[]}[]} */
+    const found = [];
+    // The fire tells its time a few times a second, so the length of a step is found once.
+    let [made, told] = [tried, false];
+    await fire.step(tried);
+    fire.addEventListener('stats', () => { told = true; }, { once: true });
+    for (; !told; made += 1) await fire.step(1);
+    const step = fire.stats.time / made;
+    for (let at = 0; at < moments; at += 1) {
+      for (const ends = Math.round((burnt + at * apart) / step); made < ends;) {
+        const some = Math.min(50, ends - made);
+        await fire.step(some);
+        made += some;
+      }
+      await new Promise(requestAnimationFrame);
+      const copy = new OffscreenCanvas(canvas.width, canvas.height);
+      const context = /** @type {OffscreenCanvasRenderingContext2D} */ (copy.getContext('2d', { willReadFrequently: true }));
+      context.drawImage(canvas, 0, 0);
+      const { data } = context.getImageData(0, 0, copy.width, copy.height);
+      const linear = Array.from({ length: 256 }, (_, value) => (
+        value <= 10 ? value / 255 / 12.92 : ((value / 255 + 0.055) / 1.055) ** 2.4
+      ));
+      const coded = Array.from({ length: 256 }, (_, value) => value / 255);
+      const extent = (light) => {
+        let [top, bottom] = [-1, -1];
+        for (let row = 0; row < copy.height; row += 1) {
+          for (let column = 0; column < copy.width; column += 1) {
+            const at = 4 * (row * copy.width + column);
+            const [r, g, b] = [light[data[at]], light[data[at + 1]], light[data[at + 2]]];
+            if (0.2126 * r + 0.7152 * g + 0.0722 * b <= bright) continue;
+            if (top < 0) top = row;
+            bottom = row;
+            break;
+          }
+        }
+        return top < 0 ? [0, 0] : [(bottom + 1 - top) / copy.height, 1 - (bottom + 1) / copy.height];
+      };
+      found.push({ coded: extent(coded), linear: extent(linear) });
+    }
+    const box = fire.getBoundingClientRect();
+    return { stage: [box.width, box.height], rows: found };
+  }, TRIED, BURNT, MOMENTS, APART, BRIGHT);
+  if (tab.problems.length > 0) throw new Error(tab.problems.join('\n'));
+  const of = (/** @type {Scale} */ scale) => {
+    const heights = rows.map((row) => row[scale][0]);
+    return { height: median(heights), base: median(rows.map((row) => row[scale][1])), heights };
+  };
+  return { stage, coded: of('coded'), linear: of('linear') };
+}
+
+/** @param {number[]} numbers */
+function median(numbers) {
+  const sorted = [...numbers].sort((a, b) => a - b);
+  return (sorted[(sorted.length - 1) >> 1] + sorted[sorted.length >> 1]) / 2;
+}
+
+if (process.argv[1] && path.resolve(process.argv[1]) === fileURLToPath(import.meta.url)) {
+  const asked = process.argv.slice(2);
+  const at = asked.indexOf('--query');
+  const query = at < 0 ? '' : asked.splice(at, 2)[1];
+  const sizes = asked.length === 0 ? SIZES : SIZES.filter((size) => asked.includes(size.join('x')));
+  const percent = (share) => `${(100 * share).toFixed(1)} %`;
+  const within = ([least, most], share) => (share >= least && share <= most ? 'holds' : 'FAILS');
+  const browser = await Browser.launch();
+  try {
+    for (const size of sizes) {
+      const measured = await measure(browser, size, query);
+      console.log(`${size.join(' × ')} (stage ${measured.stage.join(' × ')})`);
+      for (const scale of /** @type {const} */ (['coded', 'linear'])) {
+        const { height, base, heights } = measured[scale];
+        const [low, high] = [Math.min(...heights), Math.max(...heights)].map(percent);
+        console.log(
+          `  ${scale}: height ${percent(height)} ${within(BARS.height, height)} (${low} to ${high}), `
+          + `base ${percent(base)} ${within(BARS.base, base)}`,
+        );
+      }
+    }
+  } finally {
+    await browser.close();
+  }
+}

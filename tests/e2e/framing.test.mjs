@@ -1,0 +1,25 @@
+/**
+ * The landing page's fire fills its stage as it should, in a narrow page and in a wide one:
+ * a fire's height fits its stage, so the sizes between are the same picture. All sizes:
+ * `node framing.mjs`.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { BARS, SIZES, measure } from './framing.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+for (const size of [SIZES[0], /** @type {[number, number]} */ (SIZES.at(-1))]) {
+  test(`the fire of a page of ${size.join(' × ')} fills its stage`, { todo: 'the scene is not tuned yet' }, async () => {
+    const { coded: { height, base } } = await measure(browser, size);
+    const [[low, high], [near, far]] = [BARS.height, BARS.base];
+    assert.ok(height >= low && height <= high, `it is bright on ${height} of the stage's height`);
+    assert.ok(base >= near && base <= far, `its base is ${base} of it above the lower edge`);
+  });
+}

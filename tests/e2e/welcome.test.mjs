@@ -1,0 +1,242 @@
+/**
+ * The first ten seconds of a visitor: a fire of the best scene, a name, scenes to choose
+ * from, a hint that comes once, a panel that waits to be asked for on a phone.
+ */
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { Panel } from './panel.mjs';
+import { table } from './site.mjs';
+
+const { PRESETS } = await table();
+
+const WIDE = { width: 1000, height: 640 };
+const PHONE = { width: 390, height: 844, touch: true };
+const LANDING = 'fireside';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+/** Waits until the strip of scenes is there. @param {import('./driver.mjs').Tab} tab */
+const strip = (tab) => tab.until('the strip of scenes', () => (
+  document.querySelector('#scenes [aria-current="true"]') !== null
+));
+
+/** The scene that the strip marks. @param {import('./driver.mjs').Tab} tab */
+const marked = (tab) => tab.evaluate(() => (
+  [...document.querySelectorAll('#scenes [aria-current="true"]')].map((tile) => tile.getAttribute('data-starts'))
+));
+
+/** Which files of that name the page has loaded. @param {import('./driver.mjs').Tab} tab @param {string} name */
+const loaded = (tab, name) => tab.evaluate((part) => (
+  performance.getEntriesByType('resource').map((entry) => entry.name).filter((url) => url.includes(part))
+), name);
+
+/** @param {import('./driver.mjs').Tab} tab */
+const panelIs = (tab) => tab.evaluate(() => document.documentElement.dataset.panel);
+
+describe('the address', () => {
+  for (const [query, scene] of [
+    ['', LANDING],
+    ['?quality=low', LANDING],
+    ['?exposure=0.3', 'default'],
+    ['?model=classic&viscosity=0.02', 'default'],
+    ['?scene=default', 'default'],
+    ['?scene=candle&exposure=0.3', 'candle'],
+  ]) {
+    test(`“${query}” shows the scene ${scene}`, async () => {
+      const tab = await browser.open(`index.html${query}`);
+      await tab.ready();
+      await strip(tab);
+      assert.equal(await tab.fire((fire) => fire.preset), scene);
+      assert.deepEqual(await marked(tab), [scene]);
+      const still = await tab.evaluate(() => document.getElementById('still') !== null);
+      assert.equal(still, scene === LANDING, 'the still picture is of the fire that comes');
+      assert.deepEqual(tab.problems, []);
+    });
+  }
+});
+
+test('a page without scripts shows the picture of its fire at once, in its place', async () => {
+  const tab = await browser.open('index.html', { ...WIDE, without: 'page.js' });
+  await tab.until('the picture', () => /** @type {any} */ (document.getElementById('still')).complete);
+  const [stage, still] = [await tab.rectangle('#fire'), await tab.rectangle('#still')];
+  assert.deepEqual([still.y, still.height], [stage.y, stage.height]);
+  const middle = ({ x, width }) => x + width / 2;
+  assert.ok(Math.abs(middle(still) - middle(stage)) < 1);
+});
+
+describe('the strip of scenes', () => {
+  test('has every scene, the page’s own first, and a click starts one', async () => {
+    const tab = await browser.open('index.html', WIDE);
+    await tab.ready();
+    await strip(tab);
+    const names = await tab.evaluate(() => (
+      [...document.querySelectorAll('#scenes button')].map((tile) => [
+        tile.getAttribute('data-starts'), tile.getAttribute('aria-label'),
+      ])
+    ));
+    assert.equal(names[0][0], LANDING);
+    assert.deepEqual(
+      [...names].sort(),
+      PRESETS.map(({ name, label }) => [name, label]).sort(),
+    );
+    await tab.page.click('[data-starts="candle"]');
+    await tab.until('the address says so', () => location.search === '?scene=candle');
+    assert.deepEqual(await marked(tab), ['candle']);
+    await tab.page.click('[data-starts="default"]');
+    await tab.until('the default is named', () => location.search === '?scene=default');
+    await tab.page.click(`[data-starts="${LANDING}"]`);
+    await tab.until('the address is empty again', () => location.search === '');
+    assert.deepEqual(tab.problems, []);
+  });
+
+  test('is one stop of the Tab key, and arrows go through it', async () => {
+    const tab = await browser.open('index.html?paused', WIDE);
+    await tab.ready();
+    await strip(tab);
+    const focused = () => tab.evaluate(() => document.activeElement?.getAttribute('data-starts'));
+    await tab.page.focus(`[data-starts="${LANDING}"]`);
+    await tab.key('ArrowRight');
+    const second = await focused();
+    assert.ok(second && second !== LANDING);
+    assert.equal(await tab.evaluate(() => document.querySelector('#scenes p')?.textContent),
+      PRESETS.find(({ name }) => name === second).label);
+    await tab.key('End');
+    await tab.key('Home');
+    assert.equal(await focused(), LANDING);
+    await tab.key('Tab');
+    assert.equal(await focused(), null);
+    assert.equal(await tab.evaluate(() => document.querySelectorAll('#scenes [tabindex="0"]').length), 1);
+  });
+});
+
+describe('the panel', () => {
+  test('of a phone is not loaded before it is asked for', async () => {
+    const tab = await browser.open('index.html', PHONE);
+    await tab.ready();
+    await strip(tab);
+    await tab.burnt(1);
+    assert.equal(await panelIs(tab), 'hidden');
+    assert.deepEqual(await loaded(tab, 'panel'), []);
+    await new Panel(tab).mounted();
+    assert.equal(await panelIs(tab), 'shown');
+    assert.ok((await loaded(tab, 'hearth-panel')).length > 0);
+    const sheet = await tab.rectangle('#panel');
+    assert.ok(sheet.y > PHONE.height / 2, 'the fire stays in sight');
+    assert.deepEqual(tab.problems, []);
+  });
+
+  test('is as it was left, in the next visit', async () => {
+    const tab = await browser.open('index.html', WIDE);
+    await tab.ready();
+    assert.equal(await panelIs(tab), 'shown');
+    await tab.key('h');
+    assert.equal(await panelIs(tab), 'hidden');
+    const again = await browser.open('index.html', WIDE);
+    await again.ready();
+    await strip(again);
+    assert.equal(await panelIs(again), 'hidden');
+    assert.deepEqual(await loaded(again, 'hearth-panel'), []);
+    await new Panel(again).mounted();
+    assert.equal(await again.evaluate(() => localStorage.getItem('hearth-page-panel')), 'shown');
+  });
+
+  test('makes way in the full screen, and comes back', async () => {
+    const tab = await browser.open('index.html', WIDE);
+    await new Panel(tab).mounted();
+    const shown = () => tab.evaluate(() => ['#head h1', '#scenes', '#panel', '#toggle'].filter((selector) => (
+      document.querySelector(selector)?.checkVisibility()
+    )));
+    await tab.page.click('#stage', { offset: { x: 500, y: 300 } });
+    await tab.key('f');
+    await tab.until('the full screen', () => document.fullscreenElement !== null);
+    await tab.until('the panel makes way', () => document.documentElement.dataset.panel === 'hidden');
+    assert.deepEqual(await shown(), []);
+    await tab.evaluate(() => document.exitFullscreen());
+    await tab.until('the panel is back', () => document.documentElement.dataset.panel === 'shown');
+    assert.deepEqual(await shown(), ['#head h1', '#scenes', '#panel', '#toggle']);
+  });
+});
+
+describe('the hint', () => {
+  /** Runs in the page before anything of it: keeps all that the hint says. */
+  const keep = () => {
+    const page = /** @type {any} */ (window);
+    page.hinted = [];
+    new MutationObserver(() => {
+      const words = document.getElementById('hint')?.textContent;
+      if (words && page.hinted.at(-1) !== words) page.hinted.push(words);
+    }).observe(document, { subtree: true, childList: true });
+  };
+  const hinted = (tab) => tab.evaluate(() => /** @type {any} */ (window).hinted);
+
+  test('comes once, and goes with the first use', async () => {
+    const first = await browser.open('index.html', { ...WIDE, before: keep });
+    await first.evaluate(() => localStorage.clear());
+    const tab = await browser.open('index.html', { ...WIDE, before: keep });
+    await tab.until('the hint', () => document.getElementById('hint')?.textContent);
+    assert.match((await hinted(tab))[0], /blow.*click.*drag/);
+    await tab.click({ x: 330, y: 300 });
+    assert.equal(await tab.evaluate(() => document.getElementById('hint')?.textContent), '');
+    const again = await browser.open('index.html', { ...WIDE, before: keep });
+    await again.ready();
+    await strip(again);
+    assert.deepEqual(await hinted(again), []);
+  });
+
+  test('is worded for fingers, and not shown where the fire stands still', async () => {
+    const tab = await browser.open('index.html', { ...PHONE, before: keep });
+    await tab.evaluate(() => localStorage.clear());
+    const touch = await browser.open('index.html', { ...PHONE, before: keep });
+    await touch.until('the hint', () => document.getElementById('hint')?.textContent);
+    assert.match((await hinted(touch))[0], /tap/);
+    await touch.evaluate(() => localStorage.clear());
+    const still = await browser.open('index.html', { ...WIDE, reducedMotion: true, before: keep });
+    await still.ready();
+    await strip(still);
+    assert.deepEqual(await hinted(still), []);
+  });
+});
+
+test('links and scenes step back without input, and come back with it', async () => {
+  const tab = await browser.open('index.html?paused', PHONE);
+  await tab.ready();
+  await strip(tab);
+  const opacity = () => tab.on('#scenes', (strip) => Number(getComputedStyle(strip).opacity));
+  await tab.until('they step back', () => (
+    getComputedStyle(/** @type {Element} */ (document.getElementById('scenes'))).opacity === '0'
+  ));
+  assert.equal(await tab.on('#scenes', (place) => getComputedStyle(place).pointerEvents), 'none');
+  await tab.page.focus(`[data-starts="${LANDING}"]`);
+  await tab.until('they come back', () => (
+    getComputedStyle(/** @type {Element} */ (document.getElementById('scenes'))).opacity === '1'
+  ));
+  assert.equal(await opacity(), 1);
+});
+
+test('the dialog of the code shows the fire as it burns now, and Escape closes it', async () => {
+  const tab = await browser.open('index.html?scene=candle&exposure=0.3', WIDE);
+  await tab.ready();
+  await tab.page.click('[data-opens="embed"]');
+  await tab.until('the dialog', () => document.querySelector('dialog[open] [data-code="element"]'));
+  const codes = await tab.evaluate(() => Object.fromEntries(
+    [...document.querySelectorAll('[data-code]')].map((field) => [
+      field.getAttribute('data-code'), /** @type {HTMLTextAreaElement} */ (field).value,
+    ]),
+  ));
+  assert.match(codes.element, /<hearth-fire preset="candle" exposure="0\.3" .*warm interactive><\/hearth-fire>/);
+  assert.match(codes.iframe, /<iframe src="http.*embed\.html\?scene=candle&amp;exposure=0\.3"/);
+  assert.match(codes.module, /^import 'hearth-fire';/);
+  // A key that is pressed in a dialog is none of the page's.
+  const before = await panelIs(tab);
+  await tab.key('h');
+  assert.equal(await panelIs(tab), before);
+  await tab.key('Escape');
+  assert.equal(await tab.evaluate(() => document.querySelector('dialog[open]')), null);
+  assert.equal(await tab.evaluate(() => document.activeElement?.getAttribute('data-opens')), 'embed');
+});

@@ -146,12 +146,18 @@ mod tests {
     #[test]
     fn the_picture_shows_the_scene_that_the_page_opens_with() -> Result<()> {
         let html = fs::read_to_string(paths::root().join("index.html"))?;
-        let (_, fire) = html.split_once("<hearth-fire id=\"fire\"").context("no fire")?;
+        let (_, fire) = html
+            .split_once("<hearth-fire id=\"fire\"")
+            .context("no fire")?;
         let (_, rest) = fire.split_once("preset=\"").context("no scene")?;
         let scene = rest.split('"').next().unwrap_or_default();
         let picture = fs::read(paths::root().join("web").join("poster.jpg"))?;
         let words = format!("Hearth: {scene}");
-        let comment = [&[0xff, 0xfe, 0, u8::try_from(words.len() + 2)?], words.as_bytes()].concat();
+        let comment = [
+            &[0xff, 0xfe, 0, u8::try_from(words.len() + 2)?],
+            words.as_bytes(),
+        ]
+        .concat();
         assert_eq!(
             picture.get(2..2 + comment.len()),
             Some(comment.as_slice()),

@@ -153,11 +153,8 @@ mod tests {
         let scene = rest.split('"').next().unwrap_or_default();
         let picture = fs::read(paths::root().join("web").join("poster.jpg"))?;
         let words = format!("Hearth: {scene}");
-        let comment = [
-            &[0xff, 0xfe, 0, u8::try_from(words.len() + 2)?],
-            words.as_bytes(),
-        ]
-        .concat();
+        let mut comment = vec![0xff, 0xfe, 0, u8::try_from(words.len() + 2)?];
+        comment.extend(words.bytes());
         assert_eq!(
             picture.get(2..2 + comment.len()),
             Some(comment.as_slice()),

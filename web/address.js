@@ -10,9 +10,12 @@
  * @property {[string, string][]} values  Parameters, the model first.
  * @property {[string, string][]} options  The element's own attributes.
  * @property {URLSearchParams} others  What the page itself asked for.
+ * @property {[string, string][]} unknown  What is not for the fire, as `fbclid` or `utm_source`.
  * @property {string[]} refused  What was not taken, in words.
  */
 
+import { DEFAULTS, OWN_ATTRIBUTES } from './defaults.js';
+import { alike } from './fire-spelling.js';
 import { fromQuery } from './share.js';
 
 /** Longest query that is read, in characters; some servers take no longer one either. */
@@ -30,6 +33,9 @@ export const OPTIONS = [
   'quality', 'reduced-motion', 'touch-action',
 ];
 
+/** All names that are about the fire. */
+const KNOWN = ['scene', ...OWN_ATTRIBUTES, ...Object.keys(DEFAULTS).map((id) => id.replaceAll('_', '-'))];
+
 /**
  * Reads an address.
  * @param {string} search  As in `location.search`.
@@ -44,12 +50,22 @@ export function readAddress(search, names = []) {
   }
   const count = [...query].length;
   const once = new URLSearchParams();
+  /** @type {[string, string][]} */
+  const unknown = [];
   if (count > MOST) {
     refused.push(`The address names ${count} values, and at most ${MOST} are read; none of them was taken.`);
   } else {
     const known = new Set();
     for (const [name, value] of query) {
       const same = name === 'preset' ? 'scene' : name.replaceAll('_', '-');
+      if (!names.includes(name) && !KNOWN.includes(same)) {
+        // Other people’s names are short and many, or words, as `source`; a misspelt one of ours is nearly right.
+        const isWord = KNOWN.some((one) => one.split('-').includes(name));
+        const [meant] = isWord ? [] : alike(name, KNOWN, Math.floor(name.length / 5));
+        if (meant === undefined) unknown.push([name, value]);
+        else refused.push(`The address names ${shortened(name)}; did you mean ${meant}?`);
+        continue;
+      }
       if (known.has(same) && !names.includes(name)) {
         refused.push(`The address names ${shortened(name)} more than once; the first one counts.`);
       } else {
@@ -72,7 +88,7 @@ export function readAddress(search, names = []) {
   );
   // The model decides what the others may be.
   values.sort(([a], [b]) => Number(b === 'model') - Number(a === 'model'));
-  return { scene: config.preset, values, options, others, refused };
+  return { scene: config.preset, values, options, others, unknown, refused };
 }
 
 /**
@@ -81,7 +97,11 @@ export function readAddress(search, names = []) {
  * @param {import('./hearth-fire.js').HearthFire} fire
  * @param {Address} address
  */
-export function applyAddress(fire, { scene, values, options }) {
+export function applyAddress(fire, { scene, values, options, unknown }) {
+  if (unknown.length > 0) {
+    const names = unknown.map(([name]) => shortened(name)).join(', ');
+    console.info(`Hearth: the address also names ${names}, of which a fire knows nothing.`);
+  }
   for (const [name, value] of options) fire.setAttribute(name, value);
   // Before the values, which it would replace.
   if (scene !== undefined) fire.setAttribute('preset', scene);

@@ -83,3 +83,6 @@ export const DEFAULTS = {
   heat_haze: 0.3,
   background: "transparent",
 };
+
+/** The attributes that are no parameters. */
+export const OWN_ATTRIBUTES = ["preset", "src", "quality", "paused", "autoplay", "loading", "poster", "alt", "max-pixels", "fps-limit", "warm", "interactive", "touch-action", "controls", "reduced-motion"];

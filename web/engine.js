@@ -15,7 +15,6 @@
  */
 
 import { glue, wasm, worker } from './engine-files.js';
-import { pictureCanvas, runEngine } from './engine-loop.js';
 
 /** The smallest module that uses a SIMD instruction. */
 const SIMD_MODULE = new Uint8Array([
@@ -53,7 +52,10 @@ function missing() {
   return '';
 }
 
-/** The engine as an element sees it: a port that can only be posted to. */
+/**
+ * The engine as an element sees it: a port that can only be posted to.
+ * @typedef {EnginePort} Port
+ */
 class EnginePort {
   /** What is wrong with how it is served, though it burns; else empty. */
   warning = '';
@@ -266,49 +268,21 @@ function inWorker(compiled) {
 }
 
 /**
- * The engine on this thread. What it is told and says is delivered as from a worker:
- * later, in order.
+ * The engine on this thread. Its code is loaded only here.
  * @param {WebAssembly.Module} module
  * @returns {Promise<EnginePort>}
  */
 async function onMainThread(module) {
-  const { default: init, Engine } = await glue().catch((error) => {
+  const failed = (error) => {
     throw new EngineError('load', `The fire's engine could not be loaded: ${error}`);
-  });
+  };
+  const [{ default: init, Engine }, { start }] = await Promise.all([glue(), import('./engine-main.js')]).catch(failed);
   await init({ module_or_path: module });
   const port = new EnginePort('main');
-  const run = (canvas) => runEngine(Engine, canvas, {
-    post: (message) => queueMicrotask(() => port.deliver(message)),
-    show: (fire) => {
-      // The context may have gone in the midst of the frame; its event is on its way.
-      const picture = attempt(() => ('transferToImageBitmap' in canvas ? canvas.transferToImageBitmap() : canvas));
-      if (picture) port.draw(fire, picture);
-      return true;
-    },
-    fail: (error) => port.fail(error),
-  });
-  const offscreen = pictureCanvas();
-  // WebKit has such canvases, but not all of its ports can draw on them.
-  const engine = (offscreen && attempt(() => run(offscreen))) ?? attempt(
-    () => run(document.createElement('canvas')),
-    (why) => new EngineError('unsupported', `The fire cannot be drawn: ${why}.`),
-  );
-  port.send = (message) => queueMicrotask(() => engine.receive(message));
-  port.end = () => engine.end();
-  return port;
-}
-
-/**
- * What `act` gives; nothing where it throws, or the error that is to be thrown instead.
- * @template T
- * @param {() => T} act
- * @param {(why: string) => Error} [instead]
- */
-function attempt(act, instead) {
   try {
-    return act();
+    start(Engine, port);
   } catch (error) {
-    if (instead) throw instead(error instanceof Error ? error.message : String(error));
-    return undefined;
+    throw new EngineError('unsupported', `The fire cannot be drawn: ${error instanceof Error ? error.message : error}.`);
   }
+  return port;
 }

@@ -4,13 +4,7 @@
  * their attribute have their properties here.
  */
 
-import { DEFAULTS } from './defaults.js';
-
-/** The attributes that are no parameters, and the one that says what the others mean. */
-export const OWN_ATTRIBUTES = [
-  'preset', 'model', 'src', 'quality', 'paused', 'autoplay', 'loading', 'poster', 'alt', 'max-pixels', 'fps-limit',
-  'warm', 'interactive', 'touch-action', 'controls', 'reduced-motion',
-];
+import { DEFAULTS, OWN_ATTRIBUTES } from './defaults.js';
 
 const IDS = Object.keys(DEFAULTS);
 
@@ -28,7 +22,7 @@ function camelCase(name) {
 }
 
 /** The element's own properties that have setters. */
-const OWN_PROPERTIES = OWN_ATTRIBUTES.filter((name) => name !== 'model').map(camelCase);
+const OWN_PROPERTIES = OWN_ATTRIBUTES.map(camelCase);
 
 /** What may be chosen for an attribute, the first where it is not there. */
 export const CHOICES = {
@@ -39,9 +33,12 @@ export const CHOICES = {
 /** @type {typeof HTMLElement} */
 const Base = globalThis.HTMLElement ?? class {};
 
+/** All attributes that do anything. */
+export const OBSERVED = [...OWN_ATTRIBUTES, ...ID_OF_ATTRIBUTE.keys()];
+
 /** An element with a fire's attributes. */
 export class FireAttributes extends Base {
-  static observedAttributes = [...new Set([...OWN_ATTRIBUTES, ...ID_OF_ATTRIBUTE.keys()])];
+  static observedAttributes = OBSERVED;
 
   /** The name of the preset that was last asked for. */
   get preset() {
@@ -113,9 +110,11 @@ for (const name of ['src', 'poster', 'alt', 'max-pixels', 'fps-limit', 'touch-ac
 for (const name of /** @type {(keyof typeof CHOICES)[]} */ (Object.keys(CHOICES))) {
   reflect(name, (element) => chosen(element, name), (element, value) => setOrRemove(element, name, value));
 }
-for (const name of ['interactive', 'controls']) {
-  reflect(name, (element) => element.hasAttribute(name), (element, value) => element.toggleAttribute(name, Boolean(value)));
-}
+reflect('interactive', (element) => element.hasAttribute('interactive'), (element, value) => element.toggleAttribute('interactive', Boolean(value)));
+// A flag that may name what it is about.
+reflect('controls', (element) => element.getAttribute('controls') || element.hasAttribute('controls'), (element, value) => (
+  setOrRemove(element, 'controls', value ? (value === true ? '' : value) : undefined)
+));
 
 /**
  * Sets an attribute; without a value, takes it away.

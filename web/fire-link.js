@@ -10,6 +10,7 @@
  */
 
 import { connect } from './engine.js';
+import { meant } from './fire-values.js';
 import { guess, sight, watch } from './watch.js';
 
 /** The request number of a removal; the others start at 1. */
@@ -177,6 +178,6 @@ export class FireLink {
 
   /** @param {Message} message */
   send(message) {
-    if (this.#fire) this.#port.post({ ...message, fire: this.#fire });
+    if (this.#fire) this.#port.post({ ...meant(message, this.#host), fire: this.#fire });
   }
 }

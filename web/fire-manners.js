@@ -3,17 +3,35 @@
  * pointer that stirs it, its panel, its poster and its words.
  *
  * @typedef {import('./engine.js').Message} Message
- * @typedef {object} Ways what the element does for it
+ * @typedef {object} Ways what the element does for its parts
+ * @property {any} fire the element
  * @property {(message: Message) => Promise<void>} ask asks the engine for something
  * @property {(message: Message) => void} send tells the engine something
- * @property {(id: string, value: string, allowed: string) => void} refuse
+ * @property {(id: string, value: string, allowed: string) => unknown} refuse
  * @property {(kind: string, message: string) => void} complain
+ * @property {(colour: string, fire: Element) => string} hexOf
+ * @property {() => boolean} isCalm whether it moves less, since its visitor wants that
  */
 
-import { CHOICES } from './fire-attributes.js';
-import { listenToPointer } from './fire-pointer.js';
+import { CHOICES, ID_OF_ATTRIBUTE, OBSERVED } from './fire-attributes.js';
 
 const LIMITS = ['fps-limit', 'max-pixels'];
+
+/** Attributes that need no look at what others there may be. */
+const USUAL = /^(class|id|style|slot|hidden|title|(data|aria)-.*)$/;
+
+/** What is written on the fires of the page. */
+const names = globalThis.MutationObserver && new MutationObserver((records) => {
+  for (const { target, attributeName } of records) {
+    if (/** @type {Element} */ (target).hasAttribute(attributeName ?? '')) spell(attributeName ?? '');
+  }
+});
+
+/** Says that an attribute does nothing, where it does nothing. @param {string} name */
+function spell(name) {
+  if (OBSERVED.includes(name) || USUAL.test(name)) return;
+  import('./fire-spelling.js').then(({ tell }) => tell(name), () => {});
+}
 
 /** The manners of one element. */
 export class FireManners {
@@ -27,20 +45,27 @@ export class FireManners {
   #burns = false;
   /** The bar of colours, where there was one. @type {Promise<any> | undefined} */
   #scale;
+  /** The attribute of the panel that is there. @type {string | null} */
+  #controls = null;
   /** Takes the panel away, where there is one. @type {(() => void) | undefined} */
   #hidePanel;
   /** Stops listening to pointers, where it listens. @type {(() => void) | undefined} */
   #ignorePointer;
 
   /**
-   * @param {any} fire the element
-   * @param {import('./fire-view.js').FireView} view
    * @param {Ways} ways
+   * @param {import('./fire-view.js').FireView} view
    */
-  constructor(fire, view, ways) {
-    this.#fire = fire;
+  constructor(ways, view) {
+    this.#fire = ways.fire;
     this.#view = view;
     this.#ways = ways;
+  }
+
+  /** It is on a page: what is written on it is looked at. */
+  watch() {
+    this.#fire.getAttributeNames().forEach(spell);
+    names?.observe(this.#fire, { attributes: true });
   }
 
   /** There is a link to the engine: it is told what it was not told before. */
@@ -120,15 +145,22 @@ export class FireManners {
     asked.then(() => this.#limits.set(name, value), () => {});
   }
 
-  #listen() {
+  /** Listens to pointers, or to none. The code is loaded only here. */
+  async #listen() {
+    const wanted = () => this.#fire.interactive && this.#open && !this.#ignorePointer;
     this.#ignorePointer?.();
-    this.#ignorePointer = this.#fire.interactive && this.#open
-      ? listenToPointer(
-        this.#fire,
-        (x, y) => this.#fire.toMetres(x, y),
-        (stir) => this.#ways.send({ type: 'stir', ...stir }),
-      )
-      : undefined;
+    this.#ignorePointer = undefined;
+    if (!wanted()) return;
+    const { listenToPointer } = await import('./fire-pointer.js').catch((why) => {
+      this.#ways.complain('load', `What listens to pointers could not be loaded: ${why}`);
+      return { listenToPointer: undefined };
+    });
+    if (!wanted()) return;
+    this.#ignorePointer = listenToPointer?.(
+      this.#fire,
+      (x, y) => this.#fire.toMetres(x, y),
+      (stir) => this.#ways.send({ type: 'stir', ...stir }),
+    );
   }
 
   /** @param {string} action */
@@ -138,28 +170,53 @@ export class FireManners {
   }
 
   #control() {
-    const wanted = this.#fire.controls && this.#burns;
-    if (wanted === Boolean(this.#hidePanel)) return;
+    const wanted = this.#burns ? this.#fire.getAttribute('controls') : null;
+    if (wanted === this.#controls) return;
+    this.#controls = wanted;
     this.#hidePanel?.();
     const failed = (why) => this.#ways.complain('load', `The panel could not be loaded: ${why}`);
-    this.#hidePanel = wanted ? showPanel(this.#fire, this.#fire.shadowRoot, failed) : undefined;
+    this.#hidePanel = wanted === null ? undefined : showPanel(this.#fire, this.#only(wanted), failed);
+  }
+
+  /**
+   * The parameters that a list names; undefined: all.
+   * @param {string} list
+   */
+  #only(list) {
+    const known = [];
+    for (const name of list.split(/[\s,]+/).filter((one) => one && !YES.includes(one))) {
+      const id = ID_OF_ATTRIBUTE.get(name.replaceAll('_', '-'));
+      if (id) known.push(id);
+      else this.#misspelt(name);
+    }
+    return known.length > 0 ? known : undefined;
+  }
+
+  /** @param {string} name */
+  async #misspelt(name) {
+    const { meant } = await import('./fire-spelling.js').catch(() => ({ meant: () => '' }));
+    const ids = [...ID_OF_ATTRIBUTE.values()];
+    this.#ways.refuse('controls', name, `a list of parameters${meant(name, ids)}`);
   }
 }
 
+/** Ways to say that there is a panel, besides naming the attribute alone. */
+const YES = ['true', 'controls'];
+
 /**
  * Shows the panel of a fire inside it. Its code is loaded only here.
- * @param {HTMLElement} fire
- * @param {ShadowRoot} root
+ * @param {any} fire
+ * @param {string[] | undefined} only the parameters that it shows, if not all
  * @param {(why: unknown) => void} fail
  * @returns {() => void} takes it away
  */
-function showPanel(fire, root, fail) {
+function showPanel(fire, only, fail) {
   const host = document.createElement('div');
   host.className = 'panel';
   host.setAttribute('part', 'panel');
-  root.append(host);
+  fire.shadowRoot.append(host);
   let ended = false;
-  const mounted = import('./panel.js').then(({ mountPanel }) => !ended && mountPanel({ host, fire }));
+  const mounted = import('./panel.js').then(({ mountPanel }) => !ended && mountPanel({ host, fire, only }));
   mounted.catch((error) => {
     host.remove();
     if (!ended) fail(error);

@@ -1,7 +1,6 @@
 /**
- * Settings of a fire as they come from outside: data, JSON text, or the file that
- * `src` names. Here they become plain data; whether their values are good, the
- * engine's table says.
+ * Settings of a fire as they come from outside: data or JSON text. Here they become
+ * plain data; whether their values are good, the engine's table says.
  */
 
 import { postable } from './requests.js';
@@ -34,7 +33,7 @@ export function settings(config, id = 'config') {
 }
 
 /**
- * The settings in a file.
+ * The settings in the file that `src` names. What fetches it is loaded only here.
  * @param {string} src where it is
  * @returns {Promise<unknown>}
  * @throws {RangeError} it holds no settings
@@ -44,32 +43,11 @@ export async function settingsOfFile(src) {
   const id = `src = "${src}"`;
   let text;
   try {
-    text = await textOf(new URL(src, document.baseURI));
+    const { textOf } = await import('./fire-file.js');
+    text = await textOf(new URL(src, document.baseURI), LONGEST);
   } catch (error) {
     throw new Error(`${id} is refused: ${/** @type {Error} */ (error).message}`);
   }
   if (text === undefined) throw new RangeError(`${id} is refused: it is longer than 64 KiB`);
   return settings(text, id);
-}
-
-/**
- * The text of a file; undefined where it is too long, which is found out early.
- * @param {URL} url
- */
-async function textOf(url) {
-  const response = await fetch(url, { credentials: 'same-origin' });
-  if (!response.ok) throw new Error(`the server says ${response.status}`);
-  const parts = [];
-  const reader = response.body?.getReader();
-  for (let length = 0; reader; ) {
-    const { done, value } = await reader.read();
-    if (done) break;
-    length += value.length;
-    if (length > LONGEST) {
-      reader.cancel().catch(() => {});
-      return undefined;
-    }
-    parts.push(value);
-  }
-  return new Blob(parts).text();
 }

@@ -96,6 +96,8 @@ export class FireView {
   #drawn = deferred();
   /** Whether the next picture is that of another fire, into which the last one fades. */
   #fades = false;
+  /** What it tells its page by custom properties. @type {CSSStyleSheet | undefined} */
+  #told;
   /** @type {HTMLCanvasElement | undefined} */
   canvas;
 
@@ -138,12 +140,26 @@ export class FireView {
         sheet.replaceSync(STYLES);
         SHEETS.set(owner, sheet);
       }
-      this.#shadow.adoptedStyleSheets = [sheet];
+      this.#told = new Sheet();
+      this.#shadow.adoptedStyleSheets = [sheet, this.#told];
     } else if (!this.#shadow.querySelector('style')) {
       const style = make('style', {});
       style.textContent = STYLES;
       this.#shadow.prepend(style);
     }
+  }
+
+  /**
+   * Gives the element custom properties; its page's styles go before them.
+   * @param {string} declarations
+   */
+  tell(declarations) {
+    this.#told?.replaceSync(`:host { ${declarations} }`);
+  }
+
+  /** Whether a picture of the fire is in sight, and no poster. */
+  get shows() {
+    return this.#root.matches('[data-state=shown][data-drawn]');
   }
 
   /** What stands inside. */

@@ -102,11 +102,19 @@ export type HearthErrorDetail =
       max?: number;
     };
 
+/** How `to` moves values. */
+export interface HearthTransition {
+  /** In milliseconds; 600 without it. */
+  duration?: number;
+  /** An easing of CSS; `ease-in-out` without it. */
+  easing?: string;
+}
+
 /** What a `params-change` event tells. */
 export interface HearthChangeDetail {
   id: ParameterId;
   value: number | string | boolean;
-  /** Who changed it, as `attribute`, `property`, `preset` or `src`. */
+  /** Who changed it, as `attribute`, `property`, `preset`, `src` or `to`. */
   source: string;
 }
 
@@ -170,18 +178,27 @@ export class HearthFire extends HTMLElement {
   /** Most pictures a second, from 10 to 240; empty: as many as the display shows. */
   get fpsLimit(): string;
   set fpsLimit(fps: number | string);
+  /** Seconds of fire that a new fire burns before it is shown. */
+  get warm(): number;
+  set warm(seconds: number | boolean | string);
   /** Whether a pointer stirs it. */
   interactive: boolean;
   /** What a finger on an interactive fire may do with the page, as CSS has it. */
   touchAction: string;
-  /** Whether it has its panel of sliders. */
-  controls: boolean;
+  /** Whether it has its panel of sliders, or for which parameters. */
+  get controls(): boolean | string;
+  set controls(parameters: boolean | string);
 
   get<Id extends ParameterId>(id: Id): HearthParameters[Id];
   /** Sets one parameter; rejects with a {@link HearthRangeError}. */
   set<Id extends ParameterId>(id: Id, value: HearthParameters[Id]): Promise<void>;
   /** Sets all of these or none; rejects with a {@link HearthRangeError}. */
   set(values: Partial<HearthParameters>): Promise<void>;
+  /**
+   * Moves these to values, all or none; rejects with a {@link HearthRangeError}. Whether all
+   * arrived: false where something else set one meanwhile.
+   */
+  to(values: Partial<HearthParameters>, how?: HearthTransition): Promise<boolean>;
   /** Puts these, or all, back to their defaults; all: the model as well, and without a preset. */
   restore(...ids: ParameterId[]): Promise<void>;
   play(): Promise<void>;

@@ -21,8 +21,10 @@ import {
 import { FireLink } from './fire-link.js';
 import { FireManners } from './fire-manners.js';
 import { settings, settingsOfFile } from './fire-settings.js';
+import { FireSigns } from './fire-signs.js';
+import { hexOf, seedOf } from './fire-values.js';
 import { FireView } from './fire-view.js';
-import { Requests, deferred, postable, quiet } from './requests.js';
+import { Requests, deferred, postable, quiet, refusal } from './requests.js';
 import { motionIsReduced } from './watch.js';
 
 /** Seconds of fire that a still picture has burnt, so that it shows a fire. */
@@ -72,19 +74,32 @@ export class HearthFire extends FireAttributes {
   #preset = 'default';
   /** @type {FireLink | null} */
   #link = null;
+  /** @type {import('./fire-manners.js').Ways} */
+  #ways;
   /** @type {FireManners} */
   #manners;
+  /** @type {FireSigns} */
+  #signs;
+  /** Whether its graphics context is there, of which it may be waiting for another one. */
+  #drawable = true;
+  /** What is asked of it, since somebody asked for a transition. @type {any} */
+  #orders;
   #ready = deferred();
 
   constructor() {
     super();
     this.#view = new FireView(this, () => this.#press());
-    this.#manners = new FireManners(this, this.#view, {
+    this.#signs = new FireSigns(this, this.#view);
+    this.#ways = {
+      fire: this,
       ask: (message) => this.#ask(message),
       send: (message) => this.#link?.send(message),
       refuse: (id, value, allowed) => this.#refuse(id, value, allowed),
       complain: (kind, message) => this.#complain(kind, message),
-    });
+      hexOf,
+      isCalm: () => this.#isCalm(motionIsReduced()),
+    };
+    this.#manners = new FireManners(this.#ways, this.#view);
   }
 
   /** The name of the preset that its values started from. */
@@ -151,6 +166,23 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
+   * Moves parameters to values: all of them or none.
+   * @param {{[id: string]: unknown}} values
+   * @param {{duration?: number, easing?: string}} [how] in milliseconds; as CSS has it
+   * @returns {Promise<boolean>} whether they arrived; false where one was set meanwhile
+   */
+  to(values, how) {
+    this.#orders ??= [];
+    const checked = this.#ask({ type: 'check', source: 'to', values: postable(values, 1) });
+    const code = import('./fire-transition.js').catch((why) => {
+      this.#orders = undefined;
+      this.#complain('load', `Transitions could not be loaded: ${why}`);
+      throw why;
+    });
+    return quiet(code.then(({ run }) => run(this.#orders, this.#ways, checked, { ...how })));
+  }
+
+  /**
    * Puts parameters back to their defaults; without ids: all of them, the model
    * too, and no preset is left.
    * @param {...string} ids
@@ -206,9 +238,7 @@ export class HearthFire extends FireAttributes {
       return this.#ask({ type: 'import', source: 'property', config: settings(config) });
     } catch (error) {
       const { message } = /** @type {Error} */ (error);
-      const refusal = { id: 'config', value: config, message };
-      this.#refused([refusal]);
-      return quiet(Promise.reject(Object.assign(/** @type {Error} */ (error), refusal, { errors: [refusal] })));
+      return quiet(Promise.reject(this.#refused([{ id: 'config', value: config, message }])));
     }
   }
 
@@ -270,6 +300,8 @@ export class HearthFire extends FireAttributes {
 
   connectedCallback() {
     keepEarlyProperties(this);
+    if (this.getAttribute('seed') === 'auto') seedOf(this);
+    this.#manners.watch();
     // One that failed tries again, also where it was taken off and put back at once.
     if (this.#link && this.#ready.failed) this.#close();
     if (!this.#link) this.#open();
@@ -331,7 +363,9 @@ export class HearthFire extends FireAttributes {
   /** @param {Message} message */
   #ask(message) {
     // Where there can be no fire, nothing waits for one.
-    return this.#ready.failed ? this.#ready.promise : this.#requests.ask(message);
+    const answer = this.#ready.failed ? this.#ready.promise : this.#requests.ask(message);
+    this.#orders?.push([message, answer]);
+    return answer;
   }
 
   /** @type {(values: {[id: string]: unknown}, source: string) => Promise<void>} */
@@ -383,6 +417,7 @@ export class HearthFire extends FireAttributes {
     this.#paused = paused;
     this.#still = still;
     this.#offer();
+    this.#signal();
     // That it stands still for a visitor is nothing that its page said.
     if (!still && this.hasAttribute('paused') !== paused) this.toggleAttribute('paused', paused);
     // A fire that is still to come is told how it starts.
@@ -400,9 +435,19 @@ export class HearthFire extends FireAttributes {
     this.#view.offer(this.#still ? 'play' : this.#stoppable ? 'pause' : '');
   }
 
+  /** Says whether it is seen to burn. */
+  #signal() {
+    this.#signs.burning(this.#view.shows && this.#drawable && !this.#paused);
+  }
+
+  /** Whether it moves less. @param {boolean} reduced */
+  #isCalm(reduced) {
+    return reduced && this.reducedMotion !== 'ignore';
+  }
+
   /** @param {boolean} reduced */
   #motion(reduced) {
-    const still = reduced && this.reducedMotion !== 'ignore';
+    const still = this.#isCalm(reduced);
     if (still && !this.#paused) {
       this.#setPaused(true, true);
     } else if (!still && this.#still) {
@@ -417,7 +462,7 @@ export class HearthFire extends FireAttributes {
     this.#view.describe(this.alt);
     this.#view.show('loading');
     if (this.warm) this.#view.fade();
-    const reduced = this.reducedMotion !== 'ignore' && motionIsReduced();
+    const reduced = this.#isCalm(motionIsReduced());
     // One that stood still for that when it was taken off does so again.
     const still = reduced && (this.#still || !this.#paused);
     if (this.#still && !reduced) this.#setPaused(false);
@@ -487,6 +532,7 @@ export class HearthFire extends FireAttributes {
     this.#view.show('shown');
     this.#offer();
     this.#announced = true;
+    this.#view.drawn().then(() => this.#signal(), () => {});
     this.#manners.burns();
     this.#ready.resolve();
     this.#emit('ready');
@@ -494,6 +540,7 @@ export class HearthFire extends FireAttributes {
 
   /** Frees the fire and all that belongs to it. */
   #close() {
+    this.#orders?.end?.();
     // Who waits from now on waits for the next one.
     if (this.#announced) this.#ready = deferred();
     this.#link?.close();
@@ -507,6 +554,9 @@ export class HearthFire extends FireAttributes {
     this.#view.dropCanvas();
     this.#view.offer('');
     this.#view.show('loading');
+    this.#drawable = true;
+    this.#signal();
+    this.#signs.light();
   }
 
   /** @type {(message: Message, link: FireLink) => void} */
@@ -541,6 +591,7 @@ export class HearthFire extends FireAttributes {
       case 'stats':
         this.#stats = { ...message.stats, engine: link.place };
         this.#manners.measure(this.#params.display_mode, message.stats.scale);
+        this.#signs.light(message.stats.scale ? 0 : message.stats.power, this.#params);
         this.#emit('stats', this.stats);
         break;
       case 'quality': {
@@ -556,12 +607,17 @@ export class HearthFire extends FireAttributes {
         this.#view.fade();
         break;
       case 'restored':
+        this.#drawable = true;
+        this.#signal();
         this.#emit('restored');
         break;
       case 'error':
         // Its last picture stays where it goes on.
-        if (message.kind === 'context-lost') this.#emit('error', { kind: message.kind, message: message.message });
-        else if (message.burns) this.#complain(message.kind, message.message);
+        if (message.kind === 'context-lost') {
+          this.#drawable = false;
+          this.#signal();
+          this.#emit('error', { kind: message.kind, message: message.message });
+        } else if (message.burns) this.#complain(message.kind, message.message);
         else this.#fail(message.kind, message.message);
         break;
     }
@@ -576,9 +632,9 @@ export class HearthFire extends FireAttributes {
     this.#dropping = false;
   }
 
-  /** @type {(id: string, value: string, allowed: string) => void} */
+  /** @type {(id: string, value: string, allowed: string) => Error} */
   #refuse(id, value, allowed) {
-    this.#refused([{ id, value, message: `${id} = ${value} is refused: it must be ${allowed}` }]);
+    return this.#refused([{ id, value, message: `${id} = ${value} is refused: it must be ${allowed}` }]);
   }
 
   /** Something is wrong, and the fire burns on. @type {(kind: string, message: string) => void} */
@@ -587,13 +643,15 @@ export class HearthFire extends FireAttributes {
     this.#emit('error', { kind, message });
   }
 
-  /** @type {(errors: Refusal[], request?: number) => void} */
+  /** @type {(errors: Refusal[], request?: number) => Error} */
   #refused(errors, request) {
     for (const { message, ...rest } of errors) {
       console.warn(`<hearth-fire>: ${message}`);
       this.#emit('error', { kind: 'bad-parameter', message, ...rest });
     }
-    if (request !== undefined) this.#requests.refuse(request, errors);
+    const error = refusal(errors);
+    if (request !== undefined) this.#requests.settle(request, error);
+    return error;
   }
 
   /**
@@ -604,6 +662,7 @@ export class HearthFire extends FireAttributes {
   #fail(kind, message) {
     this.#view.show('failed', message);
     this.#view.offer('');
+    this.#signal();
     this.#manners.end();
     const error = new EngineError(kind, message);
     this.#link?.abandon(error);

@@ -70,7 +70,7 @@ function setFromAddress() {
   applyAddress(fire, address);
   // The still picture shows the landing scene and no other.
   if (fire.getAttribute('preset') !== LANDING) document.getElementById('still')?.remove();
-  keepAddress(address.options);
+  keepAddress([...address.options, ...address.unknown]);
 }
 
 /**

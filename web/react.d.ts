@@ -61,8 +61,8 @@ export interface HearthFireAttributes {
   interactive?: boolean | undefined;
   /** What fingers do on an interactive fire, as CSS's `touch-action`; without it `pan-y`. */
   "touch-action"?: string | undefined;
-  /** Shows the panel of sliders inside the element; its code is loaded only then. */
-  controls?: boolean | undefined;
+  /** Shows the panel of sliders inside the element, or those of a list of parameters; its code is loaded only then. */
+  controls?: boolean | string | undefined;
   /** `auto`: a still fire with a play button where the visitor wants less motion. */
   "reduced-motion"?: 'auto' | 'ignore' | undefined;
   /** Which equations move the particles. Classic: the paper's, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
@@ -184,7 +184,7 @@ export interface HearthFireAttributes {
   /** Length of one step; it is divided further where stability asks for it. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
   "time-step"?: number | `${number}` | undefined;
   /** Start of the random generator: the same seed gives the same fire. Default 1. */
-  seed?: number | `${number}` | undefined;
+  seed?: number | `${number}` | 'auto' | undefined;
   /** Equation 1 as printed: the kernel with the factor of three dimensions. Default in classic: false. */
   "printed-kernel"?: boolean | undefined;
   /** Equation 3 as printed: half the pressure force, not divided by the particle's own density. Default in classic: false. */

@@ -102,16 +102,6 @@ export class Requests {
   }
 
   /**
-   * A request was refused.
-   * @param {number} request
-   * @param {Refusal[]} errors
-   */
-  refuse(request, errors) {
-    const { id, value, min, max, message } = errors[0];
-    this.settle(request, Object.assign(new RangeError(message), { id, value, min, max, errors }));
-  }
-
-  /**
    * Gives up what was asked of one fire; 0: what still waits for one.
    * @param {number} fire
    * @param {Error} error
@@ -135,6 +125,15 @@ function isModel(message) {
 /** The ids that a message sets. @param {Message} message */
 function ids({ values = {} }) {
   return Object.keys(values).join();
+}
+
+/**
+ * What is thrown where something was refused.
+ * @param {Refusal[]} errors
+ */
+export function refusal(errors) {
+  const { id, value, min, max, message } = errors[0];
+  return Object.assign(new RangeError(message), { id, value, min, max, errors });
 }
 
 /**

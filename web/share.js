@@ -13,8 +13,7 @@
  * @property {string} [description]  And what it shows.
  */
 
-import { DEFAULTS } from './defaults.js';
-import { OWN_ATTRIBUTES } from './fire-attributes.js';
+import { DEFAULTS, OWN_ATTRIBUTES } from './defaults.js';
 
 /** Where this file is; what a bundler made of it is somewhere else. */
 export const FILE = import.meta.url;
@@ -23,7 +22,7 @@ export const FILE = import.meta.url;
 const PRESET = ['scene', 'preset'];
 
 /** The element's attributes that are neither parameters nor the preset. */
-const OWN = OWN_ATTRIBUTES.filter((name) => !PRESET.includes(name) && !(name in DEFAULTS));
+const OWN = OWN_ATTRIBUTES.filter((name) => !PRESET.includes(name));
 
 /** Room for a fire on a page that gives it none. */
 const SIZE = { width: 320, height: 400 };

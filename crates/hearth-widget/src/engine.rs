@@ -13,7 +13,7 @@ use crate::budget::{STEPS_BUDGET_MS, share};
 use crate::easel::{Canvas, Easel, Show};
 use crate::fire::Fire;
 use crate::host::Host;
-use crate::message::{Message, Order, Refused, RefusedMessage};
+use crate::message::{Message, Order, Refused, RefusedMessage, with_values};
 use crate::outbox::{Outbox, Trouble};
 use crate::raw::Raw;
 use crate::wanted::Wanted;
@@ -159,6 +159,11 @@ impl Engine {
         match order {
             Order::Add(_) => return out.refused(refuse(vec![Refused::fire(id)])),
             Order::Set(_) | Order::Restore(_) | Order::Preset(_) | Order::Import(_) => {}
+            Order::Check(values) => {
+                if let Err(errors) = with_values(&fire.wanted().parameters, &values) {
+                    return out.refused(refuse(errors));
+                }
+            }
             Order::Export => return out.config(id, request, fire.wanted()),
             Order::Resize(width, height, side) => fire.resize((width, height), side),
             Order::Visible(visible) => fire.set_visible(visible),

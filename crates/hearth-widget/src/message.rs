@@ -5,6 +5,7 @@
 //! | `add` | `width`, `height`, `side`?, `warm`?, `state`?, `preset`?, `config`?, `kept`?, `values`?, `ownNumber`?, `quality`?, `guess`?, `paused`?, `visible`? | a new fire |
 //! | `resize` | `width`, `height`, `side`? | its size in device pixels; 0 is fine; `side`: its height, or that of a square of its area, in CSS pixels |
 //! | `set` | `request`, `source`, `values` | sets parameters, all or none |
+//! | `check` | `request`, `source`, `values` | asks whether `set` would take them |
 //! | `restore` | `request`, `source`, `ids` | puts parameters back to their defaults |
 //! | `preset` | `request`, `name` | sets every parameter to the preset's |
 //! | `import` | `request`, `source`, `config` | sets every parameter as the settings say: see [`config`](crate::config) |
@@ -69,6 +70,8 @@ pub enum Order {
     Resize(u32, u32, f64),
     /// Other values.
     Set(SentValues),
+    /// Whether these values would be taken.
+    Check(SentValues),
     /// The default values of these ids.
     Restore(Vec<String>),
     /// All values of that preset.
@@ -247,6 +250,7 @@ impl Order {
                 Order::Resize(width, height, Order::side(fields))
             }
             "set" => Order::Set(fields.values("values")),
+            "check" => Order::Check(fields.values("values")),
             "restore" => Order::Restore(fields.texts("ids", "an array of ids")),
             "preset" => Order::Preset(fields.text("name")),
             "import" => Order::Import(fields.keep(Config::parse(raw.field("config")))?),

@@ -78,9 +78,12 @@ fn a_message_says_who_wants_what_of_whom() {
         fire: 7,
         request: Some(3.0),
         source: "test".to_owned(),
-        order: Order::Set(values),
+        order: Order::Set(values.clone()),
     };
     assert_eq!(Message::parse(&raw), Ok(wanted));
+    let asked = message("check", "values", Raw::Object(values.clone()));
+    assert_eq!(order(&asked), Some(Order::Check(values)));
+    assert!(order(&message("check", "value", Raw::Missing)).is_none());
 }
 
 #[test]

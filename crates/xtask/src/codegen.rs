@@ -51,6 +51,7 @@ pub fn generate() -> Result<Vec<Generated>> {
         ("web/parameters.js", javascript::module(&scenes)),
         ("web/quantities.js", javascript::quantities()),
         ("web/burning.js", javascript::burning()),
+        ("web/between.js", javascript::between()),
         ("web/parameters.d.ts", typescript::declarations(&scenes)),
         ("web/react.d.ts", react::declarations()),
         ("web/custom-elements.json", manifest::manifest()),

@@ -17,21 +17,32 @@ struct Download {
     holds: fn(&str) -> bool,
 }
 
-const DOWNLOADS: [Download; 4] = [
+const DOWNLOADS: [Download; 5] = [
     Download {
         name: "element and engine",
         ceiling: 100_000,
         holds: |path| {
             is_code(path)
-                && ![is_of_panel, is_of_library, is_of_bar, is_of_page]
-                    .iter()
-                    .any(|other| other(path))
+                && ![
+                    is_of_panel,
+                    is_of_library,
+                    is_of_bar,
+                    is_asked_for,
+                    is_of_page,
+                ]
+                .iter()
+                .any(|other| other(path))
         },
     },
     Download {
         name: "bar of colours, on request",
         ceiling: 3_000,
         holds: |path| is_code(path) && is_of_bar(path),
+    },
+    Download {
+        name: "element's rest, each on request",
+        ceiling: 4_000,
+        holds: |path| is_code(path) && is_asked_for(path),
     },
     Download {
         name: "headless library",
@@ -72,6 +83,21 @@ fn is_of_library(path: &str) -> bool {
 /// Only a fire that shows a quantity loads its bar.
 fn is_of_bar(path: &str) -> bool {
     begins(path, &["scale.", "quantities."])
+}
+
+/// Only a fire whose values move, whose settings come from a file, that a pointer may stir,
+/// that has a name that it does not know, or that no worker can draw loads these.
+fn is_asked_for(path: &str) -> bool {
+    begins(
+        path,
+        &[
+            "fire-transition.",
+            "fire-file.",
+            "fire-spelling.",
+            "fire-pointer.",
+            "engine-main.",
+        ],
+    )
 }
 
 /// Pages are examples, and React's entry is the element again; who embeds the
@@ -172,6 +198,9 @@ mod tests {
         }
         for path in ["scale.js", "quantities.js"] {
             assert_eq!(downloads(path), ["bar of colours, on request"]);
+        }
+        for path in ["fire-transition.js", "engine-main.js"] {
+            assert_eq!(downloads(path), ["element's rest, each on request"]);
         }
         for path in [
             "panel.js",

@@ -147,10 +147,10 @@ pub(super) const ATTRIBUTES: &[Attribute] = &[
     },
     Attribute {
         name: "controls",
-        kind: "boolean",
+        kind: "boolean | string",
         default: "false",
         reflects: true,
-        doc: "Shows the panel of sliders inside the element; its code is loaded only then.",
+        doc: "Shows the panel of sliders inside the element, or those of a list of parameters; its code is loaded only then.",
     },
     Attribute {
         name: "reduced-motion",
@@ -235,6 +235,15 @@ pub(super) const METHODS: &[Method] = &[
         ],
         returns: "Promise<void>",
         doc: "Sets one parameter, or several: all of them or none. Rejects with a RangeError that names what is allowed.",
+    },
+    Method {
+        name: "to",
+        parameters: &[
+            ("values", "Partial<HearthParameters>"),
+            ("how?", "HearthTransition"),
+        ],
+        returns: "Promise<boolean>",
+        doc: "Moves parameters to values, all of them or none; whether they arrived. Rejects as `set` does.",
     },
     Method {
         name: "restore",
@@ -358,6 +367,27 @@ pub(super) const PARTS: &[Named] = &[
         doc: "The bar that says which colour is how much, where the picture shows a quantity.",
     },
 ];
+
+/// The custom properties that the fire sets on itself.
+pub(super) const CSS_PROPERTIES: &[Named] = &[
+    Named {
+        name: "--hearth-light",
+        kind: "",
+        doc: "Its power now against its mean, from 0 to 1; 0.5 is the mean.",
+    },
+    Named {
+        name: "--hearth-glow",
+        kind: "",
+        doc: "The colour of its light.",
+    },
+];
+
+/// What CSS selects by `:state()`.
+pub(super) const CSS_STATES: &[Named] = &[Named {
+    name: "burning",
+    kind: "",
+    doc: "Its picture is shown and it plays.",
+}];
 
 /// Where a page puts what is its own.
 pub(super) const SLOTS: &[Named] = &[Named {

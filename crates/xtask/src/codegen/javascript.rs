@@ -1,12 +1,13 @@
 //! `web/defaults.js`: the little of the table that the element needs.
 //! `observedAttributes` is read before wasm is loaded, so the element cannot ask
 //! the engine for it. `web/parameters.js`: all of the table, for the panel's
-//! native mirror and any tool; `web/quantities.js`: a part of it.
+//! native mirror and any tool; `web/quantities.js`, `web/between.js`: parts of it.
 
 use std::fmt::Write as _;
 
 use hearth_core::params::{Choice, DisplayMode, Domain, Kind, Model, PARAMETERS, Param, Scale};
 
+use super::element;
 use super::json::Json;
 use super::scene::Scene;
 use super::{attribute, domains, json_string, json_value, property};
@@ -16,7 +17,7 @@ const HEADER: &str = "\
 // edit crates/hearth-core/src/params.rs instead.
 ";
 
-/// The module of ids and defaults.
+/// The module of ids and defaults, and of the other attributes.
 pub(super) fn defaults() -> String {
     let mut text = format!(
         "{HEADER}\n\
@@ -27,7 +28,14 @@ pub(super) fn defaults() -> String {
         let default = param.any_domain(Model::DEFAULT).default;
         let _ = writeln!(text, "  {}: {},", param.id, json_value(default));
     }
-    text.push_str("};\n");
+    let own: Vec<_> = element::ATTRIBUTES.iter().map(|own| own.name).collect();
+    let _ = write!(
+        text,
+        "}};\n\n\
+         /** The attributes that are no parameters. */\n\
+         export const OWN_ATTRIBUTES = {};\n",
+        list(&own)
+    );
     text
 }
 
@@ -91,6 +99,23 @@ pub(super) fn burning() -> String {
     }
     text.push_str("};\n");
     text
+}
+
+/// The module of what lies between two values: apart, since only transitions ask.
+pub(super) fn between() -> String {
+    let ids = |wanted: fn(Kind) -> bool| {
+        let ids = PARAMETERS.iter().filter(|param| wanted(param.kind));
+        list(&ids.map(|param| param.id).collect::<Vec<_>>())
+    };
+    format!(
+        "{HEADER}\n\
+         /** The parameters of which equal steps are equal ratios. */\n\
+         export const LOGARITHMIC = {};\n\n\
+         /** Those whose values are whole. */\n\
+         export const WHOLE = {};\n",
+        ids(|kind| matches!(kind, Kind::Number(Scale::Log))),
+        ids(|kind| matches!(kind, Kind::Integer(_) | Kind::Seed)),
+    )
 }
 
 fn entry(param: &Param) -> String {

@@ -29,6 +29,11 @@ pub(super) fn manifest() -> String {
         ("events", list(element::EVENTS.iter().map(event))),
         ("slots", list(element::SLOTS.iter().map(named))),
         ("cssParts", list(element::PARTS.iter().map(named))),
+        (
+            "cssProperties",
+            list(element::CSS_PROPERTIES.iter().map(named)),
+        ),
+        ("cssStates", list(element::CSS_STATES.iter().map(named))),
     ];
     let mut text = format!(
         "{{\n  \"schemaVersion\": \"{SCHEMA}\",\n  \"readme\": \"README.md\",\n  \"modules\": [{{\n    \
@@ -226,7 +231,15 @@ mod tests {
     #[test]
     fn nothing_is_said_twice() -> Result<(), serde_json::Error> {
         let manifest = read()?;
-        for list in ["attributes", "members", "events", "slots", "cssParts"] {
+        for list in [
+            "attributes",
+            "members",
+            "events",
+            "slots",
+            "cssParts",
+            "cssProperties",
+            "cssStates",
+        ] {
             let mut names = names(&manifest, list);
             assert!(!names.is_empty(), "{list}");
             names.sort_unstable();

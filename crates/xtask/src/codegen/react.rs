@@ -88,7 +88,8 @@ fn entry(text: &mut String, doc: &str, name: &str, kind: &str) {
 /// A number may be written as text, as HTML does.
 fn kind(kind: Kind) -> String {
     match kind {
-        Kind::Number(_) | Kind::Integer(_) | Kind::Seed => "number | `${number}`".to_owned(),
+        Kind::Number(_) | Kind::Integer(_) => "number | `${number}`".to_owned(),
+        Kind::Seed => "number | `${number}` | 'auto'".to_owned(),
         other => typescript::value_type(other),
     }
 }

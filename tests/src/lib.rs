@@ -12,7 +12,7 @@ pub mod sweep;
 pub mod validation;
 
 use hearth_core::params::{Input, PARAMETERS, Parameters};
-use hearth_core::preset::PRESETS;
+use hearth_core::preset::{PRESETS, Preset};
 use hearth_core::{Particle, Simulation};
 
 /// Steps in a fingerprinted run: about four seconds of the classic fire, so that
@@ -24,8 +24,12 @@ pub const STEPS: u32 = 1000;
 /// every bit of its particles, in the order of their birth, and of its embers
 /// into one number.
 pub fn fingerprint(parameters: Parameters) -> u64 {
-    let mut simulation = Simulation::new(parameters);
-    for _ in 0..STEPS {
+    fingerprint_of(Simulation::new(parameters), STEPS)
+}
+
+/// The same of a fire that may burn already, after so many steps.
+fn fingerprint_of(mut simulation: Simulation, steps: u32) -> u64 {
+    for _ in 0..steps {
         simulation.step();
     }
     let mut hash = Fnv::new();
@@ -97,10 +101,34 @@ pub fn fingerprints() -> String {
         ),
         ("everything", fires::everything()),
     ];
-    presets
-        .chain(others)
-        .map(|(name, parameters)| format!("{name} {:016x}\n", fingerprint(parameters)))
+    let lit = presets.chain(others);
+    let lit = lit.map(|(name, parameters)| (name, fingerprint(parameters)));
+    // Taken up as it is, and by fewer particles.
+    let kept = [
+        ("kept", kept(FIRESIDE, None)),
+        ("kept coarse", kept(FIRESIDE, Some(1200))),
+    ];
+    lit.chain(kept)
+        .map(|(name, print)| format!("{name} {print:016x}\n"))
         .collect()
+}
+
+/// The scene that is kept burning.
+const FIRESIDE: &str = "fireside";
+
+/// The fingerprint of a scene that burns on from where it is kept; 0 where it does not.
+fn kept(name: &str, particles: Option<u32>) -> u64 {
+    let bytes = include_bytes!("../../web/burning/fireside.fire");
+    let mut parameters = Preset::find(name).map_or_else(Parameters::default, Preset::parameters);
+    if let Some(number) = particles {
+        let set = parameters.set("max_particles", Input::Number(number.into()));
+        debug_assert!(set.is_ok());
+    }
+    let mut fire = Simulation::new(parameters);
+    match fire.restore_burning(bytes) {
+        Ok(()) => fingerprint_of(fire, STEPS / 5),
+        Err(_) => 0,
+    }
 }
 
 /// FNV-1a with 64 bits: any bit that differs changes it.

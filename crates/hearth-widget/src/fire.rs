@@ -391,7 +391,7 @@ impl Fire {
             self.tell(easel, out);
         }
         // Whoever waits for steps finds them in picture and statistics.
-        if drawn || !self.seen() || (!self.asked.is_empty() && !warming) {
+        if !self.seen() || (!warming && (!self.stale || !self.asked.is_empty())) {
             for request in self.asked.answers() {
                 out.done(self.id, request);
             }

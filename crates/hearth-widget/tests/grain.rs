@@ -8,7 +8,7 @@ fn at(side: f64, level: Level) -> u32 {
 }
 
 #[test]
-fn an_icon_has_300_a_card_some_600_and_a_stage_what_the_level_has() {
+fn an_icon_has_300_a_card_500_and_a_stage_what_the_level_has() {
     for level in Level::ALL {
         assert_eq!(at(64.0, level), 300);
         assert_eq!(at(16.0, level), 300);

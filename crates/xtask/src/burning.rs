@@ -137,6 +137,11 @@ mod tests {
                     Ok(()),
                     "{name} at {particles}"
                 );
+                let count = fire.count() as f64;
+                assert!(
+                    (count / particles - 1.0).abs() < 0.1,
+                    "{name}: {count} of {particles}"
+                );
                 let places = fire.positions().into_iter().zip(fire.temperatures());
                 let bright = places.filter(|&(_, kelvin)| kelvin > BRIGHT);
                 let top = bright.map(|(at, _)| at.y).fold(0.0, f32::max);

@@ -2,7 +2,7 @@
 // edit crates/hearth-core/src/params.rs instead.
 
 /** The parameters of which equal steps are equal ratios. */
-export const LOGARITHMIC = ["domain_width", "domain_height", "smoothing_radius", "particle_mass", "gas_constant", "stiffness", "turbulence_scale", "emission_rate", "burn_time", "soot_life", "smoke_life", "ember_size", "time_scale", "time_step", "particle_size"];
+export const LOGARITHMIC = ["emission_rate", "time_scale", "burn_time", "soot_life", "particle_size", "turbulence_scale", "ember_size", "smoke_life", "domain_width", "domain_height", "time_step", "smoothing_radius", "particle_mass", "gas_constant", "stiffness"];
 
 /** Those whose values are whole. */
-export const WHOLE = ["max_particles", "seed"];
+export const WHOLE = ["seed", "max_particles"];

@@ -4,8 +4,8 @@
  * A canvas says nothing to a screen reader and has no stops for the Tab key.
  * So each parameter has a labelled native control here, and each button of the
  * panel a button: out of sight until it has the focus, and in step with the
- * fire both ways. As on the panel, only those are there that the fire's model
- * uses. Each carries in `data-rect` where the panel shows its like:
+ * fire both ways, in the groups of the panel. As on the panel, only those are there that
+ * the fire's model uses. Each carries in `data-rect` where the panel shows its like:
  * `x y width height` in CSS pixels of the window, absent while that is out of
  * sight; a real mouse can press there.
  */
@@ -27,9 +27,9 @@ const DEFAULT_MODEL = PARAMETERS.find(({ id }) => id === MODEL).default;
 
 /**
  * @typedef {object} Mirror
- * @property {(rectangles: Record<string, number[]>, canvas: DOMRect) => void} place
- *   says where the panel shows its controls, by name
- * @property {() => void} stand stands in for a panel that cannot be shown
+ * @property {(rectangles: Record<string, number[]>, canvas: DOMRect, scale: number) => void} place
+ *   says where the panel shows its controls, by name, and how large
+ * @property {(alone?: boolean) => void} stand stands in for a panel that cannot be shown
  * @property {() => void} destroy
  */
 
@@ -70,62 +70,84 @@ export function mountMirror({ host, fire, desk, reveal }) {
    * @param {string} action
    * @param {string} text
    * @param {() => any} press
+   * @param {HTMLElement} [place]
    */
-  function addButton(action, text, press) {
+  function addButton(action, text, press, place = root) {
     const button = document.createElement('button');
     button.type = 'button';
     button.dataset.action = action;
     button.textContent = text;
     button.addEventListener('click', () => quietly(press()));
-    root.append(button);
+    place.append(button);
     places.set(`action:${action}`, button);
     return button;
   }
+  const few = desk.only !== undefined;
+  const shownParameters = few
+    ? desk.only.map((id) => PARAMETERS.find((one) => one.id === id))
+    : PARAMETERS;
 
   const pause = addButton('pause', 'Pause', () => (fire.paused ? desk.play() : desk.pause()));
-  addButton('step', 'One step', () => {
+  const step = addButton('step', 'One step', () => {
     if (!fire.paused) quietly(desk.pause());
     return desk.step();
   });
-  addButton('reset', 'Restart', () => desk.reset());
+  const reset = addButton('reset', 'Restart', () => desk.reset());
   const undo = addButton('undo', 'Undo', () => desk.undo());
   const redo = addButton('redo', 'Do again', () => desk.redo());
-  addButton('picture', 'Save a picture', () => desk.picture());
+  const picture = addButton('picture', 'Save a picture', () => desk.picture());
   const fullscreen = addButton('fullscreen', 'Full screen', () => desk.fullscreen());
   const copies = COPIES.map((what) => addButton(`copy:${what}`, `Copy the ${COPY_LABELS[what]}`, () => (
     desk.copy(what)
   )));
   const paste = addButton('paste', 'Paste settings', () => desk.paste());
   for (const button of [...copies, paste]) button.addEventListener('focus', () => reveal('share'));
-  addButton('help', 'Keys', () => desk.help());
+  const help = addButton('help', 'Keys', () => desk.help());
+  // Where there is little height the panel unfolds these.
+  for (const button of [step, reset, redo, picture, fullscreen, help]) {
+    button.addEventListener('focus', () => reveal('tools'));
+  }
   const scenes = addButton('scenes', 'Scenes', () => desk.scenes());
   scenes.setAttribute('aria-haspopup', 'dialog');
-  addButton('reset-all', 'Reset all parameters of the model', () => {
-    const used = PARAMETERS.filter((one) => one.id !== MODEL && domainOf(one));
-    return desk.restore(...used.map(({ id }) => id));
-  });
+  const resetAll = addButton('reset-all', 'Reset all to the scene', () => desk.restoreAll());
+  if (!few) resetAll.addEventListener('focus', () => reveal('tools'));
 
   const quality = addQuality(root, (name) => desk.quality(name));
+  quality.addEventListener('focus', () => reveal('quality'));
   places.set('quality', quality);
+  if (few) {
+    for (const one of [step, picture, fullscreen, ...copies, paste, help, scenes, quality.parentElement]) one?.remove();
+  }
 
-  for (const parameter of PARAMETERS) {
+  /** @type {HTMLFieldSetElement | undefined} */
+  let group;
+  for (const parameter of shownParameters) {
     const id = parameter.id;
+    if (!group || (!few && group.name !== parameter.group)) {
+      group = document.createElement('fieldset');
+      group.name = few ? 'Controls' : parameter.group;
+      const legend = document.createElement('legend');
+      legend.textContent = group.name;
+      group.append(legend);
+      root.append(group);
+    }
+    const place = group;
     const { row, control, note, show } = makeControl(parameter, (value) => {
       quietly(desk.set(id, value).finally(shows.get(id)));
     });
     control.dataset.parameter = id;
     control.title = parameter.doc;
-    root.append(row);
+    place.append(row);
     places.set(id, control);
-    const restore = addButton(`restore:${id}`, `Reset ${parameter.label} to its default`, () => {
+    const restore = addButton(`restore:${id}`, `Reset ${parameter.label}`, () => {
       control.focus();
       return desk.restore(id);
-    });
+    }, place);
     shows.set(id, () => {
       const domain = domainOf(parameter);
       const value = valueOf(id);
       row.hidden = !domain;
-      restore.hidden = !domain || value === domain.default;
+      restore.hidden = !domain || id === MODEL || value === desk.defaultOf(id);
       if (domain) show(value, domain);
       const isChosen = ([of, names]) => names.includes(valueOf(of));
       const waits = Object.entries(parameter.when ?? {}).filter((chosen) => !isChosen(chosen));
@@ -142,6 +164,9 @@ export function mountMirror({ host, fire, desk, reveal }) {
 
   const showAll = () => {
     for (const show of shows.values()) show();
+    for (const set of root.querySelectorAll('fieldset')) {
+      set.hidden = [...set.querySelectorAll('.row')].every((row) => /** @type {any} */ (row).hidden);
+    }
     showPlaying();
     showQuality();
   };
@@ -170,8 +195,12 @@ export function mountMirror({ host, fire, desk, reveal }) {
   };
   for (const [name, listener] of Object.entries(heard)) fire.addEventListener(name, listener);
   let said = '';
+  let preset = desk.state.preset;
   const showDesk = () => {
     const state = desk.state;
+    // Another scene has other values to go back to.
+    if (state.preset !== preset) showAll();
+    preset = state.preset;
     // A button that has the focus would lose it if it were disabled.
     undo.setAttribute('aria-disabled', String(!state.undo));
     redo.setAttribute('aria-disabled', String(!state.redo));
@@ -186,14 +215,15 @@ export function mountMirror({ host, fire, desk, reveal }) {
   showAll();
 
   return {
-    place(rectangles, canvas) {
+    place(rectangles, canvas, scale) {
       // The control that has the focus lies over the panel's lower edge.
-      const shown = [...root.children].find((child) => child.matches(':focus-within'));
-      const free = (shown?.getBoundingClientRect().top ?? Infinity) - canvas.y;
+      const focused = root.querySelector(':focus');
+      const shown = focused?.closest('.row') ?? focused;
+      const free = ((shown?.getBoundingClientRect().top ?? Infinity) - canvas.y) / scale;
       for (const [name, element] of places) {
         const rectangle = rectangles[name];
         const text = rectangle && rectangle[1] + rectangle[3] <= free
-          ? [canvas.x + rectangle[0], canvas.y + rectangle[1], rectangle[2], rectangle[3]]
+          ? [canvas.x + rectangle[0] * scale, canvas.y + rectangle[1] * scale, rectangle[2] * scale, rectangle[3] * scale]
               .map((x) => Math.round(x * 100) / 100)
               .join(' ')
           : undefined;
@@ -201,8 +231,8 @@ export function mountMirror({ host, fire, desk, reveal }) {
         else if (element.dataset.rect !== text) element.dataset.rect = text;
       }
     },
-    stand() {
-      root.classList.add('alone');
+    stand(alone = true) {
+      root.classList.toggle('alone', alone);
     },
     destroy() {
       for (const [name, listener] of Object.entries(heard)) fire.removeEventListener(name, listener);
@@ -222,6 +252,7 @@ let made = 0;
  */
 function addQuality(root, wish) {
   const row = document.createElement('div');
+  row.className = 'row';
   const label = document.createElement('label');
   label.textContent = 'Quality';
   const control = document.createElement('select');
@@ -241,9 +272,10 @@ function addQuality(root, wish) {
  */
 function makeControl(parameter, wish) {
   const row = document.createElement('div');
+  row.className = 'row';
   const label = document.createElement('label');
-  const unit = parameter.unit ? ` (${parameter.unit})` : '';
-  label.textContent = parameter.label + unit;
+  // A slider tells the unit with its value.
+  label.textContent = parameter.label;
   label.htmlFor = `hearth-mirror-${(made += 1)}`;
   const control = document.createElement(parameter.kind === 'choice' ? 'select' : 'input');
   control.id = label.htmlFor;
@@ -275,8 +307,10 @@ function slider(parameter, control, wish, row) {
   let { min, max } = parameter;
   control.type = 'range';
   control.step = parameter.kind === 'integer' ? '1' : 'any';
-  const output = document.createElement('output');
-  output.htmlFor.add(control.id);
+  // For the eye: the slider itself says its value.
+  const output = document.createElement('span');
+  output.className = 'value';
+  output.setAttribute('aria-hidden', 'true');
   control.after(output);
   const say = () => {
     const text = `${Number(Number(control.value).toPrecision(4))} ${parameter.unit}`.trim();
@@ -292,7 +326,9 @@ function slider(parameter, control, wish, row) {
     // equal differences and leave out the lower half of the range.
     control.addEventListener('keydown', (event) => {
       const ratio = (max / min) ** (1 / LOG_STEPS);
-      const up = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+      const up = {
+        ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10,
+      }[event.key];
       if (!up || event.ctrlKey || event.altKey || event.metaKey) return;
       event.preventDefault();
       const old = Number(control.value);

@@ -4,6 +4,7 @@
  */
 
 import { recall, remember } from './page-memory.js';
+import { areSilent } from './panel-keys.js';
 
 /** Where the panel has room beside the fire and opens by itself. */
 const WIDE = '(width >= 720px) and (height >= 480px)';
@@ -80,6 +81,10 @@ export class PagePanel {
   #key(event) {
     const { key, ctrlKey, metaKey, altKey, shiftKey, repeat } = event;
     if (ctrlKey || metaKey || altKey || repeat || event.defaultPrevented || isTyping(event)) return;
+    const [target, ...around] = event.composedPath();
+    const near = [document.body, this.#root, this.#toggle].some((place) => place === target)
+      || [this.#host, this.#fire].some((place) => around.includes(place) || place === target);
+    if (!near || areSilent(this.#host, this.#fire)) return;
     if (key.toLowerCase() === 'h') this.#choose(!this.#shown);
     // The panel hears the other keys, once it is there.
     if (this.#hears || shiftKey) return;

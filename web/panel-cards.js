@@ -9,7 +9,8 @@
  * @property {() => void} [mark]  Shows what is so by now.
  */
 
-import { KEYS } from './panel-keys.js';
+import { KEYS, areForbidden } from './panel-keys.js';
+import { remember, remembered } from './panel-memory.js';
 
 let made = 0;
 
@@ -64,11 +65,11 @@ export function askForSettings({ host, take }) {
 }
 
 /**
- * Lists the keys.
- * @param {{host: HTMLElement}} where
+ * Lists the keys, and lets single ones be turned off.
+ * @param {{host: HTMLElement, fire: any}} where
  * @returns {Card}
  */
-export function showKeys({ host }) {
+export function showKeys({ host, fire }) {
   const card = openCard(host, 'help', 'Keys');
   const list = card.add('dl', '');
   for (const [keys, words] of KEYS) {
@@ -82,6 +83,14 @@ export function showKeys({ host }) {
     const about = document.createElement('dd');
     about.textContent = words;
     list.append(term, about);
+  }
+  if (!areForbidden(host, fire)) {
+    const label = card.add('label', '');
+    const box = document.createElement('input');
+    box.type = 'checkbox';
+    box.checked = remembered().silent !== true;
+    box.addEventListener('change', () => remember({ silent: !box.checked }));
+    label.append(box, ' Single keys act');
   }
   const close = card.button('close', 'Close', card.close);
   close.focus({ preventScroll: true });

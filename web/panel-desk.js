@@ -9,6 +9,7 @@
 
 import { askForSettings, showKeys, showText } from './panel-cards.js';
 import { showScenes } from './panel-scenes.js';
+import { remember, remembered } from './panel-memory.js';
 import { PARAMETERS, PRESETS } from './parameters.js';
 import { Steps } from './panel-steps.js';
 import { FILE as SHARE, elementCode, iframeCode, pageLink } from './share.js';
@@ -43,6 +44,8 @@ export const COPY_LABELS = {
 /**
  * @typedef {object} State  What there is to press and to say.
  * @property {string} scene  The scene that the fire started from, in words.
+ * @property {string} preset  What that is called, changed or not.
+ * @property {{[id: string]: any}} values  What it names.
  * @property {boolean} undo
  * @property {boolean} redo
  * @property {boolean} link  Whether the page has an address that shows this fire.
@@ -67,6 +70,10 @@ export class Desk extends EventTarget {
   /** @type {import('./panel-cards.js').Card | undefined} */
   #card;
   #scene = '';
+  #preset = '';
+
+  /** The value under the pointer and its label; nothing: the panel shows none. @type {() => string[] | undefined} */
+  hovered = () => undefined;
 
   /**
    * @param {object} parts
@@ -76,15 +83,20 @@ export class Desk extends EventTarget {
    *   panel's own page, then.
    * @param {string | URL} [parts.script]  Where others find `hearth-fire.js`.
    * @param {string | URL} [parts.embed]  Where they find `embed.html`.
+   * @param {string[]} [parts.only]  The parameters that the panel shows.
    */
-  constructor({ fire, host, page, script = beside('hearth-fire.js'), embed = beside('embed.html') }) {
+  constructor({ fire, host, page, only, script = beside('hearth-fire.js'), embed = beside('embed.html') }) {
     super();
     this.#fire = fire;
     this.#host = host;
     this.#page = page;
     this.#script = script;
     this.#embed = embed;
-    this.#steps = new Steps(fire, () => this.#changed(), (id, model) => DOMAINS.get(id)?.[model]?.default);
+    const known = only?.map((id) => id.replaceAll('-', '_')).filter((id) => DOMAINS.has(id));
+    /** The parameters that the panel shows, in this order; nothing: all. */
+    this.only = known?.length ? known : undefined;
+    this.#recallQuality();
+    this.#steps = new Steps(fire, () => this.#changed(), usualOf, (id) => this.defaultOf(id));
     for (const name of NEWS) fire.addEventListener(name, this.#look);
     this.#look();
   }
@@ -93,6 +105,8 @@ export class Desk extends EventTarget {
   get state() {
     return {
       scene: this.#scene,
+      preset: presetOf(this.#fire)?.label ?? '',
+      values: valuesOf(this.#fire),
       undo: this.#steps.canUndo,
       redo: this.#steps.canRedo,
       link: this.#page !== undefined,
@@ -114,12 +128,33 @@ export class Desk extends EventTarget {
   }
 
   /**
-   * Puts parameters back to their defaults.
-   * @param {...string} ids
+   * What a parameter has in the scene, in the present model; nothing where that does
+   * not use it.
+   * @param {string} id
    */
-  restore(...ids) {
-    if (ids.length === 1) return this.#steps.restore(ids[0]);
-    return this.#steps.all(() => this.#fire.restore(...ids), { anew: false });
+  defaultOf(id) {
+    return sceneValue(this.#fire, id);
+  }
+
+  /**
+   * Puts a parameter back to what it has in the scene.
+   * @param {string} id
+   */
+  restore(id) {
+    return this.#steps.restore(id);
+  }
+
+  /** Puts all that the panel shows of the model back to what it has in the scene. */
+  restoreAll() {
+    const fire = this.#fire;
+    const now = fire.params;
+    const ids = (this.only ?? [...DOMAINS.keys()]).filter((id) => id !== MODEL.id && DOMAINS.get(id)?.[now.model]);
+    const usual = ids.filter((id) => this.defaultOf(id) === usualOf(id, now.model));
+    const others = ids.filter((id) => !usual.includes(id) && this.defaultOf(id) !== now[id]);
+    return this.#steps.all(async () => {
+      if (usual.length > 0) await fire.restore(...usual);
+      if (others.length > 0) await fire.set(Object.fromEntries(others.map((id) => [id, this.defaultOf(id)])));
+    }, { anew: false });
   }
 
   /** @param {string} name */
@@ -146,6 +181,33 @@ export class Desk extends EventTarget {
   /** @param {string} name */
   quality(name) {
     this.#fire.quality = name;
+    remember({ quality: name });
+  }
+
+  /** What was folded at the last visit. */
+  get folds() {
+    return remembered();
+  }
+
+  /** @type {(folded: string[], times: boolean) => void} */
+  rememberFolds(folded, times) {
+    remember({ folded, times });
+  }
+
+  /** Gives the search the focus. */
+  search() {
+    this.dispatchEvent(new Event('search'));
+  }
+
+  /** What copies the value under the pointer; nothing: the key is not the panel's. */
+  get copyHovered() {
+    const hovered = this.hovered();
+    if (!hovered || !(getSelection()?.isCollapsed ?? true)) return undefined;
+    const [value, label] = hovered;
+    return () => this.#try(async () => {
+      await navigator.clipboard.writeText(value);
+      this.#tell('value', `Copied: ${label} ${value}`);
+    });
   }
 
   play() {
@@ -223,7 +285,7 @@ export class Desk extends EventTarget {
   /** Shows the keys, or hides them. */
   help() {
     if (this.#card?.isOpen('help')) this.#card.close();
-    else this.#show(showKeys({ host: this.#host }));
+    else this.#show(showKeys({ host: this.#host, fire: this.#fire }));
   }
 
   /** Ends what is open. */
@@ -236,11 +298,20 @@ export class Desk extends EventTarget {
   /** Another scene, or not quite the same any more? */
   #look = () => {
     this.#card?.mark?.();
-    const scene = sceneOf(this.#fire);
-    if (scene === this.#scene) return;
-    this.#scene = scene;
+    const [scene, preset] = [sceneOf(this.#fire), this.#fire.preset];
+    if (scene === this.#scene && preset === this.#preset) return;
+    [this.#scene, this.#preset] = [scene, preset];
     this.#changed();
   };
+
+  /** The quality of the last visit, unless the page or its address names one. */
+  #recallQuality() {
+    const fire = this.#fire;
+    const { quality } = remembered();
+    const names = fire.hasAttribute?.('quality') || fire.quality !== 'auto';
+    if (names || !['low', 'medium', 'high'].includes(quality ?? '')) return;
+    fire.quality = quality;
+  }
 
   /** @type {(what: string, config: any) => string} */
   #written(what, config) {
@@ -293,18 +364,44 @@ export class Desk extends EventTarget {
   }
 }
 
+/** What a parameter has in a model unless a scene says otherwise. @type {(id: string, model: string) => any} */
+function usualOf(id, model) {
+  return DOMAINS.get(id)?.[model]?.default;
+}
+
+/** The scene that a fire started from. @param {any} fire */
+function presetOf({ preset: name = 'default' }) {
+  return PRESETS.find((preset) => preset.name === name);
+}
+
+/** What that scene names, and the model. @param {any} fire @returns {{[id: string]: any}} */
+function valuesOf(fire) {
+  return { model: MODEL.default, ...presetOf(fire)?.values };
+}
+
+/**
+ * What a parameter has in the scene, in the present model: there, what the scene says
+ * of another model holds for what both share.
+ * @type {(fire: any, id: string) => any}
+ */
+function sceneValue(fire, id) {
+  const values = valuesOf(fire);
+  const domains = DOMAINS.get(id) ?? {};
+  const domain = domains[fire.params?.model ?? MODEL.default];
+  const there = domains[values.model];
+  const shared = there && ['default', 'min', 'max'].every((part) => there[part] === domain?.[part]);
+  return domain && ((domain === there || shared) ? values[id] ?? domain.default : domain.default);
+}
+
 /**
  * The scene that a fire started from, and whether it is another fire by now.
  * @param {any} fire
  */
-function sceneOf({ preset: name = 'default', params = {} }) {
-  const scene = PRESETS.find((preset) => preset.name === name);
+function sceneOf(fire) {
+  const scene = presetOf(fire);
   if (!scene) return '';
-  const values = { model: MODEL.default, ...scene.values };
-  const same = PARAMETERS.every(({ id, domains }) => {
-    const domain = domains[values.model];
-    return !domain || params[id] === (values[id] ?? domain.default);
-  });
+  const { params = {} } = fire;
+  const same = PARAMETERS.every(({ id }) => [undefined, params[id]].includes(sceneValue(fire, id)));
   return same ? scene.label : `${scene.label}, changed`;
 }
 

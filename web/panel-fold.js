@@ -1,7 +1,10 @@
 /**
  * The button that folds away a panel that lies inside of its fire, and brings it
- * back. In a fire too small for a useful panel it starts folded.
+ * back. In a fire too small for a useful panel it starts folded, and where it was
+ * folded at the last visit.
  */
+
+import { remember, remembered } from './panel-memory.js';
 
 /** A lower panel shows hardly more than its header [CSS pixels]. */
 const USEFUL = 130;
@@ -38,18 +41,29 @@ export function addFold(host) {
   const toggle = () => {
     const folded = !host.classList.contains('hearth-folded');
     const root = /** @type {ShadowRoot} */ (host.getRootNode());
+    watch.disconnect();
     fold(folded);
+    remember({ hidden: folded });
     // What is folded away cannot keep the focus; the keys go on with the button's.
     if (folded && (root.activeElement === null || host.contains(root.activeElement))) {
       button.focus({ preventScroll: true });
     }
   };
   button.addEventListener('click', toggle);
-  fold(host.clientHeight < USEFUL);
+  // In a fire that is not shown yet nobody knows how much room there is.
+  const watch = new ResizeObserver(() => {
+    if (!(host.clientHeight > 0)) return;
+    watch.disconnect();
+    fold(host.clientHeight < USEFUL || remembered().hidden === true);
+  });
+  fold(false);
+  if (host.clientHeight > 0) fold(host.clientHeight < USEFUL || remembered().hidden === true);
+  else watch.observe(host);
 
   return {
     toggle,
     remove() {
+      watch.disconnect();
       button.remove();
       host.classList.remove('hearth-inside', 'hearth-folded');
       host.removeAttribute('role');

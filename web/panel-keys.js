@@ -1,9 +1,12 @@
 /**
- * The panel's keys. On a page of its own they act wherever the focus is; in a page
- * that shows a fire among other things, only while the focus is in the panel, and
+ * The panel's keys. They act while the focus is in the panel or on the fire, on a page
+ * of its own also where it is nowhere; in a page that shows a fire among other things,
  * the page does not hear of a key that acted. A key that types or that presses a
- * button is never taken.
+ * button is never taken. Single keys can be turned off: in the list of the keys, and by
+ * `data-shortcuts="off"` on the panel's place, the fire or the page.
  */
+
+import { remembered } from './panel-memory.js';
 
 /** The keys, as people read them, and what each does. @type {[string[], string][]} */
 export const KEYS = [
@@ -14,6 +17,8 @@ export const KEYS = [
   [['S'], 'save a picture'],
   [['Ctrl Z'], 'undo'],
   [['Ctrl Shift Z', 'Ctrl Y'], 'do again'],
+  [['Ctrl C'], 'copy the value under the pointer'],
+  [['/'], 'search'],
   [['?'], 'these keys'],
 ];
 
@@ -25,22 +30,25 @@ const PRESSED = 'button, summary, a[href], input[type=checkbox], input[type=radi
 
 /**
  * @param {object} parts
- * @param {Document | HTMLElement} parts.target  Where keys are heard.
+ * @param {EventTarget[]} parts.own  Where the panel stands, and the fire.
+ * @param {boolean} parts.page  Whether the page is one for this fire.
  * @param {any} parts.fire
  * @param {import('./panel-desk.js').Desk} parts.desk
  * @param {() => void} [parts.hide]  Hides the panel or shows it, where the panel itself does.
  * @returns {() => void} ends it
  */
-export function listenToKeys({ target, fire, desk, hide }) {
+export function listenToKeys({ own, page, fire, desk, hide }) {
   const acts = new Map(Object.entries({
     ' ': () => (fire.paused ? desk.play() : desk.pause()),
     r: () => desk.reset(),
     f: () => desk.state.fullscreen && desk.fullscreen(),
     s: () => desk.picture(),
     '?': () => desk.help(),
+    '/': () => desk.search(),
     ...(hide && { h: hide }),
   }));
-  const owns = target !== document;
+  /** @type {EventTarget[]} */
+  const nowhere = [document.body, document.documentElement];
 
   /** @param {KeyboardEvent} event */
   const wanted = (event) => {
@@ -49,21 +57,43 @@ export function listenToKeys({ target, fire, desk, hide }) {
     if (event.altKey || event.isComposing) return undefined;
     if (command && key === 'z') return () => (event.shiftKey ? desk.redo() : desk.undo());
     if (command && key === 'y') return () => desk.redo();
-    if (command || event.repeat || (event.shiftKey && key !== '?')) return undefined;
-    return acts.get(key);
+    if (command && key === 'c' && !event.shiftKey) return desk.copyHovered;
+    if (command || event.repeat || (event.shiftKey && !['?', '/'].includes(key))) return undefined;
+    return areSilent(...own) ? undefined : acts.get(key);
   };
 
   const heard = (/** @type {Event} */ event) => {
     const key = /** @type {KeyboardEvent} */ (event);
     const act = wanted(key);
     if (!act || isTaken(key)) return;
+    const path = key.composedPath();
+    if (page && !nowhere.includes(path[0]) && !own.some((one) => path.includes(one))) return;
     key.preventDefault();
-    if (owns) key.stopPropagation();
+    if (!page) key.stopPropagation();
     // What is refused is told by the element's error event.
     Promise.resolve(act()).catch(() => {});
   };
-  target.addEventListener('keydown', heard);
-  return () => target.removeEventListener('keydown', heard);
+  const targets = page ? [document] : own;
+  for (const target of targets) target.addEventListener('keydown', heard);
+  return () => {
+    for (const target of targets) target.removeEventListener('keydown', heard);
+  };
+}
+
+/**
+ * Whether the page forbids single keys.
+ * @type {(...places: any[]) => boolean}
+ */
+export function areForbidden(...places) {
+  return [document.documentElement, ...places].some((one) => one?.dataset?.shortcuts === 'off');
+}
+
+/**
+ * Whether single keys do nothing.
+ * @type {(...places: any[]) => boolean}
+ */
+export function areSilent(...places) {
+  return remembered().silent === true || areForbidden(...places);
 }
 
 /**

@@ -40,6 +40,7 @@ export class Steps {
   #fire;
   #changed;
   #defaultOf;
+  #homeOf;
   /** What models had when they were left. @type {Map<string, {[id: string]: any}>} */
   #kept = new Map();
   /** @type {Step[]} */
@@ -59,11 +60,14 @@ export class Steps {
    * @param {() => void} changed  Whether there is anything to undo or redo may be another answer now.
    * @param {(id: string, model: string) => any} defaultOf  Nothing, where the model does not
    *   use the parameter.
+   * @param {(id: string, model: string) => any} [homeOf]  What a value goes back to, where that
+   *   is not its default.
    */
-  constructor(fire, changed, defaultOf) {
+  constructor(fire, changed, defaultOf, homeOf = defaultOf) {
     this.#fire = fire;
     this.#changed = changed;
     this.#defaultOf = defaultOf;
+    this.#homeOf = homeOf;
   }
 
   /** Whether there is a step to undo. */
@@ -87,12 +91,15 @@ export class Steps {
   }
 
   /**
-   * Puts one parameter back to its default.
+   * Puts one parameter back to what it has in the scene.
    * @param {string} id
    */
   restore(id) {
-    const valueOf = () => this.#defaultOf(id, this.#fire.params[MODEL]);
-    return this.#one({ id, named: id !== NUMBER, valueOf, act: () => this.#fire.restore(id) });
+    const valueOf = () => this.#homeOf(id, this.#fire.params[MODEL]);
+    // The default number of particles follows the quality again.
+    const isUsual = () => valueOf() === this.#defaultOf(id, this.#fire.params[MODEL]);
+    const act = () => (isUsual() ? this.#fire.restore(id) : this.#fire.set(id, valueOf()));
+    return this.#one({ id, named: id !== NUMBER || !isUsual(), valueOf, act });
   }
 
   /**

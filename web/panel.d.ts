@@ -13,7 +13,7 @@ export interface HearthPanelPlace {
   fire: HearthFire;
   /**
    * The address of the page, where it is a page for this fire and shows what its query says.
-   * The panel then copies links to it, hears its keys wherever the focus is, and its full
+   * The panel then copies links to it, hears its keys where the focus is nowhere too, and its full
    * screen is the whole page.
    */
   page?: string | URL;
@@ -22,6 +22,8 @@ export interface HearthPanelPlace {
    * beside the panel's module. Behind a bundler nobody knows; the element alone is copied then.
    */
   script?: string | URL;
+  /** The ids of the parameters that it shows, in this order; without it, all of them. */
+  only?: string[];
   /** And where they find `embed.html`. Behind a bundler no iframe is offered without it. */
   embed?: string | URL;
 }

@@ -12,6 +12,7 @@ import { mountMirror } from './mirror.js';
 import { Desk } from './panel-desk.js';
 import { addFold } from './panel-fold.js';
 import { listenToKeys } from './panel-keys.js';
+import { addSheet } from './panel-sheet.js';
 import { addStyle } from './panel-style.js';
 
 /** How often a panel whose WebGL context was lost is started again. */
@@ -75,14 +76,16 @@ function stayAboveKeyboard(host) {
  *   properties and events will do.
  * @param {string | URL} [place.page]  The address of the page, where it is a page for
  *   this fire and shows what its query says: the panel copies links to it, hears its
- *   keys wherever the focus is, and its full screen is the whole page.
+ *   keys where the focus is nowhere too, and its full screen is the whole page.
  * @param {string | URL} [place.script]  Where other pages find `hearth-fire.js`, for the HTML
  *   that the panel copies, if that is not beside this module.
  * @param {string | URL} [place.embed]  And where they find `embed.html`.
+ * @param {string[]} [place.only]  The ids of the parameters that it shows, in this order;
+ *   without it, all of them.
  * @returns {Promise<{destroy(): void}>} settles when the panel stands, or when
  *   it is clear, and said in the panel's place, that it cannot
  */
-export async function mountPanel({ host, fire, page, script, embed }) {
+export async function mountPanel({ host, fire, page, script, embed, only }) {
   let ended = false;
   let restarts = 0;
   /** @type {any} */
@@ -116,7 +119,7 @@ export async function mountPanel({ host, fire, page, script, embed }) {
   atEnd(removeStyle);
   // Without its styles the mirror would stand in sight for a moment.
   await styled;
-  const desk = new Desk({ fire, host, page, script, embed });
+  const desk = new Desk({ fire, host, page, script, embed, only });
   atEnd(() => desk.close());
   let revealed = '';
   const reveal = (/** @type {string} */ id) => {
@@ -127,10 +130,19 @@ export async function mountPanel({ host, fire, page, script, embed }) {
   atEnd(() => mirror.destroy());
   const fold = inside ? addFold(host) : undefined;
   atEnd(fold?.remove ?? stayAboveKeyboard(host));
-  atEnd(listenToKeys({ target: page === undefined ? host : document, fire, desk, hide: fold?.toggle }));
+  if (inside || page !== undefined) atEnd(addSheet(host, inside ? fire : undefined));
+  atEnd(listenToKeys({ own: [host, fire], page: page !== undefined, fire, desk, hide: fold?.toggle }));
+  // Nothing around the panel is closed by a key that closes things in it.
+  listen(host, 'keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    event.preventDefault();
+    event.stopPropagation();
+  });
 
   const update = () => {
-    if (canvas) mirror.place(panel?.rectangles() ?? {}, canvas.getBoundingClientRect());
+    if (!canvas) return;
+    const shown = canvas.getBoundingClientRect();
+    mirror.place(panel?.rectangles() ?? {}, shown, shown.width / canvas.offsetWidth || 1);
   };
   // eframe sizes the canvas from `devicePixelContentBoxSize`, which emulated
   // phones report at a ratio of 1: the panel would be painted too large.
@@ -179,7 +191,7 @@ export async function mountPanel({ host, fire, page, script, embed }) {
   }
 
   async function start() {
-    if (ended) return;
+    if (ended || plain.matches) return;
     stage = document.createElement('div');
     stage.className = 'hearth-panel-stage';
     // eframe takes the focus when it starts; in here it cannot.
@@ -200,6 +212,7 @@ export async function mountPanel({ host, fire, page, script, embed }) {
       panel = started;
       stage.inert = false;
       panel.tell(desk.state);
+      desk.hovered = () => panel?.hovered();
       // The mirror may have had the focus before there was a panel.
       if (revealed) panel.reveal(revealed);
       place.addEventListener('webglcontextlost', lost);
@@ -212,7 +225,22 @@ export async function mountPanel({ host, fire, page, script, embed }) {
     }
   }
 
+  // A canvas has the colours that it has: where the system's are wanted, the page's own
+  // controls stand in its place.
+  const plain = matchMedia('(forced-colors: active)');
+  const stand = () => {
+    mirror.stand(plain.matches);
+    if (plain.matches) stop();
+    else if (!panel) start();
+  };
+  listen(plain, 'change', stand);
+  if (plain.matches) mirror.stand();
   atEnd(stop);
+  listen(desk, 'search', () => {
+    if (plain.matches || !canvas?.checkVisibility()) return;
+    canvas.focus({ preventScroll: true });
+    panel?.reveal('search');
+  });
   listen(desk, 'change', () => panel?.tell(desk.state));
   // A drag, however long, and a key that is held down are one step each.
   listen(host, 'pointerdown', () => desk.press(), { capture: true });

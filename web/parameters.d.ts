@@ -9,326 +9,326 @@ export type PresetName = "default" | "bonfire-in-wind" | "campfire" | "candle" |
 
 /** The value of every parameter, by its id. */
 export interface HearthParameters {
-  /** Which equations move the particles. Classic: the paper's, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
+  /** Another kind of fire. Classic: the paper's equations, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
   model: "classic" | "combustion";
-  /** Width of the simulated domain; the source stands in it where its place says. In the combustion model what leaves on one side comes back in on the other. [m] Default 1.2, from 0.1 to 6. */
-  domain_width: number;
-  /** Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
-  domain_height: number;
-  /** What happens at the left and the right edge: particles leave, are held back, or come back in on the other side. The floor holds them back, unless the edges are open; the top is always open. Default in classic: "open". */
-  walls: "open" | "solid" | "periodic";
-  /** Acceleration of gravity, as buoyancy feels it. [m/s²] Default 9.81, from 0 to 20. */
-  gravity: number;
-  /** Temperature of the air around the fire. [K] Default 293, from 250 to 350. */
-  ambient_temperature: number;
-  /** Density of the air around the fire. [kg/m³] Default 1.2, from 0.5 to 2. */
-  ambient_density: number;
-  /** How much of the height, at the top and at the bottom, gas becomes fresh air again. 0 closes the domain upon itself; then no wind blows, and nothing is lifted: nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
-  seam: number;
-  /** Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided; more of them are finer, and slower. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
-  max_particles: number;
-  /** Smoothing length h: particles feel each other up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
-  smoothing_radius: number;
-  /** Smoothing length h in spacings of the particles: they feel each other up to twice this distance. More of it is smoother, and slower. Default in combustion: 1.5, from 1.3 to 2. */
-  smoothing_ratio: number;
-  /** Mass of one particle, for each metre of depth. [kg/m] Default in classic: 0.00025, from 0.0001 to 0.002. */
-  particle_mass: number;
-  /** Density at which the gas has no pressure. [kg/m³] Default in classic: 1, from 0.5 to 2. */
-  rest_density: number;
-  /** Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound: how hard compressed gas pushes apart. More of it widens the fire. [m²/s²] Default in classic: 0.6, from 0.05 to 6. */
-  gas_constant: number;
-  /** Speed of sound in the simulated gas, far below the real one: how hard compressed gas pushes apart. More of it keeps the density more even and makes the steps shorter. It grows by itself for fires above 220 kW/m. [m/s] Default in combustion: 6, from 4 to 15. */
-  stiffness: number;
-  /** Dynamic viscosity: how strongly neighbours share their motion. [Pa·s] Default in classic: 0.005, from 0 to 0.1. */
-  viscosity: number;
-  /** Viscosity divided by density: how fast neighbours share their motion. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
-  kinematic_viscosity: number;
-  /** Viscosity between particles that approach each other and none else: it damps the noise of the particles. Default in combustion: 0.1, from 0.02 to 0.5. */
-  artificial_viscosity: number;
-  /** How strongly whirls that are too small to be resolved mix motion, heat and gases: Smagorinsky's constant. Default in combustion: 0.2, from 0 to 0.4. */
-  eddy_viscosity: number;
-  /** How fast heat, fuel, oxygen and soot spread by themselves, without any flow. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
-  diffusion: number;
-  /** How far hot gas takes more room: 1 is the ideal gas, 0 the paper's equation of state, in which only density makes pressure. Default in combustion: 0.5, from 0 to 1. */
-  gas_expansion: number;
-  /** How strongly particles are moved from where they crowd to where they are sparse, so that they stay evenly spread. Default in combustion: 1, from 0.2 to 1. */
-  shifting: number;
-  /** Classic: lift β of gas that is thinner than the air; more of it narrows the fire. Combustion: lift of gas that is hotter than the air; 1 is nature's. Default in combustion: 1, from 0 to 2. Default in classic: 0.12, from 0 to 1. */
-  buoyancy: number;
-  /** Lift of gas that is hotter than the air. Default in classic: 0.2, from 0 to 1. */
-  thermal_buoyancy: number;
-  /** Weight added to every particle, as if gravity counted a second time. [m/s²] Default in classic: 0, from 0 to 20. */
-  extra_weight: number;
-  /** Speed at which lift and the resistance of the air, which this model leaves out otherwise, balance. [m/s] Default in classic: 2.5, from 0.5 to 3. */
-  terminal_speed: number;
-  /** A net, not a law: no particle moves faster. [m/s] Default in classic: 4, from 4 to 8. */
-  speed_limit: number;
-  /** Speed of the fresh air from left to right; below 0 it blows from right to left. [m/s] Default in combustion: 0, from -3 to 3. */
-  wind: number;
-  /** Strength of a random field of drifting whirls that stirs the gas and compresses it nowhere. [m/s²] Default 0, from 0 to 10. */
-  turbulence: number;
-  /** Size of the whirls that turbulence stirs. [m] Default 0.15, from 0.03 to 0.6. */
-  turbulence_scale: number;
-  /** How strongly small whirls are kept spinning that would be smeared out otherwise. Default in combustion: 0, from 0 to 1. */
-  vorticity_confinement: number;
-  /** Particles born each second, as long as the source has room and the number of particles allows it. [1/s] Default in classic: 1500, from 50 to 100000. */
-  emission_rate: number;
-  /** Shortest life of a particle. [s] Default in classic: 0.3, from 0.1 to 3. */
-  lifetime_min: number;
-  /** Longest life of a particle. A life below the shortest one counts as the shortest. [s] Default in classic: 1.2, from 0.1 to 3. */
-  lifetime_max: number;
-  /** How much shorter particles live that are born towards the rim of the source, within the shortest and the longest life: it gives the fire its tip. Default in classic: 0.8, from 0 to 1. */
-  taper: number;
-  /** Power of the burner: the heat of the fuel that it feeds, for each metre of depth, on top of what its gas carries by being hot; 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
+  /** A taller, brighter flame. Power of the burner: the heat of the fuel that it feeds, for each metre of depth, on top of what its gas carries by being hot; 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
   fuel_power: number;
-  /** Upward speed of what leaves the source: of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
-  emission_speed: number;
-  /** Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
-  emission_spread: number;
-  /** How unevenly the source burns: Perlin noise in place and time. Default in combustion: 0.2, from 0 to 1. Default in classic: 0.5, from 0 to 1. */
-  emission_noise: number;
-  /** Width of the source; combustion: of the burner, which is at least four particles wide. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
+  /** A denser, brighter flame. Particles born each second, as long as the source has room and the number of particles allows it. [1/s] Default in classic: 1500, from 50 to 100000. */
+  emission_rate: number;
+  /** A wider fire. Width of the source; combustion: of the burner, which is at least four particles wide. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
   source_width: number;
-  /** Moves the fire to the right, below 0 to the left: place of the middle of the source, all of which stays inside the domain. [m] Default 0, from -3 to 3. */
-  source_x: number;
-  /** Height of the source above the floor; combustion: of the burner, which stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
-  source_height: number;
-  /** Temperature of a particle at birth. [K] Default in classic: 1900, from 1000 to 2500. */
-  maximum_temperature: number;
-  /** How fast a particle cools towards the air. [K/s] Default in classic: 900, from 0 to 5000. */
-  cooling_rate: number;
-  /** Temperature of the gas in the burner, which is always hot enough to burn. [K] Default in combustion: 700, from 500 to 1200. */
-  source_temperature: number;
-  /** Oxygen that the fuel brings along: with 0 it burns only where it meets the air, hottest at the rim of the flame; 1 is as much as the air has. Default in combustion: 0.5, from 0 to 1. */
-  source_oxygen: number;
-  /** Temperature above which fuel burns where there is oxygen. [K] Default in combustion: 450, from 400 to 900. */
-  ignition_temperature: number;
-  /** How much hotter gas becomes where fuel and air burn up without a remainder. [K] Default in combustion: 1500, from 600 to 2500. */
-  flame_rise: number;
-  /** Parts of air that one part of fuel needs to burn. Default in combustion: 1.5, from 0.5 to 6. */
-  air_demand: number;
-  /** Time in which hot fuel with enough oxygen burns down to about a third. [s] Default in combustion: 0.08, from 0.02 to 0.5. */
-  burn_time: number;
-  /** How fast gas and embers of 1500 K cool by what they radiate; that grows with the fourth power of the temperature. [K/s] Default in combustion: 500, from 0 to 2000. */
-  radiative_cooling: number;
-  /** Time in which hot soot, which makes a flame glow, burns away to about a third. [s] Default in combustion: 0.25, from 0.05 to 2. */
-  soot_life: number;
-  /** Time in which smoke, soot that has cooled, thins out to about a third. [s] Default in combustion: 1.5, from 0.1 to 10. */
-  smoke_life: number;
-  /** Embers thrown each second: sparks that the flow carries off. [1/s] Default in combustion: 40, from 0 to 1000. */
-  ember_rate: number;
-  /** Shortest life of an ember. [s] Default in combustion: 0.5, from 0.1 to 5. */
-  ember_life_min: number;
-  /** Longest life of an ember. A life below the shortest one counts as the shortest. [s] Default in combustion: 2, from 0.1 to 5. */
-  ember_life_max: number;
-  /** Size of an ember. [m] Default in combustion: 0.004, from 0.001 to 0.02. */
-  ember_size: number;
-  /** Seconds of fire for each second of the clock: below 1 is slow motion. Default 1, from 0.1 to 2. */
-  time_scale: number;
-  /** Length of one step; it is divided further where stability asks for it. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
-  time_step: number;
-  /** Start of the random generator: the same seed gives the same fire. Default 1. */
-  seed: number;
-  /** Equation 1 as printed: the kernel with the factor of three dimensions. Default in classic: false. */
-  printed_kernel: boolean;
-  /** Equation 3 as printed: half the pressure force, not divided by the particle's own density. Default in classic: false. */
-  printed_pressure: boolean;
-  /** Equation 4 as printed: viscosity by the kernel's own Laplacian, which changes sign. Default in classic: false. */
-  printed_viscosity: boolean;
-  /** Equations 5 and 7 as printed: densities of force divided by the mass instead of the density, and no lift by temperature. Default in classic: false. */
-  printed_divisor: boolean;
-  /** Equation 6 as printed: forward Euler, the position moves with the old velocity. Default in classic: false. */
-  printed_euler: boolean;
-  /** What is shown: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model fuel is what is left of a particle's life, and soot what makes smoke of it. Default "fire". */
-  display_mode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
-  /** What is drawn: fire and smoke, the fire alone, or the smoke alone. Default "both". */
-  layers: "both" | "fire" | "smoke";
-  /** Size at which a particle is drawn. [m] Default in classic: 0.04, from 0.01 to 0.1. */
-  particle_size: number;
-  /** Brightness, in steps that each double it. [EV] Default 0, from -4 to 4. */
-  exposure: number;
-  /** How much of a black body's enormous range of brightness is kept. Default 0.35, from 0.15 to 1. */
-  luminance_exponent: number;
-  /** How strongly smoke hides what is behind it. Default 0.3, from 0 to 2. */
-  smoke_opacity: number;
-  /** Glow around bright places. Default 0.15, from 0 to 0.6. */
-  bloom: number;
-  /** Fine structure that rises with the flow. Default 1, from 0 to 2. */
-  detail: number;
-  /** Colours of the fire: those of glowing soot, of gas, of copper or lithium salts, of a ghost, or from a cool colour to a hot one. Default "blackbody". */
+  /** A taller flame. Longest life of a particle; one below the shortest life counts as that. [s] Default in classic: 1.2, from 0.1 to 3. */
+  lifetime_max: number;
+  /** A livelier, wilder flame. Acceleration by a random field of drifting eddies, which stirs the gas and compresses it nowhere. [m/s²] Default 0, from 0 to 10. */
+  turbulence: number;
+  /** A flame that leans to the right, or below 0 to the left. Speed of the fresh air from left to right. [m/s] Default in combustion: 0, from -3 to 3. */
+  wind: number;
+  /** Other colours of the fire: those of glowing soot, of gas, of copper or lithium salts, of a ghost, or your own from a cool colour to a hot one. Default "blackbody". */
   palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
+  /** A brighter picture. Exposure in steps that each double the light. [EV] Default 0, from -4 to 4. */
+  exposure: number;
+  /** A wider shine around bright places. Share of the light that a lens would spread. Default 0.15, from 0 to 0.6. */
+  bloom: number;
+  /** Thicker smoke. How strongly smoke hides what is behind it. Default 0.3, from 0 to 2. */
+  smoke_opacity: number;
+  /** More sparks. Embers thrown each second, which the flow carries off. [1/s] Default in combustion: 40, from 0 to 1000. */
+  ember_rate: number;
+  /** A wall behind the fire, or none. What the fire burns in front of, in place of the background: the fire lights it. Default "none". */
+  backdrop: "none" | "bricks";
+  /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
+  time_scale: number;
+  /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model fuel is what is left of a particle's life, and soot what makes smoke of it. Default "fire". */
+  display_mode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
+  /** A fire farther to the right, or below 0 to the left. Place of the middle of the source, all of which stays inside the domain. [m] Default 0, from -3 to 3. */
+  source_x: number;
+  /** A flame that starts higher above the floor. Height of the source; combustion: of the burner, which stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
+  source_height: number;
+  /** A flame that shoots up from its source. Upward speed of what leaves the source: of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  emission_speed: number;
+  /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
+  emission_spread: number;
+  /** An uneven flame that flares up here and there. How unevenly the source burns: Perlin noise in place and time. Default in combustion: 0.2, from 0 to 1. Default in classic: 0.5, from 0 to 1. */
+  emission_noise: number;
+  /** A flame that ends in a point. How much shorter the lives of particles from the rim of the source are, within the shortest and the longest life. Default in classic: 0.8, from 0 to 1. */
+  taper: number;
+  /** A fuller flame, up to its top. Shortest life of a particle. [s] Default in classic: 0.3, from 0.1 to 3. */
+  lifetime_min: number;
+  /** A whiter flame. Temperature of a particle at birth. [K] Default in classic: 1900, from 1000 to 2500. */
+  maximum_temperature: number;
+  /** A shorter flame with a redder top. How fast a particle cools towards the air. [K/s] Default in classic: 900, from 0 to 5000. */
+  cooling_rate: number;
+  /** A hotter, whiter flame. Rise of the temperature where fuel and air burn up without a remainder. [K] Default in combustion: 1500, from 600 to 2500. */
+  flame_rise: number;
+  /** A slower fire, whose flame begins higher. Time in which hot fuel with enough oxygen burns down to about a third. [s] Default in combustion: 0.08, from 0.02 to 0.5. */
+  burn_time: number;
+  /** A taller flame: its fuel has to rise farther to find air. Parts of air that one part of fuel needs to burn. Default in combustion: 1.5, from 0.5 to 6. */
+  air_demand: number;
+  /** A longer glow above the flame. Time in which hot soot, which makes a flame glow, burns away to about a third. [s] Default in combustion: 0.25, from 0.05 to 2. */
+  soot_life: number;
+  /** A shorter flame that fades to red sooner. How fast gas and embers of 1500 K cool by what they radiate; that grows with the fourth power of the temperature. [K/s] Default in combustion: 500, from 0 to 2000. */
+  radiative_cooling: number;
+  /** A flame that burns evenly down to its root; with 0 it is brightest at its rim. Oxygen that the fuel brings along; 1 is as much as the air has. Default in combustion: 0.5, from 0 to 1. */
+  source_oxygen: number;
+  /** A brighter root of the flame. Temperature of the gas in the burner, which is always hot enough to burn. [K] Default in combustion: 700, from 500 to 1200. */
+  source_temperature: number;
+  /** A flame that tears off and goes out more easily. Temperature above which fuel burns where there is oxygen. [K] Default in combustion: 450, from 400 to 900. */
+  ignition_temperature: number;
+  /** Fire and smoke, the fire alone, or the smoke alone. What of them is drawn. Default "both". */
+  layers: "both" | "fire" | "smoke";
+  /** Finer tongues and wisps. Strength of the fine structure that the gas carries along. Default 1, from 0 to 2. */
+  detail: number;
+  /** More contrast between bright and dim parts of the fire. How much of a black body's enormous range of brightness is kept. Default 0.35, from 0.15 to 1. */
+  luminance_exponent: number;
+  /** Larger, softer particles. Size at which a particle is drawn. [m] Default in classic: 0.04, from 0.01 to 0.1. */
+  particle_size: number;
   /** Colour of the coolest fire, where the palette is the custom one; transparent is black. Default "#8a12ff". */
   cool_colour: string;
   /** Colour of the hottest fire, where the palette is the custom one; transparent is black. Default "#38e8ff". */
   hot_colour: string;
-  /** What the fire burns in front of, in place of the background: nothing, or a wall of bricks that it lights. Default "none". */
-  backdrop: "none" | "bricks";
-  /** How strongly hot gas makes the backdrop shimmer; a page cannot be made to. Default 0.3, from 0 to 1. */
-  heat_haze: number;
-  /** What stands behind the fire: `transparent` or a colour. Default "transparent". */
+  /** Colour behind the fire: `transparent`, so that the page shows through, or a colour. Default "transparent". */
   background: string;
+  /** A backdrop that shimmers behind the flame. How strongly hot gas bends the view of the backdrop; a page cannot be bent. Default 0.3, from 0 to 1. */
+  heat_haze: number;
+  /** Larger, slower swings of the flame. Size of the eddies that turbulence stirs. [m] Default 0.15, from 0.03 to 0.6. */
+  turbulence_scale: number;
+  /** More curls at the edges of the flame. How strongly small eddies are kept spinning that the computation would smear out. Default in combustion: 0, from 0 to 1. */
+  vorticity_confinement: number;
+  /** A flame that rises faster. Classic: lift β of gas that is thinner than the air; more of it narrows the fire. Combustion: lift of gas that is hotter than the air; 1 is nature's. Default in combustion: 1, from 0 to 2. Default in classic: 0.12, from 0 to 1. */
+  buoyancy: number;
+  /** A flame whose hot parts rise faster. Lift of gas that is hotter than the air. Default in classic: 0.2, from 0 to 1. */
+  thermal_buoyancy: number;
+  /** A taller, quicker flame. Speed at which lift and the resistance of the air, which this model leaves out otherwise, balance. [m/s] Default in classic: 2.5, from 0.5 to 3. */
+  terminal_speed: number;
+  /** A lazier flame. Weight added to every particle, as if gravity counted a second time. [m/s²] Default in classic: 0, from 0 to 20. */
+  extra_weight: number;
+  /** A flame that rises faster and flickers more. Acceleration of gravity, as buoyancy feels it; 0 is a fire in free fall. [m/s²] Default 9.81, from 0 to 20. */
+  gravity: number;
+  /** A fire that rises a little more slowly. Temperature of the air around the fire. [K] Default 293, from 250 to 350. */
+  ambient_temperature: number;
+  /** Classic: a fire that rises a little faster; combustion: a smaller one, for there is more to heat. Density of the air around the fire. [kg/m³] Default 1.2, from 0.5 to 2. */
+  ambient_density: number;
+  /** Larger sparks. Size of an ember. [m] Default in combustion: 0.004, from 0.001 to 0.02. */
+  ember_size: number;
+  /** Sparks that all fly far. Shortest life of an ember. [s] Default in combustion: 0.5, from 0.1 to 5. */
+  ember_life_min: number;
+  /** Sparks of which some fly far. Longest life of an ember; one below the shortest life counts as that. [s] Default in combustion: 2, from 0.1 to 5. */
+  ember_life_max: number;
+  /** Smoke that reaches higher. Time in which smoke, soot that has cooled, thins out to about a third. [s] Default in combustion: 1.5, from 0.1 to 10. */
+  smoke_life: number;
+  /** More room beside the fire, seen from farther away. Width of the simulated domain. In the combustion model what leaves on one side comes back in on the other. [m] Default 1.2, from 0.1 to 6. */
+  domain_width: number;
+  /** More room above the fire, seen from farther away. Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
+  domain_height: number;
+  /** Open sides, walls, or sides that lead into each other. What happens at the left and the right edge: particles leave, are held back, or come back in on the other side. The floor holds them back, unless the edges are open; the top is always open. Default in classic: "open". */
+  walls: "open" | "solid" | "periodic";
+  /** A fire that fades at the top and the bottom of the picture. How much of the height, at either end, turns gas into fresh air again. 0 closes the domain upon itself; then no wind blows and no gas is lifted, since nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
+  seam: number;
+  /** Another course of the same fire. Start of the random generator: the same seed gives the same fire. Default 1. */
+  seed: number;
+  /** The same fire, computed less exactly and at less cost. Length of one step; it is divided further where stability asks for it. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
+  time_step: number;
+  /** A finer fire that takes more work. Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
+  max_particles: number;
+  /** A smoother, wider fire that takes more work. Smoothing length h: particles feel each other up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
+  smoothing_radius: number;
+  /** A smoother fire that takes more work. Smoothing length h in spacings of the particles: they feel each other up to twice this distance. Default in combustion: 1.5, from 1.3 to 2. */
+  smoothing_ratio: number;
+  /** A wider, coarser fire. Mass of one particle, for each metre of depth. [kg/m] Default in classic: 0.00025, from 0.0001 to 0.002. */
+  particle_mass: number;
+  /** A narrower fire. Density at which the gas has no pressure. [kg/m³] Default in classic: 1, from 0.5 to 2. */
+  rest_density: number;
+  /** A wider fire. Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound: how hard compressed gas pushes apart. [m²/s²] Default in classic: 0.6, from 0.05 to 6. */
+  gas_constant: number;
+  /** A more even fire that takes more work. Speed of sound in the simulated gas, far below the real one: more of it keeps the density more even and makes the steps shorter. It grows by itself for fires above 220 kW/m. [m/s] Default in combustion: 6, from 4 to 15. */
+  stiffness: number;
+  /** A calmer flame. Dynamic viscosity: how strongly neighbours share their motion. [Pa·s] Default in classic: 0.005, from 0 to 0.1. */
+  viscosity: number;
+  /** A calmer, smoother flame. Viscosity divided by density: how fast neighbours share their motion. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
+  kinematic_viscosity: number;
+  /** A calmer flame with fewer small curls. Viscosity between particles that approach each other and no others: it damps the noise of the particles. Default in combustion: 0.1, from 0.02 to 0.5. */
+  artificial_viscosity: number;
+  /** A softer flame without small curls. How strongly eddies that are too small to be resolved mix motion, heat and gases: Smagorinsky's constant. Default in combustion: 0.2, from 0 to 0.4. */
+  eddy_viscosity: number;
+  /** A softer, blurred flame. How fast heat, fuel, oxygen and soot spread by themselves, without any flow. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
+  diffusion: number;
+  /** A wider, fuller flame. How far hot gas takes more room: 1 is the ideal gas, 0 the paper's equation of state, in which only density makes pressure. Default in combustion: 0.5, from 0 to 1. */
+  gas_expansion: number;
+  /** A picture without gaps and clots. How strongly particles are moved from where they cluster to where they are sparse, so that they stay evenly spread. Default in combustion: 1, from 0.2 to 1. */
+  shifting: number;
+  /** Room for faster particles, which only a wild fire needs. Highest speed of a particle: a safety net, not a law. [m/s] Default in classic: 4, from 4 to 8. */
+  speed_limit: number;
+  /** The paper's fire, as its equation 1 stands: the kernel with the factor of three dimensions. Default in classic: false. */
+  printed_kernel: boolean;
+  /** The paper's fire, as its equation 3 stands: half the pressure force, not divided by the particle's own density. Default in classic: false. */
+  printed_pressure: boolean;
+  /** The paper's fire, as its equation 4 stands: viscosity by the kernel's own Laplacian, which changes sign. Default in classic: false. */
+  printed_viscosity: boolean;
+  /** The paper's fire, as its equations 5 and 7 stand: densities of force divided by the mass instead of the density, and no lift by temperature. Default in classic: false. */
+  printed_divisor: boolean;
+  /** The paper's fire, as its equation 6 stands: forward Euler, the position moves with the old velocity. Default in classic: false. */
+  printed_euler: boolean;
 }
 
 /** The value of every parameter, as the element's properties name it. */
 export interface HearthProperties {
-  /** Which equations move the particles. Classic: the paper's, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
+  /** Another kind of fire. Classic: the paper's equations, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
   model: "classic" | "combustion";
-  /** Width of the simulated domain; the source stands in it where its place says. In the combustion model what leaves on one side comes back in on the other. [m] Default 1.2, from 0.1 to 6. */
-  domainWidth: number;
-  /** Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
-  domainHeight: number;
-  /** What happens at the left and the right edge: particles leave, are held back, or come back in on the other side. The floor holds them back, unless the edges are open; the top is always open. Default in classic: "open". */
-  walls: "open" | "solid" | "periodic";
-  /** Acceleration of gravity, as buoyancy feels it. [m/s²] Default 9.81, from 0 to 20. */
-  gravity: number;
-  /** Temperature of the air around the fire. [K] Default 293, from 250 to 350. */
-  ambientTemperature: number;
-  /** Density of the air around the fire. [kg/m³] Default 1.2, from 0.5 to 2. */
-  ambientDensity: number;
-  /** How much of the height, at the top and at the bottom, gas becomes fresh air again. 0 closes the domain upon itself; then no wind blows, and nothing is lifted: nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
-  seam: number;
-  /** Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided; more of them are finer, and slower. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
-  maxParticles: number;
-  /** Smoothing length h: particles feel each other up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
-  smoothingRadius: number;
-  /** Smoothing length h in spacings of the particles: they feel each other up to twice this distance. More of it is smoother, and slower. Default in combustion: 1.5, from 1.3 to 2. */
-  smoothingRatio: number;
-  /** Mass of one particle, for each metre of depth. [kg/m] Default in classic: 0.00025, from 0.0001 to 0.002. */
-  particleMass: number;
-  /** Density at which the gas has no pressure. [kg/m³] Default in classic: 1, from 0.5 to 2. */
-  restDensity: number;
-  /** Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound: how hard compressed gas pushes apart. More of it widens the fire. [m²/s²] Default in classic: 0.6, from 0.05 to 6. */
-  gasConstant: number;
-  /** Speed of sound in the simulated gas, far below the real one: how hard compressed gas pushes apart. More of it keeps the density more even and makes the steps shorter. It grows by itself for fires above 220 kW/m. [m/s] Default in combustion: 6, from 4 to 15. */
-  stiffness: number;
-  /** Dynamic viscosity: how strongly neighbours share their motion. [Pa·s] Default in classic: 0.005, from 0 to 0.1. */
-  viscosity: number;
-  /** Viscosity divided by density: how fast neighbours share their motion. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
-  kinematicViscosity: number;
-  /** Viscosity between particles that approach each other and none else: it damps the noise of the particles. Default in combustion: 0.1, from 0.02 to 0.5. */
-  artificialViscosity: number;
-  /** How strongly whirls that are too small to be resolved mix motion, heat and gases: Smagorinsky's constant. Default in combustion: 0.2, from 0 to 0.4. */
-  eddyViscosity: number;
-  /** How fast heat, fuel, oxygen and soot spread by themselves, without any flow. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
-  diffusion: number;
-  /** How far hot gas takes more room: 1 is the ideal gas, 0 the paper's equation of state, in which only density makes pressure. Default in combustion: 0.5, from 0 to 1. */
-  gasExpansion: number;
-  /** How strongly particles are moved from where they crowd to where they are sparse, so that they stay evenly spread. Default in combustion: 1, from 0.2 to 1. */
-  shifting: number;
-  /** Classic: lift β of gas that is thinner than the air; more of it narrows the fire. Combustion: lift of gas that is hotter than the air; 1 is nature's. Default in combustion: 1, from 0 to 2. Default in classic: 0.12, from 0 to 1. */
-  buoyancy: number;
-  /** Lift of gas that is hotter than the air. Default in classic: 0.2, from 0 to 1. */
-  thermalBuoyancy: number;
-  /** Weight added to every particle, as if gravity counted a second time. [m/s²] Default in classic: 0, from 0 to 20. */
-  extraWeight: number;
-  /** Speed at which lift and the resistance of the air, which this model leaves out otherwise, balance. [m/s] Default in classic: 2.5, from 0.5 to 3. */
-  terminalSpeed: number;
-  /** A net, not a law: no particle moves faster. [m/s] Default in classic: 4, from 4 to 8. */
-  speedLimit: number;
-  /** Speed of the fresh air from left to right; below 0 it blows from right to left. [m/s] Default in combustion: 0, from -3 to 3. */
-  wind: number;
-  /** Strength of a random field of drifting whirls that stirs the gas and compresses it nowhere. [m/s²] Default 0, from 0 to 10. */
-  turbulence: number;
-  /** Size of the whirls that turbulence stirs. [m] Default 0.15, from 0.03 to 0.6. */
-  turbulenceScale: number;
-  /** How strongly small whirls are kept spinning that would be smeared out otherwise. Default in combustion: 0, from 0 to 1. */
-  vorticityConfinement: number;
-  /** Particles born each second, as long as the source has room and the number of particles allows it. [1/s] Default in classic: 1500, from 50 to 100000. */
-  emissionRate: number;
-  /** Shortest life of a particle. [s] Default in classic: 0.3, from 0.1 to 3. */
-  lifetimeMin: number;
-  /** Longest life of a particle. A life below the shortest one counts as the shortest. [s] Default in classic: 1.2, from 0.1 to 3. */
-  lifetimeMax: number;
-  /** How much shorter particles live that are born towards the rim of the source, within the shortest and the longest life: it gives the fire its tip. Default in classic: 0.8, from 0 to 1. */
-  taper: number;
-  /** Power of the burner: the heat of the fuel that it feeds, for each metre of depth, on top of what its gas carries by being hot; 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
+  /** A taller, brighter flame. Power of the burner: the heat of the fuel that it feeds, for each metre of depth, on top of what its gas carries by being hot; 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
   fuelPower: number;
-  /** Upward speed of what leaves the source: of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
-  emissionSpeed: number;
-  /** Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
-  emissionSpread: number;
-  /** How unevenly the source burns: Perlin noise in place and time. Default in combustion: 0.2, from 0 to 1. Default in classic: 0.5, from 0 to 1. */
-  emissionNoise: number;
-  /** Width of the source; combustion: of the burner, which is at least four particles wide. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
+  /** A denser, brighter flame. Particles born each second, as long as the source has room and the number of particles allows it. [1/s] Default in classic: 1500, from 50 to 100000. */
+  emissionRate: number;
+  /** A wider fire. Width of the source; combustion: of the burner, which is at least four particles wide. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
   sourceWidth: number;
-  /** Moves the fire to the right, below 0 to the left: place of the middle of the source, all of which stays inside the domain. [m] Default 0, from -3 to 3. */
-  sourceX: number;
-  /** Height of the source above the floor; combustion: of the burner, which stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
-  sourceHeight: number;
-  /** Temperature of a particle at birth. [K] Default in classic: 1900, from 1000 to 2500. */
-  maximumTemperature: number;
-  /** How fast a particle cools towards the air. [K/s] Default in classic: 900, from 0 to 5000. */
-  coolingRate: number;
-  /** Temperature of the gas in the burner, which is always hot enough to burn. [K] Default in combustion: 700, from 500 to 1200. */
-  sourceTemperature: number;
-  /** Oxygen that the fuel brings along: with 0 it burns only where it meets the air, hottest at the rim of the flame; 1 is as much as the air has. Default in combustion: 0.5, from 0 to 1. */
-  sourceOxygen: number;
-  /** Temperature above which fuel burns where there is oxygen. [K] Default in combustion: 450, from 400 to 900. */
-  ignitionTemperature: number;
-  /** How much hotter gas becomes where fuel and air burn up without a remainder. [K] Default in combustion: 1500, from 600 to 2500. */
-  flameRise: number;
-  /** Parts of air that one part of fuel needs to burn. Default in combustion: 1.5, from 0.5 to 6. */
-  airDemand: number;
-  /** Time in which hot fuel with enough oxygen burns down to about a third. [s] Default in combustion: 0.08, from 0.02 to 0.5. */
-  burnTime: number;
-  /** How fast gas and embers of 1500 K cool by what they radiate; that grows with the fourth power of the temperature. [K/s] Default in combustion: 500, from 0 to 2000. */
-  radiativeCooling: number;
-  /** Time in which hot soot, which makes a flame glow, burns away to about a third. [s] Default in combustion: 0.25, from 0.05 to 2. */
-  sootLife: number;
-  /** Time in which smoke, soot that has cooled, thins out to about a third. [s] Default in combustion: 1.5, from 0.1 to 10. */
-  smokeLife: number;
-  /** Embers thrown each second: sparks that the flow carries off. [1/s] Default in combustion: 40, from 0 to 1000. */
-  emberRate: number;
-  /** Shortest life of an ember. [s] Default in combustion: 0.5, from 0.1 to 5. */
-  emberLifeMin: number;
-  /** Longest life of an ember. A life below the shortest one counts as the shortest. [s] Default in combustion: 2, from 0.1 to 5. */
-  emberLifeMax: number;
-  /** Size of an ember. [m] Default in combustion: 0.004, from 0.001 to 0.02. */
-  emberSize: number;
-  /** Seconds of fire for each second of the clock: below 1 is slow motion. Default 1, from 0.1 to 2. */
-  timeScale: number;
-  /** Length of one step; it is divided further where stability asks for it. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
-  timeStep: number;
-  /** Start of the random generator: the same seed gives the same fire. Default 1. */
-  seed: number;
-  /** Equation 1 as printed: the kernel with the factor of three dimensions. Default in classic: false. */
-  printedKernel: boolean;
-  /** Equation 3 as printed: half the pressure force, not divided by the particle's own density. Default in classic: false. */
-  printedPressure: boolean;
-  /** Equation 4 as printed: viscosity by the kernel's own Laplacian, which changes sign. Default in classic: false. */
-  printedViscosity: boolean;
-  /** Equations 5 and 7 as printed: densities of force divided by the mass instead of the density, and no lift by temperature. Default in classic: false. */
-  printedDivisor: boolean;
-  /** Equation 6 as printed: forward Euler, the position moves with the old velocity. Default in classic: false. */
-  printedEuler: boolean;
-  /** What is shown: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model fuel is what is left of a particle's life, and soot what makes smoke of it. Default "fire". */
-  displayMode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
-  /** What is drawn: fire and smoke, the fire alone, or the smoke alone. Default "both". */
-  layers: "both" | "fire" | "smoke";
-  /** Size at which a particle is drawn. [m] Default in classic: 0.04, from 0.01 to 0.1. */
-  particleSize: number;
-  /** Brightness, in steps that each double it. [EV] Default 0, from -4 to 4. */
-  exposure: number;
-  /** How much of a black body's enormous range of brightness is kept. Default 0.35, from 0.15 to 1. */
-  luminanceExponent: number;
-  /** How strongly smoke hides what is behind it. Default 0.3, from 0 to 2. */
-  smokeOpacity: number;
-  /** Glow around bright places. Default 0.15, from 0 to 0.6. */
-  bloom: number;
-  /** Fine structure that rises with the flow. Default 1, from 0 to 2. */
-  detail: number;
-  /** Colours of the fire: those of glowing soot, of gas, of copper or lithium salts, of a ghost, or from a cool colour to a hot one. Default "blackbody". */
+  /** A taller flame. Longest life of a particle; one below the shortest life counts as that. [s] Default in classic: 1.2, from 0.1 to 3. */
+  lifetimeMax: number;
+  /** A livelier, wilder flame. Acceleration by a random field of drifting eddies, which stirs the gas and compresses it nowhere. [m/s²] Default 0, from 0 to 10. */
+  turbulence: number;
+  /** A flame that leans to the right, or below 0 to the left. Speed of the fresh air from left to right. [m/s] Default in combustion: 0, from -3 to 3. */
+  wind: number;
+  /** Other colours of the fire: those of glowing soot, of gas, of copper or lithium salts, of a ghost, or your own from a cool colour to a hot one. Default "blackbody". */
   palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
+  /** A brighter picture. Exposure in steps that each double the light. [EV] Default 0, from -4 to 4. */
+  exposure: number;
+  /** A wider shine around bright places. Share of the light that a lens would spread. Default 0.15, from 0 to 0.6. */
+  bloom: number;
+  /** Thicker smoke. How strongly smoke hides what is behind it. Default 0.3, from 0 to 2. */
+  smokeOpacity: number;
+  /** More sparks. Embers thrown each second, which the flow carries off. [1/s] Default in combustion: 40, from 0 to 1000. */
+  emberRate: number;
+  /** A wall behind the fire, or none. What the fire burns in front of, in place of the background: the fire lights it. Default "none". */
+  backdrop: "none" | "bricks";
+  /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
+  timeScale: number;
+  /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model fuel is what is left of a particle's life, and soot what makes smoke of it. Default "fire". */
+  displayMode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
+  /** A fire farther to the right, or below 0 to the left. Place of the middle of the source, all of which stays inside the domain. [m] Default 0, from -3 to 3. */
+  sourceX: number;
+  /** A flame that starts higher above the floor. Height of the source; combustion: of the burner, which stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
+  sourceHeight: number;
+  /** A flame that shoots up from its source. Upward speed of what leaves the source: of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  emissionSpeed: number;
+  /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
+  emissionSpread: number;
+  /** An uneven flame that flares up here and there. How unevenly the source burns: Perlin noise in place and time. Default in combustion: 0.2, from 0 to 1. Default in classic: 0.5, from 0 to 1. */
+  emissionNoise: number;
+  /** A flame that ends in a point. How much shorter the lives of particles from the rim of the source are, within the shortest and the longest life. Default in classic: 0.8, from 0 to 1. */
+  taper: number;
+  /** A fuller flame, up to its top. Shortest life of a particle. [s] Default in classic: 0.3, from 0.1 to 3. */
+  lifetimeMin: number;
+  /** A whiter flame. Temperature of a particle at birth. [K] Default in classic: 1900, from 1000 to 2500. */
+  maximumTemperature: number;
+  /** A shorter flame with a redder top. How fast a particle cools towards the air. [K/s] Default in classic: 900, from 0 to 5000. */
+  coolingRate: number;
+  /** A hotter, whiter flame. Rise of the temperature where fuel and air burn up without a remainder. [K] Default in combustion: 1500, from 600 to 2500. */
+  flameRise: number;
+  /** A slower fire, whose flame begins higher. Time in which hot fuel with enough oxygen burns down to about a third. [s] Default in combustion: 0.08, from 0.02 to 0.5. */
+  burnTime: number;
+  /** A taller flame: its fuel has to rise farther to find air. Parts of air that one part of fuel needs to burn. Default in combustion: 1.5, from 0.5 to 6. */
+  airDemand: number;
+  /** A longer glow above the flame. Time in which hot soot, which makes a flame glow, burns away to about a third. [s] Default in combustion: 0.25, from 0.05 to 2. */
+  sootLife: number;
+  /** A shorter flame that fades to red sooner. How fast gas and embers of 1500 K cool by what they radiate; that grows with the fourth power of the temperature. [K/s] Default in combustion: 500, from 0 to 2000. */
+  radiativeCooling: number;
+  /** A flame that burns evenly down to its root; with 0 it is brightest at its rim. Oxygen that the fuel brings along; 1 is as much as the air has. Default in combustion: 0.5, from 0 to 1. */
+  sourceOxygen: number;
+  /** A brighter root of the flame. Temperature of the gas in the burner, which is always hot enough to burn. [K] Default in combustion: 700, from 500 to 1200. */
+  sourceTemperature: number;
+  /** A flame that tears off and goes out more easily. Temperature above which fuel burns where there is oxygen. [K] Default in combustion: 450, from 400 to 900. */
+  ignitionTemperature: number;
+  /** Fire and smoke, the fire alone, or the smoke alone. What of them is drawn. Default "both". */
+  layers: "both" | "fire" | "smoke";
+  /** Finer tongues and wisps. Strength of the fine structure that the gas carries along. Default 1, from 0 to 2. */
+  detail: number;
+  /** More contrast between bright and dim parts of the fire. How much of a black body's enormous range of brightness is kept. Default 0.35, from 0.15 to 1. */
+  luminanceExponent: number;
+  /** Larger, softer particles. Size at which a particle is drawn. [m] Default in classic: 0.04, from 0.01 to 0.1. */
+  particleSize: number;
   /** Colour of the coolest fire, where the palette is the custom one; transparent is black. Default "#8a12ff". */
   coolColour: string;
   /** Colour of the hottest fire, where the palette is the custom one; transparent is black. Default "#38e8ff". */
   hotColour: string;
-  /** What the fire burns in front of, in place of the background: nothing, or a wall of bricks that it lights. Default "none". */
-  backdrop: "none" | "bricks";
-  /** How strongly hot gas makes the backdrop shimmer; a page cannot be made to. Default 0.3, from 0 to 1. */
-  heatHaze: number;
-  /** What stands behind the fire: `transparent` or a colour. Default "transparent". */
+  /** Colour behind the fire: `transparent`, so that the page shows through, or a colour. Default "transparent". */
   background: string;
+  /** A backdrop that shimmers behind the flame. How strongly hot gas bends the view of the backdrop; a page cannot be bent. Default 0.3, from 0 to 1. */
+  heatHaze: number;
+  /** Larger, slower swings of the flame. Size of the eddies that turbulence stirs. [m] Default 0.15, from 0.03 to 0.6. */
+  turbulenceScale: number;
+  /** More curls at the edges of the flame. How strongly small eddies are kept spinning that the computation would smear out. Default in combustion: 0, from 0 to 1. */
+  vorticityConfinement: number;
+  /** A flame that rises faster. Classic: lift β of gas that is thinner than the air; more of it narrows the fire. Combustion: lift of gas that is hotter than the air; 1 is nature's. Default in combustion: 1, from 0 to 2. Default in classic: 0.12, from 0 to 1. */
+  buoyancy: number;
+  /** A flame whose hot parts rise faster. Lift of gas that is hotter than the air. Default in classic: 0.2, from 0 to 1. */
+  thermalBuoyancy: number;
+  /** A taller, quicker flame. Speed at which lift and the resistance of the air, which this model leaves out otherwise, balance. [m/s] Default in classic: 2.5, from 0.5 to 3. */
+  terminalSpeed: number;
+  /** A lazier flame. Weight added to every particle, as if gravity counted a second time. [m/s²] Default in classic: 0, from 0 to 20. */
+  extraWeight: number;
+  /** A flame that rises faster and flickers more. Acceleration of gravity, as buoyancy feels it; 0 is a fire in free fall. [m/s²] Default 9.81, from 0 to 20. */
+  gravity: number;
+  /** A fire that rises a little more slowly. Temperature of the air around the fire. [K] Default 293, from 250 to 350. */
+  ambientTemperature: number;
+  /** Classic: a fire that rises a little faster; combustion: a smaller one, for there is more to heat. Density of the air around the fire. [kg/m³] Default 1.2, from 0.5 to 2. */
+  ambientDensity: number;
+  /** Larger sparks. Size of an ember. [m] Default in combustion: 0.004, from 0.001 to 0.02. */
+  emberSize: number;
+  /** Sparks that all fly far. Shortest life of an ember. [s] Default in combustion: 0.5, from 0.1 to 5. */
+  emberLifeMin: number;
+  /** Sparks of which some fly far. Longest life of an ember; one below the shortest life counts as that. [s] Default in combustion: 2, from 0.1 to 5. */
+  emberLifeMax: number;
+  /** Smoke that reaches higher. Time in which smoke, soot that has cooled, thins out to about a third. [s] Default in combustion: 1.5, from 0.1 to 10. */
+  smokeLife: number;
+  /** More room beside the fire, seen from farther away. Width of the simulated domain. In the combustion model what leaves on one side comes back in on the other. [m] Default 1.2, from 0.1 to 6. */
+  domainWidth: number;
+  /** More room above the fire, seen from farther away. Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
+  domainHeight: number;
+  /** Open sides, walls, or sides that lead into each other. What happens at the left and the right edge: particles leave, are held back, or come back in on the other side. The floor holds them back, unless the edges are open; the top is always open. Default in classic: "open". */
+  walls: "open" | "solid" | "periodic";
+  /** A fire that fades at the top and the bottom of the picture. How much of the height, at either end, turns gas into fresh air again. 0 closes the domain upon itself; then no wind blows and no gas is lifted, since nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
+  seam: number;
+  /** Another course of the same fire. Start of the random generator: the same seed gives the same fire. Default 1. */
+  seed: number;
+  /** The same fire, computed less exactly and at less cost. Length of one step; it is divided further where stability asks for it. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
+  timeStep: number;
+  /** A finer fire that takes more work. Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
+  maxParticles: number;
+  /** A smoother, wider fire that takes more work. Smoothing length h: particles feel each other up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
+  smoothingRadius: number;
+  /** A smoother fire that takes more work. Smoothing length h in spacings of the particles: they feel each other up to twice this distance. Default in combustion: 1.5, from 1.3 to 2. */
+  smoothingRatio: number;
+  /** A wider, coarser fire. Mass of one particle, for each metre of depth. [kg/m] Default in classic: 0.00025, from 0.0001 to 0.002. */
+  particleMass: number;
+  /** A narrower fire. Density at which the gas has no pressure. [kg/m³] Default in classic: 1, from 0.5 to 2. */
+  restDensity: number;
+  /** A wider fire. Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound: how hard compressed gas pushes apart. [m²/s²] Default in classic: 0.6, from 0.05 to 6. */
+  gasConstant: number;
+  /** A more even fire that takes more work. Speed of sound in the simulated gas, far below the real one: more of it keeps the density more even and makes the steps shorter. It grows by itself for fires above 220 kW/m. [m/s] Default in combustion: 6, from 4 to 15. */
+  stiffness: number;
+  /** A calmer flame. Dynamic viscosity: how strongly neighbours share their motion. [Pa·s] Default in classic: 0.005, from 0 to 0.1. */
+  viscosity: number;
+  /** A calmer, smoother flame. Viscosity divided by density: how fast neighbours share their motion. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
+  kinematicViscosity: number;
+  /** A calmer flame with fewer small curls. Viscosity between particles that approach each other and no others: it damps the noise of the particles. Default in combustion: 0.1, from 0.02 to 0.5. */
+  artificialViscosity: number;
+  /** A softer flame without small curls. How strongly eddies that are too small to be resolved mix motion, heat and gases: Smagorinsky's constant. Default in combustion: 0.2, from 0 to 0.4. */
+  eddyViscosity: number;
+  /** A softer, blurred flame. How fast heat, fuel, oxygen and soot spread by themselves, without any flow. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
+  diffusion: number;
+  /** A wider, fuller flame. How far hot gas takes more room: 1 is the ideal gas, 0 the paper's equation of state, in which only density makes pressure. Default in combustion: 0.5, from 0 to 1. */
+  gasExpansion: number;
+  /** A picture without gaps and clots. How strongly particles are moved from where they cluster to where they are sparse, so that they stay evenly spread. Default in combustion: 1, from 0.2 to 1. */
+  shifting: number;
+  /** Room for faster particles, which only a wild fire needs. Highest speed of a particle: a safety net, not a law. [m/s] Default in classic: 4, from 4 to 8. */
+  speedLimit: number;
+  /** The paper's fire, as its equation 1 stands: the kernel with the factor of three dimensions. Default in classic: false. */
+  printedKernel: boolean;
+  /** The paper's fire, as its equation 3 stands: half the pressure force, not divided by the particle's own density. Default in classic: false. */
+  printedPressure: boolean;
+  /** The paper's fire, as its equation 4 stands: viscosity by the kernel's own Laplacian, which changes sign. Default in classic: false. */
+  printedViscosity: boolean;
+  /** The paper's fire, as its equations 5 and 7 stand: densities of force divided by the mass instead of the density, and no lift by temperature. Default in classic: false. */
+  printedDivisor: boolean;
+  /** The paper's fire, as its equation 6 stands: forward Euler, the position moves with the old velocity. Default in classic: false. */
+  printedEuler: boolean;
 }
 
 /** Any id of a parameter. */

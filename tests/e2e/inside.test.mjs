@@ -146,7 +146,7 @@ describe('under hand and keys', () => {
     await wheel({ x: x + 200, y: y + 100 }, 60);
     await tab.until('the page has scrolled', () => window.scrollY === 60);
     // A panel that is at its upper end leaves the wheel to the page.
-    await panel.reveal('domain_width');
+    await panel.reveal('fuel_power');
     await wheel(over, -1000);
     await wheel(over, -60);
     await tab.until('the page is back', () => window.scrollY === 0);

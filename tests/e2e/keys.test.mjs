@@ -83,7 +83,7 @@ test('the question mark lists every key, and goes with it or with Escape', async
   ));
   for (const leave of ['?', 'Escape']) {
     await tab.key('?');
-    assert.deepEqual(await listed(), ['Space', 'R', 'H', 'F', 'S', 'Ctrl Z', 'Ctrl Shift Z', 'Ctrl Y', '?']);
+    assert.deepEqual(await listed(), ['Space', 'R', 'H', 'F', 'S', 'Ctrl Z', 'Ctrl Shift Z', 'Ctrl Y', 'Ctrl C', '/', '?']);
     await tab.key(leave);
     assert.deepEqual(await listed(), []);
   }

@@ -140,7 +140,7 @@ test('a lost context is told, and no longer once it is back', async () => {
     }),
   });
   // Above the rows: a line of words there moves what stands below it.
-  const rows = () => panel.part('group:World');
+  const rows = () => panel.part('group:Basics');
   const top = (await rows()).y;
   await tab.evaluate(() => {
     const own = document.querySelector('#panel canvas');

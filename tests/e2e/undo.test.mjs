@@ -55,7 +55,8 @@ const DEEDS = [
   ['another model', (panel) => panel.choose('model', 'combustion')],
   ['a slider of that model', (panel) => panel.dragSlider('fuel_power', 0.5, 0.8)],
   ['a scene', (panel) => panel.scene('seed')],
-  ['all defaults', (panel) => panel.press('reset-all')],
+  ['a slider of that scene', (panel) => panel.dragSlider('buoyancy', 0.3, 0.8)],
+  ['all defaults of that scene', (panel) => panel.press('reset-all')],
 ];
 
 describe('one step back and forth', () => {

@@ -35,6 +35,29 @@ const MOST_STEPS: f64 = 200_000.0;
 /// there is, and few enough for a test.
 pub const PARTICLES: (f64, f64) = (1000.0, 1500.0);
 
+/// The parameters that only say how the result is shown: a change of these changes no fire.
+const LOOK: [&str; 14] = [
+    "display_mode",
+    "layers",
+    "particle_size",
+    "exposure",
+    "luminance_exponent",
+    "smoke_opacity",
+    "bloom",
+    "detail",
+    "palette",
+    "cool_colour",
+    "hot_colour",
+    "backdrop",
+    "heat_haze",
+    "background",
+];
+
+/// Whether a parameter only says how a fire is shown or how fast it is played.
+pub fn is_shown_only(param: &Param) -> bool {
+    LOOK.contains(&param.id) || param.id == "time_scale"
+}
+
 /// The parameters of `model` that move particles and have a range, without those
 /// that only say how the result is shown or how fast it is played, and without
 /// the classic model's speed limit, whose own corner is the stricter the lower
@@ -44,7 +67,7 @@ pub fn swept(model: Model) -> impl Iterator<Item = &'static Param> {
         .iter()
         .filter(move |p| p.domain(model).is_some())
         .filter(|p| matches!(p.kind, Kind::Number(_) | Kind::Integer(_)))
-        .filter(|p| p.group != "Look" && !["time_scale", "speed_limit"].contains(&p.id))
+        .filter(|p| !is_shown_only(p) && p.id != "speed_limit")
 }
 
 /// One end of a parameter's range, with as many particles as a test can have.

@@ -4,6 +4,7 @@
 use hearth_core::params::{Input, Kind, Model, PARAMETERS, Param, Refusal};
 use hearth_core::{Parameters, Simulation};
 use hearth_tests::fires::{self, with};
+use hearth_tests::sweep::is_shown_only;
 
 /// Values of a parameter that are not its default.
 fn others(model: Model, param: &Param) -> Vec<Input<'static>> {
@@ -31,8 +32,7 @@ fn changes<Fire: PartialEq>(
     let changed = others(model, param)
         .into_iter()
         .any(|value| burnt(Some((param.id, value))) != plain);
-    let shown_only = param.group == "Look" || param.id == "time_scale";
-    (changed, !shown_only)
+    (changed, !is_shown_only(param))
 }
 
 fn used_by(model: Model) -> impl Iterator<Item = &'static Param> {

@@ -78,8 +78,8 @@ pub fn show(ui: &Ui, rect: Rect, id: Id, face: Face<'_>) -> Response {
         }
     }
     let ink = match (face.enabled, face.framed, response.hovered()) {
-        (false, ..) => theme::WEAK.gamma_multiply(0.5),
-        (true, false, false) => theme::WEAK,
+        (false, ..) => theme::weak().gamma_multiply(0.5),
+        (true, false, false) => theme::weak(),
         (true, false, true) => theme::ACCENT,
         (true, true, _) => theme::TEXT,
     };
@@ -110,7 +110,7 @@ pub fn unfolder(ui: &Ui, rect: Rect, id: Id, text: &str, open: bool) -> Response
     let ink = if response.hovered() {
         theme::ACCENT
     } else {
-        theme::WEAK
+        theme::weak()
     };
     // A text that is too long ends at the mark.
     let room = rect

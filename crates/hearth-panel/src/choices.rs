@@ -118,6 +118,7 @@ pub fn buttons(
 
 fn choose(panel: &mut Panel, param: &'static Param, name: &'static str) {
     if let Ok(now) = panel.fire.wish(param, Input::Text(name)) {
+        panel.chosen = Some(param.id);
         panel.ask_for(param, now);
     }
 }

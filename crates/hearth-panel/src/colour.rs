@@ -47,7 +47,7 @@ fn tick_transparent(
         Align2::RIGHT_CENTER,
         "transparent",
         theme::small(),
-        theme::WEAK,
+        theme::weak(),
     );
     let centre = pos2(text.left() - 16.0, room.center().y);
     let tick = Rect::from_center_size(centre, vec2(24.0, room.height()));
@@ -65,8 +65,7 @@ fn tick_transparent(
 fn swatch_button(panel: &mut Panel, ui: &Ui, param: &'static Param, rect: Rect, colour: Colour) {
     let response = ui
         .interact(rect, Id::unique(("swatch", param.id)), Sense::click())
-        .on_hover_cursor(CursorIcon::PointingHand)
-        .on_hover_text("Choose a colour");
+        .on_hover_cursor(CursorIcon::PointingHand);
     panel.place(ui, param.id, rect);
     if response.clicked() {
         let open = panel.colour.is_some_and(|open| open.id == param.id);
@@ -82,7 +81,7 @@ fn swatch_button(panel: &mut Panel, ui: &Ui, param: &'static Param, rect: Rect, 
     let line = if response.hovered() {
         theme::ACCENT
     } else {
-        theme::WEAK
+        theme::weak()
     };
     painter.rect_stroke(rect, 4.0, Stroke::new(1.0, line), StrokeKind::Inside);
 }
@@ -117,7 +116,7 @@ fn sliders(panel: &mut Panel, ui: &mut Ui, param: &'static Param, colour: Colour
         Align2::LEFT_CENTER,
         "Hexadecimal",
         theme::small(),
-        theme::WEAK,
+        theme::weak(),
     );
     let names = ["Hue", "Saturation", "Brightness", "Opacity"];
     let mut parts = [hsva.h, hsva.s, hsva.v, hsva.a];
@@ -129,13 +128,14 @@ fn sliders(panel: &mut Panel, ui: &mut Ui, param: &'static Param, colour: Colour
             Align2::LEFT_CENTER,
             name,
             theme::small(),
-            theme::WEAK,
+            theme::weak(),
         );
         rect.min.x += 80.0;
         let along = |fraction: f32| rail_colour(hsva, at, fraction);
         let rail = Rail {
             fraction: parts[at],
             mark: None,
+            dear: None,
             colours: Some(&along),
         };
         let id = Id::unique(("colour", param.id, at));

@@ -8,7 +8,7 @@ use crate::format::{fraction, step, value_at, value_text};
 use crate::icons::Icon;
 use crate::panel::{Panel, strip};
 use crate::slider::{self, Moved, Rail};
-use crate::{field, row, theme};
+use crate::{cost, field, row, theme};
 
 /// A number: its value can be typed, its slider dragged.
 pub fn number(panel: &mut Panel, ui: &mut Ui, param: &'static Param, scale: Scale, whole: bool) {
@@ -16,6 +16,7 @@ pub fn number(panel: &mut Panel, ui: &mut Ui, param: &'static Param, scale: Scal
     let value = param.get(&panel.fire.parameters);
     let room = row::line(panel, ui, param, panel.measures.line);
     field::show(panel, ui, param, room, &value_text(&value));
+    let turned = field::turned(panel, ui, param);
 
     let rect = strip(ui, panel.measures.rail);
     let x = value.as_number().unwrap_or(range.0);
@@ -24,11 +25,18 @@ pub fn number(panel: &mut Panel, ui: &mut Ui, param: &'static Param, scale: Scal
     let rail = Rail {
         fraction: fraction(x, range, scale) as f32,
         mark: mark.map(|x| fraction(x, range, scale) as f32),
+        dear: cost::dear_from(param)
+            .filter(|from| *from < range.1)
+            .map(|from| fraction(from, range, scale) as f32),
         colours: None,
     };
     let id = Id::unique(("slider", param.id));
     let (_, moved) = slider::show(ui, rect, id, &rail, panel.finger, &mut panel.gesture);
     panel.place(ui, param.id, rect);
+    if let Some(words) = cost::note(&panel.fire, param, x) {
+        row::paragraph(ui, &words, theme::weak());
+    }
+    let moved = moved.or(turned.map(Moved::Steps));
     let wish = match moved {
         Some(Moved::To(at)) => value_at(f64::from(at), range, scale, whole),
         Some(Moved::Steps(steps)) => stepped(x, f64::from(steps), range, scale, whole),
@@ -146,7 +154,7 @@ pub fn tick(ui: &Ui, hit: Rect, id: Id, on: bool) -> bool {
         let stroke = Stroke::new(2.2, theme::GROUND);
         painter.line(vec![at(0.22, 0.52), at(0.42, 0.72), at(0.78, 0.3)], stroke);
     } else {
-        let stroke = Stroke::new(1.0, theme::WEAK);
+        let stroke = Stroke::new(1.0, theme::weak());
         painter.rect_stroke(rect, 4.0, stroke, StrokeKind::Inside);
     }
     response.clicked()

@@ -6,6 +6,8 @@
 pub struct Desk {
     /// The scene that the fire started from, in words; empty where nobody knows.
     pub scene: String,
+    /// What that scene is called, changed or not.
+    pub preset: String,
     /// Whether there is a step to undo.
     pub undo: bool,
     /// Whether there is a step to do again.

@@ -2,15 +2,20 @@
 //!
 //! Enter takes what was typed, Escape leaves it, and so does a click elsewhere
 //! take it. What the validator refuses is said in a red line under the field;
-//! nothing is ever pulled into the range in silence.
+//! nothing is ever pulled into the range in silence. A wheel over the value turns it.
 
 use egui::text::{CCursor, CCursorRange};
-use egui::{Align2, CursorIcon, Id, Key, Rect, Sense, TextEdit, Ui, UiBuilder, pos2};
+use egui::{
+    Align2, CursorIcon, Event, Id, Key, MouseWheelUnit, Rect, Sense, TextEdit, Ui, UiBuilder, pos2,
+};
 use hearth_core::params::{Input, Kind, Param};
 
 use crate::format::typed_text;
 use crate::panel::Panel;
 use crate::{row, theme};
+
+/// How far most wheels scroll with one notch [points]: one step.
+const NOTCH: f32 = 50.0;
 
 /// A value that is being typed.
 #[derive(Clone, Debug)]
@@ -37,10 +42,22 @@ pub fn show(panel: &mut Panel, ui: &mut Ui, param: &'static Param, room: Rect, s
         .interact(hit, Id::unique(("value", param.id)), Sense::click())
         .on_hover_cursor(CursorIcon::Text);
     if response.hovered() {
+        // What comes under a resting pointer because the panel scrolls is not meant.
+        if ui.input(|input| {
+            input
+                .events
+                .iter()
+                .any(|one| matches!(one, Event::PointerMoved(_)))
+        }) {
+            panel.turning = Some(param.id);
+        }
         let y = place.bottom();
         ui.painter().hline(place.x_range(), y, (1.0, theme::ACCENT));
     }
     panel.place(ui, format!("value:{}", param.id), hit);
+    if !response.contains_pointer() && panel.turning == Some(param.id) {
+        panel.turning = None;
+    }
     if response.clicked() {
         let text = param.get(&panel.fire.parameters).to_string();
         panel.typing = Some(Typing {
@@ -50,6 +67,33 @@ pub fn show(panel: &mut Panel, ui: &mut Ui, param: &'static Param, room: Rect, s
             fresh: true,
         });
     }
+}
+
+/// By how many steps the wheel turns the value that is pointed at.
+pub fn turned(panel: &mut Panel, ui: &Ui, param: &'static Param) -> Option<f32> {
+    if panel.turning != Some(param.id) {
+        return None;
+    }
+    let turned: f32 = ui.input_mut(|input| {
+        input.smooth_scroll_delta.y = 0.0;
+        let turns = input.events.iter().map(|event| match event {
+            Event::MouseWheel {
+                unit,
+                delta,
+                modifiers,
+                ..
+            } if !modifiers.command => match unit {
+                MouseWheelUnit::Point => delta.y / NOTCH,
+                MouseWheelUnit::Line | MouseWheelUnit::Page => delta.y,
+            },
+            _ => 0.0,
+        });
+        turns.sum()
+    });
+    panel.turned += turned;
+    let steps = panel.turned.trunc();
+    panel.turned -= steps;
+    (steps != 0.0).then_some(steps)
 }
 
 fn edit(panel: &mut Panel, ui: &mut Ui, param: &'static Param, room: Rect) {

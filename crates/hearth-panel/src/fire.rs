@@ -9,6 +9,8 @@ use std::collections::{BTreeMap, VecDeque};
 
 use hearth_core::params::{Domain, Input, Model, PARAMETERS, Param, ParamError, Parameters, Value};
 
+use crate::memory::Memory;
+
 /// The id of the parameter that decides which others there are.
 pub const MODEL: &str = "model";
 
@@ -23,8 +25,12 @@ pub const HISTORY: usize = 120;
 pub enum Command {
     /// Set a parameter.
     Set(&'static str, Value),
-    /// Put these parameters back to their defaults.
-    Restore(Vec<&'static str>),
+    /// Put a parameter back to the scene's value.
+    Restore(&'static str),
+    /// Put all of them back, the model too.
+    RestoreAll,
+    /// Keep this for the next visit.
+    Remember(Memory),
     /// Show the scenes, or hide them.
     Scenes,
     /// Make so much work.
@@ -68,6 +74,8 @@ pub struct Stats {
     pub draw_ms: f64,
     /// Whether the machine is too slow for the fire's own speed.
     pub slowed: bool,
+    /// Seconds of fire for each second of the clock, as it lately was.
+    pub time_scale: f64,
     /// The quality that it has.
     pub quality: String,
     /// Why it has that quality.
@@ -93,6 +101,8 @@ impl Stats {
 pub struct Fire {
     /// Every value, checked.
     pub parameters: Parameters,
+    /// The values of the scene that it started from: these are its defaults.
+    pub scene: Parameters,
     /// Whether time stands still.
     pub paused: bool,
     /// The quality that it was asked to have.
@@ -109,9 +119,29 @@ pub struct Fire {
 }
 
 impl Fire {
-    /// The default of a parameter in the present model.
+    /// What a parameter has in the scene, in the present model.
     pub fn default_of(&self, param: &Param) -> Value {
-        self.domain_of(param).default
+        let model = self.parameters.model();
+        if self.scene.model() == model || param.id == MODEL {
+            return param.get(&self.scene);
+        }
+        let mut scene = self.scene.clone();
+        // A model's name is one of the model's names.
+        let _ = scene.set(MODEL, Input::Text(model.name()));
+        param.get(&scene)
+    }
+
+    /// The fire started from a scene of these values; what it does not name has the
+    /// default of the scene's model.
+    pub fn start_from<'a>(&mut self, values: impl IntoIterator<Item = (&'a str, Input<'a>)>) {
+        let mut scene = Parameters::default();
+        let (model, others): (Vec<_>, Vec<_>) =
+            values.into_iter().partition(|(id, _)| *id == MODEL);
+        for (id, input) in model.into_iter().chain(others) {
+            // A value that the table refuses cannot come from this version of the fire.
+            let _ = scene.set(id, input);
+        }
+        self.scene = scene;
     }
 
     /// The range of a parameter in the present model.
@@ -186,11 +216,14 @@ impl Fire {
         self.stats = stats;
     }
 
-    /// Whether any value of the model is not its default.
+    /// Whether any value of the model is not the scene's.
     pub fn is_changed(&self) -> bool {
-        self.parameters
-            .changed()
-            .any(|(param, _)| param.id != MODEL)
+        self.used().any(|param| self.differs(param))
+    }
+
+    /// Whether the value of a parameter is not the scene's.
+    pub fn differs(&self, param: &Param) -> bool {
+        param.get(&self.parameters) != self.default_of(param)
     }
 }
 
@@ -201,6 +234,7 @@ mod tests {
     fn classic() -> Fire {
         Fire {
             parameters: Parameters::new(Model::Classic),
+            scene: Parameters::new(Model::Classic),
             ..Fire::default()
         }
     }
@@ -216,6 +250,26 @@ mod tests {
         assert_eq!(fire.parameters.wind, 2.0);
         assert!(fire.used().all(|param| param.id != "viscosity"));
         assert!(fire.is_changed());
+    }
+
+    #[test]
+    fn the_scene_says_what_is_changed() {
+        let mut fire = Fire::default();
+        let campfire = [
+            ("fuel_power", Input::Number(90.0)),
+            ("exposure", Input::Number(0.5)),
+        ];
+        fire.start_from(campfire);
+        assert!(fire.is_changed());
+        for (id, input) in campfire {
+            fire.learn(id, input);
+        }
+        assert!(!fire.is_changed());
+        // What both models share is the scene's in both, the rest is the table's.
+        fire.learn(MODEL, Input::Text("classic"));
+        let default = |id: &str| Param::find(id).map(|param| fire.default_of(param));
+        assert_eq!(default("exposure"), Some(Value::Number(0.5)));
+        assert_eq!(default("source_width"), Some(Value::Number(0.36)));
     }
 
     #[test]

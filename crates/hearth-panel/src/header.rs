@@ -1,69 +1,81 @@
-//! The header: how the fire does, play and pause, model, scenes, search.
+//! The header: how the fire does, the tools, scenes, model, search.
 
-use egui::{Align2, Color32, CursorIcon, Id, Rect, Sense, TextEdit, Ui, UiBuilder, pos2, vec2};
+use egui::{Align2, Id, Key, Rect, TextEdit, Ui, UiBuilder, pos2, vec2};
 use hearth_core::params::{Kind, Param};
 
 use crate::button::{self, Face};
 use crate::fire::{Command, MODEL, QUALITIES};
-use crate::format::{count_text, significant};
-use crate::history;
-use crate::icons::{self, Icon};
-use crate::panel::{Panel, strip};
-use crate::{choices, row, theme, tools};
+use crate::icons::Icon;
+use crate::panel::{Panel, QUALITY, in_sight, strip};
+use crate::tools::{self, Tool};
+use crate::{choices, row, telemetry, theme};
 
 /// Width of the words before the models and the scenes.
 pub const LABEL: f32 = 56.0;
 
-/// The part that never scrolls: one line where there is little height.
+/// Width of the button that resets all.
+const RESET: f32 = 100.0;
+
+/// The part that never scrolls: one line where there is little height, or where only
+/// some parameters are shown.
 pub fn fixed(panel: &mut Panel, ui: &mut Ui, low: bool) {
-    if low {
+    let gap = 6.0;
+    if panel.only.is_some() {
         let line = strip(ui, panel.measures.control);
-        let width = 3.0 * panel.measures.control + 12.0;
-        let buttons = Rect::from_min_max(pos2(line.right() - width, line.top()), line.max);
-        brief(panel, ui, line.with_max_x(buttons.left()));
-        transport(panel, ui, buttons, true);
+        let (tools, reset) = line.split_left_right_at_x(line.right() - RESET);
+        let tools = tools.with_max_x(tools.right() - gap);
+        tools::line(
+            panel,
+            ui,
+            tools,
+            &[Tool::Pause, Tool::Restart, Tool::Undo, Tool::Redo],
+        );
+        reset_all(panel, ui, reset);
+    } else if low {
+        let line = strip(ui, panel.measures.control);
+        let side = panel.measures.control;
+        let at = |x: f32| Rect::from_min_size(pos2(x, line.top()), vec2(side, side));
+        tools::line(panel, ui, at(line.left()), &[Tool::Pause]);
+        let right = line.right() - 2.0 * side - gap;
+        let scene = Rect::from_x_y_ranges(line.left() + side + gap..=right - gap, line.y_range());
+        scene_button(panel, ui, scene);
+        tools::line(panel, ui, at(right), &[Tool::Undo]);
+        tools::line(panel, ui, at(line.right() - side), &[Tool::More]);
     } else {
-        numbers(panel, ui);
-        ui.add_space(4.0);
-        if panel.unfolded {
-            times_of_all(panel, ui);
-        }
-        let plot = strip(ui, 34.0);
-        history::show(ui, plot, &panel.fire.history);
-        ui.add_space(8.0);
-        let buttons = strip(ui, panel.measures.control);
-        transport(panel, ui, buttons, false);
-        ui.add_space(6.0);
+        telemetry::show(panel, ui);
+        ui.add_space(gap);
         tools::show(panel, ui, false);
-        ui.add_space(8.0);
-        movable_rows(panel, ui, false);
+        ui.add_space(gap);
+        scenes(panel, ui);
+        ui.add_space(gap);
+        model(panel, ui, false);
+        ui.add_space(gap);
+        search(panel, ui);
     }
     if let Some(notice) = panel.fire.notice.clone() {
-        ui.add_space(6.0);
+        ui.add_space(gap);
         row::paragraph(ui, &notice, theme::ERROR);
     }
 }
 
-/// The part that scrolls with the rows where there is little height.
+/// What there is besides where there is little height: it is unfolded, and scrolls with
+/// the rows.
 pub fn movable(panel: &mut Panel, ui: &mut Ui) {
-    ui.add_space(4.0);
-    tools::show(panel, ui, true);
-    ui.add_space(8.0);
-    movable_rows(panel, ui, true);
-    ui.add_space(6.0);
-    let plot = strip(ui, 30.0);
-    history::show(ui, plot, &panel.fire.history);
-    times_of_all(panel, ui);
-}
-
-fn movable_rows(panel: &mut Panel, ui: &mut Ui, scrolls: bool) {
-    model(panel, ui, scrolls);
-    ui.add_space(8.0);
-    scenes(panel, ui);
-    ui.add_space(8.0);
-    quality(panel, ui);
-    ui.add_space(8.0);
-    search(panel, ui);
+    if panel.only.is_some() {
+        return;
+    }
+    if panel.more {
+        ui.add_space(4.0);
+        tools::show(panel, ui, true);
+        ui.add_space(8.0);
+        model(panel, ui, true);
+        ui.add_space(8.0);
+        search(panel, ui);
+        ui.add_space(6.0);
+        telemetry::show(panel, ui);
+    } else {
+        tools::complaint(panel, ui);
+    }
 }
 
 /// The model, before all else: it decides which parameters there are.
@@ -83,141 +95,16 @@ fn model(panel: &mut Panel, ui: &mut Ui, scrolls: bool) {
     });
 }
 
-/// Frame rate in large figures, particles and milliseconds beside it.
-fn numbers(panel: &mut Panel, ui: &mut Ui) {
-    let rect = strip(ui, 36.0);
-    let name = "action:times";
-    let response = ui
-        .interact(rect, Id::unique(name), Sense::click())
-        .on_hover_cursor(CursorIcon::PointingHand)
-        .on_hover_text("What takes how long");
-    panel.place(ui, name, rect);
-    panel.unfolded ^= response.clicked();
-    let stats = &panel.fire.stats;
-    let painter = ui.painter();
-    let fps = painter.text(
-        rect.left_center(),
-        Align2::LEFT_CENTER,
-        format!("{:.0}", stats.fps),
-        theme::large(),
-        theme::ACCENT,
-    );
-    painter.text(
-        pos2(fps.right() + 6.0, fps.bottom() - 6.0),
-        Align2::LEFT_BOTTOM,
-        "FPS",
-        theme::small(),
-        theme::WEAK,
-    );
-    let ink = if response.hovered() {
-        theme::ACCENT
-    } else {
-        theme::WEAK
-    };
-    let chevron = pos2(fps.right() + 42.0, fps.bottom() - 14.0);
-    icons::chevron(painter, chevron, panel.unfolded, ink);
-    let right = |y: f32, text: String, ink| {
-        let at = pos2(rect.right(), y);
-        painter.text(at, Align2::RIGHT_CENTER, text, theme::small(), ink);
-    };
-    right(
-        rect.top() + 9.0,
-        format!("{} particles", count_text(stats.particles)),
-        theme::TEXT,
-    );
-    let (times, ink) = times(panel, false);
-    right(rect.top() + 27.0, times, ink);
-}
-
-/// The same in one short line.
-fn brief(panel: &Panel, ui: &Ui, line: Rect) {
-    let stats = &panel.fire.stats;
-    let painter = ui.painter();
-    let fps = painter.text(
-        line.left_center(),
-        Align2::LEFT_CENTER,
-        format!("{:.0}", stats.fps),
-        theme::large(),
-        theme::ACCENT,
-    );
-    let left = fps.right() + 5.0;
-    let unit = painter.text(
-        pos2(left, fps.bottom() - 6.0),
-        Align2::LEFT_BOTTOM,
-        "FPS",
-        theme::small(),
-        theme::WEAK,
-    );
-    let (times, ink) = times(panel, true);
-    let lines = [
-        (
-            format!("{} particles", count_text(stats.particles)),
-            theme::TEXT,
-        ),
-        (times, ink),
-    ];
-    let x = unit.right() + 14.0;
-    for ((text, ink), y) in lines.into_iter().zip([-8.0, 8.0]) {
-        let galley = painter.layout_no_wrap(text, theme::small(), ink);
-        // What does not fit would run under the buttons.
-        if x + galley.size().x <= line.right() {
-            let at = pos2(x, line.center().y + y - galley.size().y / 2.0);
-            painter.galley(at, galley, ink);
-        }
-    }
-}
-
-/// What a frame and a step cost, or that they cost too much.
-fn times(panel: &Panel, low: bool) -> (String, Color32) {
-    let stats = &panel.fire.stats;
-    if stats.slowed {
-        return ("slower than real time".to_owned(), theme::ERROR);
-    }
-    let ms = |x: f64| format!("{} ms", significant(x, 2));
-    let frame = format!("frame {}", ms(stats.frame_ms()));
-    if low {
-        (frame, theme::WEAK)
-    } else {
-        (format!("{frame} · step {}", ms(stats.step_ms)), theme::WEAK)
-    }
-}
-
-/// What each part of a frame takes, and why it is of this quality.
-fn times_of_all(panel: &Panel, ui: &mut Ui) {
-    let stats = &panel.fire.stats;
-    let of = |times: &[(String, f64)]| {
-        let each: Vec<String> = times
-            .iter()
-            .map(|(name, ms)| format!("{name} {ms:.1}"))
-            .collect();
-        each.join(" · ")
-    };
-    let passes = if stats.on_card {
-        "Picture, ms on the graphics card"
-    } else {
-        "Picture, ms to hand it over"
-    };
-    for (what, times) in [("Frame, ms", &stats.stages), (passes, &stats.passes)] {
-        if !times.is_empty() {
-            row::paragraph(ui, &format!("{what}: {}", of(times)), theme::WEAK);
-        }
-    }
-    if !stats.reason.is_empty() {
-        let words = format!("Quality {}: {}", stats.quality, stats.reason);
-        row::paragraph(ui, &words, theme::WEAK);
-    }
-    ui.add_space(4.0);
-}
-
-/// How much work the fire may make itself.
-fn quality(panel: &mut Panel, ui: &mut Ui) {
+/// How much work the fire may make itself: a row of the simplest controls.
+pub fn quality(panel: &mut Panel, ui: &mut Ui) {
+    let top = ui.cursor().top();
     let mut rect = strip(ui, panel.measures.control);
     ui.painter().text(
         rect.left_center(),
         Align2::LEFT_CENTER,
         "Quality",
         theme::small(),
-        theme::WEAK,
+        theme::weak(),
     );
     rect.min.x += LABEL;
     panel.place(ui, "quality", rect);
@@ -244,49 +131,10 @@ fn quality(panel: &mut Panel, ui: &mut Ui) {
             panel.ask(Command::Quality(name));
         }
     }
-}
-
-fn transport(panel: &mut Panel, ui: &Ui, rect: Rect, bare: bool) {
-    let paused = panel.fire.paused;
-    let word = |text: &'static str| if bare { "" } else { text };
-    let pause = if paused {
-        Face {
-            lit: true,
-            ..Face::new(Icon::Play, word("Play"))
-        }
-    } else {
-        Face::new(Icon::Pause, word("Pause"))
-    };
-    let faces = [
-        ("action:pause", pause, "Let time pass, or hold it"),
-        (
-            "action:step",
-            Face::new(Icon::Step, word("Step")),
-            "One step of the simulation",
-        ),
-        (
-            "action:reset",
-            Face::new(Icon::Restart, word("Restart")),
-            "Start the fire again with these values",
-        ),
-    ];
-    for (rect, (name, face, hint)) in button::split(rect, faces.len(), 6.0).zip(faces) {
-        let response = button::show(ui, rect, Id::unique(name), face).on_hover_text(hint);
-        panel.place(ui, name, rect);
-        if !response.clicked() {
-            continue;
-        }
-        match name {
-            "action:pause" if paused => panel.ask(Command::Play),
-            "action:pause" => panel.ask(Command::Pause),
-            "action:step" => {
-                if !paused {
-                    panel.ask(Command::Pause);
-                }
-                panel.ask(Command::Step);
-            }
-            _ => panel.ask(Command::Reset),
-        }
+    ui.add_space(panel.measures.gap);
+    if panel.revealing && panel.wanted == QUALITY {
+        let rows = ui.max_rect().x_range();
+        in_sight(ui, Rect::from_x_y_ranges(rows, top..=ui.cursor().top()));
     }
 }
 
@@ -298,9 +146,13 @@ fn scenes(panel: &mut Panel, ui: &mut Ui) {
         Align2::LEFT_CENTER,
         "Scene",
         theme::small(),
-        theme::WEAK,
+        theme::weak(),
     );
     rect.min.x += LABEL;
+    scene_button(panel, ui, rect);
+}
+
+fn scene_button(panel: &mut Panel, ui: &Ui, rect: Rect) {
     let name = "action:scenes";
     let scene = match &*panel.desk.scene {
         "" => "All scenes",
@@ -319,11 +171,12 @@ fn scenes(panel: &mut Panel, ui: &mut Ui) {
 
 fn search(panel: &mut Panel, ui: &mut Ui) {
     let rect = strip(ui, panel.measures.control);
-    let (field, reset) = rect.split_left_right_at_x(rect.right() - 100.0);
+    let (field, reset) = rect.split_left_right_at_x(rect.right() - RESET);
     let field = field.with_max_x(field.right() - 6.0);
 
+    let id = Id::unique("search");
     let mut edit = TextEdit::singleline(&mut panel.search)
-        .id(Id::unique("search"))
+        .id(id)
         .hint_text("Search")
         .desired_width(field.width())
         .min_size(field.size())
@@ -335,9 +188,19 @@ fn search(panel: &mut Panel, ui: &mut Ui) {
         top: 2,
         bottom: 2,
     });
-    ui.scope_builder(UiBuilder::new().max_rect(field), |ui| ui.add(edit));
+    let response = ui
+        .scope_builder(UiBuilder::new().max_rect(field), |ui| ui.add(edit))
+        .inner;
+    if std::mem::take(&mut panel.seeking) {
+        response.request_focus();
+    }
+    let escape = ui.input(|input| input.key_pressed(Key::Escape));
+    if response.lost_focus() && escape && !panel.search.is_empty() {
+        panel.search.clear();
+        response.request_focus();
+    }
     let glass = pos2(field.left() + 15.0, field.center().y);
-    Icon::Search.paint(ui.painter(), glass, 14.0, theme::WEAK);
+    Icon::Search.paint(ui.painter(), glass, 14.0, theme::weak());
     panel.place(ui, "search", field);
     if !panel.search.is_empty() {
         let cross = Rect::from_center_size(
@@ -356,17 +219,24 @@ fn search(panel: &mut Panel, ui: &mut Ui) {
         }
     }
 
+    reset_all(panel, ui, reset);
+}
+
+fn reset_all(panel: &mut Panel, ui: &Ui, rect: Rect) {
     let face = Face {
-        enabled: panel.fire.is_changed(),
+        enabled: match &panel.only {
+            Some(few) => few.iter().any(|param| panel.fire.differs(param)),
+            None => panel.fire.is_changed(),
+        },
         ..Face::new(Icon::Reset, "Reset all")
     };
     let name = "action:reset-all";
-    let response = button::show(ui, reset, Id::unique(name), face)
-        .on_hover_text("Every parameter of this model back to its default");
-    panel.place(ui, name, reset);
+    let response = button::show(ui, rect, Id::unique(name), face)
+        .on_hover_text("Every parameter of this model as the scene has it");
+    panel.place(ui, name, rect);
     if response.clicked() {
         panel.fire.refusals.clear();
-        let ids = panel.fire.used().map(|param| param.id).collect();
-        panel.ask(Command::Restore(ids));
+        panel.typing = None;
+        panel.ask(Command::RestoreAll);
     }
 }

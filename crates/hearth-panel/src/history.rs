@@ -16,13 +16,13 @@ pub fn show(ui: &Ui, rect: Rect, history: &VecDeque<f32>) {
     painter.rect_filled(rect, 4.0, egui::Color32::from_rgb(14, 11, 10));
     let most = history.iter().copied().fold(60.0_f32, f32::max) * 1.15;
     let y = |fps: f32| rect.bottom() - 2.0 - (rect.height() - 4.0) * (fps / most).clamp(0.0, 1.0);
-    painter.hline(rect.x_range(), y(60.0), Stroke::new(1.0, theme::LINE));
+    painter.hline(rect.x_range(), y(60.0), Stroke::new(1.0, theme::line()));
     painter.text(
         pos2(rect.left() + 5.0, y(60.0) + 1.0),
         Align2::LEFT_TOP,
         "60",
         egui::FontId::proportional(11.0),
-        theme::WEAK,
+        theme::weak(),
     );
     let pace = rect.width() / (HISTORY - 1) as f32;
     let points: Vec<_> = history

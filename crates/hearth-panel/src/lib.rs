@@ -11,6 +11,7 @@ mod button;
 mod choices;
 mod colour;
 mod control;
+mod cost;
 pub mod desk;
 mod field;
 pub mod fire;
@@ -18,13 +19,15 @@ pub mod format;
 mod header;
 mod history;
 mod icons;
+pub mod memory;
 mod panel;
 mod row;
 pub mod search;
 mod slider;
+mod telemetry;
 pub mod theme;
 mod tools;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
-pub use panel::{Panel, SHARE};
+pub use panel::{Panel, QUALITY, SEARCH, SHARE, TOOLS};

@@ -7,7 +7,7 @@
 //! each control stands, so that a mirror of it in the page's own controls, and
 //! tests with a real mouse, can find it.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use egui::style::ScrollAnimation;
 use egui::{Align, Frame, Id, Margin, Rect, ScrollArea, Sense, Ui, UiBuilder, pos2, vec2};
@@ -17,6 +17,7 @@ use crate::colour::OpenColour;
 use crate::desk::Desk;
 use crate::field::Typing;
 use crate::fire::{Command, Fire, MODEL};
+use crate::memory::Memory;
 use crate::slider::Gesture;
 use crate::theme::{self, Measures};
 use crate::{header, icons, row, search};
@@ -26,6 +27,18 @@ const LOW: f32 = 540.0;
 
 /// The name of what can be copied and pasted, for [`Panel::reveal`].
 pub const SHARE: &str = "share";
+
+/// That of the tools.
+pub const TOOLS: &str = "tools";
+
+/// That of the search, which gets the focus.
+pub const SEARCH: &str = "search";
+
+/// That of the quality.
+pub const QUALITY: &str = "quality";
+
+/// The group of the simplest controls; the quality is one of them.
+const BASICS: &str = "Basics";
 
 /// Empty space after the last row, so that it can be brought above whatever
 /// the page lays over the panel's lower edge (the mirror's control that has the
@@ -45,6 +58,10 @@ pub struct Panel {
     pub measures: Measures,
     /// Whether a wheel over the panel would still move it, up and down.
     pub scrolls: (bool, bool),
+    /// What it keeps from one visit to the next.
+    pub memory: Memory,
+    /// The parameters that it shows, in this order and without groups; nothing: all.
+    pub only: Option<Vec<&'static Param>>,
     pub(crate) search: String,
     pub(crate) typing: Option<Typing>,
     pub(crate) colour: Option<OpenColour>,
@@ -56,13 +73,27 @@ pub struct Panel {
     pub(crate) shown: Option<&'static str>,
     pub(crate) revealing: bool,
     pub(crate) gesture: Option<(Id, Gesture)>,
-    /// Whether it is shown what takes how long.
-    pub(crate) unfolded: bool,
+    /// What is to be brought into sight.
+    pub(crate) wanted: String,
+    /// Whether the tools are unfolded, where there is little height.
+    pub(crate) more: bool,
+    /// Whether the rows are to go to their beginning.
+    pub(crate) rewinding: bool,
+    /// Whether the search is to get the focus.
+    pub(crate) seeking: bool,
+    /// The value that a wheel turns, and how much of a step it has turned.
+    pub(crate) turning: Option<&'static str>,
+    pub(crate) turned: f32,
+    /// The choice of which a name was just chosen.
+    pub(crate) chosen: Option<&'static str>,
+    /// The row under the pointer.
+    pub(crate) hovered: Option<&'static str>,
+    /// Whether something in the row tells about itself.
+    pub(crate) quiet: bool,
     /// Whether it is shown what can be copied and pasted.
     pub(crate) sharing: bool,
     /// Whether that is to be brought into sight.
     pub(crate) bringing_tools: bool,
-    closed: BTreeSet<&'static str>,
     /// The model whose rows were shown last.
     model: Model,
     /// Where each row in sight began, the uppermost first.
@@ -80,6 +111,8 @@ impl Panel {
             finger: false,
             measures,
             scrolls: (false, false),
+            memory: Memory::default(),
+            only: None,
             search: String::new(),
             typing: None,
             colour: None,
@@ -88,10 +121,17 @@ impl Panel {
             shown: None,
             revealing: false,
             gesture: None,
-            unfolded: false,
+            wanted: String::new(),
+            more: false,
+            rewinding: false,
+            seeking: false,
+            turning: None,
+            turned: 0.0,
+            chosen: None,
+            hovered: None,
+            quiet: false,
             sharing: false,
             bringing_tools: false,
-            closed: BTreeSet::new(),
             model: Model::default(),
             tops: Vec::new(),
             rectangles: BTreeMap::new(),
@@ -102,6 +142,7 @@ impl Panel {
     /// Shows the panel in all of `ui` and takes its input.
     pub fn ui(&mut self, ui: &mut Ui) {
         self.rectangles.clear();
+        self.hovered = None;
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, theme::GROUND);
         if area.width() < 120.0 || area.height() < 80.0 {
@@ -117,7 +158,7 @@ impl Panel {
             .inner;
         let body = Rect::from_min_max(pos2(area.left(), bottom + 6.0), area.max);
         ui.painter()
-            .hline(area.x_range(), body.top(), (1.0, theme::LINE));
+            .hline(area.x_range(), body.top(), (1.0, theme::line()));
         ui.scope_builder(UiBuilder::new().max_rect(body), |ui| self.body(ui, low));
         if !ui.input(|input| input.pointer.any_down()) {
             self.gesture = None;
@@ -139,60 +180,105 @@ impl Panel {
                         bottom: END,
                     })
                     .show(ui, |ui| {
+                        if self.rewinding {
+                            let start = ui.max_rect().with_max_y(ui.max_rect().top() + 1.0);
+                            ui.scroll_to_rect_animation(
+                                start,
+                                Some(Align::Min),
+                                ScrollAnimation::none(),
+                            );
+                        }
                         if low {
                             header::movable(self, ui);
                         }
-                        self.groups(ui);
+                        if self.only.is_some() {
+                            self.few(ui);
+                        } else if self.search.trim().is_empty() {
+                            self.groups(ui);
+                        } else {
+                            self.results(ui);
+                        }
                     });
             });
         let hidden = output.content_size.y - output.inner_rect.height();
         let offset = output.state.clamped_offset().y;
         let inside = ui.rect_contains_pointer(output.inner_rect);
         self.scrolls = (inside && offset > 0.5, inside && offset < hidden - 0.5);
+        if self.turning.is_some() {
+            self.scrolls = (true, true);
+        }
+        self.rewinding = false;
     }
 
+    /// All parameters, by their groups.
     fn groups(&mut self, ui: &mut Ui) {
         let anchor = self.anchor();
-        let searching = !self.search.trim().is_empty();
-        let found: Vec<&'static Param> = self
-            .fire
-            .used()
-            .filter(|param| search::matches(&self.search, param))
-            .collect();
-        if found.is_empty() {
-            ui.add_space(12.0);
-            row::paragraph(ui, "No parameter matches this.", theme::WEAK);
-        }
-        for group in found.chunk_by(|a, b| a.group == b.group) {
+        let used: Vec<&'static Param> = self.fire.used().collect();
+        for group in used.chunk_by(|a, b| a.group == b.group) {
             let name = group[0].group;
-            let open = self.heading(ui, name, searching);
-            if open {
-                for param in group {
-                    let top = ui.cursor().top();
-                    match anchor {
-                        Some((id, wanted)) if id == param.id => {
-                            let delta = vec2(0.0, wanted - top);
-                            ui.scroll_with_delta_animation(delta, ScrollAnimation::none());
-                        }
-                        _ => {}
+            if !self.heading(ui, name) {
+                continue;
+            }
+            for param in group {
+                let top = ui.cursor().top();
+                match anchor {
+                    Some((id, wanted)) if id == param.id => {
+                        let delta = vec2(0.0, wanted - top);
+                        ui.scroll_with_delta_animation(delta, ScrollAnimation::none());
                     }
-                    if top >= ui.clip_rect().top() {
-                        self.tops.push((param.id, top));
-                    }
-                    row::show(self, ui, param);
+                    _ => {}
                 }
-                ui.add_space(4.0);
+                if top >= ui.clip_rect().top() {
+                    self.tops.push((param.id, top));
+                }
+                row::show(self, ui, param);
+            }
+            if name == BASICS {
+                header::quality(self, ui);
+            }
+            ui.add_space(4.0);
+        }
+    }
+
+    /// Those that answer the search, the best first.
+    fn results(&mut self, ui: &mut Ui) {
+        self.anchor();
+        let rank = |param| Some((search::rank(&self.search, param)?, param));
+        let mut found: Vec<(u32, &'static Param)> = self.fire.used().filter_map(rank).collect();
+        found.sort_by_key(|(rank, _)| *rank);
+        let quality = QUALITY.starts_with(self.search.trim().to_lowercase().as_str());
+        ui.add_space(6.0);
+        if quality {
+            header::quality(self, ui);
+        } else if found.is_empty() {
+            row::paragraph(ui, "No parameter matches this.", theme::weak());
+        }
+        for (_, param) in found {
+            row::show(self, ui, param);
+        }
+    }
+
+    /// Those that the page wants to be shown, as far as the model uses them.
+    fn few(&mut self, ui: &mut Ui) {
+        self.anchor();
+        let model = self.fire.parameters.model();
+        ui.add_space(6.0);
+        for param in self.only.clone().unwrap_or_default() {
+            if param.domain(model).is_some() {
+                row::show(self, ui, param);
             }
         }
     }
 
     /// Another model has other rows. The uppermost row in sight that both have
-    /// stays where it is: this one, at that height.
+    /// stays where it is: this one, at that height. A choice may have given others a
+    /// line that says why they count for nothing; its own row stays then.
     fn anchor(&mut self) -> Option<(&'static str, f32)> {
         let tops = std::mem::take(&mut self.tops);
+        let chosen = self.chosen.take();
         let model = self.fire.parameters.model();
         if model == self.model {
-            return None;
+            return tops.into_iter().find(|&(id, _)| Some(id) == chosen);
         }
         self.model = model;
         let used = |id: &str| self.fire.used().any(|param| param.id == id);
@@ -202,15 +288,19 @@ impl Panel {
         tops.into_iter().find(|&(id, _)| used(id))
     }
 
-    fn heading(&mut self, ui: &mut Ui, name: &'static str, searching: bool) -> bool {
+    /// The heading of a group; whether that is unfolded.
+    fn heading(&mut self, ui: &mut Ui, name: &'static str) -> bool {
         let rect = strip(ui, self.measures.control + 4.0);
         let response = ui
             .interact(rect, Id::unique(("group", name)), Sense::click())
             .on_hover_cursor(egui::CursorIcon::PointingHand);
-        if response.clicked() && !searching && !self.closed.remove(name) {
-            self.closed.insert(name);
+        if response.clicked() {
+            if !self.memory.folded.remove(name) {
+                self.memory.folded.insert(name);
+            }
+            self.ask(Command::Remember(self.memory.clone()));
         }
-        let open = searching || !self.closed.contains(name);
+        let open = !self.memory.folded.contains(name);
         self.place(ui, format!("group:{name}"), rect);
         let ink = if response.hovered() {
             theme::TEXT
@@ -227,27 +317,47 @@ impl Panel {
             galley,
             ink,
         );
-        painter.hline(line, rect.center().y, (1.0, theme::LINE));
+        painter.hline(line, rect.center().y, (1.0, theme::line()));
         open
     }
 
-    /// Brings the row of a parameter into sight and marks it, or what can be
-    /// shared ([`SHARE`]); an id that is none takes the mark away.
+    /// Brings the row of a parameter into sight and marks it; or what can be shared
+    /// ([`SHARE`]), the tools ([`TOOLS`]), the quality ([`QUALITY`]) or the search
+    /// ([`SEARCH`]), which gets the focus. An id that is none takes the mark away.
     pub fn reveal(&mut self, id: &str) {
-        if id == SHARE {
-            self.sharing = true;
-            self.bringing_tools = true;
-        }
+        self.wanted = id.to_owned();
         let model = self.fire.parameters.model();
         let param = Param::find(id).filter(|param| param.domain(model).is_some());
         self.shown = param.map(|param| param.id);
-        if let Some(param) = param {
+        match id {
+            SHARE | TOOLS | SEARCH | MODEL => {
+                self.sharing |= id == SHARE;
+                self.seeking |= id == SEARCH;
+                self.more = true;
+                self.bringing_tools = id != MODEL;
+                self.revealing = true;
+            }
+            QUALITY => {
+                self.revealing = true;
+                self.memory.folded.remove(BASICS);
+                self.search.clear();
+            }
+            _ => {}
+        }
+        if let Some(param) = param.filter(|param| param.id != MODEL) {
             self.revealing = true;
-            self.closed.remove(param.group);
-            if param.id != MODEL && !search::matches(&self.search, param) {
+            self.memory.folded.remove(param.group);
+            if !search::matches(&self.search, param) {
                 self.search.clear();
             }
         }
+    }
+
+    /// The value of the row under the pointer, to be copied, and what it is called.
+    pub fn hovered_value(&self) -> Option<(String, &'static str)> {
+        let param = Param::find(self.hovered?)?;
+        let value = param.get(&self.fire.parameters).to_string();
+        Some((value, param.description().label))
     }
 
     /// Whether somebody types in the panel.

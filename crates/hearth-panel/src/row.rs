@@ -9,7 +9,7 @@ use crate::fire::Command;
 use crate::format::{bound_text, value_text, with_unit};
 use crate::icons::Icon;
 use crate::panel::{Panel, in_sight, strip};
-use crate::{control, theme};
+use crate::{control, cost, theme};
 
 /// How much is seen of a control whose value counts for nothing at present: it can
 /// be set all the same, so its words keep 4.5:1 wherever they stand.
@@ -48,22 +48,37 @@ pub fn framed(
         content(panel, ui);
     });
     if let Some(words) = idle {
-        paragraph(ui, &words, theme::WEAK);
+        paragraph(ui, &words, theme::weak());
     }
     if let Some(refusal) = panel.fire.refusals.get(param.id) {
         paragraph(ui, refusal, theme::ERROR);
     }
     if panel.told == Some(param.id) {
-        paragraph(ui, &explanation(panel, param), theme::WEAK);
+        paragraph(ui, &explanation(panel, param), theme::weak());
     }
     let space = ui.max_rect();
     let rect = Rect::from_x_y_ranges(space.x_range(), top..=ui.cursor().top());
+    hover(panel, ui, param, rect);
     if panel.shown == Some(param.id) {
         let fill = Shape::rect_filled(rect.expand2(vec2(8.0, 2.0)), 6.0, theme::RAISED);
         ui.painter().set(ground, fill);
         if panel.revealing && scrolls {
             in_sight(ui, rect);
         }
+    }
+}
+
+/// All of the row tells about the parameter, and its value can be copied.
+fn hover(panel: &mut Panel, ui: &Ui, param: &'static Param, rect: Rect) {
+    let row = ui.interact(rect, Id::unique(("row", param.id)), Sense::hover());
+    if row.contains_pointer() {
+        panel.hovered = Some(param.id);
+    }
+    let quiet = std::mem::take(&mut panel.quiet);
+    // Somebody who types or chooses wants to see what is there.
+    let busy = panel.typing.is_some() || panel.listed == Some(param.id);
+    if !panel.finger && !quiet && !busy {
+        row.on_hover_text(explanation(panel, param));
     }
 }
 
@@ -96,7 +111,11 @@ pub fn line(panel: &mut Panel, ui: &mut Ui, param: &'static Param, height: f32) 
         let key = format!("action:restore:{}", param.id);
         let response = button::show(ui, back, Id::unique(&key), Face::bare(Icon::Reset));
         panel.place(ui, key, back);
-        if response.on_hover_text("Back to the default").clicked() {
+        panel.quiet = response.hovered();
+        if response
+            .on_hover_text("Back to the scene's value")
+            .clicked()
+        {
             restore(panel, param);
         }
     }
@@ -106,7 +125,7 @@ pub fn line(panel: &mut Panel, ui: &mut Ui, param: &'static Param, height: f32) 
 /// The name of a parameter at the left of `rect`, which tells about it.
 pub fn name(panel: &mut Panel, ui: &mut Ui, param: &'static Param, rect: Rect) -> Rect {
     let idle = idle(panel, param).is_some();
-    let rest = if idle { theme::WEAK } else { theme::TEXT };
+    let rest = if idle { theme::weak() } else { theme::TEXT };
     let label =
         ui.painter()
             .layout_no_wrap(param.description().label.to_owned(), theme::body(), rest);
@@ -123,10 +142,6 @@ pub fn name(panel: &mut Panel, ui: &mut Ui, param: &'static Param, rect: Rect) -
     ui.painter().galley_with_override_text_color(at, label, ink);
     panel.place(ui, format!("label:{}", param.id), name);
     name_pressed(panel, param, &response);
-    let about = explanation(panel, param);
-    if !panel.finger {
-        response.on_hover_text(about);
-    }
     name
 }
 
@@ -143,13 +158,18 @@ fn name_pressed(panel: &mut Panel, param: &'static Param, response: &Response) {
 fn restore(panel: &mut Panel, param: &'static Param) {
     panel.fire.refusals.remove(param.id);
     panel.typing = None;
-    panel.ask(Command::Restore(vec![param.id]));
+    panel.ask(Command::Restore(param.id));
 }
 
-/// What a parameter does, its default, its range and its name in HTML.
+/// What a parameter does, what it has in the scene, its range and its name in HTML.
 fn explanation(panel: &Panel, param: &Param) -> String {
+    let scene = if panel.desk.preset.is_empty() {
+        "Default"
+    } else {
+        &*panel.desk.preset
+    };
     let default = with_unit(&value_text(&panel.fire.default_of(param)), param.unit);
-    let mut text = format!("{}\nDefault {default}", param.description().doc);
+    let mut text = format!("{}\n{scene} {default}", param.description().doc);
     if let Kind::Number(_) | Kind::Integer(_) | Kind::Seed = param.kind {
         let (min, max) = panel.fire.range_of(param);
         text += &format!(
@@ -157,6 +177,9 @@ fn explanation(panel: &Panel, param: &Param) -> String {
             bound_text(min, ""),
             bound_text(max, param.unit)
         );
+    }
+    if cost::dear_from(param).is_some() {
+        text += "\nTakes much work towards the end of its slider";
     }
     text + "\nAttribute " + &param.id.replace('_', "-")
 }
@@ -181,7 +204,7 @@ pub fn value(ui: &Ui, room: Rect, text: &str, unit: &str, ink: Color32) -> Rect 
             Align2::RIGHT_CENTER,
             unit,
             theme::small(),
-            theme::WEAK,
+            theme::weak(),
         );
     }
     let gap = if unit.is_empty() { 0.0 } else { 4.0 };
@@ -213,7 +236,7 @@ mod tests {
         for behind in [theme::GROUND, theme::RAISED] {
             let words = [
                 (behind, theme::TEXT),
-                (behind, theme::WEAK),
+                (behind, theme::weak()),
                 (behind, theme::ACCENT),
                 (on(behind, theme::RAISED), theme::TEXT),
                 (on(behind, theme::HOVERED), theme::TEXT),

@@ -1,27 +1,153 @@
-//! Which parameters a search shows.
+//! Which parameters a search shows, the best first.
 //!
-//! Every word must occur somewhere in what the panel says about a parameter:
-//! its label, id, group, unit or doc. Case does not matter.
+//! Every word has to be found. A word counts most at the start of the label, then at
+//! the start of a word of the label or the id, then as another word for the same
+//! thing, then in unit, group or doc. Case does not matter, nor British or American
+//! spelling.
 
 use hearth_core::params::Param;
 
-/// Whether `param` answers `query`; an empty query shows everything.
-pub fn matches(query: &str, param: &Param) -> bool {
-    let about = param.description();
-    let text = format!(
-        "{} {} {} {} {} {}",
-        about.label,
-        param.id,
-        param.id.replace('_', "-"),
-        param.group,
-        param.unit,
-        about.doc
-    )
-    .to_lowercase();
+/// Words that people type, and what the table calls it: labels and ids by their words.
+const SYNONYMS: &[(&str, &[&str])] = &[
+    ("airflow", &["wind"]),
+    ("amount", &["strength", "particles"]),
+    ("backdrop", &["background"]),
+    ("big", &["size", "width", "height"]),
+    ("bloom", &["glow"]),
+    ("bricks", &["backdrop"]),
+    ("brightness", &["exposure"]),
+    ("chaos", &["turbulence"]),
+    ("color", &["colour", "palette", "background"]),
+    ("colour", &["palette", "background"]),
+    ("contrast", &["luminance"]),
+    ("count", &["particles"]),
+    ("curl", &["vorticity"]),
+    ("density", &["particles", "strength"]),
+    ("ember", &["spark", "sparks"]),
+    ("embers", &["spark", "sparks"]),
+    ("flicker", &["turbulence", "noise"]),
+    ("gamma", &["luminance"]),
+    ("height", &["strength", "life", "longest"]),
+    ("heat", &["temperature", "strength", "haze"]),
+    ("hue", &["palette", "colour"]),
+    ("intensity", &["strength", "brightness"]),
+    ("light", &["brightness", "glow"]),
+    ("liveliness", &["turbulence", "noise"]),
+    ("luminosity", &["brightness"]),
+    ("neighbors", &["smoothing"]),
+    ("neighbours", &["smoothing"]),
+    ("pace", &["speed"]),
+    ("position", &["height", "source"]),
+    ("power", &["strength"]),
+    ("quality", &["particles", "detail"]),
+    ("random", &["seed", "noise"]),
+    ("resolution", &["particles", "smoothing"]),
+    ("saturation", &["palette", "luminance"]),
+    ("scale", &["size"]),
+    ("shimmer", &["haze"]),
+    ("size", &["width", "height", "scale"]),
+    ("slow", &["speed"]),
+    ("smoke", &["soot", "layers"]),
+    ("spark", &["ember", "sparks"]),
+    ("sparks", &["ember"]),
+    ("speed", &["time", "wind"]),
+    ("strength", &["power"]),
+    ("temperature", &["ignition", "heat", "cooling"]),
+    ("theme", &["palette"]),
+    ("tint", &["palette", "colour"]),
+    ("transparency", &["background"]),
+    ("transparent", &["background"]),
+    ("view", &["display", "layers"]),
+    ("wall", &["backdrop", "walls"]),
+    ("zoom", &["width", "height"]),
+];
+
+/// American spellings, and the table's.
+const SPELLINGS: &[(&str, &str)] = &[
+    ("color", "colour"),
+    ("neighbor", "neighbour"),
+    ("center", "centre"),
+    ("meter", "metre"),
+    ("gray", "grey"),
+    ("vapor", "vapour"),
+];
+
+/// How well `param` answers `query`, less is better; nothing: it does not. An empty
+/// query is answered by everything alike.
+pub fn rank(query: &str, param: &Param) -> Option<u32> {
+    let about = Words::of(param);
     query
         .to_lowercase()
         .split_whitespace()
-        .all(|word| text.contains(word))
+        .map(|word| about.rank(word))
+        .sum()
+}
+
+/// Whether `param` answers `query`.
+pub fn matches(query: &str, param: &Param) -> bool {
+    rank(query, param).is_some()
+}
+
+/// What there is to find, in small letters.
+struct Words {
+    label: String,
+    id: String,
+    rest: String,
+}
+
+impl Words {
+    fn of(param: &Param) -> Words {
+        let about = param.description();
+        Words {
+            label: about.label.to_lowercase(),
+            id: param.id.replace('_', " "),
+            rest: format!(
+                "{} {} {} {} {}",
+                param.id,
+                param.id.replace('_', "-"),
+                param.group,
+                param.unit,
+                about.doc
+            )
+            .to_lowercase(),
+        }
+    }
+
+    fn rank(&self, typed: &str) -> Option<u32> {
+        let mut word = typed.to_owned();
+        for (american, british) in SPELLINGS {
+            // "colour" holds no "color".
+            word = word.replace(american, british);
+        }
+        let word = word.as_str();
+        let starts = |text: &str, with: &str| text.split(' ').any(|part| part.starts_with(with));
+        if self.label.starts_with(word) {
+            Some(0)
+        } else if starts(&self.label, word) {
+            Some(1)
+        } else if starts(&self.id, word) {
+            Some(2)
+        } else if self.means(typed) || self.means(word) {
+            Some(3)
+        } else if self.label.contains(word) || self.rest.contains(word) {
+            Some(if starts(&self.rest, word) { 4 } else { 5 })
+        } else {
+            None
+        }
+    }
+
+    /// Whether it is what somebody calls by this word.
+    fn means(&self, typed: &str) -> bool {
+        let named = |name: &&str| {
+            let mut parts = self.label.split(' ').chain(self.id.split(' '));
+            parts.any(|part| part == *name)
+        };
+        // Half a word may become this one.
+        let meant =
+            |&&(word, _): &&(&str, _)| word == typed || typed.len() > 3 && word.starts_with(typed);
+        let mut found = SYNONYMS.iter().filter(meant);
+        found.any(|(_, names)| names.iter().any(|name| named(&name)))
+    }
 }
 
 #[cfg(test)]
@@ -29,12 +155,14 @@ mod tests {
     use super::*;
     use hearth_core::params::PARAMETERS;
 
+    /// What answers, the best first.
     fn found(query: &str) -> Vec<&'static str> {
-        PARAMETERS
+        let ranked = PARAMETERS
             .iter()
-            .filter(|param| matches(query, param))
-            .map(|param| param.id)
-            .collect()
+            .filter_map(|param| Some((rank(query, param)?, param.id)));
+        let mut ranked: Vec<_> = ranked.collect();
+        ranked.sort_by_key(|(rank, _)| *rank);
+        ranked.into_iter().map(|(_, id)| id).collect()
     }
 
     #[test]
@@ -56,5 +184,39 @@ mod tests {
         assert!(found("source width").contains(&"source_width"));
         assert!(!found("source width").contains(&"viscosity"));
         assert!(found("no parameter says this").is_empty());
+    }
+
+    #[test]
+    fn labels_come_before_docs() {
+        assert_eq!(found("wind")[0], "wind");
+        assert_eq!(found("smoke")[..2], ["smoke_opacity", "smoke_life"]);
+        assert_eq!(found("visc")[..2], ["viscosity", "kinematic_viscosity"]);
+    }
+
+    #[test]
+    fn people_find_what_they_call_by_another_name() {
+        for (query, id) in [
+            ("color", "palette"),
+            ("color", "background"),
+            ("colour", "hot_colour"),
+            ("size", "source_width"),
+            ("speed", "time_scale"),
+            ("zoom", "domain_width"),
+            ("brightness", "exposure"),
+            ("brightn", "exposure"),
+            ("height", "fuel_power"),
+            ("height", "lifetime_max"),
+            ("smoke", "smoke_opacity"),
+            ("spark", "ember_rate"),
+            ("ember", "ember_rate"),
+            ("neighbors", "smoothing_ratio"),
+            ("random", "seed"),
+        ] {
+            assert!(
+                found(query).contains(&id),
+                "{query} finds {:?}",
+                found(query)
+            );
+        }
     }
 }

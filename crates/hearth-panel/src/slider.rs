@@ -13,6 +13,12 @@ use crate::theme;
 /// How far a finger goes before its direction counts [points].
 const DECIDED: f32 = 7.0;
 
+/// How far the knob goes where the hand goes 1, with the shift key.
+const FINE: f32 = 0.1;
+
+/// How many steps a page is.
+const PAGE: f32 = 10.0;
+
 /// What the finger or the mouse on a slider means, from press to release.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gesture {
@@ -20,6 +26,8 @@ pub enum Gesture {
     Undecided(Pos2),
     /// It moves the knob.
     Slide,
+    /// It moves the knob a tenth as far: from this place of the hand and of the knob.
+    Fine(f32, f32),
     /// It scrolls the panel.
     Scroll,
 }
@@ -29,7 +37,7 @@ pub enum Gesture {
 pub enum Moved {
     /// The knob goes to this fraction of the rail.
     To(f32),
-    /// So many steps up or down, by the arrow keys.
+    /// So many steps up or down, by keys or by the wheel.
     Steps(f32),
 }
 
@@ -39,6 +47,8 @@ pub struct Rail<'a> {
     pub fraction: f32,
     /// Where the default stands, if that is worth a mark.
     pub mark: Option<f32>,
+    /// From where on its values take much work, if they do.
+    pub dear: Option<f32>,
     /// Colours along the rail instead of the ordinary fill.
     pub colours: Option<&'a dyn Fn(f32) -> egui::Color32>,
 }
@@ -57,8 +67,9 @@ pub fn show(
         .on_hover_and_drag_cursor(egui::CursorIcon::ResizeHorizontal);
     let knob = (rect.height() * 0.42).min(9.0);
     let (left, right) = (rect.left() + knob, rect.right() - knob);
-    let to = |pos: Pos2| Moved::To(((pos.x - left) / (right - left)).clamp(0.0, 1.0));
-    let moved = follow(ui, &response, finger, gesture, to).or_else(|| keys(ui, &response));
+    let to = |x: f32| Moved::To(((x - left) / (right - left)).clamp(0.0, 1.0));
+    let now = left + (right - left) * rail.fraction;
+    let moved = follow(ui, &response, finger, gesture, now, to).or_else(|| keys(ui, &response));
     let fraction = match moved {
         Some(Moved::To(fraction)) => fraction,
         Some(Moved::Steps(_)) | None => rail.fraction,
@@ -74,7 +85,8 @@ fn follow(
     response: &Response,
     finger: bool,
     gesture: &mut Option<(Id, Gesture)>,
-    to: impl Fn(Pos2) -> Moved,
+    knob: f32,
+    to: impl Fn(f32) -> Moved,
 ) -> Option<Moved> {
     let pos = response.interact_pointer_pos()?;
     if !response.is_pointer_button_down_on() && !response.clicked() {
@@ -99,13 +111,24 @@ fn follow(
             };
         }
     }
+    let fine = ui.input(|input| input.modifiers.shift);
+    now = match now {
+        Gesture::Slide if fine => Gesture::Fine(pos.x, knob),
+        Gesture::Fine(..) if !fine => Gesture::Slide,
+        now => now,
+    };
     *gesture = Some((response.id, now));
     match now {
         Gesture::Slide => {
             response.request_focus();
-            Some(to(pos))
+            Some(to(pos.x))
         }
-        Gesture::Undecided(_) => response.clicked().then(|| to(pos)),
+        Gesture::Fine(hand, from) => {
+            response.request_focus();
+            // Where the hand rests the knob does, whatever its value is rounded to.
+            (pos.x != hand).then(|| to(from + (pos.x - hand) * FINE))
+        }
+        Gesture::Undecided(_) => response.clicked().then(|| to(pos.x)),
         Gesture::Scroll => {
             let way = ui.input(|input| input.pointer.delta().y);
             ui.scroll_with_delta_animation(vec2(0.0, way), egui::style::ScrollAnimation::none());
@@ -114,20 +137,38 @@ fn follow(
     }
 }
 
-/// The arrow keys move the slider that was touched last.
+/// The arrow keys move the slider that was touched last, the keys for pages farther,
+/// Home and End to its ends.
 fn keys(ui: &Ui, response: &Response) -> Option<Moved> {
     if !response.has_focus() {
         return None;
     }
     let filter = egui::EventFilter {
         horizontal_arrows: true,
+        vertical_arrows: true,
         ..Default::default()
     };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
-    let steps = ui.input(|input| {
-        input.num_presses(Key::ArrowRight) as f32 - input.num_presses(Key::ArrowLeft) as f32
-    });
-    (steps != 0.0).then_some(Moved::Steps(steps))
+    ui.input(|input| {
+        if input.key_pressed(Key::Home) {
+            return Some(Moved::To(0.0));
+        }
+        if input.key_pressed(Key::End) {
+            return Some(Moved::To(1.0));
+        }
+        let steps: f32 = [
+            (Key::ArrowRight, 1.0),
+            (Key::ArrowUp, 1.0),
+            (Key::ArrowLeft, -1.0),
+            (Key::ArrowDown, -1.0),
+            (Key::PageUp, PAGE),
+            (Key::PageDown, -PAGE),
+        ]
+        .into_iter()
+        .map(|(key, steps)| input.num_presses(key) as f32 * steps)
+        .sum();
+        (steps != 0.0).then_some(Moved::Steps(steps))
+    })
 }
 
 fn paint(
@@ -164,7 +205,7 @@ fn paint(
             painter.rect_stroke(
                 line(left, right),
                 1.0,
-                Stroke::new(1.0, theme::LINE),
+                Stroke::new(1.0, theme::line()),
                 StrokeKind::Outside,
             );
         }
@@ -173,9 +214,13 @@ fn paint(
             painter.rect_filled(line(left - 2.0, at(fraction)), 2.0, theme::ACCENT);
         }
     }
+    if let Some(dear) = rail.dear {
+        let above = pos2(at(dear), y - 6.0)..=pos2(right, y - 6.0);
+        painter.line_segment([*above.start(), *above.end()], (1.5, theme::ERROR));
+    }
     if let Some(mark) = rail.mark {
         let tick = Rect::from_center_size(pos2(at(mark), y), Vec2::new(1.5, 10.0));
-        painter.rect_filled(tick, 0.0, theme::WEAK);
+        painter.rect_filled(tick, 0.0, theme::weak());
     }
     let centre = pos2(at(fraction), y);
     let held = response.hovered() || response.is_pointer_button_down_on();

@@ -4,6 +4,7 @@
 //! animates. The font is a subset of Ubuntu Light (`font/README.md`).
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use egui::{Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Stroke, Vec2};
 
@@ -14,17 +15,38 @@ pub const RAISED: Color32 = Color32::from_rgb(46, 38, 33);
 /// The same, under the pointer.
 pub const HOVERED: Color32 = Color32::from_rgb(66, 53, 45);
 /// Thin lines.
-pub const LINE: Color32 = Color32::from_rgb(58, 48, 42);
+pub fn line() -> Color32 {
+    if CONTRAST.load(Ordering::Relaxed) {
+        Color32::from_rgb(190, 176, 164)
+    } else {
+        Color32::from_rgb(58, 48, 42)
+    }
+}
 /// Text.
 pub const TEXT: Color32 = Color32::from_rgb(240, 230, 220);
-/// Text that matters less; still 7:1 on the ground.
-pub const WEAK: Color32 = Color32::from_rgb(180, 165, 152);
+/// Text that matters less; still 7:1 on the ground, and text like any other where more
+/// contrast is preferred.
+pub fn weak() -> Color32 {
+    if CONTRAST.load(Ordering::Relaxed) {
+        TEXT
+    } else {
+        Color32::from_rgb(180, 165, 152)
+    }
+}
 /// What is lit.
 pub const ACCENT: Color32 = Color32::from_rgb(255, 146, 64);
 /// What is lit, behind text.
 pub const EMBER: Color32 = Color32::from_rgb(118, 58, 22);
 /// What went wrong.
 pub const ERROR: Color32 = Color32::from_rgb(255, 122, 106);
+
+/// Whether more contrast is preferred.
+static CONTRAST: AtomicBool = AtomicBool::new(false);
+
+/// Gives what matters less as much contrast as the rest, or takes it away.
+pub fn prefer_contrast(more: bool) {
+    CONTRAST.store(more, Ordering::Relaxed);
+}
 
 const FONT: &[u8] = include_bytes!("../font/Ubuntu-Light-derivative-Hearth.ttf");
 const FONT_NAME: &str = "Ubuntu Light derivative Hearth";
@@ -69,11 +91,6 @@ pub fn small() -> FontId {
     FontId::proportional(13.0)
 }
 
-/// The font of the frame rate.
-pub fn large() -> FontId {
-    FontId::proportional(26.0)
-}
-
 /// Gives a context the panel's font and style.
 pub fn apply(ctx: &egui::Context) {
     let mut fonts = FontDefinitions::empty();
@@ -90,7 +107,7 @@ pub fn apply(ctx: &egui::Context) {
     ctx.all_styles_mut(|style| {
         style.override_font_id = Some(body());
         style.animation_time = 0.0;
-        style.interaction.tooltip_delay = 0.4;
+        style.interaction.tooltip_delay = 0.6;
         style.interaction.selectable_labels = false;
         style.spacing.tooltip_width = 270.0;
         style.spacing.item_spacing = Vec2::new(6.0, 0.0);
@@ -102,7 +119,7 @@ pub fn apply(ctx: &egui::Context) {
         let visuals = &mut style.visuals;
         visuals.panel_fill = GROUND;
         visuals.window_fill = Color32::from_rgb(34, 28, 24);
-        visuals.window_stroke = Stroke::new(1.0, LINE);
+        visuals.window_stroke = Stroke::new(1.0, line());
         visuals.extreme_bg_color = Color32::from_rgb(14, 11, 10);
         visuals.override_text_color = Some(TEXT);
         visuals.error_fg_color = ERROR;
@@ -118,7 +135,7 @@ pub fn apply(ctx: &egui::Context) {
             &mut widgets.open,
         ] {
             state.corner_radius = CornerRadius::same(5);
-            state.bg_stroke = Stroke::new(1.0, LINE);
+            state.bg_stroke = Stroke::new(1.0, line());
             state.fg_stroke.color = TEXT;
         }
         widgets.active.bg_stroke.color = ACCENT;

@@ -91,17 +91,19 @@ export class Browser {
    * @param {{[name: string]: string}} [options.headers]  Of a page written by the test.
    * @param {{[name: string]: import('../server.mjs').Instead}} [options.files]  What the server
    *   gives instead of files whose path ends so.
+   * @param {boolean} [options.remember]  Whether it has what pages before it kept.
    * @param {string} [options.without]  Requests for files whose path ends so fail, as a
    *   broken network would.
    * @returns {Promise<PuppeteerTab>}
    */
   async open(page, options = {}) {
     const { width = 480, height = 480, ratio = 1, touch = false } = options;
-    const { reducedMotion = this.reducedMotion, headers, files = {}, without } = options;
+    const { reducedMotion = this.reducedMotion, headers, files = {}, without, remember = false } = options;
     await this.tab?.close();
     this.server.replace(without === undefined ? files : { ...files, [without]: { drop: true } });
     const { origin } = this.server;
     const before = [`(${rememberContexts})();`, `(${followWorkers})(${JSON.stringify(origin)});`];
+    if (!remember) before.push(`(${forgetOnce})();`);
     if (options.before) before.push(`(${options.before})();`);
     const beforeWorker = options.beforeWorker ? [`(${options.beforeWorker})();`] : [];
     this.server.prepend({ workers: beforeWorker });
@@ -118,6 +120,17 @@ export class Browser {
   async close() {
     await this.engine.close();
     await this.server.close();
+  }
+}
+
+/** Runs in the page: nothing is kept of the tests before this one. */
+function forgetOnce() {
+  try {
+    // A page that is loaded anew has what it kept itself.
+    if (!sessionStorage.getItem('forgotten')) localStorage.clear();
+    sessionStorage.setItem('forgotten', 'yes');
+  } catch {
+    // Then nothing is kept.
   }
 }
 

@@ -59,6 +59,26 @@ impl eframe::App for App {
         }
     }
 
+    /// eframe takes distances in the window for distances on the canvas, which they are
+    /// not where the page scales it.
+    fn raw_input_hook(&mut self, _ctx: &egui::Context, input: &mut egui::RawInput) {
+        let shown = self.canvas.get_bounding_client_rect().width();
+        let scale = f64::from(self.canvas.offset_width()) / shown;
+        if !scale.is_finite() || (scale - 1.0).abs() < 0.001 {
+            return;
+        }
+        for event in &mut input.events {
+            match event {
+                egui::Event::PointerMoved(pos)
+                | egui::Event::PointerButton { pos, .. }
+                | egui::Event::Touch { pos, .. } => {
+                    *pos = (pos.to_vec2() * scale as f32).to_pos2();
+                }
+                _ => {}
+            }
+        }
+    }
+
     fn clear_color(&self, _visuals: &egui::Visuals) -> [f32; 4] {
         theme::GROUND.to_normalized_gamma_f32()
     }

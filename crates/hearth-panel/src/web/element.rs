@@ -9,7 +9,7 @@ use std::cell::RefCell;
 use std::rc::{Rc, Weak};
 use std::time::Duration;
 
-use hearth_core::params::{Input, PARAMETERS, Value};
+use hearth_core::params::{Input, PARAMETERS, Param, Value};
 use js_sys::{Array, Function, Object, Promise, Reflect};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
@@ -70,6 +70,7 @@ impl Element {
             _listeners: listeners,
         };
         if let Ok(mut panel) = element.panel.try_borrow_mut() {
+            read_desk(&mut panel, &element.desk);
             read_all(&mut panel, &element.fire);
         }
         Ok(element)
@@ -99,17 +100,24 @@ impl Element {
     }
 
     fn call(&self, command: Command) -> Result<JsValue, JsValue> {
-        let mut arguments = Array::new();
+        let arguments = Array::new();
         let method = match command {
             Command::Set(id, value) => {
                 arguments.push(&JsValue::from_str(id));
                 arguments.push(&to_js(value));
                 "set"
             }
-            Command::Restore(ids) => {
-                arguments.extend(ids.into_iter().map(JsValue::from_str));
+            Command::Restore(id) => {
+                arguments.push(&id.into());
                 "restore"
             }
+            Command::Remember(memory) => {
+                let folded: Array = memory.folded.into_iter().map(JsValue::from_str).collect();
+                arguments.push(&folded);
+                arguments.push(&memory.times.into());
+                "rememberFolds"
+            }
+            Command::RestoreAll => "restoreAll",
             Command::Quality(name) => {
                 arguments.push(&name.into());
                 "quality"
@@ -219,6 +227,53 @@ fn hear_value(panel: &mut Panel, fire: &JsValue, id: &str, value: &JsValue) {
     }
 }
 
+/// What the page wants to be shown, and what was kept of the last visit.
+fn read_desk(panel: &mut Panel, desk: &JsValue) {
+    let only = property(desk, "only");
+    if let Some(ids) = only.dyn_ref::<Array>() {
+        let ids = ids.iter().filter_map(|id| id.as_string());
+        panel.only = Some(ids.filter_map(|id| Param::find(&id)).collect());
+    }
+    let memory = property(desk, "folds");
+    if let Some(folded) = property(&memory, "folded").dyn_ref::<Array>() {
+        let names: Vec<String> = folded.iter().filter_map(|name| name.as_string()).collect();
+        panel.memory.fold(names.iter().map(String::as_str));
+    }
+    panel.memory.times = property(&memory, "times").is_truthy();
+}
+
+/// The fire started from a scene of these values.
+pub(super) fn read_scene(panel: &mut Panel, values: &JsValue) {
+    let of = |param: &'static Param| Some((param.id, value_of(&property(values, param.id))?));
+    let values: Vec<_> = PARAMETERS.iter().filter_map(of).collect();
+    panel
+        .fire
+        .start_from(values.iter().map(|(id, value)| (*id, value.input())));
+}
+
+/// A value as JavaScript has it.
+enum Own {
+    Number(f64),
+    Flag(bool),
+    Text(String),
+}
+
+impl Own {
+    fn input(&self) -> Input<'_> {
+        match self {
+            Own::Number(number) => Input::Number(*number),
+            Own::Flag(on) => Input::Flag(*on),
+            Own::Text(text) => Input::Text(text),
+        }
+    }
+}
+
+fn value_of(value: &JsValue) -> Option<Own> {
+    let number = value.as_f64().map(Own::Number);
+    let flag = value.as_bool().map(Own::Flag);
+    number.or(flag).or_else(|| value.as_string().map(Own::Text))
+}
+
 fn read_values(panel: &mut Panel, fire: &JsValue) {
     let values = property(fire, "params");
     for param in PARAMETERS {
@@ -234,12 +289,8 @@ fn read_all(panel: &mut Panel, fire: &JsValue) {
 }
 
 fn learn(panel: &mut Panel, id: &str, value: &JsValue) {
-    if let Some(number) = value.as_f64() {
-        panel.fire.learn(id, Input::Number(number));
-    } else if let Some(on) = value.as_bool() {
-        panel.fire.learn(id, Input::Flag(on));
-    } else if let Some(text) = value.as_string() {
-        panel.fire.learn(id, Input::Text(&text));
+    if let Some(own) = value_of(value) {
+        panel.fire.learn(id, own.input());
     }
 }
 
@@ -252,6 +303,7 @@ fn stats(value: &JsValue) -> Stats {
         steps_per_frame: number("stepsPerFrame"),
         draw_ms: number("drawMs"),
         slowed: property(value, "slowed").is_truthy(),
+        time_scale: number("timeScale"),
         quality: text(value, "quality").unwrap_or_default(),
         reason: text(value, "qualityReason").unwrap_or_default(),
         stages: times(&property(value, "stages")),
@@ -281,6 +333,7 @@ pub(super) fn desk(state: &JsValue) -> Desk {
     let flag = |name| property(state, name).is_truthy();
     Desk {
         scene: text(state, "scene").unwrap_or_default(),
+        preset: text(state, "preset").unwrap_or_default(),
         undo: flag("undo"),
         redo: flag("redo"),
         link: flag("link"),
@@ -297,7 +350,7 @@ pub(super) fn paint_soon(ctx: &egui::Context) {
 }
 
 /// A property, or `undefined` where there is none.
-fn property(of: &JsValue, name: &str) -> JsValue {
+pub(super) fn property(of: &JsValue, name: &str) -> JsValue {
     if of.dyn_ref::<Object>().is_none() {
         return JsValue::UNDEFINED;
     }

@@ -17,7 +17,7 @@ use wasm_bindgen::prelude::*;
 use web_sys::{HtmlCanvasElement, HtmlElement, KeyboardEvent, PointerEvent};
 
 use self::app::App;
-use self::element::{Element, desk, paint_soon};
+use self::element::{Element, desk, paint_soon, property, read_scene};
 use self::listener::Listener;
 use crate::theme::{self, Measures};
 
@@ -53,7 +53,7 @@ impl Panel {
         fire: JsValue,
         desk: JsValue,
     ) -> Result<Panel, JsValue> {
-        let measures = if has_coarse_pointer() {
+        let measures = if matches("(pointer: coarse)") {
             Measures::COARSE
         } else {
             Measures::FINE
@@ -72,6 +72,7 @@ impl Panel {
             let canvas = canvas.clone();
             Box::new(move |creation| {
                 let ctx = creation.egui_ctx.clone();
+                theme::prefer_contrast(matches("(prefers-contrast: more)"));
                 theme::apply(&ctx);
                 let element = Rc::new(Element::new(fire, desk, panel.clone(), ctx.clone())?);
                 started.replace(Some((element.clone(), ctx)));
@@ -116,7 +117,8 @@ impl Panel {
     }
 
     /// Brings a parameter's row into sight and marks it, or what can be shared
-    /// (`share`); an empty id takes the mark away.
+    /// (`share`), the tools (`tools`), the quality (`quality`) or the search (`search`),
+    /// which gets the focus; an empty id takes the mark away.
     pub fn reveal(&self, id: &str) {
         if let Ok(mut panel) = self.panel.try_borrow_mut() {
             panel.reveal(id);
@@ -129,8 +131,20 @@ impl Panel {
     pub fn tell(&self, state: JsValue) {
         if let Ok(mut panel) = self.panel.try_borrow_mut() {
             panel.desk = desk(&state);
+            read_scene(&mut panel, &property(&state, "values"));
         }
         paint_soon(&self.ctx);
+    }
+
+    /// The value of the row under the pointer and its label, to be copied; nothing where
+    /// there is none, or somebody types.
+    pub fn hovered(&self) -> Option<Vec<String>> {
+        let panel = self.panel.try_borrow().ok()?;
+        if panel.is_typing(&self.ctx) {
+            return None;
+        }
+        let (value, label) = panel.hovered_value()?;
+        Some(vec![value, label.to_owned()])
     }
 
     /// Paints soon: the canvas's resolution was changed from outside.
@@ -168,9 +182,9 @@ fn options(manners: &Rc<Manners>) -> eframe::WebOptions {
     }
 }
 
-fn has_coarse_pointer() -> bool {
+fn matches(query: &str) -> bool {
     web_sys::window()
-        .and_then(|window| window.match_media("(pointer: coarse)").ok().flatten())
+        .and_then(|window| window.match_media(query).ok().flatten())
         .is_some_and(|query| query.matches())
 }
 

@@ -34,6 +34,10 @@ impl Hands {
             time: 0.0,
         };
         hands.panel.fire.learn(MODEL, Input::Text(model.name()));
+        hands
+            .panel
+            .fire
+            .start_from([(MODEL, Input::Text(model.name()))]);
         hands.wait();
         hands
     }
@@ -44,7 +48,14 @@ impl Hands {
     }
 
     pub fn frame(&mut self, events: Vec<Event>) {
+        self.frame_with(Modifiers::NONE, events);
+    }
+
+    /// A frame in which keys such as Shift are held.
+    pub fn frame_with(&mut self, modifiers: Modifiers, events: Vec<Event>) {
         self.time += 0.1;
+        let held = Event::ModifiersChanged(modifiers);
+        let events = std::iter::once(held).chain(events).collect();
         let input = RawInput {
             screen_rect: Some(Rect::from_min_size(Pos2::ZERO, self.size)),
             time: Some(self.time),

@@ -1,6 +1,7 @@
 /**
- * What the documents for embedding promise: `docs/embedding.md` names exactly what the
- * element has, every name stands in an example, and every example of all of them runs.
+ * What the documents for embedding promise: `docs/element.md` names exactly what the
+ * element has, every name stands in an example of it or of `docs/embedding.md`, and every
+ * example of all of them runs.
  */
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -21,10 +22,11 @@ const examples = (/** @type {string} */ file) => {
   }));
 };
 
-const DOC = read('docs/embedding.md');
-const CODE = examples('docs/embedding.md').map(({ html }) => html).join('\n');
+const GUIDES = ['docs/embedding.md', 'docs/element.md'];
+const DOC = read('docs/element.md');
+const CODE = GUIDES.flatMap(examples).map(({ html }) => html).join('\n');
 const OTHERS = ['iframe', 'package', 'simulation'].map((name) => `docs/${name}.md`);
-const EXAMPLES = ['docs/embedding.md', ...OTHERS].flatMap(examples);
+const EXAMPLES = [...GUIDES, ...OTHERS].flatMap(examples);
 
 /** The names in the first column of the tables of a section. */
 function named(heading) {

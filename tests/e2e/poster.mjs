@@ -4,10 +4,8 @@
  * runs this and says where it goes: `node poster.mjs file.jpg`.
  */
 import { writeFileSync } from 'node:fs';
-import { readFile } from 'node:fs/promises';
-import path from 'node:path';
 import { Browser } from './driver.mjs';
-import { SITE } from './site.mjs';
+import { landingScene } from './site.mjs';
 import { burnAnew } from './still.mjs';
 
 const [file] = process.argv.slice(2);
@@ -25,10 +23,7 @@ const QUALITIES = [88, 84, 80, 75, 70];
 /** How many steps the fire has burnt. */
 const STEPS = 3000;
 
-/** The landing page's own fire, which stands still to be burnt by hand. */
-const landing = /<hearth-fire id="fire" ([^>]*)>/.exec(await readFile(path.join(SITE, 'index.html'), 'utf8'))?.[1];
-const scene = landing && /preset="([^"]+)"/.exec(landing)?.[1];
-if (!scene) throw new Error('the page names no scene');
+const scene = await landingScene();
 
 const PAGE = `<!doctype html>
 <html lang="en">

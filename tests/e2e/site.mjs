@@ -3,6 +3,7 @@
  * table for names, ranges and defaults, and state none of them twice.
  */
 import { accessSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
@@ -35,4 +36,12 @@ export async function table() {
  */
 export function domainOf(one, model) {
   return one.domains[model] ?? Object.values(one.domains)[0];
+}
+
+/** The scene that the page opens with, as its HTML names it. */
+export async function landingScene() {
+  const html = await readFile(path.join(SITE, 'index.html'), 'utf8');
+  const scene = /<hearth-fire id="fire" [^>]*?preset="([^"]+)"/.exec(html)?.[1];
+  if (!scene) throw new Error('the page names no scene');
+  return scene;
 }

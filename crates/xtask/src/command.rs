@@ -1,6 +1,5 @@
 //! The command line: what may be asked for, and who answers.
 
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use anyhow::{Result, bail};
@@ -27,8 +26,7 @@ cargo xtask <command>
   look [SCENE...]                       watch fires for flashes and more, and write docs/evaluation.md
   poster                                take the picture that a link to the page shows
   thumbnails [SCENE...]                 take the small pictures of all scenes, or only of these
-  showcase [PICTURE …]                  take the documentation's animation and, with
-                                        pictures of other systems, a sheet of ours and theirs
+  showcase                              take the documentation's animation
   burning                               burn the scenes that a page may open on, and keep them burning
   size                                  print the download sizes of the built site
   codegen                               write the files that come from the parameter table and the scenes
@@ -87,11 +85,8 @@ pub enum Command {
         /// The scenes; none: all.
         names: Vec<String>,
     },
-    /// Take the documentation's animation and its sheet of pictures.
-    Showcase {
-        /// Pictures of other systems, for the sheet.
-        others: Vec<PathBuf>,
-    },
+    /// Take the documentation's animation.
+    Showcase,
     /// Keep scenes burning.
     Burning,
     /// Print download sizes.
@@ -141,7 +136,7 @@ impl Command {
                     names,
                 }
             }
-            "validate" | "look" | "thumbnails" | "showcase" => {
+            "validate" | "look" | "thumbnails" => {
                 let mut names = Vec::new();
                 for given in options.by_ref() {
                     if given.starts_with('-') {
@@ -152,9 +147,6 @@ impl Command {
                 match name.as_str() {
                     "look" => Command::Look { names },
                     "thumbnails" => Command::Thumbnails { names },
-                    "showcase" => Command::Showcase {
-                        others: names.into_iter().map(PathBuf::from).collect(),
-                    },
                     _ => Command::Validate { names },
                 }
             }
@@ -199,6 +191,7 @@ impl Command {
                 Command::Goldens(wanted)
             }
             "poster" => Command::Poster,
+            "showcase" => Command::Showcase,
             "package" => Command::Package,
             "burning" => Command::Burning,
             "size" => Command::Size,
@@ -269,7 +262,7 @@ pub fn run(command: Command) -> Result<ExitCode> {
         Command::Goldens(wanted) => goldens::write(&wanted)?,
         Command::Poster => poster::take()?,
         Command::Thumbnails { names } => thumbnails::take(&names)?,
-        Command::Showcase { others } => showcase::take(&others)?,
+        Command::Showcase => showcase::take()?,
         Command::Size => {
             site::build()?;
             size::check()?;

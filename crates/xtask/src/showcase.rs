@@ -1,6 +1,5 @@
-//! `cargo xtask showcase`: takes the pictures that show in documentation what Hearth
-//! draws: `docs/fire.webp`, five seconds of a fire, and, where pictures of other
-//! systems are given, `docs/comparison.jpg`, a sheet of ours and theirs.
+//! `cargo xtask showcase`: takes the animation that shows in documentation what Hearth
+//! draws: `docs/fire.webp`, five seconds of the scene that the page opens with.
 
 use std::fs;
 use std::path::PathBuf;
@@ -15,12 +14,12 @@ const LARGEST: u64 = 2_000_000;
 /// Pictures a second of it.
 const RATE: u32 = 20;
 
-/// Builds the site and takes the pictures; `others` are set beside ours.
+/// Builds the site and takes the animation.
 ///
 /// # Errors
 /// No browser, no Node, no `img2webp`, a site that does not build, or an animation that
 /// is too large.
-pub fn take(others: &[PathBuf]) -> Result<()> {
+pub fn take() -> Result<()> {
     tools::webp()?;
     let mut script = browser::script("showcase.mjs")?;
     let docs = paths::root().join("docs");
@@ -30,13 +29,6 @@ pub fn take(others: &[PathBuf]) -> Result<()> {
     }
     fs::create_dir_all(&made).context("the folder of the frames")?;
     script.arg(&made).arg(RATE.to_string());
-    if !others.is_empty() {
-        script.arg(docs.join("comparison.jpg"));
-        for other in others {
-            let there = other.canonicalize();
-            script.arg(there.with_context(|| format!("no {}", other.display()))?);
-        }
-    }
     process::run(&mut script)?;
 
     let mut frames: Vec<PathBuf> = fs::read_dir(&made)?

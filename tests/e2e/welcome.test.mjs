@@ -122,7 +122,7 @@ describe('the panel', () => {
     await strip(tab);
     await tab.burnt(1);
     assert.equal(await panelIs(tab), 'hidden');
-    assert.deepEqual(await loaded(tab, 'panel'), []);
+    for (const part of ['/panel.js', 'hearth-panel']) assert.deepEqual(await loaded(tab, part), []);
     await new Panel(tab).mounted();
     assert.equal(await panelIs(tab), 'shown');
     assert.ok((await loaded(tab, 'hearth-panel')).length > 0);

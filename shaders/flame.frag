@@ -8,14 +8,14 @@ uniform sampler2D drift;      // how far, in pictures, the gas has carried two p
 uniform sampler2D noise;      // a tile; 0.5 is zero
 uniform sampler2D black_body; // chroma, ln luminance, by temperature
 uniform vec4 view;   // width, height [m], height of the source [m], its width [m]
-uniform vec4 origin; // the floor's middle, in pictures; place of the source [m]
+uniform vec4 origin; // the floor's middle, in pictures; place of the source [m]; picture in heights of the domain
 uniform vec4 part;   // used part of the field target, largest coordinate in it
 uniform vec4 range;  // what the target's range took of each field
 uniform vec4 grain;  // noise tiles per metre: across, up; warp [m], detail
 uniform vec4 start;  // where in the tile each pattern began
 uniform vec4 seen;   // share of each pattern; level of the tile with texels as large as it; tiles risen
 uniform vec4 matter; // optical depth of soot, of smoke; temperature of the air [kK]; 1 / width of the domain [1/m]
-uniform vec4 shine;  // luminance exponent, gain, 1 / light range
+uniform vec4 shine;  // luminance exponent, gain, 1 / light range; 1 / heights of the domain that are soft at the floor
 uniform vec4 table;  // kK to table coordinate: scale, offset; share of fire
 
 out vec4 light; // square root of light / range; coverage
@@ -48,10 +48,11 @@ void main() {
     float weight = max(gas.x, 1e-4);
     float share = min(1.25 * weight, 1.0);
     float kilokelvin = mix(matter.z, gas.y / weight, share);
-    // What leaves the domain on one side comes back on the other, and above it ends:
-    // none of that is seen. Nor is where the noise would carry gas to nothing.
+    // What leaves the domain on one side comes back on the other, and above it and the
+    // picture ends: none of that is seen. Nor is where the noise would carry gas to nothing.
+    float up = (uv.y - origin.y) * origin.w;
     float soot = gas.z / weight * share * smoothstep(0.003, 0.03, around)
-               * (1.0 - smoothstep(0.36, 0.48, abs(place.x) * matter.w)) * (1.0 - smoothstep(0.72, 0.96, uv.y));
+               * (1.0 - smoothstep(0.36, 0.48, abs(place.x) * matter.w)) * (1.0 - smoothstep(0.72, 0.96, max(up, uv.y))) * clamp(up * shine.w, 0.0, 1.0);
 
     // The flame stands on its source as in a bowl, whose rim is higher than its
     // middle, and thins towards it.

@@ -4,7 +4,7 @@
 in vec2 uv;
 
 uniform sampler2D glow; // the widest blurred copy of the light
-uniform vec4 view; // width / height of the picture
+uniform vec4 view; // size of the picture, and its area, in heights of the domain
 
 out vec4 lamp; // square root of the light / range
 
@@ -16,10 +16,10 @@ void main() {
         for (float x = 0.5; x < reads.x; x += 1.0) {
             vec2 at = vec2(x, y) / reads;
             vec3 root = texture(glow, at).rgb;
-            vec2 way = (uv - at) * vec2(view.x, 1.0);
+            vec2 way = (uv - at) * view.xy;
             float near = 0.06 / (0.06 + dot(way, way));
             sum += root * root * near * near;
         }
     }
-    lamp = vec4(sqrt(sum * view.x / (reads.x * reads.y)), 1.0);
+    lamp = vec4(sqrt(sum * view.z / (reads.x * reads.y)), 1.0);
 }

@@ -4,6 +4,7 @@ in vec2 uv;
 
 uniform sampler2D noise; // a tile; 0.5 is zero
 uniform vec4 view; // width / height of the picture; where the wall stands
+uniform vec4 origin; // the floor's middle, in pictures; size of the picture, in heights of the domain
 
 out vec4 scenery; // square root of colour; share of floor
 
@@ -25,7 +26,7 @@ vec3 bricks(vec2 place, vec2 size) {
 }
 
 void main() {
-    vec2 place = vec2((uv.x - 0.5) * view.x, uv.y);
+    vec2 place = (uv - origin.xy) * origin.zw;
     float depth = view.y - place.y; // below the foot of the wall
     // A floor that comes nearer downwards, and is dark where it meets the wall.
     float near = 1.0 + depth / 0.3;

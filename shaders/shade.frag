@@ -8,13 +8,13 @@ uniform sampler2D wide;       // the same as seen from farther away
 uniform sampler2D noise;      // a tile; 0.5 is zero
 uniform sampler2D black_body; // chroma, ln luminance, by temperature
 uniform vec4 view;    // width, height [m], height of the source [m], 1 / flame height
-uniform vec4 origin;  // the floor's middle, in pictures; place of the source [m]
+uniform vec4 origin;  // the floor's middle, in pictures; place of the source [m]; picture in heights of the domain
 uniform vec4 part;    // used part of the field target, largest coordinate in it
 uniform vec4 range;   // what the target's range took of each field
 uniform vec4 rise;    // noise tiles per metre, tiles risen, warp [m], erosion
 uniform vec4 matter;  // optical depth, weight of the air, its temperature [kK], smoke
 uniform vec4 shine;   // luminance exponent, gain, 1 / light range, 1 / half the source's width
-uniform vec4 table;   // kK to table coordinate: scale, offset; share of fire
+uniform vec4 table;   // kK to table coordinate: scale, offset; share of fire; 1: soft at the top of the domain
 
 out vec4 light; // square root of light / range; coverage
 
@@ -63,5 +63,6 @@ void main() {
     // Dim red gas hides no more than it shines: over a bright ground it would draw a dark rim.
     opaque *= smoothstep(0.02, 0.5, max(emitted.r, max(emitted.g, emitted.b)));
     vec3 sum = emitted * (1.0 - 0.5 * hidden);
-    light = vec4(sqrt(sum * shine.z), 1.0 - (1.0 - opaque) * (1.0 - hidden));
+    float soft = 1.0 - table.w * smoothstep(0.75, 0.98, (uv.y - origin.y) * origin.w);
+    light = vec4(sqrt(sum * shine.z), 1.0 - (1.0 - opaque) * (1.0 - hidden)) * soft;
 }

@@ -60,6 +60,8 @@ export interface FrameFire extends EventTarget {
   exportConfig(): Promise<HearthConfig>;
   importConfig(config: HearthConfig | string): Promise<void>;
   toBlob(type?: string, quality?: number): Promise<Blob>;
+  stir(x: number, y: number, u: number, v: number): Promise<void>;
+  sparks(x: number, y: number, count?: number): Promise<void>;
   /** An attribute of the element itself; sets it if there is a value; null takes it away, and `false` too but for `autoplay`. */
   option(name: FrameOption, value?: string | number | boolean | null): Promise<string | null>;
   /** Asks by name, as the messages do. */

@@ -12,7 +12,7 @@
 /** What can be asked of the fire; each becomes a method that gives a promise. */
 const METHODS = [
   'ready', 'play', 'pause', 'reset', 'step', 'set', 'get', 'params', 'stats', 'restore',
-  'exportConfig', 'importConfig', 'toBlob', 'option',
+  'exportConfig', 'importConfig', 'toBlob', 'stir', 'sparks', 'option',
 ];
 
 /** How long a page that has loaded may take to say that it listens [ms]. */

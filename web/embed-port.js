@@ -48,6 +48,8 @@ const METHODS = new Map(Object.entries({
   exportConfig: (fire) => fire.exportConfig(),
   importConfig: (fire, config) => fire.importConfig(config),
   toBlob: (fire, type, quality) => fire.toBlob(type, quality),
+  stir: (fire, x, y, u, v) => fire.stir(x, y, u, v),
+  sparks: (fire, x, y, count) => fire.sparks(x, y, count),
   option: (fire, name, value) => option(fire, name, value),
 }));
 

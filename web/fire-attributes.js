@@ -26,6 +26,7 @@ const OWN_PROPERTIES = OWN_ATTRIBUTES.map(camelCase);
 
 /** What may be chosen for an attribute, the first where it is not there. */
 export const CHOICES = {
+  fit: ['height', 'contain', 'cover', 'width'],
   loading: ['auto', 'lazy', 'eager'],
   'reduced-motion': ['auto', 'ignore'],
 };
@@ -104,7 +105,7 @@ reflect('warm', (element) => warmth(element) || 0, (element, value) => {
 
 // The others are kept in their attributes as HTML's own elements keep theirs: texts,
 // and flags, which are there or not.
-for (const name of ['src', 'poster', 'alt', 'max-pixels', 'fps-limit', 'touch-action']) {
+for (const name of ['src', 'poster', 'alt', 'max-pixels', 'fps-limit', 'touch-action', 'align']) {
   reflect(name, (element) => element.getAttribute(name) ?? '', (element, value) => setOrRemove(element, name, value));
 }
 for (const name of /** @type {(keyof typeof CHOICES)[]} */ (Object.keys(CHOICES))) {

@@ -14,6 +14,7 @@
  */
 
 import { CHOICES, ID_OF_ATTRIBUTE, OBSERVED } from './fire-attributes.js';
+import { alignment } from './fire-place.js';
 
 const LIMITS = ['fps-limit', 'max-pixels'];
 
@@ -121,6 +122,8 @@ export class FireManners {
       else this.#limits.delete(name);
     } else if (name === 'interactive') {
       this.#listen();
+    } else if (name === 'fit' || name === 'align') {
+      this.#look();
     } else if (name === 'touch-action') {
       this.#touch(value ?? '');
     } else if (name === 'controls') {
@@ -145,22 +148,33 @@ export class FireManners {
     asked.then(() => this.#limits.set(name, value), () => {});
   }
 
-  /** Listens to pointers, or to none. The code is loaded only here. */
-  async #listen() {
-    const wanted = () => this.#fire.interactive && this.#open && !this.#ignorePointer;
+  /** Listens to pointers where it should. The code of that is loaded only then. */
+  #listen() {
     this.#ignorePointer?.();
     this.#ignorePointer = undefined;
-    if (!wanted()) return;
-    const { listenToPointer } = await import('./fire-pointer.js').catch((why) => {
-      this.#ways.complain('load', `What listens to pointers could not be loaded: ${why}`);
-      return { listenToPointer: undefined };
-    });
-    if (!wanted()) return;
-    this.#ignorePointer = listenToPointer?.(
-      this.#fire,
-      (x, y) => this.#fire.toMetres(x, y),
-      (stir) => this.#ways.send({ type: 'stir', ...stir }),
+    if (!this.#fire.interactive || !this.#open) return;
+    const ended = new AbortController();
+    this.#ignorePointer = () => ended.abort();
+    const ways = {
+      send: this.#ways.send,
+      move: (x) => this.#ways.ask({ type: 'set', source: 'pointer', values: { source_x: x } }).catch(() => {}),
+    };
+    import('./fire-pointer.js').then(
+      ({ listenToPointer }) => ended.signal.aborted || listenToPointer(this.#fire, this.#view.root, ways, ended.signal),
+      (why) => this.#ways.complain('load', `What listens to pointers could not be loaded: ${why}`),
     );
+  }
+
+  /** Which part of its world is seen. */
+  #look() {
+    const { fit, align } = this.#fire;
+    const [x, y] = alignment(align || 'center bottom') ?? [];
+    if (y === undefined) {
+      this.#ways.refuse('align', align, 'one or two of left, center, right and top, center, bottom');
+      return;
+    }
+    this.#view.camera = { fit, x, y };
+    this.#ways.send({ type: 'view', ...this.#view.camera });
   }
 
   /** @param {string} action */

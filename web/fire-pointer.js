@@ -1,5 +1,10 @@
 /**
- * A pointer that stirs the fire: gas near it is carried along.
+ * A pointer on a fire: gas near it is carried along, twice as fast while it is pressed;
+ * a click throws sparks; a drag that begins on the source moves that.
+ *
+ * @typedef {object} Ways
+ * @property {(message: {type: string, [field: string]: any}) => unknown} send to the engine
+ * @property {(x: number) => unknown} move puts the source there [m]
  */
 
 /** Longest time between two events of one movement [ms]. */
@@ -8,23 +13,82 @@ const PAUSE_MS = 200;
 /** Fastest that gas is carried along [m/s]. */
 const FASTEST = 20;
 
+/** How far a pointer may go and still have clicked, and how far a source reaches at least [px]. */
+const STILL = 6;
+const HAND = 16;
+
+/** Sparks of a click. */
+const SPARKS = 24;
+
+/** What inside a fire has pointers of its own. */
+const OTHERS = '.panel, .message, a, button, input, select, textarea, label';
+
 /**
  * Starts to listen.
- * @param {HTMLElement} host
- * @param {(x: number, y: number) => {x: number, y: number} | null} toMetres
- * @param {(stir: {x: number, y: number, u: number, v: number}) => void} stir
- * @returns {() => void} ends it
+ * @param {any} fire the element
+ * @param {HTMLElement} root what stands inside it
+ * @param {Ways} ways
+ * @param {AbortSignal} signal ends it
  */
-export function listenToPointer(host, toMetres, stir) {
-  const ended = new AbortController();
+export function listenToPointer(fire, root, { send, move }, signal) {
   /** The last place of each pointer: fingers may be many. */
   const last = new Map();
+  /** Where each was pressed, and what it holds: how far from the source's middle [m]. */
+  const pressed = new Map();
+
+  /** Where on the fire it is [px], and in its world; nothing where it is not. */
+  const locate = ({ clientX, clientY }) => {
+    const { left, top, width, height } = fire.getBoundingClientRect();
+    const [x, y] = [clientX - left, clientY - top];
+    const inside = x >= 0 && y >= 0 && x <= width && y <= height;
+    return { x, y, width, inside, metres: fire.toMetres(x, y) };
+  };
+  const isOurs = (event) => !event.composedPath().some((node) => node !== fire && node.matches?.(OTHERS) && fire.shadowRoot.contains(node));
+  /** How far from the middle of the source it grips that [m]; nothing where it does not. */
+  const grip = (event) => {
+    const { x, y, inside, metres } = locate(event);
+    const source = sourceOf(fire.params);
+    const foot = fire.toPixels(source.x, source.y);
+    if (!inside || !foot || !metres || !isOurs(event)) return undefined;
+    const half = fire.toPixels(source.x + source.half, source.y).x - foot.x;
+    const near = Math.abs(x - foot.x) <= Math.max(half, HAND) && Math.abs(y - foot.y) <= HAND;
+    return near ? metres.x - source.x : undefined;
+  };
+
   const leave = (event) => last.delete(event.pointerId);
-  const move = (event) => {
-    const { left, top, width, height } = host.getBoundingClientRect();
-    const [x, y] = [event.clientX - left, event.clientY - top];
-    const place = x >= 0 && y >= 0 && x <= width && y <= height ? toMetres(x, y) : null;
+  const press = (event) => {
+    if (event.button !== 0 || !isOurs(event)) return;
+    const { x, y, inside } = locate(event);
+    if (!inside) return;
+    const held = grip(event);
+    pressed.set(event.pointerId, { x, y, held, clicks: true });
+    if (held === undefined) return;
+    // A pointer that is gone already cannot be captured.
+    try {
+      fire.setPointerCapture(event.pointerId);
+    } catch {}
+  };
+  const drag = (held, { width, metres }) => {
+    if (!metres) return;
+    const { most } = sourceOf(fire.params);
+    const [left, right] = [fire.toMetres(0, 0).x, fire.toMetres(width, 0).x];
+    const seen = Math.max(left, Math.min(right, metres.x - held));
+    const limit = Math.min(most, 3);
+    // As the panel shows numbers, and no more of them in an address.
+    move(Math.round(Math.max(-limit, Math.min(limit, seen)) * 1000) / 1000);
+  };
+  const follow = (event) => {
+    const at = locate(event);
+    const press = pressed.get(event.pointerId);
+    if (press && Math.hypot(at.x - press.x, at.y - press.y) > STILL) press.clicks = false;
+    if (press?.held !== undefined) {
+      root.style.cursor = 'grabbing';
+      if (!press.clicks) drag(press.held, at);
+      return;
+    }
+    root.style.cursor = event.pointerType === 'mouse' && grip(event) !== undefined ? 'grab' : '';
     const before = last.get(event.pointerId);
+    const place = at.inside && isOurs(event) ? at.metres : null;
     if (!place) {
       // A finger may go on beyond the fire.
       leave(event);
@@ -33,13 +97,53 @@ export function listenToPointer(host, toMetres, stir) {
     last.set(event.pointerId, { ...place, time: event.timeStamp });
     const seconds = (event.timeStamp - before?.time) / 1000;
     if (!(seconds > 0 && seconds < PAUSE_MS / 1000)) return;
-    const speed = (metres) => Math.max(-FASTEST, Math.min(FASTEST, metres / seconds));
-    const [u, v] = [speed(place.x - before.x), speed(place.y - before.y)];
-    stir({ ...place, u, v });
+    const strength = event.buttons & 1 ? 2 : 1;
+    const speed = (metres) => Math.max(-FASTEST, Math.min(FASTEST, (strength * metres) / seconds));
+    send({ type: 'stir', ...place, u: speed(place.x - before.x), v: speed(place.y - before.y) });
   };
-  host.addEventListener('pointermove', move, ended);
-  for (const type of ['pointerleave', 'pointercancel', 'pointerup']) {
-    host.addEventListener(type, leave, ended);
-  }
-  return () => ended.abort();
+  const lift = (event) => {
+    leave(event);
+    const press = pressed.get(event.pointerId);
+    pressed.delete(event.pointerId);
+    root.style.cursor = '';
+    const { inside, metres } = locate(event);
+    if (event.type === 'pointerup' && press?.clicks && inside && metres) {
+      send({ type: 'sparks', ...metres, count: SPARKS });
+    }
+  };
+  // What holds the source scrolls no page and selects no text.
+  const keep = (event) => {
+    const points = event.changedTouches ?? [event];
+    if ([...points].some((point) => grip({ ...where(point), composedPath: () => event.composedPath() }) !== undefined)) {
+      event.preventDefault();
+    }
+  };
+  const where = ({ clientX, clientY }) => ({ clientX, clientY });
+
+  fire.addEventListener('pointermove', follow, { signal });
+  fire.addEventListener('pointerdown', press, { signal });
+  fire.addEventListener('pointerleave', leave, { signal });
+  for (const type of ['pointerup', 'pointercancel']) fire.addEventListener(type, lift, { signal });
+  fire.addEventListener('mousedown', keep, { signal });
+  fire.addEventListener('touchstart', keep, { signal, passive: false });
+  signal.addEventListener('abort', () => (root.style.cursor = ''));
+}
+
+/**
+ * The source of a fire as the engine has it: middle and height of its foot, half of its
+ * width, and how far from the middle it may stand [m].
+ * @param {{[id: string]: any}} params
+ */
+function sourceOf(params) {
+  const { model, domain_width: across, domain_height: up, source_width: wide } = params;
+  const seam = model === 'combustion' ? params.seam : 0;
+  const half = Math.min(wide, across) / 2;
+  const most = Math.max((0.5 - seam) * across - half, 0);
+  const between = (value, least, largest) => Math.max(least, Math.min(largest, value));
+  return {
+    x: between(params.source_x, -most, most),
+    y: between(params.source_height, seam * up, (1 - seam) * up),
+    half,
+    most,
+  };
 }

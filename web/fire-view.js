@@ -6,6 +6,7 @@
  * content security policy may forbid `<style>`.
  */
 
+import { placeOf } from './fire-place.js';
 import { deferred } from './requests.js';
 import { motionIsReduced } from './watch.js';
 
@@ -100,6 +101,8 @@ export class FireView {
   #told;
   /** @type {HTMLCanvasElement | undefined} */
   canvas;
+  /** How the world fits the picture, and where it stands in it: 0 to 1 from left, from below. */
+  camera = { fit: 'height', x: 0.5, y: 0 };
 
   /**
    * @param {HTMLElement} host
@@ -245,17 +248,16 @@ export class FireView {
   }
 
   /**
-   * How the picture maps to the fire's world, whose height fits it; null
-   * without a picture.
-   * @param {number} domainHeight in metres
+   * How the picture maps to the fire's world; null without a picture.
+   * @param {{[id: string]: any}} params
    */
-  place(domainHeight) {
+  place({ domain_width: across, domain_height: up }) {
     const outer = this.#host.getBoundingClientRect();
     const inner = this.canvas?.getBoundingClientRect();
     if (!inner?.height) return null;
-    const scale = inner.height / domainHeight;
-    const middle = inner.left - outer.left + inner.width / 2;
-    const floor = inner.bottom - outer.top;
+    const { scale, left, bottom } = placeOf(this.camera, across, up, inner.width, inner.height);
+    const middle = inner.left - outer.left + left;
+    const floor = inner.bottom - outer.top - bottom;
     return {
       toMetres: (x, y) => ({ x: (x - middle) / scale, y: (floor - y) / scale }),
       toPixels: (x, y) => ({ x: middle + x * scale, y: floor - y * scale }),

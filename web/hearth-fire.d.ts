@@ -181,8 +181,12 @@ export class HearthFire extends HTMLElement {
   /** Seconds of fire that a new fire burns before it is shown. */
   get warm(): number;
   set warm(seconds: number | boolean | string);
-  /** Whether a pointer stirs it. */
+  /** Whether a pointer stirs it, throws sparks and moves its source. */
   interactive: boolean;
+  /** How its domain fits the picture: as high, all of it seen, nothing else seen, as wide. */
+  fit: 'height' | 'contain' | 'cover' | 'width';
+  /** Where the domain stands in the picture, as CSS's `object-position`: `left`, `center` or `right`, `top`, `center` or `bottom`; empty: `center bottom`. */
+  align: string;
   /** What a finger on an interactive fire may do with the page, as CSS has it. */
   touchAction: string;
   /** Whether it has its panel of sliders, or for which parameters. */
@@ -217,6 +221,10 @@ export class HearthFire extends HTMLElement {
   captureStream(fps?: number): Promise<MediaStream>;
   /** Puts it out and frees all that it holds; it burns again when it is put on a page anew. */
   destroy(): Promise<void>;
+  /** Carries the gas around a place [m] along as fast as that, at most 20 m/s each way; rejects with a {@link HearthRangeError}. */
+  stir(x: number, y: number, u: number, v: number): Promise<void>;
+  /** Throws 1 to 200 sparks from a place [m], 24 if nothing is said; rejects with a {@link HearthRangeError}. The classic model has none. */
+  sparks(x: number, y: number, count?: number): Promise<void>;
   /**
    * The place [m] that a point [CSS pixels from the element's upper left corner]
    * shows: from the middle of the floor, y up. Null while there is no picture.

@@ -278,6 +278,29 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
+   * Carries the gas around a place along, for a twentieth of a second.
+   * @param {number} x metres from the middle
+   * @param {number} y metres above the floor
+   * @param {number} u metres a second to the right, at most 20
+   * @param {number} v metres a second up, at most 20
+   * @returns {Promise<void>}
+   */
+  stir(x, y, u, v) {
+    return this.#ask({ type: 'stir', ...postable({ x, y, u, v }, 1) });
+  }
+
+  /**
+   * Throws sparks from a place; the classic model has none.
+   * @param {number} x metres from the middle
+   * @param {number} y metres above the floor
+   * @param {number} [count] from 1 to 200
+   * @returns {Promise<void>}
+   */
+  sparks(x, y, count = 24) {
+    return this.#ask({ type: 'sparks', ...postable({ x, y, count }, 1) });
+  }
+
+  /**
    * Which place of the fire's world a point of the page shows.
    * @param {number} x CSS pixels from the element's left edge
    * @param {number} y CSS pixels from its upper edge
@@ -285,7 +308,7 @@ export class HearthFire extends FireAttributes {
    *   floor, y up; null while there is no picture
    */
   toMetres(x, y) {
-    return this.#view.place(this.#params.domain_height)?.toMetres(x, y) ?? null;
+    return this.#view.place(this.#params)?.toMetres(x, y) ?? null;
   }
 
   /**
@@ -295,7 +318,7 @@ export class HearthFire extends FireAttributes {
    * @returns {{x: number, y: number} | null} CSS pixels from the element's upper left corner
    */
   toPixels(x, y) {
-    return this.#view.place(this.#params.domain_height)?.toPixels(x, y) ?? null;
+    return this.#view.place(this.#params)?.toPixels(x, y) ?? null;
   }
 
   connectedCallback() {
@@ -480,7 +503,9 @@ export class HearthFire extends FireAttributes {
       () => chosen(this, 'loading'),
       () => [HearthFire.wasmUrl, HearthFire.engine],
       () => this.#prepare(),
-      (prepared) => ({ ...this.#start(prepared.config), warm: this.warm, state: prepared.state }),
+      (prepared) => ({
+        ...this.#start(prepared.config), warm: this.warm, state: prepared.state, view: this.#view.camera,
+      }),
     );
     opened.catch((error) => link.closed || this.#fail(error.kind ?? 'load', error.message));
   }

@@ -57,8 +57,12 @@ export interface HearthFireAttributes {
   "fps-limit"?: number | string | undefined;
   /** Seconds of fire, 0 to 30, that a new fire burns before it is shown: 3 where the attribute has no value. The poster or the picture before stays meanwhile. */
   warm?: number | boolean | string | undefined;
-  /** The fire takes pointers, which stir it; without this clicks go through it. */
+  /** The fire takes pointers: they stir it, a click throws sparks, a drag moves its source. Without this clicks go through it. */
   interactive?: boolean | undefined;
+  /** How the fire's domain fits the picture: as high as it, all of it seen, nothing else seen, or as wide as it. */
+  fit?: 'height' | 'contain' | 'cover' | 'width' | undefined;
+  /** Where the domain stands in the picture, as CSS's `object-position`: `left`, `center` or `right`, `top`, `center` or `bottom`; without it `center bottom`. */
+  align?: string | undefined;
   /** What fingers do on an interactive fire, as CSS's `touch-action`; without it `pan-y`. */
   "touch-action"?: string | undefined;
   /** Shows the panel of sliders inside the element, or those of a list of parameters; its code is loaded only then. */

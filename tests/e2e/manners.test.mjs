@@ -162,30 +162,6 @@ test('limits, choices and touch actions that are none are refused by name', asyn
   assert.match(message, /fast.*from 10 to 240/);
 });
 
-test('a pointer stirs an interactive fire and no other', async () => {
-  const tab = await browser.open('<hearth-fire model="classic" quality="low" seed="3"></hearth-fire>');
-  await tab.burnt(1);
-  const through = await tab.evaluate(() => document.elementFromPoint(120, 120)?.tagName);
-  assert.notEqual(through, 'HEARTH-FIRE', 'a decorative fire lets clicks through');
-  const swept = async () => {
-    await tab.fire((fire) => fire.reset());
-    await tab.fire((fire) => fire.step(240));
-    await tab.fire((fire) => fire.play());
-    for (let round = 0; round < 4; round += 1) {
-      await tab.drag({ x: 20, y: 190 }, { x: 220, y: 190 });
-      await tab.mouse('move', { x: 20, y: 10 });
-    }
-    await tab.fire((fire) => fire.pause());
-    return (await tab.firePicture()).part(0.62, 0.5, 1, 1).glowing();
-  };
-  const still = await swept();
-  await tab.fire((fire) => (fire.interactive = true));
-  assert.equal(await tab.evaluate(() => document.elementFromPoint(120, 120)?.tagName), 'HEARTH-FIRE');
-  const moved = await swept();
-  assert.ok(moved > still + 0.005, `${moved} of the right half glows, ${still} unstirred`);
-  assert.deepEqual(tab.problems, []);
-});
-
 test('a finger on an interactive fire scrolls the page up and down unless it is told otherwise', async () => {
   const tab = await browser.open(
     '<hearth-fire interactive></hearth-fire><div style="height: 3000px"></div>',

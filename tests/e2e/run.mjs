@@ -8,7 +8,7 @@ import { runTests, testsIn } from '../files.mjs';
 
 /** Files that want the machine for themselves, and why. @type {{[name: string]: string}} */
 const ALONE = {
-  manners: 'counts the pictures of two seconds, and stirs a fire that burns meanwhile',
+  manners: 'counts the pictures of two seconds',
   many: 'watches for how long thirty fires hold the page up',
   memory: 'counts the objects of so many frames',
   mirror: 'moves the focus out of the page and back, which comes late on a busy machine',

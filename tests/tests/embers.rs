@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 
 use hearth_core::params::Model;
-use hearth_core::{Ember, Parameters};
+use hearth_core::{Ember, Parameters, Vec2};
 use hearth_tests::fires::{burn, burn_on, combustion, watch};
 
 /// What tells one ember from all others.
@@ -146,4 +146,66 @@ fn the_renderer_gets_every_ember() {
         assert_eq!(i[4..7], [ember.temperature, ember.size, ember.age]);
         assert_eq!(i[7], 1.0 - ember.age / ember.lifetime);
     }
+}
+
+#[test]
+fn embers_thrown_by_hand_fly_from_there_and_are_the_same_again() {
+    let place = Vec2::new(0.2, 0.7);
+    let thrown = || {
+        let values = [
+            ("ember_rate", 0.0),
+            ("ember_size", 0.01),
+            ("ember_life_min", 0.3),
+        ];
+        let mut fire = burn(combustion(&values), 0.3);
+        fire.throw_embers(place, 24);
+        assert_eq!(fire.embers().len(), 24);
+        assert!(fire.embers().iter().all(|ember| ember.position == place));
+        burn_on(&mut fire, 0.1);
+        fire
+    };
+    let fire = thrown();
+    assert_eq!(fire.embers().len(), 24);
+    for ember in fire.embers() {
+        let way = ember.position - place;
+        assert!((0.001..0.5).contains(&way.length()), "{ember:?}");
+        assert!((0.004..=0.01).contains(&ember.size) && ember.lifetime >= 0.3);
+    }
+    let sides = fire
+        .embers()
+        .iter()
+        .filter(|ember| ember.position.x > place.x)
+        .count();
+    assert!((6..=18).contains(&sides), "{sides} to the right");
+    assert_eq!(fire.embers(), thrown().embers());
+
+    // The gas is as it was without them, and they die as the others do.
+    let mut without = burn(combustion(&[("ember_rate", 0.0)]), 0.3);
+    burn_on(&mut without, 0.1);
+    assert_eq!(fire.particles(), without.particles());
+    let mut fire = fire;
+    burn_on(&mut fire, 2.2);
+    assert_eq!(fire.embers(), []);
+}
+
+#[test]
+fn no_hand_throws_too_many_embers_or_any_from_outside() {
+    let mut fire = burn(combustion(&[("ember_rate", 0.0)]), 0.1);
+    for place in [
+        Vec2::new(0.0, 9.0),
+        Vec2::new(-5.0, 0.5),
+        Vec2::new(f32::NAN, 0.5),
+        Vec2::new(0.0, f32::INFINITY),
+    ] {
+        fire.throw_embers(place, 24);
+    }
+    assert_eq!(fire.embers(), []);
+    for _ in 0..100 {
+        fire.throw_embers(Vec2::new(0.0, 0.5), u32::MAX);
+    }
+    assert_eq!(fire.embers().len(), 4000);
+
+    let mut classic = burn(Parameters::new(Model::Classic), 0.1);
+    classic.throw_embers(Vec2::new(0.0, 0.5), 24);
+    assert_eq!(classic.embers(), []);
 }

@@ -15,6 +15,8 @@ mod seam;
 mod time_step;
 mod whirls;
 
+use glam::Vec2;
+
 use crate::Particle;
 use crate::grid::Grid;
 use crate::kernel::Kernel;
@@ -213,6 +215,13 @@ impl Combustion {
     /// All embers.
     pub fn embers(&self) -> &[Ember] {
         self.embers.alive()
+    }
+
+    /// Throws embers from a place; nothing where that is outside.
+    pub fn throw_embers(&mut self, place: Vec2, count: u32, values: &Values, random: &mut Random) {
+        if bounds(values).hold(place) {
+            self.embers.throw_from(place, count, values, random);
+        }
     }
 
     /// Power of the burning in the last step [kW/m].

@@ -280,6 +280,15 @@ impl Simulation {
         }
     }
 
+    /// Throws so many embers from a place \[m\] inside the domain; no more than 4000 fly
+    /// at one time. Their sizes and lives are those of the others. Outside, and in the
+    /// classic model, which has no embers, it does nothing.
+    pub fn throw_embers(&mut self, place: Vec2, count: u32) {
+        if let Gas::Combustion(gas) = &mut self.gas {
+            gas.throw_embers(place, count, &self.parameters, &mut self.random);
+        }
+    }
+
     /// Copies of all particles, in the order of their birth.
     pub fn particles(&self) -> Vec<Particle> {
         self.read(Living::particle, |gas, i| gas.particle(i, self.time))

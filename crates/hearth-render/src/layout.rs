@@ -1,5 +1,4 @@
-//! Sizes and places: how large each target is, and which part of the picture
-//! the fire can reach.
+//! Sizes: how large each target is.
 //!
 //! Fields are smooth, so a few texels for each kernel are enough; the light
 //! keeps half of a large picture's lines; glow needs fewer still. Fill
@@ -132,67 +131,6 @@ impl Layout {
     }
 }
 
-/// A rectangle in pixels, from the lower left.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Rectangle {
-    /// Left edge.
-    pub x: i32,
-    /// Lower edge.
-    pub y: i32,
-    /// Width; 0: nothing to draw.
-    pub width: i32,
-    /// Height.
-    pub height: i32,
-}
-
-/// Where the world stands in the picture: its height fits, x is centred.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
-    /// Width and height of what the picture shows \[m\].
-    pub metres: [f32; 2],
-}
-
-impl Place {
-    /// The place of a domain `height` \[m\] high in a picture of that size.
-    pub fn new(picture: [u32; 2], height: f32) -> Place {
-        let aspect = picture[0] as f32 / picture[1].max(1) as f32;
-        Place {
-            metres: [height * aspect, height],
-        }
-    }
-
-    /// Metres to clip coordinates: scale x, y, offset x, y.
-    pub fn to_clip(self) -> [f32; 4] {
-        [2.0 / self.metres[0], 2.0 / self.metres[1], 0.0, -1.0]
-    }
-
-    /// For a shader: where in the picture the middle of the floor is, and `x` \[m\].
-    pub fn origin(self, x: f32) -> [f32; 4] {
-        [0.5, 0.0, x, 0.0]
-    }
-
-    /// The texels of a target of that size that `bounds` (left, lower, right,
-    /// upper \[m\]) touches.
-    pub fn rectangle(self, bounds: [f32; 4], size: [u32; 2]) -> Rectangle {
-        let [left, lower, right, upper] = bounds;
-        let [width, height] = size.map(|side| side as f32);
-        let column = |x: f32| (x / self.metres[0] + 0.5) * width;
-        let row = |y: f32| y / self.metres[1] * height;
-        // A float that is too large, or no number, becomes an edge: `as` saturates.
-        let clamp = |at: f32, most: f32| at.max(0.0).min(most) as i32;
-        let (x, y) = (
-            clamp(column(left).floor(), width),
-            clamp(row(lower).floor(), height),
-        );
-        Rectangle {
-            x,
-            y,
-            width: (clamp(column(right).ceil(), width) - x).max(0),
-            height: (clamp(row(upper).ceil(), height) - y).max(0),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -267,34 +205,6 @@ mod tests {
             let [_, lines] = layout.used_field(count, 0.04, 1.5);
             let side = 2.0 * 0.04 / 1.5 * lines as f32;
             assert!(count as f32 * side * side <= 1.1 * SPLAT_BUDGET, "{count}");
-        }
-    }
-
-    #[test]
-    fn the_source_stands_in_the_lower_middle() {
-        let place = Place::new([1280, 720], 1.5);
-        let at = place.rectangle([-0.1, 0.0, 0.1, 0.75], [1280, 720]);
-        assert_eq!(at.y, 0);
-        assert_eq!(at.height, 360);
-        assert_eq!(2 * at.x + at.width, 1280);
-        assert!((95..=98).contains(&at.width), "{at:?}");
-    }
-
-    #[test]
-    fn what_is_outside_or_no_number_touches_nothing() {
-        let place = Place::new([100, 100], 1.0);
-        for bounds in [
-            [3.0, 0.0, 4.0, 1.0],
-            [0.0, 2.0, 0.1, 3.0],
-            [
-                f32::INFINITY,
-                f32::INFINITY,
-                f32::NEG_INFINITY,
-                f32::NEG_INFINITY,
-            ],
-        ] {
-            let at = place.rectangle(bounds, [100, 100]);
-            assert!(at.width == 0 || at.height == 0, "{bounds:?}: {at:?}");
         }
     }
 }

@@ -10,6 +10,7 @@
 //! one context share a [`Studio`]. Neither knows the page or any user interface.
 
 mod blackbody;
+mod camera;
 mod cie;
 mod drift;
 mod error;
@@ -31,6 +32,7 @@ mod target;
 mod targets;
 
 pub use blackbody::{Chromaticity, chromaticity, linear_srgb, luminance};
+pub use camera::{Camera, Fit};
 pub use error::RenderError;
 pub use format::TargetFormat;
 pub use gl::Graphics;

@@ -192,7 +192,7 @@ const SCENERY: Source = Source {
     vertex: &[shader!("screen.vert")],
     fragment: &[shader!("scenery.frag")],
     samplers: &["noise"],
-    uniforms: &["view"],
+    uniforms: &["view", "origin"],
 };
 
 const LAMP: Source = Source {

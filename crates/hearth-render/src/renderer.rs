@@ -16,11 +16,12 @@ use hearth_core::Parameters;
 use hearth_core::params::{Colour, DisplayMode, Layers, Model};
 
 use crate::blackbody::{COOLEST, ENTRIES, HOTTEST};
+use crate::camera::{Camera, Place};
 use crate::drift::Drift;
 use crate::error::RenderError;
 use crate::format::TargetFormat;
 use crate::gl::Graphics;
-use crate::layout::{Layout, Lines, Place};
+use crate::layout::{Layout, Lines};
 use crate::palette::Tint;
 use crate::particles::Particles;
 use crate::passes::Pass;
@@ -36,7 +37,7 @@ use fire::Fire;
 const GAIN: f32 = 2.0;
 
 /// What of the world is seen, and when.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct View {
     /// Width of the picture in device pixels.
     pub width: u32,
@@ -44,6 +45,8 @@ pub struct View {
     pub height: u32,
     /// Seconds of fire, for structure that moves.
     pub time: f64,
+    /// Which part of the world it shows.
+    pub camera: Camera,
 }
 
 /// How far the fine structure has come, and the scale of what is measured. It outlives a renderer, whose context may be
@@ -75,6 +78,8 @@ pub struct Renderer<G: Graphics = glow::Context> {
     survey: Survey,
     motion: Motion,
     carried: Option<Carried>,
+    /// How the world was seen in the last picture.
+    camera: Option<Camera>,
     /// Which of the two pictures of the drift is the newest.
     newest: usize,
     /// Least and most of what is measured of the particles.
@@ -115,6 +120,7 @@ impl<G: Graphics> Renderer<G> {
             survey: Survey::of(&[], &[]),
             motion: Motion::default(),
             carried: None,
+            camera: None,
             newest: 0,
             measured: None,
         })
@@ -201,7 +207,16 @@ impl<G: Graphics> Renderer<G> {
         let Some(layout) = Layout::new(size, self.lines, self.studio.most) else {
             return Ok(());
         };
-        let place = Place::new(layout.picture, parameters.domain_height);
+        let domain = [parameters.domain_width, parameters.domain_height];
+        let place = Place::new(layout.picture, domain, view.camera);
+        // What was carried in another part of the world is of no use in this one.
+        if self
+            .camera
+            .replace(view.camera)
+            .is_some_and(|before| before != view.camera)
+        {
+            self.motion.drift.forget();
+        }
         for capability in [
             glow::DEPTH_TEST,
             glow::STENCIL_TEST,
@@ -222,7 +237,7 @@ impl<G: Graphics> Renderer<G> {
             self.fit_targets(gl, layout)?;
             let burns = mode == DisplayMode::Fire;
             if burns {
-                self.fit_scenery(gl, layout, parameters)?;
+                self.fit_scenery(gl, layout, place, parameters)?;
                 self.motion.rise.advance(&self.survey, view.time, model);
                 self.motion
                     .drift

@@ -169,6 +169,8 @@ impl Engine {
             Order::Visible(visible) => fire.set_visible(visible),
             Order::Limit(limit) => fire.limit(limit),
             Order::Stir(stir) => fire.stir(stir),
+            Order::Sparks(sparks) => fire.throw(sparks),
+            Order::View(camera) => fire.look(camera),
             Order::Quality(wish) => fire.ask_quality(wish, out),
             Order::Play => fire.set_playing(true, out),
             Order::Pause => fire.set_playing(false, out),

@@ -81,14 +81,20 @@ impl<'a> Fields<'a> {
     }
 
     #[inline(never)]
-    pub fn small(&mut self, id: &str) -> f64 {
+    pub fn between(&mut self, id: &str, min: f64, max: f64, allowed: &str) -> f64 {
         match *self.raw.field(id) {
-            Raw::Number(x) if x.abs() <= 1000.0 => x,
+            Raw::Number(x) if x >= min && x <= max => x,
             _ => {
-                self.refuse(id, "a number up to 1000");
+                self.refuse(id, allowed);
                 0.0
             }
         }
+    }
+
+    /// A place \[m\].
+    pub fn place(&mut self) -> [f32; 2] {
+        let words = "a number from -1000 to 1000";
+        ["x", "y"].map(|id| self.between(id, -1000.0, 1000.0, words) as f32)
     }
 
     pub fn optional_number(&mut self, id: &str) -> Option<f64> {

@@ -10,7 +10,7 @@ use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
 use hearth_core::params::DisplayMode;
 use hearth_core::{Instance, Parameters, Simulation, Stage, burning};
-use hearth_render::Lines;
+use hearth_render::{Camera, Lines};
 
 use crate::asked::Asked;
 use crate::average::smooth;
@@ -18,7 +18,7 @@ use crate::budget::{Pace, make_steps};
 use crate::easel::Easel;
 use crate::grain::Grain;
 use crate::host::Host;
-use crate::limits::{Limit, Limits, Stir};
+use crate::limits::{Limit, Limits, Sparks, Stir};
 use crate::message::Start;
 use crate::outbox::{Outbox, Trouble};
 use crate::picture::Picture;
@@ -79,6 +79,7 @@ pub struct Fire {
     /// When the next frame may come where their rate is limited \[ms\].
     next: f64,
     stir: Option<Stir>,
+    camera: Camera,
     visible: bool,
     playing: bool,
     /// Whether the picture is not what it should show.
@@ -124,6 +125,7 @@ impl Fire {
             next: 0.0,
             stir: None,
             visible: start.visible,
+            camera: start.camera,
             playing: !start.paused,
             stale: true,
             asked: Asked::default(),
@@ -232,6 +234,19 @@ impl Fire {
     /// Has its gas moved in the next steps.
     pub fn stir(&mut self, stir: Stir) {
         self.stir = Some(stir);
+    }
+
+    /// Throws sparks from a place.
+    pub fn throw(&mut self, sparks: Sparks) {
+        let place = Vec2::from(sparks.place);
+        self.simulation.throw_embers(place, sparks.count);
+        self.stale = true;
+    }
+
+    /// Is seen so from the next picture on.
+    pub fn look(&mut self, camera: Camera) {
+        self.camera = camera;
+        self.stale = true;
     }
 
     /// A picture that was on its way is shown.
@@ -461,6 +476,7 @@ impl Fire {
             lines[level as usize],
             (&self.instances, &self.embers),
             (self.simulation.time(), self.simulation.parameters()),
+            self.camera,
             stands,
             host,
         );

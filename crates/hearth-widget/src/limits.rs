@@ -131,13 +131,13 @@ impl Stir {
     /// Reads it.
     ///
     /// # Errors
-    /// What is no number.
+    /// What is no number, and gas that is too fast.
     pub fn parse(raw: &Raw) -> Result<Stir, Refused> {
         let mut fields = Fields::of(raw);
-        let mut read = |id| fields.small(id) as f32;
+        let mut speed = |id| fields.between(id, -20.0, 20.0, "a number from -20 to 20") as f32;
         let stir = Stir {
-            place: [read("x"), read("y")],
-            velocity: [read("u"), read("v")],
+            velocity: [speed("u"), speed("v")],
+            place: fields.place(),
             left: PUSHED,
         };
         fields.refused().map_or(Ok(stir), Err)
@@ -157,5 +157,32 @@ impl Stir {
     pub fn lasts(&mut self, step: f64) -> bool {
         self.left -= step;
         self.left > 0.0
+    }
+}
+
+/// Sparks that somebody throws.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sparks {
+    /// From where \[m\].
+    pub place: [f32; 2],
+    /// How many.
+    pub count: u32,
+}
+
+/// Most sparks that are thrown at once.
+pub const MOST_SPARKS: u32 = 200;
+
+impl Sparks {
+    /// Reads them.
+    ///
+    /// # Errors
+    /// A place that is none, or a number of sparks outside the range.
+    pub fn parse(raw: &Raw) -> Result<Sparks, Refused> {
+        let mut fields = Fields::of(raw);
+        let sparks = Sparks {
+            place: fields.place(),
+            count: fields.whole("count", 1, MOST_SPARKS),
+        };
+        fields.refused().map_or(Ok(sparks), Err)
     }
 }

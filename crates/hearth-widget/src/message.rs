@@ -2,7 +2,7 @@
 //!
 //! | type | other fields | what it does |
 //! |---|---|---|
-//! | `add` | `width`, `height`, `side`?, `warm`?, `state`?, `preset`?, `config`?, `kept`?, `values`?, `ownNumber`?, `quality`?, `guess`?, `paused`?, `visible`? | a new fire |
+//! | `add` | `width`, `height`, `side`?, `warm`?, `state`?, `preset`?, `config`?, `kept`?, `values`?, `ownNumber`?, `quality`?, `guess`?, `paused`?, `visible`?, `view`? | a new fire |
 //! | `resize` | `width`, `height`, `side`? | its size in device pixels; 0 is fine; `side`: its height, or that of a square of its area, in CSS pixels |
 //! | `set` | `request`, `source`, `values` | sets parameters, all or none |
 //! | `check` | `request`, `source`, `values` | asks whether `set` would take them |
@@ -12,6 +12,8 @@
 //! | `export` | `request` | asks for its settings |
 //! | `limit` | `request`, `id`: `fps_limit` or `max_pixels`, `value`? | most pictures a second, most pixels of one; without a value, no limit of its own |
 //! | `stir` | `x`, `y`, `u`, `v` | moves the gas there [m] as fast as that [m/s] |
+//! | `sparks` | `request`, `x`, `y`, `count` | throws so many sparks from there [m] |
+//! | `view` | `request`, `fit`, `x`, `y` | how the domain fits the picture: height, contain, cover or width; and where it stands in it, 0 to 1 from left and from below |
 //! | `quality` | `request`, `quality` | how much work it makes itself: low, medium, high or auto |
 //! | `play`, `pause`, `reset` | `request` | what they say |
 //! | `step` | `request`, `steps` | makes that many steps, playing or not |
@@ -24,12 +26,14 @@
 //! sends a `request` number gets it back with `done` or `refused`.
 
 use hearth_core::Parameters;
+use hearth_render::Camera;
 
 use crate::config::Config;
 use crate::fields::Fields;
-use crate::limits::{Limit, Stir};
+use crate::limits::{Limit, Sparks, Stir};
 use crate::quality::Level;
 use crate::raw::Raw;
+use crate::view;
 use crate::warm::LONGEST as LONGEST_WARM;
 
 /// Longest side of a canvas in device pixels; browsers allow no more.
@@ -84,6 +88,10 @@ pub enum Order {
     Limit(Limit),
     /// Gas to be moved.
     Stir(Stir),
+    /// Sparks to be thrown.
+    Sparks(Sparks),
+    /// Another part of the world to be seen.
+    View(Camera),
     /// That quality, or whichever fits.
     Quality(Option<Level>),
     /// Go on.
@@ -133,6 +141,8 @@ pub struct Start {
     pub paused: bool,
     /// Whether anybody sees it.
     pub visible: bool,
+    /// How its world is seen.
+    pub camera: Camera,
 }
 
 /// One thing that was refused, and why.
@@ -244,6 +254,10 @@ impl Order {
                 guess: fields.quality("guess"),
                 paused: fields.flag("paused", Some(false)),
                 visible: fields.flag("visible", Some(true)),
+                camera: match raw.field("view") {
+                    Raw::Missing => Camera::default(),
+                    camera => fields.keep(view::parse(camera)).unwrap_or_default(),
+                },
             }),
             "resize" => {
                 let (width, height) = Order::size(fields);
@@ -257,6 +271,8 @@ impl Order {
             "export" => Order::Export,
             "limit" => Order::Limit(fields.keep(Limit::parse(raw))?),
             "stir" => Order::Stir(fields.keep(Stir::parse(raw))?),
+            "sparks" => Order::Sparks(fields.keep(Sparks::parse(raw))?),
+            "view" => Order::View(fields.keep(view::parse(raw))?),
             "quality" => Order::Quality(fields.quality("quality")),
             "play" => Order::Play,
             "pause" => Order::Pause,

@@ -2,7 +2,7 @@
 
 use hearth_core::params::{DisplayMode, Model};
 use hearth_core::{Instance, Parameters};
-use hearth_render::{Carried, Lines, Motion, Renderer, View};
+use hearth_render::{Camera, Carried, Lines, Motion, Renderer, View};
 
 use crate::easel::{Easel, Ground};
 use crate::host::Host;
@@ -72,6 +72,7 @@ impl Picture {
         lines: Lines,
         (instances, embers): (&[Instance], &[Instance]),
         (time, parameters): (f64, &Parameters),
+        camera: Camera,
         stands: bool,
         host: &Host,
     ) -> Result<f64, String> {
@@ -96,6 +97,7 @@ impl Picture {
                 width,
                 height,
                 time,
+                camera,
             };
             let watch = &mut |pass| passes.end(context, host, pass);
             let painted = renderer.paint_watched(gl, &view, parameters, watch);

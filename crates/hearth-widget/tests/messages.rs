@@ -2,6 +2,8 @@
 
 use hearth_core::Parameters;
 use hearth_core::params::Model;
+use hearth_render::{Camera, Fit};
+use hearth_widget::limits::Sparks;
 use hearth_widget::message::{
     LONGEST_SIDE, MOST_SECONDS, MOST_STEPS, Message, Order, RefusedMessage, SentValues, Start,
     with_defaults, with_values,
@@ -45,6 +47,7 @@ fn start(values: SentValues) -> Start {
         guess: None,
         paused: false,
         visible: true,
+        camera: Camera::default(),
     }
 }
 
@@ -400,5 +403,85 @@ fn the_model_is_restored_before_the_values_that_it_decides_about() {
         let default = Parameters::default();
         let seen = restored.map(|new| (new.model(), new.domain_height));
         assert_eq!(seen, Ok((default.model(), default.domain_height)));
+    }
+}
+
+#[test]
+fn a_view_and_sparks_are_checked_before_anything_is_done() {
+    let number = Raw::Number;
+    let view = |fit: &str, x, y| {
+        let fields = [("fit", text(fit)), ("x", x), ("y", y)];
+        object(fields)
+    };
+    let of = |kind: &str, fields: Raw| {
+        let Raw::Object(mut fields) = fields else {
+            return Raw::Missing;
+        };
+        fields.push(("type".to_owned(), text(kind)));
+        fields.push(("fire".to_owned(), number(7.0)));
+        Raw::Object(fields)
+    };
+    for (name, fit) in Fit::ALL {
+        let raw = of("view", view(name, number(0.25), number(1.0)));
+        let align = [0.25, 1.0];
+        assert_eq!(order(&raw), Some(Order::View(Camera { fit, align })));
+    }
+    for (wrong, id, allowed) in [
+        (
+            view("fill", number(0.0), number(0.0)),
+            "fit",
+            "one of height, contain, cover, width",
+        ),
+        (
+            view("cover", number(1.1), number(0.0)),
+            "x",
+            "a number from 0 to 1",
+        ),
+        (
+            view("cover", number(0.0), number(f64::NAN)),
+            "y",
+            "a number from 0 to 1",
+        ),
+        (
+            view("cover", number(0.0), Raw::Missing),
+            "y",
+            "a number from 0 to 1",
+        ),
+    ] {
+        let refused = refused(&of("view", wrong.clone())).expect("it is refused");
+        assert_eq!(refused.errors[0].id, id);
+        assert!(refused.errors[0].message.contains(allowed), "{refused:?}");
+        // A new fire is seen as a message says, or there is none.
+        let mut start = message("add", "view", wrong);
+        if let Raw::Object(fields) = &mut start {
+            for side in ["width", "height"] {
+                fields.push((side.to_owned(), number(10.0)));
+            }
+        }
+        assert!(Message::parse(&start).is_err());
+    }
+
+    let sparks = |x: f64, count: f64| {
+        let fields = [
+            ("x", number(x)),
+            ("y", number(0.5)),
+            ("count", number(count)),
+        ];
+        of("sparks", object(fields))
+    };
+    for count in [1, 24, 200] {
+        let place = [0.5, 0.5];
+        let thrown = Order::Sparks(Sparks { place, count });
+        assert_eq!(order(&sparks(0.5, count.into())), Some(thrown));
+    }
+    for (x, count, allowed) in [
+        (0.5, 0.0, "a whole number from 1 to 200"),
+        (0.5, 201.0, "a whole number from 1 to 200"),
+        (0.5, 1.5, "a whole number from 1 to 200"),
+        (f64::NAN, 24.0, "a number from -1000 to 1000"),
+        (f64::INFINITY, 24.0, "a number from -1000 to 1000"),
+    ] {
+        let refused = refused(&sparks(x, count)).expect("it is refused");
+        assert!(refused.errors[0].message.contains(allowed), "{refused:?}");
     }
 }

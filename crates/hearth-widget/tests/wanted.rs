@@ -2,6 +2,7 @@
 
 use hearth_core::Simulation;
 use hearth_core::params::Model;
+use hearth_render::Camera;
 use hearth_widget::message::{Order, SentValues, Start};
 use hearth_widget::quality::Level;
 use hearth_widget::raw::Raw;
@@ -23,6 +24,7 @@ fn start() -> Start {
         guess: None,
         paused: false,
         visible: true,
+        camera: Camera::default(),
     }
 }
 

@@ -16,16 +16,17 @@ const entryFiles = beginningsOf(manifest).map((script) => path.posix.normalize(s
 const DOWNLOADS = [
   { name: 'element and engine', entry: 'hearth-fire.js', ceiling: 100_000 },
   { name: 'bar of colours, on request', entry: 'scale.js', ceiling: 3_000 },
+  { name: 'pointer, on request', entry: 'fire-pointer.js', ceiling: 2_000 },
   { name: 'headless library', entry: 'sim.js', ceiling: 60_000 },
   { name: 'panel, on request', entry: 'panel.js', ceiling: 850_000 },
   { name: 'all of the element in one file', entry: 'hearth-fire.inline.js', ceiling: Infinity },
 ];
 
 for (const { name, entry, ceiling } of DOWNLOADS) {
-  // What another entry point has, and the bar, is loaded only where somebody asks for that.
+  // What another entry point has, the bar and the pointer are loaded only where somebody asks for that.
   const files = entry.endsWith('.inline.js')
     ? [entry]
-    : await reached(folder, [entry], (file) => entryFiles.includes(file) || file === 'scale.js');
+    : await reached(folder, [entry], (file) => entryFiles.includes(file) || file !== entry && ['scale.js', 'fire-pointer.js'].includes(file));
   console.log(name);
   const sum = { raw: 0, small: 0 };
   for (const file of files) {

@@ -271,6 +271,7 @@ impl Easel {
             width,
             height,
             time,
+            ..View::default()
         };
         let painted = renderer.paint_watched(&*self.gl, &view, &fire.parameters, watch);
         painted.map_err(words)

@@ -56,6 +56,7 @@ impl Canvas {
                 width,
                 height,
                 time: 1.0,
+                ..View::default()
             },
         })
     }

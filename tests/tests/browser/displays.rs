@@ -383,6 +383,7 @@ fn a_context_lost_on_the_way_is_survived_in_every_mode() -> Result<(), JsValue> 
             width: WIDTH,
             height: HEIGHT,
             time: 0.0,
+            ..View::default()
         };
         // Whether it says so or paints into nothing: the page goes on.
         let _ = renderer.paint(&canvas.gl, &view, fire.parameters());

@@ -205,6 +205,7 @@ fn one_renderer_follows_a_change_of_size() -> Result<(), JsValue> {
             width: 32,
             height: 32,
             time: 0.0,
+            ..View::default()
         };
         let parameters = Parameters::new(Model::Classic);
         renderer
@@ -233,6 +234,7 @@ fn a_view_of_no_size_is_nothing_to_paint() -> Result<(), JsValue> {
             width,
             height,
             time: 0.0,
+            ..View::default()
         };
         renderer
             .paint(&canvas.gl, &view, &Parameters::new(Model::Classic))
@@ -264,6 +266,7 @@ fn a_context_lost_on_the_way_is_survived() -> Result<(), JsValue> {
         width: WIDTH,
         height: HEIGHT,
         time: 0.0,
+        ..View::default()
     };
     renderer.upload(
         &canvas.gl,

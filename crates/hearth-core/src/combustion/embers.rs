@@ -41,6 +41,10 @@ const FOLLOWS: f32 = 0.035;
 const FOLLOWS_AT: f32 = 0.004;
 /// Speed at which embers are thrown, at most, besides that of the gas [m/s].
 const THROWN: f32 = 0.8;
+/// The same of embers that somebody throws, up and to each side.
+const THROWN_BY_HAND: Vec2 = Vec2::new(0.9, 2.2);
+/// Most embers that fly where somebody throws some.
+const MOST: usize = 4000;
 /// Sizes go from this part of the parameter to all of it.
 const SMALLEST: f32 = 0.4;
 /// Longest time whose births may wait for flames \[s\].
@@ -95,19 +99,32 @@ impl Embers {
             let Some(i) = flames(gas, random) else {
                 return;
             };
-            let longest = values.ember_life_max.max(values.ember_life_min);
             let aside = random.between(-0.5, 0.5);
             let thrown = Vec2::new(aside, random.unit()) * THROWN;
-            self.alive.push(Ember {
-                position: gas.position[i],
-                velocity: gas.velocity[i] + thrown,
-                temperature: GLOW,
-                size: values.ember_size * random.between(SMALLEST, 1.0),
-                age: 0.0,
-                lifetime: random.between(values.ember_life_min, longest),
-            });
+            self.bear(gas.position[i], gas.velocity[i] + thrown, values, random);
             self.owed -= 1.0;
         }
+    }
+
+    /// Throws so many from a place, or as many as there may be.
+    pub fn throw_from(&mut self, place: Vec2, count: u32, values: &Values, random: &mut Random) {
+        let room = MOST.saturating_sub(self.alive.len());
+        for _ in 0..room.min(count as usize) {
+            let way = Vec2::new(random.between(-1.0, 1.0), random.unit());
+            self.bear(place, way * THROWN_BY_HAND, values, random);
+        }
+    }
+
+    fn bear(&mut self, position: Vec2, velocity: Vec2, values: &Values, random: &mut Random) {
+        let longest = values.ember_life_max.max(values.ember_life_min);
+        self.alive.push(Ember {
+            position,
+            velocity,
+            temperature: GLOW,
+            size: values.ember_size * random.between(SMALLEST, 1.0),
+            age: 0.0,
+            lifetime: random.between(values.ember_life_min, longest),
+        });
     }
 
     /// Copies out what the renderer needs.

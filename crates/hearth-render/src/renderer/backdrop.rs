@@ -6,6 +6,7 @@ use hearth_core::{Parameters, Source};
 
 use super::fire::Fire;
 use super::{Renderer, without_hundreds};
+use crate::camera::Place;
 use crate::error::RenderError;
 use crate::format::TargetFormat;
 use crate::gl::Graphics;
@@ -18,21 +19,21 @@ use crate::target::{Target, bind};
 const LINES: u32 = 1080;
 /// Lines of the light that falls on it, and most columns: each reads all of the fire.
 const LAMP: [u32; 2] = [16, 64];
-/// How far hot gas bends what is seen through it, as a share of the picture's height.
+/// How far hot gas bends what is seen through it, as a share of the domain's height.
 const BEND: f32 = 0.035;
 /// How far above the foot of the fire the wall meets the floor, as such a share.
 const BEHIND: f32 = 0.1;
 /// Highest foot of the fire that the floor reaches.
 const HIGHEST: f32 = 0.6;
-/// Waves of the haze in the height of the picture.
+/// Waves of the haze in the height of the domain.
 const WAVES: f32 = 3.5;
 
 /// A backdrop that is drawn, and the light of the fire on it.
 pub struct Scenery<G: Graphics> {
     /// Size of the picture that it is for.
     size: [u32; 2],
-    /// Where the wall stands that is drawn; nothing is drawn yet.
-    foot: Option<f32>,
+    /// How the wall stands that is drawn: its foot, then the picture's floor and size.
+    drawn: Option<(f32, [f32; 4])>,
     /// Colours in plain light.
     seen: Target<G>,
     /// The light of the fire.
@@ -58,7 +59,7 @@ impl<G: Graphics> Scenery<G> {
         match Target::new(gl, "lamp", format, lines(rows, columns)) {
             Ok(lamp) => Ok(Scenery {
                 size,
-                foot: None,
+                drawn: None,
                 seen,
                 lamp,
             }),
@@ -76,7 +77,7 @@ impl<G: Graphics> Scenery<G> {
     }
 }
 
-/// Where the wall meets the floor, as a share of the picture: the fire stands on the
+/// Where the wall meets the floor, as a share of the domain: the fire stands on the
 /// floor, a little in front of the wall.
 fn foot(parameters: &Parameters) -> f32 {
     (Source::of(parameters).foot.y / parameters.domain_height).min(HIGHEST) + BEHIND
@@ -88,6 +89,7 @@ impl<G: Graphics> Renderer<G> {
         &mut self,
         gl: &G,
         layout: Layout,
+        place: Place,
         parameters: &Parameters,
     ) -> Result<(), RenderError> {
         let size = layout.picture;
@@ -105,11 +107,14 @@ impl<G: Graphics> Renderer<G> {
             None => Scenery::new(gl, self.studio.format, size, self.studio.most)?,
         };
         let foot = foot(parameters);
-        if scenery.foot != Some(foot) {
-            scenery.foot = Some(foot);
+        // The wall is as large as the world is seen.
+        let ([x, y], zoom) = (place.floor, place.zoom);
+        let origin = [x, y, place.aspect * zoom, zoom];
+        if scenery.drawn != Some((foot, origin)) {
+            scenery.drawn = Some((foot, origin));
             let program = self.studio.passes.activate(gl, Pass::Scenery);
-            let [width, height] = size.map(|side| side as f32);
-            program.set(gl, "view", [width / height, foot, 0.0, 0.0]);
+            program.set(gl, "view", [place.aspect, foot, 0.0, 0.0]);
+            program.set(gl, "origin", origin);
             bind(gl, 0, &self.studio.noise);
             scenery.seen.draw_here(gl, scenery.seen.size());
             gl.draw_triangle();
@@ -129,12 +134,12 @@ impl<G: Graphics> Fire<'_, G> {
             parameters,
             ..
         } = *self;
-        let [width, height] = self.place.metres;
-        let aspect = width / height;
+        let (aspect, zoom) = (self.place.aspect, self.place.zoom);
         let range = renderer.studio.format.light_range();
 
         let program = renderer.studio.passes.activate(gl, Pass::Lamp);
-        program.set(gl, "view", [aspect, 0.0, 0.0, 0.0]);
+        let [across, up] = [aspect * zoom, zoom];
+        program.set(gl, "view", [across, up, across * up, 0.0]);
         if let Some(widest) = targets.blurs.last() {
             widest.read_here(gl, 0);
         }
@@ -145,9 +150,9 @@ impl<G: Graphics> Fire<'_, G> {
         gl.bind_framebuffer(None);
         gl.viewport(width as i32, height as i32);
         let risen = renderer.motion.rise.distance / f64::from(self.place.metres[1]);
-        let tiles = WAVES / noise::CELLS as f32;
+        let tiles = WAVES * zoom / noise::CELLS as f32;
         let risen = without_hundreds(risen * f64::from(tiles));
-        let haze = parameters.heat_haze * BEND;
+        let haze = parameters.heat_haze * BEND / zoom;
         program.set(gl, "haze", [tiles * aspect, tiles, risen, haze]);
         program.set(gl, "part", self.part());
         let [weight, heat, ..] = self.field_range();

@@ -142,7 +142,11 @@ impl<G: Graphics> Fire<'_, G> {
                 2.0 / source.width,
             ],
         );
-        program.set(gl, "table", table_coordinates(fire_share(parameters)));
+        let mut table = table_coordinates(fire_share(parameters));
+        // Gas leaves at the top; where that is seen, it ends softly.
+        let [above, _] = place.shows_beyond();
+        table[3] = f32::from(above);
+        program.set(gl, "table", table);
         targets.field.read_here(gl, 0);
         targets.wide.read_here(gl, 1);
         bind(gl, 2, &renderer.studio.noise);

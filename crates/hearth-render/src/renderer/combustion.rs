@@ -23,6 +23,8 @@ const WARP: f32 = 0.5;
 const SHARPNESS: f32 = 0.5;
 /// Longest time of exposure, for the way of an ember \[s\].
 const EXPOSURE: f32 = 0.008;
+/// How far above a floor that is seen gas ends softly, at most, in heights of the domain.
+const SOFT: f32 = 0.04;
 /// How much brighter an ember shines than gas: it is solid.
 const EMBER: f32 = 12.0;
 
@@ -149,7 +151,12 @@ impl<G: Graphics> Fire<'_, G> {
                 1.0 / parameters.domain_width,
             ],
         );
-        program.set(gl, "shine", self.shine(BRIGHTNESS));
+        // Where the floor is seen, what is at it ends softly, and below the source.
+        let [_, below] = place.shows_beyond();
+        let mut shine = self.shine(BRIGHTNESS);
+        let soft = (source.foot.y / parameters.domain_height).clamp(1e-3, SOFT);
+        shine[3] = if below { 1.0 / soft } else { 1e6 };
+        program.set(gl, "shine", shine);
         program.set(gl, "table", table_coordinates(fire_share(parameters)));
         targets.field.read_here(gl, 0);
         targets.drift[renderer.newest].read_here(gl, 1);

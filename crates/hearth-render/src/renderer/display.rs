@@ -128,7 +128,8 @@ impl<G: Graphics> Fire<'_, G> {
         program.set(gl, "part", self.part());
         let width = self.place.metres[0];
         let edge = 0.5 * self.parameters.domain_width / width;
-        program.set(gl, "edge", [edge, width / self.body.radius, 0.0, 0.0]);
+        let middle = self.place.floor[0];
+        program.set(gl, "edge", [edge, width / self.body.radius, middle, 0.0]);
         targets.field.read_here(gl, 0);
         gl.enable(glow::BLEND);
         gl.blend_func(glow::ONE, glow::ONE_MINUS_SRC_ALPHA);

@@ -5,8 +5,8 @@ use hearth_core::Parameters;
 use hearth_core::params::{Layers, Model};
 
 use super::{NOTHING, Renderer, background, classic, clear_picture, combustion, doubled};
+use crate::camera::{Place, Rectangle};
 use crate::gl::Graphics;
-use crate::layout::{Place, Rectangle};
 use crate::palette::Tint;
 use crate::passes::Pass;
 use crate::target::Target;

@@ -136,7 +136,21 @@ pub(super) const ATTRIBUTES: &[Attribute] = &[
         kind: "boolean",
         default: "false",
         reflects: true,
-        doc: "The fire takes pointers, which stir it; without this clicks go through it.",
+        doc: "The fire takes pointers: they stir it, a click throws sparks, a drag moves its source. Without this clicks go through it.",
+    },
+    Attribute {
+        name: "fit",
+        kind: "'height' | 'contain' | 'cover' | 'width'",
+        default: "height",
+        reflects: true,
+        doc: "How the fire's domain fits the picture: as high as it, all of it seen, nothing else seen, or as wide as it.",
+    },
+    Attribute {
+        name: "align",
+        kind: "string",
+        default: "",
+        reflects: true,
+        doc: "Where the domain stands in the picture, as CSS's `object-position`: `left`, `center` or `right`, `top`, `center` or `bottom`; without it `center bottom`.",
     },
     Attribute {
         name: "touch-action",
@@ -274,6 +288,23 @@ pub(super) const METHODS: &[Method] = &[
         parameters: &[("fps?", "number")],
         returns: "Promise<MediaStream>",
         doc: "The fire as a stream of video.",
+    },
+    Method {
+        name: "stir",
+        parameters: &[
+            ("x", "number"),
+            ("y", "number"),
+            ("u", "number"),
+            ("v", "number"),
+        ],
+        returns: "Promise<void>",
+        doc: "Carries the gas around a place along, for a twentieth of a second.",
+    },
+    Method {
+        name: "sparks",
+        parameters: &[("x", "number"), ("y", "number"), ("count?", "number")],
+        returns: "Promise<void>",
+        doc: "Throws sparks from a place; the classic model has none.",
     },
     Method {
         name: "toMetres",

@@ -1,0 +1,184 @@
+/**
+ * What a pointer does with an interactive fire: it stirs the gas, a click throws
+ * sparks, a drag moves the source; and the calls that do the same.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { events, recording } from './laws.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+const CALM = 'paused interactive ember-rate="0" ember-size="0.02"';
+
+/** Where the middle of the source's foot is on the screen. */
+const source = (tab) => tab.fire((fire) => {
+  const { left, top } = fire.getBoundingClientRect();
+  const { x, y } = fire.toPixels(fire.params.source_x, fire.params.source_height);
+  return { x: left + x, y: top + y };
+});
+
+/** Waits until the fire is ready, and listens to pointers. */
+const listens = async (tab) => {
+  await tab.ready();
+  await tab.evaluate(() => import(/** @type {any} */ ('/web/fire-pointer.js')).then(() => undefined));
+};
+
+/** How many embers fly, as the fire says when that changes. */
+const embers = (tab, count) => tab.until(
+  `${count} embers`,
+  (wanted) => /** @type {any} */ (document.querySelector('hearth-fire')).stats?.embers === wanted,
+  count,
+);
+
+test('a pointer stirs an interactive fire and no other, and more where it presses', async () => {
+  const tab = await browser.open('<hearth-fire paused model="classic" quality="low" seed="3"></hearth-fire>');
+  await tab.ready();
+  // Each way of the pointer takes 50 ms and is followed by as much fire.
+  const swept = async (buttons) => {
+    await tab.fire((fire) => fire.reset());
+    await tab.fire((fire) => fire.step(240));
+    for (let round = 0; round < 3; round += 1) {
+      await tab.fire((fire, pressed) => {
+        const { left, top } = fire.getBoundingClientRect();
+        for (const [at, x] of [110, 122].entries()) {
+          const event = new PointerEvent('pointermove', {
+            bubbles: true, composed: true, pointerId: 7, pointerType: 'mouse', buttons: pressed, clientX: left + x, clientY: top + 190,
+          });
+          Object.defineProperty(event, 'timeStamp', { value: 1000 + 50 * at });
+          fire.dispatchEvent(event);
+        }
+        fire.dispatchEvent(new PointerEvent('pointerleave', { pointerId: 7 }));
+        return fire.step(12);
+      }, buttons);
+    }
+    await tab.frames(2);
+    const picture = await tab.firePicture();
+    const columns = Array.from({ length: 48 }, (_, at) => picture.part(at / 48, 0.5, (at + 1) / 48, 1).glowing());
+    const all = columns.reduce((sum, column) => sum + column);
+    return columns.reduce((sum, column, at) => sum + column * (at + 0.5), 0) / (48 * all);
+  };
+  const still = await swept(0);
+  assert.notEqual(
+    await tab.evaluate(() => document.elementFromPoint(120, 120)?.tagName),
+    'HEARTH-FIRE',
+    'a decorative fire lets clicks through',
+  );
+  await tab.fire((fire) => (fire.interactive = true));
+  await listens(tab);
+  assert.equal(await tab.evaluate(() => document.elementFromPoint(120, 120)?.tagName), 'HEARTH-FIRE');
+  const blown = await swept(0);
+  assert.ok(blown > still + 0.004, `the glow stands at ${blown} of the width, at ${still} unstirred`);
+  const pressed = await swept(1);
+  assert.ok(pressed > blown + 0.004, `the glow stands at ${pressed} of the width, at ${blown} with a pointer that hovers`);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a click throws sparks there, and a drag throws none', async () => {
+  const tab = await browser.open(`<hearth-fire ${CALM} fuel-power="0"></hearth-fire>`);
+  await listens(tab);
+  await tab.fire((fire) => fire.step(4));
+  const before = (await tab.firePicture()).glowing();
+  await tab.click({ x: 90, y: 80 });
+  await embers(tab, 24);
+  await tab.fire((fire) => fire.step(30));
+  await tab.frames(2);
+  const picture = await tab.firePicture();
+  const { x, y, width, height } = await tab.rectangle('hearth-fire');
+  const near = picture.part((90 - x - 40) / width, (80 - y - 40) / height, (90 - x + 40) / width, (80 - y + 40) / height);
+  assert.ok(before === 0 && near.glowing() > 0.002, `${near.glowing()} glows, ${before} before`);
+  await tab.drag({ x: 60, y: 60 }, { x: 160, y: 60 });
+  await tab.fire((fire) => fire.step(1));
+  await embers(tab, 24);
+  assert.deepEqual(tab.problems, []);
+});
+
+for (const style of ['', 'transform: scale(0.6); transform-origin: 0 0']) {
+  test(`a drag on the source takes it along ${style && 'in an element that is drawn smaller'}`, async () => {
+    const tab = await browser.open(`<div style="${style}">${recording(`<hearth-fire ${CALM}></hearth-fire>`)}</div>`);
+    await listens(tab);
+    await tab.fire((fire) => fire.step(4));
+    const cursor = () => tab.fire((fire) => getComputedStyle(fire.shadowRoot.querySelector('canvas')).cursor);
+    const from = await source(tab);
+    await tab.mouse('move', from);
+    await tab.frames();
+    assert.equal(await cursor(), 'grab');
+    await tab.drag(from, { x: from.x + 20, y: from.y - 20 });
+    await tab.until('the source is there', (x) => {
+      const fire = /** @type {any} */ (document.querySelector('hearth-fire'));
+      const { params } = fire;
+      return Math.abs(fire.getBoundingClientRect().left + fire.toPixels(params.source_x, 0).x - x) < 1;
+    }, from.x + 20);
+    const to = await source(tab);
+    const changes = await events(tab, 'params-change');
+    assert.ok(changes.length > 2);
+    assert.deepEqual([...new Set(changes.map(({ id, source: by }) => `${id} ${by}`))], ['source_x pointer']);
+    // Beyond the domain it stays inside.
+    await tab.drag(to, { x: to.x + 600, y: to.y });
+    const { set, width } = await tab.fire((fire) => ({ set: fire.params.source_x, width: fire.params.domain_width }));
+    assert.ok(set > 0.2 && set < width / 2, `${set} m`);
+    assert.equal(await cursor(), 'auto');
+    await tab.fire((fire) => fire.step(1));
+    assert.equal(await tab.fire((fire) => fire.stats.embers), 0, 'a drag throws no sparks');
+    assert.deepEqual(tab.problems, []);
+  });
+}
+
+test('a finger on the source moves it and not the page, which it scrolls from anywhere else', async () => {
+  const tab = await browser.open(
+    `<hearth-fire ${CALM}></hearth-fire><div style="height: 3000px"></div>`,
+    { touch: true },
+  );
+  await listens(tab);
+  await tab.fire((fire) => fire.step(4));
+  const from = await source(tab);
+  await tab.touchDrag(from, { x: from.x + 40, y: from.y - 120 });
+  assert.equal(await tab.evaluate(() => window.scrollY), 0);
+  assert.ok((await source(tab)).x > from.x + 30);
+  await tab.touchDrag({ x: 120, y: 180 }, { x: 120, y: 20 });
+  await tab.until('the page has scrolled', () => window.scrollY > 50);
+});
+
+test('a mouse that is pressed on the fire selects text as before, and from its source none', async () => {
+  const tab = await browser.open(`<hearth-fire ${CALM}></hearth-fire><p style="margin: 0">These words may be selected.</p>`);
+  await listens(tab);
+  await tab.fire((fire) => fire.step(4));
+  const words = await tab.rectangle('p');
+  const end = { x: words.x + 150, y: words.y + 8 };
+  const selected = () => tab.evaluate(() => `${getSelection()}`);
+  await tab.drag(await source(tab), end);
+  assert.equal(await selected(), '');
+  await tab.drag({ x: words.x + 2, y: words.y + 8 }, end);
+  assert.match(await selected(), /^These words/);
+});
+
+test('gas is stirred and sparks are thrown by calls too, and what is none is refused', async () => {
+  const tab = await browser.open('<hearth-fire paused ember-rate="0"></hearth-fire>');
+  await tab.ready();
+  await tab.fire((fire) => fire.stir(0.1, 0.5, 3, 0));
+  await tab.fire((fire) => fire.sparks(0.1, 0.8));
+  await tab.fire((fire) => fire.sparks(-0.1, 0.8, 6));
+  await embers(tab, 30);
+  const refusals = await tab.fire(async (fire) => {
+    const asked = [
+      fire.stir(NaN, 0, 0, 0), fire.stir(0, 0, 'fast', 0), fire.stir(0, 0, 0, 21), fire.stir(),
+      fire.sparks(0, Infinity), fire.sparks(0, 0.5, 0), fire.sparks(0, 0.5, 201), fire.sparks(0, 0.5, 1.5), fire.sparks({}, 1),
+    ];
+    const settled = await Promise.allSettled(asked);
+    return settled.map((one) => `${one.status} ${/** @type {any} */ (one).reason?.name}: ${/** @type {any} */ (one).reason?.message}`);
+  });
+  const words = [
+    /x = NaN .*from -1000 to 1000/, /u = "fast" .*from -20 to 20/, /v = 21 .*from -20 to 20/, /is refused/,
+    /y = inf.*from -1000 to 1000/i, /count = 0 .*from 1 to 200/, /count = 201 .*from 1 to 200/, /count = 1.5 .*whole/, /x = .*number/,
+  ];
+  for (const [at, refusal] of refusals.entries()) {
+    assert.match(refusal, /^rejected RangeError/);
+    assert.match(refusal, words[at]);
+  }
+  await embers(tab, 30);
+});

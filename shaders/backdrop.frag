@@ -17,7 +17,7 @@ out vec4 pixel;
 // How high in the picture the light is that falls on the floor.
 const float FLOOR_SEES = 0.2;
 // How much more light falls on the floor than on the wall.
-const float FLOOR_GAIN = 1.8;
+const float FLOOR_GAIN = 1.3;
 
 void main() {
     vec2 gas = texture(field, min(uv * part.xy, part.zw)).xy * range.xy;

@@ -7,7 +7,7 @@ uniform sampler2D black_body; // chroma, ln luminance, by temperature
 uniform vec4 table; // kK to table coordinate: scale, offset
 
 // Greatest luminance of an ember: a spark is dimmer than the flame that throws it.
-const float BRIGHTEST = 0.2;
+const float BRIGHTEST = 0.3;
 
 out vec4 light; // as of the flame: square root of light / range; coverage
 

@@ -30,7 +30,7 @@ const MOST = 200;
  */
 export const OPTIONS = [
   'align', 'alt', 'autoplay', 'controls', 'fit', 'fps-limit', 'interactive', 'loading', 'max-pixels', 'paused',
-  'quality', 'reduced-motion', 'touch-action',
+  'quality', 'reduced-motion', 'touch-action', 'warm',
 ];
 
 /** All names that are about the fire. */

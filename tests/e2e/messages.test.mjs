@@ -56,6 +56,9 @@ describe('messages from an allowed origin', () => {
     assert.equal(await value('option', 'quality'), 'low');
     assert.equal(await value('option', 'quality', null), null);
 
+    await value('stir', 0, 0.5, 1, 0);
+    await value('sparks', 0, 0.5, 3);
+
     tried.add('toBlob');
     const type = await tab.evaluate(async () => {
       const { value: blob, error } = await /** @type {any} */ (window).ask('toBlob', 'image/png');

@@ -14,6 +14,8 @@ const ICON: (f64, f64) = (64.0, 300.0);
 const CARD: (f64, f64) = (268.0, 500.0);
 /// Side from which a level has its own number.
 const STAGE: f64 = 560.0;
+/// Side from which a scene has its own number, which is that of its look.
+const SCENE: f64 = 320.0;
 /// How much longer or shorter a side must be to count.
 const ANOTHER: f64 = 1.1;
 
@@ -59,7 +61,20 @@ impl Grain {
 
     /// How many particles that level has in it.
     pub fn particles(&self, level: Level) -> u32 {
-        let most = f64::from(level.particles());
+        self.limit(level.particles(), STAGE)
+    }
+
+    /// How many particles a scene has in it that names this number.
+    pub fn of_scene(&self, number: u32) -> u32 {
+        self.limit(number, SCENE)
+    }
+
+    /// How many of `most` particles an element has that has all of them from a side of
+    /// `stage` on.
+    fn limit(&self, most: u32, stage: f64) -> u32 {
+        if self.side >= stage {
+            return most;
+        }
         let between = |(low, few): (f64, f64), (high, many): (f64, f64)| {
             let part = (self.side - low) / (high - low);
             few + (many - few) * part
@@ -68,15 +83,11 @@ impl Grain {
             between(ICON, CARD)
         } else {
             // As the area: as large in the picture, particle by particle.
-            let part = (self.side - CARD.0) / (STAGE - CARD.0);
-            CARD.1 + (most - CARD.1) * part * part
+            let part = (self.side - CARD.0) / (stage - CARD.0);
+            CARD.1 + (f64::from(most) - CARD.1) * part * part
         };
         // A number that people can read.
         let tens = (number / 10.0).round() as u32 * 10;
-        if self.side >= STAGE {
-            level.particles()
-        } else {
-            tens.min(level.particles())
-        }
+        tens.min(most)
     }
 }

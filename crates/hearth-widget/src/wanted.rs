@@ -132,10 +132,15 @@ impl Wanted {
             && self.parameters.max_particles == Level::Medium.particles()
     }
 
-    /// The values, with so many particles where that is the level's affair.
+    /// Whether the number of particles is that of its scene.
+    pub fn follows_scene(&self) -> bool {
+        self.parameters.model() == Model::Combustion && !self.own_number && !self.follows_level()
+    }
+
+    /// The values, with so many particles where nobody set their number.
     pub fn at(&self, particles: u32) -> Parameters {
         let mut parameters = self.parameters.clone();
-        if self.follows_level() {
+        if self.follows_level() || self.follows_scene() {
             let particles = Input::Number(particles.into());
             let set = parameters.set(NUMBER, particles);
             debug_assert_eq!(set, Ok(()));

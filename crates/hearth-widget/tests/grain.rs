@@ -65,3 +65,15 @@ fn a_card_that_grows_into_a_stage_gets_all_of_it_in_few_changes() {
     assert!(grain.resize(64.0));
     assert_eq!(grain.particles(Level::High), 300);
 }
+
+#[test]
+fn a_scene_has_its_own_number_in_every_page_and_a_few_hundred_in_an_icon() {
+    for number in [2000, 4000] {
+        for side in [320.0, 426.0, 2000.0] {
+            assert_eq!(Grain::of(side).of_scene(number), number);
+        }
+        assert_eq!(Grain::of(64.0).of_scene(number), 300);
+        assert!(Grain::of(72_000_f64.sqrt()).of_scene(number) <= 700);
+    }
+    assert_eq!(Grain::of(100.0).of_scene(250), 250);
+}

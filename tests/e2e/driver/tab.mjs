@@ -159,6 +159,12 @@ export class Tab {
 
   /** What stands on the screen where the first fire is. */
   async firePicture() {
+    // The full page's own words stand over its fire, and fade.
+    await this.evaluate(() => {
+      for (const over of document.querySelectorAll('body > header, #hint, #scenes')) {
+        /** @type {HTMLElement} */ (over).style.visibility = 'hidden';
+      }
+    });
     return this.picture(await this.rectangle('hearth-fire'));
   }
 

@@ -92,16 +92,16 @@ fn each_model_has_its_own_range() {
     assert_eq!(parameters.set("source_width", Input::Number(0.9)), Ok(()));
     assert!(
         parameters
-            .set("max_particles", Input::Number(500.0))
+            .set("max_particles", Input::Number(150.0))
             .is_err()
     );
     switch(&mut parameters, Model::Classic);
     assert!(parameters.set("source_width", Input::Number(0.9)).is_err());
     assert_eq!(
-        parameters.set("max_particles", Input::Number(500.0)),
+        parameters.set("max_particles", Input::Number(150.0)),
         Ok(())
     );
-    assert_eq!(parameters.max_particles, 500);
+    assert_eq!(parameters.max_particles, 150);
     switch(&mut parameters, Model::Combustion);
     assert_eq!(parameters.source_width, 0.9);
     assert_eq!(parameters.max_particles, 3000);

@@ -36,9 +36,13 @@ impl Fire {
         self.wanted.at(self.particles(self.quality.level()))
     }
 
-    /// Its particles at that level, where they are the level's affair.
+    /// Its particles at that level, where nobody set their number.
     pub(super) fn particles(&self, level: Level) -> u32 {
-        if self.quality.wish().is_some() {
+        let exact = self.quality.wish().is_some();
+        if self.wanted.follows_scene() {
+            let number = self.wanted.parameters.max_particles;
+            if exact { number } else { self.grain.of_scene(number) }
+        } else if exact {
             level.particles()
         } else {
             self.grain.particles(level)
@@ -48,7 +52,10 @@ impl Fire {
     /// What its number of particles follows from, in words; empty: somebody set it.
     pub(super) fn follows(&self) -> &'static str {
         let level = self.quality.level();
-        if !self.wanted.follows_level() {
+        if self.wanted.follows_scene() {
+            let number = self.wanted.parameters.max_particles;
+            if self.particles(level) < number { "size" } else { "" }
+        } else if !self.wanted.follows_level() {
             ""
         } else if self.particles(level) < level.particles() {
             "size"

@@ -60,6 +60,8 @@ export async function measure(browser, [width, height], query = '') {
   const tab = await browser.open(`index.html?${values}`, { width, height, touch });
   await tab.ready();
   const { stage, rows } = await tab.fire(async (fire, tried, burnt, moments, apart, bright) => {
+    // Sparks are bright and fly to the top, and are no flame.
+    await fire.set('ember_rate', 0);
     await fire.reset();
     const canvas = fire.shadowRoot.querySelector('canvas');
     /** @type {{[scale in Scale]: number[]}[]} */

@@ -41,7 +41,11 @@ impl Fire {
         let exact = self.quality.wish().is_some();
         if self.wanted.follows_scene() {
             let number = self.wanted.parameters.max_particles;
-            if exact { number } else { self.grain.of_scene(number) }
+            if exact {
+                number
+            } else {
+                self.grain.of_scene(number)
+            }
         } else if exact {
             level.particles()
         } else {
@@ -54,7 +58,11 @@ impl Fire {
         let level = self.quality.level();
         if self.wanted.follows_scene() {
             let number = self.wanted.parameters.max_particles;
-            if self.particles(level) < number { "size" } else { "" }
+            if self.particles(level) < number {
+                "size"
+            } else {
+                ""
+            }
         } else if !self.wanted.follows_level() {
             ""
         } else if self.particles(level) < level.particles() {

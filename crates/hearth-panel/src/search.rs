@@ -146,7 +146,7 @@ impl Words {
         let meant =
             |&&(word, _): &&(&str, _)| word == typed || typed.len() > 3 && word.starts_with(typed);
         let mut found = SYNONYMS.iter().filter(meant);
-        found.any(|(_, names)| names.iter().any(|name| named(name)))
+        found.any(|(_, names)| names.iter().any(&named))
     }
 }
 

@@ -111,21 +111,17 @@ export function listenToPointer(fire, root, { send, move }, signal) {
       send({ type: 'sparks', ...metres, count: SPARKS });
     }
   };
-  // What holds the source scrolls no page and selects no text.
+  // A mouse that holds the source selects no text. A finger still scrolls the page up and
+  // down: `touch-action` tells its scrolling from a drag.
   const keep = (event) => {
-    const points = event.changedTouches ?? [event];
-    if ([...points].some((point) => grip({ ...where(point), composedPath: () => event.composedPath() }) !== undefined)) {
-      event.preventDefault();
-    }
+    if (grip(event) !== undefined) event.preventDefault();
   };
-  const where = ({ clientX, clientY }) => ({ clientX, clientY });
 
   fire.addEventListener('pointermove', follow, { signal });
   fire.addEventListener('pointerdown', press, { signal });
   fire.addEventListener('pointerleave', leave, { signal });
   for (const type of ['pointerup', 'pointercancel']) fire.addEventListener(type, lift, { signal });
   fire.addEventListener('mousedown', keep, { signal });
-  fire.addEventListener('touchstart', keep, { signal, passive: false });
   signal.addEventListener('abort', () => (root.style.cursor = ''));
 }
 

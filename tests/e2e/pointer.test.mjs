@@ -129,7 +129,7 @@ for (const style of ['', 'transform: scale(0.6); transform-origin: 0 0']) {
   });
 }
 
-test('a finger on the source moves it and not the page, which it scrolls from anywhere else', async () => {
+test('a finger moves the source across, and scrolls the page up and down from it and from anywhere else', async () => {
   const tab = await browser.open(
     `<hearth-fire ${CALM}></hearth-fire><div style="height: 3000px"></div>`,
     { touch: true },
@@ -137,11 +137,17 @@ test('a finger on the source moves it and not the page, which it scrolls from an
   await listens(tab);
   await tab.fire((fire) => fire.step(4));
   const from = await source(tab);
-  await tab.touchDrag(from, { x: from.x + 40, y: from.y - 120 });
+  await tab.touchDrag(from, { x: from.x + 40, y: from.y - 10 });
   assert.equal(await tab.evaluate(() => window.scrollY), 0);
-  assert.ok((await source(tab)).x > from.x + 30);
-  await tab.touchDrag({ x: 120, y: 180 }, { x: 120, y: 20 });
-  await tab.until('the page has scrolled', () => window.scrollY > 50);
+  const moved = await source(tab);
+  assert.ok(moved.x > from.x + 30);
+  for (const begin of [moved, { x: 120, y: 180 }]) {
+    await tab.evaluate(() => window.scrollTo(0, 0));
+    await tab.touchDrag(begin, { x: begin.x, y: begin.y - 160 });
+    await tab.until('the page has scrolled', () => window.scrollY > 50);
+  }
+  await tab.evaluate(() => window.scrollTo(0, 0));
+  assert.equal((await source(tab)).x, moved.x);
 });
 
 test('a mouse that is pressed on the fire selects text as before, and from its source none', async () => {

@@ -205,6 +205,7 @@ test('the panel and its mirror choose the quality, and show what somebody else c
   await tab.until('the mirror shows it', (selector) => (
     /** @type {any} */ (document.querySelector(selector)).value === 'medium'
   ), mirror);
+  await panel.pointAt(mirror);
   await tab.click(along(await panel.part('quality:low'), 0.5));
   await settles(tab, 'low');
   assert.equal(await shown(), 'low');
@@ -224,7 +225,7 @@ test('another quality does not take away the words that a visitor is reading', a
   await tab.burnt(0.1);
   await new Panel(tab).mounted();
   // Words in the header push down the rows below it.
-  const top = () => tab.page.$eval(mirrorOf('domain_width'), (control) => (
+  const top = () => tab.page.$eval(mirrorOf('fuel_power'), (control) => (
     Number(/** @type {any} */ (control).dataset.rect?.split(' ')[1])
   ));
   const before = await top();

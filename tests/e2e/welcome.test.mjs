@@ -137,7 +137,7 @@ describe('the panel', () => {
     assert.equal(await panelIs(tab), 'shown');
     await tab.key('h');
     assert.equal(await panelIs(tab), 'hidden');
-    const again = await browser.open('index.html', WIDE);
+    const again = await browser.open('index.html', { ...WIDE, remember: true });
     await again.ready();
     await strip(again);
     assert.equal(await panelIs(again), 'hidden');
@@ -176,14 +176,12 @@ describe('the hint', () => {
   const hinted = (tab) => tab.evaluate(() => /** @type {any} */ (window).hinted);
 
   test('comes once, and goes with the first use', async () => {
-    const first = await browser.open('index.html', { ...WIDE, before: keep });
-    await first.evaluate(() => localStorage.clear());
     const tab = await browser.open('index.html', { ...WIDE, before: keep });
     await tab.until('the hint', () => document.getElementById('hint')?.textContent);
     assert.match((await hinted(tab))[0], /blow.*click.*drag/);
     await tab.click({ x: 330, y: 300 });
     assert.equal(await tab.evaluate(() => document.getElementById('hint')?.textContent), '');
-    const again = await browser.open('index.html', { ...WIDE, before: keep });
+    const again = await browser.open('index.html', { ...WIDE, before: keep, remember: true });
     await again.ready();
     await strip(again);
     assert.deepEqual(await hinted(again), []);

@@ -309,10 +309,13 @@ impl Combustion {
         let half = 0.5 * narrowest.min(width);
         let farthest = (0.5 * width - half - seam * width).max(0.0);
         let middle = f64::from(p.source_x).clamp(-farthest, farthest);
+        // A particle on the edge of the block is outside. The edge of a block at the edge of
+        // the domain is exact but for rounding, which must not let that particle in.
+        let reach = half - 1e-9 * width;
         let in_block = |particle: &Plain, above: f64| {
             let at = particle.position.value;
             let (low, high) = (bottom + above, bottom + block + above);
-            (at.x - middle).abs() < half && at.y > low && at.y < high
+            (at.x - middle).abs() < reach && at.y > low && at.y < high
         };
 
         let mut heated = Sum::default();

@@ -38,6 +38,9 @@ pub struct Burner {
     pub bottom: f32,
     /// Height of its upper edge \[m\].
     pub top: f32,
+    /// Its edges \[m\]. A particle on an edge is outside, on the edge of the domain as well.
+    left: f32,
+    right: f32,
     /// Below this, layers above the block take fuel that it cannot \[m\].
     highest: f32,
 }
@@ -64,9 +67,13 @@ impl Burner {
             .source_width
             .max(NARROWEST * spacing)
             .min(values.domain_width);
+        let (half_width, edge) = (0.5 * width, 0.5 * values.domain_width);
+        let middle = source::middle(values, width, values.seam * values.domain_width);
         Burner {
-            middle: source::middle(values, width, values.seam * values.domain_width),
-            half_width: 0.5 * width,
+            middle,
+            half_width,
+            left: (middle - half_width).max(-edge),
+            right: (middle + half_width).min(edge),
             bottom,
             top: bottom + height,
             highest: high * values.domain_height,
@@ -143,7 +150,7 @@ impl Burner {
     fn holds(&self, gas: &Gas, i: usize, above: f32) -> bool {
         let at = gas.position[i];
         let height = at.y - above;
-        (at.x - self.middle).abs() < self.half_width && height > self.bottom && height < self.top
+        at.x > self.left && at.x < self.right && height > self.bottom && height < self.top
     }
 }
 

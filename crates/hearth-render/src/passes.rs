@@ -2,7 +2,7 @@
 
 use crate::error::RenderError;
 use crate::gl::Graphics;
-use crate::program::{Program, Source};
+use crate::program::{Compiling, Program, Source};
 
 macro_rules! shader {
     ($name:literal) => {
@@ -67,17 +67,27 @@ pub struct Passes<G: Graphics>(Vec<Program<G>>);
 impl<G: Graphics> Passes<G> {
     /// Compiles every pass, or says which one the driver refuses.
     pub fn new(gl: &G) -> Result<Passes<G>, RenderError> {
+        // All are begun before the first is waited for, so that a driver with many threads
+        // compiles them side by side.
+        let begun: Vec<_> = SOURCES
+            .iter()
+            .map(|source| Compiling::begin(gl, source))
+            .collect();
         let mut passes = Passes(Vec::with_capacity(SOURCES.len()));
-        for source in SOURCES {
-            match Program::new(gl, source) {
+        let mut refused = None;
+        for begun in begun {
+            match begun.and_then(|compiling| compiling.finish(gl)) {
                 Ok(program) => passes.0.push(program),
-                Err(error) => {
-                    passes.destroy(gl);
-                    return Err(error);
-                }
+                Err(error) => refused = refused.or(Some(error)),
             }
         }
-        Ok(passes)
+        match refused {
+            None => Ok(passes),
+            Some(error) => {
+                passes.destroy(gl);
+                Err(error)
+            }
+        }
     }
 
     /// Makes the shaders of that pass the current program.

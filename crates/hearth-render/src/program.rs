@@ -29,15 +29,16 @@ pub struct Source {
     pub uniforms: &'static [&'static str],
 }
 
-/// A linked program.
-pub struct Program<G: Graphics> {
+/// A program that the driver compiles, on threads of its own where it has such.
+pub struct Compiling<'a, G: Graphics> {
+    source: &'a Source,
     handle: G::Program,
-    uniforms: Vec<(&'static str, Option<G::Place>)>,
+    shaders: [Option<G::Shader>; 2],
 }
 
-impl<G: Graphics> Program<G> {
-    /// Compiles and links.
-    pub fn new(gl: &G, source: &Source) -> Result<Program<G>, RenderError> {
+impl<G: Graphics> Compiling<'_, G> {
+    /// Begins to compile and link, and waits for neither.
+    pub fn begin<'a>(gl: &G, source: &'a Source) -> Result<Compiling<'a, G>, RenderError> {
         let handle = gl.create_program().ok_or(RenderError::none(source.pass))?;
         let stages = [
             (glow::VERTEX_SHADER, source.vertex),
@@ -53,6 +54,20 @@ impl<G: Graphics> Program<G> {
             }
         }
         gl.link_program(&handle);
+        Ok(Compiling {
+            source,
+            handle,
+            shaders,
+        })
+    }
+
+    /// Waits until the program is linked.
+    pub fn finish(self, gl: &G) -> Result<Program<G>, RenderError> {
+        let Compiling {
+            source,
+            handle,
+            shaders,
+        } = self;
         let linked = gl.is_linked(&handle);
         // Logs are read only where something went wrong: reading one makes a
         // browser wait for its shader compiler.
@@ -82,7 +97,15 @@ impl<G: Graphics> Program<G> {
             .collect();
         Ok(Program { handle, uniforms })
     }
+}
 
+/// A linked program.
+pub struct Program<G: Graphics> {
+    handle: G::Program,
+    uniforms: Vec<(&'static str, Option<G::Place>)>,
+}
+
+impl<G: Graphics> Program<G> {
     /// Makes this the current program.
     pub fn activate(&self, gl: &G) {
         gl.use_program(&self.handle);

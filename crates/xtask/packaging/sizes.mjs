@@ -12,6 +12,9 @@ const [folder] = process.argv.slice(2);
 const manifest = JSON.parse(await readFile(path.join(folder, 'package.json'), 'utf8'));
 const entryFiles = beginningsOf(manifest).map((script) => path.posix.normalize(script));
 
+/** What the element loads only where somebody asks for it. */
+const ASKED_FOR = ['scale.js', 'engine-main.js', 'fire-file.js', 'fire-pointer.js', 'fire-spelling.js', 'fire-transition.js'];
+
 /** Files that one need makes a browser load together; without a ceiling they are only told. */
 const DOWNLOADS = [
   { name: 'element and engine', entry: 'hearth-fire.js', ceiling: 100_000 },
@@ -23,10 +26,8 @@ const DOWNLOADS = [
 ];
 
 for (const { name, entry, ceiling } of DOWNLOADS) {
-  // What another entry point has, the bar and the pointer are loaded only where somebody asks for that.
-  const files = entry.endsWith('.inline.js')
-    ? [entry]
-    : await reached(folder, [entry], (file) => entryFiles.includes(file) || file !== entry && ['scale.js', 'fire-pointer.js'].includes(file));
+  const isLater = (file) => entryFiles.includes(file) || ASKED_FOR.includes(file);
+  const files = entry.endsWith('.inline.js') ? [entry] : await reached(folder, [entry], isLater);
   console.log(name);
   const sum = { raw: 0, small: 0 };
   for (const file of files) {

@@ -6,7 +6,7 @@
 
 /**
  * Runs an engine.
- * @param {new (post: Function, canvas: any, show: Function) => any} Engine
+ * @param {new (post: Function, canvas: any, context: WebGL2RenderingContext | null, show: Function) => any} Engine
  * @param {HTMLCanvasElement | OffscreenCanvas} canvas what it draws on
  * @param {object} around
  * @param {(message: object) => void} around.post takes its messages
@@ -16,7 +16,7 @@
  * @throws where the browser cannot draw
  */
 export function runEngine(Engine, canvas, { post, show, fail }) {
-  let engine = new Engine(post, canvas, show);
+  let engine = new Engine(post, canvas, contextOf(canvas), show);
   let frame = 0;
 
   const stop = () => {
@@ -81,6 +81,16 @@ export function runEngine(Engine, canvas, { post, show, fail }) {
       stop()?.free();
     },
   };
+}
+
+/**
+ * The WebGL2 context of a canvas, the same one at each call. It has an alpha channel and
+ * neither samples nor depth.
+ * @param {HTMLCanvasElement | OffscreenCanvas} canvas
+ * @returns {WebGL2RenderingContext | null}
+ */
+export function contextOf(canvas) {
+  return /** @type {any} */ (canvas).getContext('webgl2', { antialias: false, depth: false });
 }
 
 /**

@@ -6,7 +6,7 @@ import { pictureCanvas, runEngine } from './engine-loop.js';
 
 /**
  * Starts it. What it is told and says is delivered as from a worker: later, in order.
- * @param {new (post: Function, canvas: any, show: Function) => any} Engine
+ * @param {new (post: Function, canvas: any, context: WebGL2RenderingContext | null, show: Function) => any} Engine
  * @param {import('./engine.js').Port} port what it is reached by
  * @throws where the browser cannot draw
  */

@@ -4,15 +4,18 @@
  * as a bitmap, which costs no copy.
  */
 
-import { pictureCanvas, runEngine } from './engine-loop.js';
+import { contextOf, pictureCanvas, runEngine } from './engine-loop.js';
 import init, { Engine } from './wasm/hearth-widget.js';
 
 /** @type {ReturnType<typeof runEngine> | undefined} */
 let engine;
 
+const canvas = pictureCanvas();
+// While the wasm is still on its way: the first context of a page takes a while.
+if (canvas) contextOf(canvas);
+
 /** @param {WebAssembly.Module} module */
 async function start(module) {
-  const canvas = pictureCanvas();
   if (!canvas) throw new Error('there is no canvas in a worker');
   if (typeof requestAnimationFrame !== 'function') throw new Error('there are no frames in a worker');
   await init({ module_or_path: module });

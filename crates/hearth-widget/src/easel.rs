@@ -15,7 +15,7 @@ use std::rc::Rc;
 use hearth_render::{RenderError, Studio};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
-use web_sys::{WebGl2RenderingContext as Context, WebGlContextAttributes, WebglLoseContext};
+use web_sys::{WebGl2RenderingContext as Context, WebglLoseContext};
 
 use crate::webgl::WebGl;
 
@@ -35,13 +35,6 @@ extern "C" {
 
     #[wasm_bindgen(method, setter)]
     fn set_height(this: &Canvas, height: u32);
-
-    #[wasm_bindgen(method, catch, js_name = getContext)]
-    fn context(
-        this: &Canvas,
-        kind: &str,
-        attributes: &WebGlContextAttributes,
-    ) -> Result<Option<Context>, JsValue>;
 
     /// What takes a picture away.
     pub type Show;
@@ -78,20 +71,12 @@ pub struct Easel {
 }
 
 impl Easel {
-    /// Takes the canvas; `show(fire)` takes a picture away, and says whether it is
-    /// shown already. It never throws.
+    /// Takes the canvas and its context, where it has one; `show(fire)` takes a picture
+    /// away, and says whether it is shown already. It never throws.
     ///
     /// # Errors
     /// In words: there is no WebGL2, or the driver refuses a shader.
-    pub fn new(canvas: Canvas, show: Show) -> Result<Easel, String> {
-        let attributes = WebGlContextAttributes::new();
-        attributes.set_alpha(true);
-        attributes.set_premultiplied_alpha(true);
-        attributes.set_antialias(false);
-        attributes.set_depth(false);
-        attributes.set_stencil(false);
-        attributes.set_preserve_drawing_buffer(false);
-        let context = canvas.context("webgl2", &attributes).ok().flatten();
+    pub fn new(canvas: Canvas, context: Option<Context>, show: Show) -> Result<Easel, String> {
         let context = context.ok_or(
             "this browser gives no WebGL2 context: it may be switched off, \
              or the graphics driver may be blocked",

@@ -8,6 +8,7 @@
 use js_sys::Function;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
+use web_sys::WebGl2RenderingContext;
 
 use crate::budget::{STEPS_BUDGET_MS, share};
 use crate::easel::{Canvas, Easel, Show};
@@ -30,15 +31,22 @@ pub struct Engine {
 
 #[wasm_bindgen]
 impl Engine {
-    /// An engine without a fire, which draws on `canvas`. It answers through
+    /// An engine without a fire, which draws on `canvas` in its WebGL2 `context`, where
+    /// the browser gives one. It answers through
     /// `post(message)` and shows what it drew through `show(fire)`, which says whether
     /// the picture is shown already.
     ///
     /// # Errors
     /// There is no WebGL2, or the driver refuses.
     #[wasm_bindgen(constructor)]
-    pub fn new(post: Function, canvas: Canvas, show: Show) -> Result<Engine, js_sys::Error> {
-        let easel = Easel::new(canvas, show).map_err(|words| js_sys::Error::new(&words))?;
+    pub fn new(
+        post: Function,
+        canvas: Canvas,
+        context: Option<WebGl2RenderingContext>,
+        show: Show,
+    ) -> Result<Engine, js_sys::Error> {
+        let easel =
+            Easel::new(canvas, context, show).map_err(|words| js_sys::Error::new(&words))?;
         Ok(Engine {
             fires: Vec::new(),
             easel,

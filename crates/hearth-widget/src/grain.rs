@@ -2,7 +2,7 @@
 //!
 //! A fire fits the height of its element, so a small element shows large particles
 //! small: nobody sees how many there are. An icon of 64 CSS pixels gets 300, a card of
-//! 240 × 300 gets 500, and from a side of 560 on each level has its own number. Other
+//! 240 × 300 gets 400, and from a side of 560 on each level has its own number. Other
 //! particles take over the burning fire, so nothing pops; and the number changes only
 //! with a side that is a tenth longer or shorter, so a window that is dragged does not
 //! make it flap.
@@ -11,7 +11,7 @@ use crate::quality::Level;
 
 /// Sides that fewer particles go with [CSS pixels], and how many.
 const ICON: (f64, f64) = (64.0, 300.0);
-const CARD: (f64, f64) = (268.0, 500.0);
+const CARD: (f64, f64) = (268.0, 400.0);
 /// Side from which a level has its own number.
 const STAGE: f64 = 560.0;
 /// Side from which a scene has its own number, which is that of its look.

@@ -8,12 +8,12 @@ fn at(side: f64, level: Level) -> u32 {
 }
 
 #[test]
-fn an_icon_has_300_a_card_500_and_a_stage_what_the_level_has() {
+fn an_icon_has_300_a_card_400_and_a_stage_what_the_level_has() {
     for level in Level::ALL {
         assert_eq!(at(64.0, level), 300);
         assert_eq!(at(16.0, level), 300);
         // 240 × 300.
-        assert!((500..=700).contains(&at(72_000_f64.sqrt(), level)));
+        assert!((380..=600).contains(&at(72_000_f64.sqrt(), level)));
         for side in [560.0, 600.0, 4000.0] {
             assert_eq!(at(side, level), level.particles());
         }

@@ -17,7 +17,7 @@ const ASKED_FOR = ['scale.js', 'engine-main.js', 'fire-file.js', 'fire-pointer.j
 
 /** Files that one need makes a browser load together; without a ceiling they are only told. */
 const DOWNLOADS = [
-  { name: 'element and engine', entry: 'hearth-fire.js', ceiling: 100_000 },
+  { name: 'element and engine', entry: 'hearth-fire.js', ceiling: 107_500 },
   { name: 'bar of colours, on request', entry: 'scale.js', ceiling: 3_000 },
   { name: 'pointer, on request', entry: 'fire-pointer.js', ceiling: 2_000 },
   { name: 'headless library', entry: 'sim.js', ceiling: 60_000 },
@@ -27,7 +27,9 @@ const DOWNLOADS = [
 
 for (const { name, entry, ceiling } of DOWNLOADS) {
   const isLater = (file) => entryFiles.includes(file) || ASKED_FOR.includes(file);
-  const files = entry.endsWith('.inline.js') ? [entry] : await reached(folder, [entry], isLater);
+  const found = entry.endsWith('.inline.js') ? [entry] : await reached(folder, [entry], isLater);
+  // A kept fire comes with its scene alone.
+  const files = found.filter((file) => !file.startsWith('burning/'));
   console.log(name);
   const sum = { raw: 0, small: 0 };
   for (const file of files) {

@@ -11,8 +11,8 @@ const SHARES = [0.2, 0.85];
 /** What a key adds to it. @type {{[key: string]: number}} */
 const STEPS = { ArrowUp: 0.05, ArrowDown: -0.05, PageUp: 0.2, PageDown: -0.2, Home: 1, End: -1 };
 
-/** A hundredth of the window, without what the browser lays over it. */
-const VIEW = CSS.supports('height', '1dvh') ? 'dvh' : 'vh';
+/** A hundredth of the window, without what the browser lays over it. Servers have no `CSS`. */
+const VIEW = globalThis.CSS?.supports('height', '1dvh') ? 'dvh' : 'vh';
 
 /** What the page's and the panel's style sheets read. */
 const HEIGHT = '--hearth-sheet';

@@ -218,7 +218,7 @@ test('a small fire has few particles and says so, unless somebody says how many'
   }, count, limit);
   await has(300, 'size');
   await tab.fire((fire) => { fire.style.cssText = 'width: 240px; height: 300px'; });
-  await has(500, 'size');
+  await has(400, 'size');
   await tab.fire((fire) => { fire.quality = 'low'; });
   await has(1200, 'quality low');
   await tab.fire((fire) => fire.set('max_particles', 800));
@@ -226,7 +226,7 @@ test('a small fire has few particles and says so, unless somebody says how many'
   await tab.fire((fire) => { fire.quality = null; });
   await has(800, '');
   await tab.fire((fire) => fire.restore('max_particles'));
-  await has(500, 'size');
+  await has(400, 'size');
 });
 
 /** When the fire of the scene was kept [s]: its bytes say it. */

@@ -13,7 +13,7 @@ import { BURNING } from './burning.js';
  * @returns {import('./engine.js').Source}
  */
 export function wasm() {
-  return new URL('./wasm/hearth-widget_bg.wasm', import.meta.url);
+  return new URL('./wasm/hearth-engine_bg.wasm', import.meta.url);
 }
 
 /**
@@ -57,5 +57,5 @@ export function worker() {
 
 /** The engine's script. */
 export function glue() {
-  return import('./wasm/hearth-widget.js');
+  return import('./wasm/hearth-engine.js');
 }

@@ -5,7 +5,7 @@
  */
 
 import { contextOf, pictureCanvas, runEngine } from './engine-loop.js';
-import init, { Engine } from './wasm/hearth-widget.js';
+import init, { Engine } from './wasm/hearth-engine.js';
 
 /** @type {ReturnType<typeof runEngine> | undefined} */
 let engine;

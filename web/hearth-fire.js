@@ -33,7 +33,7 @@ const STILL_AFTER = 2;
 /** The element's class. */
 export class HearthFire extends FireAttributes {
   /**
-   * Where the wasm file is, if it is not at `wasm/hearth-widget_bg.wasm` beside
+   * Where the wasm file is, if it is not at `wasm/hearth-engine_bg.wasm` beside
    * this module. It counts when it is set before the first fire is on the page.
    * @type {string | URL | undefined}
    */

@@ -71,7 +71,7 @@ for (const [about, size, act] of [
 }
 
 test('the page whose fire cannot burn', async () => {
-  const tab = await browser.open('index.html', { ...WIDE, without: 'hearth-widget_bg.wasm' });
+  const tab = await browser.open('index.html', { ...WIDE, without: 'hearth-engine_bg.wasm' });
   await tab.until('words', () => (
     /\S/.test(document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.message')?.textContent ?? '')
   ));

@@ -315,7 +315,7 @@ for (const kind of BROWSERS) {
       for (const instead of [{ status: 404 }, { keep: 5000 }, { type: 'text/html', body: '<p>' }]) {
         const tab = await browser.open(
           recording('<hearth-fire><p slot="poster">A poster</p></hearth-fire>'),
-          { files: { 'hearth-widget_bg.wasm': instead } },
+          { files: { 'hearth-engine_bg.wasm': instead } },
         );
         await tab.until('an error event', () => /** @type {any} */ (window).events.length > 0);
         assert.deepEqual((await events(tab, 'error')).map((error) => error.kind), ['load']);

@@ -109,7 +109,7 @@ describe('a fire in an iframe', () => {
   }
 
   test('says in words why it cannot burn, in its frame and to the page around', async () => {
-    around.elsewhere.replace({ 'hearth-widget_bg.wasm': { status: 404, body: 'gone' } });
+    around.elsewhere.replace({ 'hearth-engine_bg.wasm': { status: 404, body: 'gone' } });
     try {
       const tab = await around.open({ allow: around.here });
       await heard(tab, 'hello');

@@ -206,7 +206,7 @@ for (const [missing, word, before] of [
 
 test('an engine that cannot be loaded shows words and the poster', async () => {
   const body = recording(`<hearth-fire>${POSTER}</hearth-fire>`);
-  const tab = await browser.open(body, { without: 'hearth-widget_bg.wasm' });
+  const tab = await browser.open(body, { without: 'hearth-engine_bg.wasm' });
   await tab.until(
     'an error event',
     () => /** @type {any} */ (window).events.some(({ type }) => type === 'error'),

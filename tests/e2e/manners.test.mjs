@@ -24,7 +24,7 @@ const at = (/** @type {string} */ place, /** @type {string} */ body) => `${body}
 
 /** Whether the engine's files were asked for. */
 const loaded = (tab) => tab.evaluate(() => (
-  performance.getEntriesByType('resource').some(({ name }) => name.endsWith('hearth-widget_bg.wasm'))
+  performance.getEntriesByType('resource').some(({ name }) => name.endsWith('hearth-engine_bg.wasm'))
 ));
 
 for (const place of ['worker', 'main']) {
@@ -101,7 +101,7 @@ test('loading: eager at once, lazy when it is about to be seen', async () => {
 test('a poster stands until there is a picture, and where there is none', async () => {
   const image = 'data:image/svg+xml,<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><rect width="1" height="1" fill="lime"/></svg>';
   const body = `<hearth-fire poster='${image}' style="width: 200px; height: 200px"></hearth-fire>`;
-  const late = await browser.open(body, { without: 'hearth-widget_bg.wasm' });
+  const late = await browser.open(body, { without: 'hearth-engine_bg.wasm' });
   await late.fire((fire) => fire.ready.catch(() => {}));
   const lime = (picture) => picture.share((r, g) => g > 200 && r < 100);
   assert.ok(lime(await late.firePicture()) > 0.5, 'the poster is seen');

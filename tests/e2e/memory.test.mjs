@@ -20,7 +20,7 @@ after(() => browser?.close());
 const PICTURE = { worker: 700, main: 250 };
 
 /** The engine's script of wasm. */
-const GLUE = 'web/wasm/hearth-widget.js';
+const GLUE = 'web/wasm/hearth-engine.js';
 
 /** The functions in it that give a view of wasm's memory; how they are called means nothing. */
 const VIEWS = new Set(

@@ -14,7 +14,7 @@ before(async () => {
 });
 after(() => browser?.close());
 
-const WASM = 'hearth-widget_bg.wasm';
+const WASM = 'hearth-engine_bg.wasm';
 const BODY = recording('<hearth-fire><p slot="poster" id="poster">A poster</p></hearth-fire>');
 
 /** Asserts that there is no fire, that it was said why, and that nothing else broke. */
@@ -37,7 +37,7 @@ async function assertSaid(tab, kind, named) {
 }
 
 for (const [what, instead, named] of [
-  ['is missing', { status: 404, body: '<!doctype html>', type: 'text/html' }, /hearth-widget_bg\.wasm gave 404/],
+  ['is missing', { status: 404, body: '<!doctype html>', type: 'text/html' }, /hearth-engine_bg\.wasm gave 404/],
   ['never comes', { drop: true }, /could not be loaded/],
   ['is cut off', { keep: 20_000 }, /could not be loaded/],
   ['is a page', { body: '<!doctype html><p>Hello', type: 'text/html' }, /no wasm file.*text\/html/],

@@ -36,5 +36,5 @@ export async function burning() {}
 
 /** The engine's script. */
 export function glue() {
-  return import('./wasm/hearth-widget.js');
+  return import('./wasm/hearth-engine.js');
 }

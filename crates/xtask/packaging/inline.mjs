@@ -34,7 +34,7 @@ const COMMON = {
  * @param {{name: string, version: string, license: string}} about
  */
 export async function inlined(sources, wasm, { name, version, license }) {
-  const engine = await readFile(path.join(wasm, 'hearth-widget_bg.wasm'));
+  const engine = await readFile(path.join(wasm, 'hearth-engine_bg.wasm'));
   const worker = await build({
     ...COMMON,
     entryPoints: [path.join(sources, 'engine-worker.js')],

@@ -26,7 +26,7 @@ pub(crate) struct Module {
 
 const MODULES: [Module; 3] = [
     Module {
-        package: "hearth-widget",
+        package: "hearth-engine",
         profile: "engine",
     },
     Module {

@@ -189,7 +189,7 @@ mod tests {
         for path in [
             "hearth-fire.js",
             "defaults.js",
-            "wasm/hearth-widget_bg.wasm",
+            "wasm/hearth-engine_bg.wasm",
         ] {
             assert_eq!(downloads(path), ["element and engine"]);
         }

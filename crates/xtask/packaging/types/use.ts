@@ -6,7 +6,7 @@ import { mountPanel } from 'hearth-fire/panel';
 import { createSimulation } from 'hearth-fire/sim';
 import { elementCode, fromQuery, toQuery } from 'hearth-fire/share';
 
-HearthFire.wasmUrl = new URL('https://fire.example/hearth-widget_bg.wasm');
+HearthFire.wasmUrl = new URL('https://fire.example/hearth-engine_bg.wasm');
 HearthFire.engine = 'main';
 // @ts-expect-error: there is no such place.
 HearthFire.engine = 'nowhere';

@@ -60,7 +60,7 @@ fn every_kind_of_file_of_the_site_has_its_type() {
         ("web/page.css", "text/css; charset=utf-8"),
         ("web/custom-elements.json", "application/json"),
         ("web/poster.jpg", "image/jpeg"),
-        ("web/wasm/hearth-widget_bg.wasm", "application/wasm"),
+        ("web/wasm/hearth-engine_bg.wasm", "application/wasm"),
         ("web/hearth-fire.d.ts", "text/plain; charset=utf-8"),
         ("LICENSE", "application/octet-stream"),
     ] {

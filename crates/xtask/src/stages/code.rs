@@ -8,7 +8,7 @@ use crate::{process, tools};
 const LIBRARIES: [&str; 2] = ["hearth-core", "hearth-render"];
 /// Crates with code that only a browser runs.
 const FOR_THE_BROWSER: [&str; 5] = [
-    "hearth-widget",
+    "hearth-engine",
     "hearth-sim",
     "hearth-panel",
     "hearth-tests",

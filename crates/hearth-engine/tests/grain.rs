@@ -1,7 +1,7 @@
 //! How many particles go with the size of an element.
 
-use hearth_widget::grain::Grain;
-use hearth_widget::quality::Level;
+use hearth_engine::grain::Grain;
+use hearth_engine::quality::Level;
 
 fn at(side: f64, level: Level) -> u32 {
     Grain::of(side).particles(level)

@@ -1,8 +1,8 @@
 //! How much a fire may draw, and what stirs it.
 
-use hearth_widget::limits::{Limit, Limits, PIXELS, RATES, Stir};
-use hearth_widget::quality::Level;
-use hearth_widget::raw::Raw;
+use hearth_engine::limits::{Limit, Limits, PIXELS, RATES, Stir};
+use hearth_engine::quality::Level;
+use hearth_engine::raw::Raw;
 
 fn object(fields: &[(&str, Raw)]) -> Raw {
     let named = fields

@@ -2,10 +2,10 @@
 
 use hearth_core::params::{Input, Model, PARAMETERS};
 use hearth_core::preset::PRESETS;
-use hearth_widget::config::{Config, changed};
-use hearth_widget::message::Order;
-use hearth_widget::raw::Raw;
-use hearth_widget::wanted::Wanted;
+use hearth_engine::config::{Config, changed};
+use hearth_engine::message::Order;
+use hearth_engine::raw::Raw;
+use hearth_engine::wanted::Wanted;
 
 fn object(fields: Vec<(&str, Raw)>) -> Raw {
     let named = fields.into_iter().map(|(id, value)| (id.to_owned(), value));

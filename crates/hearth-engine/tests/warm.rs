@@ -2,7 +2,7 @@
 
 use hearth_core::params::{Input, Model, Parameters};
 use hearth_core::{Burner, Simulation};
-use hearth_widget::warm::Warm;
+use hearth_engine::warm::Warm;
 
 fn with(values: &[(&str, f64)]) -> Parameters {
     let mut parameters = Parameters::new(Model::Combustion);

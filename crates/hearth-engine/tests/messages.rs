@@ -2,15 +2,15 @@
 
 use hearth_core::Parameters;
 use hearth_core::params::Model;
-use hearth_render::{Camera, Fit};
-use hearth_widget::limits::Sparks;
-use hearth_widget::message::{
+use hearth_engine::limits::Sparks;
+use hearth_engine::message::{
     LONGEST_SIDE, MOST_SECONDS, MOST_STEPS, Message, Order, RefusedMessage, SentValues, Start,
     with_defaults, with_values,
 };
-use hearth_widget::quality::Level;
-use hearth_widget::raw::Raw;
-use hearth_widget::wanted::Wanted;
+use hearth_engine::quality::Level;
+use hearth_engine::raw::Raw;
+use hearth_engine::wanted::Wanted;
+use hearth_render::{Camera, Fit};
 
 fn text(words: &str) -> Raw {
     Raw::Text(words.to_owned())
@@ -52,7 +52,7 @@ fn start(values: SentValues) -> Start {
 }
 
 /// What a fire starts with, and what was refused.
-fn starting_values(start: &Start) -> (Parameters, Vec<hearth_widget::message::Refused>) {
+fn starting_values(start: &Start) -> (Parameters, Vec<hearth_engine::message::Refused>) {
     let (wanted, errors) = Wanted::at_first(start);
     (wanted.parameters, errors)
 }

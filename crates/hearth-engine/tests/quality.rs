@@ -1,7 +1,7 @@
 //! A fire that finds its quality itself, on machines of every speed.
 
 use hearth_core::params::{Model, Param, Value};
-use hearth_widget::quality::{Frame, Level, Quality};
+use hearth_engine::quality::{Frame, Level, Quality};
 
 /// A machine and the display before it.
 #[derive(Clone, Copy)]

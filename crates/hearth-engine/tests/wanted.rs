@@ -2,11 +2,11 @@
 
 use hearth_core::Simulation;
 use hearth_core::params::Model;
+use hearth_engine::message::{Order, SentValues, Start};
+use hearth_engine::quality::Level;
+use hearth_engine::raw::Raw;
+use hearth_engine::wanted::{Wanted, adapt};
 use hearth_render::Camera;
-use hearth_widget::message::{Order, SentValues, Start};
-use hearth_widget::quality::Level;
-use hearth_widget::raw::Raw;
-use hearth_widget::wanted::{Wanted, adapt};
 
 /// A start with nothing of its own.
 fn start() -> Start {

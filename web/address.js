@@ -29,7 +29,7 @@ const MOST = 200;
  * a link must not choose what a visitor's browser fetches.
  */
 export const OPTIONS = [
-  'align', 'alt', 'autoplay', 'controls', 'fit', 'fps-limit', 'interactive', 'loading', 'max-pixels', 'paused',
+  'align', 'alt', 'autoplay', 'controls', 'fit', 'fps-limit', 'interactive', 'loading', 'max-pixels', 'objects', 'paused',
   'quality', 'reduced-motion', 'touch-action', 'warm',
 ];
 

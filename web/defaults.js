@@ -85,4 +85,4 @@ export const DEFAULTS = {
 };
 
 /** The attributes that are no parameters. */
-export const OWN_ATTRIBUTES = ["preset", "src", "quality", "paused", "autoplay", "loading", "poster", "alt", "max-pixels", "fps-limit", "warm", "interactive", "fit", "align", "touch-action", "controls", "reduced-motion"];
+export const OWN_ATTRIBUTES = ["preset", "src", "objects", "quality", "paused", "autoplay", "loading", "poster", "alt", "max-pixels", "fps-limit", "warm", "interactive", "fit", "align", "touch-action", "controls", "reduced-motion"];

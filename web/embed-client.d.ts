@@ -6,6 +6,8 @@ import type {
   HearthChangeDetail,
   HearthConfig,
   HearthErrorDetail,
+  HearthObject,
+  HearthObjectsDetail,
   HearthParameters,
   HearthQualityDetail,
   HearthStats,
@@ -32,6 +34,7 @@ export interface FrameFireEventMap {
   play: CustomEvent<null>;
   pause: CustomEvent<null>;
   'params-change': CustomEvent<HearthChangeDetail>;
+  'objects-change': CustomEvent<HearthObjectsDetail>;
   'quality-change': CustomEvent<HearthQualityDetail>;
   stats: CustomEvent<HearthStats>;
   error: CustomEvent<HearthErrorDetail>;
@@ -52,11 +55,17 @@ export interface FrameFire extends EventTarget {
   step(steps?: number): Promise<void>;
   set<Id extends ParameterId>(id: Id, value: HearthParameters[Id]): Promise<void>;
   /** Sets all of these or none. */
-  set(values: Partial<HearthParameters>): Promise<void>;
+  set(values: Partial<HearthParameters> & { objects?: HearthObject[] }): Promise<void>;
   get<Id extends ParameterId>(id: Id): Promise<HearthParameters[Id]>;
   params(): Promise<HearthParameters>;
+  objects(): Promise<Required<HearthObject>[]>;
+  /** Adds an object; resolves to its id. */
+  addObject(object: HearthObject): Promise<number>;
+  /** Sets properties of an object, all or none. */
+  changeObject(id: number, properties: Partial<HearthObject>): Promise<void>;
+  removeObject(id: number): Promise<void>;
   stats(): Promise<HearthStats | null>;
-  restore(...ids: ParameterId[]): Promise<void>;
+  restore(...ids: (ParameterId | 'objects')[]): Promise<void>;
   exportConfig(): Promise<HearthConfig>;
   importConfig(config: HearthConfig | string): Promise<void>;
   toBlob(type?: string, quality?: number): Promise<Blob>;

@@ -11,8 +11,8 @@
 
 /** What can be asked of the fire; each becomes a method that gives a promise. */
 const METHODS = [
-  'ready', 'play', 'pause', 'reset', 'step', 'set', 'get', 'params', 'stats', 'restore',
-  'exportConfig', 'importConfig', 'toBlob', 'stir', 'sparks', 'option',
+  'ready', 'play', 'pause', 'reset', 'step', 'set', 'get', 'params', 'objects', 'stats', 'restore',
+  'addObject', 'changeObject', 'removeObject', 'exportConfig', 'importConfig', 'toBlob', 'stir', 'sparks', 'option',
 ];
 
 /** How long a page that has loaded may take to say that it listens [ms]. */

@@ -30,7 +30,7 @@ const MOST_ORIGINS = 16;
 
 /** What may be heard of a fire; `ready` is told without being asked for. */
 const EVENTS = [
-  'ready', 'play', 'pause', 'params-change', 'quality-change', 'stats', 'error', 'restored',
+  'ready', 'play', 'pause', 'params-change', 'objects-change', 'quality-change', 'stats', 'error', 'restored',
 ];
 
 /** What may be asked of a fire. @type {Map<unknown, (fire: any, ...args: any[]) => unknown>} */
@@ -43,6 +43,10 @@ const METHODS = new Map(Object.entries({
   set: (fire, ids, value) => fire.set(ids, value),
   get: (fire, id) => valueOf(fire, id),
   params: (fire) => fire.params,
+  objects: (fire) => fire.objects,
+  addObject: (fire, object) => fire.addObject(object),
+  changeObject: (fire, id, properties) => fire.changeObject(id, properties),
+  removeObject: (fire, id) => fire.removeObject(id),
   stats: (fire) => fire.stats,
   restore: (fire, ...ids) => fire.restore(...ids),
   exportConfig: (fire) => fire.exportConfig(),

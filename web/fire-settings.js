@@ -8,8 +8,8 @@ import { postable } from './requests.js';
 /** Longest JSON text, in letters, and longest file, in bytes. */
 const LONGEST = 65_536;
 
-/** Deepest nesting of settings: `{values: {id: value}}`. */
-const DEEPEST = 2;
+/** Deepest nesting of settings: `{objects: [{property: value}]}`. */
+const DEEPEST = 3;
 
 /**
  * Settings as plain data.

@@ -3,7 +3,7 @@
  * the table of parameters: see `parameters.d.ts`.
  */
 
-import type { HearthParameters, HearthProperties, ParameterId, PresetName } from './parameters.js';
+import type { HearthObject, HearthParameters, HearthProperties, ParameterId, PresetName } from './parameters.js';
 
 export type * from './parameters.js';
 
@@ -67,10 +67,12 @@ export interface HearthStats {
  */
 export interface HearthConfig {
   /** The version of this form. */
-  hearth?: 1;
+  hearth?: 1 | 2;
   /** The preset, where it is not the default one. */
   preset?: PresetName;
   values: Partial<HearthParameters>;
+  /** Its objects, where they are not those of the preset: of the first source what differs. */
+  objects?: HearthObject[];
   /** What it is called and what it shows, for people: the fire leaves both alone. */
   label?: string;
   description?: string;
@@ -118,6 +120,13 @@ export interface HearthChangeDetail {
   source: string;
 }
 
+/** What an `objects-change` event tells. */
+export interface HearthObjectsDetail {
+  objects: HearthObject[];
+  /** Who changed them, as `attribute`, `property`, `preset` or `src`. */
+  source: string;
+}
+
 /** What a `quality-change` event tells. */
 export interface HearthQualityDetail {
   quality: HearthQuality;
@@ -132,6 +141,7 @@ export interface HearthFireEventMap extends Omit<HTMLElementEventMap, 'error'> {
   pause: CustomEvent<null>;
   stats: CustomEvent<HearthStats>;
   'params-change': CustomEvent<HearthChangeDetail>;
+  'objects-change': CustomEvent<HearthObjectsDetail>;
   'quality-change': CustomEvent<HearthQualityDetail>;
   error: CustomEvent<HearthErrorDetail>;
   restored: CustomEvent<null>;
@@ -149,6 +159,9 @@ export class HearthFire extends HTMLElement {
 
   /** Every value that the fire burns with. */
   readonly params: HearthParameters;
+  /** Its objects: copies. Setting them replaces all. */
+  get objects(): Required<HearthObject>[];
+  set objects(objects: HearthObject[]);
   /** What it last said about itself; null before it did. */
   readonly stats: HearthStats | null;
   /**
@@ -197,14 +210,20 @@ export class HearthFire extends HTMLElement {
   /** Sets one parameter; rejects with a {@link HearthRangeError}. */
   set<Id extends ParameterId>(id: Id, value: HearthParameters[Id]): Promise<void>;
   /** Sets all of these or none; rejects with a {@link HearthRangeError}. */
-  set(values: Partial<HearthParameters>): Promise<void>;
+  set(values: Partial<HearthParameters> & { objects?: HearthObject[] }): Promise<void>;
+  /** Adds an object and resolves to its id; rejects with a {@link HearthRangeError}. */
+  addObject(object: HearthObject): Promise<number>;
+  /** Sets properties of an object, all or none; rejects with a {@link HearthRangeError}. */
+  changeObject(id: number, properties: Partial<HearthObject>): Promise<void>;
+  /** Removes an object; rejects with a {@link HearthRangeError}. */
+  removeObject(id: number): Promise<void>;
   /**
    * Moves these to values, all or none; rejects with a {@link HearthRangeError}. Whether all
    * arrived: false where something else set one meanwhile.
    */
   to(values: Partial<HearthParameters>, how?: HearthTransition): Promise<boolean>;
   /** Puts these, or all, back to their defaults; all: the model as well, and without a preset. */
-  restore(...ids: ParameterId[]): Promise<void>;
+  restore(...ids: (ParameterId | 'objects')[]): Promise<void>;
   play(): Promise<void>;
   pause(): Promise<void>;
   /** Starts again from nothing, with the same values. */

@@ -27,6 +27,9 @@ import { FireView } from './fire-view.js';
 import { Requests, deferred, postable, quiet, refusal } from './requests.js';
 import { motionIsReduced } from './watch.js';
 
+/** Deepest nesting of values: `{objects: [{property: value}]}`. */
+const DEEPEST = 3;
+
 /** Seconds of fire that a still picture has burnt, so that it shows a fire. */
 const STILL_AFTER = 2;
 
@@ -57,6 +60,8 @@ export class HearthFire extends FireAttributes {
   /** @type {{[name: string]: any} | null} */
   #stats = null;
   #quality = 'auto';
+  /** @type {{[name: string]: any}[]} */
+  #objects = [];
   /** Whether somebody set the number of particles, as the engine says. */
   #ownNumber = false;
   #paused = false;
@@ -116,6 +121,17 @@ export class HearthFire extends FireAttributes {
     return { ...this.#params };
   }
 
+  /** Its objects, each with its kind, its id and its properties: copies. */
+  get objects() {
+    return this.#objects.map((object) => ({ ...object }));
+  }
+
+  set objects(objects) {
+    // Frameworks put undefined or null where there is no value any more.
+    if (objects === undefined || objects === null) this.restore('objects');
+    else this.set({ objects });
+  }
+
   /** What the fire last said about itself: fps, particles, stepMs …; null before it did. */
   get stats() {
     return this.#stats && { ...this.#stats };
@@ -163,6 +179,34 @@ export class HearthFire extends FireAttributes {
    */
   set(ids, value) {
     return this.#set(typeof ids === 'object' && ids ? ids : { [String(ids)]: value }, 'property');
+  }
+
+  /**
+   * Adds an object.
+   * @param {{[name: string]: unknown}} object its kind and properties
+   * @returns {Promise<number>} its id; rejects as `set` does
+   */
+  addObject(object) {
+    return this.#ask({ type: 'addObject', source: 'property', object: postable(object, 1) });
+  }
+
+  /**
+   * Sets properties of an object: all of them or none.
+   * @param {number} id
+   * @param {{[name: string]: unknown}} properties
+   * @returns {Promise<void>} rejects as `set` does
+   */
+  changeObject(id, properties) {
+    return this.#ask({ type: 'changeObject', source: 'property', id: postable(id), values: postable(properties, 1) });
+  }
+
+  /**
+   * Removes an object. The next source becomes the first, which the parameters describe.
+   * @param {number} id
+   * @returns {Promise<void>} rejects as `set` does
+   */
+  removeObject(id) {
+    return this.#ask({ type: 'removeObject', source: 'property', id: postable(id) });
   }
 
   /**
@@ -221,7 +265,7 @@ export class HearthFire extends FireAttributes {
   /**
    * Its settings: the preset, where that is not the default one, and what differs
    * from it. JSON of them can be kept, sent, and given to `importConfig` or `src`.
-   * @returns {Promise<{hearth: 1, preset?: string, values: {[id: string]: any}}>}
+   * @returns {Promise<{hearth: 2, preset?: string, values: {[id: string]: any}, objects?: {[name: string]: any}[]}>}
    */
   exportConfig() {
     return this.#ask({ type: 'export' });
@@ -357,6 +401,8 @@ export class HearthFire extends FireAttributes {
     } else if (id !== undefined) {
       if (value !== null) this.#set({ [id]: value }, 'attribute');
       else this.#ask({ type: 'restore', source: 'attribute', ids: [id] });
+    } else if (name === 'objects') {
+      this.#readObjects(value);
     } else if (name === 'preset') {
       if (begun && !this.#dropping) this.#ask({ type: 'preset', source: 'preset', name: value ?? 'default' });
     } else if (name === 'quality') {
@@ -373,6 +419,19 @@ export class HearthFire extends FireAttributes {
       if (this.#link && !this.#started && !this.autoplay) this.#setPaused(true);
     } else if (name === 'reduced-motion' && this.#link) {
       this.#motion(motionIsReduced());
+    }
+  }
+
+  /** Sets the objects that the attribute holds as JSON. @param {string | null} value */
+  #readObjects(value) {
+    if (value === null) {
+      this.#ask({ type: 'restore', source: 'attribute', ids: ['objects'] });
+      return;
+    }
+    try {
+      this.#set({ objects: JSON.parse(value) }, 'attribute');
+    } catch (error) {
+      this.#refuse('objects', value.slice(0, 40), `JSON of an array of objects: ${/** @type {Error} */ (error).message}`);
     }
   }
 
@@ -393,7 +452,7 @@ export class HearthFire extends FireAttributes {
 
   /** @type {(values: {[id: string]: unknown}, source: string) => Promise<void>} */
   #set(values, source) {
-    return this.#ask({ type: 'set', source, values: postable(values, 1) });
+    return this.#ask({ type: 'set', source, values: postable(values, DEEPEST) });
   }
 
   /**
@@ -533,7 +592,7 @@ export class HearthFire extends FireAttributes {
     const [paused, quality] = [this.#paused, this.#quality];
     if (this.#started) {
       const [preset, kept, values, ownNumber] = [this.#preset, this.#kept, this.#params, this.#ownNumber];
-      return { preset, kept, values, ownNumber, quality, paused };
+      return { preset, kept, values: { ...values, objects: this.#objects }, ownNumber, quality, paused };
     }
     const preset = this.getAttribute('preset') ?? undefined;
     const model = this.getAttribute('model');
@@ -592,6 +651,7 @@ export class HearthFire extends FireAttributes {
       case 'ready':
         this.#started = true;
         this.#params = { ...this.#params, ...message.values };
+        this.#objects = message.objects;
         this.#ownNumber = message.ownNumber;
         this.#preset = message.preset;
         break;
@@ -599,6 +659,7 @@ export class HearthFire extends FireAttributes {
         if (message.anew) this.#kept = {};
         else if ('model' in message.values) this.#kept = this.#params;
         this.#params = { ...this.#params, ...message.values };
+        this.#objects = message.objects ?? this.#objects;
         this.#ownNumber = message.ownNumber;
         this.#preset = message.preset;
         if (message.anew) this.#reflectPreset();
@@ -606,6 +667,7 @@ export class HearthFire extends FireAttributes {
         for (const [id, value] of Object.entries(message.values)) {
           this.#emit('params-change', { id, value, source: message.source });
         }
+        if (message.objects) this.#emit('objects-change', { objects: this.objects, source: message.source });
         break;
       case 'done':
         this.#requests.settle(message.request, undefined, message.value);

@@ -331,6 +331,44 @@ export interface HearthProperties {
   printedEuler: boolean;
 }
 
+/** Where fuel comes into the air, or where the classic model's particles are born. */
+export interface HearthSource {
+  kind: "source";
+  /** A whole number from 1, unique in its scene; without one it gets the next. */
+  id?: number;
+  /** A fire farther to the right, or below 0 to the left. Place of the middle of the source, all of which stays inside the domain. [m] Default 0, from -3 to 3. */
+  x?: number;
+  /** A flame that starts higher above the floor. Height of the source; combustion: of the burner, which stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
+  y?: number;
+  /** A wider fire. Width of the source; combustion: of the burner, which is at least four particles wide. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
+  width?: number;
+  /** A taller, brighter flame. Power of the burner: the heat of the fuel that it feeds, for each metre of depth, on top of what its gas carries by being hot; 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
+  power?: number;
+  /** A denser, brighter flame. Particles born each second, as long as the source has room and the number of particles allows it. [1/s] Default in classic: 1500, from 50 to 100000. */
+  rate?: number;
+  /** A flame that shoots up from its source. Upward speed of what leaves the source: of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  speed?: number;
+  /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
+  spread?: number;
+  /** An uneven flame that flares up here and there. How unevenly the source burns: Perlin noise in place and time. Default in combustion: 0.2, from 0 to 1. Default in classic: 0.5, from 0 to 1. */
+  noise?: number;
+  /** A brighter root of the flame. Temperature of the gas in the burner, which is always hot enough to burn. [K] Default in combustion: 700, from 500 to 1200. */
+  temperature?: number;
+  /** A flame that burns evenly down to its root; with 0 it is brightest at its rim. Oxygen that the fuel brings along; 1 is as much as the air has. Default in combustion: 0.5, from 0 to 1. */
+  oxygen?: number;
+  /** A whiter flame. Temperature of a particle at birth. [K] Default in classic: 1900, from 1000 to 2500. */
+  birth_temperature?: number;
+  /** A fuller flame, up to its top. Shortest life of a particle. [s] Default in classic: 0.3, from 0.1 to 3. */
+  life_min?: number;
+  /** A taller flame. Longest life of a particle; one below the shortest life counts as that. [s] Default in classic: 1.2, from 0.1 to 3. */
+  life_max?: number;
+  /** A flame that ends in a point. How much shorter the lives of particles from the rim of the source are, within the shortest and the longest life. Default in classic: 0.8, from 0 to 1. */
+  taper?: number;
+}
+
+/** An object of a scene. */
+export type HearthObject = HearthSource;
+
 /** Any id of a parameter. */
 export type ParameterId = keyof HearthParameters;
 

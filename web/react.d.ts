@@ -39,6 +39,8 @@ export interface HearthFireAttributes {
   preset?: PresetName | undefined;
   /** The address of a JSON file with settings, as `exportConfig()` gives them. */
   src?: string | undefined;
+  /** The sources of the fire, as JSON; without it one source, which the parameters describe. */
+  objects?: HearthObject[] | undefined;
   /** How much work the fire may make itself; `auto`: as much as fits. */
   quality?: 'auto' | HearthQuality | undefined;
   /** The fire stands still while this is there. */
@@ -239,6 +241,8 @@ export interface HearthFireListeners {
   onpause?: ((event: CustomEvent<null>) => void) | undefined;
   /** A value changed, whoever changed it. */
   "onparams-change"?: ((event: CustomEvent<HearthChangeDetail>) => void) | undefined;
+  /** An object was added, changed or removed. */
+  "onobjects-change"?: ((event: CustomEvent<HearthObjectsDetail>) => void) | undefined;
   /** The fire makes itself more or less work than before. */
   "onquality-change"?: ((event: CustomEvent<HearthQualityDetail>) => void) | undefined;
   /** What the fire says about itself, about four times a second. */

@@ -6,14 +6,16 @@
  * fire that it is given to, not here.
  *
  * @typedef {object} Config
- * @property {number} [hearth]  The version of the form: 1.
+ * @property {number} [hearth]  The version of the form: 1 or 2.
  * @property {string} [preset]  The preset that it starts from, if not the default one.
  * @property {{[id: string]: unknown}} [values]  What differs from that.
+ * @property {{[name: string]: unknown}[]} [objects]  Its objects, where they are not the preset's.
  * @property {string} [label]  What it is called, for people.
  * @property {string} [description]  And what it shows.
  */
 
 import { DEFAULTS, OWN_ATTRIBUTES } from './defaults.js';
+import { SOURCE } from './objects.js';
 
 /** Where this file is; what a bundler made of it is somewhere else. */
 export const FILE = import.meta.url;
@@ -92,7 +94,7 @@ function addressOf(base, query) {
 export function elementCode(config, scriptUrl) {
   const named = attributes(config).map(([name, value]) => {
     const id = name.replaceAll('-', '_');
-    if (!Object.hasOwn(DEFAULTS, id)) {
+    if (!Object.hasOwn(DEFAULTS, id) && id !== 'objects') {
       throw new RangeError(`${JSON.stringify(shortened(name))} is not a parameter of a fire`);
     }
     return value === 'true' ? name : attribute(name, value);
@@ -121,12 +123,25 @@ export function iframeCode(config, embedUrl) {
 }
 
 /**
+ * The objects by the ids of parameters, where one source is all that there is, and else as JSON.
+ * @param {Config} config
+ * @returns {{[id: string]: unknown}}
+ */
+function ofObjects({ objects }) {
+  if (!objects) return {};
+  const [{ kind, ...properties } = {}, ...others] = objects;
+  const isPlain = kind === 'source' && others.length === 0 && Object.keys(properties).every((name) => name in SOURCE);
+  if (!isPlain) return { objects: JSON.stringify(objects) };
+  return Object.fromEntries(Object.entries(properties).map(([name, value]) => [SOURCE[name], value]));
+}
+
+/**
  * The values by the names of their attributes, the model first.
  * @param {Config} config
  * @returns {[string, string][]}
  */
 function attributes(config) {
-  const named = Object.entries(config.values ?? {}).map(
+  const named = Object.entries({ ...config.values, ...ofObjects(config) }).map(
     ([id, value]) => /** @type {[string, string]} */ ([id.replaceAll('_', '-'), String(value)]),
   );
   return named.sort(([a], [b]) => Number(b === 'model') - Number(a === 'model'));

@@ -259,7 +259,7 @@ for (const kind of BROWSERS) {
           back: await other.exportConfig(),
         };
       });
-      assert.deepEqual(config, { hearth: 1, preset: 'seed', values: { viscosity: 0.02 } });
+      assert.deepEqual(config, { hearth: 2, preset: 'seed', values: { viscosity: 0.02 } });
       assert.ok(same, 'every value is the same');
       assert.deepEqual(back, config);
       await assertSilent(tab);

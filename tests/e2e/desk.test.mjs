@@ -62,7 +62,7 @@ describe('the defaults', () => {
     for (const id of ['exposure', 'source_width', 'bloom']) {
       await panel.value(id, 'the scene’s', (value) => value === CAMPFIRE[id]);
     }
-    assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), { hearth: 1, preset: 'campfire', values: {} });
+    assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), { hearth: 2, preset: 'campfire', values: {} });
     await panel.press('undo');
     await panel.value('exposure', 'as it was', (value) => value === 3);
     assert.deepEqual(tab.problems, []);

@@ -39,7 +39,7 @@ export function recording(body) {
   return `${body}<script>
     window.events = [];
     document.querySelectorAll('hearth-fire').forEach((element, fire) => {
-      for (const type of ['ready', 'play', 'pause', 'params-change', 'quality-change', 'error']) {
+      for (const type of ['ready', 'play', 'pause', 'params-change', 'objects-change', 'quality-change', 'error']) {
         element.addEventListener(type, ({ detail }) => events.push({ type, fire, detail }));
       }
     });

@@ -148,7 +148,7 @@ test('a preset counts for a fire that is taken off and put back while it loads',
     await fire.ready;
     return { model: fire.params.model, ...(await fire.exportConfig()) };
   });
-  assert.deepEqual(seen, { model: 'classic', hearth: 1, preset: 'seed', values: {} });
+  assert.deepEqual(seen, { model: 'classic', hearth: 2, preset: 'seed', values: {} });
 });
 
 test('a still for less motion is one again when it is put back, and what plays can be paused', async () => {

@@ -47,10 +47,10 @@ function refusal(tab, config) {
 test('a fire without changes has nothing to tell, one with changes tells them alone', async () => {
   const tab = await browser.open('<hearth-fire paused></hearth-fire>');
   await tab.ready();
-  assert.deepEqual((await state(tab)).config, { hearth: 1, values: {} });
+  assert.deepEqual((await state(tab)).config, { hearth: 2, values: {} });
   await tab.fire((fire) => fire.set({ exposure: 0.5, background: '#102030' }));
   const { config } = await state(tab);
-  assert.deepEqual(config, { hearth: 1, values: { exposure: 0.5, background: '#102030' } });
+  assert.deepEqual(config, { hearth: 2, values: { exposure: 0.5, background: '#102030' } });
   await tab.fire((fire) => fire.set({ model: 'classic', viscosity: 0.02 }));
   assert.deepEqual((await state(tab)).config.values, {
     model: 'classic', viscosity: 0.02, exposure: 0.5, background: '#102030',
@@ -96,7 +96,7 @@ test('settings that are wrong anywhere are refused whole, by name', async () => 
     ['7', 'config'],
     ['{"values": 7}', 'values'],
     ['{"exposure": 1}', 'exposure'],
-    ['{"hearth": 2, "values": {}}', 'hearth'],
+    ['{"hearth": 3, "values": {}}', 'hearth'],
     ['{"preset": "sead"}', 'seed'],
     ['{"__proto__": {"exposure": 1}}', '__proto__'],
     ['{"values": {"__proto__": {"exposure": 1}}}', '__proto__'],

@@ -39,7 +39,7 @@ test('fires with seed="auto" differ from each other, and are the same in the sam
     }
   }
   const config = await tab.fire((fire) => fire.exportConfig());
-  assert.deepEqual(config, { hearth: 1, values: { seed: found[0] } });
+  assert.deepEqual(config, { hearth: 2, values: { seed: found[0] } });
   assert.deepEqual(await seeds(await browser.open(`<p></p>${html}`)), found);
   assert.deepEqual(tab.problems, []);
 });
@@ -141,7 +141,7 @@ test('a colour is any colour of CSS, and its settings hold it as hex', async () 
   );
   await tab.ready();
   assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), {
-    hearth: 1, values: { background: '#663399', hot_colour: '#008080' },
+    hearth: 2, values: { background: '#663399', hot_colour: '#008080' },
   });
   for (const [colour, hex] of COLOURS) {
     const found = await tab.fire(async (fire, value) => {

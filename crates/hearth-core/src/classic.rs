@@ -19,6 +19,7 @@ use crate::kernel::Kernel;
 use crate::params::{DisplayMode, Values, Walls};
 use crate::particle::{Instance, numbered};
 use crate::random::Random;
+use crate::scene::Scene;
 use crate::simulation::{Push, Stage, StepReport};
 use crate::turbulence::Turbulence;
 
@@ -33,7 +34,8 @@ pub(crate) use particles::{Living, Particles};
 pub(crate) struct Classic {
     particles: Particles,
     pairs: Pairs,
-    emitter: Emitter,
+    /// One for each source.
+    emitters: Vec<Emitter>,
     motion: Motion,
     substeps: u32,
 }
@@ -43,13 +45,18 @@ impl Classic {
     /// besides its own. Returns the length of the step \[s\].
     pub fn step(
         &mut self,
-        values: &Values,
+        scene: &Scene,
         random: &mut Random,
         time: f64,
         push: Option<Push<'_>>,
         watch: &mut dyn FnMut(Stage),
     ) -> f64 {
-        self.emitter.emit(&mut self.particles, values, random, time);
+        let values: &Values = scene.settings();
+        self.emitters
+            .resize_with(scene.objects().len(), Emitter::default);
+        for (emitter, source) in self.emitters.iter_mut().zip(scene.sources()) {
+            emitter.emit(&mut self.particles, source, random, time);
+        }
         let substeps = Substeps::divide(values, self.motion.fastest, self.motion.hardest);
         let turbulence = Turbulence::new(values, time);
         for _ in 0..substeps.count {

@@ -23,6 +23,7 @@ use crate::kernel::Kernel;
 use crate::params::{DisplayMode, Parameters, Values};
 use crate::particle::{Instance, numbered};
 use crate::random::Random;
+use crate::scene::Scene;
 use crate::simulation::{Push, Stage, StepReport};
 use crate::turbulence::Turbulence;
 
@@ -98,15 +99,16 @@ impl Combustion {
     /// its own. Returns the length of the step \[s\].
     pub fn step(
         &mut self,
-        parameters: &Parameters,
+        scene: &Scene,
         random: &mut Random,
         time: f64,
         push: Option<Push<'_>>,
         watch: &mut dyn FnMut(Stage),
     ) -> f64 {
+        let parameters = scene.settings();
         let values: &Values = parameters;
         let kernel = Kernel::new(parameters.smoothing_length());
-        let sound = sound_speed(values);
+        let sound = sound_speed(values, scene.power());
         let bounds = bounds(values);
         let gas = &mut self.gas;
 
@@ -139,11 +141,14 @@ impl Combustion {
         };
         self.embers.drift(&air, values, random, dt);
         self.motion = time_step::accelerate(gas, sound, dt);
-        self.power = chemistry::react(gas, values, dt);
-        self.preheat = match Burner::new(values, parameters.spacing()) {
-            Some(burner) => burner.feed(gas, values, time, dt) / dt,
-            None => 0.0,
-        };
+        let hottest = scene.sources().map(|source| source.source_temperature);
+        self.power = chemistry::react(gas, values, hottest.fold(0.0, f32::max), dt);
+        self.preheat = 0.0;
+        for source in scene.sources() {
+            if let Some(burner) = Burner::new(source, parameters.spacing()) {
+                self.preheat += burner.feed(gas, source, time, dt) / dt;
+            }
+        }
         seam::freshen(gas, values, parameters.spacing(), dt);
         let (h, fastest) = (kernel.smoothing_length(), self.motion.fastest);
         self.held = time_step::advance(gas, &bounds, values.shifting, h, fastest, dt);
@@ -198,12 +203,14 @@ impl Combustion {
     }
 
     /// Length of the last step, or about that of the first \[s\].
-    pub fn step_length(&self, parameters: &Parameters) -> f64 {
+    pub fn step_length(&self, scene: &Scene) -> f64 {
         f64::from(if self.length > 0.0 {
             self.length
         } else {
+            let parameters = scene.settings();
             let h = parameters.smoothing_length();
-            time_step::longest(&self.gas, parameters, h, sound_speed(parameters))
+            let sound = sound_speed(parameters, scene.power());
+            time_step::longest(&self.gas, parameters, h, sound)
         })
     }
 

@@ -36,6 +36,7 @@ pub mod params;
 mod particle;
 pub mod preset;
 pub mod random;
+pub mod scene;
 pub mod simulation;
 mod source;
 mod surroundings;
@@ -45,6 +46,7 @@ pub use combustion::{Burner, Ember};
 pub use glam::Vec2;
 pub use params::Parameters;
 pub use particle::{Instance, Particle};
+pub use scene::Scene;
 pub use simulation::{Simulation, Stage, StepReport, burning};
 pub use source::Source;
 

@@ -429,6 +429,19 @@ impl Parameters {
         }
     }
 
+    /// Takes on the value that `source` has for `id`, in both models.
+    pub(crate) fn copy_both_models(&mut self, id: &str, source: &Parameters) {
+        let Some(param) = Param::find(id) else { return };
+        let (present, absent) = match source.model == self.model {
+            true => (&source.current, &source.other),
+            false => (&source.other, &source.current),
+        };
+        self.current
+            .place(param.field)
+            .put(present.get(param.field));
+        self.other.place(param.field).put(absent.get(param.field));
+    }
+
     /// Distance of neighbouring particles where the gas is as dense as the air
     /// \[m\].
     pub fn spacing(&self) -> f32 {

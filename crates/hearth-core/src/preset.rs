@@ -8,6 +8,7 @@
 mod scenes;
 
 use crate::params::{Input, Parameters};
+use crate::scene::Scene;
 
 pub use scenes::{CAPTIONS, PRESETS};
 
@@ -42,6 +43,11 @@ impl Preset {
         let set = parameters.set_all(self.values.iter().copied());
         debug_assert!(set.is_ok(), "preset {}: {set:?}", self.name);
         parameters
+    }
+
+    /// Its scene: these values, with one source.
+    pub fn scene(&self) -> Scene {
+        Scene::new(self.parameters())
     }
 
     /// What a person reads about it.

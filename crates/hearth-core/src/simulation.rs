@@ -16,6 +16,7 @@ use crate::combustion::{self, Combustion, Ember};
 use crate::params::{DisplayMode, Input, Model, ParamError, Parameters};
 use crate::particle::{Instance, Particle};
 use crate::random::Random;
+use crate::scene::Scene;
 use crate::surroundings::look_around;
 
 /// What the last step did.
@@ -66,7 +67,7 @@ pub(crate) type Push<'a> = &'a dyn Fn(Vec2, Vec2) -> Vec2;
 /// The same parameters, seed and calls give the same bits, on every machine.
 #[derive(Clone, Debug)]
 pub struct Simulation {
-    parameters: Parameters,
+    scene: Scene,
     gas: Gas,
     random: Random,
     time: f64,
@@ -84,7 +85,8 @@ enum Gas {
 impl Gas {
     // Three callers; a copy in each would be a kilobyte of download.
     #[inline(never)]
-    fn of(parameters: &Parameters, random: &mut Random) -> Gas {
+    fn of(scene: &Scene, random: &mut Random) -> Gas {
+        let parameters = scene.settings();
         match parameters.model() {
             Model::Classic => Gas::Classic(Classic::default()),
             Model::Combustion => Gas::Combustion(Combustion::new(parameters, random)),
@@ -100,13 +102,18 @@ impl Gas {
 }
 
 impl Simulation {
-    /// A source that is about to be lit.
-    pub fn new(parameters: Parameters) -> Simulation {
-        let mut random = Random::new(parameters.seed);
+    /// A scene whose sources are about to be lit. [`Parameters`] alone are a scene with
+    /// one source.
+    pub fn new(scene: impl Into<Scene>) -> Simulation {
+        Simulation::of(scene.into())
+    }
+
+    fn of(scene: Scene) -> Simulation {
+        let mut random = Random::new(scene.settings().seed);
         Simulation {
-            gas: Gas::of(&parameters, &mut random),
+            gas: Gas::of(&scene, &mut random),
             random,
-            parameters,
+            scene,
             time: 0.0,
         }
     }
@@ -141,23 +148,28 @@ impl Simulation {
     }
 
     fn advance(&mut self, push: Option<Push<'_>>, watch: &mut dyn FnMut(Stage)) {
-        let (parameters, random) = (&self.parameters, &mut self.random);
+        let (scene, random) = (&self.scene, &mut self.random);
         self.time += match &mut self.gas {
-            Gas::Classic(classic) => classic.step(parameters, random, self.time, push, watch),
-            Gas::Combustion(gas) => gas.step(parameters, random, self.time, push, watch),
+            Gas::Classic(classic) => classic.step(scene, random, self.time, push, watch),
+            Gas::Combustion(gas) => gas.step(scene, random, self.time, push, watch),
         };
     }
 
     /// Starts again: as at first, time zero, the generator at its seed.
     pub fn reset(&mut self) {
-        self.random = Random::new(self.parameters.seed);
-        self.gas = Gas::of(&self.parameters, &mut self.random);
+        self.random = Random::new(self.parameters().seed);
+        self.gas = Gas::of(&self.scene, &mut self.random);
         self.time = 0.0;
     }
 
-    /// The parameters that it burns by.
+    /// The settings that it burns by.
     pub fn parameters(&self) -> &Parameters {
-        &self.parameters
+        self.scene.settings()
+    }
+
+    /// The settings and the objects that it burns with.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
     }
 
     /// Sets one parameter while it burns, or says why not and changes nothing.
@@ -166,23 +178,31 @@ impl Simulation {
     /// # Errors
     /// An unknown id, a value of the wrong kind or one outside the range.
     pub fn set(&mut self, id: &str, input: Input<'_>) -> Result<(), ParamError> {
-        let mut parameters = self.parameters.clone();
+        let mut parameters = self.parameters().clone();
         parameters.set(id, input)?;
         self.set_parameters(parameters);
         Ok(())
     }
 
-    /// Sets all parameters while it burns. A new seed or another model starts
-    /// the fire again.
+    /// Sets all parameters while it burns; the objects beyond the first source stay. A
+    /// new seed or another model starts the fire again.
     pub fn set_parameters(&mut self, parameters: Parameters) {
-        let reseeded = parameters.seed != self.parameters.seed;
-        self.parameters = parameters;
-        if reseeded || self.parameters.model() != self.gas.model() {
+        let mut scene = self.scene.clone();
+        scene.set_settings(parameters);
+        self.set_scene(scene);
+    }
+
+    /// Sets all parameters and objects while it burns. A new seed or another model
+    /// starts the fire again.
+    pub fn set_scene(&mut self, scene: Scene) {
+        let reseeded = scene.settings().seed != self.parameters().seed;
+        self.scene = scene;
+        if reseeded || self.parameters().model() != self.gas.model() {
             self.reset();
         }
         match &mut self.gas {
-            Gas::Classic(classic) => classic.adapt(&self.parameters),
-            Gas::Combustion(gas) => gas.adapt(&self.parameters, &mut self.random),
+            Gas::Classic(classic) => classic.adapt(self.scene.settings()),
+            Gas::Combustion(gas) => gas.adapt(self.scene.settings(), &mut self.random),
         }
     }
 
@@ -194,8 +214,8 @@ impl Simulation {
     /// Length of a step \[s\]: of the last one where the state decides.
     pub fn step_length(&self) -> f64 {
         match &self.gas {
-            Gas::Classic(_) => f64::from(self.parameters.time_step),
-            Gas::Combustion(gas) => gas.step_length(&self.parameters),
+            Gas::Classic(_) => f64::from(self.parameters().time_step),
+            Gas::Combustion(gas) => gas.step_length(&self.scene),
         }
     }
 
@@ -212,7 +232,7 @@ impl Simulation {
     pub fn report(&self) -> StepReport {
         match &self.gas {
             Gas::Classic(classic) => StepReport {
-                length: self.parameters.time_step,
+                length: self.parameters().time_step,
                 ..classic.report()
             },
             Gas::Combustion(gas) => gas.report(),
@@ -231,8 +251,8 @@ impl Simulation {
     /// of air: the square root of the gas constant, or c₀.
     pub fn sound_speed(&self) -> f32 {
         match &self.gas {
-            Gas::Classic(_) => self.parameters.gas_constant.sqrt(),
-            Gas::Combustion(_) => combustion::sound_speed(&self.parameters),
+            Gas::Classic(_) => self.parameters().gas_constant.sqrt(),
+            Gas::Combustion(_) => combustion::sound_speed(self.parameters(), self.scene.power()),
         }
     }
 
@@ -241,7 +261,7 @@ impl Simulation {
     /// [`DisplayMode`] all particles.
     pub fn write_instances(&self, out: &mut Vec<Instance>) {
         out.clear();
-        match (self.parameters.display_mode, &self.gas) {
+        match (self.parameters().display_mode, &self.gas) {
             (DisplayMode::Fire | DisplayMode::Paper, Gas::Classic(classic)) => {
                 classic.write_instances(out);
             }
@@ -254,12 +274,12 @@ impl Simulation {
 
     fn write_measured(&self, mode: DisplayMode, out: &mut Vec<Instance>) {
         out.extend((0..self.count()).map(|i| match &self.gas {
-            Gas::Classic(classic) => classic.measured(i, &self.parameters, mode),
+            Gas::Classic(classic) => classic.measured(i, self.parameters(), mode),
             Gas::Combustion(gas) => gas.measured(i, mode),
         }));
         let spin = mode == DisplayMode::Vorticity;
         if spin || mode == DisplayMode::Neighbours {
-            let h = self.parameters.smoothing_length();
+            let h = self.parameters().smoothing_length();
             look_around(out, &self.bounds(), h, spin);
         }
     }
@@ -285,7 +305,7 @@ impl Simulation {
     /// classic model, which has no embers, it does nothing.
     pub fn throw_embers(&mut self, place: Vec2, count: u32) {
         if let Gas::Combustion(gas) = &mut self.gas {
-            gas.throw_embers(place, count, &self.parameters, &mut self.random);
+            gas.throw_embers(place, count, self.scene.settings(), &mut self.random);
         }
     }
 
@@ -413,7 +433,7 @@ impl Simulation {
     /// oxygen that are not from 0 to 1 or soot that is not from 0 to 10. Nothing
     /// changes then.
     pub fn set_particles(&mut self, particles: &[Particle]) -> Result<(), ParticleError> {
-        let few = self.parameters.max_particles as usize;
+        let few = self.parameters().max_particles as usize;
         let refused = match self.gas.model() {
             Model::Classic if particles.len() > MOST => Some(TOO_MANY),
             Model::Combustion if !(few.div_ceil(2)..=2 * few).contains(&particles.len()) => {
@@ -435,15 +455,15 @@ impl Simulation {
         }
         match &mut self.gas {
             Gas::Classic(classic) => classic.set_particles(particles),
-            Gas::Combustion(gas) => gas.set_particles(particles, &self.parameters),
+            Gas::Combustion(gas) => gas.set_particles(particles, self.scene.settings()),
         }
         Ok(())
     }
 
     fn bounds(&self) -> Bounds {
         match &self.gas {
-            Gas::Classic(_) => classic::bounds(&self.parameters),
-            Gas::Combustion(_) => combustion::bounds(&self.parameters),
+            Gas::Classic(_) => classic::bounds(self.parameters()),
+            Gas::Combustion(_) => combustion::bounds(self.parameters()),
         }
     }
 }

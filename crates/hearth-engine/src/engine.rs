@@ -14,9 +14,10 @@ use crate::budget::{STEPS_BUDGET_MS, share};
 use crate::easel::{Canvas, Easel, Show};
 use crate::fire::Fire;
 use crate::host::Host;
-use crate::message::{Message, Order, Refused, RefusedMessage, with_values};
+use crate::message::{Message, Order, Refused, RefusedMessage};
 use crate::outbox::{Outbox, Trouble};
 use crate::raw::Raw;
+use crate::scene;
 use crate::wanted::Wanted;
 
 /// Draws any number of fires.
@@ -167,8 +168,18 @@ impl Engine {
         match order {
             Order::Add(_) => return out.refused(refuse(vec![Refused::fire(id)])),
             Order::Set(_) | Order::Restore(_) | Order::Preset(_) | Order::Import(_) => {}
+            Order::ChangeObject(..) | Order::RemoveObject(_) => {}
+            Order::AddObject(_) => {
+                let id = fire
+                    .wanted()
+                    .scene
+                    .objects()
+                    .last()
+                    .map_or(0, |last| last.0);
+                return out.answer(fire.id(), request, &id.into());
+            }
             Order::Check(values) => {
-                if let Err(errors) = with_values(&fire.wanted().parameters, &values) {
+                if let Err(errors) = scene::set(&mut fire.wanted().scene.clone(), &values) {
                     return out.refused(refuse(errors));
                 }
             }

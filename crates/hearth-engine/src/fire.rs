@@ -142,7 +142,7 @@ impl Fire {
             told_at: f64::NEG_INFINITY,
             since: Since::default(),
         };
-        fire.simulation = Simulation::new(fire.values());
+        fire.simulation = Simulation::new(fire.scene());
         fire
     }
 
@@ -161,7 +161,7 @@ impl Fire {
     pub fn want(&mut self, wanted: Wanted, source: &str, anew: bool, out: &mut Outbox) {
         let old = &self.wanted;
         out.changed(self.id, source, anew, old, &wanted);
-        if wanted.parameters.model != old.parameters.model {
+        if wanted.parameters().model != old.parameters().model {
             // Averages over two models say nothing about either.
             self.stages = [0.0; STAGES.len()];
             self.step_length = 0.0;
@@ -173,7 +173,7 @@ impl Fire {
         }
         let time = self.simulation.time();
         // A scene's fire carries nothing of the one before.
-        let other = burning::digest(&wanted.parameters) != burning::digest(&old.parameters);
+        let other = burning::digest(&wanted.scene) != burning::digest(&old.scene);
         self.wanted = wanted;
         self.adapt();
         let again = anew && other || self.simulation.time() < time;
@@ -196,8 +196,8 @@ impl Fire {
     /// Gives the simulation the values, and the number of particles that goes with
     /// the quality: other particles take over the fire that burns.
     fn adapt(&mut self) {
-        let parameters = self.warm.coarse(&self.values());
-        adapt(&mut self.simulation, parameters);
+        let scene = self.warm.coarse(&self.scene());
+        adapt(&mut self.simulation, scene);
         self.stale = true;
     }
 
@@ -318,13 +318,13 @@ impl Fire {
         host: &Host,
         out: &mut Outbox,
     ) -> f64 {
-        let scale = f64::from(self.wanted.parameters.time_scale);
+        let scale = f64::from(self.wanted.parameters().time_scale);
         // Whoever asked for steps asked for those of a warm fire.
         let warms = self.is_warming() && (self.seen() || self.asked.next_open().is_some());
         if warms && self.begins {
             self.begins = false;
-            let values = self.values();
-            if let Some(words) = self.warm.begin(&mut self.simulation, &values) {
+            let scene = self.scene();
+            if let Some(words) = self.warm.begin(&mut self.simulation, &scene) {
                 out.complaint(self.id, words);
             }
             // What it may have taken up is drawn before it burns on.
@@ -418,12 +418,12 @@ impl Fire {
     /// as far as there is time.
     fn make_steps(&mut self, burns: bool, warms: bool, deadline: f64, host: &Host) -> Made {
         let mut made = Made::default();
-        let values = warms.then(|| self.values());
+        let scene = warms.then(|| self.scene());
         let last = Cell::new(host.now());
         let steps = make_steps(
             || last.get() < deadline,
             || {
-                let warms = values.as_ref().filter(|_| self.warm.is_on());
+                let warms = scene.as_ref().filter(|_| self.warm.is_on());
                 let asked = self.asked.next_open();
                 if warms.is_none() && asked.is_none() && !(burns && self.clock.due(self.last_step))
                 {
@@ -438,8 +438,8 @@ impl Fire {
                 }
                 self.last_step = length;
                 made.seconds += length;
-                if let Some(values) = warms {
-                    if self.warm.burnt(length, &mut self.simulation, values) {
+                if let Some(scene) = warms {
+                    if self.warm.burnt(length, &mut self.simulation, scene) {
                         self.restart_clock();
                     }
                     return true;

@@ -19,6 +19,7 @@ pub mod limits;
 pub mod message;
 pub mod quality;
 pub mod raw;
+pub mod scene;
 pub mod view;
 pub mod wanted;
 pub mod warm;

@@ -7,6 +7,9 @@
 //! | `set` | `request`, `source`, `values` | sets parameters, all or none |
 //! | `check` | `request`, `source`, `values` | asks whether `set` would take them |
 //! | `restore` | `request`, `source`, `ids` | puts parameters back to their defaults |
+//! | `addObject` | `request`, `source`, `object` | adds an object; `done` has its id as `value` |
+//! | `changeObject` | `request`, `source`, `id`, `values` | sets properties of an object, all or none |
+//! | `removeObject` | `request`, `source`, `id` | removes an object |
 //! | `preset` | `request`, `name` | sets every parameter to the preset's |
 //! | `import` | `request`, `source`, `config` | sets every parameter as the settings say: see [`config`](crate::config) |
 //! | `export` | `request` | asks for its settings |
@@ -25,7 +28,6 @@
 //! Every message names its `fire`, a number that the sender chooses. Whoever
 //! sends a `request` number gets it back with `done` or `refused`.
 
-use hearth_core::Parameters;
 use hearth_render::Camera;
 
 use crate::config::Config;
@@ -38,6 +40,9 @@ use crate::warm::LONGEST as LONGEST_WARM;
 
 /// Longest side of a canvas in device pixels; browsers allow no more.
 pub const LONGEST_SIDE: u32 = 16_384;
+
+/// Largest id of an object.
+const MOST_OBJECT_ID: u32 = 1_000_000;
 
 /// Most steps that one message may ask for.
 pub const MOST_STEPS: u32 = 100_000;
@@ -78,6 +83,12 @@ pub enum Order {
     Check(SentValues),
     /// The default values of these ids.
     Restore(Vec<String>),
+    /// Another object, with these fields.
+    AddObject(SentValues),
+    /// Other properties of the object of that id.
+    ChangeObject(u32, SentValues),
+    /// No object of that id.
+    RemoveObject(u32),
     /// All values of that preset.
     Preset(String),
     /// All values of those settings.
@@ -266,6 +277,12 @@ impl Order {
             "set" => Order::Set(fields.values("values")),
             "check" => Order::Check(fields.values("values")),
             "restore" => Order::Restore(fields.texts("ids", "an array of ids")),
+            "addObject" => Order::AddObject(fields.values("object")),
+            "changeObject" => Order::ChangeObject(
+                fields.whole("id", 1, MOST_OBJECT_ID),
+                fields.values("values"),
+            ),
+            "removeObject" => Order::RemoveObject(fields.whole("id", 1, MOST_OBJECT_ID)),
             "preset" => Order::Preset(fields.text("name")),
             "import" => Order::Import(fields.keep(Config::parse(raw.field("config")))?),
             "export" => Order::Export,
@@ -300,58 +317,6 @@ impl Order {
 
     fn side(fields: &mut Fields<'_>) -> f64 {
         fields.optional_number("side").unwrap_or(0.0)
-    }
-}
-
-/// `parameters` with these values, all of them or none. The model comes first,
-/// wherever it stands.
-///
-/// # Errors
-/// Every value that is refused.
-pub fn with_values(
-    parameters: &Parameters,
-    values: &[(String, Raw)],
-) -> Result<Parameters, Vec<Refused>> {
-    let mut new = parameters.clone();
-    let inputs = values.iter().map(|(id, raw)| (id.as_str(), raw.input()));
-    let set = new.set_all(inputs).map_err(|errors| {
-        let refused = errors.iter().map(|error| Refused {
-            id: error.id.clone(),
-            // An unknown id may be cut in the error.
-            value: values
-                .iter()
-                .find(|(id, _)| *id == error.id)
-                .map_or(Raw::Missing, |(_, raw)| raw.clone()),
-            message: error.to_string(),
-            range: error.range(),
-        });
-        refused.collect()
-    });
-    set.map(|()| new)
-}
-
-/// `parameters` with the default values of these ids, all of them or none. The
-/// model comes first here, too.
-///
-/// # Errors
-/// Every id that is not known.
-pub fn with_defaults(parameters: &Parameters, ids: &[String]) -> Result<Parameters, Vec<Refused>> {
-    let mut new = parameters.clone();
-    let refused: Vec<Refused> = model_first(ids, |id| id)
-        .filter_map(|id| {
-            let error = new.restore(id).err()?;
-            Some(Refused {
-                id: error.id.clone(),
-                value: Raw::Missing,
-                message: error.to_string(),
-                range: None,
-            })
-        })
-        .collect();
-    if refused.is_empty() {
-        Ok(new)
-    } else {
-        Err(refused)
     }
 }
 

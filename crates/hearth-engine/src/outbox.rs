@@ -2,9 +2,9 @@
 //!
 //! | type | other fields |
 //! |---|---|
-//! | `ready` | `fire`, `values`: all of them; `ownNumber`: whether somebody set the number of particles; `preset` |
+//! | `ready` | `fire`, `values` and `objects`: all of them; `ownNumber`: whether somebody set the number of particles; `preset` |
 //! | `done` | `fire`, `request`, `value`: its settings, where it was asked for them |
-//! | `changed` | `fire`, `source`, `values`: only those that changed; `anew`: whether those of every model were replaced; `ownNumber`, `preset` |
+//! | `changed` | `fire`, `source`, `values`: only those that changed; `objects`: all, where any changed; `anew`: whether those of every model were replaced; `ownNumber`, `preset` |
 //! | `refused` | `fire`, `request`, `source`, `errors`: id, value, message and, where there is a range, min and max |
 //! | `stats` | `fire`, `stats`: see [`Stats`] |
 //! | `quality` | `fire`, `wish`: auto or as asked for; `quality`, `reason`: what it has and why |
@@ -21,10 +21,11 @@ use hearth_core::params::{PARAMETERS, Value};
 use js_sys::{Array, Function, Object, Reflect};
 use wasm_bindgen::JsValue;
 
-use crate::config::{VERSION, changed};
+use crate::config::export;
 use crate::message::{Refused, RefusedMessage};
 use crate::quality::Quality;
 use crate::raw::Raw;
+use crate::scene::{OBJECTS, objects};
 use crate::wanted::Wanted;
 
 /// What went wrong with a fire's picture.
@@ -102,7 +103,8 @@ impl Outbox {
     /// A new fire is there, with these values.
     pub fn ready(&mut self, fire: u32, wanted: &Wanted) {
         let message = about("ready", fire);
-        put(&message, "values", &values(&wanted.parameters, |_| true));
+        put(&message, "values", &values(wanted.parameters(), |_| true));
+        put(&message, OBJECTS, &objects(&wanted.scene, None).to_js());
         put_start(&message, wanted);
         self.0.push(message.into());
     }
@@ -116,40 +118,40 @@ impl Outbox {
         }
     }
 
-    /// The settings that were asked for.
-    pub fn config(&mut self, fire: u32, request: Option<f64>, wanted: &Wanted) {
-        let config = Object::new();
-        put(&config, "hearth", &VERSION.into());
-        if wanted.preset != Wanted::default().preset {
-            put(&config, "preset", &wanted.preset.into());
-        }
-        let values = Object::new();
-        for (param, value) in changed(wanted) {
-            put(&values, param.id, &plain(value));
-        }
-        put(&config, "values", &values);
+    /// A request was carried out, and this is what it asked for.
+    pub fn answer(&mut self, fire: u32, request: Option<f64>, value: &JsValue) {
         let message = about("done", fire);
         if let Some(request) = request {
             put(&message, "request", &request.into());
         }
-        put(&message, "value", &config);
+        put(&message, "value", value);
         self.0.push(message.into());
+    }
+
+    /// The settings that were asked for.
+    pub fn config(&mut self, fire: u32, request: Option<f64>, wanted: &Wanted) {
+        self.answer(fire, request, &export(wanted).to_js());
     }
 
     /// Values changed; nothing is sent where none did. `anew`: also those that
     /// the model before kept for its return, if there are any, are new.
     pub fn changed(&mut self, fire: u32, source: &str, anew: bool, old: &Wanted, new: &Wanted) {
-        let (before, now) = (&old.parameters, &new.parameters);
+        let (before, now) = (old.parameters(), new.parameters());
+        let (objects_before, objects) = (objects(&old.scene, None), objects(&new.scene, None));
         let changed = |param: &hearth_core::params::Param| param.get(before) != param.get(now);
         if anew
             || old.preset != new.preset
             || old.own_number != new.own_number
+            || objects != objects_before
             || PARAMETERS.iter().any(changed)
         {
             let message = about("changed", fire);
             put(&message, "anew", &anew.into());
             put(&message, "source", &source.into());
             put(&message, "values", &values(now, changed));
+            if objects != objects_before {
+                put(&message, OBJECTS, &objects.to_js());
+            }
             put_start(&message, new);
             self.0.push(message.into());
         }
@@ -304,26 +306,17 @@ fn scale(ends: Option<[f32; 2]>) -> JsValue {
 }
 
 fn plain(value: Value) -> JsValue {
-    match value {
-        Value::Flag(on) => on.into(),
-        _ => match value.as_number() {
-            Some(number) => number.into(),
-            None => value.to_string().into(),
-        },
-    }
+    Raw::of_value(value).to_js()
 }
 
 fn error(refused: &Refused) -> JsValue {
     let object = Object::new();
     put(&object, "id", &refused.id.as_str().into());
     let value = match &refused.value {
-        Raw::Missing => JsValue::UNDEFINED,
-        Raw::Number(x) => (*x).into(),
-        Raw::Text(text) => text.as_str().into(),
-        Raw::Flag(on) => (*on).into(),
-        Raw::List(_) | Raw::Bytes(_) => "an array".into(),
+        // Large ones are told by their kind.
+        Raw::List(_) => "an array".into(),
         Raw::Object(_) => "an object".into(),
-        Raw::Other(words) => (*words).into(),
+        value => value.to_js(),
     };
     put(&object, "value", &value);
     put(&object, "message", &refused.message.as_str().into());

@@ -5,11 +5,11 @@
 //! [`Raw`], a small tree of plain data, and only that tree is checked. So the
 //! checks need no browser, and no code of the page runs while they do.
 
-use hearth_core::params::Input;
+use hearth_core::params::{Input, Value};
 use wasm_bindgen::{JsCast, JsValue};
 
-/// Deepest nesting that a message has use for: `{config: {values: {id: value}}}`.
-const DEEPEST: u32 = 3;
+/// Deepest nesting that a message has use for: `{config: {objects: [{property: value}]}}`.
+const DEEPEST: u32 = 4;
 
 /// Most fields or elements; far more than there are parameters.
 const LONGEST: u32 = 1000;
@@ -107,6 +107,55 @@ impl Raw {
             "a symbol"
         } else {
             "a big integer"
+        }
+    }
+
+    /// A field of that name.
+    #[inline(never)]
+    pub fn named(name: &str, value: Raw) -> (String, Raw) {
+        (name.to_owned(), value)
+    }
+
+    /// A text.
+    #[inline(never)]
+    pub fn text(text: &str) -> Raw {
+        Raw::Text(text.to_owned())
+    }
+
+    /// A checked value.
+    #[inline(never)]
+    pub fn of_value(value: Value) -> Raw {
+        match value {
+            Value::Flag(on) => Raw::Flag(on),
+            _ => match value.as_number() {
+                Some(number) => Raw::Number(number),
+                None => Raw::Text(value.to_string()),
+            },
+        }
+    }
+
+    /// The same as JavaScript has it.
+    pub fn to_js(&self) -> JsValue {
+        match self {
+            Raw::Missing => JsValue::UNDEFINED,
+            Raw::Number(x) => (*x).into(),
+            Raw::Text(text) => text.as_str().into(),
+            Raw::Flag(on) => (*on).into(),
+            Raw::List(list) => list
+                .iter()
+                .map(Raw::to_js)
+                .collect::<js_sys::Array>()
+                .into(),
+            Raw::Bytes(_) => "an array".into(),
+            Raw::Object(fields) => {
+                let object = js_sys::Object::new();
+                for (name, value) in fields {
+                    // An object of ours takes every field.
+                    let _ = js_sys::Reflect::set(&object, &name.into(), &value.to_js());
+                }
+                object.into()
+            }
+            Raw::Other(words) => (*words).into(),
         }
     }
 

@@ -6,10 +6,10 @@
 //! the last part.
 
 use hearth_core::burning::BurningError;
-use hearth_core::params::{Input, Model};
-use hearth_core::{Parameters, Simulation};
+use hearth_core::params::Model;
+use hearth_core::{Scene, Simulation};
 
-use crate::wanted::NUMBER;
+use crate::wanted::with_number;
 
 /// Longest time that a fire may burn before it is shown \[s\].
 pub const LONGEST: f64 = 30.0;
@@ -56,13 +56,9 @@ impl Warm {
     }
 
     /// A new fire of these values begins. Returns what is wrong with the kept one.
-    pub fn begin(
-        &mut self,
-        simulation: &mut Simulation,
-        parameters: &Parameters,
-    ) -> Option<&'static str> {
+    pub fn begin(&mut self, simulation: &mut Simulation, scene: &Scene) -> Option<&'static str> {
         self.left = 0.0;
-        *simulation = Simulation::new(parameters.clone());
+        *simulation = Simulation::new(scene.clone());
         if !self.is_wanted() {
             return None;
         }
@@ -78,29 +74,29 @@ impl Warm {
             }
         }
         self.left = self.seconds;
-        *simulation = Simulation::new(self.coarse(parameters));
+        *simulation = Simulation::new(self.coarse(scene));
         wrong
     }
 
     /// A step of that length was made; whether the fire is warm now.
-    pub fn burnt(&mut self, length: f64, simulation: &mut Simulation, wanted: &Parameters) -> bool {
+    pub fn burnt(&mut self, length: f64, simulation: &mut Simulation, wanted: &Scene) -> bool {
         let was_coarse = self.left > FINE;
         self.left -= length;
         if was_coarse && self.left <= FINE {
-            simulation.set_parameters(wanted.clone());
+            simulation.set_scene(wanted.clone());
         }
         self.left <= 0.0
     }
 
-    /// The values that it burns with for now where these are wanted.
-    pub fn coarse(&self, wanted: &Parameters) -> Parameters {
-        let mut parameters = wanted.clone();
-        let few = (wanted.max_particles / FEW).max(FEWEST);
-        if self.left > FINE && parameters.model() == Model::Combustion && few < wanted.max_particles
-        {
-            let set = parameters.set(NUMBER, Input::Number(few.into()));
-            debug_assert_eq!(set, Ok(()));
+    /// The scene that it burns with for now where this one is wanted.
+    pub fn coarse(&self, wanted: &Scene) -> Scene {
+        let settings = wanted.settings();
+        let few = (settings.max_particles / FEW).max(FEWEST);
+        let fewer = settings.model() == Model::Combustion && few < settings.max_particles;
+        if self.left > FINE && fewer {
+            with_number(wanted, few)
+        } else {
+            wanted.clone()
         }
-        parameters
     }
 }

@@ -2,7 +2,7 @@
 
 use hearth_core::params::{Input, Model, PARAMETERS};
 use hearth_core::preset::PRESETS;
-use hearth_engine::config::{Config, changed};
+use hearth_engine::config::{Config, export};
 use hearth_engine::message::Order;
 use hearth_engine::raw::Raw;
 use hearth_engine::wanted::Wanted;
@@ -16,19 +16,18 @@ fn text(words: &str) -> Raw {
     Raw::Text(words.to_owned())
 }
 
-/// A fire's settings as they are sent.
-fn exported(wanted: &Wanted) -> Raw {
-    let values = changed(wanted).into_iter().map(|(param, value)| {
-        let value = value
-            .as_number()
-            .map_or_else(|| text(&value.to_string()), Raw::Number);
-        (param.id, value)
-    });
-    object(vec![
-        ("hearth", Raw::Number(1.0)),
-        ("preset", text(wanted.preset)),
-        ("values", object(values.collect())),
-    ])
+/// The ids of the values that differ from the preset, and how many fields objects have.
+fn differing(wanted: &Wanted) -> (Vec<String>, usize) {
+    let config = export(wanted);
+    let ids = match config.field("values") {
+        Raw::Object(values) => values.iter().map(|(id, _)| id.clone()).collect(),
+        _ => vec!["no values".to_owned()],
+    };
+    let objects = match config.field("objects") {
+        Raw::List(objects) => objects.len(),
+        _ => 0,
+    };
+    (ids, objects)
 }
 
 fn imported(raw: &Raw) -> Wanted {
@@ -58,12 +57,8 @@ fn set(wanted: &Wanted, id: &str, value: Raw) -> Wanted {
 fn a_preset_alone_has_nothing_to_tell() {
     for preset in PRESETS {
         let wanted = Wanted::of_preset(preset.name);
-        assert_eq!(
-            wanted.map(|wanted| changed(&wanted).len()),
-            Ok(0),
-            "{}",
-            preset.name
-        );
+        let changes = wanted.as_ref().map(differing);
+        assert_eq!(changes, Ok((vec![], 0)), "{}", preset.name);
     }
 }
 
@@ -78,7 +73,7 @@ fn whatever_is_changed_comes_back() {
                     continue;
                 };
                 let (min, max) = domain.range;
-                let mut parameters = wanted.parameters.clone();
+                let mut parameters = wanted.parameters().clone();
                 let one_end = if param.get(&parameters).as_number() == Some(max) {
                     min
                 } else {
@@ -86,20 +81,17 @@ fn whatever_is_changed_comes_back() {
                 };
                 // What is no number stays as it is here.
                 if parameters.set(param.id, Input::Number(one_end)).is_ok() {
-                    wanted.parameters = parameters;
+                    wanted.scene.set_settings(parameters);
                 }
             }
-            let back = imported(&exported(&wanted));
-            for (param, value) in changed(&wanted) {
-                assert_eq!(
-                    param.get(&back.parameters),
-                    value,
-                    "{} of {}",
-                    param.id,
-                    preset.name
-                );
+            let back = imported(&export(&wanted));
+            for param in PARAMETERS {
+                if param.domain(model).is_some() {
+                    let values = (param.get(back.parameters()), param.get(wanted.parameters()));
+                    assert_eq!(values.0, values.1, "{} of {}", param.id, preset.name);
+                }
             }
-            assert_eq!(exported(&back), exported(&wanted));
+            assert_eq!(export(&back), export(&wanted));
             assert_eq!(back.preset, preset.name);
         }
     }
@@ -108,12 +100,11 @@ fn whatever_is_changed_comes_back() {
 #[test]
 fn a_number_of_particles_that_somebody_set_is_kept() {
     let wanted = Wanted::default();
-    let default = f64::from(wanted.parameters.max_particles);
-    assert!(changed(&wanted).is_empty());
+    let default = f64::from(wanted.parameters().max_particles);
+    assert_eq!(differing(&wanted), (vec![], 0));
     let wanted = set(&wanted, "max_particles", Raw::Number(default));
-    let ids: Vec<_> = changed(&wanted).iter().map(|(param, _)| param.id).collect();
-    assert_eq!(ids, ["max_particles"]);
-    assert!(imported(&exported(&wanted)).own_number);
+    assert_eq!(differing(&wanted), (vec!["max_particles".to_owned()], 0));
+    assert!(imported(&export(&wanted)).own_number);
 }
 
 #[test]
@@ -148,7 +139,7 @@ fn what_is_wrong_is_named_and_nothing_is_taken() {
         (Raw::List(vec![]), "config"),
         (object(vec![("exposure", Raw::Number(1.0))]), "exposure"),
         (object(vec![("__proto__", object(vec![]))]), "__proto__"),
-        (object(vec![("hearth", Raw::Number(2.0))]), "hearth = 2"),
+        (object(vec![("hearth", Raw::Number(3.0))]), "hearth = 3"),
         (object(vec![("preset", text("sead"))]), "seed"),
         (object(vec![("preset", Raw::Number(1.0))]), "preset = 1"),
         (object(vec![("label", Raw::Number(1.0))]), "label = 1"),
@@ -183,4 +174,159 @@ fn what_is_wrong_is_named_and_nothing_is_taken() {
         ("bloom", Raw::Number(-1.0)),
     ]);
     assert_eq!(errors(&two).len(), 2, "each of them is named");
+}
+
+/// A list of sources with these properties.
+fn sources(all: &[&[(&str, f64)]]) -> Raw {
+    let of_one = |properties: &&[(&str, f64)]| {
+        let mut fields = vec![("kind", text("source"))];
+        let numbers = properties.iter();
+        fields.extend(numbers.map(|&(name, x)| (name, Raw::Number(x))));
+        object(fields)
+    };
+    Raw::List(all.iter().map(of_one).collect())
+}
+
+#[test]
+fn version_1_is_read_as_it_was_and_writes_back_as_version_2() {
+    for preset in PRESETS {
+        // A scene of version 1 as its file has it: all that differs from the defaults.
+        let values = preset.values.iter().map(|&(id, input)| {
+            let raw = match input {
+                Input::Number(x) => Raw::Number(x),
+                Input::Text(words) => text(words),
+                Input::Flag(on) => Raw::Flag(on),
+            };
+            (id, raw)
+        });
+        let file = object(vec![
+            ("hearth", Raw::Number(1.0)),
+            ("values", object(values.collect())),
+        ]);
+        let read = imported(&file);
+        assert_eq!(read.scene, preset.scene(), "{}", preset.name);
+        assert_eq!(
+            imported(&export(&read)).scene,
+            read.scene,
+            "{}",
+            preset.name
+        );
+    }
+}
+
+#[test]
+fn what_belongs_to_the_first_source_is_written_once() {
+    let wanted = set(&Wanted::default(), "source_x", Raw::Number(0.2));
+    let wanted = set(&wanted, "wind", Raw::Number(1.0));
+    assert_eq!(
+        export(&wanted),
+        object(vec![
+            ("hearth", Raw::Number(2.0)),
+            ("values", object(vec![("wind", Raw::Number(1.0))])),
+            ("objects", sources(&[&[("x", 0.2)]])),
+        ])
+    );
+}
+
+#[test]
+fn objects_come_back_with_their_ids_and_without_them_the_settings_keep_theirs() {
+    let two = set(
+        &Wanted::default(),
+        "objects",
+        sources(&[&[("x", -0.3)], &[("power", 50.0)]]),
+    );
+    let order = Order::AddObject(vec![
+        ("kind".to_owned(), text("source")),
+        ("id".to_owned(), Raw::Number(7.0)),
+        ("width".to_owned(), Raw::Number(0.05)),
+    ]);
+    let Some(Ok(three)) = two.after(&order) else {
+        panic!("it was refused");
+    };
+    let Some(Ok(fewer)) = three.after(&Order::RemoveObject(1)) else {
+        panic!("it was refused");
+    };
+    let none = set(&two, "objects", Raw::List(vec![]));
+    for wanted in [&two, &three, &fewer, &none] {
+        let back = imported(&export(wanted));
+        assert_eq!(back.scene, wanted.scene, "{:?}", export(wanted));
+    }
+    assert_eq!(fewer.parameters().fuel_power, 50.0);
+    assert_eq!(none.parameters().source_x, -0.3);
+}
+
+#[test]
+fn of_two_words_about_one_property_the_later_counts() {
+    let one = ("fuel_power".to_owned(), Raw::Number(100.0));
+    let other = ("objects".to_owned(), sources(&[&[("power", 50.0)]]));
+    for (values, power) in [([one.clone(), other.clone()], 50.0), ([other, one], 100.0)] {
+        let set = Wanted::default().after(&Order::Set(values.to_vec()));
+        let Some(Ok(wanted)) = set else {
+            panic!("{values:?} was refused");
+        };
+        assert_eq!(wanted.parameters().fuel_power, power);
+        let fields = values.map(|(id, raw)| match id.as_str() {
+            "objects" => ("objects", raw),
+            id => ("values", object(vec![(id, raw)])),
+        });
+        assert_eq!(
+            imported(&object(fields.to_vec())).parameters().fuel_power,
+            power
+        );
+    }
+}
+
+#[test]
+fn an_object_that_is_wrong_is_named_and_nothing_is_taken() {
+    let far = sources(&[&[], &[("x", 9.0)]]);
+    let solid = Raw::List(vec![object(vec![("kind", text("solid"))])]);
+    for (objects, named) in [
+        (
+            Raw::Number(1.0),
+            "objects = 1 is refused: it must be an array of objects",
+        ),
+        (
+            Raw::List(vec![Raw::Number(1.0)]),
+            "objects = 1 is refused: it must be an object",
+        ),
+        (
+            solid,
+            "objects[0].kind = \"solid\" is refused: it must be source",
+        ),
+        (
+            far,
+            "objects[1].x = 9 is refused: it must be a number from -3 to 3 m",
+        ),
+        (
+            sources(&[&[("pwer", 9.0)]]),
+            "must be one of x, y, width, power",
+        ),
+    ] {
+        let said = errors(&object(vec![("objects", objects.clone())]));
+        assert!(said.len() == 1 && said[0].contains(named), "{said:?}");
+        let order = Order::Set(vec![
+            ("wind".to_owned(), Raw::Number(1.0)),
+            ("objects".to_owned(), objects),
+        ]);
+        assert!(matches!(Wanted::default().after(&order), Some(Err(_))));
+    }
+    let order = Order::ChangeObject(1, vec![("x".to_owned(), text("far"))]);
+    let Some(Err(refused)) = Wanted::default().after(&order) else {
+        panic!("it was taken");
+    };
+    assert_eq!(refused[0].id, "objects[0].x");
+    assert_eq!(refused[0].value, text("far"));
+    assert_eq!(refused[0].range, Some((-3.0, 3.0)));
+    let order = Order::RemoveObject(9);
+    assert!(matches!(Wanted::default().after(&order), Some(Err(_))));
+    let values = object(vec![("values", object(vec![("objects", sources(&[]))]))]);
+    assert!(errors(&values)[0].contains("objects stand beside it"));
+}
+
+#[test]
+fn the_default_objects_are_one_source_with_the_values_of_the_settings() {
+    let wanted = set(&Wanted::default(), "source_x", Raw::Number(0.2));
+    let two = set(&wanted, "objects", sources(&[&[], &[]]));
+    let order = Order::Restore(vec!["objects".to_owned()]);
+    assert_eq!(two.after(&order), Some(Ok(wanted)));
 }

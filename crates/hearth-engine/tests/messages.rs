@@ -4,11 +4,12 @@ use hearth_core::Parameters;
 use hearth_core::params::Model;
 use hearth_engine::limits::Sparks;
 use hearth_engine::message::{
-    LONGEST_SIDE, MOST_SECONDS, MOST_STEPS, Message, Order, RefusedMessage, SentValues, Start,
-    with_defaults, with_values,
+    LONGEST_SIDE, MOST_SECONDS, MOST_STEPS, Message, Order, Refused, RefusedMessage, SentValues,
+    Start,
 };
 use hearth_engine::quality::Level;
 use hearth_engine::raw::Raw;
+use hearth_engine::scene;
 use hearth_engine::wanted::Wanted;
 use hearth_render::{Camera, Fit};
 
@@ -54,7 +55,7 @@ fn start(values: SentValues) -> Start {
 /// What a fire starts with, and what was refused.
 fn starting_values(start: &Start) -> (Parameters, Vec<hearth_engine::message::Refused>) {
     let (wanted, errors) = Wanted::at_first(start);
-    (wanted.parameters, errors)
+    (wanted.parameters().clone(), errors)
 }
 
 /// The values of a model, by id.
@@ -257,6 +258,16 @@ fn what_is_no_message_is_refused() {
     for raw in &strange {
         assert!(refused(raw).is_some(), "{raw:?} was accepted");
     }
+}
+
+fn with_values(old: &Parameters, values: &[(String, Raw)]) -> Result<Parameters, Vec<Refused>> {
+    let mut new = old.clone().into();
+    scene::set(&mut new, values).map(|()| new.settings().clone())
+}
+
+fn with_defaults(old: &Parameters, ids: &[String]) -> Result<Parameters, Vec<Refused>> {
+    let mut new = old.clone().into();
+    scene::restore(&mut new, ids).map(|()| new.settings().clone())
 }
 
 #[test]

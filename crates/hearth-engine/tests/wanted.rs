@@ -68,7 +68,7 @@ fn after<const N: usize>(orders: [Order; N]) -> Wanted {
 
 /// The particles that it has at each level.
 fn particles(wanted: &Wanted) -> [u32; 3] {
-    Level::ALL.map(|level| wanted.at(level.particles()).max_particles)
+    Level::ALL.map(|level| wanted.at(level.particles()).settings().max_particles)
 }
 
 const FOLLOWS: [u32; 3] = [1200, 3000, 6700];
@@ -190,7 +190,7 @@ fn what_a_fire_starts_with_does_not_depend_on_the_guess_for_the_machine() {
 #[test]
 fn a_burning_fire_is_taken_over() {
     let wanted = at_first(&start());
-    assert_eq!(wanted.parameters.model(), Model::Combustion);
+    assert_eq!(wanted.parameters().model(), Model::Combustion);
     let mut fire = Simulation::new(wanted.at(Level::Medium.particles()));
     for _ in 0..20 {
         fire.step();

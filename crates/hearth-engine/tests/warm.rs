@@ -15,13 +15,13 @@ fn with(values: &[(&str, f64)]) -> Parameters {
 /// Warms a fire; returns it, with the particles of each step.
 fn warmed(warm: &mut Warm, values: &Parameters) -> (Simulation, Vec<usize>) {
     let mut fire = Simulation::new(values.clone());
-    assert_eq!(warm.begin(&mut fire, values), None);
+    assert_eq!(warm.begin(&mut fire, &values.clone().into()), None);
     let mut counts = Vec::new();
     while warm.is_on() {
         let before = fire.time();
         fire.step();
         counts.push(fire.count());
-        let done = warm.burnt(fire.time() - before, &mut fire, values);
+        let done = warm.burnt(fire.time() - before, &mut fire, &values.clone().into());
         assert_eq!(done, !warm.is_on());
     }
     (fire, counts)
@@ -93,10 +93,10 @@ fn a_damaged_fire_is_told_once_and_the_fire_burns_all_the_same() {
     let values = with(&[("max_particles", 500.0)]);
     let mut warm = Warm::new(0.1, vec![1, 2, 3]);
     let mut fire = Simulation::new(values.clone());
-    let words = warm.begin(&mut fire, &values);
+    let words = warm.begin(&mut fire, &values.clone().into());
     assert!(words.is_some_and(|words| !words.is_empty()));
     assert!(warm.is_on());
-    assert_eq!(warm.begin(&mut fire, &values), None);
+    assert_eq!(warm.begin(&mut fire, &values.clone().into()), None);
 }
 
 #[test]

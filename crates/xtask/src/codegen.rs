@@ -52,6 +52,7 @@ pub fn generate() -> Result<Vec<Generated>> {
         ("web/quantities.js", javascript::quantities()),
         ("web/burning.js", javascript::burning()),
         ("web/between.js", javascript::between()),
+        ("web/objects.js", javascript::objects()),
         ("web/parameters.d.ts", typescript::declarations(&scenes)),
         ("web/react.d.ts", react::declarations()),
         ("web/custom-elements.json", manifest::manifest()),

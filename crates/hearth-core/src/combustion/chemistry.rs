@@ -29,9 +29,10 @@ pub(crate) fn heat_of_combustion(values: &Values) -> f32 {
     HEAT_CAPACITY * values.flame_rise * (1.0 + values.air_demand)
 }
 
-/// Lets the gas diffuse, burn and radiate for `dt`. Returns the power of the
+/// Lets the gas diffuse, burn and radiate for `dt`, where the hottest source has the
+/// temperature `source` \[K\]. Returns the power of the
 /// burning [kW/m].
-pub(crate) fn react(gas: &mut Gas, values: &Values, dt: f32) -> f32 {
+pub(crate) fn react(gas: &mut Gas, values: &Values, source: f32, dt: f32) -> f32 {
     let demand = values.air_demand;
     let fast = 1.0 - libm::expf(-dt / values.burn_time);
     let rise = values.flame_rise * (1.0 + demand);
@@ -42,7 +43,7 @@ pub(crate) fn react(gas: &mut Gas, values: &Values, dt: f32) -> f32 {
         square * square
     };
     let from_air = radiated(air);
-    let source = values.source_temperature.max(values.ignition_temperature);
+    let source = source.max(values.ignition_temperature);
     let equilibrium = source + values.flame_rise;
     let smoke_left = 1.0 / (1.0 + dt / values.smoke_life);
     let soot_left = 1.0 / (1.0 + dt / values.soot_life);
@@ -97,7 +98,7 @@ mod tests {
     fn fuel_and_oxygen_go_in_the_proportion_of_the_demand_and_their_heat_stays() {
         let parameters = with(&[("radiative_cooling", 0.0), ("soot_life", 2.0)]);
         let mut gas = mixture(&parameters, [900.0, 0.3, 0.8, 0.0]);
-        let power = react(&mut gas, &parameters, 0.01);
+        let power = react(&mut gas, &parameters, parameters.source_temperature, 0.01);
         let [t, fuel, oxygen, soot] = gas.state[0].to_array();
         let burnt = 0.3 - fuel;
         assert!(burnt > 0.01);
@@ -120,7 +121,11 @@ mod tests {
             [1500.0, 0.0, 1.0, 0.0],
         ] {
             let mut gas = mixture(&parameters, state);
-            assert_eq!(react(&mut gas, &parameters, 0.01), 0.0, "{state:?}");
+            assert_eq!(
+                react(&mut gas, &parameters, parameters.source_temperature, 0.01),
+                0.0,
+                "{state:?}"
+            );
         }
     }
 
@@ -132,7 +137,7 @@ mod tests {
         let exact = [start, 1.0 / (1.0 + demand), demand / (1.0 + demand), 0.0];
         let mut gas = mixture(&parameters, exact);
         for _ in 0..3000 {
-            react(&mut gas, &parameters, 1e-3);
+            react(&mut gas, &parameters, parameters.source_temperature, 1e-3);
         }
         let rise = gas.state[0].x - start;
         assert!((rise / parameters.flame_rise - 1.0).abs() < 0.01, "{rise}");
@@ -143,14 +148,19 @@ mod tests {
         let parameters = with(&[("radiative_cooling", 2000.0)]);
         let lost = |from: f32| {
             let mut gas = mixture(&parameters, [from, 0.0, 1.0, 0.0]);
-            react(&mut gas, &parameters, 1e-3);
+            react(&mut gas, &parameters, parameters.source_temperature, 1e-3);
             from - gas.state[0].x
         };
         assert!(lost(2000.0) > 10.0 * lost(1000.0));
         assert_eq!(lost(parameters.ambient_temperature), 0.0);
         let mut gas = mixture(&parameters, [400.0, 0.0, 1.0, 0.0]);
         for _ in 0..1000 {
-            react(&mut gas, &parameters, 1.0 / 60.0);
+            react(
+                &mut gas,
+                &parameters,
+                parameters.source_temperature,
+                1.0 / 60.0,
+            );
         }
         assert!(gas.state[0].x >= parameters.ambient_temperature);
     }
@@ -161,7 +171,7 @@ mod tests {
         let left = |temperature: f32| {
             let mut gas = mixture(&parameters, [temperature, 0.0, 1.0, 1.0]);
             for _ in 0..250 {
-                react(&mut gas, &parameters, 1e-3);
+                react(&mut gas, &parameters, parameters.source_temperature, 1e-3);
             }
             f64::from(gas.state[0].w).ln()
         };

@@ -40,10 +40,10 @@ const BLOWN: f32 = 3.0;
 const USUAL_DRIVE: f32 = 9.81 * 220.0;
 
 /// The numerical speed of sound c₀ [m/s]: `stiffness`, and more for a stronger fire,
-/// so that the gas stays as hard to compress. A planar plume rises as the cube
+/// of `power` [kW/m], so that the gas stays as hard to compress. A planar plume rises as the cube
 /// root of what drives it; and no wind comes near it.
-pub(crate) fn sound_speed(values: &Values) -> f32 {
-    let drive = values.buoyancy * values.gravity * values.fuel_power / USUAL_DRIVE;
+pub(crate) fn sound_speed(values: &Values, power: f32) -> f32 {
+    let drive = values.buoyancy * values.gravity * power / USUAL_DRIVE;
     let risen = values.stiffness * libm::cbrtf(larger(drive, 1.0));
     larger(risen, BLOWN * values.wind.abs())
 }
@@ -118,6 +118,11 @@ mod tests {
     use super::*;
     use crate::combustion::gas::bounds;
     use crate::combustion::gas::tests::{wild, with};
+    use crate::params::Parameters;
+
+    fn sound(parameters: &Parameters) -> f32 {
+        sound_speed(parameters, parameters.fuel_power)
+    }
 
     #[test]
     fn a_step_keeps_all_three_limits() {
@@ -134,7 +139,7 @@ mod tests {
             let mut gas = wild(&parameters, 1);
             gas.velocity.fill(Vec2::new(speed, 0.0));
             gas.acceleration.fill(Vec2::new(0.0, push));
-            let (h, sound) = (parameters.smoothing_length(), sound_speed(&parameters));
+            let (h, sound) = (parameters.smoothing_length(), sound(&parameters));
             let dt = longest(&gas, &parameters, h, sound) * 0.9999;
             assert!(dt <= 0.4 * h / (sound + speed));
             assert!(dt <= 0.25 * (h / push.max(1e-6)).sqrt());
@@ -144,16 +149,16 @@ mod tests {
 
     #[test]
     fn a_stronger_fire_is_stiffer_and_a_weaker_one_is_as_the_slider_says() {
-        let usual = sound_speed(&with(&[]));
+        let usual = sound(&with(&[]));
         assert_eq!(usual, with(&[]).stiffness);
-        assert_eq!(sound_speed(&with(&[("fuel_power", 10.0)])), usual);
-        let strong = sound_speed(&with(&[
+        assert_eq!(sound(&with(&[("fuel_power", 10.0)])), usual);
+        let strong = sound(&with(&[
             ("gravity", 19.62),
             ("fuel_power", 440.0),
             ("buoyancy", 2.0),
         ]));
         assert!((strong / usual - 2.0).abs() < 1e-4);
-        assert_eq!(sound_speed(&with(&[("wind", -3.0)])), 9.0);
+        assert_eq!(sound(&with(&[("wind", -3.0)])), 9.0);
     }
 
     #[test]

@@ -202,6 +202,8 @@ pub enum Refusal {
     NotAFlag,
     /// Not a colour that can be read.
     NotAColour,
+    /// Something else about an object; what it must be, in words.
+    Other(&'static str),
 }
 
 impl fmt::Display for ParamError {
@@ -241,6 +243,7 @@ impl fmt::Display for ParamError {
                 f,
                 "{id} = {value} is refused: it must be transparent, #rgb, #rrggbb or #rrggbbaa"
             ),
+            Refusal::Other(allowed) => write!(f, "{id} = {value} is refused: it must be {allowed}"),
         }
     }
 }

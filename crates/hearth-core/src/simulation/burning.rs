@@ -25,6 +25,7 @@ use crate::combustion::Ember;
 use crate::params::{Parameters, Value};
 use crate::particle::Particle;
 use crate::random::Random;
+use crate::scene::Scene;
 use glam::Vec2;
 
 /// The version of the form.
@@ -63,8 +64,22 @@ const NOT_OF_THE_GAS: [&str; 16] = [
 
 /// A number for all values that the gas depends on: fires of the same digest burn alike.
 /// Values at their default do not count, so that a new parameter changes none.
-pub fn digest(parameters: &Parameters) -> u64 {
-    let mut hash = fnv(0xcbf2_9ce4_8422_2325, parameters.model().name().as_bytes());
+pub fn digest(scene: &Scene) -> u64 {
+    let name = scene.settings().model().name();
+    let mut hash = of_values(
+        fnv(0xcbf2_9ce4_8422_2325, name.as_bytes()),
+        scene.settings(),
+    );
+    if scene.objects().len() != 1 {
+        hash = fnv(hash, b"objects");
+        for values in scene.sources() {
+            hash = of_values(fnv(hash, b"source"), values);
+        }
+    }
+    hash
+}
+
+fn of_values(mut hash: u64, parameters: &Parameters) -> u64 {
     for (param, value) in parameters.changed() {
         if NOT_OF_THE_GAS.contains(&param.id) {
             continue;
@@ -120,7 +135,7 @@ impl Simulation {
         let Gas::Combustion(_) = &self.gas else {
             return None;
         };
-        let (particles, air) = (self.particles(), self.parameters.ambient_temperature);
+        let (particles, air) = (self.particles(), self.parameters().ambient_temperature);
         let embers = &self.embers()[..self.embers().len().min(EMBERS)];
         let most = |all: &mut dyn Iterator<Item = f32>| all.fold(0.0, f32::max);
         let speed = |velocity: Vec2| velocity.abs().max_element();
@@ -138,8 +153,8 @@ impl Simulation {
         out.extend(MAGIC);
         out.extend(VERSION.to_le_bytes());
         out.extend((embers.len() as u16).to_le_bytes());
-        out.extend(digest(&self.parameters).to_le_bytes());
-        out.extend(self.parameters.max_particles.to_le_bytes());
+        out.extend(digest(&self.scene).to_le_bytes());
+        out.extend(self.parameters().max_particles.to_le_bytes());
         out.extend((particles.len() as u32).to_le_bytes());
         out.extend(self.time.to_le_bytes());
         for scale in scales {
@@ -171,7 +186,10 @@ impl Simulation {
     }
 
     fn write_places(&self, out: &mut Vec<u8>, places: impl Iterator<Item = Vec2> + Clone) {
-        let (width, height) = (self.parameters.domain_width, self.parameters.domain_height);
+        let (width, height) = (
+            self.parameters().domain_width,
+            self.parameters().domain_height,
+        );
         let across = |part: f32| (part * 65_536.0).clamp(0.0, 65_535.0) as u16;
         out.extend(
             places
@@ -193,10 +211,10 @@ impl Simulation {
         let Gas::Combustion(gas) = &mut self.gas else {
             return Err(BurningError::Other);
         };
-        if head.digest != digest(&self.parameters) {
+        if head.digest != digest(&self.scene) {
             return Err(BurningError::Other);
         }
-        let parameters = &self.parameters;
+        let parameters = self.scene.settings();
         let [velocity, hot, sooty, flight, size, life] = head.scales;
         let air = parameters.ambient_temperature;
         let domain = Vec2::new(parameters.domain_width, parameters.domain_height);
@@ -406,12 +424,23 @@ mod tests {
             assert!(param.is_some(), "{id}");
         }
         for (id, value) in [("exposure", 1.0), ("seed", 7.0), ("max_particles", 1200.0)] {
-            assert_eq!(digest(&with(&[(id, value)])), digest(&usual), "{id}");
+            assert_eq!(
+                digest(&with(&[(id, value)]).into()),
+                digest(&usual.clone().into()),
+                "{id}"
+            );
         }
         for (id, value) in [("fuel_power", 100.0), ("domain_width", 2.0), ("wind", 1.0)] {
-            assert_ne!(digest(&with(&[(id, value)])), digest(&usual), "{id}");
+            assert_ne!(
+                digest(&with(&[(id, value)]).into()),
+                digest(&usual.clone().into()),
+                "{id}"
+            );
         }
-        assert_ne!(digest(&Parameters::new(Model::Classic)), digest(&usual));
+        assert_ne!(
+            digest(&Parameters::new(Model::Classic).into()),
+            digest(&usual.clone().into())
+        );
     }
 
     #[test]

@@ -36,7 +36,7 @@ impl Fire {
             limit: self.follows(),
             // Until the display that is wanted is drawn, its colours stand for nothing.
             scale: match self.picture.scale() {
-                Some((mode, ends)) if mode == self.wanted.parameters.display_mode => Some(ends),
+                Some((mode, ends)) if mode == self.wanted.parameters().display_mode => Some(ends),
                 _ => None,
             },
         };

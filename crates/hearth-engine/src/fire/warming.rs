@@ -1,6 +1,6 @@
 //! A new fire that burns before it is shown, and how many particles it burns with.
 
-use hearth_core::Parameters;
+use hearth_core::Scene;
 
 use super::Fire;
 use crate::outbox::Outbox;
@@ -32,7 +32,7 @@ impl Fire {
     }
 
     /// The values that it is to burn with at its level and size.
-    pub(super) fn values(&self) -> Parameters {
+    pub(super) fn scene(&self) -> Scene {
         self.wanted.at(self.particles(self.quality.level()))
     }
 
@@ -40,7 +40,7 @@ impl Fire {
     pub(super) fn particles(&self, level: Level) -> u32 {
         let exact = self.quality.wish().is_some();
         if self.wanted.follows_scene() {
-            let number = self.wanted.parameters.max_particles;
+            let number = self.wanted.parameters().max_particles;
             if exact {
                 number
             } else {
@@ -57,7 +57,7 @@ impl Fire {
     pub(super) fn follows(&self) -> &'static str {
         let level = self.quality.level();
         if self.wanted.follows_scene() {
-            let number = self.wanted.parameters.max_particles;
+            let number = self.wanted.parameters().max_particles;
             if self.particles(level) < number {
                 "size"
             } else {

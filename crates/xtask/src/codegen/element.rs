@@ -69,6 +69,13 @@ pub(super) const ATTRIBUTES: &[Attribute] = &[
         doc: "The address of a JSON file with settings, as `exportConfig()` gives them.",
     },
     Attribute {
+        name: "objects",
+        kind: "HearthObject[]",
+        default: "",
+        reflects: false,
+        doc: "The sources of the fire, as JSON; without it one source, which the parameters describe.",
+    },
+    Attribute {
         name: "quality",
         kind: "'auto' | HearthQuality",
         default: "auto",
@@ -251,6 +258,24 @@ pub(super) const METHODS: &[Method] = &[
         doc: "Sets one parameter, or several: all of them or none. Rejects with a RangeError that names what is allowed.",
     },
     Method {
+        name: "addObject",
+        parameters: &[("object", "HearthObject")],
+        returns: "Promise<number>",
+        doc: "Adds an object; resolves to its id. Rejects with a RangeError that names what is allowed.",
+    },
+    Method {
+        name: "changeObject",
+        parameters: &[("id", "string"), ("properties", "Partial<HearthObject>")],
+        returns: "Promise<void>",
+        doc: "Sets properties of an object: all of them or none. Rejects as `addObject` does.",
+    },
+    Method {
+        name: "removeObject",
+        parameters: &[("id", "number")],
+        returns: "Promise<void>",
+        doc: "Removes an object. The next source becomes the first, which the parameters describe.",
+    },
+    Method {
         name: "to",
         parameters: &[
             ("values", "Partial<HearthParameters>"),
@@ -347,6 +372,11 @@ pub(super) const EVENTS: &[Named] = &[
         name: "params-change",
         kind: "HearthChangeDetail",
         doc: "A value changed, whoever changed it.",
+    },
+    Named {
+        name: "objects-change",
+        kind: "HearthObjectsDetail",
+        doc: "An object was added, changed or removed.",
     },
     Named {
         name: "quality-change",

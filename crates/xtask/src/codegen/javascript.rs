@@ -7,6 +7,8 @@ use std::fmt::Write as _;
 
 use hearth_core::params::{Choice, DisplayMode, Domain, Kind, Model, PARAMETERS, Param, Scale};
 
+use hearth_core::scene::KINDS;
+
 use super::element;
 use super::json::Json;
 use super::scene::Scene;
@@ -96,6 +98,21 @@ pub(super) fn burning() -> String {
             text,
             "  '{name}': () => new URL('./burning/{name}.fire', import.meta.url),"
         );
+    }
+    text.push_str("};\n");
+    text
+}
+
+/// The module of the parameters that are properties of the first source: apart, since only
+/// addresses and HTML ask.
+pub(super) fn objects() -> String {
+    let mut text = format!(
+        "{HEADER}\n\
+         /** Each property of a source, and the parameter that it is of the first one. */\n\
+         export const SOURCE = {{\n"
+    );
+    for property in KINDS.iter().flat_map(|kind| kind.properties) {
+        let _ = writeln!(text, "  {}: '{}',", property.name, property.id);
     }
     text.push_str("};\n");
     text

@@ -6,6 +6,8 @@ use hearth_core::params::{
     Description, Domain, Kind, Model, PARAMETERS, Param, Scale, Value, selections_in_words,
 };
 
+use hearth_core::scene::KINDS;
+
 use super::{attribute, models};
 
 const INTRODUCTION: &str = "\
@@ -43,6 +45,23 @@ pub(super) fn reference() -> String {
             );
         }
         let _ = writeln!(text, "{}", row(param));
+    }
+    text.push_str(
+        "\n## Objects\n\n\
+         A scene has a list of objects. Parameters that are a property here hold for the first \
+         source:\nsetting one sets the property, and the other way round. Every other source has \
+         values of its own,\nwith the same units, ranges and defaults.\n\n\
+         | kind | property | parameter | |\n|---|---|---|---|\n",
+    );
+    for kind in KINDS {
+        for property in kind.properties {
+            let label = Param::find(property.id).map_or("", |param| param.description().label);
+            let _ = writeln!(
+                text,
+                "| `{}` | `{}` | `{}` | {label} |",
+                kind.name, property.name, property.id
+            );
+        }
     }
     text.push_str(
         "\n## Presets\n\n\

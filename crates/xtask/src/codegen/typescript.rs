@@ -6,6 +6,8 @@ use std::fmt::Write as _;
 
 use hearth_core::params::{Choice, Domain, Kind, Model, PARAMETERS, Param};
 
+use hearth_core::scene::KINDS;
+
 use super::scene::Scene;
 use super::{domains, json_string, json_value, property};
 
@@ -104,8 +106,42 @@ pub(super) fn declarations(scenes: &[Scene]) -> String {
     interface(&mut text, "HearthParameters", |param| param.id.to_owned());
     text.push_str("\n/** The value of every parameter, as the element's properties name it. */\n");
     interface(&mut text, "HearthProperties", |param| property(param.id));
+    objects(&mut text);
     text.push_str(TABLE);
     text
+}
+
+/// The types of objects: each kind with its properties.
+fn objects(text: &mut String) {
+    for kind in KINDS {
+        let name = format!("Hearth{}", capitalised(kind.name));
+        let _ = write!(
+            text,
+            "\n/** {} */\nexport interface {name} {{\n  kind: {};\n  \
+             /** A whole number from 1, unique in its scene; without one it gets the next. */\n  id?: number;\n",
+            kind.doc,
+            json_string(kind.name),
+        );
+        let params = kind.properties.iter();
+        for (property, param) in params.filter_map(|one| Some((one, Param::find(one.id)?))) {
+            let _ = writeln!(text, "  /** {} */", comment(param));
+            let _ = writeln!(text, "  {}?: {};", property.name, value_type(param.kind));
+        }
+        text.push_str("}\n");
+    }
+    let names = KINDS
+        .iter()
+        .map(|kind| format!("Hearth{}", capitalised(kind.name)));
+    let _ = writeln!(
+        text,
+        "\n/** An object of a scene. */\nexport type HearthObject = {};",
+        names.collect::<Vec<_>>().join(" | ")
+    );
+}
+
+fn capitalised(name: &str) -> String {
+    let (first, rest) = name.split_at(name.len().min(1));
+    first.to_ascii_uppercase() + rest
 }
 
 fn interface(text: &mut String, name: &str, field: impl Fn(&Param) -> String) {

@@ -1,0 +1,291 @@
+use super::*;
+use crate::Simulation;
+use crate::params::{Model, PARAMETERS, Param, Value};
+
+fn number(x: f64) -> Input<'static> {
+    Input::Number(x)
+}
+
+const SOURCE: (&str, Input<'static>) = ("kind", Input::Text("source"));
+
+fn value(scene: &Scene, index: usize, name: &str) -> Option<Value> {
+    let (_, kind, values) = scene.objects().nth(index)?;
+    let param = kind.property(name)?.param(values.model())?;
+    Some(param.get(values))
+}
+
+fn ids(scene: &Scene) -> Vec<u32> {
+    scene.objects().map(|(id, ..)| id).collect()
+}
+
+fn words(refused: Result<impl Sized, Vec<ParamError>>) -> String {
+    let all = refused.err().unwrap_or_default();
+    let all: Vec<String> = all.iter().map(ParamError::to_string).collect();
+    all.join("\n")
+}
+
+#[test]
+fn every_property_is_a_parameter_and_of_one_name() {
+    let mut seen = Vec::new();
+    for kind in KINDS {
+        let mut names = kind.allowed.trim_start_matches("one of ").split(", ");
+        for property in kind.properties {
+            assert!(Param::find(property.id).is_some(), "{}", property.id);
+            assert!(!seen.contains(&property.id), "{}", property.id);
+            assert!(!seen.contains(&property.name), "{}", property.name);
+            assert!(names.next() == Some(property.name), "{}", kind.allowed);
+            seen.extend([property.id, property.name]);
+        }
+    }
+}
+
+#[test]
+fn settings_alone_have_one_source_whose_properties_they_are() {
+    for model in [Model::Classic, Model::Combustion] {
+        let mut settings = Parameters::new(model);
+        assert_eq!(settings.set("source_x", number(0.2)), Ok(()));
+        let mut scene = Scene::new(settings);
+        assert_eq!(ids(&scene), [1]);
+        assert_eq!(value(&scene, 0, "x"), Some(Value::Number(0.2)));
+
+        assert_eq!(scene.change(1, &[("x", number(-0.1))]), Ok(()));
+        assert_eq!(scene.settings().source_x, -0.1);
+        let mut settings = scene.settings().clone();
+        assert_eq!(settings.set("source_x", number(0.3)), Ok(()));
+        scene.set_settings(settings);
+        assert_eq!(value(&scene, 0, "x"), Some(Value::Number(0.3)));
+    }
+}
+
+#[test]
+fn a_second_source_has_properties_of_its_own_and_all_other_settings() {
+    let mut scene = Scene::default();
+    let added = scene.add(&[SOURCE, ("x", number(0.3)), ("power", number(50.0))]);
+    assert_eq!(added, Ok(2));
+    let mut settings = scene.settings().clone();
+    for (id, x) in [("fuel_power", 100.0), ("wind", 1.0), ("source_width", 0.2)] {
+        assert_eq!(settings.set(id, number(x)), Ok(()));
+    }
+    scene.set_settings(settings);
+    let powers: Vec<f32> = scene.sources().map(|one| one.fuel_power).collect();
+    assert_eq!(powers, [100.0, 50.0]);
+    assert_eq!(scene.power(), 150.0);
+    assert!(scene.sources().all(|one| one.wind == 1.0));
+    assert_eq!(value(&scene, 1, "width"), Some(Value::Number(0.4)));
+    assert_eq!(value(&scene, 1, "rate"), None, "it is the classic model's");
+}
+
+#[test]
+fn a_source_keeps_what_the_other_model_has_of_it() {
+    let mut scene = Scene::default();
+    let added = scene.add(&[SOURCE, ("rate", number(700.0)), ("power", number(50.0))]);
+    assert!(added.is_ok());
+    for (model, name, kept) in [("classic", "rate", 700.0), ("combustion", "power", 50.0)] {
+        let mut settings = scene.settings().clone();
+        assert_eq!(settings.set("model", Input::Text(model)), Ok(()));
+        scene.set_settings(settings);
+        assert_eq!(value(&scene, 1, name), Some(Value::Number(kept)));
+    }
+}
+
+#[test]
+fn the_next_source_becomes_the_first_and_the_last_leaves_its_values() {
+    let mut scene = Scene::default();
+    let before = scene.settings().clone();
+    assert!(scene.add(&[SOURCE, ("x", number(0.3))]).is_ok());
+    assert_eq!(scene.remove(1), Ok(()));
+    assert_eq!(ids(&scene), [2]);
+    assert_eq!(scene.settings().source_x, 0.3);
+    assert_eq!(scene.settings().seed, before.seed);
+
+    assert_eq!(scene.remove(2), Ok(()));
+    assert_eq!((scene.objects().len(), scene.power()), (0, 0.0));
+    assert_eq!(scene.settings().source_x, 0.3);
+    assert_eq!(scene.add(&[SOURCE]), Ok(1));
+    assert_eq!(value(&scene, 0, "x"), Some(Value::Number(0.3)));
+}
+
+#[test]
+fn a_refusal_names_object_property_value_and_range_and_changes_nothing() {
+    let mut scene = Scene::default();
+    let before = scene.clone();
+    let text = |text| Input::Text(text);
+    let cases: &[(&Fields<'_>, &str)] = &[
+        (
+            &[],
+            "objects[1].kind = \"undefined\" is refused: it must be source",
+        ),
+        (
+            &[("kind", text("solid"))],
+            "objects[1].kind = \"solid\" is refused: it must be source",
+        ),
+        (
+            &[SOURCE, ("power", number(700.0))],
+            "objects[1].power = 700 is refused: it must be a number from 0 to 600 kW/m",
+        ),
+        (
+            &[SOURCE, ("pwer", number(7.0))],
+            "objects[1].property = \"pwer\" is refused: it must be one of x, y, width, power, rate, \
+             speed, spread, noise, temperature, oxygen, birth_temperature, life_min, life_max, taper",
+        ),
+        (
+            &[SOURCE, ("id", number(1.0))],
+            "objects[1].id = 1 is refused: it must be a whole number from 1 to 1000000 that no other \
+             object has",
+        ),
+    ];
+    for (fields, expected) in cases {
+        assert_eq!(&words(scene.add(fields)), expected);
+        assert_eq!(scene, before);
+    }
+    let refused = words(scene.change(1, &[("x", number(9.0)), ("id", text("b"))]));
+    assert_eq!(refused.lines().count(), 2, "{refused}");
+    assert_eq!(
+        words(scene.remove(7)),
+        "id = 7 is refused: it must be the id of an object that there is"
+    );
+    assert_eq!(scene, before);
+    let two: [&Fields<'_>; 2] = [&[SOURCE], &[SOURCE, ("x", text("a"))]];
+    let said = words(scene.replace(&two));
+    assert!(
+        said.starts_with("objects[1].x = \"a\" is refused"),
+        "{said}"
+    );
+    assert_eq!(scene, before);
+}
+
+#[test]
+fn there_are_so_many_objects_and_no_more() {
+    let mut scene = Scene::default();
+    while scene.objects().len() < MAX_OBJECTS {
+        assert!(scene.add(&[SOURCE]).is_ok());
+    }
+    let refused = words(scene.add(&[SOURCE]));
+    assert_eq!(
+        refused,
+        "objects.length = 65 is refused: it must be at most 64"
+    );
+    let ids = ids(&scene);
+    assert!((1..ids.len()).all(|at| !ids[..at].contains(&ids[at])));
+}
+
+#[test]
+fn objects_are_replaced_all_or_none() {
+    let mut scene = Scene::default();
+    let candles: [&Fields<'_>; 2] = [
+        &[SOURCE, ("id", number(7.0)), ("x", number(-0.3))],
+        &[("power", number(20.0)), SOURCE],
+    ];
+    assert_eq!(scene.replace(&candles), Ok(()));
+    assert_eq!(ids(&scene), [7, 1]);
+    assert_eq!(scene.settings().source_x, -0.3);
+    assert_eq!(scene.replace(&[]), Ok(()));
+    assert_eq!(scene.objects().len(), 0);
+    assert_eq!(scene.settings().source_x, -0.3);
+}
+
+fn burnt(scene: &Scene, seconds: f64) -> Simulation {
+    let mut fire = Simulation::new(scene.clone());
+    while fire.time() < seconds {
+        fire.step();
+    }
+    fire
+}
+
+#[test]
+fn every_source_burns_where_it_stands_and_none_without_one() {
+    for model in [Model::Combustion, Model::Classic] {
+        let mut settings = Parameters::new(model);
+        for (id, x) in [
+            ("source_width", 0.2),
+            ("source_x", -0.3),
+            ("max_particles", 1500.0),
+        ] {
+            assert_eq!(settings.set(id, number(x)), Ok(()));
+        }
+        let mut scene = Scene::new(settings);
+        assert!(
+            scene
+                .add(&[SOURCE, ("x", number(0.3)), ("width", number(0.2))])
+                .is_ok()
+        );
+        let hot = |scene: &Scene| {
+            let fire = burnt(scene, 0.3);
+            let all = fire.positions().into_iter().zip(fire.temperatures());
+            let hot: Vec<f32> = all.filter(|one| one.1 > 600.0).map(|one| one.0.x).collect();
+            let left = hot.iter().any(|&x| x < -0.1);
+            (left, hot.iter().any(|&x| x > 0.1))
+        };
+        assert_eq!(hot(&scene), (true, true), "{model:?}");
+        assert_eq!(scene.remove(1), Ok(()));
+        assert_eq!(hot(&scene), (false, true), "{model:?}");
+        assert_eq!(scene.remove(2), Ok(()));
+        assert_eq!(hot(&scene), (false, false), "{model:?}");
+    }
+}
+
+#[test]
+fn two_sources_give_the_power_of_both() {
+    let mut scene = Scene::default();
+    let mut settings = scene.settings().clone();
+    for (id, x) in [
+        ("source_width", 0.3),
+        ("source_x", -0.3),
+        ("fuel_power", 60.0),
+        ("max_particles", 3000.0),
+    ] {
+        assert_eq!(settings.set(id, number(x)), Ok(()));
+    }
+    scene.set_settings(settings);
+    let fields = [
+        SOURCE,
+        ("x", number(0.3)),
+        ("width", number(0.3)),
+        ("power", number(90.0)),
+    ];
+    assert!(scene.add(&fields).is_ok());
+    let mut fire = burnt(&scene, 2.0);
+    let (mut heat, start) = (0.0, fire.time());
+    while fire.time() < start + 2.0 {
+        fire.step();
+        heat += f64::from(fire.power()) * fire.step_length();
+    }
+    let power = heat / (fire.time() - start);
+    assert!((power / 150.0 - 1.0).abs() < 0.1, "{power} kW/m for 150");
+}
+
+#[test]
+fn the_same_scene_gives_the_same_bits_and_a_plain_one_those_of_its_settings() {
+    let mut scene = Scene::default();
+    let bits = |fire: &Simulation| {
+        let all = fire.positions().into_iter();
+        all.flat_map(|at| at.to_array().map(f32::to_bits))
+            .collect::<Vec<_>>()
+    };
+    let plain = Simulation::new(scene.settings().clone());
+    let mut plain = (plain, burnt(&scene, 0.1));
+    while plain.0.time() < 0.1 {
+        plain.0.step();
+    }
+    assert_eq!(bits(&plain.0), bits(&plain.1));
+    plain.1.reset();
+    assert!(scene.add(&[SOURCE, ("x", number(0.3))]).is_ok());
+    assert_eq!(bits(&burnt(&scene, 0.1)), bits(&burnt(&scene, 0.1)));
+    assert_ne!(bits(&burnt(&scene, 0.1)), bits(&plain.0));
+}
+
+#[test]
+fn a_parameter_that_is_no_property_is_the_same_for_every_source() {
+    let of_sources = |id: &str| KINDS[0].properties.iter().any(|one| one.id == id);
+    let mut scene = Scene::default();
+    assert!(scene.add(&[SOURCE]).is_ok());
+    let sources: Vec<&Parameters> = scene.sources().collect();
+    for param in PARAMETERS {
+        let same = param.get(sources[0]) == param.get(sources[1]);
+        assert!(
+            same || param.id == "seed" || of_sources(param.id),
+            "{}",
+            param.id
+        );
+    }
+}

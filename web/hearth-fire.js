@@ -8,24 +8,24 @@
  *
  * The module can be imported where there is no `window`; it then defines nothing.
  *
- * @typedef {import('./engine.js').Message} Message
- * @typedef {import('./requests.js').Refusal} Refusal
+ * @typedef {import('./engine/engine.js').Message} Message
+ * @typedef {import('./element/requests.js').Refusal} Refusal
  */
 
-import { DEFAULTS } from './defaults.js';
-import { EngineError } from './engine.js';
-import { burning } from './engine-files.js';
+import { DEFAULTS } from './generated/defaults.js';
+import { EngineError } from './engine/engine.js';
+import { burning } from './engine/files.js';
 import {
   FireAttributes, ID_OF_ATTRIBUTE, ID_OF_PROPERTY, chosen, keepEarlyProperties, setOrRemove, warmth,
-} from './fire-attributes.js';
-import { FireLink } from './fire-link.js';
-import { FireManners } from './fire-manners.js';
-import { settings, settingsOfFile } from './fire-settings.js';
-import { FireSigns } from './fire-signs.js';
-import { hexOf, seedOf } from './fire-values.js';
-import { FireView } from './fire-view.js';
-import { Requests, deferred, postable, quiet, refusal } from './requests.js';
-import { motionIsReduced } from './watch.js';
+} from './element/attributes.js';
+import { FireLink } from './element/engine-connection.js';
+import { FireManners } from './element/page-policies.js';
+import { settings, settingsOfFile } from './element/settings.js';
+import { FireSigns } from './element/states.js';
+import { hexOf, seedOf } from './element/values.js';
+import { FireView } from './element/view.js';
+import { Requests, deferred, postable, quiet, refusal } from './element/requests.js';
+import { motionIsReduced } from './element/visibility.js';
 
 /** Seconds of fire that a still picture has burnt, so that it shows a fire. */
 const STILL_AFTER = 2;
@@ -43,7 +43,7 @@ export class HearthFire extends FireAttributes {
    * Where the engine runs: `auto`, in a worker where that can draw, else on the main
    * thread; `worker`; `main`. It counts for the next engine: set it before the first
    * fire is on the page.
-   * @type {import('./engine.js').Place}
+   * @type {import('./engine/engine.js').Place}
    */
   static engine = 'auto';
 
@@ -74,7 +74,7 @@ export class HearthFire extends FireAttributes {
   #preset = 'default';
   /** @type {FireLink | null} */
   #link = null;
-  /** @type {import('./fire-manners.js').Ways} */
+  /** @type {import('./element/page-policies.js').Ways} */
   #ways;
   /** @type {FireManners} */
   #manners;
@@ -174,7 +174,7 @@ export class HearthFire extends FireAttributes {
   to(values, how) {
     this.#orders ??= [];
     const checked = this.#ask({ type: 'check', source: 'to', values: postable(values, 1) });
-    const code = import('./fire-transition.js').catch((why) => {
+    const code = import('./element/transition.js').catch((why) => {
       this.#orders = undefined;
       this.#complain('load', `Transitions could not be loaded: ${why}`);
       throw why;

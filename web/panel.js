@@ -3,17 +3,17 @@
  *
  * `mountPanel` makes a canvas in `host`, loads the panel's wasm, which no page
  * pays for that never asks for it, and puts a mirror of the panel in the page's
- * own controls beside it (mirror.js). Where the panel cannot start it says so
+ * own controls beside it (panel/accessible-controls.js). Where the panel cannot start it says so
  * in words and the mirror alone is left, in sight. In the shadow root of its own
  * fire the panel places itself and can be folded away.
  */
 
-import { mountMirror } from './mirror.js';
-import { Desk } from './panel-desk.js';
-import { addFold } from './panel-fold.js';
-import { listenToKeys } from './panel-keys.js';
-import { addSheet } from './panel-sheet.js';
-import { addStyle } from './panel-style.js';
+import { mountMirror } from './panel/accessible-controls.js';
+import { Desk } from './panel/controller.js';
+import { addFold } from './panel/fold.js';
+import { listenToKeys } from './panel/keys.js';
+import { addSheet } from './panel/sheet.js';
+import { addStyle } from './panel/style.js';
 
 /** How often a panel whose WebGL context was lost is started again. */
 const RESTARTS = 3;

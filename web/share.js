@@ -13,7 +13,7 @@
  * @property {string} [description]  And what it shows.
  */
 
-import { DEFAULTS, OWN_ATTRIBUTES } from './defaults.js';
+import { DEFAULTS, OWN_ATTRIBUTES } from './generated/defaults.js';
 
 /** Where this file is; what a bundler made of it is somewhere else. */
 export const FILE = import.meta.url;

@@ -325,7 +325,7 @@ for (const kind of BROWSERS) {
     });
 
     test('without the worker’s script a fire burns on the page’s own thread', async () => {
-      const tab = await browser.open(FIRE, { files: { 'engine-worker.js': { status: 404 } } });
+      const tab = await browser.open(FIRE, { files: { 'engine/worker.js': { status: 404 } } });
       await tab.burnt(1);
       await assertBurns(tab);
       assert.equal(await tab.fire((fire) => fire.stats.engine), 'main');

@@ -276,7 +276,7 @@ describe('messages from anybody else', () => {
   });
 
   test('are allowed by exact origins only', async () => {
-    const { allowedOrigins } = await import('../../web/embed-port.js');
+    const { allowedOrigins } = await import('../../web/embed/message-bridge.js');
     const exact = ['https://a.example', 'http://localhost:8080', 'https://[::1]:90'];
     assert.deepEqual(allowedOrigins([` ${exact[0]} ,${exact[1]},`, exact[2]]), { origins: exact, refused: [] });
     for (const one of [

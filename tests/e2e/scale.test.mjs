@@ -11,7 +11,7 @@ import { SITE, table } from './site.mjs';
 
 const { entry } = await table();
 const load = (/** @type {string} */ name) => import(pathToFileURL(path.join(SITE, 'web', name)).href);
-const { colour, ticks, words } = await load('scale.js');
+const { colour, ticks, words } = await load('element/scale.js');
 const { QUANTITIES } = await load('parameters.js');
 
 /** @type {Browser} */
@@ -251,7 +251,7 @@ describe('the bar', () => {
 
   test('that cannot be loaded is said once, and the fire burns on', async () => {
     const tab = await browser.open('<hearth-fire display-mode="density"></hearth-fire>', {
-      without: 'scale.js',
+      without: 'element/scale.js',
       before: () => {
         const said = (/** @type {any} */ (window).said = []);
         addEventListener('error', () => {}, true);

@@ -9,7 +9,7 @@ import { Browser } from './driver.mjs';
 import { events, recording } from './laws.mjs';
 import { SITE } from './site.mjs';
 
-const { readAddress } = await import(pathToFileURL(path.join(SITE, 'web/address.js')).href);
+const { readAddress } = await import(pathToFileURL(path.join(SITE, 'web/pages/url-parameters.js')).href);
 
 /** @type {Browser} */
 let browser;

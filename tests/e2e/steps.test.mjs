@@ -4,7 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
-import { Steps } from '../../web/panel-steps.js';
+import { Steps } from '../../web/panel/undo-history.js';
 
 const DEFAULTS = {
   classic: { model: 'classic', width: 1, viscosity: 5, wind: 0, max_particles: 1000 },

@@ -2,7 +2,7 @@
  * The package's one file of all: element, engine, wasm and the worker's script in
  * one module, for a page that wants to name one file and nothing else.
  *
- * It is the same element, from its sources, with another `engine-files.js`
+ * It is the same element, from its sources, with another `engine/files.js`
  * (inline-files.js here), which has in it what the original looks for beside itself.
  * Only the panel stays
  * outside: who asks for it needs the package's folder.
@@ -37,7 +37,7 @@ export async function inlined(sources, wasm, { name, version, license }) {
   const engine = await readFile(path.join(wasm, 'hearth-engine_bg.wasm'));
   const worker = await build({
     ...COMMON,
-    entryPoints: [path.join(sources, 'engine-worker.js')],
+    entryPoints: [path.join(sources, 'engine/worker.js')],
     format: 'iife',
     plugins: [filesInside(sources, wasm)],
   });
@@ -46,7 +46,6 @@ export async function inlined(sources, wasm, { name, version, license }) {
     entryPoints: [path.join(sources, 'hearth-fire.js')],
     format: 'esm',
     banner: { js: `/* ${name} ${version}, ${license} */` },
-    external: ['./panel.js'],
     plugins: [filesInside(sources, wasm, {
       wasm: deflateRawSync(engine, { level: 9 }).toString('base64'),
       worker: worker.outputFiles[0].text,
@@ -56,7 +55,7 @@ export async function inlined(sources, wasm, { name, version, license }) {
 }
 
 /**
- * Puts inline-files.js in the place of engine-files.js, with its texts, and finds the
+ * Puts inline-files.js in the place of engine/files.js, with its texts, and finds the
  * scripts of wasm where they are.
  * @param {string} sources
  * @param {string} wasm
@@ -67,12 +66,13 @@ function filesInside(sources, wasm, texts = {}) {
   return {
     name: 'files-inside',
     setup({ onLoad, onResolve }) {
-      onResolve({ filter: /\/engine-files\.js$/ }, () => ({ path: FILES, namespace: 'files' }));
+      onResolve({ filter: /\/panel\.js$/ }, () => ({ path: './panel.js', external: true }));
+      onResolve({ filter: /\/files\.js$/ }, () => ({ path: FILES, namespace: 'files' }));
       onLoad({ filter: /.*/, namespace: 'files' }, async () => ({
         contents: await readFile(FILES, 'utf8'),
         resolveDir: sources,
       }));
-      onResolve({ filter: /^\.\/wasm\// }, ({ path: name }) => ({ path: path.resolve(wasm, path.basename(name)) }));
+      onResolve({ filter: /^\.\.?\/wasm\// }, ({ path: name }) => ({ path: path.resolve(wasm, path.basename(name)) }));
       onResolve({ filter: /^inline:/ }, ({ path: name }) => ({ path: name.slice(7), namespace: 'text' }));
       onLoad({ filter: /.*/, namespace: 'text' }, ({ path: name }) => ({ contents: texts[name], loader: 'text' }));
     },

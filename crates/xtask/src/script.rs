@@ -55,15 +55,15 @@ mod tests {
         ),
         (
             "one.js",
-            "import './two.js';\nimport './named.js';\nexport const one = 1;\n",
+            "import './in/two.js';\nimport './named.js';\nexport const one = 1;\n",
         ),
         (
             "named.js",
             "globalThis.alone = /named\\.js$/.test(import.meta.url);\n",
         ),
         (
-            "two.js",
-            "globalThis.style = new URL('./a.css', import.meta.url);\n",
+            "in/two.js",
+            "import '../shared.js';\nglobalThis.style = new URL('../a.css', import.meta.url);\n",
         ),
         ("open.js", "globalThis.open = 1;\n"),
         ("asked.js", "import './shared.js';\n"),
@@ -74,7 +74,7 @@ mod tests {
     #[test]
     fn what_is_for_readers_goes_and_what_others_name_stays() -> Result<()> {
         let web = std::env::temp_dir().join(format!("hearth-script-{}", std::process::id()));
-        fs::create_dir_all(&web)?;
+        fs::create_dir_all(web.join("in"))?;
         for (name, text) in FILES {
             fs::write(web.join(name), text)?;
         }
@@ -95,7 +95,7 @@ mod tests {
         assert!(!script.contains("Much") && !script.contains("@type"));
         assert_eq!(fs::read_to_string(web.join("a.css"))?, "a{color:red}\n");
         // Each of these was needed by one file alone.
-        assert!(!web.join("one.js").exists() && !web.join("two.js").exists());
+        assert!(!web.join("one.js").exists() && !web.join("in/two.js").exists());
         Ok(fs::remove_dir_all(web)?)
     }
 }

@@ -1,7 +1,7 @@
-//! `web/defaults.js`: the little of the table that the element needs.
+//! `web/generated/defaults.js`: the little of the table that the element needs.
 //! `observedAttributes` is read before wasm is loaded, so the element cannot ask
 //! the engine for it. `web/parameters.js`: all of the table, for the panel's
-//! native mirror and any tool; `web/quantities.js`, `web/between.js`: parts of it.
+//! native mirror and any tool; `web/generated/quantities.js`, `web/generated/between.js`: parts of it.
 
 use std::fmt::Write as _;
 
@@ -57,7 +57,7 @@ pub(super) fn module(scenes: &[Scene]) -> String {
     for scene in scenes {
         let _ = writeln!(text, "  {},", preset_entry(scene));
     }
-    text.push_str("];\n\nexport { QUANTITIES } from './quantities.js';\n");
+    text.push_str("];\n\nexport { QUANTITIES } from './generated/quantities.js';\n");
     text
 }
 
@@ -94,7 +94,7 @@ pub(super) fn burning() -> String {
     for name in crate::burning::SCENES {
         let _ = writeln!(
             text,
-            "  '{name}': () => new URL('./burning/{name}.fire', import.meta.url),"
+            "  '{name}': () => new URL('../burning/{name}.fire', import.meta.url),"
         );
     }
     text.push_str("};\n");

@@ -10,13 +10,16 @@
  *
  * @typedef {import('./engine/engine.js').Message} Message
  * @typedef {import('./element/requests.js').Refusal} Refusal
+ * @typedef {import('./parameters.js').HearthParameters} HearthParameters
+ * @typedef {import('./parameters.js').ParameterId} ParameterId
+ * @typedef {import('./hearth-fire.js').HearthStats} HearthStats
  */
 
 import { DEFAULTS } from './generated/defaults.js';
 import { EngineError } from './engine/engine.js';
 import { burning } from './engine/files.js';
 import {
-  FireAttributes, ID_OF_ATTRIBUTE, ID_OF_PROPERTY, chosen, keepEarlyProperties, setOrRemove, warmth,
+  FireAttributes, ID_OF_ATTRIBUTE, ID_OF_PROPERTY, keepEarlyProperties, setOrRemove, warmth,
 } from './element/attributes.js';
 import { FireLink } from './element/engine-connection.js';
 import { FireManners } from './element/page-policies.js';
@@ -50,12 +53,13 @@ export class HearthFire extends FireAttributes {
   #requests = new Requests();
   /** @type {FireView} */
   #view;
-  /** @type {{[id: string]: any}} */
-  #params = { ...DEFAULTS };
+  /** @type {HearthParameters} */
+  #params = /** @type {HearthParameters} */ ({ ...DEFAULTS });
   /** The values as they were before the model changed, for the way back. */
   #kept = {};
-  /** @type {{[name: string]: any} | null} */
+  /** @type {HearthStats | null} */
   #stats = null;
+  /** @type {'auto' | import('./hearth-fire.js').HearthQuality} */
   #quality = 'auto';
   /** Whether somebody set the number of particles, as the engine says. */
   #ownNumber = false;
@@ -71,6 +75,7 @@ export class HearthFire extends FireAttributes {
   #announced = false;
   /** Whether the preset's attribute is taken away without a wish for other values. */
   #dropping = false;
+  /** @type {import('./parameters.js').PresetName} */
   #preset = 'default';
   /** @type {FireLink | null} */
   #link = null;
@@ -149,10 +154,12 @@ export class HearthFire extends FireAttributes {
 
   /**
    * The value of one parameter.
-   * @param {string} id
+   * @template {ParameterId} Id
+   * @param {Id} id
+   * @returns {HearthParameters[Id]}
    */
   get(id) {
-    return Object.hasOwn(this.#params, id) ? this.#params[id] : undefined;
+    return /** @type {any} */ (Object.hasOwn(this.#params, id) ? this.#params[id] : undefined);
   }
 
   /**
@@ -221,7 +228,7 @@ export class HearthFire extends FireAttributes {
   /**
    * Its settings: the preset, where that is not the default one, and what differs
    * from it. JSON of them can be kept, sent, and given to `importConfig` or `src`.
-   * @returns {Promise<{hearth: 1, preset?: string, values: {[id: string]: any}}>}
+   * @returns {Promise<import('./hearth-fire.js').HearthConfig>}
    */
   exportConfig() {
     return this.#ask({ type: 'export' });
@@ -346,7 +353,7 @@ export class HearthFire extends FireAttributes {
   connectedMoveCallback() {}
 
   /** @type {(name: string, old: string | null, value: string | null) => void} */
-  attributeChangedCallback(name, old, value) {
+  attributeChangedCallback(name, _old, value) {
     const id = ID_OF_ATTRIBUTE.get(name);
     this.#manners.change(name, value);
     if (name === 'loading') this.#link?.lookAgain();
@@ -500,7 +507,7 @@ export class HearthFire extends FireAttributes {
     if (still) this.#setPaused(true, true);
     else if (!this.#started && !this.autoplay) this.#setPaused(true);
     const opened = link.open(
-      () => chosen(this, 'loading'),
+      () => this.loading,
       () => [HearthFire.wasmUrl, HearthFire.engine],
       () => this.#prepare(),
       (prepared) => ({

@@ -137,6 +137,7 @@ function attribute(name, value) {
   return `${name}="${escaped(value)}"`;
 }
 
+/** @type {{[character: string]: string}} */
 const ESCAPES = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;', "'": '&#39;' };
 
 /** @param {string} text */

@@ -131,10 +131,8 @@ for (const kind of BROWSERS) {
         fire.style.cssText = 'width: 120px; height: 180px';
       });
       await tab.until('a drawing of 120 × 180 pixels', () => {
-        const { width, height } = /** @type {any} */ (
-          document.querySelector('hearth-fire')?.shadowRoot?.querySelector('canvas')
-        );
-        return width === 120 && height === 180;
+        const canvas = document.querySelector('hearth-fire')?.shadowRoot?.querySelector('canvas');
+        return canvas?.width === 120 && canvas?.height === 180;
       });
       await tab.burnt(await time(tab) + 0.3);
       await assertBurns(tab);

@@ -49,10 +49,10 @@ const asTexts = (config) => ({
 function attributesOf(html, name) {
   const [, inside] = new RegExp(`<${name} ([^>]*)></${name}>`).exec(html);
   const found = inside.matchAll(/([a-z-]+)(?:="([^"]*)")?/g);
-  const unescape = (text) => text
+  const unescaped = (text) => text
     .replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&quot;', '"')
     .replaceAll('&#39;', "'").replaceAll('&amp;', '&');
-  return Object.fromEntries([...found].map(([, key, value = '']) => [key, unescape(value)]));
+  return Object.fromEntries([...found].map(([, key, value = '']) => [key, unescaped(value)]));
 }
 
 describe('an address', () => {

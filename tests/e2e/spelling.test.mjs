@@ -6,7 +6,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { Browser } from './driver.mjs';
-import { events, recording } from './laws.mjs';
+import { recording } from './laws.mjs';
 import { SITE } from './site.mjs';
 
 const { readAddress } = await import(pathToFileURL(path.join(SITE, 'web/pages/url-parameters.js')).href);

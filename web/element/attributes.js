@@ -24,15 +24,29 @@ function camelCase(name) {
 /** The element's own properties that have setters. */
 const OWN_PROPERTIES = OWN_ATTRIBUTES.map(camelCase);
 
-/** What may be chosen for an attribute, the first where it is not there. */
+/** The choices of an attribute; the first one is the default. */
 export const CHOICES = {
+  /** @type {readonly ['height', 'contain', 'cover', 'width']} */
   fit: ['height', 'contain', 'cover', 'width'],
+  /** @type {readonly ['auto', 'lazy', 'eager']} */
   loading: ['auto', 'lazy', 'eager'],
+  /** @type {readonly ['auto', 'ignore']} */
   'reduced-motion': ['auto', 'ignore'],
 };
 
-/** @type {typeof HTMLElement} */
-const Base = globalThis.HTMLElement ?? class {};
+/**
+ * The properties that are defined on the prototype.
+ * @typedef {import('../parameters.js').HearthProperties & Pick<import('../hearth-fire.js').HearthFire,
+ *   'src' | 'poster' | 'alt' | 'maxPixels' | 'fpsLimit' | 'touchAction' | 'align' | 'fit' | 'loading'
+ *   | 'reducedMotion' | 'warm' | 'interactive' | 'controls'>} Reflected
+ */
+
+/**
+ * An `HTMLElement` with the properties that this module and `hearth-fire.js` define on the
+ * prototype. Where there is no DOM, as on servers, it is an empty class.
+ * @type {new () => HTMLElement & Reflected}
+ */
+const Base = /** @type {any} */ (globalThis.HTMLElement ?? class {});
 
 /** All attributes that do anything. */
 export const OBSERVED = [...OWN_ATTRIBUTES, ...ID_OF_ATTRIBUTE.keys()];
@@ -41,9 +55,12 @@ export const OBSERVED = [...OWN_ATTRIBUTES, ...ID_OF_ATTRIBUTE.keys()];
 export class FireAttributes extends Base {
   static observedAttributes = OBSERVED;
 
-  /** The name of the preset that was last asked for. */
+  /**
+   * The name of the preset that was last asked for.
+   * @returns {import('../parameters.js').PresetName}
+   */
   get preset() {
-    return this.getAttribute('preset') ?? 'default';
+    return /** @type {import('../parameters.js').PresetName} */ (this.getAttribute('preset') ?? 'default');
   }
 
   set preset(name) {
@@ -62,14 +79,15 @@ export class FireAttributes extends Base {
 
 /**
  * Hands over properties that were set before the element was defined, and so hide its own.
- * @param {any} element
+ * @param {HTMLElement} element
  */
 export function keepEarlyProperties(element) {
   for (const name of [...OWN_PROPERTIES, ...ID_OF_PROPERTY.keys()]) {
     if (Object.hasOwn(element, name)) {
-      const value = element[name];
-      delete element[name];
-      element[name] = value;
+      const early = /** @type {{[name: string]: unknown}} */ (/** @type {unknown} */ (element));
+      const value = early[name];
+      delete early[name];
+      early[name] = value;
     }
   }
 }
@@ -78,11 +96,13 @@ export function keepEarlyProperties(element) {
  * What an attribute chooses, if it can be chosen, else the usual.
  * @param {HTMLElement} element
  * @param {keyof typeof CHOICES} name
- * @returns {any}
+ * @returns {string}
  */
 export function chosen(element, name) {
   const value = element.getAttribute(name) ?? '';
-  return CHOICES[name].includes(value) ? value : CHOICES[name][0];
+  /** @type {readonly string[]} */
+  const choices = CHOICES[name];
+  return choices.includes(value) ? value : choices[0];
 }
 
 /** Seconds of fire before the first picture where `warm` has no value; and the most. */
@@ -128,7 +148,7 @@ export function setOrRemove(element, name, value) {
   else element.setAttribute(name, String(value));
 }
 
-/** @type {(attribute: string, get: (element: any) => unknown, set: (element: any, value: unknown) => void) => void} */
+/** @type {(attribute: string, get: (element: FireAttributes) => unknown, set: (element: FireAttributes, value: unknown) => void) => void} */
 function reflect(attribute, get, set) {
   Object.defineProperty(FireAttributes.prototype, camelCase(attribute), {
     configurable: true,

@@ -33,7 +33,7 @@ export class FireLink {
   #removed = () => {};
   #looked = () => {};
   /** Settles when it is known whether anybody sees it. */
-  looked = new Promise((resolve) => (this.#looked = resolve));
+  looked = /** @type {Promise<void>} */ (new Promise((resolve) => (this.#looked = resolve)));
   /** When it is made may be decided anew. */
   lookAgain = () => {};
   #shown = () => this.#port.shown(this.#fire);

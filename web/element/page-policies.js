@@ -4,7 +4,7 @@
  *
  * @typedef {import('../engine/engine.js').Message} Message
  * @typedef {object} Ways what the element does for its parts
- * @property {any} fire the element
+ * @property {import('../hearth-fire.js').HearthFire} fire the element
  * @property {(message: Message) => Promise<void>} ask asks the engine for something
  * @property {(message: Message) => void} send tells the engine something
  * @property {(id: string, value: string, allowed: string) => unknown} refuse
@@ -44,7 +44,7 @@ export class FireManners {
   /** The last good limits. @type {Map<string, unknown>} */
   #limits = new Map();
   #burns = false;
-  /** The bar of colours, where there was one. @type {Promise<any> | undefined} */
+  /** The bar of colours, where there was one. @type {Promise<import('./scale.js').Scale | void> | undefined} */
   #scale;
   /** The attribute of the panel that is there. @type {string | null} */
   #controls = null;
@@ -115,8 +115,9 @@ export class FireManners {
    * @param {string | null} value
    */
   change(name, value) {
-    if (Object.hasOwn(CHOICES, name) && value !== null && !CHOICES[name].includes(value)) {
-      this.#ways.refuse(name, value, `one of ${CHOICES[name].join(', ')}`);
+    const choices = hasChoices(name) ? CHOICES[name] : undefined;
+    if (choices && value !== null && !choices.some((one) => one === value)) {
+      this.#ways.refuse(name, value, `one of ${choices.join(', ')}`);
     } else if (LIMITS.includes(name)) {
       if (this.#open) this.#limit(name);
       else this.#limits.delete(name);
@@ -157,7 +158,7 @@ export class FireManners {
     this.#ignorePointer = () => ended.abort();
     const ways = {
       send: this.#ways.send,
-      move: (x) => this.#ways.ask({ type: 'set', source: 'pointer', values: { source_x: x } }).catch(() => {}),
+      move: (/** @type {number} */ x) => this.#ways.ask({ type: 'set', source: 'pointer', values: { source_x: x } }).catch(() => {}),
     };
     import('./pointer.js').then(
       ({ listenToPointer }) => ended.signal.aborted || listenToPointer(this.#fire, this.#view.root, ways, ended.signal),
@@ -168,11 +169,12 @@ export class FireManners {
   /** Which part of its world is seen. */
   #look() {
     const { fit, align } = this.#fire;
-    const [x, y] = alignment(align || 'center bottom') ?? [];
-    if (y === undefined) {
+    const place = alignment(align || 'center bottom');
+    if (!place) {
       this.#ways.refuse('align', align, 'one or two of left, center, right and top, center, bottom');
       return;
     }
+    const [x, y] = place;
     this.#view.camera = { fit, x, y };
     this.#ways.send({ type: 'view', ...this.#view.camera });
   }
@@ -188,7 +190,7 @@ export class FireManners {
     if (wanted === this.#controls) return;
     this.#controls = wanted;
     this.#hidePanel?.();
-    const failed = (why) => this.#ways.complain('load', `The panel could not be loaded: ${why}`);
+    const failed = (/** @type {unknown} */ why) => this.#ways.complain('load', `The panel could not be loaded: ${why}`);
     this.#hidePanel = wanted === null ? undefined : showPanel(this.#fire, this.#only(wanted), failed);
   }
 
@@ -214,12 +216,17 @@ export class FireManners {
   }
 }
 
+/** @type {(name: string) => name is keyof typeof CHOICES} */
+function hasChoices(name) {
+  return Object.hasOwn(CHOICES, name);
+}
+
 /** Ways to say that there is a panel, besides naming the attribute alone. */
 const YES = ['true', 'controls'];
 
 /**
  * Shows the panel of a fire inside it. Its code is loaded only here.
- * @param {any} fire
+ * @param {import('../hearth-fire.js').HearthFire} fire
  * @param {string[] | undefined} only the parameters that it shows, if not all
  * @param {(why: unknown) => void} fail
  * @returns {() => void} takes it away
@@ -228,16 +235,16 @@ function showPanel(fire, only, fail) {
   const host = document.createElement('div');
   host.className = 'panel';
   host.setAttribute('part', 'panel');
-  fire.shadowRoot.append(host);
+  fire.shadowRoot?.append(host);
   let ended = false;
-  const mounted = import('../panel.js').then(({ mountPanel }) => !ended && mountPanel({ host, fire, only }));
+  const mounted = import('../panel.js').then(({ mountPanel }) => (ended ? undefined : mountPanel({ host, fire, only })));
   mounted.catch((error) => {
     host.remove();
     if (!ended) fail(error);
   });
   return () => {
     ended = true;
-    mounted.then((panel) => panel && panel.destroy(), () => {});
+    mounted.then((panel) => panel?.destroy(), () => {});
     host.remove();
   };
 }

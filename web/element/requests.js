@@ -145,7 +145,7 @@ export function deferred() {
   const made = { failed: false };
   made.promise = new Promise((resolve, reject) => {
     made.resolve = resolve;
-    made.reject = (error) => {
+    made.reject = (/** @type {Error} */ error) => {
       made.failed = true;
       reject(error);
     };
@@ -183,7 +183,7 @@ export function postable(value, depth = 0) {
       if (depth === 0) return {};
       const names = Object.keys(value);
       if (names.length > MOST_FIELDS) return 'an object of more than a thousand fields';
-      return Object.fromEntries(names.map((name) => [name, field(value, name, depth - 1)]));
+      return Object.fromEntries(names.map((name) => [name, field(/** @type {{[name: string]: unknown}} */ (value), name, depth - 1)]));
     }
   } catch {
     return 'something unreadable';
@@ -192,7 +192,7 @@ export function postable(value, depth = 0) {
   return value;
 }
 
-/** @type {(object: object, name: string, depth: number) => unknown} */
+/** @type {(object: {[name: string]: unknown}, name: string, depth: number) => unknown} */
 function field(object, name, depth) {
   try {
     return postable(object[name], depth);

@@ -39,6 +39,7 @@ const STYLES = `
 `;
 
 /** What the displays are called that show something else than their name says. */
+/** @type {{[mode: string]: string}} */
 const LABELS = { particles: 'Temperature', velocity: 'Speed' };
 
 /** Colours in a gradient, so many that nobody sees it is made of straight pieces. */
@@ -73,7 +74,7 @@ export class Scale {
    * @param {[number, number] | null} [ends] what its first and its last colour stand for
    */
   show(mode = '', ends = null) {
-    const quantity = Object.hasOwn(QUANTITIES, mode) && QUANTITIES[mode];
+    const quantity = Object.hasOwn(QUANTITIES, mode) && QUANTITIES[/** @type {keyof typeof QUANTITIES} */ (mode)];
     this.#bar.hidden = !(quantity && ends);
     if (!quantity || !ends) return;
     dress(this.#root);

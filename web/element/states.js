@@ -4,6 +4,7 @@
  */
 
 /** The colour of a palette's light: what the pictures of its fires have on average, at full brightness. */
+/** @type {{[palette: string]: string}} */
 const GLOW = {
   blackbody: '#ff7728', gas: '#89adff', copper: '#93ffb9', lithium: '#ff637e', ghost: '#c2f8ff',
 };
@@ -47,7 +48,7 @@ export class FireSigns {
   /**
    * How bright it is, against its mean; without power nothing is said.
    * @param {number} [power]
-   * @param {{[id: string]: any}} [values]
+   * @param {import('../parameters.js').HearthParameters} [values]
    */
   light(power, values) {
     if (!power || !values) {

@@ -6,6 +6,7 @@
  * from any script, each when it has taken those before.
  *
  * @typedef {import('../engine/engine.js').Message} Message
+ * @typedef {import('../parameters.js').ParameterId} Id
  * @typedef {{[id: string]: any}} Values
  * @typedef {[message: Message, answer: Promise<unknown>]} Order
  *
@@ -36,7 +37,8 @@ const ALLOWED = {
  * @returns {Promise<boolean>} whether all arrived; false where somebody took one over
  */
 export function run(orders, ways, checked, how) {
-  const moves = (orders.moves ??= new Moves(ways));
+  orders.moves ??= new Moves(ways);
+  const { moves } = orders;
   for (const order of orders.splice(0)) moves.hear(order);
   orders.push = (order) => moves.hear(order);
   orders.end = () => moves.end();
@@ -121,11 +123,12 @@ class Moves {
     const set = (/** @type {Values} */ values) => this.#ways.ask({ type: 'set', source: 'to', values });
     // What has nothing between two values, the model among it, is the new one at once; the
     // others move in that model, and from where they are in it.
-    const sudden = [...move.ids].filter((id) => !isBetween(id, fire.get(id)));
+    const sudden = [...move.ids].filter((id) => !isBetween(id, fire.get(/** @type {Id} */ (id))));
     if (sudden.length > 0) {
       for (const id of sudden) move.ids.delete(id);
       await set(picked(move.to, sudden));
     }
+    /** @type {Values} */
     const from = fire.params;
 
     const watched = new AbortController();

@@ -26,7 +26,8 @@ export function seedOf(fire) {
   if (seed === undefined) {
     const count = (COUNTS.get(fire.ownerDocument) ?? 0) + 1;
     COUNTS.set(fire.ownerDocument, count);
-    SEEDS.set(fire, (seed = mixed(count)));
+    seed = mixed(count);
+    SEEDS.set(fire, seed);
   }
   return seed;
 }
@@ -42,7 +43,7 @@ function mixed(bits) {
 const isObject = (one) => typeof one === 'object' && one && !Array.isArray(one);
 
 /** Whether a parameter is a colour. @param {string} id */
-export const isColour = (id) => /^(#|transparent$)/.test(DEFAULTS[id]);
+export const isColour = (id) => /^(#|transparent$)/.test(String(DEFAULTS[/** @type {keyof typeof DEFAULTS} */ (id)]));
 
 /**
  * A colour as the engine reads it; what is no colour of this browser, as it is.

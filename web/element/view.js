@@ -199,7 +199,7 @@ export class FireView {
     if (!canvas) return;
     if (this.#fades) this.#fade(canvas);
     const bitmap = 'close' in picture ? picture : undefined;
-    this.#surface ??= canvas.getContext(bitmap ? 'bitmaprenderer' : '2d');
+    this.#surface ??= bitmap ? canvas.getContext('bitmaprenderer') : canvas.getContext('2d');
     // Setting a size empties the canvas, so only where it is another one.
     if (canvas.width !== picture.width) canvas.width = picture.width;
     if (canvas.height !== picture.height) canvas.height = picture.height;
@@ -249,7 +249,7 @@ export class FireView {
 
   /**
    * How the picture maps to the fire's world; null without a picture.
-   * @param {{[id: string]: any}} params
+   * @param {Pick<import('../parameters.js').HearthParameters, 'domain_width' | 'domain_height'>} params
    */
   place({ domain_width: across, domain_height: up }) {
     const outer = this.#host.getBoundingClientRect();
@@ -259,8 +259,8 @@ export class FireView {
     const middle = inner.left - outer.left + left;
     const floor = inner.bottom - outer.top - bottom;
     return {
-      toMetres: (x, y) => ({ x: (x - middle) / scale, y: (floor - y) / scale }),
-      toPixels: (x, y) => ({ x: middle + x * scale, y: floor - y * scale }),
+      toMetres: (/** @type {number} */ x, /** @type {number} */ y) => ({ x: (x - middle) / scale, y: (floor - y) / scale }),
+      toPixels: (/** @type {number} */ x, /** @type {number} */ y) => ({ x: middle + x * scale, y: floor - y * scale }),
     };
   }
 

@@ -3,7 +3,9 @@
  * `camera.rs` does the same.
  */
 
+/** @type {{[word: string]: number}} */
 const ACROSS = { left: 0, center: 0.5, right: 1 };
+/** @type {{[word: string]: number}} */
 const UP = { bottom: 0, center: 0.5, top: 1 };
 
 /**

@@ -95,7 +95,7 @@ export function watch(host, canvas, tell) {
     const entry = entries[entries.length - 1];
     const density = globalThis.devicePixelRatio || 1;
     const exact = entry.devicePixelContentBoxSize?.[0];
-    const side = (css, counted) => {
+    const side = (/** @type {number} */ css, /** @type {number | undefined} */ counted) => {
       const pixels = css * density;
       // The browser's own count knows how the layout snaps to pixels; where it
       // counts in another unit, as some emulated screens do, it is left alone.

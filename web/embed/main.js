@@ -15,6 +15,7 @@ const fire = /** @type {import('../hearth-fire.js').HearthFire} */ (document.que
 const scheme = /** @type {HTMLMetaElement} */ (document.querySelector('meta[name=color-scheme]'));
 
 /**
+ * @type {{[name: string]: string}}
  * The colour schemes that the page may have. It shows none of its own, but one that
  * is not the iframe's costs it its transparency; `auto` is what the iframe has if its
  * page says which ones it has, and what the visitor prefers if not.

@@ -12,6 +12,7 @@
  * so is every window but the parent: others have no business with the fire.
  *
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
+ * @typedef {{hearth: unknown, id?: unknown, method?: unknown, args?: unknown}} Request a message that nothing has checked
  */
 
 import { OPTIONS } from '../pages/url-parameters.js';
@@ -33,7 +34,7 @@ const EVENTS = [
   'ready', 'play', 'pause', 'params-change', 'quality-change', 'stats', 'error', 'restored',
 ];
 
-/** What may be asked of a fire. @type {Map<unknown, (fire: any, ...args: any[]) => unknown>} */
+/** What may be asked of a fire. @type {Map<unknown, (fire: HearthFire, ...args: any[]) => unknown>} */
 const METHODS = new Map(Object.entries({
   ready: (fire) => fire.ready,
   play: (fire) => fire.play(),
@@ -41,7 +42,7 @@ const METHODS = new Map(Object.entries({
   reset: (fire) => fire.reset(),
   step: (fire, steps) => fire.step(steps),
   set: (fire, ids, value) => fire.set(ids, value),
-  get: (fire, id) => valueOf(fire, id),
+  get: (fire, id) => parameter(fire, id),
   params: (fire) => fire.params,
   stats: (fire) => fire.stats,
   restore: (fire, ...ids) => fire.restore(...ids),
@@ -165,7 +166,7 @@ class Line {
     this.#answer(data, (answer) => this.#host.postMessage({ hearth: VERSION, ...answer }, origin));
   }
 
-  /** @type {(message: any, post: (answer: object) => void) => Promise<void>} */
+  /** @type {(message: Request, post: (answer: object) => void) => Promise<void>} */
   async #answer(message, post) {
     const id = isId(message.id) ? message.id : null;
     const counts = this.#open < MOST_OPEN;
@@ -180,7 +181,7 @@ class Line {
     }
   }
 
-  /** @param {any} message */
+  /** @param {Request} message */
   #carryOut(message) {
     check(message);
     const { method, args = [] } = message;
@@ -213,7 +214,8 @@ function allMethods() {
 /**
  * Whether it is a request of this kind. An answer that comes back is none: two
  * pages that answered each other's answers would never end.
- * @param {any} data
+ * @param {unknown} data
+ * @returns {data is Request}
  */
 function isOurs(data) {
   if (typeof data !== 'object' || data === null || !Object.hasOwn(data, 'hearth')) return false;
@@ -225,7 +227,10 @@ function isId(id) {
   return typeof id === 'number' ? Number.isFinite(id) : typeof id === 'string' && id.length <= 100;
 }
 
-/** @param {any} message */
+/**
+ * @param {Request} message
+ * @returns {asserts message is Request & {args?: any[]}}
+ */
 function check(message) {
   const left = remaining(message, LARGEST, DEEPEST);
   if (left < 0) {
@@ -258,8 +263,8 @@ function remaining(value, room, depth) {
   // Before anything looks at each of them.
   if (isArray && value.length > room) return -1;
   let left = room - 8;
-  for (const key of Object.keys(value)) {
-    left = remaining(value[key], left - key.length, depth - 1);
+  for (const [key, field] of Object.entries(value)) {
+    left = remaining(field, left - key.length, depth - 1);
     if (left < 0) break;
   }
   return left;
@@ -279,8 +284,9 @@ function eventsOf(names) {
  * Reads, and never does anything else.
  * @type {(fire: HearthFire, id: unknown) => unknown}
  */
-function valueOf(fire, id) {
-  const { params } = fire;
+function parameter(fire, id) {
+  /** @type {{[id: string]: unknown}} */
+  const params = { ...fire.params };
   if (typeof id !== 'string') throw new TypeError(`“id” is to be the id of a parameter, a text, not ${quoted(id)}`);
   if (Object.hasOwn(params, id)) return params[id];
   const all = Object.keys(params).join(', ');
@@ -314,6 +320,7 @@ function quoted(value) {
 /** An error as it can be posted. @param {unknown} error */
 function described(error) {
   const { name, message, id, value, min, max, kind } = Object(error);
+  /** @type {{[field: string]: unknown}} */
   const told = { name: String(name ?? 'Error'), message: String(message ?? error) };
   for (const [key, detail] of Object.entries({ id, value, min, max, kind })) {
     if (['string', 'number', 'boolean'].includes(typeof detail)) told[key] = detail;

@@ -161,7 +161,11 @@ let current;
  * @returns {Promise<EnginePort>}
  */
 export function connect(source, place = 'auto') {
-  const opening = (opened ??= load(source ?? wasm(), place).then((port) => (current = port)));
+  opened ??= load(source ?? wasm(), place).then((port) => {
+    current = port;
+    return port;
+  });
+  const opening = opened;
   opening.catch(() => {
     if (opened === opening) opened = undefined;
   });
@@ -191,7 +195,7 @@ async function load(source, place) {
  * @returns {Promise<{module: WebAssembly.Module, warning: string}>}
  */
 async function compile(source) {
-  const failed = (why) => new EngineError('load', `The fire's engine could not be loaded: ${why}`);
+  const failed = (/** @type {unknown} */ why) => new EngineError('load', `The fire's engine could not be loaded: ${why}`);
   try {
     const given = await source;
     if (typeof given !== 'string' && !(given instanceof URL)) {
@@ -273,7 +277,7 @@ function inWorker(compiled) {
  * @returns {Promise<EnginePort>}
  */
 async function onMainThread(module) {
-  const failed = (error) => {
+  const failed = (/** @type {unknown} */ error) => {
     throw new EngineError('load', `The fire's engine could not be loaded: ${error}`);
   };
   const [{ default: init, Engine }, { start }] = await Promise.all([glue(), import('./main-thread.js')]).catch(failed);

@@ -27,15 +27,15 @@ export function runEngine(Engine, canvas, { post, show, fail }) {
     engine = undefined;
     return ended;
   };
-  const broken = (error) => {
+  const broken = (/** @type {unknown} */ error) => {
     stop();
     fail(error);
   };
-  const goOn = (wanted) => {
+  const goOn = (/** @type {boolean} */ wanted) => {
     if (wanted && frame === 0) frame = requestAnimationFrame(draw);
   };
   // No object is made for a frame, not even a function.
-  const draw = (now) => {
+  const draw = (/** @type {number} */ now) => {
     frame = 0;
     try {
       if (engine) goOn(engine.frame(now));
@@ -43,14 +43,14 @@ export function runEngine(Engine, canvas, { post, show, fail }) {
       broken(error);
     }
   };
-  const context = (back) => {
+  const context = (/** @type {boolean} */ back) => {
     try {
       if (engine) goOn(engine.context(back));
     } catch (error) {
       broken(error);
     }
   };
-  const lost = (event) => {
+  const lost = (/** @type {Event} */ event) => {
     // Without this the browser never gives the context back.
     event.preventDefault();
     context(false);
@@ -60,7 +60,7 @@ export function runEngine(Engine, canvas, { post, show, fail }) {
   canvas.addEventListener('webglcontextrestored', restored);
 
   return {
-    /** @param {object} message */
+    /** @param {import('./engine.js').Message} message */
     receive(message) {
       try {
         if (engine) goOn(engine.receive(message));

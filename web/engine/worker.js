@@ -24,7 +24,7 @@ async function start(module) {
     show: (fire) => {
       try {
         const bitmap = canvas.transferToImageBitmap();
-        postMessage({ type: 'picture', fire, bitmap }, [bitmap]);
+        postMessage({ type: 'picture', fire, bitmap }, { transfer: [bitmap] });
         return false;
       } catch {
         // The context went in the midst of the frame; its event is on its way.

@@ -30,7 +30,7 @@ export function stepBack(root) {
   const wake = () => {
     last = performance.now();
     root.dataset.chrome = 'near';
-    planned ??= setTimeout(look, PATIENCE_MS);
+    if (planned === undefined) planned = setTimeout(look, PATIENCE_MS);
   };
   for (const name of INPUT) root.addEventListener(name, wake, { passive: true, capture: true });
   document.addEventListener('fullscreenchange', wake);

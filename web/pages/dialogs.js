@@ -14,7 +14,7 @@ const ready = new Set();
 /**
  * Opens the dialog of that id.
  * @param {string} id
- * @param {any} fire
+ * @param {import('../hearth-fire.js').HearthFire} fire
  */
 export async function openDialog(id, fire) {
   const dialog = /** @type {HTMLDialogElement} */ (document.getElementById(id));
@@ -53,7 +53,7 @@ function prepare(dialog) {
 /**
  * Writes the code of the fire as it burns now.
  * @param {HTMLDialogElement} dialog
- * @param {import('../share.js').Config} config
+ * @param {import('../share.js').HearthSharedConfig} config
  */
 function write(dialog, config) {
   const beside = (/** @type {string} */ file) => new URL(`../${file}`, import.meta.url);

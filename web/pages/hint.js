@@ -16,7 +16,7 @@ const TOUCH = 'Swipe to blow, tap for sparks, drag the fire';
 /**
  * Shows the hint, if this browser has not shown it before and the fire burns.
  * @param {HTMLElement} place
- * @param {any} fire
+ * @param {import('../hearth-fire.js').HearthFire} fire
  */
 export function showHint(place, fire) {
   // A fire that stands still for a visitor who wants less motion hears no pointer.
@@ -31,7 +31,7 @@ export function showHint(place, fire) {
   };
   const ends = setTimeout(end, STAYS_MS);
   let moved = 0;
-  const move = (event) => {
+  const move = (/** @type {PointerEvent} */ event) => {
     moved += Math.hypot(event.movementX ?? 0, event.movementY ?? 0);
     if (moved > BLOWN) end();
   };

@@ -60,7 +60,7 @@ function setFromAddress() {
     console.warn(`Hearth: ${words}`);
     say(words);
   }
-  const refused = (event) => {
+  const refused = (/** @type {CustomEvent<import('../hearth-fire.js').HearthErrorDetail>} */ event) => {
     if (event.detail.kind === 'bad-parameter') say(event.detail.message);
   };
   fire.addEventListener('error', refused);
@@ -75,7 +75,7 @@ function setFromAddress() {
 
 /**
  * The query that shows this fire on this page.
- * @param {import('../share.js').Config} config
+ * @param {import('../share.js').HearthSharedConfig} config
  */
 function queryOf(config) {
   const query = toQuery(config);
@@ -101,7 +101,8 @@ function keepAddress(options) {
     if (address.href !== location.href) history.replaceState(history.state, '', address);
   };
   fire.addEventListener('params-change', () => {
-    planned ??= setTimeout(() => write().catch((error) => console.warn('Hearth:', error)), ADDRESS_MS);
+    if (planned !== undefined) return;
+    planned = setTimeout(() => write().catch((error) => console.warn('Hearth:', error)), ADDRESS_MS);
   });
 }
 

@@ -26,7 +26,7 @@ export class PagePanel {
   /** What was shown before the full screen. */
   #before = false;
 
-  /** @param {any} fire */
+  /** @param {import('../hearth-fire.js').HearthFire} fire */
   constructor(fire) {
     this.#fire = fire;
     this.#set(this.#wide.matches && recall('panel') !== 'hidden');

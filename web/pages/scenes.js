@@ -8,7 +8,7 @@ import { PRESETS } from '../parameters.js';
 /**
  * Shows the strip.
  * @param {HTMLElement} place
- * @param {any} fire
+ * @param {import('../hearth-fire.js').HearthFire} fire
  * @param {string} first  The scene that stands first.
  * @param {(words: string) => void} say  Tells the visitor what went wrong.
  */
@@ -34,7 +34,7 @@ export function showStrip(place, fire, first, say) {
     image.src = new URL(`../scenes/${name}.jpg`, import.meta.url).href;
     tile.append(image);
     tile.addEventListener('click', () => {
-      fire.importConfig({ hearth: 1, preset: name, values: {} }).then(mark, (error) => say(error.message));
+      fire.importConfig({ hearth: 1, preset: name, values: {} }).then(mark, (/** @type {Error} */ error) => say(error.message));
     });
     tile.addEventListener('focus', () => reach(tile));
     tile.addEventListener('pointerenter', () => tell(label));

@@ -16,6 +16,9 @@ import { PARAMETERS } from '../parameters.js';
 /** How many presses of an arrow key cross a logarithmic range. */
 const LOG_STEPS = 100;
 
+/** How many steps a key moves a slider. @type {{[key: string]: number | undefined}} */
+const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 };
+
 /** The id of the parameter that decides which others there are. */
 const MODEL = 'model';
 
@@ -23,9 +26,17 @@ const MODEL = 'model';
 const DECIDES = new Set(PARAMETERS.flatMap(({ when, unless }) => Object.keys({ ...when, ...unless })));
 
 /** The model of a fire that says nothing of it. */
-const DEFAULT_MODEL = PARAMETERS.find(({ id }) => id === MODEL).default;
+const DEFAULT_MODEL = /** @type {ModelName} */ (PARAMETERS.find(({ id }) => id === MODEL)?.default);
 
 /**
+ * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
+ * @typedef {import('../parameters.js').Parameter} Parameter
+ * @typedef {import('../parameters.js').ParameterDomain} Domain
+ * @typedef {import('../parameters.js').ParameterId} Id
+ * @typedef {import('../parameters.js').ModelName} ModelName
+ * @typedef {import('../parameters.js').HearthParameters[Id]} Value
+ * @typedef {(value: Value | undefined, domain: Domain) => void} Show puts a value into a control
+ *
  * @typedef {object} Mirror
  * @property {(rectangles: Record<string, number[]>, canvas: DOMRect, scale: number) => void} place
  *   says where the panel shows its controls, by name, and how large
@@ -36,7 +47,7 @@ const DEFAULT_MODEL = PARAMETERS.find(({ id }) => id === MODEL).default;
 /**
  * @param {object} parts
  * @param {HTMLElement} parts.host
- * @param {any} parts.fire  Where values are read.
+ * @param {HearthFire} parts.fire  Where values are read.
  * @param {import('./controller.js').Desk} parts.desk  What does it all.
  * @param {(id: string) => void} parts.reveal  Brings a parameter into sight on the panel, or `share`.
  * @returns {Mirror}
@@ -53,23 +64,23 @@ export function mountMirror({ host, fire, desk, reveal }) {
   const places = new Map();
   /** @type {Map<string, () => void>} */
   const shows = new Map();
-  const valueOf = (id) => (fire.params ?? {})[id];
+  /** @type {<I extends Id>(id: I) => import('../parameters.js').HearthParameters[I] | undefined} */
+  const read = (id) => fire.params?.[id];
   /** What a parameter has in the present model; nothing where that does not use it. */
-  const domainOf = (parameter) => parameter.domains[valueOf(MODEL) ?? DEFAULT_MODEL];
+  const domainOf = (/** @type {Parameter} */ parameter) => parameter.domains[read(MODEL) ?? DEFAULT_MODEL];
 
-  /** @param {any} answer */
-  const quietly = (answer) => {
+  const quietly = (/** @type {unknown} */ answer) => {
     // What is refused is told by the element's error event.
     Promise.resolve(answer).catch(() => {});
   };
-  const say = (text) => {
+  const say = (/** @type {string} */ text) => {
     status.textContent = text;
   };
 
   /**
    * @param {string} action
    * @param {string} text
-   * @param {() => any} press
+   * @param {() => unknown} press
    * @param {HTMLElement} [place]
    */
   function addButton(action, text, press, place = root) {
@@ -83,9 +94,7 @@ export function mountMirror({ host, fire, desk, reveal }) {
     return button;
   }
   const few = desk.only !== undefined;
-  const shownParameters = few
-    ? desk.only.map((id) => PARAMETERS.find((one) => one.id === id))
-    : PARAMETERS;
+  const shownParameters = desk.only?.flatMap((id) => PARAMETERS.filter((one) => one.id === id)) ?? PARAMETERS;
 
   const pause = addButton('pause', 'Pause', () => (fire.paused ? desk.play() : desk.pause()));
   const step = addButton('step', 'One step', () => {
@@ -145,16 +154,17 @@ export function mountMirror({ host, fire, desk, reveal }) {
     }, place);
     shows.set(id, () => {
       const domain = domainOf(parameter);
-      const value = valueOf(id);
+      const value = read(id);
       row.hidden = !domain;
       restore.hidden = !domain || id === MODEL || value === desk.defaultOf(id);
       if (domain) show(value, domain);
-      const isChosen = ([of, names]) => names.includes(valueOf(of));
+      const isChosen = (/** @type {[string, string[]]} */ [of, names]) => names.includes(String(read(/** @type {Id} */ (of))));
       const waits = Object.entries(parameter.when ?? {}).filter((chosen) => !isChosen(chosen));
       const bars = Object.entries(parameter.unless ?? {});
-      const why = waits.length > 0 ? ['Only', waits] : bars.length > 0 && bars.every(isChosen) ? ['Not', bars] : null;
-      note.textContent = why ? `${why[0]} with ${why[1].map(inWords).join(' and ')}` : '';
-      row.classList.toggle('idle', why !== null);
+      const barred = bars.length > 0 && bars.every(isChosen);
+      const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map(inWords).join(' and ');
+      note.textContent = waits.length > 0 ? `Only with ${list(waits)}` : barred ? `Not with ${list(bars)}` : '';
+      row.classList.toggle('idle', waits.length > 0 || barred);
     });
     control.addEventListener('focus', () => reveal(id));
     control.addEventListener('blur', () => reveal(''));
@@ -165,7 +175,7 @@ export function mountMirror({ host, fire, desk, reveal }) {
   const showAll = () => {
     for (const show of shows.values()) show();
     for (const set of root.querySelectorAll('fieldset')) {
-      set.hidden = [...set.querySelectorAll('.row')].every((row) => /** @type {any} */ (row).hidden);
+      set.hidden = [...set.querySelectorAll('.row')].every((row) => /** @type {HTMLElement} */ (row).hidden);
     }
     showPlaying();
     showQuality();
@@ -176,14 +186,14 @@ export function mountMirror({ host, fire, desk, reveal }) {
   const showPlaying = () => {
     pause.textContent = fire.paused ? 'Play' : 'Pause';
   };
-  const changed = (event) => {
-    const { id } = event.detail ?? {};
+  const changed = (/** @type {Event} */ event) => {
+    const { id } = /** @type {CustomEvent<{id: Id}>} */ (event).detail ?? {};
     // Another model has other controls, and its own values in those that stay; a
     // choice makes others count or not.
     if (id === MODEL || DECIDES.has(id)) showAll();
     else shows.get(id)?.();
   };
-  const failed = (event) => say(event.detail?.message ?? '');
+  const failed = (/** @type {Event} */ event) => say(/** @type {CustomEvent} */ (event).detail?.message ?? '');
   const heard = {
     ready: showAll,
     play: showPlaying,
@@ -208,7 +218,8 @@ export function mountMirror({ host, fire, desk, reveal }) {
     fullscreen.hidden = !state.fullscreen;
     copies[COPIES.indexOf('link')].hidden = !state.link;
     copies[COPIES.indexOf('iframe')].hidden = !state.iframe;
-    if (state.said !== said) say(said = state.said);
+    if (state.said !== said) say(state.said);
+    said = state.said;
   };
   desk.addEventListener('change', showDesk);
   showDesk();
@@ -256,9 +267,11 @@ function addQuality(root, wish) {
   const label = document.createElement('label');
   label.textContent = 'Quality';
   const control = document.createElement('select');
-  control.id = label.htmlFor = `hearth-mirror-${(made += 1)}`;
+  made += 1;
+  control.id = `hearth-mirror-${made}`;
+  label.htmlFor = control.id;
   control.dataset.action = 'quality';
-  list({ choices: ['auto', 'low', 'medium', 'high'] }, control, wish);
+  list({ choices: ['auto', 'low', 'medium', 'high'] }, control, (name) => wish(String(name)));
   row.append(label, control);
   root.append(row);
   return control;
@@ -267,8 +280,8 @@ function addQuality(root, wish) {
 /**
  * One parameter's labelled control.
  *
- * @param {any} parameter an entry of the table
- * @param {(value: any) => void} wish
+ * @param {Parameter} parameter
+ * @param {(value: Value) => void} wish
  */
 function makeControl(parameter, wish) {
   const row = document.createElement('div');
@@ -276,23 +289,33 @@ function makeControl(parameter, wish) {
   const label = document.createElement('label');
   // A slider tells the unit with its value.
   label.textContent = parameter.label;
-  label.htmlFor = `hearth-mirror-${(made += 1)}`;
-  const control = document.createElement(parameter.kind === 'choice' ? 'select' : 'input');
+  made += 1;
+  label.htmlFor = `hearth-mirror-${made}`;
+  const input = document.createElement('input');
+  const select = document.createElement('select');
+  const control = parameter.kind === 'choice' ? select : input;
   control.id = label.htmlFor;
   // Why it counts for nothing at present, where it does not.
   const note = document.createElement('small');
   note.id = `${control.id}-note`;
   control.setAttribute('aria-describedby', note.id);
   row.append(label, control, note);
-  const show = {
-    number: slider,
-    integer: slider,
-    choice: list,
-    flag: box,
-    colour: field,
-    seed: field,
-  }[parameter.kind](parameter, /** @type {any} */ (control), wish, row);
-  return { row, control, note, show };
+  return { row, control, note, show: bind() };
+
+  /** Makes the control one of the parameter's kind. @returns {Show} */
+  function bind() {
+    switch (parameter.kind) {
+      case 'choice':
+        return list(parameter, select, wish);
+      case 'flag':
+        return box(input, wish);
+      case 'colour':
+      case 'seed':
+        return field(parameter, input, wish);
+      default:
+        return slider(parameter, input, wish);
+    }
+  }
 }
 
 /** A choice and some of its names. @param {[string, string[]]} chosen */
@@ -303,8 +326,9 @@ function inWords([id, names]) {
   return `${label.toLowerCase()} ${before}${last}`;
 }
 
-function slider(parameter, control, wish, row) {
-  let { min, max } = parameter;
+/** @type {(parameter: Parameter, control: HTMLInputElement, wish: (value: Value) => void) => Show} */
+function slider(parameter, control, wish) {
+  let { min = 0, max = 1 } = parameter;
   control.type = 'range';
   control.step = parameter.kind === 'integer' ? '1' : 'any';
   // For the eye: the slider itself says its value.
@@ -326,9 +350,7 @@ function slider(parameter, control, wish, row) {
     // equal differences and leave out the lower half of the range.
     control.addEventListener('keydown', (event) => {
       const ratio = (max / min) ** (1 / LOG_STEPS);
-      const up = {
-        ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10,
-      }[event.key];
+      const up = STEPS[event.key];
       if (!up || event.ctrlKey || event.altKey || event.metaKey) return;
       event.preventDefault();
       const old = Number(control.value);
@@ -341,7 +363,7 @@ function slider(parameter, control, wish, row) {
     });
   }
   return (value, domain) => {
-    ({ min, max } = domain);
+    ({ min = 0, max = 1 } = domain);
     control.min = String(min);
     control.max = String(max);
     if (value === undefined) return;
@@ -350,15 +372,17 @@ function slider(parameter, control, wish, row) {
   };
 }
 
+/** @type {(parameter: Pick<Parameter, 'choices'>, control: HTMLSelectElement, wish: (value: Value) => void) => Show} */
 function list(parameter, control, wish) {
-  for (const name of parameter.choices) control.add(new Option(name, name));
+  for (const name of parameter.choices ?? []) control.add(new Option(name, name));
   control.addEventListener('change', () => wish(control.value));
   return (value) => {
-    if (value !== undefined) control.value = value;
+    if (value !== undefined) control.value = String(value);
   };
 }
 
-function box(parameter, control, wish) {
+/** @type {(control: HTMLInputElement, wish: (value: Value) => void) => Show} */
+function box(control, wish) {
   control.type = 'checkbox';
   control.addEventListener('change', () => wish(control.checked));
   return (value) => {
@@ -366,6 +390,7 @@ function box(parameter, control, wish) {
   };
 }
 
+/** @type {(parameter: Parameter, control: HTMLInputElement, wish: (value: Value) => void) => Show} */
 function field(parameter, control, wish) {
   control.type = parameter.kind === 'seed' ? 'number' : 'text';
   control.spellcheck = false;

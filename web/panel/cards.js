@@ -66,7 +66,7 @@ export function askForSettings({ host, take }) {
 
 /**
  * Lists the keys, and lets single ones be turned off.
- * @param {{host: HTMLElement, fire: any}} where
+ * @param {{host: HTMLElement, fire: import('../hearth-fire.js').HearthFire}} where
  * @returns {Card}
  */
 export function showKeys({ host, fire }) {
@@ -112,7 +112,8 @@ export function openCard(host, name, title) {
   card.dir = 'ltr';
   card.setAttribute('role', 'dialog');
   const heading = document.createElement('h2');
-  heading.id = `hearth-card-${(made += 1)}`;
+  made += 1;
+  heading.id = `hearth-card-${made}`;
   heading.textContent = title;
   card.setAttribute('aria-labelledby', heading.id);
   const content = document.createElement('div');

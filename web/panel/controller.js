@@ -25,10 +25,17 @@ const FOLDER = /^https?:/.test(SHARE) && SHARE.split('?')[0] === new URL('../sha
 /** How long a button says that it has done it [ms]. */
 const DONE_MS = 2000;
 
+/** @type {Map<string, Domains>} */
 const DOMAINS = new Map(PARAMETERS.map(({ id, domains }) => [id, domains]));
 
 /** Decides which parameters count. */
-const MODEL = /** @type {any} */ (PARAMETERS.find(({ id }) => id === 'model'));
+const MODEL = /** @type {import('../parameters.js').Parameter} */ (PARAMETERS.find(({ id }) => id === 'model'));
+
+/** The model of a fire that names none. */
+const DEFAULT_MODEL = /** @type {ModelName} */ (MODEL.default);
+
+/** The parts of a domain. */
+const PARTS = /** @type {const} */ (['default', 'min', 'max']);
 
 /** What of a fire may make it another one. */
 const NEWS = ['ready', 'params-change'];
@@ -36,16 +43,24 @@ const NEWS = ['ready', 'params-change'];
 /** What can be copied, in the order of its buttons. */
 export const COPIES = ['link', 'element', 'iframe', 'json'];
 
-/** What each of them is called. */
+/** What each of them is called. @type {{[what: string]: string}} */
 export const COPY_LABELS = {
   link: 'link', element: 'HTML of the element', iframe: 'HTML of an iframe', json: 'settings as JSON',
 };
 
 /**
+ * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
+ * @typedef {import('../hearth-fire.js').HearthConfig} HearthConfig
+ * @typedef {import('../parameters.js').ParameterId} Id
+ * @typedef {import('../parameters.js').ModelName} ModelName
+ * @typedef {import('../parameters.js').HearthParameters[Id]} Value
+ * @typedef {Partial<import('../parameters.js').HearthParameters>} Values
+ * @typedef {import('../parameters.js').Parameter['domains']} Domains
+ *
  * @typedef {object} State  What there is to press and to say.
  * @property {string} scene  The scene that the fire started from, in words.
  * @property {string} preset  What that is called, changed or not.
- * @property {{[id: string]: any}} values  What it names.
+ * @property {Values} values  What it names.
  * @property {boolean} undo
  * @property {boolean} redo
  * @property {boolean} link  Whether the page has an address that shows this fire.
@@ -77,7 +92,7 @@ export class Desk extends EventTarget {
 
   /**
    * @param {object} parts
-   * @param {any} parts.fire
+   * @param {HearthFire} parts.fire
    * @param {HTMLElement} parts.host  Where the panel stands, and its cards.
    * @param {string | URL} [parts.page]  The address of a page that reads its query; the
    *   panel's own page, then.
@@ -92,7 +107,7 @@ export class Desk extends EventTarget {
     this.#page = page;
     this.#script = script;
     this.#embed = embed;
-    const known = only?.map((id) => id.replaceAll('-', '_')).filter((id) => DOMAINS.has(id));
+    const known = only?.map((id) => id.replaceAll('-', '_')).filter(isParameter);
     /** The parameters that the panel shows, in this order; nothing: all. */
     this.only = known?.length ? known : undefined;
     this.#recallQuality();
@@ -122,7 +137,7 @@ export class Desk extends EventTarget {
     this.#steps.press();
   }
 
-  /** @type {(id: string, value: any) => Promise<void>} */
+  /** @type {(id: Id, value: Value) => Promise<void>} */
   set(id, value) {
     return this.#steps.set(id, value);
   }
@@ -130,7 +145,7 @@ export class Desk extends EventTarget {
   /**
    * What a parameter has in the scene, in the present model; nothing where that does
    * not use it.
-   * @param {string} id
+   * @param {Id} id
    */
   defaultOf(id) {
     return sceneValue(this.#fire, id);
@@ -138,7 +153,7 @@ export class Desk extends EventTarget {
 
   /**
    * Puts a parameter back to what it has in the scene.
-   * @param {string} id
+   * @param {Id} id
    */
   restore(id) {
     return this.#steps.restore(id);
@@ -148,7 +163,7 @@ export class Desk extends EventTarget {
   restoreAll() {
     const fire = this.#fire;
     const now = fire.params;
-    const ids = (this.only ?? [...DOMAINS.keys()]).filter((id) => id !== MODEL.id && DOMAINS.get(id)?.[now.model]);
+    const ids = (this.only ?? PARAMETERS.map(({ id }) => id)).filter((id) => id !== MODEL.id && DOMAINS.get(id)?.[now.model]);
     const usual = ids.filter((id) => this.defaultOf(id) === usualOf(id, now.model));
     const others = ids.filter((id) => !usual.includes(id) && this.defaultOf(id) !== now[id]);
     return this.#steps.all(async () => {
@@ -159,7 +174,8 @@ export class Desk extends EventTarget {
 
   /** @param {string} name */
   preset(name) {
-    const config = { hearth: 1, preset: name, values: {} };
+    /** @type {HearthConfig} */
+    const config = { hearth: 1, preset: /** @type {HearthConfig['preset']} */ (name), values: {} };
     return this.#steps.all(() => this.#fire.importConfig(config), { anew: true });
   }
 
@@ -180,7 +196,7 @@ export class Desk extends EventTarget {
 
   /** @param {string} name */
   quality(name) {
-    this.#fire.quality = name;
+    this.#fire.quality = /** @type {HearthFire['quality']} */ (name);
     remember({ quality: name });
   }
 
@@ -254,7 +270,7 @@ export class Desk extends EventTarget {
 
   /** Asks for settings as JSON. */
   paste() {
-    const take = async (text) => {
+    const take = async (/** @type {string} */ text) => {
       await this.#steps.all(() => this.#fire.importConfig(text), { anew: true });
       this.#tell('paste', 'The settings are those that were pasted');
     };
@@ -309,11 +325,11 @@ export class Desk extends EventTarget {
     const fire = this.#fire;
     const { quality } = remembered();
     const names = fire.hasAttribute?.('quality') || fire.quality !== 'auto';
-    if (names || !['low', 'medium', 'high'].includes(quality ?? '')) return;
+    if (names || (quality !== 'low' && quality !== 'medium' && quality !== 'high')) return;
     fire.quality = quality;
   }
 
-  /** @type {(what: string, config: any) => string} */
+  /** @type {(what: string, config: HearthConfig) => string} */
   #written(what, config) {
     switch (what) {
       case 'link':
@@ -364,48 +380,54 @@ export class Desk extends EventTarget {
   }
 }
 
-/** What a parameter has in a model unless a scene says otherwise. @type {(id: string, model: string) => any} */
+/** What a parameter has in a model unless a scene says otherwise. @type {(id: Id, model: ModelName) => Value | undefined} */
 function usualOf(id, model) {
   return DOMAINS.get(id)?.[model]?.default;
 }
 
-/** The scene that a fire started from. @param {any} fire */
+/** @type {(id: string) => id is Id} */
+function isParameter(id) {
+  return DOMAINS.has(id);
+}
+
+/** The scene that a fire started from. @param {Pick<HearthFire, 'preset' | 'params'>} fire */
 function presetOf({ preset: name = 'default' }) {
   return PRESETS.find((preset) => preset.name === name);
 }
 
-/** What that scene names, and the model. @param {any} fire @returns {{[id: string]: any}} */
+/** What that scene names, and the model. @param {Pick<HearthFire, 'preset' | 'params'>} fire @returns {Values} */
 function valuesOf(fire) {
-  return { model: MODEL.default, ...presetOf(fire)?.values };
+  return { model: DEFAULT_MODEL, ...presetOf(fire)?.values };
 }
 
 /**
  * What a parameter has in the scene, in the present model: there, what the scene says
  * of another model holds for what both share.
- * @type {(fire: any, id: string) => any}
+ * @type {(fire: Pick<HearthFire, 'preset' | 'params'>, id: Id) => Value | undefined}
  */
 function sceneValue(fire, id) {
   const values = valuesOf(fire);
+  /** @type {Domains} */
   const domains = DOMAINS.get(id) ?? {};
-  const domain = domains[fire.params?.model ?? MODEL.default];
-  const there = domains[values.model];
-  const shared = there && ['default', 'min', 'max'].every((part) => there[part] === domain?.[part]);
+  const domain = domains[fire.params?.model ?? DEFAULT_MODEL];
+  const there = domains[values.model ?? DEFAULT_MODEL];
+  const shared = there && PARTS.every((part) => there[part] === domain?.[part]);
   return domain && ((domain === there || shared) ? values[id] ?? domain.default : domain.default);
 }
 
 /**
  * The scene that a fire started from, and whether it is another fire by now.
- * @param {any} fire
+ * @param {Pick<HearthFire, 'preset' | 'params'>} fire
  */
 function sceneOf(fire) {
   const scene = presetOf(fire);
   if (!scene) return '';
-  const { params = {} } = fire;
-  const same = PARAMETERS.every(({ id }) => [undefined, params[id]].includes(sceneValue(fire, id)));
+  const { params } = fire;
+  const same = PARAMETERS.every(({ id }) => [undefined, params?.[id]].includes(sceneValue(fire, id)));
   return same ? scene.label : `${scene.label}, changed`;
 }
 
 /** @param {string} file */
 function beside(file) {
-  return FOLDER && new URL(file, FOLDER);
+  return FOLDER ? new URL(file, FOLDER) : undefined;
 }

@@ -32,7 +32,7 @@ const PRESSED = 'button, summary, a[href], input[type=checkbox], input[type=radi
  * @param {object} parts
  * @param {EventTarget[]} parts.own  Where the panel stands, and the fire.
  * @param {boolean} parts.page  Whether the page is one for this fire.
- * @param {any} parts.fire
+ * @param {import('../hearth-fire.js').HearthFire} parts.fire
  * @param {import('./controller.js').Desk} parts.desk
  * @param {() => void} [parts.hide]  Hides the panel or shows it, where the panel itself does.
  * @returns {() => void} ends it
@@ -82,15 +82,15 @@ export function listenToKeys({ own, page, fire, desk, hide }) {
 
 /**
  * Whether the page forbids single keys.
- * @type {(...places: any[]) => boolean}
+ * @type {(...places: EventTarget[]) => boolean}
  */
 export function areForbidden(...places) {
-  return [document.documentElement, ...places].some((one) => one?.dataset?.shortcuts === 'off');
+  return [document.documentElement, ...places].some((one) => /** @type {HTMLElement} */ (one).dataset?.shortcuts === 'off');
 }
 
 /**
  * Whether single keys do nothing.
- * @type {(...places: any[]) => boolean}
+ * @type {(...places: EventTarget[]) => boolean}
  */
 export function areSilent(...places) {
   return remembered().silent === true || areForbidden(...places);

@@ -42,7 +42,7 @@ export function showScenes({ host, scenes, pictureOf, present, choose }) {
     return tile;
   });
   let reached = tiles[0];
-  const sceneOf = (/** @type {HTMLElement} */ tile) => scenes[tiles.indexOf(/** @type {any} */ (tile))];
+  const sceneOf = (/** @type {HTMLElement} */ tile) => scenes[tiles.indexOf(/** @type {HTMLButtonElement} */ (tile))];
 
   /** The Tab key stops once in the list; arrows go on from there. @param {HTMLButtonElement} tile */
   const reach = (tile) => {
@@ -111,6 +111,7 @@ function makeTile({ name, label, description = '' }, picture) {
  */
 function stepFrom(tiles, at, key) {
   const row = tiles.filter(({ offsetTop }) => offsetTop === tiles[0].offsetTop).length;
+  /** @type {{[key: string]: number}} */
   const steps = { ArrowLeft: -1, ArrowRight: 1, ArrowUp: -row, ArrowDown: row };
   if (key === 'Home') return 0;
   if (key === 'End') return tiles.length - 1;

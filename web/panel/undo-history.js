@@ -21,17 +21,26 @@ const NUMBER = 'max_particles';
 const MODEL = 'model';
 
 /**
+ * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
+ * @typedef {import('../hearth-fire.js').HearthConfig} HearthConfig
+ * @typedef {import('../parameters.js').ParameterId} Id
+ * @typedef {import('../parameters.js').ModelName} ModelName
+ * @typedef {import('../parameters.js').HearthParameters[Id]} Value
+ * @typedef {Partial<import('../parameters.js').HearthParameters>} Values
+ * @typedef {Pick<HearthFire, 'params' | 'set' | 'restore' | 'exportConfig' | 'importConfig'>} Fire
+ *   what an undo history uses of the element
+ *
  * @typedef {object} Step
- * @property {string} [id]  The parameter, where it is one alone.
+ * @property {Id} [id]  The parameter, where it is one alone.
  * @property {number} gesture  The press of a key or a button that it began with.
  * @property {Side} before
  * @property {Side} after
  *
  * @typedef {object} Side
- * @property {{[id: string]: any}} values  The values, or all of them.
+ * @property {Values} values  The values, or all of them.
  * @property {boolean} [named]  Whether somebody set the number of particles.
- * @property {any} [config]  All settings, where all may have changed.
- * @property {Map<string, {[id: string]: any}>} [kept]  And what the other models had, where
+ * @property {HearthConfig} [config]  All settings, where all may have changed.
+ * @property {Map<ModelName, Values>} [kept]  And what the other models had, where
  *   that was seen: settings hold the values of one model.
  */
 
@@ -41,14 +50,14 @@ export class Steps {
   #changed;
   #defaultOf;
   #homeOf;
-  /** What models had when they were left. @type {Map<string, {[id: string]: any}>} */
+  /** What models had when they were left. @type {Map<ModelName, Values>} */
   #kept = new Map();
   /** @type {Step[]} */
   #done = [];
   /** @type {Step[]} */
   #undone = [];
   #gesture = 0;
-  /** Values that were asked for and not answered yet. @type {Map<string, {value: any, count: number}>} */
+  /** Values that were asked for and not answered yet. @type {Map<Id, {value: Value | undefined, count: number}>} */
   #wishes = new Map();
   /** @type {Set<Promise<unknown>>} */
   #open = new Set();
@@ -56,11 +65,11 @@ export class Steps {
   #gate;
 
   /**
-   * @param {any} fire  The element, or anything with its API.
+   * @param {Fire} fire  The element, or anything with its API.
    * @param {() => void} changed  Whether there is anything to undo or redo may be another answer now.
-   * @param {(id: string, model: string) => any} defaultOf  Nothing, where the model does not
+   * @param {(id: Id, model: ModelName) => Value | undefined} defaultOf  Nothing, where the model does not
    *   use the parameter.
-   * @param {(id: string, model: string) => any} [homeOf]  What a value goes back to, where that
+   * @param {(id: Id, model: ModelName) => Value | undefined} [homeOf]  What a value goes back to, where that
    *   is not its default.
    */
   constructor(fire, changed, defaultOf, homeOf = defaultOf) {
@@ -85,21 +94,21 @@ export class Steps {
     this.#gesture += 1;
   }
 
-  /** @type {(id: string, value: any) => Promise<void>} */
+  /** @type {(id: Id, value: Value) => Promise<void>} */
   set(id, value) {
-    return this.#one({ id, named: true, valueOf: () => value, act: () => this.#fire.set(id, value) });
+    return this.#one({ id, named: true, target: () => value, act: () => this.#fire.set(id, value) });
   }
 
   /**
    * Puts one parameter back to what it has in the scene.
-   * @param {string} id
+   * @param {Id} id
    */
   restore(id) {
-    const valueOf = () => this.#homeOf(id, this.#fire.params[MODEL]);
+    const target = () => this.#homeOf(id, this.#fire.params[MODEL]);
     // The default number of particles follows the quality again.
-    const isUsual = () => valueOf() === this.#defaultOf(id, this.#fire.params[MODEL]);
-    const act = () => (isUsual() ? this.#fire.restore(id) : this.#fire.set(id, valueOf()));
-    return this.#one({ id, named: id !== NUMBER || !isUsual(), valueOf, act });
+    const isUsual = () => target() === this.#defaultOf(id, this.#fire.params[MODEL]);
+    const act = () => (isUsual() ? this.#fire.restore(id) : this.#fire.set(id, /** @type {Value} */ (target())));
+    return this.#one({ id, named: id !== NUMBER || !isUsual(), target, act });
   }
 
   /**
@@ -134,9 +143,9 @@ export class Steps {
 
   /**
    * @typedef {object} Change  Of one value.
-   * @property {string} id
+   * @property {Id} id
    * @property {boolean} named  Whether it counts as set from then on.
-   * @property {() => any} valueOf  What it will be.
+   * @property {() => Value | undefined} target  What it will be.
    * @property {() => unknown} act
    */
 
@@ -150,10 +159,10 @@ export class Steps {
   }
 
   /** @type {(change: Change, gesture: number) => Promise<void>} */
-  async #change({ id, named, valueOf, act }, gesture) {
+  async #change({ id, named, target, act }, gesture) {
     const now = this.#fire.params;
     const model = now[MODEL];
-    const value = valueOf();
+    const value = target();
     if (id === MODEL) this.#kept.set(model, now);
     const wish = this.#wishes.get(id) ?? { value: now[id], count: 0 };
     const before = { values: { [MODEL]: model, [id]: wish.value } };
@@ -164,7 +173,7 @@ export class Steps {
     const answer = this.#opened(Promise.resolve(act()));
     try {
       await answer;
-      const wasNamed = id !== NUMBER || NUMBER in (await config).values;
+      const wasNamed = id !== NUMBER || (await config)?.values[NUMBER] !== undefined;
       this.#record({ id, gesture, before: { ...before, named: wasNamed }, after });
     } finally {
       const left = this.#wishes.get(id);
@@ -213,7 +222,7 @@ export class Steps {
     const now = fire.params;
     const moved = values[MODEL] !== now[MODEL];
     const wanted = { ...values };
-    for (const [id, value] of Object.entries(values)) {
+    for (const [id, value] of entries(values)) {
       // The number counts as set or not, whatever it is; the settings have seen to it.
       const isRight = id === NUMBER ? !named || (config && !moved) : !moved && value === now[id];
       if (isRight) delete wanted[id];
@@ -224,12 +233,12 @@ export class Steps {
 
   /**
    * Gives models that do not burn what they had, where that was not their defaults.
-   * @type {(kept: Map<string, {[id: string]: any}>, burning: string) => Promise<void>}
+   * @type {(kept: Map<ModelName, Values>, burning: ModelName | undefined) => Promise<void>}
    */
   async #putKept(kept, burning) {
     this.#kept = new Map(kept);
     for (const [model, values] of kept) {
-      const own = Object.entries(values).filter(([id, value]) => {
+      const own = entries(values).filter(([id, value]) => {
         const usual = this.#defaultOf(id, model);
         return usual !== undefined && value !== usual;
       });
@@ -273,6 +282,11 @@ export class Steps {
     promise.then(close, close);
     return promise;
   }
+}
+
+/** @type {(values: Values) => [Id, Value][]} */
+function entries(values) {
+  return /** @type {[Id, Value][]} */ (Object.entries(values));
 }
 
 /** Whether a step that changes one value changes nothing. @param {Step} step */

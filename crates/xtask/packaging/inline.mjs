@@ -15,8 +15,8 @@ import { build } from '../scripts/esbuild.mjs';
 
 const FILES = path.join(path.dirname(fileURLToPath(import.meta.url)), 'inline-files.js');
 
-/** Both scripts. */
-const COMMON = {
+/** What both scripts have in common. @satisfies {import('../scripts/esbuild.mjs').BuildOptions} */
+const COMMON = /** @type {const} */ ({
   bundle: true,
   write: false,
   minify: true,
@@ -25,7 +25,7 @@ const COMMON = {
   logLevel: 'error',
   // Nothing lies beside it, and bundlers must not look for it.
   define: { 'import.meta.url': '""' },
-};
+});
 
 /**
  * The text of the file.
@@ -35,23 +35,27 @@ const COMMON = {
  */
 export async function inlined(sources, wasm, { name, version, license }) {
   const engine = await readFile(path.join(wasm, 'hearth-engine_bg.wasm'));
-  const worker = await build({
-    ...COMMON,
+  const [worker] = await built({
     entryPoints: [path.join(sources, 'engine/worker.js')],
     format: 'iife',
     plugins: [filesInside(sources, wasm)],
   });
-  const script = await build({
-    ...COMMON,
+  const [script] = await built({
     entryPoints: [path.join(sources, 'hearth-fire.js')],
     format: 'esm',
     banner: { js: `/* ${name} ${version}, ${license} */` },
     plugins: [filesInside(sources, wasm, {
       wasm: deflateRawSync(engine, { level: 9 }).toString('base64'),
-      worker: worker.outputFiles[0].text,
+      worker: worker.text,
     })],
   });
-  return script.outputFiles[0].text;
+  return script.text;
+}
+
+/** The files that esbuild makes. @param {import('../scripts/esbuild.mjs').BuildOptions} options */
+async function built(options) {
+  const { outputFiles = [] } = await build({ ...COMMON, ...options });
+  return outputFiles;
 }
 
 /**
@@ -60,7 +64,7 @@ export async function inlined(sources, wasm, { name, version, license }) {
  * @param {string} sources
  * @param {string} wasm
  * @param {{[name: string]: string}} [texts]  What `inline:name` is.
- * @returns {import('esbuild').Plugin}
+ * @returns {import('../scripts/esbuild.mjs').Plugin}
  */
 function filesInside(sources, wasm, texts = {}) {
   return {

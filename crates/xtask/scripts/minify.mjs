@@ -25,7 +25,7 @@ for (const script of scripts) {
   if (all.includes(wasm)) await shortenImports(path.join(folder, script), path.join(folder, wasm));
 }
 
-const COMMON = { absWorkingDir: folder, format: 'esm', bundle: true, logLevel: 'warning' };
+const COMMON = /** @type {const} */ ({ absWorkingDir: folder, format: 'esm', bundle: true, logLevel: 'warning' });
 
 /** Into which file each script goes. */
 const owners = await ownersOf();
@@ -85,6 +85,7 @@ async function ownersOf() {
   const { metafile } = await build({
     ...COMMON, entryPoints: scripts, outdir: folder, write: false, metafile: true, external: ['node:*'],
   });
+  if (!metafile) throw new Error('esbuild lists no imports');
   const own = new Set(beginningsOf(manifest).map((file) => path.posix.normalize(file)));
   for (const file of scripts) {
     const text = await readFile(path.join(folder, file), 'utf8');

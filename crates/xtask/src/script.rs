@@ -30,6 +30,40 @@ pub(crate) fn minify(web: &Path) -> Result<()> {
     )
 }
 
+/// Lints scripts and style sheets, by `biome.json`.
+///
+/// # Errors
+/// No Node, npm cannot install, or a finding.
+pub(crate) fn lint() -> Result<()> {
+    node_program("@biomejs/biome/bin/biome", &["lint", "--error-on-warnings"])
+}
+
+/// Checks the types of scripts: strictly those of `web/` (`tsconfig.json`), then those that
+/// build and test it. The types of the wasm modules are those of the built site.
+///
+/// # Errors
+/// No Node, npm cannot install, or a type that is wrong.
+pub(crate) fn check_types() -> Result<()> {
+    for packages in ["crates/xtask/packaging", "tests/e2e"] {
+        npm::install(&paths::root().join(packages))?;
+    }
+    for project in ["tsconfig.json", "tsconfig.scripts.json"] {
+        node_program("typescript/bin/tsc", &["--project", project])?;
+    }
+    Ok(())
+}
+
+/// Runs a program that `scripts/` pins, in the checkout's root.
+fn node_program(name: &str, arguments: &[&str]) -> Result<()> {
+    tools()?;
+    process::run(
+        process::command("node")
+            .current_dir(paths::root())
+            .arg(folder().join("node_modules").join(name))
+            .args(arguments),
+    )
+}
+
 fn folder() -> PathBuf {
     paths::root().join("crates").join("xtask").join("scripts")
 }

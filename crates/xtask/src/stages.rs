@@ -14,7 +14,7 @@ mod trunk;
 use anyhow::{Result, bail};
 
 use crate::report::Report;
-use crate::{bench, codegen, goldens, paths, site, size};
+use crate::{bench, codegen, goldens, paths, script, site, size};
 
 /// One check.
 struct Stage {
@@ -63,6 +63,13 @@ const STAGES: &[Stage] = &[
         run: |_| code::lint_wasm(),
     },
     Stage {
+        name: "lint-web",
+        about: "biome has nothing to say about scripts and style sheets",
+        needs: &[],
+        in_browser: false,
+        run: |_| script::lint(),
+    },
+    Stage {
         name: "docs",
         about: "documentation of the libraries builds without a warning",
         needs: &[],
@@ -89,6 +96,13 @@ const STAGES: &[Stage] = &[
         needs: &[],
         in_browser: false,
         run: |_| site::build(),
+    },
+    Stage {
+        name: "types",
+        about: "the compiler finds no error in the types of scripts",
+        needs: &["site"],
+        in_browser: false,
+        run: |_| script::check_types(),
     },
     Stage {
         name: "size",

@@ -91,6 +91,13 @@ const STAGES: &[Stage] = &[
         run: |_| code::shaders(),
     },
     Stage {
+        name: "web",
+        about: "what is pure in the scripts, in Node",
+        needs: &[],
+        in_browser: false,
+        run: |_| library::scripts_in_node(),
+    },
+    Stage {
         name: "site",
         about: "the static site builds",
         needs: &[],

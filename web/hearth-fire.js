@@ -12,7 +12,12 @@
  * @typedef {import('./element/requests.js').Refusal} Refusal
  * @typedef {import('./parameters.js').HearthParameters} HearthParameters
  * @typedef {import('./parameters.js').ParameterId} ParameterId
- * @typedef {import('./hearth-fire.js').HearthStats} HearthStats
+ * @typedef {import('./element/types.js').HearthStats} HearthStats
+ * @typedef {import('./element/types.js').HearthConfig} HearthConfig
+ * @typedef {import('./element/types.js').HearthPoint} HearthPoint
+ * @typedef {import('./element/types.js').HearthQuality} HearthQuality
+ * @typedef {import('./element/types.js').HearthTransition} HearthTransition
+ * @typedef {import('./parameters.js').PresetName} PresetName
  */
 
 import { DEFAULTS } from './generated/defaults.js';
@@ -33,20 +38,39 @@ import { motionIsReduced } from './element/visibility.js';
 /** Seconds of fire that a still picture has burnt, so that it shows a fire. */
 const STILL_AFTER = 2;
 
-/** The element's class. */
+/**
+ * A fire, simulated by smoothed particle hydrodynamics.
+ *
+ * @fires {null} ready  The fire burns.
+ * @fires {null} play  It burns again.
+ * @fires {null} pause  It stands still.
+ * @fires {HearthChangeDetail} params-change  A value changed, whoever changed it.
+ * @fires {HearthQualityDetail} quality-change  The fire makes itself more or less work than before.
+ * @fires {HearthStats} stats  What the fire says about itself, about four times a second.
+ * @fires {HearthErrorDetail} error  Something is wrong: a value that was refused, a file that did not arrive, a browser that cannot.
+ * @fires {null} restored  The graphics context was lost and is back.
+ * @slot poster  What is shown until the fire burns, and where it cannot; the attribute's picture if this is empty.
+ * @csspart canvas  The canvas.
+ * @csspart message  The words for a browser that cannot show the fire.
+ * @csspart play  The button that plays a fire that stands still for the visitor's sake, and pauses it again.
+ * @csspart panel  The panel of sliders, where there is one.
+ * @csspart scale  The bar that says which colour is how much, where the picture shows a quantity.
+ * @cssproperty --hearth-light  Its power now against its mean, from 0 to 1; 0.5 is the mean.
+ * @cssproperty --hearth-glow  The colour of its light.
+ * @cssstate burning  Its picture is shown and it plays.
+ */
 export class HearthFire extends FireAttributes {
   /**
    * Where the wasm file is, if it is not at `wasm/hearth-engine_bg.wasm` beside
-   * this module. It counts when it is set before the first fire is on the page.
+   * this module. Set it before the first fire.
    * @type {string | URL | undefined}
    */
   static wasmUrl;
 
   /**
-   * Where the engine runs: `auto`, in a worker where that can draw, else on the main
-   * thread; `worker`; `main`. It counts for the next engine: set it before the first
-   * fire is on the page.
-   * @type {import('./engine/engine.js').Place}
+   * Where the engine runs; `auto`: in a worker where that can draw, else on the main thread.
+   * Set it before the first fire.
+   * @type {'auto' | 'worker' | 'main'}
    */
   static engine = 'auto';
 
@@ -59,7 +83,7 @@ export class HearthFire extends FireAttributes {
   #kept = {};
   /** @type {HearthStats | null} */
   #stats = null;
-  /** @type {'auto' | import('./hearth-fire.js').HearthQuality} */
+  /** @type {'auto' | HearthQuality} */
   #quality = 'auto';
   /** Whether somebody set the number of particles, as the engine says. */
   #ownNumber = false;
@@ -75,7 +99,7 @@ export class HearthFire extends FireAttributes {
   #announced = false;
   /** Whether the preset's attribute is taken away without a wish for other values. */
   #dropping = false;
-  /** @type {import('./parameters.js').PresetName} */
+  /** @type {PresetName} */
   #preset = 'default';
   /** @type {FireLink | null} */
   #link = null;
@@ -107,7 +131,12 @@ export class HearthFire extends FireAttributes {
     this.#manners = new FireManners(this.#ways, this.#view);
   }
 
-  /** The name of the preset that its values started from. */
+  /**
+   * The named set of values that the fire starts from. Changed later, it replaces every value.
+   * @attribute
+   * @default default
+   * @returns {PresetName}
+   */
   get preset() {
     return this.#started ? this.#preset : super.preset;
   }
@@ -116,17 +145,28 @@ export class HearthFire extends FireAttributes {
     super.preset = name;
   }
 
-  /** All values, by id: those that the fire burns with. */
+  /**
+   * Every value that the fire burns with, by id.
+   * @returns {HearthParameters}
+   */
   get params() {
     return { ...this.#params };
   }
 
-  /** What the fire last said about itself: fps, particles, stepMs …; null before it did. */
+  /**
+   * What the fire last said about itself; null before it did.
+   * @returns {HearthStats | null}
+   */
   get stats() {
     return this.#stats && { ...this.#stats };
   }
 
-  /** How much work it may make itself: `low`, `medium`, `high`, or `auto`: as much as fits. */
+  /**
+   * How much work the fire may make itself; `auto`: as much as fits.
+   * @attribute
+   * @default auto
+   * @returns {'auto' | HearthQuality}
+   */
   get quality() {
     return this.#quality;
   }
@@ -138,12 +178,18 @@ export class HearthFire extends FireAttributes {
   /**
    * Resolves when the fire burns; rejects where it cannot. An element that was taken off the page
    * has a new one.
+   * @returns {Promise<void>}
    */
   get ready() {
     return this.#ready.promise;
   }
 
-  /** Whether it stands still. */
+  /**
+   * Whether the fire stands still.
+   * @attribute
+   * @default false
+   * @returns {boolean}
+   */
   get paused() {
     return this.#paused;
   }
@@ -163,20 +209,35 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Sets one parameter, or several: all of them or none.
-   * @param {string | {[id: string]: unknown}} ids
-   * @param {unknown} [value]
-   * @returns {Promise<void>} rejects with a RangeError that has id, value, min and max
+   * Sets one parameter; rejects with a {@link HearthRangeError}.
+   * @template {ParameterId} Id
+   * @overload
+   * @param {Id} id
+   * @param {HearthParameters[Id]} value
+   * @returns {Promise<void>}
+   */
+  /**
+   * Sets all of these or none; rejects with a {@link HearthRangeError}.
+   * @overload
+   * @param {Partial<HearthParameters>} values
+   * @returns {Promise<void>}
+   */
+  /**
+   * Sets one parameter, or several: all of them or none. Rejects with a RangeError that names what is allowed.
+   * @param {ParameterId | Partial<HearthParameters>} ids
+   * @param {number | string | boolean} [value]
+   * @returns {Promise<void>}
    */
   set(ids, value) {
     return this.#set(typeof ids === 'object' && ids ? ids : { [String(ids)]: value }, 'property');
   }
 
   /**
-   * Moves parameters to values: all of them or none.
-   * @param {{[id: string]: unknown}} values
-   * @param {{duration?: number, easing?: string}} [how] in milliseconds; as CSS has it
-   * @returns {Promise<boolean>} whether they arrived; false where one was set meanwhile
+   * Moves parameters to values, all of them or none; whether they arrived: false where something
+   * else set one meanwhile. Rejects as `set` does.
+   * @param {Partial<HearthParameters>} values
+   * @param {HearthTransition} [how]
+   * @returns {Promise<boolean>}
    */
   to(values, how) {
     this.#orders ??= [];
@@ -190,9 +251,9 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Puts parameters back to their defaults; without ids: all of them, the model
-   * too, and no preset is left.
-   * @param {...string} ids
+   * Puts these parameters, or all, back to their defaults; all: the model as well, and without a
+   * preset.
+   * @param {...ParameterId} ids
    * @returns {Promise<void>}
    */
   restore(...ids) {
@@ -201,23 +262,32 @@ export class HearthFire extends FireAttributes {
     return this.#ask({ type: 'preset', source: 'property', name: 'default' });
   }
 
-  /** Lets it burn. */
+  /**
+   * Lets the fire burn.
+   * @returns {Promise<void>}
+   */
   play() {
     return this.#setPaused(false);
   }
 
-  /** Lets it stand still. */
+  /**
+   * Lets the fire stand still.
+   * @returns {Promise<void>}
+   */
   pause() {
     return this.#setPaused(true);
   }
 
-  /** Starts again from nothing, with the same values. */
+  /**
+   * Starts again from nothing, with the same values.
+   * @returns {Promise<void>}
+   */
   reset() {
     return this.#ask({ type: 'reset' });
   }
 
   /**
-   * Makes some steps of the simulation, playing or not, then draws.
+   * Makes some steps, burning or not, then draws.
    * @param {number} [steps]
    * @returns {Promise<void>}
    */
@@ -228,16 +298,16 @@ export class HearthFire extends FireAttributes {
   /**
    * Its settings: the preset, where that is not the default one, and what differs
    * from it. JSON of them can be kept, sent, and given to `importConfig` or `src`.
-   * @returns {Promise<import('./hearth-fire.js').HearthConfig>}
+   * @returns {Promise<HearthConfig>}
    */
   exportConfig() {
     return this.#ask({ type: 'export' });
   }
 
   /**
-   * Burns with these settings from now on: all of them or, if anything is wrong in
-   * them, none.
-   * @param {unknown} config settings, or their JSON text
+   * Burns with these settings, or with those of this JSON: all of them or none. Rejects with a
+   * {@link HearthRangeError}.
+   * @param {HearthConfig | string} config
    * @returns {Promise<void>}
    */
   importConfig(config) {
@@ -250,9 +320,9 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * What is seen of it now, as a file.
-   * @param {string} [type] PNG, if it is not `image/jpeg` or `image/webp`
-   * @param {number} [quality] of those, from 0 to 1
+   * What is seen of the fire now, as a file of that type: PNG, `image/jpeg` or `image/webp`.
+   * @param {string} [type]
+   * @param {number} [quality] of JPEG and WebP, from 0 to 1
    * @returns {Promise<Blob>}
    */
   toBlob(type = 'image/png', quality) {
@@ -277,7 +347,7 @@ export class HearthFire extends FireAttributes {
   /**
    * Puts the fire out and frees all that it holds. It burns again when the element
    * is put on a page anew.
-   * @returns {Promise<void>} when it is freed
+   * @returns {Promise<void>}
    */
   async destroy() {
     if (this.#link) this.#close();
@@ -308,21 +378,22 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Which place of the fire's world a point of the page shows.
+   * The place of the fire's world that a point of the element shows: in metres, from the middle of
+   * the floor, y up. Null while there is no picture.
    * @param {number} x CSS pixels from the element's left edge
    * @param {number} y CSS pixels from its upper edge
-   * @returns {{x: number, y: number} | null} in metres, from the middle of the
-   *   floor, y up; null while there is no picture
+   * @returns {HearthPoint | null}
    */
   toMetres(x, y) {
     return this.#view.place(this.#params)?.toMetres(x, y) ?? null;
   }
 
   /**
-   * Where a place of the fire's world is shown: the inverse of `toMetres`.
+   * Where a place of the fire's world is shown, in CSS pixels from the element's upper left corner:
+   * the inverse of `toMetres`.
    * @param {number} x metres from the middle
    * @param {number} y metres above the floor
-   * @returns {{x: number, y: number} | null} CSS pixels from the element's upper left corner
+   * @returns {HearthPoint | null}
    */
   toPixels(x, y) {
     return this.#view.place(this.#params)?.toPixels(x, y) ?? null;

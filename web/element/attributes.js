@@ -35,16 +35,9 @@ export const CHOICES = {
 };
 
 /**
- * The properties that are defined on the prototype.
- * @typedef {import('../parameters.js').HearthProperties & Pick<import('../hearth-fire.js').HearthFire,
- *   'src' | 'poster' | 'alt' | 'maxPixels' | 'fpsLimit' | 'touchAction' | 'align' | 'fit' | 'loading'
- *   | 'reducedMotion' | 'warm' | 'interactive' | 'controls'>} Reflected
- */
-
-/**
  * An `HTMLElement` with the properties that this module and `hearth-fire.js` define on the
  * prototype. Where there is no DOM, as on servers, it is an empty class.
- * @type {new () => HTMLElement & Reflected}
+ * @type {new () => HTMLElement & import('./types.js').HearthReflected & import('../parameters.js').HearthProperties}
  */
 const Base = /** @type {any} */ (globalThis.HTMLElement ?? class {});
 
@@ -67,7 +60,12 @@ export class FireAttributes extends Base {
     setOrRemove(this, 'preset', name);
   }
 
-  /** Whether it plays from the start. */
+  /**
+   * `false`: the fire stands still until `play()`.
+   * @attribute
+   * @default true
+   * @returns {boolean}
+   */
   get autoplay() {
     return this.getAttribute('autoplay') !== 'false';
   }

@@ -53,6 +53,15 @@ pub(crate) fn check_types() -> Result<()> {
     Ok(())
 }
 
+/// Derives the files about the element from its class; names those that it writes.
+///
+/// # Errors
+/// No Node, npm cannot install, or a class whose JSDoc lacks something.
+pub(crate) fn element_files() -> Result<String> {
+    tools()?;
+    process::output(process::command("node").arg(folder().join("element.mjs")))
+}
+
 /// Runs a program that `scripts/` pins, in the checkout's root.
 fn node_program(name: &str, arguments: &[&str]) -> Result<()> {
     tools()?;

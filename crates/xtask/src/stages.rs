@@ -14,7 +14,7 @@ mod trunk;
 use anyhow::{Result, bail};
 
 use crate::report::Report;
-use crate::{bench, codegen, goldens, paths, script, site, size};
+use crate::{bench, codegen, goldens, script, site, size};
 
 /// One check.
 struct Stage {
@@ -236,7 +236,7 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Stage>> {
 }
 
 fn generated() -> Result<()> {
-    let written = codegen::refresh(&paths::root())?;
+    let written = codegen::refresh_checkout()?;
     if !written.is_empty() {
         bail!(
             "these were behind the parameter table and have been written anew; commit them: {}",

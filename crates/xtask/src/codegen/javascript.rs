@@ -7,7 +7,6 @@ use std::fmt::Write as _;
 
 use hearth_core::params::{Choice, DisplayMode, Domain, Kind, Model, PARAMETERS, Param, Scale};
 
-use super::element;
 use super::json::Json;
 use super::scene::Scene;
 use super::{attribute, domains, json_string, json_value, property};
@@ -28,14 +27,7 @@ pub(super) fn defaults() -> String {
         let default = param.any_domain(Model::DEFAULT).default;
         let _ = writeln!(text, "  {}: {},", param.id, json_value(default));
     }
-    let own: Vec<_> = element::ATTRIBUTES.iter().map(|own| own.name).collect();
-    let _ = write!(
-        text,
-        "}};\n\n\
-         /** The attributes that are no parameters. */\n\
-         export const OWN_ATTRIBUTES = {};\n",
-        list(&own)
-    );
+    text.push_str("};\n\nexport { OWN_ATTRIBUTES } from './attributes.js';\n");
     text
 }
 

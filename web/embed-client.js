@@ -270,7 +270,7 @@ function optionsOf(options) {
  * @returns {EventListener}
  */
 function after(act, listener) {
-  return function (event) {
+  return /** @this {EventTarget} */ function (event) {
     act();
     if (typeof listener === 'function') listener.call(this, event);
     else listener.handleEvent(event);

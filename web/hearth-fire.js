@@ -8,24 +8,33 @@
  *
  * The module can be imported where there is no `window`; it then defines nothing.
  *
- * @typedef {import('./engine.js').Message} Message
- * @typedef {import('./requests.js').Refusal} Refusal
+ * @typedef {import('./engine/engine.js').Message} Message
+ * @typedef {import('./element/requests.js').Refusal} Refusal
+ * @typedef {import('./parameters.js').HearthParameters} HearthParameters
+ * @typedef {import('./parameters.js').ParameterId} ParameterId
+ * @typedef {import('./parameters.js').HearthObject} HearthObject
+ * @typedef {import('./element/types.js').HearthStats} HearthStats
+ * @typedef {import('./element/types.js').HearthConfig} HearthConfig
+ * @typedef {import('./element/types.js').HearthPoint} HearthPoint
+ * @typedef {import('./element/types.js').HearthQuality} HearthQuality
+ * @typedef {import('./element/types.js').HearthTransition} HearthTransition
+ * @typedef {import('./parameters.js').PresetName} PresetName
  */
 
-import { DEFAULTS } from './defaults.js';
-import { EngineError } from './engine.js';
-import { burning } from './engine-files.js';
+import { DEFAULTS } from './generated/defaults.js';
+import { EngineError } from './engine/engine.js';
+import { burning } from './engine/files.js';
 import {
-  FireAttributes, ID_OF_ATTRIBUTE, ID_OF_PROPERTY, chosen, keepEarlyProperties, setOrRemove, warmth,
-} from './fire-attributes.js';
-import { FireLink } from './fire-link.js';
-import { FireManners } from './fire-manners.js';
-import { settings, settingsOfFile } from './fire-settings.js';
-import { FireSigns } from './fire-signs.js';
-import { hexOf, seedOf } from './fire-values.js';
-import { FireView } from './fire-view.js';
-import { Requests, deferred, postable, quiet, refusal } from './requests.js';
-import { motionIsReduced } from './watch.js';
+  FireAttributes, ID_OF_ATTRIBUTE, ID_OF_PROPERTY, keepEarlyProperties, setOrRemove, warmth,
+} from './element/attributes.js';
+import { FireLink } from './element/engine-connection.js';
+import { FireManners } from './element/page-policies.js';
+import { settings, settingsOfFile } from './element/settings.js';
+import { FireSigns } from './element/states.js';
+import { hexOf, seedOf } from './element/values.js';
+import { FireView } from './element/view.js';
+import { Requests, deferred, postable, quiet, refusal } from './element/requests.js';
+import { motionIsReduced } from './element/visibility.js';
 
 /** Deepest nesting of values: `{objects: [{property: value}]}`. */
 const DEEPEST = 3;
@@ -33,35 +42,56 @@ const DEEPEST = 3;
 /** Seconds of fire that a still picture has burnt, so that it shows a fire. */
 const STILL_AFTER = 2;
 
-/** The element's class. */
+/**
+ * A fire, simulated by smoothed particle hydrodynamics.
+ *
+ * @fires {null} ready  The fire burns.
+ * @fires {null} play  It burns again.
+ * @fires {null} pause  It stands still.
+ * @fires {HearthChangeDetail} params-change  A value changed, whoever changed it.
+ * @fires {HearthObjectsDetail} objects-change  An object was added, changed or removed.
+ * @fires {HearthQualityDetail} quality-change  The fire makes itself more or less work than before.
+ * @fires {HearthStats} stats  What the fire says about itself, about four times a second.
+ * @fires {HearthErrorDetail} error  Something is wrong: a value that was refused, a file that did not arrive, a browser that cannot.
+ * @fires {null} restored  The graphics context was lost and is back.
+ * @slot poster  What is shown until the fire burns, and where it cannot; the attribute's picture if this is empty.
+ * @csspart canvas  The canvas.
+ * @csspart message  The words for a browser that cannot show the fire.
+ * @csspart play  The button that plays a fire that stands still for the visitor's sake, and pauses it again.
+ * @csspart panel  The panel of sliders, where there is one.
+ * @csspart scale  The bar that says which colour is how much, where the picture shows a quantity.
+ * @cssproperty --hearth-light  Its power now against its mean, from 0 to 1; 0.5 is the mean.
+ * @cssproperty --hearth-glow  The colour of its light.
+ * @cssstate burning  Its picture is shown and it plays.
+ */
 export class HearthFire extends FireAttributes {
   /**
    * Where the wasm file is, if it is not at `wasm/hearth-engine_bg.wasm` beside
-   * this module. It counts when it is set before the first fire is on the page.
+   * this module. Set it before the first fire.
    * @type {string | URL | undefined}
    */
   static wasmUrl;
 
   /**
-   * Where the engine runs: `auto`, in a worker where that can draw, else on the main
-   * thread; `worker`; `main`. It counts for the next engine: set it before the first
-   * fire is on the page.
-   * @type {import('./engine.js').Place}
+   * Where the engine runs; `auto`: in a worker where that can draw, else on the main thread.
+   * Set it before the first fire.
+   * @type {'auto' | 'worker' | 'main'}
    */
   static engine = 'auto';
 
   #requests = new Requests();
   /** @type {FireView} */
   #view;
-  /** @type {{[id: string]: any}} */
-  #params = { ...DEFAULTS };
+  /** @type {HearthParameters} */
+  #params = /** @type {HearthParameters} */ ({ ...DEFAULTS });
+  /** @type {Required<HearthObject>[]} */
+  #objects = [];
   /** The values as they were before the model changed, for the way back. */
   #kept = {};
-  /** @type {{[name: string]: any} | null} */
+  /** @type {HearthStats | null} */
   #stats = null;
+  /** @type {'auto' | HearthQuality} */
   #quality = 'auto';
-  /** @type {{[name: string]: any}[]} */
-  #objects = [];
   /** Whether somebody set the number of particles, as the engine says. */
   #ownNumber = false;
   #paused = false;
@@ -76,10 +106,11 @@ export class HearthFire extends FireAttributes {
   #announced = false;
   /** Whether the preset's attribute is taken away without a wish for other values. */
   #dropping = false;
+  /** @type {PresetName} */
   #preset = 'default';
   /** @type {FireLink | null} */
   #link = null;
-  /** @type {import('./fire-manners.js').Ways} */
+  /** @type {import('./element/page-policies.js').Ways} */
   #ways;
   /** @type {FireManners} */
   #manners;
@@ -107,7 +138,12 @@ export class HearthFire extends FireAttributes {
     this.#manners = new FireManners(this.#ways, this.#view);
   }
 
-  /** The name of the preset that its values started from. */
+  /**
+   * The named set of values that the fire starts from. Changed later, it replaces every value.
+   * @attribute
+   * @default default
+   * @returns {PresetName}
+   */
   get preset() {
     return this.#started ? this.#preset : super.preset;
   }
@@ -116,28 +152,46 @@ export class HearthFire extends FireAttributes {
     super.preset = name;
   }
 
-  /** All values, by id: those that the fire burns with. */
+  /**
+   * Every value that the fire burns with, by id.
+   * @returns {HearthParameters}
+   */
   get params() {
     return { ...this.#params };
   }
 
-  /** Its objects, each with its kind, its id and its properties: copies. */
+  /**
+   * The objects of the fire: copies, each with its kind, its id and its properties. Setting them
+   * replaces all. The attribute has them as JSON; without it the fire has one source, which the
+   * parameters describe.
+   * @attribute
+   * @returns {Required<HearthObject>[]}
+   */
   get objects() {
     return this.#objects.map((object) => ({ ...object }));
   }
 
+  /** @param {HearthObject[]} objects */
   set objects(objects) {
     // Frameworks put undefined or null where there is no value any more.
     if (objects === undefined || objects === null) this.restore('objects');
-    else this.set({ objects });
+    else this.#set({ objects }, 'property');
   }
 
-  /** What the fire last said about itself: fps, particles, stepMs …; null before it did. */
+  /**
+   * What the fire last said about itself; null before it did.
+   * @returns {HearthStats | null}
+   */
   get stats() {
     return this.#stats && { ...this.#stats };
   }
 
-  /** How much work it may make itself: `low`, `medium`, `high`, or `auto`: as much as fits. */
+  /**
+   * How much work the fire may make itself; `auto`: as much as fits.
+   * @attribute
+   * @default auto
+   * @returns {'auto' | HearthQuality}
+   */
   get quality() {
     return this.#quality;
   }
@@ -149,12 +203,18 @@ export class HearthFire extends FireAttributes {
   /**
    * Resolves when the fire burns; rejects where it cannot. An element that was taken off the page
    * has a new one.
+   * @returns {Promise<void>}
    */
   get ready() {
     return this.#ready.promise;
   }
 
-  /** Whether it stands still. */
+  /**
+   * Whether the fire stands still.
+   * @attribute
+   * @default false
+   * @returns {boolean}
+   */
   get paused() {
     return this.#paused;
   }
@@ -165,60 +225,78 @@ export class HearthFire extends FireAttributes {
 
   /**
    * The value of one parameter.
-   * @param {string} id
+   * @template {ParameterId} Id
+   * @param {Id} id
+   * @returns {HearthParameters[Id]}
    */
   get(id) {
-    return Object.hasOwn(this.#params, id) ? this.#params[id] : undefined;
+    return /** @type {any} */ (Object.hasOwn(this.#params, id) ? this.#params[id] : undefined);
   }
 
   /**
-   * Sets one parameter, or several: all of them or none.
-   * @param {string | {[id: string]: unknown}} ids
-   * @param {unknown} [value]
-   * @returns {Promise<void>} rejects with a RangeError that has id, value, min and max
+   * Sets one parameter; rejects with a {@link HearthRangeError}.
+   * @template {ParameterId} Id
+   * @overload
+   * @param {Id} id
+   * @param {HearthParameters[Id]} value
+   * @returns {Promise<void>}
+   */
+  /**
+   * Sets all of these or none; rejects with a {@link HearthRangeError}.
+   * @overload
+   * @param {Partial<HearthParameters> & {objects?: HearthObject[]}} values
+   * @returns {Promise<void>}
+   */
+  /**
+   * Sets one parameter, or several: all of them or none. Rejects with a RangeError that names what is allowed.
+   * @param {ParameterId | Partial<HearthParameters> & {objects?: HearthObject[]}} ids
+   * @param {number | string | boolean} [value]
+   * @returns {Promise<void>}
    */
   set(ids, value) {
     return this.#set(typeof ids === 'object' && ids ? ids : { [String(ids)]: value }, 'property');
   }
 
   /**
-   * Adds an object.
-   * @param {{[name: string]: unknown}} object its kind and properties
-   * @returns {Promise<number>} its id; rejects as `set` does
+   * Adds an object and resolves to its id. Rejects with a {@link HearthRangeError}.
+   * @param {HearthObject} object
+   * @returns {Promise<number>}
    */
   addObject(object) {
     return this.#ask({ type: 'addObject', source: 'property', object: postable(object, 1) });
   }
 
   /**
-   * Sets properties of an object: all of them or none.
+   * Sets properties of an object: all of them or none. Rejects with a {@link HearthRangeError}.
    * @param {number} id
-   * @param {{[name: string]: unknown}} properties
-   * @returns {Promise<void>} rejects as `set` does
+   * @param {Partial<HearthObject>} properties
+   * @returns {Promise<void>}
    */
   changeObject(id, properties) {
     return this.#ask({ type: 'changeObject', source: 'property', id: postable(id), values: postable(properties, 1) });
   }
 
   /**
-   * Removes an object. The next source becomes the first, which the parameters describe.
+   * Removes an object. The next source becomes the first, which the parameters describe. Rejects
+   * with a {@link HearthRangeError}.
    * @param {number} id
-   * @returns {Promise<void>} rejects as `set` does
+   * @returns {Promise<void>}
    */
   removeObject(id) {
     return this.#ask({ type: 'removeObject', source: 'property', id: postable(id) });
   }
 
   /**
-   * Moves parameters to values: all of them or none.
-   * @param {{[id: string]: unknown}} values
-   * @param {{duration?: number, easing?: string}} [how] in milliseconds; as CSS has it
-   * @returns {Promise<boolean>} whether they arrived; false where one was set meanwhile
+   * Moves parameters to values, all of them or none; whether they arrived: false where something
+   * else set one meanwhile. Rejects as `set` does.
+   * @param {Partial<HearthParameters>} values
+   * @param {HearthTransition} [how]
+   * @returns {Promise<boolean>}
    */
   to(values, how) {
     this.#orders ??= [];
     const checked = this.#ask({ type: 'check', source: 'to', values: postable(values, 1) });
-    const code = import('./fire-transition.js').catch((why) => {
+    const code = import('./element/transition.js').catch((why) => {
       this.#orders = undefined;
       this.#complain('load', `Transitions could not be loaded: ${why}`);
       throw why;
@@ -227,9 +305,9 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Puts parameters back to their defaults; without ids: all of them, the model
-   * too, and no preset is left.
-   * @param {...string} ids
+   * Puts these parameters, or all, back to their defaults; all: the model as well, and without a
+   * preset.
+   * @param {...(ParameterId | 'objects')} ids
    * @returns {Promise<void>}
    */
   restore(...ids) {
@@ -238,23 +316,32 @@ export class HearthFire extends FireAttributes {
     return this.#ask({ type: 'preset', source: 'property', name: 'default' });
   }
 
-  /** Lets it burn. */
+  /**
+   * Lets the fire burn.
+   * @returns {Promise<void>}
+   */
   play() {
     return this.#setPaused(false);
   }
 
-  /** Lets it stand still. */
+  /**
+   * Lets the fire stand still.
+   * @returns {Promise<void>}
+   */
   pause() {
     return this.#setPaused(true);
   }
 
-  /** Starts again from nothing, with the same values. */
+  /**
+   * Starts again from nothing, with the same values.
+   * @returns {Promise<void>}
+   */
   reset() {
     return this.#ask({ type: 'reset' });
   }
 
   /**
-   * Makes some steps of the simulation, playing or not, then draws.
+   * Makes some steps, burning or not, then draws.
    * @param {number} [steps]
    * @returns {Promise<void>}
    */
@@ -265,16 +352,16 @@ export class HearthFire extends FireAttributes {
   /**
    * Its settings: the preset, where that is not the default one, and what differs
    * from it. JSON of them can be kept, sent, and given to `importConfig` or `src`.
-   * @returns {Promise<{hearth: 2, preset?: string, values: {[id: string]: any}, objects?: {[name: string]: any}[]}>}
+   * @returns {Promise<HearthConfig>}
    */
   exportConfig() {
     return this.#ask({ type: 'export' });
   }
 
   /**
-   * Burns with these settings from now on: all of them or, if anything is wrong in
-   * them, none.
-   * @param {unknown} config settings, or their JSON text
+   * Burns with these settings, or with those of this JSON: all of them or none. Rejects with a
+   * {@link HearthRangeError}.
+   * @param {HearthConfig | string} config
    * @returns {Promise<void>}
    */
   importConfig(config) {
@@ -287,9 +374,9 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * What is seen of it now, as a file.
-   * @param {string} [type] PNG, if it is not `image/jpeg` or `image/webp`
-   * @param {number} [quality] of those, from 0 to 1
+   * What is seen of the fire now, as a file of that type: PNG, `image/jpeg` or `image/webp`.
+   * @param {string} [type]
+   * @param {number} [quality] of JPEG and WebP, from 0 to 1
    * @returns {Promise<Blob>}
    */
   toBlob(type = 'image/png', quality) {
@@ -314,7 +401,7 @@ export class HearthFire extends FireAttributes {
   /**
    * Puts the fire out and frees all that it holds. It burns again when the element
    * is put on a page anew.
-   * @returns {Promise<void>} when it is freed
+   * @returns {Promise<void>}
    */
   async destroy() {
     if (this.#link) this.#close();
@@ -345,21 +432,22 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Which place of the fire's world a point of the page shows.
+   * The place of the fire's world that a point of the element shows: in metres, from the middle of
+   * the floor, y up. Null while there is no picture.
    * @param {number} x CSS pixels from the element's left edge
    * @param {number} y CSS pixels from its upper edge
-   * @returns {{x: number, y: number} | null} in metres, from the middle of the
-   *   floor, y up; null while there is no picture
+   * @returns {HearthPoint | null}
    */
   toMetres(x, y) {
     return this.#view.place(this.#params)?.toMetres(x, y) ?? null;
   }
 
   /**
-   * Where a place of the fire's world is shown: the inverse of `toMetres`.
+   * Where a place of the fire's world is shown, in CSS pixels from the element's upper left corner:
+   * the inverse of `toMetres`.
    * @param {number} x metres from the middle
    * @param {number} y metres above the floor
-   * @returns {{x: number, y: number} | null} CSS pixels from the element's upper left corner
+   * @returns {HearthPoint | null}
    */
   toPixels(x, y) {
     return this.#view.place(this.#params)?.toPixels(x, y) ?? null;
@@ -390,7 +478,7 @@ export class HearthFire extends FireAttributes {
   connectedMoveCallback() {}
 
   /** @type {(name: string, old: string | null, value: string | null) => void} */
-  attributeChangedCallback(name, old, value) {
+  attributeChangedCallback(name, _old, value) {
     const id = ID_OF_ATTRIBUTE.get(name);
     this.#manners.change(name, value);
     if (name === 'loading') this.#link?.lookAgain();
@@ -559,7 +647,7 @@ export class HearthFire extends FireAttributes {
     if (still) this.#setPaused(true, true);
     else if (!this.#started && !this.autoplay) this.#setPaused(true);
     const opened = link.open(
-      () => chosen(this, 'loading'),
+      () => this.loading,
       () => [HearthFire.wasmUrl, HearthFire.engine],
       () => this.#prepare(),
       (prepared) => ({

@@ -3,17 +3,17 @@
  *
  * `mountPanel` makes a canvas in `host`, loads the panel's wasm, which no page
  * pays for that never asks for it, and puts a mirror of the panel in the page's
- * own controls beside it (mirror.js). Where the panel cannot start it says so
+ * own controls beside it (panel/accessible-controls.js). Where the panel cannot start it says so
  * in words and the mirror alone is left, in sight. In the shadow root of its own
  * fire the panel places itself and can be folded away.
  */
 
-import { mountMirror } from './mirror.js';
-import { Desk } from './panel-desk.js';
-import { addFold } from './panel-fold.js';
-import { listenToKeys } from './panel-keys.js';
-import { addSheet } from './panel-sheet.js';
-import { addStyle } from './panel-style.js';
+import { mountMirror } from './panel/accessible-controls.js';
+import { Desk } from './panel/controller.js';
+import { addFold } from './panel/fold.js';
+import { listenToKeys } from './panel/keys.js';
+import { addSheet } from './panel/sheet.js';
+import { addStyle } from './panel/style.js';
 
 /** How often a panel whose WebGL context was lost is started again. */
 const RESTARTS = 3;
@@ -22,7 +22,7 @@ const RESTARTS = 3;
  * The module of the panel's wasm, loaded once for all panels of a page; a load
  * that failed is tried again by the next panel.
  *
- * @type {Promise<any> | undefined}
+ * @type {Promise<typeof import('./wasm/hearth-panel.js')> | undefined}
  */
 let loading;
 
@@ -72,7 +72,7 @@ function stayAboveKeyboard(host) {
  *
  * @param {object} place
  * @param {HTMLElement} place.host  Where.
- * @param {any} place.fire  For which `<hearth-fire>`; anything with its methods,
+ * @param {import('./hearth-fire.js').HearthFire} place.fire  For which `<hearth-fire>`; anything with its methods,
  *   properties and events will do.
  * @param {string | URL} [place.page]  The address of the page, where it is a page for
  *   this fire and shows what its query says: the panel copies links to it, hears its
@@ -88,7 +88,7 @@ function stayAboveKeyboard(host) {
 export async function mountPanel({ host, fire, page, script, embed, only }) {
   let ended = false;
   let restarts = 0;
-  /** @type {any} */
+  /** @type {import('./wasm/hearth-panel.js').Panel | undefined} */
   let panel;
   /** @type {HTMLElement | undefined} */
   let stage;
@@ -142,7 +142,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
   const update = () => {
     if (!canvas) return;
     const shown = canvas.getBoundingClientRect();
-    mirror.place(panel?.rectangles() ?? {}, shown, shown.width / canvas.offsetWidth || 1);
+    mirror.place(/** @type {Record<string, number[]>} */ (panel?.rectangles() ?? {}), shown, shown.width / canvas.offsetWidth || 1);
   };
   // eframe sizes the canvas from `devicePixelContentBoxSize`, which emulated
   // phones report at a ratio of 1: the panel would be painted too large.

@@ -106,4 +106,4 @@ export const PRESETS = [
   { name: "seed", label: "Seed", description: "The program that Hearth grew from: a narrow column of sparse dots.", values: { model: "classic", domain_width: 1.5, domain_height: 1.5, walls: "solid", smoothing_radius: 0.0075, particle_mass: 0.0001, gas_constant: 2, viscosity: 0.0002, buoyancy: 0.02, thermal_buoyancy: 0.01, max_particles: 800, emission_rate: 400, lifetime_min: 1.1, lifetime_max: 2, taper: 0, emission_speed: 0.75, emission_spread: 0.45, emission_noise: 0, source_width: 0.125, maximum_temperature: 1273, cooling_rate: 300, display_mode: "paper", particle_size: 0.015 } },
 ];
 
-export { QUANTITIES } from './quantities.js';
+export { QUANTITIES } from './generated/quantities.js';

@@ -1,6 +1,5 @@
-// Generated from the parameter table of hearth-core and the table of the element
-// by `cargo xtask codegen`; edit crates/hearth-core/src/params.rs or
-// crates/xtask/src/codegen/element.rs instead.
+// Generated from the class in web/hearth-fire.js, its types and the table of parameters by
+// `cargo xtask codegen`; edit the JSDoc of the class or web/element/types.d.ts instead.
 
 /**
  * `<hearth-fire>` in JSX, for React 19 and newer: `import 'hearth-fire/react'`
@@ -12,6 +11,7 @@ import type {
   HearthChangeDetail,
   HearthErrorDetail,
   HearthFire,
+  HearthObjectsDetail,
   HearthQuality,
   HearthQualityDetail,
   HearthStats,
@@ -37,25 +37,25 @@ export type HearthFireProps = HearthFireAttributes &
 export interface HearthFireAttributes {
   /** The named set of values that the fire starts from. Changed later, it replaces every value. */
   preset?: PresetName | undefined;
-  /** The address of a JSON file with settings, as `exportConfig()` gives them. */
-  src?: string | undefined;
-  /** The sources of the fire, as JSON; without it one source, which the parameters describe. */
-  objects?: HearthObject[] | undefined;
+  /** The objects of the fire: copies, each with its kind, its id and its properties. Setting them replaces all. The attribute has them as JSON; without it the fire has one source, which the parameters describe. */
+  objects?: Required<HearthObject>[] | undefined;
   /** How much work the fire may make itself; `auto`: as much as fits. */
   quality?: 'auto' | HearthQuality | undefined;
-  /** The fire stands still while this is there. */
+  /** Whether the fire stands still. */
   paused?: boolean | undefined;
   /** `false`: the fire stands still until `play()`. */
   autoplay?: boolean | undefined;
-  /** When the fire is loaded: `lazy`, when it comes near the window; `eager`, at once. */
+  /** The address of a JSON file with settings, as `exportConfig()` gives them; empty: none. */
+  src?: string | undefined;
+  /** When the fire is loaded: `auto`, in sight at once and elsewhere when the page has loaded; `lazy`, when it comes near the window; `eager`, at once. */
   loading?: 'auto' | 'lazy' | 'eager' | undefined;
   /** The address of a picture that is shown until the fire burns, and where it cannot. */
   poster?: string | undefined;
   /** What a screen reader says of the fire; without it the fire is decoration. */
   alt?: string | undefined;
-  /** Most pixels that the picture may have. */
+  /** Most pixels that the picture may have, from 1024 to 16777216; empty: those of a 720p, 1080p or 1440p screen, by quality. */
   "max-pixels"?: number | string | undefined;
-  /** Most pictures a second. */
+  /** Most pictures a second, from 10 to 240; empty: as many as the display shows. */
   "fps-limit"?: number | string | undefined;
   /** Seconds of fire, 0 to 30, that a new fire burns before it is shown: 3 where the attribute has no value. The poster or the picture before stays meanwhile. */
   warm?: number | boolean | string | undefined;

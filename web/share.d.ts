@@ -7,9 +7,10 @@ import type { HearthConfig } from './hearth-fire.js';
 
 /** Settings whose values may still be texts, as an address holds them. */
 export interface HearthSharedConfig {
-  hearth?: 1;
+  hearth?: 1 | 2;
   preset?: string;
   values?: Record<string, unknown>;
+  objects?: object[];
   /** For people; neither an address nor HTML holds them. */
   label?: string;
   description?: string;

@@ -9,13 +9,13 @@
  * @property {number} [hearth]  The version of the form: 1 or 2.
  * @property {string} [preset]  The preset that it starts from, if not the default one.
  * @property {{[id: string]: unknown}} [values]  What differs from that.
- * @property {{[name: string]: unknown}[]} [objects]  Its objects, where they are not the preset's.
+ * @property {object[]} [objects]  Its objects, where they are not the preset's.
  * @property {string} [label]  What it is called, for people.
  * @property {string} [description]  And what it shows.
  */
 
-import { DEFAULTS, OWN_ATTRIBUTES } from './defaults.js';
-import { SOURCE } from './objects.js';
+import { DEFAULTS, OWN_ATTRIBUTES } from './generated/defaults.js';
+import { SOURCE } from './generated/objects.js';
 
 /** Where this file is; what a bundler made of it is somewhere else. */
 export const FILE = import.meta.url;
@@ -129,10 +129,11 @@ export function iframeCode(config, embedUrl) {
  */
 function ofObjects({ objects }) {
   if (!objects) return {};
-  const [{ kind, ...properties } = {}, ...others] = objects;
+  const [first = {}, ...others] = objects;
+  const { kind, ...properties } = /** @type {{[name: string]: unknown}} */ (first);
   const isPlain = kind === 'source' && others.length === 0 && Object.keys(properties).every((name) => name in SOURCE);
   if (!isPlain) return { objects: JSON.stringify(objects) };
-  return Object.fromEntries(Object.entries(properties).map(([name, value]) => [SOURCE[name], value]));
+  return Object.fromEntries(Object.entries(properties).map(([name, value]) => [SOURCE[/** @type {keyof typeof SOURCE} */ (name)], value]));
 }
 
 /**
@@ -152,6 +153,7 @@ function attribute(name, value) {
   return `${name}="${escaped(value)}"`;
 }
 
+/** @type {{[character: string]: string}} */
 const ESCAPES = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;', "'": '&#39;' };
 
 /** @param {string} text */

@@ -334,7 +334,7 @@ async function load(wasm) {
   try {
     const glue = await import('./wasm/hearth-sim.js');
     let ready = source;
-    if (bytes) ready = await WebAssembly.compile(source);
+    if (bytes) ready = await WebAssembly.compile(/** @type {BufferSource} */ (source));
     else if (!compiled) ready = await compiledFrom(source);
     // The glue would keep another module once it has started it.
     if (!WebAssembly.Module.exports(ready).some(({ name }) => name === 'fire_new')) {
@@ -354,7 +354,7 @@ async function load(wasm) {
 async function compiledFrom(url) {
   const base = globalThis.document?.baseURI ?? globalThis.location?.href;
   const { href, protocol } = new URL(url, base);
-  if (protocol === 'file:' && globalThis.process?.versions?.node) {
+  if (protocol === 'file:' && /** @type {{process?: {versions?: {node?: string}}}} */ (globalThis).process?.versions?.node) {
     // Not by its name in quotes: a bundler for browsers would look for it.
     const files = 'node:fs/promises';
     const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ files);

@@ -50,16 +50,16 @@ test('custom-elements.json names what the element has', async () => {
     while (!there('panel') || !there('scale')) await new Promise(requestAnimationFrame);
   });
   const has = await tab.fire((fire) => {
-    const { constructor, shadowRoot } = fire;
+    const { constructor: Fire, shadowRoot } = fire;
     const own = (/** @type {object} */ of) => Object.getOwnPropertyNames(of);
     const members = [];
-    for (let type = constructor.prototype; type !== HTMLElement.prototype; type = Object.getPrototypeOf(type)) {
+    for (let type = Fire.prototype; type !== HTMLElement.prototype; type = Object.getPrototypeOf(type)) {
       members.push(...own(type).filter((name) => !name.endsWith('Callback')));
     }
     return {
       members: [...new Set(members)],
-      ofClass: own(constructor),
-      attributes: constructor.observedAttributes,
+      ofClass: own(Fire),
+      attributes: Fire.observedAttributes,
       // The panel's own inside is not for others to style.
       cssParts: [...shadowRoot.querySelectorAll('.root [part], .panel[part]')].flatMap((one) => [...one.part]),
       slots: [...shadowRoot.querySelectorAll('slot')].map((slot) => slot.name),

@@ -131,10 +131,8 @@ for (const kind of BROWSERS) {
         fire.style.cssText = 'width: 120px; height: 180px';
       });
       await tab.until('a drawing of 120 × 180 pixels', () => {
-        const { width, height } = /** @type {any} */ (
-          document.querySelector('hearth-fire')?.shadowRoot?.querySelector('canvas')
-        );
-        return width === 120 && height === 180;
+        const canvas = document.querySelector('hearth-fire')?.shadowRoot?.querySelector('canvas');
+        return canvas?.width === 120 && canvas?.height === 180;
       });
       await tab.burnt(await time(tab) + 0.3);
       await assertBurns(tab);
@@ -325,7 +323,7 @@ for (const kind of BROWSERS) {
     });
 
     test('without the worker’s script a fire burns on the page’s own thread', async () => {
-      const tab = await browser.open(FIRE, { files: { 'engine-worker.js': { status: 404 } } });
+      const tab = await browser.open(FIRE, { files: { 'engine/worker.js': { status: 404 } } });
       await tab.burnt(1);
       await assertBurns(tab);
       assert.equal(await tab.fire((fire) => fire.stats.engine), 'main');

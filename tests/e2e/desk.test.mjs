@@ -79,7 +79,7 @@ describe('the next visit', () => {
       /** @type {any} */ (document.querySelector('hearth-fire')).quality === 'low'
     ));
 
-    const { tab, panel } = await openPage('', { height: 800, remember: true });
+    const { tab } = await openPage('', { height: 800, remember: true });
     assert.equal(await tab.fire((fire) => fire.quality), 'low');
     const shown = () => tab.evaluate(() => Object.keys(/** @type {any} */ (window).panelRectangles ?? {}));
     await tab.until('the rows', () => 'group:Basics' in (/** @type {any} */ (window).panelRectangles ?? {}));

@@ -77,7 +77,7 @@ describe('a fire in an iframe', () => {
     const { options, attributes } = await tab.evaluate(async () => {
       const load = (/** @type {string} */ url) => import(url);
       const { observedAttributes } = /** @type {any} */ (customElements.get('hearth-fire'));
-      return { options: (await load('/web/address.js')).OPTIONS, attributes: observedAttributes };
+      return { options: (await load('/web/pages/url-parameters.js')).OPTIONS, attributes: observedAttributes };
     });
     const parameters = Object.values(entry).map(({ attribute }) => attribute);
     const own = attributes.filter((name) => !parameters.includes(name) && name !== 'preset');

@@ -15,7 +15,7 @@ const read = (/** @type {string} */ file) => readFileSync(new URL(`../../${file}
 /** Every example of a document that is a whole page, by the heading above it. */
 const examples = (/** @type {string} */ file) => {
   const text = read(file);
-  return [...text.matchAll(/```html\n([^]*?)```/g)].filter(([, html]) => html.startsWith('<!doctype')).map((found) => ({
+  return [...text.matchAll(/```html\n([\s\S]*?)```/g)].filter(([, html]) => html.startsWith('<!doctype')).map((found) => ({
     file,
     html: found[1],
     heading: text.slice(0, found.index).match(/^#+ .*$/gm)?.at(-1) ?? '',

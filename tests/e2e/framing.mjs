@@ -126,7 +126,7 @@ if (process.argv[1] && path.resolve(process.argv[1]) === fileURLToPath(import.me
   const query = at < 0 ? '' : asked.splice(at, 2)[1];
   const sizes = asked.length === 0 ? SIZES : SIZES.filter((size) => asked.includes(size.join('x')));
   const percent = (share) => `${(100 * share).toFixed(1)} %`;
-  const within = ([least, most], share) => (share >= least && share <= most ? 'holds' : 'FAILS');
+  const within = (/** @type {number[]} */ [least, most], /** @type {number} */ share) => (share >= least && share <= most ? 'holds' : 'FAILS');
   const browser = await Browser.launch();
   try {
     for (const size of sizes) {

@@ -165,8 +165,8 @@ function started(type, body, scripts) {
 async function find(roots, name) {
   for (const root of roots) {
     const file = path.join(root, name);
-    const found = file.startsWith(root + path.sep) && (await stat(file).catch(() => null));
-    if (found && found.isFile()) return file;
+    const found = file.startsWith(root + path.sep) ? await stat(file).catch(() => null) : null;
+    if (found?.isFile()) return file;
   }
   return undefined;
 }

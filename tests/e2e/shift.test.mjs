@@ -9,8 +9,8 @@ import { Browser } from './driver.mjs';
 
 const DOC = readFileSync(new URL('../../docs/embedding.md', import.meta.url), 'utf8');
 const SECTION = DOC.slice(DOC.indexOf('### No layout shift'));
-const [, EXAMPLE] = /** @type {RegExpMatchArray} */ (SECTION.match(/```html\n([^]*?)```/));
-const [RULE] = /** @type {RegExpMatchArray} */ (EXAMPLE.match(/<style>[^]*?<\/style>/));
+const [, EXAMPLE] = /** @type {RegExpMatchArray} */ (SECTION.match(/```html\n([\s\S]*?)```/));
+const [RULE] = /** @type {RegExpMatchArray} */ (EXAMPLE.match(/<style>[\s\S]*?<\/style>/));
 const SCRIPT = '<script type="module" src="./web/hearth-fire.js"></script>\n';
 
 /** @type {Browser} */

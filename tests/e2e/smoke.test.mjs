@@ -27,3 +27,21 @@ test('the site loads, burns and shows its panel without a complaint', async () =
   await new Panel(tab).mounted();
   assert.deepEqual(tab.problems, []);
 });
+
+test('the modules and the page that other sites name keep their addresses', async () => {
+  const tab = await browser.open('<p>A page without a fire.</p>');
+  const found = await tab.evaluate(async () => {
+    const { HearthFire } = await import(/** @type {any} */ ('/web/hearth-fire.js'));
+    const { createSimulation } = await import(/** @type {any} */ ('/web/sim.js'));
+    const { connectFire } = await import(/** @type {any} */ ('/web/embed-client.js'));
+    const simulation = await createSimulation();
+    simulation.step();
+    const iframe = document.createElement('iframe');
+    iframe.src = `/web/embed.html?allow=${location.origin}`;
+    document.body.append(iframe);
+    await connectFire(iframe).ready();
+    return { defined: customElements.get('hearth-fire') === HearthFire, particles: simulation.count > 0 };
+  });
+  assert.deepEqual(found, { defined: true, particles: true });
+  assert.deepEqual(tab.problems, []);
+});

@@ -1,15 +1,11 @@
 /**
- * Names that a fire does not know: attributes, parameters in `controls`, words of an address.
+ * Names that a fire does not know: attributes, and parameters in `controls`. Which names are
+ * suggested is tested in tests/web/spelling.test.mjs.
  */
 import assert from 'node:assert/strict';
-import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
 import { Browser } from './driver.mjs';
-import { events, recording } from './laws.mjs';
-import { SITE } from './site.mjs';
-
-const { readAddress } = await import(pathToFileURL(path.join(SITE, 'web/address.js')).href);
+import { recording } from './laws.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -26,27 +22,8 @@ async function warnings(tab, count) {
   return tab.problems;
 }
 
-test('an attribute that does nothing is told once, with the name that may be meant', async () => {
-  const names = [
-    ['fuel_power', /did you mean fuel-power\?/], ['fuelpower', /did you mean fuel-power\?/],
-    ['quailty', /did you mean quality\?/], ['width', /did you mean .*domain-width.*\? .*style/],
-    ['palete', /did you mean palette\?/], ['color', /cool-colour or hot-colour\?/], ['frobnicate', /no attribute frobnicate\.$/],
-  ];
-  const written = names.map(([name]) => `${name}="1"`).join(' ');
-  const tab = await browser.open(`<hearth-fire ${SMALL} ${written}></hearth-fire>`.repeat(2));
-  await tab.ready();
-  const told = await warnings(tab, names.length);
-  assert.equal(told.length, names.length, told.join('\n'));
-  for (const [name, words] of names) {
-    const about = told.filter((one) => one.includes(` ${name}`));
-    assert.equal(about.length, 1, `${name}: ${told}`);
-    assert.match(about[0], /^console\.warn.*<hearth-fire>/);
-    assert.match(about[0], /** @type {RegExp} */ (words));
-  }
-});
-
-test('an attribute that is set later is told as well, one that goes is not', async () => {
-  const tab = await browser.open(`<hearth-fire ${SMALL} data-a="1"></hearth-fire>`);
+test('attributes that do nothing are told once, written or set later; one that goes is not', async () => {
+  const tab = await browser.open(`<hearth-fire ${SMALL} data-a="1" class="a" v-if="b" quailty="low"></hearth-fire>`.repeat(2));
   await tab.ready();
   await tab.fire((fire) => {
     fire.setAttribute('expozure', '1');
@@ -55,28 +32,13 @@ test('an attribute that is set later is told as well, one that goes is not', asy
     fire.setAttribute('gone', '1');
     fire.removeAttribute('gone');
   });
-  await warnings(tab, 2);
+  await warnings(tab, 3);
   await tab.frames(5);
-  const [one, two, ...more] = tab.problems;
+  const [zero, one, two, ...more] = tab.problems;
+  assert.match(zero, /^console\.warn.*<hearth-fire>.*quailty; did you mean quality\?/);
   assert.match(one, /expozure.*exposure/);
   assert.match(two, /interractive.*interactive/);
   assert.deepEqual(more, []);
-});
-
-test('what HTML, frameworks and libraries write is none of its affair', async () => {
-  const names = [
-    'class', 'id', 'title', 'lang', 'dir', 'hidden', 'slot', 'part', 'is', 'role', 'tabindex', 'nonce', 'draggable', 'inert',
-    'popover', 'translate', 'contenteditable', 'enterkeyhint', 'inputmode', 'autofocus', 'accesskey', 'spellcheck',
-    'exportparts', 'itemprop', 'data-x', 'aria-label', 'onclick', 'xml:lang', 'xmlns', ':foo', '@click', 'v-if', 'x-data',
-    '_ngcontent-ng-c1', '_nghost-abc', 'ng-version', 'ng-reflect-x', 'hx-get', 'wire:model', '#ref', '[prop]', '(event)', 'b-1a2b3c',
-  ];
-  const tab = await browser.open(`<hearth-fire ${SMALL.replace('paused', 'paused exposure="1" model="classic"')} ${names.map((name) => `${name}=""`).join(' ')}></hearth-fire>`);
-  await tab.fire((fire) => {
-    fire.removeAttribute('hidden');
-    return fire.ready;
-  });
-  await tab.frames(10);
-  assert.deepEqual(tab.problems, []);
 });
 
 test('controls names the parameters that the panel shows, and tells what it does not know', async () => {
@@ -114,16 +76,4 @@ test('controls names the parameters that the panel shows, and tells what it does
     return [one, fire.getAttribute('controls')];
   });
   assert.deepEqual(set, ['wind', '']);
-});
-
-test('an address tells names of others from misspelt ones', () => {
-  const { values, options, unknown, refused } = readAddress(
-    '?seed=7&fbclid=1&utm_source=a&utm_source=b&viscosty=1&quality=low&fuelpower=3&kind=x&__proto__=1&feed=2',
-  );
-  assert.deepEqual(values, [['seed', '7']]);
-  assert.deepEqual(options, [['quality', 'low']]);
-  assert.deepEqual(unknown.map(([name]) => name), ['fbclid', 'utm_source', 'utm_source', 'kind', '__proto__', 'feed']);
-  assert.equal(refused.length, 2);
-  assert.match(refused[0], /viscosty.*viscosity/);
-  assert.match(refused[1], /fuelpower.*fuel-power/);
 });

@@ -75,7 +75,7 @@ test('a policy that forbids workers is no trouble', async () => {
 });
 
 test('a worker whose script does not come is no trouble', async () => {
-  const tab = await browser.open(BODY, { files: { 'engine-worker.js': { status: 404, body: 'no', type: 'text/plain' } } });
+  const tab = await browser.open(BODY, { files: { 'engine/worker.js': { status: 404, body: 'no', type: 'text/plain' } } });
   await tab.burnt(0.5);
   assert.equal(await tab.fire((fire) => fire.stats.engine), 'main');
   assert.deepEqual(await events(tab, 'error'), []);

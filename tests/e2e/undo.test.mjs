@@ -33,7 +33,7 @@ const can = (panel, action, able) => panel.until(
   able,
 );
 
-const differs = (panel, tab, from) => panel.until(
+const differs = (panel, from) => panel.until(
   'the values are others',
   (root, old) => JSON.stringify(root.querySelector('hearth-fire').params) !== old,
   JSON.stringify(from.params),
@@ -66,7 +66,7 @@ describe('one step back and forth', () => {
     for (const [what, act] of DEEDS) {
       const first = await look(tab);
       await act(panel, tab);
-      await differs(panel, tab, first);
+      await differs(panel, first);
       await can(panel, 'redo', false);
       await can(panel, 'undo', true);
       const second = await look(tab);
@@ -121,7 +121,7 @@ describe('one step back and forth', () => {
     for (let repeat = 0; repeat < 5; repeat += 1) await tab.page.keyboard.down('ArrowRight');
     await tab.page.keyboard.up('ArrowRight');
     await can(panel, 'undo', true);
-    await differs(panel, tab, first);
+    await differs(panel, first);
     await tab.page.$eval(actionOf('undo'), (button) => /** @type {HTMLElement} */ (button).click());
     await can(panel, 'undo', false);
     assert.deepEqual(await look(tab), first);

@@ -62,7 +62,7 @@ describe('the address', () => {
 });
 
 test('a page without scripts shows the picture of its fire at once, in its place', async () => {
-  const tab = await browser.open('index.html', { ...WIDE, without: 'page.js' });
+  const tab = await browser.open('index.html', { ...WIDE, without: 'pages/main.js' });
   await tab.until('the picture', () => /** @type {any} */ (document.getElementById('still')).complete);
   const [stage, still] = [await tab.rectangle('#fire'), await tab.rectangle('#still')];
   assert.deepEqual([still.y, still.height], [stage.y, stage.height]);

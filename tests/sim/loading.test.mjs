@@ -7,7 +7,7 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { ARRAYS, WEB, createSimulation, fires, load } from './library.mjs';
+import { ARRAYS, WEB, fires, load } from './library.mjs';
 
 const FILE = path.join(WEB, 'wasm/hearth-sim_bg.wasm');
 

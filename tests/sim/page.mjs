@@ -6,7 +6,7 @@ import { burnEverything } from './fingerprint.mjs';
 
 try {
   const { createSimulation } = await import(new URL('/web/sim.js', location.href).href);
-  window.prints = await burnEverything(createSimulation);
+  Object.assign(window, { prints: await burnEverything(createSimulation) });
 } catch (error) {
-  window.failure = String(error);
+  Object.assign(window, { failure: String(error) });
 }

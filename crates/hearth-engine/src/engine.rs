@@ -1,7 +1,7 @@
 //! The engine as JavaScript has it: messages and frames in, messages and pictures
 //! out.
 //!
-//! Its surroundings (`web/engine-loop.js`) ask for the browser's frames and hear
+//! Its surroundings (`web/engine/loop.js`) ask for the browser's frames and hear
 //! of its context; each call here says whether another frame is wanted, so no loop
 //! runs while no fire has anything to do.
 

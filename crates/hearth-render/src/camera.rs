@@ -72,7 +72,7 @@ pub(crate) struct Place {
 
 impl Place {
     /// The place of a domain so wide and high \[m\] in a picture of that size.
-    // `web/fire-place.js` says the same to pages.
+    // `web/element/viewport.js` says the same to pages.
     pub fn new(picture: [u32; 2], domain: [f32; 2], camera: Camera) -> Place {
         let aspect = picture[0] as f32 / picture[1].max(1) as f32;
         let [width, height] = domain;

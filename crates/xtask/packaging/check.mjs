@@ -111,7 +111,7 @@ async function typesCompile() {
     };
     const name = path.join(scratch, `tsconfig.${resolution}.json`);
     await writeFile(name, JSON.stringify(config));
-    const compiler = path.join(HERE, 'node_modules/typescript/bin/tsc');
+    const compiler = path.join(HERE, '../scripts/node_modules/typescript/bin/tsc');
     await run(process.execPath, [compiler, '--project', name], { cwd: scratch }).catch(({ stdout }) => {
       assert.fail(`the types do not compile (${resolution}):\n${stdout}`);
     });

@@ -1,5 +1,5 @@
 /**
- * `web/engine-files.js` of the single-file build: the same, from texts that
+ * `web/engine/files.js` of the single-file build: the same, from texts that
  * are in the file itself. No fire is kept in it: each is lit.
  */
 

@@ -2,7 +2,7 @@
  * The package's one file of all: element, engine, wasm and the worker's script in
  * one module, for a page that wants to name one file and nothing else.
  *
- * It is the same element, from its sources, with another `engine-files.js`
+ * It is the same element, from its sources, with another `engine/files.js`
  * (inline-files.js here), which has in it what the original looks for beside itself.
  * Only the panel stays
  * outside: who asks for it needs the package's folder.
@@ -15,8 +15,8 @@ import { build } from '../scripts/esbuild.mjs';
 
 const FILES = path.join(path.dirname(fileURLToPath(import.meta.url)), 'inline-files.js');
 
-/** Both scripts. */
-const COMMON = {
+/** What both scripts have in common. @satisfies {import('../scripts/esbuild.mjs').BuildOptions} */
+const COMMON = /** @type {const} */ ({
   bundle: true,
   write: false,
   minify: true,
@@ -25,7 +25,7 @@ const COMMON = {
   logLevel: 'error',
   // Nothing lies beside it, and bundlers must not look for it.
   define: { 'import.meta.url': '""' },
-};
+});
 
 /**
  * The text of the file.
@@ -35,44 +35,48 @@ const COMMON = {
  */
 export async function inlined(sources, wasm, { name, version, license }) {
   const engine = await readFile(path.join(wasm, 'hearth-engine_bg.wasm'));
-  const worker = await build({
-    ...COMMON,
-    entryPoints: [path.join(sources, 'engine-worker.js')],
+  const [worker] = await built({
+    entryPoints: [path.join(sources, 'engine/worker.js')],
     format: 'iife',
     plugins: [filesInside(sources, wasm)],
   });
-  const script = await build({
-    ...COMMON,
+  const [script] = await built({
     entryPoints: [path.join(sources, 'hearth-fire.js')],
     format: 'esm',
     banner: { js: `/* ${name} ${version}, ${license} */` },
-    external: ['./panel.js'],
     plugins: [filesInside(sources, wasm, {
       wasm: deflateRawSync(engine, { level: 9 }).toString('base64'),
-      worker: worker.outputFiles[0].text,
+      worker: worker.text,
     })],
   });
-  return script.outputFiles[0].text;
+  return script.text;
+}
+
+/** The files that esbuild makes. @param {import('../scripts/esbuild.mjs').BuildOptions} options */
+async function built(options) {
+  const { outputFiles = [] } = await build({ ...COMMON, ...options });
+  return outputFiles;
 }
 
 /**
- * Puts inline-files.js in the place of engine-files.js, with its texts, and finds the
+ * Puts inline-files.js in the place of engine/files.js, with its texts, and finds the
  * scripts of wasm where they are.
  * @param {string} sources
  * @param {string} wasm
  * @param {{[name: string]: string}} [texts]  What `inline:name` is.
- * @returns {import('esbuild').Plugin}
+ * @returns {import('../scripts/esbuild.mjs').Plugin}
  */
 function filesInside(sources, wasm, texts = {}) {
   return {
     name: 'files-inside',
     setup({ onLoad, onResolve }) {
-      onResolve({ filter: /\/engine-files\.js$/ }, () => ({ path: FILES, namespace: 'files' }));
+      onResolve({ filter: /\/panel\.js$/ }, () => ({ path: './panel.js', external: true }));
+      onResolve({ filter: /\/files\.js$/ }, () => ({ path: FILES, namespace: 'files' }));
       onLoad({ filter: /.*/, namespace: 'files' }, async () => ({
         contents: await readFile(FILES, 'utf8'),
         resolveDir: sources,
       }));
-      onResolve({ filter: /^\.\/wasm\// }, ({ path: name }) => ({ path: path.resolve(wasm, path.basename(name)) }));
+      onResolve({ filter: /^\.\.?\/wasm\// }, ({ path: name }) => ({ path: path.resolve(wasm, path.basename(name)) }));
       onResolve({ filter: /^inline:/ }, ({ path: name }) => ({ path: name.slice(7), namespace: 'text' }));
       onLoad({ filter: /.*/, namespace: 'text' }, ({ path: name }) => ({ contents: texts[name], loader: 'text' }));
     },

@@ -15,10 +15,11 @@ export const DOCS = ['element', 'embedding', 'iframe', 'package', 'parameters', 
  * What is published.
  * @param {Manifest} source
  * @param {string} version
+ * @returns {Manifest & {name: string, version: string, license: string}}
  */
 export function packageJson(source, version) {
-  const { name, private: _, ...rest } = source;
-  return { name, version, ...rest };
+  const { name, license, private: _, ...rest } = source;
+  return { name, version, license, ...rest };
 }
 
 /** The scripts and pages that a browser, a bundler or Node may begin with. @param {Manifest} manifest */
@@ -30,7 +31,7 @@ export function beginningsOf(manifest) {
 
 /** The types of the entry points. @param {Manifest} manifest */
 export function typesOf(manifest) {
-  return [...new Set(entries(manifest).map(({ types }) => types).filter(Boolean))];
+  return [...new Set(entries(manifest).flatMap(({ types }) => types ?? []))];
 }
 
 /**

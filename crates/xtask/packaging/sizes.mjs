@@ -13,13 +13,13 @@ const manifest = JSON.parse(await readFile(path.join(folder, 'package.json'), 'u
 const entryFiles = beginningsOf(manifest).map((script) => path.posix.normalize(script));
 
 /** What the element loads only where somebody asks for it. */
-const ASKED_FOR = ['scale.js', 'engine-main.js', 'fire-file.js', 'fire-pointer.js', 'fire-spelling.js', 'fire-transition.js'];
+const ASKED_FOR = ['element/scale.js', 'engine/main-thread.js', 'element/settings-file.js', 'element/pointer.js', 'element/spelling.js', 'element/transition.js'];
 
 /** Files that one need makes a browser load together; without a ceiling they are only told. */
 const DOWNLOADS = [
   { name: 'element and engine', entry: 'hearth-fire.js', ceiling: 107_500 },
-  { name: 'bar of colours, on request', entry: 'scale.js', ceiling: 3_000 },
-  { name: 'pointer, on request', entry: 'fire-pointer.js', ceiling: 2_000 },
+  { name: 'bar of colours, on request', entry: 'element/scale.js', ceiling: 3_000 },
+  { name: 'pointer, on request', entry: 'element/pointer.js', ceiling: 2_000 },
   { name: 'headless library', entry: 'sim.js', ceiling: 60_000 },
   { name: 'panel, on request', entry: 'panel.js', ceiling: 850_000 },
   { name: 'all of the element in one file', entry: 'hearth-fire.inline.js', ceiling: Infinity },

@@ -25,7 +25,7 @@ for (const script of scripts) {
   if (all.includes(wasm)) await shortenImports(path.join(folder, script), path.join(folder, wasm));
 }
 
-const COMMON = { absWorkingDir: folder, format: 'esm', bundle: true, logLevel: 'warning' };
+const COMMON = /** @type {const} */ ({ absWorkingDir: folder, format: 'esm', bundle: true, logLevel: 'warning' });
 
 /** Into which file each script goes. */
 const owners = await ownersOf();
@@ -39,7 +39,13 @@ await build({
   charset: 'utf8',
   target: 'es2022',
   legalComments: 'inline',
-  plugins: [{ name: 'owners', setup: ({ onResolve }) => onResolve({ filter: /.*/ }, resolved) }],
+  plugins: [{
+    name: 'owners',
+    setup({ onLoad, onResolve }) {
+      onResolve({ filter: /.*/ }, resolved);
+      onLoad({ filter: /\.js$/ }, moved);
+    },
+  }],
 });
 for (const [file, owner] of owners) if (owner !== file) await rm(path.join(folder, file));
 
@@ -50,7 +56,28 @@ for (const [file, owner] of owners) if (owner !== file) await rm(path.join(folde
 function resolved({ path: name, kind, importer, resolveDir }) {
   if (kind === 'entry-point') return undefined;
   const [from, to] = [importer, path.join(resolveDir, name)].map((file) => posix(path.relative(folder, file)));
-  return owners.get(from) === owners.get(to) && owners.has(to) ? undefined : { path: name, external: true };
+  if (owners.get(from) === owners.get(to) && owners.has(to)) return undefined;
+  return { path: /^\.\.?\//.test(name) ? relative(owners.get(from) ?? from, to) : name, external: true };
+}
+
+/**
+ * A script whose `new URL('./file', …)` names the same file from its owner's folder.
+ * @param {import('esbuild').OnLoadArgs} asked
+ * @returns {Promise<import('esbuild').OnLoadResult>}
+ */
+async function moved({ path: script }) {
+  const from = posix(path.relative(folder, script));
+  const text = await readFile(script, 'utf8');
+  const contents = text.replace(/(new URL\(')(\.\.?\/[^']*)(?=',)/g, (_, before, name) => (
+    before + relative(owners.get(from) ?? from, path.posix.join(path.posix.dirname(from), name))
+  ));
+  return { contents, loader: 'js' };
+}
+
+/** How a script of `from`'s folder names `to`. @param {string} from @param {string} to */
+function relative(from, to) {
+  const name = path.posix.relative(path.posix.dirname(from), to);
+  return name.startsWith('.') ? name : `./${name}`;
 }
 
 /** @returns {Promise<Map<string, string>>} */
@@ -58,6 +85,7 @@ async function ownersOf() {
   const { metafile } = await build({
     ...COMMON, entryPoints: scripts, outdir: folder, write: false, metafile: true, external: ['node:*'],
   });
+  if (!metafile) throw new Error('esbuild lists no imports');
   const own = new Set(beginningsOf(manifest).map((file) => path.posix.normalize(file)));
   for (const file of scripts) {
     const text = await readFile(path.join(folder, file), 'utf8');
@@ -67,8 +95,7 @@ async function ownersOf() {
   const importers = new Map(scripts.map((file) => [file, []]));
   for (const [from, { imports }] of Object.entries(metafile.inputs)) {
     for (const { path: to, kind } of imports) {
-      // What a file names beside itself is beside its owner only in the same folder.
-      if (kind === 'dynamic-import' || path.dirname(from) !== path.dirname(to)) own.add(to);
+      if (kind === 'dynamic-import') own.add(to);
       importers.get(to)?.push(from);
     }
   }

@@ -9,13 +9,10 @@
 //! A scene is a file of `scenes/`, and what comes from one is written from there,
 //! not from the table in `hearth-core`, which this program was compiled with.
 
-mod element;
 mod gallery;
 mod javascript;
 mod json;
-mod manifest;
 mod markdown;
-mod react;
 mod rust;
 mod scene;
 mod typescript;
@@ -47,15 +44,13 @@ pub fn generate() -> Result<Vec<Generated>> {
             "crates/hearth-core/src/preset/scenes.rs",
             rust::table(&scenes),
         ),
-        ("web/defaults.js", javascript::defaults()),
+        ("web/generated/defaults.js", javascript::defaults()),
         ("web/parameters.js", javascript::module(&scenes)),
-        ("web/quantities.js", javascript::quantities()),
-        ("web/burning.js", javascript::burning()),
-        ("web/between.js", javascript::between()),
-        ("web/objects.js", javascript::objects()),
+        ("web/generated/quantities.js", javascript::quantities()),
+        ("web/generated/burning.js", javascript::burning()),
+        ("web/generated/between.js", javascript::between()),
+        ("web/generated/objects.js", javascript::objects()),
         ("web/parameters.d.ts", typescript::declarations(&scenes)),
-        ("web/react.d.ts", react::declarations()),
-        ("web/custom-elements.json", manifest::manifest()),
         ("docs/parameters.md", markdown::reference()),
         ("docs/scenes.md", gallery::page(&scenes)),
     ];
@@ -88,6 +83,20 @@ pub fn refresh(root: &Path) -> Result<Vec<&'static str>> {
             written.push(file.path);
         }
     }
+    Ok(written)
+}
+
+/// Writes every generated file of the checkout that is missing or differs, and names those:
+/// first the files of the table, then those of the element's class, which name parameters.
+///
+/// # Errors
+/// As [`refresh`]; no Node; a class whose JSDoc lacks something.
+pub fn refresh_checkout() -> Result<Vec<String>> {
+    let mut written: Vec<_> = refresh(&crate::paths::root())?
+        .into_iter()
+        .map(str::to_owned)
+        .collect();
+    written.extend(crate::script::element_files()?.lines().map(str::to_owned));
     Ok(written)
 }
 

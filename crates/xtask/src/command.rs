@@ -273,7 +273,7 @@ pub fn run(command: Command) -> Result<ExitCode> {
             }
         }
         Command::Codegen => {
-            let written = codegen::refresh(&paths::root())?;
+            let written = codegen::refresh_checkout()?;
             for path in &written {
                 println!("wrote {path}");
             }

@@ -123,7 +123,7 @@ mod tests {
         }
         // The pages themselves work in any folder all the same.
         let page = fs::read_to_string(site.join("index.html"))?;
-        assert!(page.contains("src=\"./web/page.js\""));
+        assert!(page.contains("src=\"./web/pages/main.js\""));
         assert!(make_whole(&site, &Base::parse("https://a.example")?).is_err());
         fs::remove_dir_all(site)?;
         Ok(())

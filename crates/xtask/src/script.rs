@@ -30,6 +30,49 @@ pub(crate) fn minify(web: &Path) -> Result<()> {
     )
 }
 
+/// Lints scripts and style sheets, by `biome.json`.
+///
+/// # Errors
+/// No Node, npm cannot install, or a finding.
+pub(crate) fn lint() -> Result<()> {
+    node_program("@biomejs/biome/bin/biome", &["lint", "--error-on-warnings"])
+}
+
+/// Checks the types of scripts: strictly those of `web/` (`tsconfig.json`), then those that
+/// build and test it. The types of the wasm modules are those of the built site.
+///
+/// # Errors
+/// No Node, npm cannot install, or a type that is wrong.
+pub(crate) fn check_types() -> Result<()> {
+    for packages in ["crates/xtask/packaging", "tests/e2e"] {
+        npm::install(&paths::root().join(packages))?;
+    }
+    for project in ["tsconfig.json", "tsconfig.scripts.json"] {
+        node_program("typescript/bin/tsc", &["--project", project])?;
+    }
+    Ok(())
+}
+
+/// Derives the files about the element from its class; names those that it writes.
+///
+/// # Errors
+/// No Node, npm cannot install, or a class whose JSDoc lacks something.
+pub(crate) fn element_files() -> Result<String> {
+    tools()?;
+    process::output(process::command("node").arg(folder().join("element.mjs")))
+}
+
+/// Runs a program that `scripts/` pins, in the checkout's root.
+fn node_program(name: &str, arguments: &[&str]) -> Result<()> {
+    tools()?;
+    process::run(
+        process::command("node")
+            .current_dir(paths::root())
+            .arg(folder().join("node_modules").join(name))
+            .args(arguments),
+    )
+}
+
 fn folder() -> PathBuf {
     paths::root().join("crates").join("xtask").join("scripts")
 }
@@ -55,15 +98,15 @@ mod tests {
         ),
         (
             "one.js",
-            "import './two.js';\nimport './named.js';\nexport const one = 1;\n",
+            "import './in/two.js';\nimport './named.js';\nexport const one = 1;\n",
         ),
         (
             "named.js",
             "globalThis.alone = /named\\.js$/.test(import.meta.url);\n",
         ),
         (
-            "two.js",
-            "globalThis.style = new URL('./a.css', import.meta.url);\n",
+            "in/two.js",
+            "import '../shared.js';\nglobalThis.style = new URL('../a.css', import.meta.url);\n",
         ),
         ("open.js", "globalThis.open = 1;\n"),
         ("asked.js", "import './shared.js';\n"),
@@ -74,7 +117,7 @@ mod tests {
     #[test]
     fn what_is_for_readers_goes_and_what_others_name_stays() -> Result<()> {
         let web = std::env::temp_dir().join(format!("hearth-script-{}", std::process::id()));
-        fs::create_dir_all(&web)?;
+        fs::create_dir_all(web.join("in"))?;
         for (name, text) in FILES {
             fs::write(web.join(name), text)?;
         }
@@ -95,7 +138,7 @@ mod tests {
         assert!(!script.contains("Much") && !script.contains("@type"));
         assert_eq!(fs::read_to_string(web.join("a.css"))?, "a{color:red}\n");
         // Each of these was needed by one file alone.
-        assert!(!web.join("one.js").exists() && !web.join("two.js").exists());
+        assert!(!web.join("one.js").exists() && !web.join("in/two.js").exists());
         Ok(fs::remove_dir_all(web)?)
     }
 }

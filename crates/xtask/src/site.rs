@@ -77,7 +77,9 @@ pub fn build() -> Result<()> {
     }
     copy_folder(&paths::root().join("web"), &site.join("web"))?;
     for module in &MODULES {
-        bind(module, module.package, &site.join("web").join("wasm"))?;
+        let wasm = site.join("web").join("wasm");
+        bind(module, module.package, &wasm)?;
+        keep_types(module.package, &wasm)?;
     }
     script::minify(&site.join("web"))?;
     copy_pages(&paths::root().join("examples"), &site.join("examples"))?;
@@ -142,13 +144,23 @@ pub(crate) fn bind(module: &Module, name: &str, into: &Path) -> Result<()> {
         .web(true)
         .and_then(|bindgen| {
             bindgen
-                .typescript(false)
+                .typescript(true)
                 .omit_default_module_path(false)
                 .remove_name_section(true)
                 .remove_producers_section(true)
                 .generate(into)
         })
         .with_context(|| format!("cannot make the bindings of {}", module.package))
+}
+
+/// Moves the types of a module from `wasm` to `dist/types/wasm`: the `types` stage reads them,
+/// visitors do not.
+fn keep_types(name: &str, wasm: &Path) -> Result<()> {
+    let types = paths::site().with_file_name("types").join("wasm");
+    fs::create_dir_all(&types)?;
+    let file = format!("{name}.d.ts");
+    fs::rename(wasm.join(&file), types.join(file))?;
+    Ok(fs::remove_file(wasm.join(format!("{name}_bg.wasm.d.ts")))?)
 }
 
 /// Copies a folder with all that lies in it.

@@ -64,16 +64,7 @@ fn is_code(path: &str) -> bool {
 
 /// With what the panel alone needs of the rest, as links to share.
 fn is_of_panel(path: &str) -> bool {
-    begins(
-        path,
-        &[
-            "panel",
-            "mirror",
-            "parameters",
-            "share",
-            "wasm/hearth-panel",
-        ],
-    )
+    begins(path, &["panel", "parameters", "share", "wasm/hearth-panel"])
 }
 
 fn is_of_library(path: &str) -> bool {
@@ -82,7 +73,7 @@ fn is_of_library(path: &str) -> bool {
 
 /// Only a fire that shows a quantity loads its bar.
 fn is_of_bar(path: &str) -> bool {
-    begins(path, &["scale.", "quantities."])
+    begins(path, &["element/scale.", "generated/quantities."])
 }
 
 /// Only a fire whose values move, whose settings come from a file, that a pointer may stir,
@@ -91,11 +82,11 @@ fn is_asked_for(path: &str) -> bool {
     begins(
         path,
         &[
-            "fire-transition.",
-            "fire-file.",
-            "fire-spelling.",
-            "fire-pointer.",
-            "engine-main.",
+            "element/transition.",
+            "element/settings-file.",
+            "element/spelling.",
+            "element/pointer.",
+            "engine/main-thread.",
         ],
     )
 }
@@ -103,7 +94,7 @@ fn is_asked_for(path: &str) -> bool {
 /// Pages are examples, and React's entry is the element again; who embeds the
 /// element loads none of them.
 fn is_of_page(path: &str) -> bool {
-    begins(path, &["page", "embed", "address", "react"])
+    begins(path, &["pages", "embed", "react"])
 }
 
 fn begins(path: &str, starts: &[&str]) -> bool {
@@ -188,7 +179,7 @@ mod tests {
         };
         for path in [
             "hearth-fire.js",
-            "defaults.js",
+            "generated/defaults.js",
             "wasm/hearth-engine_bg.wasm",
         ] {
             assert_eq!(downloads(path), ["element and engine"]);
@@ -196,17 +187,16 @@ mod tests {
         for path in ["sim.js", "wasm/hearth-sim.js", "wasm/hearth-sim_bg.wasm"] {
             assert_eq!(downloads(path), ["headless library"]);
         }
-        for path in ["scale.js", "quantities.js"] {
+        for path in ["element/scale.js", "generated/quantities.js"] {
             assert_eq!(downloads(path), ["bar of colours, on request"]);
         }
-        for path in ["fire-transition.js", "engine-main.js"] {
+        for path in ["element/transition.js", "engine/main-thread.js"] {
             assert_eq!(downloads(path), ["element's rest, each on request"]);
         }
         for path in [
             "panel.js",
-            "panel-scenes.js",
-            "panel.css",
-            "mirror.js",
+            "panel/scenes.js",
+            "panel/panel.css",
             "parameters.js",
             "share.js",
             "wasm/hearth-panel.js",
@@ -214,9 +204,10 @@ mod tests {
             assert_eq!(downloads(path), ["panel, on request"]);
         }
         for path in [
-            "page.js",
-            "page.css",
-            "embed.js",
+            "pages/main.js",
+            "pages/main.css",
+            "embed/main.js",
+            "embed-client.js",
             "package.json",
             "parameters.d.ts",
             "sim.d.ts",

@@ -14,7 +14,7 @@ mod trunk;
 use anyhow::{Result, bail};
 
 use crate::report::Report;
-use crate::{bench, codegen, goldens, paths, site, size};
+use crate::{bench, codegen, goldens, script, site, size};
 
 /// One check.
 struct Stage {
@@ -63,6 +63,13 @@ const STAGES: &[Stage] = &[
         run: |_| code::lint_wasm(),
     },
     Stage {
+        name: "lint-web",
+        about: "biome has nothing to say about scripts and style sheets",
+        needs: &[],
+        in_browser: false,
+        run: |_| script::lint(),
+    },
+    Stage {
         name: "docs",
         about: "documentation of the libraries builds without a warning",
         needs: &[],
@@ -84,11 +91,25 @@ const STAGES: &[Stage] = &[
         run: |_| code::shaders(),
     },
     Stage {
+        name: "web",
+        about: "what is pure in the scripts, in Node",
+        needs: &[],
+        in_browser: false,
+        run: |_| library::scripts_in_node(),
+    },
+    Stage {
         name: "site",
         about: "the static site builds",
         needs: &[],
         in_browser: false,
         run: |_| site::build(),
+    },
+    Stage {
+        name: "types",
+        about: "the compiler finds no error in the types of scripts",
+        needs: &["site"],
+        in_browser: false,
+        run: |_| script::check_types(),
     },
     Stage {
         name: "size",
@@ -215,7 +236,7 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Stage>> {
 }
 
 fn generated() -> Result<()> {
-    let written = codegen::refresh(&paths::root())?;
+    let written = codegen::refresh_checkout()?;
     if !written.is_empty() {
         bail!(
             "these were behind the parameter table and have been written anew; commit them: {}",

@@ -30,7 +30,7 @@ export function rememberContexts() {
   let objects = 0;
   const { prototype } = scope.WebGL2RenderingContext ?? {};
   for (const name of ['Texture', 'Buffer', 'Framebuffer', 'Program', 'VertexArray', 'Query']) {
-    for (const [verb, more] of [['create', 1], ['delete', -1]]) {
+    for (const [verb, more] of /** @type {[string, number][]} */ ([['create', 1], ['delete', -1]])) {
       const original = prototype?.[verb + name];
       if (!original) continue;
       prototype[verb + name] = function counted(object) {

@@ -1,5 +1,5 @@
 //! The `<hearth-fire>` element, read through its public API alone, and the desk of
-//! the page's script (`web/panel-desk.js`), which does what is wished and can undo it.
+//! the page's script (`web/panel/controller.js`), which does what is wished and can undo it.
 //!
 //! The desk's methods return promises, the element's events say what changed. A page may use a
 //! stand-in with the same API, so nothing here asks for a class, and whatever

@@ -3,7 +3,7 @@
 //! [`Panel`] is all that JavaScript sees. eframe on the web has habits that
 //! disturb a page, and they are undone here: it keeps the wheel and the Tab key
 //! to itself, and it makes canvas and text field stops of the Tab key although
-//! the page's own controls (see `web/mirror.js`) serve the keyboard. It also
+//! the page's own controls (see `web/panel/accessible-controls.js`) serve the keyboard. It also
 //! takes the focus when it starts, which only the page's script can prevent.
 
 mod app;

@@ -102,7 +102,10 @@ mod tests {
     #[test]
     fn files_inside_are_found() {
         assert_eq!(file("/"), Some(PathBuf::new()));
-        assert_eq!(file("/web//page.js"), Some(Path::new("web/page.js").into()));
+        assert_eq!(
+            file("/web//pages/main.js"),
+            Some(Path::new("web/pages/main.js").into())
+        );
         assert_eq!(file("/a%20b/%C3%A9.js"), Some(Path::new("a b/é.js").into()));
     }
 

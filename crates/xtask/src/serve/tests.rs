@@ -56,8 +56,8 @@ fn every_kind_of_file_of_the_site_has_its_type() {
     for (file, expected) in [
         ("index.html", "text/html; charset=utf-8"),
         ("web/embed.html", "text/html; charset=utf-8"),
-        ("web/embed.js", "text/javascript; charset=utf-8"),
-        ("web/page.css", "text/css; charset=utf-8"),
+        ("web/embed/main.js", "text/javascript; charset=utf-8"),
+        ("web/pages/main.css", "text/css; charset=utf-8"),
         ("web/custom-elements.json", "application/json"),
         ("web/poster.jpg", "image/jpeg"),
         ("web/wasm/hearth-engine_bg.wasm", "application/wasm"),

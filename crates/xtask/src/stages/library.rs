@@ -21,6 +21,17 @@ pub(super) fn laws_in_node() -> Result<()> {
     process::run(node.env("HEARTH_SITE", paths::site()))
 }
 
+/// The tests of scripts that need neither a browser nor a built site.
+pub(super) fn scripts_in_node() -> Result<()> {
+    tools::node()?;
+    let folder = paths::root().join("tests").join("web");
+    let mut node = process::command("node");
+    process::run(
+        node.args(["--test", "--test-reporter", "spec"])
+            .args(tests(&folder)?),
+    )
+}
+
 /// Every test file, by name: what Node makes of a folder depends on its version.
 fn tests(folder: &Path) -> Result<Vec<PathBuf>> {
     let listed =

@@ -1,0 +1,207 @@
+/**
+ * Derives what tools and users read about `<hearth-fire>` from the JSDoc of its class:
+ * `web/hearth-fire.d.ts`, `web/react.d.ts`, `web/custom-elements.json` and the names of its own
+ * attributes. Prints the path of each file that was behind and is written.
+ *
+ * The class states its methods, accessors, events (`@fires`), slots, parts, custom properties and
+ * states; `HearthReflected` in `web/element/types.d.ts` states the properties that only live in
+ * an attribute; `web/parameters.js` and `web/parameters.d.ts` state the parameters. An accessor with
+ * `@attribute` reflects the attribute of its name with hyphens.
+ */
+import { readFile, writeFile } from 'node:fs/promises';
+import path from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { SyntaxKind } from 'typescript/unstable/ast';
+import { API } from 'typescript/unstable/sync';
+import { manifest } from './element/manifest.mjs';
+import { elementTypes, reactTypes } from './element/types.mjs';
+import { read } from './element/jsdoc.mjs';
+
+/**
+ * @typedef {object} Property
+ * @property {string} name
+ * @property {string} type  What reading it gives.
+ * @property {string} [accepts]  What it can be set to, where that is more.
+ * @property {boolean} ofClass
+ * @property {boolean} readonly
+ * @property {string} [attribute]
+ * @property {string} [default]
+ * @property {string} doc
+ *
+ * @typedef {{name: string, type: string, optional: boolean, rest: boolean, doc: string}} Argument
+ * @typedef {{template?: {name: string, type: string}, parameters: Argument[], returns: string, doc: string}} Signature
+ * @typedef {{name: string, signatures: Signature[]}} Method  The last signature takes all calls.
+ * @typedef {{name: string, type: string, doc: string}} Named
+ *
+ * @typedef {object} Parameter
+ * @property {string} id
+ * @property {string} attribute
+ * @property {string} property
+ * @property {string} kind
+ * @property {string} type
+ * @property {string} default
+ * @property {string} doc  Of its property.
+ * @property {string} about  The same with unit, defaults and ranges.
+ *
+ * @typedef {object} Element  What there is to know of the element.
+ * @property {string} doc
+ * @property {Property[]} properties
+ * @property {Method[]} methods
+ * @property {Parameter[]} parameters
+ * @property {Named[]} events
+ * @property {Named[]} slots
+ * @property {Named[]} parts
+ * @property {Named[]} cssProperties
+ * @property {Named[]} states
+ */
+
+const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../..');
+const WEB = path.join(ROOT, 'web');
+
+const api = new API({ cwd: ROOT });
+try {
+  const config = path.join(ROOT, 'tsconfig.json');
+  const [project] = api.updateSnapshot({ openProjects: [config] }).getProjects();
+  /** The declaration of that name in a file of `web/`. @type {(file: string, name: string) => any} */
+  const declared = (file, name) => {
+    const source = project.program.getSourceFile(path.join(WEB, file));
+    const found = /** @type {any} */ (source?.statements)?.find((one) => one.name?.text === name && one.members);
+    if (!found) throw new Error(`web/${file} declares no ${name}`);
+    return found;
+  };
+  const element = await describe(declared);
+  const own = element.properties.flatMap(({ attribute }) => attribute ?? []);
+  await refresh('web/hearth-fire.d.ts', elementTypes(element));
+  await refresh('web/react.d.ts', reactTypes(element));
+  await refresh('web/custom-elements.json', manifest(element));
+  await refresh('web/generated/attributes.js', [
+    '// Generated from the class in web/hearth-fire.js by `cargo xtask codegen`; edit its JSDoc instead.\n',
+    '/** The attributes that are no parameters. */',
+    `export const OWN_ATTRIBUTES = [${own.map((name) => `"${name}"`).join(', ')}];\n`,
+  ].join('\n'));
+} finally {
+  api.close();
+}
+
+/**
+ * @param {(file: string, name: string) => any} declared
+ * @returns {Promise<Element>}
+ */
+async function describe(declared) {
+  const type = declared('hearth-fire.js', 'HearthFire');
+  const about = read(type);
+  const named = (/** @type {string} */ tag) => about.all(tag).map(({ name, type: kind, text }) => ({ name, type: kind, doc: text }));
+  const members = [...type.members, ...declared('element/attributes.js', 'FireAttributes').members].filter(isPublic);
+  const reflected = [...declared('element/types.d.ts', 'HearthReflected').members];
+  const properties = [
+    ...members.filter(({ kind }) => kind === SyntaxKind.PropertyDeclaration || kind === SyntaxKind.GetAccessor)
+      .map((member) => accessor(member, members)),
+    ...reflected.filter(({ kind }) => kind !== SyntaxKind.SetAccessor).map((member) => reflection(member, reflected)),
+  ];
+  return {
+    doc: about.doc,
+    // A class names what it overrides a second time.
+    properties: properties.filter(({ name }, at) => properties.findIndex((one) => one.name === name) === at),
+    // The compiler lists an `@overload` as a method without a body.
+    methods: members.filter(({ kind, body }) => kind === SyntaxKind.MethodDeclaration && body).map(method),
+    parameters: await parameters(declared('parameters.d.ts', 'HearthParameters').members),
+    events: named('fires'),
+    slots: named('slot'),
+    parts: named('csspart'),
+    cssProperties: named('cssproperty'),
+    states: named('cssstate'),
+  };
+}
+
+/** Whether a member is the page's to use. @param {any} member */
+function isPublic({ name }) {
+  return name && name.kind !== SyntaxKind.PrivateIdentifier && !/Callback$|^observedAttributes$/.test(name.text);
+}
+
+/** @type {(member: any, members: any[]) => Property} */
+function accessor(member, members) {
+  const name = member.name.text;
+  const about = read(member);
+  const field = member.kind === SyntaxKind.PropertyDeclaration;
+  const settable = field || members.some((one) => one.kind === SyntaxKind.SetAccessor && one.name.text === name);
+  return {
+    name,
+    type: about.one(field ? 'type' : 'returns')?.type ?? missing(name, field ? '@type' : '@returns'),
+    ofClass: (member.modifiers ?? []).some((/** @type {any} */ one) => one.kind === SyntaxKind.StaticKeyword),
+    readonly: !settable,
+    attribute: about.one('attribute') && hyphened(name),
+    default: about.one('default')?.text,
+    doc: about.doc,
+  };
+}
+
+/** @type {(member: any, members: any[]) => Property} */
+function reflection(member, members) {
+  const name = member.name.text;
+  const about = read(member);
+  const setter = members.find((one) => one.kind === SyntaxKind.SetAccessor && one.name.text === name);
+  return {
+    name,
+    type: member.type.getText(),
+    accepts: setter?.parameters[0].type.getText(),
+    ofClass: false,
+    readonly: false,
+    attribute: hyphened(name),
+    default: about.one('default')?.text,
+    doc: about.doc,
+  };
+}
+
+/** @type {(member: any) => Method} */
+function method(member) {
+  const name = member.name.text;
+  const comments = member.jsDoc ?? [];
+  return {
+    name,
+    signatures: comments.map((/** @type {any} */ _, /** @type {number} */ at) => {
+      const about = read(member, at);
+      return {
+        doc: about.doc,
+        template: about.one('template'),
+        parameters: about.all('param').map((one) => ({
+          name: one.name,
+          doc: one.text,
+          optional: one.optional,
+          rest: one.type.startsWith('...'),
+          type: one.type.startsWith('...') ? `${one.type.slice(3)}[]` : one.type,
+        })),
+        returns: about.one('returns')?.type ?? missing(name, '@returns'),
+      };
+    }),
+  };
+}
+
+/** @type {(members: any[]) => Promise<Parameter[]>} */
+async function parameters(members) {
+  const { PARAMETERS } = await import(pathToFileURL(path.join(WEB, 'parameters.js')).href);
+  const typed = new Map(members.map((member) => [member.name.text, member]));
+  return PARAMETERS.map((/** @type {any} */ one) => {
+    const member = typed.get(one.id);
+    return { ...one, default: String(one.default), type: member.type.getText(), about: read(member).doc };
+  });
+}
+
+/** `reducedMotion` → `reduced-motion`. @param {string} name */
+function hyphened(name) {
+  return name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+}
+
+/** @type {(name: string, tag: string) => never} */
+function missing(name, tag) {
+  throw new Error(`the JSDoc of ${name} has no ${tag}`);
+}
+
+/** Writes a file that is behind, and says so. @param {string} file @param {string} text */
+async function refresh(file, text) {
+  const target = path.join(ROOT, file);
+  const present = await readFile(target, 'utf8').catch(() => '');
+  // A checkout on Windows may have turned line ends.
+  if (present.replaceAll('\r\n', '\n') === text) return;
+  await writeFile(target, text);
+  console.log(file);
+}

@@ -1,0 +1,163 @@
+/**
+ * `web/hearth-fire.d.ts`: the element's class for TypeScript; `web/react.d.ts`: the element in JSX.
+ *
+ * @typedef {import('../element.mjs').Element} Element
+ */
+
+const HEADER = `\
+// Generated from the class in web/hearth-fire.js, its types and the table of parameters by
+// \`cargo xtask codegen\`; edit the JSDoc of the class or web/element/types.d.ts instead.
+`;
+
+/** The types of `element/types.d.ts` and `parameters.d.ts` that signatures may name. */
+const NAMES = {
+  './element/types.js': [
+    'HearthChangeDetail', 'HearthConfig', 'HearthErrorDetail', 'HearthObjectsDetail', 'HearthPoint', 'HearthQuality', 'HearthQualityDetail',
+    'HearthStats', 'HearthTransition',
+  ],
+  './parameters.js': ['HearthObject', 'HearthParameters', 'HearthProperties', 'ParameterId', 'PresetName'],
+};
+
+/** @param {Element} element */
+export function elementTypes({ doc, properties, methods, events }) {
+  const members = [
+    ...properties.map((one) => `${comment(one.doc, '  ')}${property(one)}`),
+    ...methods.flatMap(({ name, signatures }) => (
+      // A signature that takes all calls of the others is the implementation's.
+      (signatures.length > 1 ? signatures.slice(0, -1) : signatures).map((one) => (
+        `${described(one)}  ${name}${one.template ? `<${one.template.name} extends ${one.template.type}>` : ''}(${one.parameters.map(argument).join(', ')}): ${one.returns};\n`
+      ))
+    )),
+    ...['addEventListener', 'removeEventListener'].map((name) => listeners(name)),
+  ];
+  const body = `\
+${comment('The events of a fire.', '')}\
+export interface HearthFireEventMap extends Omit<HTMLElementEventMap, 'error'> {
+${events.map((one) => `${comment(one.doc, '  ')}  ${quoted(one.name)}: CustomEvent<${one.type}>;\n`).join('')}}
+
+/** Every parameter is a property as well; a value out of range is refused aloud and changes nothing. */
+export interface HearthFire extends HearthProperties {}
+
+${comment(`The class of \`<hearth-fire>\`. ${doc}`, '')}\
+export class HearthFire extends HTMLElement {
+${members.join('')}}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'hearth-fire': HearthFire;
+  }
+}
+`;
+  return `${HEADER}
+${Object.entries(NAMES).map(([file, names]) => `${imports(names.filter((name) => new RegExp(`\\b${name}\\b`).test(body)), file)}\n`).join('')}
+export type * from './element/types.js';
+export type * from './parameters.js';
+
+${body}`;
+}
+
+/** @param {Element} element */
+export function reactTypes({ properties, parameters, events }) {
+  const own = properties.filter(({ attribute }) => attribute);
+  const attributes = [
+    ...own.map((one) => entry(one.doc, String(one.attribute), one.accepts ?? one.type)),
+    ...parameters.map((one) => entry(one.about, one.attribute, asText(one))),
+  ].join('');
+  const listens = events.map((one) => entry(one.doc, `on${one.name}`, `((event: CustomEvent<${one.type}>) => void)`)).join('');
+  const names = [...NAMES['./element/types.js'], 'HearthFire', 'PresetName'].sort();
+  return `${HEADER}
+/**
+ * \`<hearth-fire>\` in JSX, for React 19 and newer: \`import 'hearth-fire/react'\`
+ * instead of \`'hearth-fire'\`, and attributes and events have their types.
+ */
+
+import type { DetailedHTMLProps, HTMLAttributes } from 'react';
+${imports(names.filter((name) => name === 'HearthFire' || new RegExp(`\\b${name}\\b`).test(attributes + listens)), './hearth-fire.js')}
+
+export * from './hearth-fire.js';
+
+declare module 'react' {
+  namespace JSX {
+    interface IntrinsicElements {
+      'hearth-fire': DetailedHTMLProps<HearthFireProps, HearthFire>;
+    }
+  }
+}
+
+/** Everything that \`<hearth-fire>\` takes in JSX. */
+export type HearthFireProps = HearthFireAttributes &
+  HearthFireListeners &
+  Omit<HTMLAttributes<HearthFire>, keyof HearthFireAttributes | keyof HearthFireListeners>;
+
+/** The attributes of \`<hearth-fire>\`; one that is taken away is back at its default. */
+export interface HearthFireAttributes {
+${attributes}}
+
+/** The events of \`<hearth-fire>\`. */
+export interface HearthFireListeners {
+${listens}}
+`;
+}
+
+/** @param {import('../element.mjs').Property} property */
+function property({ name, type, accepts, ofClass, readonly }) {
+  if (accepts) return `  get ${name}(): ${type};\n  set ${name}(value: ${accepts});\n`;
+  return `  ${ofClass ? 'static ' : ''}${readonly ? 'readonly ' : ''}${name}: ${type};\n`;
+}
+
+/** The comment of a signature. @param {import('../element.mjs').Signature} signature */
+function described({ doc, parameters }) {
+  const told = parameters.filter((one) => one.doc);
+  if (told.length === 0) return comment(doc, '  ');
+  const lines = [doc, ...told.map((one) => `@param ${one.name} ${one.doc}`)];
+  return `  /**\n${lines.map((line) => `   * ${line}\n`).join('')}   */\n`;
+}
+
+/** @param {import('../element.mjs').Argument} argument */
+function argument({ name, type, optional, rest }) {
+  return `${rest ? '...' : ''}${name}${optional ? '?' : ''}: ${type}`;
+}
+
+/** @param {string} name */
+function listeners(name) {
+  const options = name === 'addEventListener' ? 'AddEventListenerOptions' : 'EventListenerOptions';
+  return `\
+  ${name}<Type extends keyof HearthFireEventMap>(
+    type: Type,
+    listener: (this: HearthFire, event: HearthFireEventMap[Type]) => unknown,
+    options?: boolean | ${options},
+  ): void;
+  ${name}(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | ${options},
+  ): void;
+`;
+}
+
+/** An attribute of JSX; a number may be written as text, as HTML does. @param {import('../element.mjs').Parameter} parameter */
+function asText({ kind, type }) {
+  const number = 'number | `$' + '{number}`';
+  if (kind === 'number' || kind === 'integer') return number;
+  return kind === 'seed' ? `${number} | 'auto'` : type;
+}
+
+/** @type {(doc: string, name: string, type: string) => string} */
+function entry(doc, name, type) {
+  return `${comment(doc, '  ')}  ${quoted(name)}?: ${type} | undefined;\n`;
+}
+
+/** @param {string} name */
+function quoted(name) {
+  return name.includes('-') ? `"${name}"` : name;
+}
+
+/** @type {(names: string[], file: string) => string} */
+function imports(names, file) {
+  return `import type {\n${names.map((name) => `  ${name},\n`).join('')}} from '${file}';`;
+}
+
+/** @type {(doc: string, indent: string) => string} */
+function comment(doc, indent) {
+  return `${indent}/** ${doc} */\n`;
+}

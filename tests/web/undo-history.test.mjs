@@ -1,0 +1,251 @@
+/**
+ * Undo and redo without a browser: whatever was done to a fire, in whatever order
+ * and however fast, the way back leads through the same fires to the first one.
+ */
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { Steps } from '../../web/panel/undo-history.js';
+
+const DEFAULTS = {
+  classic: { model: 'classic', width: 1, viscosity: 5, wind: 0, max_particles: 1000 },
+  combustion: { model: 'combustion', width: 4, viscosity: 5, wind: 0, max_particles: 3000 },
+};
+/** Ids that have a value in each model. */
+const OWN = ['width', 'max_particles'];
+const PRESETS = { default: {}, windy: { wind: 7 }, old: { model: 'classic', viscosity: 9 } };
+const LARGEST = 5000;
+const ANEW = { anew: true };
+
+/** A fire that answers in order, after a while, as the element does. */
+class Fire {
+  #state = this.#fresh('default');
+  #answers = Promise.resolve();
+
+  #fresh(preset) {
+    const state = { preset, model: 'combustion', named: false, values: structuredClone(DEFAULTS) };
+    this.#write(state, PRESETS[preset]);
+    return state;
+  }
+
+  /** Every id but those of {@link OWN} has one value for both models. */
+  #write(state, values) {
+    if (values.model) state.model = values.model;
+    for (const [id, value] of Object.entries(values)) {
+      if (id === 'model') continue;
+      if (!(id in DEFAULTS.classic)) throw new RangeError(`there is no ${id}`);
+      if (!(value <= LARGEST)) throw new RangeError(`${id} = ${value}`);
+      const models = OWN.includes(id) ? [state.model] : Object.keys(DEFAULTS);
+      for (const model of models) state.values[model][id] = value;
+      if (id === 'max_particles') state.named = true;
+    }
+  }
+
+  get params() {
+    return { ...this.#state.values[this.#state.model] };
+  }
+
+  /** Does something in its turn: all of it or nothing. */
+  #ask(act) {
+    const answer = this.#answers.then(async () => {
+      await new Promise((resolve) => { setTimeout(resolve); });
+      const next = structuredClone(this.#state);
+      const result = act(next);
+      this.#state = result?.values && result.model ? result : next;
+      return result?.hearth ? result : undefined;
+    });
+    this.#answers = answer.catch(() => {});
+    return answer;
+  }
+
+  set(ids, value) {
+    const values = typeof ids === 'object' ? ids : { [ids]: value };
+    return this.#ask((state) => this.#write(state, values));
+  }
+
+  restore(...ids) {
+    return this.#ask((state) => {
+      for (const id of ids) {
+        this.#write(state, { [id]: DEFAULTS[state.model][id] });
+        if (id === 'max_particles') state.named = false;
+      }
+    });
+  }
+
+  exportConfig() {
+    return this.#ask(({ preset, model, named, values }) => {
+      const base = this.#fresh(preset).values[model];
+      const changed = Object.entries(values[model]).filter(([id, value]) => (
+        value !== base[id] || (id === 'max_particles' && named)
+      ));
+      if (model !== this.#fresh(preset).model) changed.push(['model', model]);
+      return { hearth: 1, preset, values: Object.fromEntries(changed) };
+    });
+  }
+
+  importConfig({ preset = 'default', values = {} }) {
+    return this.#ask(() => {
+      const state = this.#fresh(preset);
+      this.#write(state, values);
+      return state;
+    });
+  }
+}
+
+/** Everything that can be seen of a fire. */
+const seen = async (fire) => ({ config: await fire.exportConfig(), params: fire.params });
+
+/** Numbers from 0 to 1 that look random, the same ones each time. */
+function* numbers(seed) {
+  for (let x = seed; ;) {
+    x = (x * 16807) % 2147483647;
+    yield x / 2147483647;
+  }
+}
+
+/** One thing that a hand might do. */
+function deed(steps, fire, random) {
+  const pick = (list) => list[Math.floor(random.next().value * list.length)];
+  const id = pick(['width', 'viscosity', 'wind', 'max_particles']);
+  steps.press();
+  return pick([
+    () => steps.set(id, Math.round(random.next().value * 20)),
+    () => steps.set(id, Math.round(random.next().value * 20)),
+    () => steps.set('model', pick(['classic', 'combustion'])),
+    () => steps.restore(id),
+    () => steps.all(() => fire.restore('width', 'viscosity', 'wind', 'max_particles'), { anew: false }),
+    () => steps.all(() => fire.importConfig({ preset: pick(Object.keys(PRESETS)) }), ANEW),
+    () => steps.all(() => fire.importConfig({ values: { max_particles: 3000, wind: 3 } }), ANEW),
+  ])();
+}
+
+const made = () => {
+  const fire = new Fire();
+  let changes = 0;
+  const steps = new Steps(fire, () => { changes += 1; }, (id, model) => DEFAULTS[model][id]);
+  return { fire, steps, changes: () => changes };
+};
+
+describe('the way back', () => {
+  for (const seed of [1, 2, 3, 4, 5, 6, 7, 8]) {
+    test(`leads through the same fires, one after another (${seed})`, async () => {
+      const { fire, steps } = made();
+      const random = numbers(seed);
+      const fires = [await seen(fire)];
+      for (let count = 0; count < 25; count += 1) {
+        await deed(steps, fire, random);
+        const now = await seen(fire);
+        if (JSON.stringify(now) !== JSON.stringify(fires.at(-1))) fires.push(now);
+      }
+      const forth = structuredClone(fires);
+      while (fires.length > 1) {
+        assert.deepEqual(await seen(fire), fires.pop());
+        assert.equal(await steps.undo(), true);
+      }
+      assert.deepEqual(await seen(fire), fires[0]);
+      assert.equal(await steps.undo(), false);
+      for (const one of forth.slice(1)) {
+        assert.equal(await steps.redo(), true);
+        assert.deepEqual(await seen(fire), one);
+      }
+      assert.equal(await steps.redo(), false);
+    });
+
+    test(`leads back to the first fire, however fast the hand was (${seed})`, async () => {
+      const { fire, steps } = made();
+      const random = numbers(seed);
+      const first = await seen(fire);
+      await Promise.all(Array.from({ length: 12 }, () => deed(steps, fire, random)));
+      const last = await seen(fire);
+      while (steps.canUndo) await steps.undo();
+      assert.deepEqual(await seen(fire), first);
+      while (steps.canRedo) await steps.redo();
+      assert.deepEqual(await seen(fire), last);
+    });
+  }
+});
+
+describe('a step', () => {
+  test('is a whole drag, and the next press is another one', async () => {
+    const { fire, steps } = made();
+    steps.press();
+    await Promise.all([6, 7, 8].map((value) => steps.set('viscosity', value)));
+    steps.press();
+    await steps.set('viscosity', 9);
+    await steps.undo();
+    assert.equal(fire.params.viscosity, 8);
+    await steps.undo();
+    assert.equal(fire.params.viscosity, 5);
+    assert.equal(steps.canUndo, false);
+  });
+
+  test('is none where nothing changed: a drag there and back, the same value, a refusal', async () => {
+    const { fire, steps } = made();
+    await Promise.all([6, 7, 5].map((value) => steps.set('viscosity', value)));
+    steps.press();
+    await steps.set('viscosity', 5);
+    await assert.rejects(steps.set('viscosity', LARGEST + 1), RangeError);
+    await assert.rejects(steps.all(() => fire.importConfig({ values: { nothing: 1 } }), ANEW), /nothing/);
+    await steps.all(() => fire.importConfig({}), ANEW);
+    assert.equal(steps.canUndo, false);
+    // And what comes next goes on as if nothing had been.
+    await steps.set('wind', 1);
+    assert.equal(steps.canUndo, true);
+  });
+
+  test('forgets what was undone before it', async () => {
+    const { steps, changes } = made();
+    await steps.set('viscosity', 6);
+    await steps.undo();
+    assert.equal(steps.canRedo, true);
+    const before = changes();
+    steps.press();
+    await steps.set('wind', 1);
+    assert.equal(steps.canRedo, false);
+    assert.ok(changes() > before);
+  });
+
+  test('leaves alone what somebody else changed', async () => {
+    const { fire, steps } = made();
+    await steps.set('viscosity', 6);
+    await fire.set('wind', 3);
+    await steps.undo();
+    assert.deepEqual([fire.params.viscosity, fire.params.wind], [5, 3]);
+  });
+
+  test('goes back to its own model', async () => {
+    const { fire, steps } = made();
+    await steps.set('width', 6);
+    await fire.set('model', 'classic');
+    await steps.undo();
+    assert.deepEqual([fire.params.model, fire.params.width], ['combustion', 4]);
+  });
+
+  test('keeps a number of particles that nobody set free to follow the quality', async () => {
+    const { fire, steps } = made();
+    await steps.set('max_particles', 900);
+    await steps.undo();
+    assert.deepEqual((await fire.exportConfig()).values, {});
+    await steps.redo();
+    assert.deepEqual((await fire.exportConfig()).values, { max_particles: 900 });
+  });
+
+  test('that the fire refuses by now is gone, and the refusal is told', async () => {
+    const { fire, steps } = made();
+    await steps.set('viscosity', 6);
+    fire.set = () => Promise.reject(new RangeError('no more'));
+    await assert.rejects(steps.undo(), /no more/);
+    assert.deepEqual([steps.canUndo, steps.canRedo], [false, false]);
+  });
+
+  test('of long ago is forgotten, so that a long day fills no memory', async () => {
+    const { fire, steps } = made();
+    for (let value = 0; value < 300; value += 1) {
+      steps.press();
+      await steps.set('wind', value % 2 ? 1 : 2);
+    }
+    let count = 0;
+    while (await steps.undo()) count += 1;
+    assert.ok(count >= 100 && count < 300, `${count} steps`);
+    assert.ok([1, 2].includes(fire.params.wind));
+  });
+});

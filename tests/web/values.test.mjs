@@ -1,0 +1,42 @@
+/**
+ * Which values are colours, the seeds that fires get by themselves, and the parameters that
+ * transitions move.
+ */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { warmth } from '../../web/element/attributes.js';
+import { isColour, seedOf } from '../../web/element/values.js';
+import { LOGARITHMIC, WHOLE } from '../../web/generated/between.js';
+import { PARAMETERS } from '../../web/parameters.js';
+
+test('the colours are the parameters of that kind', () => {
+  const named = PARAMETERS.filter(({ id }) => isColour(id)).map(({ id }) => id);
+  assert.deepEqual(named, PARAMETERS.filter(({ kind }) => kind === 'colour').map(({ id }) => id));
+});
+
+test('fires of a document get different seeds, the same ones in the same order, and keep them', () => {
+  const seedsOf = () => {
+    const ownerDocument = {};
+    const fires = Array.from({ length: 200 }, () => /** @type {any} */ ({ ownerDocument }));
+    const seeds = fires.map(seedOf);
+    assert.deepEqual(fires.map(seedOf), seeds);
+    return seeds;
+  };
+  const seeds = seedsOf();
+  assert.deepEqual(seedsOf(), seeds);
+  assert.equal(new Set(seeds).size, seeds.length);
+  for (const seed of seeds) assert.ok(Number.isInteger(seed) && seed >= 0 && seed < 2 ** 32);
+});
+
+test('transitions move by ratios what a slider shows by ratios, and jump between whole numbers', () => {
+  const ids = (/** @type {(one: typeof PARAMETERS[number]) => boolean} */ holds) => PARAMETERS.filter(holds).map(({ id }) => id).sort();
+  assert.deepEqual([...LOGARITHMIC].sort(), ids(({ kind, scale }) => kind === 'number' && scale === 'log'));
+  assert.deepEqual([...WHOLE].sort(), ids(({ kind }) => kind === 'integer' || kind === 'seed'));
+});
+
+test('`warm` is a number of seconds, three without one, and none where it is off', () => {
+  const read = (/** @type {string | null} */ text) => warmth(/** @type {any} */ ({ getAttribute: () => text }));
+  for (const [text, seconds] of /** @type {[string | null, number][]} */ ([
+    [null, 0], ['false', 0], ['', 3], [' ', 3], ['0', 0], ['2.5', 2.5], ['30', 30], ['31', NaN], ['-1', NaN], ['hot', NaN],
+  ])) assert.equal(read(text), seconds, `${text}`);
+});

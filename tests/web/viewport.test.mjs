@@ -1,0 +1,43 @@
+/**
+ * Where the fire's domain stands in its picture, and how many pixels the picture has.
+ */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { cappedSize } from '../../web/element/visibility.js';
+import { alignment, placeOf } from '../../web/element/viewport.js';
+
+test('an alignment is one or two words of object-position, in any order', () => {
+  for (const [words, shares] of /** @type {[string, [number, number] | undefined][]} */ ([
+    ['center bottom', [0.5, 0]], ['bottom center', [0.5, 0]], ['left', [0, 0.5]], ['top', [0.5, 1]], [' RIGHT  Top ', [1, 1]],
+    ['center', [0.5, 0.5]], ['', undefined], ['left right', undefined], ['left top center', undefined], ['constructor', undefined],
+  ])) assert.deepEqual(alignment(words), shares, words);
+});
+
+test('each fit scales the domain to the picture, and the alignment places it', () => {
+  // A domain of 1 m × 2 m in a picture of 300 × 200 pixels.
+  for (const [fit, scale] of /** @type {[string, number][]} */ ([
+    ['height', 100], ['width', 300], ['contain', 100], ['cover', 300], ['unknown', 100],
+  ])) {
+    for (const x of [0, 0.5, 1]) {
+      for (const y of [0, 0.5, 1]) {
+        const place = placeOf({ fit, x, y }, 1, 2, 300, 200);
+        assert.equal(place.scale, scale, fit);
+        // The domain's own point at these shares is the picture's.
+        assert.equal(place.left + (x - 0.5) * scale, 300 * x, `${fit} ${x}`);
+        assert.equal(place.bottom + 2 * scale * y, 200 * y, `${fit} ${y}`);
+      }
+    }
+  }
+});
+
+test('a canvas has at most two pixels for a CSS pixel, one and a half on touch screens', () => {
+  assert.deepEqual(cappedSize(300, 200, 1, false), { width: 300, height: 200 });
+  assert.deepEqual(cappedSize(900, 600, 3, false), { width: 600, height: 400 });
+  assert.deepEqual(cappedSize(900, 600, 3, true), { width: 450, height: 300 });
+  assert.deepEqual(cappedSize(300, 200, 1.5, true), { width: 300, height: 200 });
+});
+
+test('a canvas is never longer than graphics cards can draw, and keeps its shape', () => {
+  assert.deepEqual(cappedSize(16384, 4096, 1, false), { width: 8192, height: 2048 });
+  assert.deepEqual(cappedSize(0, 0, 1, false), { width: 0, height: 0 });
+});

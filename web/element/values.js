@@ -1,0 +1,98 @@
+/**
+ * What the values of a message mean where only a browser and its page can tell: any
+ * colour that CSS has, and the seed that a fire gets by itself.
+ *
+ * They become what the engine reads when the message is sent: the element is on a
+ * page then, and the order of its page's fires is known.
+ *
+ * @typedef {import('../engine/engine.js').Message} Message
+ */
+
+import { DEFAULTS } from '../generated/defaults.js';
+
+/** The seeds of those that got one by themselves. @type {WeakMap<Element, number>} */
+const SEEDS = new WeakMap();
+
+/** How many that were in each document. @type {WeakMap<Document, number>} */
+const COUNTS = new WeakMap();
+
+/**
+ * The seed that a fire gets by itself: it keeps it, and the next one of its document has
+ * another. The same page has the same seeds each time.
+ * @param {Element} fire
+ */
+export function seedOf(fire) {
+  let seed = SEEDS.get(fire);
+  if (seed === undefined) {
+    const count = (COUNTS.get(fire.ownerDocument) ?? 0) + 1;
+    COUNTS.set(fire.ownerDocument, count);
+    seed = mixed(count);
+    SEEDS.set(fire, seed);
+  }
+  return seed;
+}
+
+/** Bits that have nothing to do with those of the next number: MurmurHash3's last step. @param {number} bits */
+function mixed(bits) {
+  bits = Math.imul(bits ^ (bits >>> 16), 0x85ebca6b);
+  bits = Math.imul(bits ^ (bits >>> 13), 0xc2b2ae35);
+  return (bits ^ (bits >>> 16)) >>> 0;
+}
+
+/** @param {unknown} one */
+const isObject = (one) => typeof one === 'object' && one && !Array.isArray(one);
+
+/** Whether a parameter is a colour. @param {string} id */
+export const isColour = (id) => /^(#|transparent$)/.test(String(DEFAULTS[/** @type {keyof typeof DEFAULTS} */ (id)]));
+
+/**
+ * A colour as the engine reads it; what is no colour of this browser, as it is.
+ * @param {string} colour as CSS has it
+ * @param {Element} fire one on a page, whose custom properties and own colour count
+ */
+export function hexOf(colour, fire) {
+  // Of four digits the engine reads none.
+  if (/^#(?!.{4}$)|^transparent$/.test(colour)) return colour;
+  // Whatever form a colour has, a mixture of it has three numbers of sRGB.
+  const mixture = `color-mix(in srgb, ${colour}, ${colour})`;
+  if (!CSS.supports('color', mixture)) return colour;
+  const probe = document.createElement('i');
+  probe.style.cssText = 'forced-color-adjust: none';
+  probe.style.backgroundColor = mixture;
+  fire.shadowRoot?.append(probe);
+  // Another form where it has a custom property that is not there.
+  const srgb = getComputedStyle(probe).backgroundColor.match(/^color\(srgb (\S+) (\S+) ([^\s)]+)(?: \/ ([^)]+))?/);
+  probe.remove();
+  if (!srgb) return colour;
+  const digits = [1, 2, 3, 4].map((at) => {
+    const part = srgb[at] ?? 1;
+    const byte = Math.round(Math.min(Math.max(Number(part) || 0, 0), 1) * 255);
+    return byte.toString(16).padStart(2, '0');
+  });
+  return `#${digits.join('')}`;
+}
+
+/**
+ * A message as the engine reads it. Its values are changed in place: they are data that
+ * nobody else has.
+ * @param {Message} message
+ * @param {Element} fire
+ * @returns {Message}
+ */
+export function meant(message, fire) {
+  let { type, config, values } = message;
+  if (fire.getAttribute('seed') === 'auto') {
+    // What replaces every value leaves it its own seed, unless it names one.
+    if (type === 'preset') [type, config] = ['import', { preset: message.name }];
+    if (type === 'import' && isObject(config)) config = { ...config, values: { seed: 'auto', ...config.values } };
+    if (type === 'add') values = { seed: 'auto', ...values };
+  }
+  for (const sent of [values, config?.values]) {
+    for (const id in sent) {
+      const value = sent[id];
+      if (id === 'seed' && value === 'auto') sent[id] = seedOf(fire);
+      else if (isColour(id) && typeof value === 'string') sent[id] = hexOf(value, fire);
+    }
+  }
+  return { ...message, type, config, values };
+}

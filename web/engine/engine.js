@@ -1,0 +1,292 @@
+/**
+ * Loads the engine and connects elements to it, in messages only.
+ *
+ * Whatever an element and the engine say to each other could go through
+ * `postMessage`: plain data, delivered later, in order, no getter into wasm. All
+ * fires of a page share one engine. It runs in a worker where that can draw, and
+ * on the main thread elsewhere; its wasm is fetched and compiled once, here.
+ *
+ * @typedef {{type: string, fire?: number, [field: string]: any}} Message
+ * @typedef {ImageBitmap | HTMLCanvasElement} Drawn a picture: a bitmap to be kept,
+ *   or a canvas to be copied from at once
+ * @typedef {{heard: (message: Message) => void, drawn: (picture: Drawn) => void}} Listener
+ * @typedef {'auto' | 'worker' | 'main'} Place
+ * @typedef {string | URL | BufferSource | Promise<BufferSource>} Source where wasm is, or its bytes
+ */
+
+import { glue, wasm, worker } from './files.js';
+
+/** The smallest module that uses a SIMD instruction. */
+const SIMD_MODULE = new Uint8Array([
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15,
+  253, 98, 11,
+]);
+
+/** How long an engine without a fire waits for the next one [ms]. */
+const IDLE_MS = 5000;
+
+/** How long a worker may take to start before the main thread is used [ms]. */
+const WORKER_MS = 15_000;
+
+/** Why there is no fire, in words that a visitor can be shown. */
+export class EngineError extends Error {
+  /**
+   * @param {'unsupported' | 'load'} kind
+   * @param {string} message
+   */
+  constructor(kind, message) {
+    super(message);
+    this.name = 'EngineError';
+    this.kind = kind;
+  }
+}
+
+/** What this browser lacks, in words; empty if it has everything but perhaps WebGL2. */
+function missing() {
+  if (typeof WebAssembly !== 'object') {
+    return 'This browser has no WebAssembly, or it is switched off.';
+  }
+  if (!WebAssembly.validate(SIMD_MODULE)) {
+    return 'This browser has no WebAssembly SIMD; every browser since 2023 has it.';
+  }
+  return '';
+}
+
+/**
+ * The engine as an element sees it: a port that can only be posted to.
+ * @typedef {EnginePort} Port
+ */
+class EnginePort {
+  /** What is wrong with how it is served, though it burns; else empty. */
+  warning = '';
+  /** @type {(message: Message | number) => void} */
+  send = () => {};
+  end = () => {};
+  /** @type {Map<number, Listener>} */
+  #listeners = new Map();
+  #lastFire = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #idle;
+
+  /** @param {'worker' | 'main'} place where it runs */
+  constructor(place) {
+    this.place = place;
+    this.#rest();
+  }
+
+  /**
+   * Opens a line for one fire; `listener` hears what is said about it and gets its
+   * pictures.
+   * @param {Listener} listener
+   * @returns {number} the fire's number
+   */
+  open(listener) {
+    clearTimeout(this.#idle);
+    this.#lastFire += 1;
+    this.#listeners.set(this.#lastFire, listener);
+    return this.#lastFire;
+  }
+
+  /**
+   * Closes the line of a fire. When there is none left, the engine goes too, with
+   * its memory.
+   * @param {number} fire
+   */
+  close(fire) {
+    this.#listeners.delete(fire);
+    if (this.#listeners.size === 0) this.#rest();
+  }
+
+  /** Waits for a fire, and ends without one. */
+  #rest() {
+    clearTimeout(this.#idle);
+    this.#idle = setTimeout(() => this.#retire(), IDLE_MS);
+  }
+
+  /**
+   * Sends a message to the engine.
+   * @param {Message} message
+   */
+  post(message) {
+    this.send(message);
+  }
+
+  /** A fire's picture is shown, and another may follow. @param {number} fire */
+  shown(fire) {
+    if (this.place === 'worker') this.send(fire);
+  }
+
+  /** @param {Message} message */
+  deliver(message) {
+    this.#listeners.get(message.fire ?? 0)?.heard(message);
+  }
+
+  /** @type {(fire: number, picture: Drawn) => void} */
+  draw(fire, picture) {
+    const listener = this.#listeners.get(fire);
+    if (listener) listener.drawn(picture);
+    else if ('close' in picture) picture.close();
+  }
+
+  /**
+   * Only a defect of the engine itself, or a browser short of memory, comes here;
+   * its fires must hear it. The next fire gets a new engine.
+   * @param {unknown} why
+   */
+  fail(why) {
+    this.#retire();
+    const message = `The fire's engine has stopped: ${why}`;
+    for (const fire of [...this.#listeners.keys()]) {
+      this.deliver({ type: 'error', fire, kind: 'load', message });
+    }
+  }
+
+  #retire() {
+    if (current === this) opened = current = undefined;
+    this.end();
+    this.send = this.end = () => {};
+  }
+}
+
+/** @type {Promise<EnginePort> | undefined} */
+let opened;
+/** @type {EnginePort | undefined} */
+let current;
+
+/**
+ * Connects to the page's engine, which is loaded at the first call. A failure
+ * is not remembered: the next call tries again.
+ * @param {Source} [source] the wasm, if it is not beside its script
+ * @param {Place} [place]
+ * @returns {Promise<EnginePort>}
+ */
+export function connect(source, place = 'auto') {
+  opened ??= load(source ?? wasm(), place).then((port) => {
+    current = port;
+    return port;
+  });
+  const opening = opened;
+  opening.catch(() => {
+    if (opened === opening) opened = undefined;
+  });
+  return opening;
+}
+
+/** @type {(source: Source, place: Place) => Promise<EnginePort>} */
+async function load(source, place) {
+  const lacking = missing();
+  if (lacking) throw new EngineError('unsupported', lacking);
+  // The worker's script and the wasm are on their way at the same time.
+  const compiled = compile(source);
+  compiled.catch(() => {});
+  const port = (place !== 'main' && await inWorker(compiled)) || undefined;
+  const { module, warning } = await compiled;
+  if (!port && place === 'worker') {
+    throw new EngineError('unsupported', 'The fire cannot be drawn in a worker of this browser.');
+  }
+  const connected = port ?? await onMainThread(module);
+  connected.warning = warning;
+  return connected;
+}
+
+/**
+ * Fetches the wasm and compiles it, while it comes in where the server says what it is.
+ * @param {Source} source
+ * @returns {Promise<{module: WebAssembly.Module, warning: string}>}
+ */
+async function compile(source) {
+  const failed = (/** @type {unknown} */ why) => new EngineError('load', `The fire's engine could not be loaded: ${why}`);
+  try {
+    const given = await source;
+    if (typeof given !== 'string' && !(given instanceof URL)) {
+      return { module: await WebAssembly.compile(given), warning: '' };
+    }
+    const url = new URL(given, document.baseURI).href;
+    const response = await fetch(url, { credentials: 'same-origin' });
+    if (!response.ok) throw new Error(`${url} gave ${response.status}`);
+    const type = response.headers.get('content-type') ?? 'no type';
+    if (/^application\/wasm\s*(;|$)/i.test(type)) {
+      return { module: await WebAssembly.compileStreaming(response), warning: '' };
+    }
+    const bytes = await response.arrayBuffer();
+    if (String.fromCharCode(...new Uint8Array(bytes.slice(0, 4))) !== '\0asm') {
+      throw new Error(`${url} is no wasm file; it was served as ${type}`);
+    }
+    const warning = `${url} is served as ${type} instead of application/wasm, so that the fire starts later.`;
+    return { module: await WebAssembly.compile(bytes), warning };
+  } catch (error) {
+    throw failed(error instanceof Error ? error.message : error);
+  }
+}
+
+/**
+ * The engine in a worker; nothing where it cannot be there.
+ * @param {Promise<{module: WebAssembly.Module}>} compiled
+ * @returns {Promise<EnginePort | undefined>}
+ */
+function inWorker(compiled) {
+  /** @type {Worker} */
+  let thread;
+  try {
+    thread = worker();
+  } catch {
+    return Promise.resolve(undefined);
+  }
+  const port = new EnginePort('worker');
+  return new Promise((resolve) => {
+    const give = () => {
+      clearTimeout(patience);
+      thread.terminate();
+      resolve(undefined);
+    };
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    let patience;
+    thread.onerror = (event) => {
+      event.preventDefault();
+      give();
+    };
+    thread.onmessage = ({ data }) => {
+      if (data.type !== 'started') {
+        give();
+        return;
+      }
+      clearTimeout(patience);
+      port.send = (message) => thread.postMessage(message);
+      port.end = () => thread.terminate();
+      thread.onerror = (event) => {
+        event.preventDefault();
+        port.fail(event.message);
+      };
+      thread.onmessage = ({ data: said }) => {
+        if (said.type === 'picture') port.draw(said.fire, said.bitmap);
+        else if (said.type === 'stopped') port.fail(said.why);
+        else port.deliver(said);
+      };
+      resolve(port);
+    };
+    compiled.then(({ module }) => {
+      thread.postMessage({ type: 'start', module });
+      patience = setTimeout(give, WORKER_MS);
+    }).catch(give);
+  });
+}
+
+/**
+ * The engine on this thread. Its code is loaded only here.
+ * @param {WebAssembly.Module} module
+ * @returns {Promise<EnginePort>}
+ */
+async function onMainThread(module) {
+  const failed = (/** @type {unknown} */ error) => {
+    throw new EngineError('load', `The fire's engine could not be loaded: ${error}`);
+  };
+  const [{ default: init, Engine }, { start }] = await Promise.all([glue(), import('./main-thread.js')]).catch(failed);
+  await init({ module_or_path: module });
+  const port = new EnginePort('main');
+  try {
+    start(Engine, port);
+  } catch (error) {
+    throw new EngineError('unsupported', `The fire cannot be drawn: ${error instanceof Error ? error.message : error}.`);
+  }
+  return port;
+}

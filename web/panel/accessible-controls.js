@@ -1,0 +1,405 @@
+/**
+ * The panel once more, in the page's own controls.
+ *
+ * A canvas says nothing to a screen reader and has no stops for the Tab key.
+ * So each parameter has a labelled native control here, and each button of the
+ * panel a button: out of sight until it has the focus, and in step with the
+ * fire both ways, in the groups of the panel. As on the panel, only those are there that
+ * the fire's model uses. Each carries in `data-rect` where the panel shows its like:
+ * `x y width height` in CSS pixels of the window, absent while that is out of
+ * sight; a real mouse can press there.
+ */
+
+import { COPIES, COPY_LABELS } from './controller.js';
+import { PARAMETERS } from '../parameters.js';
+
+/** How many presses of an arrow key cross a logarithmic range. */
+const LOG_STEPS = 100;
+
+/** How many steps a key moves a slider. @type {{[key: string]: number | undefined}} */
+const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 };
+
+/** The id of the parameter that decides which others there are. */
+const MODEL = 'model';
+
+/** The choices that decide whether others count. */
+const DECIDES = new Set(PARAMETERS.flatMap(({ when, unless }) => Object.keys({ ...when, ...unless })));
+
+/** The model of a fire that says nothing of it. */
+const DEFAULT_MODEL = /** @type {ModelName} */ (PARAMETERS.find(({ id }) => id === MODEL)?.default);
+
+/**
+ * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
+ * @typedef {import('../parameters.js').Parameter} Parameter
+ * @typedef {import('../parameters.js').ParameterDomain} Domain
+ * @typedef {import('../parameters.js').ParameterId} Id
+ * @typedef {import('../parameters.js').ModelName} ModelName
+ * @typedef {import('../parameters.js').HearthParameters[Id]} Value
+ * @typedef {(value: Value | undefined, domain: Domain) => void} Show puts a value into a control
+ *
+ * @typedef {object} Mirror
+ * @property {(rectangles: Record<string, number[]>, canvas: DOMRect, scale: number) => void} place
+ *   says where the panel shows its controls, by name, and how large
+ * @property {(alone?: boolean) => void} stand stands in for a panel that cannot be shown
+ * @property {() => void} destroy
+ */
+
+/**
+ * @param {object} parts
+ * @param {HTMLElement} parts.host
+ * @param {HearthFire} parts.fire  Where values are read.
+ * @param {import('./controller.js').Desk} parts.desk  What does it all.
+ * @param {(id: string) => void} parts.reveal  Brings a parameter into sight on the panel, or `share`.
+ * @returns {Mirror}
+ */
+export function mountMirror({ host, fire, desk, reveal }) {
+  const root = document.createElement('div');
+  root.className = 'hearth-mirror';
+  root.dir = 'ltr';
+  root.setAttribute('role', 'group');
+  root.setAttribute('aria-label', 'Fire controls');
+  const status = document.createElement('p');
+  status.setAttribute('role', 'status');
+  /** @type {Map<string, HTMLElement>} by the name that the panel gives it */
+  const places = new Map();
+  /** @type {Map<string, () => void>} */
+  const shows = new Map();
+  /** @type {<I extends Id>(id: I) => import('../parameters.js').HearthParameters[I] | undefined} */
+  const read = (id) => fire.params?.[id];
+  /** What a parameter has in the present model; nothing where that does not use it. */
+  const domainOf = (/** @type {Parameter} */ parameter) => parameter.domains[read(MODEL) ?? DEFAULT_MODEL];
+
+  const quietly = (/** @type {unknown} */ answer) => {
+    // What is refused is told by the element's error event.
+    Promise.resolve(answer).catch(() => {});
+  };
+  const say = (/** @type {string} */ text) => {
+    status.textContent = text;
+  };
+
+  /**
+   * @param {string} action
+   * @param {string} text
+   * @param {() => unknown} press
+   * @param {HTMLElement} [place]
+   */
+  function addButton(action, text, press, place = root) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.dataset.action = action;
+    button.textContent = text;
+    button.addEventListener('click', () => quietly(press()));
+    place.append(button);
+    places.set(`action:${action}`, button);
+    return button;
+  }
+  const few = desk.only !== undefined;
+  const shownParameters = desk.only?.flatMap((id) => PARAMETERS.filter((one) => one.id === id)) ?? PARAMETERS;
+
+  const pause = addButton('pause', 'Pause', () => (fire.paused ? desk.play() : desk.pause()));
+  const step = addButton('step', 'One step', () => {
+    if (!fire.paused) quietly(desk.pause());
+    return desk.step();
+  });
+  const reset = addButton('reset', 'Restart', () => desk.reset());
+  const undo = addButton('undo', 'Undo', () => desk.undo());
+  const redo = addButton('redo', 'Do again', () => desk.redo());
+  const picture = addButton('picture', 'Save a picture', () => desk.picture());
+  const fullscreen = addButton('fullscreen', 'Full screen', () => desk.fullscreen());
+  const copies = COPIES.map((what) => addButton(`copy:${what}`, `Copy the ${COPY_LABELS[what]}`, () => (
+    desk.copy(what)
+  )));
+  const paste = addButton('paste', 'Paste settings', () => desk.paste());
+  for (const button of [...copies, paste]) button.addEventListener('focus', () => reveal('share'));
+  const help = addButton('help', 'Keys', () => desk.help());
+  // Where there is little height the panel unfolds these.
+  for (const button of [step, reset, redo, picture, fullscreen, help]) {
+    button.addEventListener('focus', () => reveal('tools'));
+  }
+  const scenes = addButton('scenes', 'Scenes', () => desk.scenes());
+  scenes.setAttribute('aria-haspopup', 'dialog');
+  const resetAll = addButton('reset-all', 'Reset all to the scene', () => desk.restoreAll());
+  if (!few) resetAll.addEventListener('focus', () => reveal('tools'));
+
+  const quality = addQuality(root, (name) => desk.quality(name));
+  quality.addEventListener('focus', () => reveal('quality'));
+  places.set('quality', quality);
+  if (few) {
+    for (const one of [step, picture, fullscreen, ...copies, paste, help, scenes, quality.parentElement]) one?.remove();
+  }
+
+  /** @type {HTMLFieldSetElement | undefined} */
+  let group;
+  for (const parameter of shownParameters) {
+    const id = parameter.id;
+    if (!group || (!few && group.name !== parameter.group)) {
+      group = document.createElement('fieldset');
+      group.name = few ? 'Controls' : parameter.group;
+      const legend = document.createElement('legend');
+      legend.textContent = group.name;
+      group.append(legend);
+      root.append(group);
+    }
+    const place = group;
+    const { row, control, note, show } = makeControl(parameter, (value) => {
+      quietly(desk.set(id, value).finally(shows.get(id)));
+    });
+    control.dataset.parameter = id;
+    control.title = parameter.doc;
+    place.append(row);
+    places.set(id, control);
+    const restore = addButton(`restore:${id}`, `Reset ${parameter.label}`, () => {
+      control.focus();
+      return desk.restore(id);
+    }, place);
+    shows.set(id, () => {
+      const domain = domainOf(parameter);
+      const value = read(id);
+      row.hidden = !domain;
+      restore.hidden = !domain || id === MODEL || value === desk.defaultOf(id);
+      if (domain) show(value, domain);
+      const isChosen = (/** @type {[string, string[]]} */ [of, names]) => names.includes(String(read(/** @type {Id} */ (of))));
+      const waits = Object.entries(parameter.when ?? {}).filter((chosen) => !isChosen(chosen));
+      const bars = Object.entries(parameter.unless ?? {});
+      const barred = bars.length > 0 && bars.every(isChosen);
+      const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map(inWords).join(' and ');
+      note.textContent = waits.length > 0 ? `Only with ${list(waits)}` : barred ? `Not with ${list(bars)}` : '';
+      row.classList.toggle('idle', waits.length > 0 || barred);
+    });
+    control.addEventListener('focus', () => reveal(id));
+    control.addEventListener('blur', () => reveal(''));
+  }
+  root.append(status);
+  host.append(root);
+
+  const showAll = () => {
+    for (const show of shows.values()) show();
+    for (const set of root.querySelectorAll('fieldset')) {
+      set.hidden = [...set.querySelectorAll('.row')].every((row) => /** @type {HTMLElement} */ (row).hidden);
+    }
+    showPlaying();
+    showQuality();
+  };
+  const showQuality = () => {
+    if (fire.quality !== undefined) quality.value = fire.quality;
+  };
+  const showPlaying = () => {
+    pause.textContent = fire.paused ? 'Play' : 'Pause';
+  };
+  const changed = (/** @type {Event} */ event) => {
+    const { id } = /** @type {CustomEvent<{id: Id}>} */ (event).detail ?? {};
+    // Another model has other controls, and its own values in those that stay; a
+    // choice makes others count or not.
+    if (id === MODEL || DECIDES.has(id)) showAll();
+    else shows.get(id)?.();
+  };
+  const failed = (/** @type {Event} */ event) => say(/** @type {CustomEvent} */ (event).detail?.message ?? '');
+  const heard = {
+    ready: showAll,
+    play: showPlaying,
+    pause: showPlaying,
+    'params-change': changed,
+    'quality-change': showQuality,
+    error: failed,
+    restored: () => say(''),
+  };
+  for (const [name, listener] of Object.entries(heard)) fire.addEventListener(name, listener);
+  let said = '';
+  let preset = desk.state.preset;
+  const showDesk = () => {
+    const state = desk.state;
+    // Another scene has other values to go back to.
+    if (state.preset !== preset) showAll();
+    preset = state.preset;
+    // A button that has the focus would lose it if it were disabled.
+    undo.setAttribute('aria-disabled', String(!state.undo));
+    redo.setAttribute('aria-disabled', String(!state.redo));
+    scenes.textContent = state.scene ? `Scene: ${state.scene}` : 'Scenes';
+    fullscreen.hidden = !state.fullscreen;
+    copies[COPIES.indexOf('link')].hidden = !state.link;
+    copies[COPIES.indexOf('iframe')].hidden = !state.iframe;
+    if (state.said !== said) say(state.said);
+    said = state.said;
+  };
+  desk.addEventListener('change', showDesk);
+  showDesk();
+  showAll();
+
+  return {
+    place(rectangles, canvas, scale) {
+      // The control that has the focus lies over the panel's lower edge.
+      const focused = root.querySelector(':focus');
+      const shown = focused?.closest('.row') ?? focused;
+      const free = ((shown?.getBoundingClientRect().top ?? Infinity) - canvas.y) / scale;
+      for (const [name, element] of places) {
+        const rectangle = rectangles[name];
+        const text = rectangle && rectangle[1] + rectangle[3] <= free
+          ? [canvas.x + rectangle[0] * scale, canvas.y + rectangle[1] * scale, rectangle[2] * scale, rectangle[3] * scale]
+              .map((x) => Math.round(x * 100) / 100)
+              .join(' ')
+          : undefined;
+        if (text === undefined) delete element.dataset.rect;
+        else if (element.dataset.rect !== text) element.dataset.rect = text;
+      }
+    },
+    stand(alone = true) {
+      root.classList.toggle('alone', alone);
+    },
+    destroy() {
+      for (const [name, listener] of Object.entries(heard)) fire.removeEventListener(name, listener);
+      desk.removeEventListener('change', showDesk);
+      root.remove();
+    },
+  };
+}
+
+let made = 0;
+
+/**
+ * The labelled choice of how much work the fire may make itself.
+ *
+ * @param {HTMLElement} root
+ * @param {(name: string) => void} wish
+ */
+function addQuality(root, wish) {
+  const row = document.createElement('div');
+  row.className = 'row';
+  const label = document.createElement('label');
+  label.textContent = 'Quality';
+  const control = document.createElement('select');
+  made += 1;
+  control.id = `hearth-mirror-${made}`;
+  label.htmlFor = control.id;
+  control.dataset.action = 'quality';
+  list({ choices: ['auto', 'low', 'medium', 'high'] }, control, (name) => wish(String(name)));
+  row.append(label, control);
+  root.append(row);
+  return control;
+}
+
+/**
+ * One parameter's labelled control.
+ *
+ * @param {Parameter} parameter
+ * @param {(value: Value) => void} wish
+ */
+function makeControl(parameter, wish) {
+  const row = document.createElement('div');
+  row.className = 'row';
+  const label = document.createElement('label');
+  // A slider tells the unit with its value.
+  label.textContent = parameter.label;
+  made += 1;
+  label.htmlFor = `hearth-mirror-${made}`;
+  const input = document.createElement('input');
+  const select = document.createElement('select');
+  const control = parameter.kind === 'choice' ? select : input;
+  control.id = label.htmlFor;
+  // Why it counts for nothing at present, where it does not.
+  const note = document.createElement('small');
+  note.id = `${control.id}-note`;
+  control.setAttribute('aria-describedby', note.id);
+  row.append(label, control, note);
+  return { row, control, note, show: bind() };
+
+  /** Makes the control one of the parameter's kind. @returns {Show} */
+  function bind() {
+    switch (parameter.kind) {
+      case 'choice':
+        return list(parameter, select, wish);
+      case 'flag':
+        return box(input, wish);
+      case 'colour':
+      case 'seed':
+        return field(parameter, input, wish);
+      default:
+        return slider(parameter, input, wish);
+    }
+  }
+}
+
+/** A choice and some of its names. @param {[string, string[]]} chosen */
+function inWords([id, names]) {
+  const label = PARAMETERS.find((parameter) => parameter.id === id)?.label ?? id;
+  const [last, ...others] = [...names].reverse();
+  const before = others.length > 0 ? `${others.reverse().join(', ')} or ` : '';
+  return `${label.toLowerCase()} ${before}${last}`;
+}
+
+/** @type {(parameter: Parameter, control: HTMLInputElement, wish: (value: Value) => void) => Show} */
+function slider(parameter, control, wish) {
+  let { min = 0, max = 1 } = parameter;
+  control.type = 'range';
+  control.step = parameter.kind === 'integer' ? '1' : 'any';
+  // For the eye: the slider itself says its value.
+  const output = document.createElement('span');
+  output.className = 'value';
+  output.setAttribute('aria-hidden', 'true');
+  control.after(output);
+  const say = () => {
+    const text = `${Number(Number(control.value).toPrecision(4))} ${parameter.unit}`.trim();
+    output.textContent = text;
+    control.setAttribute('aria-valuetext', text);
+  };
+  control.addEventListener('input', () => {
+    say();
+    wish(Number(control.value));
+  });
+  if (parameter.scale === 'log') {
+    // Equal presses are equal ratios, as on the panel; the browser would take
+    // equal differences and leave out the lower half of the range.
+    control.addEventListener('keydown', (event) => {
+      const ratio = (max / min) ** (1 / LOG_STEPS);
+      const up = STEPS[event.key];
+      if (!up || event.ctrlKey || event.altKey || event.metaKey) return;
+      event.preventDefault();
+      const old = Number(control.value);
+      let next = Number((old * ratio ** up).toPrecision(4));
+      if (parameter.kind === 'integer') {
+        next = Math.round(next) === old ? old + up : Math.round(next);
+      }
+      control.value = String(Math.min(max, Math.max(min, next)));
+      control.dispatchEvent(new Event('input', { bubbles: true }));
+    });
+  }
+  return (value, domain) => {
+    ({ min = 0, max = 1 } = domain);
+    control.min = String(min);
+    control.max = String(max);
+    if (value === undefined) return;
+    control.value = String(value);
+    say();
+  };
+}
+
+/** @type {(parameter: Pick<Parameter, 'choices'>, control: HTMLSelectElement, wish: (value: Value) => void) => Show} */
+function list(parameter, control, wish) {
+  for (const name of parameter.choices ?? []) control.add(new Option(name, name));
+  control.addEventListener('change', () => wish(control.value));
+  return (value) => {
+    if (value !== undefined) control.value = String(value);
+  };
+}
+
+/** @type {(control: HTMLInputElement, wish: (value: Value) => void) => Show} */
+function box(control, wish) {
+  control.type = 'checkbox';
+  control.addEventListener('change', () => wish(control.checked));
+  return (value) => {
+    control.checked = Boolean(value);
+  };
+}
+
+/** @type {(parameter: Parameter, control: HTMLInputElement, wish: (value: Value) => void) => Show} */
+function field(parameter, control, wish) {
+  control.type = parameter.kind === 'seed' ? 'number' : 'text';
+  control.spellcheck = false;
+  control.addEventListener('focus', () => control.select());
+  control.addEventListener('change', () => {
+    const seed = parameter.kind === 'seed' && control.value !== '';
+    wish(seed ? Number(control.value) : control.value);
+  });
+  return (value) => {
+    if (value !== undefined) control.value = String(value);
+  };
+}

@@ -1,0 +1,167 @@
+/**
+ * Cards that lie over the panel: text to be copied by hand, a field for settings,
+ * the keys, the scenes (scenes.js). They are the page's own elements, since only in those can text be
+ * selected, pasted and read aloud everywhere.
+ *
+ * @typedef {object} Card
+ * @property {() => void} close
+ * @property {(name: string) => boolean} isOpen  Whether it is the one of that name, and in sight.
+ * @property {() => void} [mark]  Shows what is so by now.
+ */
+
+import { KEYS, areForbidden } from './keys.js';
+import { remember, remembered } from './memory.js';
+
+let made = 0;
+
+/**
+ * Shows a text, selected.
+ * @param {{host: HTMLElement, title: string, text: string}} what
+ * @returns {Card}
+ */
+export function showText({ host, title, text }) {
+  const card = openCard(host, 'copy', title);
+  card.add('p', 'This browser lets the panel copy nothing. The text is selected: copy it by hand.');
+  const field = card.field(title);
+  field.readOnly = true;
+  field.value = text;
+  card.button('close', 'Close', card.close);
+  field.focus({ preventScroll: true });
+  field.select();
+  return card;
+}
+
+/**
+ * Asks for settings as JSON and gives them to `take`; what that refuses is said in
+ * the card, which stays open.
+ * @param {{host: HTMLElement, take: (text: string) => Promise<void>}} what
+ * @returns {Card}
+ */
+export function askForSettings({ host, take }) {
+  const card = openCard(host, 'paste', 'Paste settings');
+  const field = card.field('Settings as JSON');
+  field.placeholder = '{"hearth": 1, "preset": "seed", "values": {"viscosity": 0.02}}';
+  const alert = card.add('p', '');
+  alert.setAttribute('role', 'alert');
+  const use = async () => {
+    alert.textContent = '';
+    if (field.value.trim() === '') {
+      alert.textContent = 'There is nothing to use: paste the settings into the field above.';
+      field.focus({ preventScroll: true });
+      return;
+    }
+    try {
+      await take(field.value);
+      card.close();
+    } catch (error) {
+      alert.textContent = error instanceof Error ? error.message : String(error);
+      field.focus({ preventScroll: true });
+    }
+  };
+  card.button('use', 'Use these', use);
+  card.button('close', 'Cancel', card.close);
+  field.focus({ preventScroll: true });
+  return card;
+}
+
+/**
+ * Lists the keys, and lets single ones be turned off.
+ * @param {{host: HTMLElement, fire: import('../hearth-fire.js').HearthFire}} where
+ * @returns {Card}
+ */
+export function showKeys({ host, fire }) {
+  const card = openCard(host, 'help', 'Keys');
+  const list = card.add('dl', '');
+  for (const [keys, words] of KEYS) {
+    const term = document.createElement('dt');
+    keys.forEach((key, at) => {
+      const cap = document.createElement('kbd');
+      cap.textContent = key;
+      if (at > 0) term.append(' or ');
+      term.append(cap);
+    });
+    const about = document.createElement('dd');
+    about.textContent = words;
+    list.append(term, about);
+  }
+  if (!areForbidden(host, fire)) {
+    const label = card.add('label', '');
+    const box = document.createElement('input');
+    box.type = 'checkbox';
+    box.checked = remembered().silent !== true;
+    box.addEventListener('change', () => remember({ silent: !box.checked }));
+    label.append(box, ' Single keys act');
+  }
+  const close = card.button('close', 'Close', card.close);
+  close.focus({ preventScroll: true });
+  return card;
+}
+
+/**
+ * An empty card. It gives the focus back to what had it when it closes.
+ * @param {HTMLElement} host
+ * @param {string} name
+ * @param {string} title
+ */
+export function openCard(host, name, title) {
+  const root = /** @type {Document | ShadowRoot} */ (host.getRootNode());
+  const before = /** @type {HTMLElement | null} */ (root.activeElement);
+  const card = document.createElement('section');
+  card.className = 'hearth-card';
+  card.dataset.card = name;
+  card.dir = 'ltr';
+  card.setAttribute('role', 'dialog');
+  const heading = document.createElement('h2');
+  made += 1;
+  heading.id = `hearth-card-${made}`;
+  heading.textContent = title;
+  card.setAttribute('aria-labelledby', heading.id);
+  const content = document.createElement('div');
+  content.className = 'hearth-card-content';
+  const buttons = document.createElement('div');
+  buttons.className = 'hearth-card-buttons';
+  card.append(heading, content, buttons);
+
+  const close = () => {
+    const had = card.contains(root.activeElement);
+    card.remove();
+    if (had && before?.isConnected) before.focus({ preventScroll: true });
+  };
+  card.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    event.preventDefault();
+    event.stopPropagation();
+    close();
+  });
+  host.append(card);
+
+  return {
+    close,
+    isOpen: (/** @type {string} */ asked) => asked === name && card.isConnected,
+    /** @type {(tag: string, text: string) => HTMLElement} */
+    add(tag, text) {
+      const element = document.createElement(tag);
+      element.textContent = text;
+      content.append(element);
+      return element;
+    },
+    /** @param {string} label */
+    field(label) {
+      const field = document.createElement('textarea');
+      field.setAttribute('aria-label', label);
+      field.spellcheck = false;
+      content.append(field);
+      return field;
+    },
+    /** @type {(action: string, text: string, press: () => void) => HTMLButtonElement} */
+    button(action, text, press) {
+      const button = document.createElement('button');
+      button.type = 'button';
+      button.dataset.card = action;
+      button.textContent = text;
+      button.addEventListener('click', press);
+      buttons.append(button);
+      return button;
+    },
+  };
+}

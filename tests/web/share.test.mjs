@@ -142,3 +142,16 @@ describe('code to paste', () => {
     }
   });
 });
+
+test('one source is parameters in an address and in HTML, several objects are JSON', () => {
+  const one = { hearth: 2, values: { wind: 1 }, objects: [{ kind: 'source', x: 0.2, power: 100 }] };
+  assert.equal(toQuery(one), 'wind=1&source-x=0.2&fuel-power=100');
+  assert.match(elementCode(one), /^<hearth-fire wind="1" source-x="0.2" fuel-power="100" /);
+
+  const objects = [{ kind: 'source' }, { kind: 'source', id: 7, x: 0.3 }];
+  const query = toQuery({ hearth: 2, values: {}, objects });
+  assert.deepEqual(JSON.parse(new URLSearchParams(query).get('objects')), objects);
+  assert.deepEqual(JSON.parse(fromQuery(query).others.get('objects')), objects);
+  assert.match(elementCode({ objects }), /objects="\[\{&quot;kind&quot;:&quot;source&quot;\}/);
+  assert.equal(toQuery({ hearth: 2, values: {}, objects: [] }), 'objects=%5B%5D');
+});

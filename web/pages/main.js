@@ -70,7 +70,9 @@ function setFromAddress() {
   applyAddress(fire, address);
   // The still picture shows the landing scene and no other.
   if (fire.getAttribute('preset') !== LANDING) document.getElementById('still')?.remove();
-  keepAddress([...address.options, ...address.unknown]);
+  // The fire tells its objects.
+  const options = address.options.filter(([name]) => name !== 'objects');
+  keepAddress([...options, ...address.unknown]);
 }
 
 /**
@@ -80,7 +82,8 @@ function setFromAddress() {
 function queryOf(config) {
   const query = toQuery(config);
   if (config.preset === undefined) return ['scene=default', query].filter(Boolean).join('&');
-  return config.preset === LANDING && Object.keys(config.values ?? {}).length === 0 ? '' : query;
+  const { preset, values = {}, objects } = config;
+  return preset === LANDING && Object.keys(values).length === 0 && !objects ? '' : query;
 }
 
 /**
@@ -100,10 +103,11 @@ function keepAddress(options) {
     address.search = [query, others].filter(Boolean).join('&');
     if (address.href !== location.href) history.replaceState(history.state, '', address);
   };
-  fire.addEventListener('params-change', () => {
-    if (planned !== undefined) return;
-    planned = setTimeout(() => write().catch((error) => console.warn('Hearth:', error)), ADDRESS_MS);
-  });
+  const plan = () => {
+    planned ??= setTimeout(() => write().catch((error) => console.warn('Hearth:', error)), ADDRESS_MS);
+  };
+  fire.addEventListener('params-change', plan);
+  fire.addEventListener('objects-change', plan);
 }
 
 /** Opens the dialog that a button names. Its code is loaded with the first one. */

@@ -38,7 +38,7 @@ const DEFAULT_MODEL = /** @type {ModelName} */ (MODEL.default);
 const PARTS = /** @type {const} */ (['default', 'min', 'max']);
 
 /** What of a fire may make it another one. */
-const NEWS = ['ready', 'params-change'];
+const NEWS = ['ready', 'params-change', 'objects-change'];
 
 /** What can be copied, in the order of its buttons. */
 export const COPIES = ['link', 'element', 'iframe', 'json'];
@@ -417,14 +417,16 @@ function sceneValue(fire, id) {
 
 /**
  * The scene that a fire started from, and whether it is another fire by now.
- * @param {Pick<HearthFire, 'preset' | 'params'>} fire
+ * @param {Pick<HearthFire, 'preset' | 'params' | 'objects'>} fire
  */
 function sceneOf(fire) {
   const scene = presetOf(fire);
   if (!scene) return '';
   const { params } = fire;
   const same = PARAMETERS.every(({ id }) => [undefined, params?.[id]].includes(sceneValue(fire, id)));
-  return same ? scene.label : `${scene.label}, changed`;
+  // Every scene has one source.
+  const alone = (fire.objects ?? [0]).length === 1;
+  return same && alone ? scene.label : `${scene.label}, changed`;
 }
 
 /** @param {string} file */

@@ -1,16 +1,6 @@
 /**
  * What of an element has to do with the page around it: how much it may draw, a
  * pointer that stirs it, its panel, its poster and its words.
- *
- * @typedef {import('../engine/engine.js').Message} Message
- * @typedef {object} Ways what the element does for its parts
- * @property {import('../hearth-fire.js').HearthFire} fire the element
- * @property {(message: Message) => Promise<void>} ask asks the engine for something
- * @property {(message: Message) => void} send tells the engine something
- * @property {(id: string, value: string, allowed: string) => unknown} refuse
- * @property {(kind: string, message: string) => void} complain
- * @property {(colour: string, fire: Element) => string} hexOf
- * @property {() => boolean} isCalm whether it moves less, since its visitor wants that
  */
 
 import { CHOICES, ID_OF_ATTRIBUTE, OBSERVED } from './attributes.js';
@@ -38,7 +28,7 @@ function spell(name) {
 export class FireManners {
   #fire;
   #view;
-  #ways;
+  #session;
   /** Whether there is a link to the engine, and whether the fire burns. */
   #open = false;
   /** The last good limits. @type {Map<string, unknown>} */
@@ -54,13 +44,12 @@ export class FireManners {
   #ignorePointer;
 
   /**
-   * @param {Ways} ways
-   * @param {import('./view.js').FireView} view
+   * @param {import('./session.js').FireSession} session
    */
-  constructor(ways, view) {
-    this.#fire = ways.fire;
-    this.#view = view;
-    this.#ways = ways;
+  constructor(session) {
+    this.#fire = session.fire;
+    this.#view = session.view;
+    this.#session = session;
   }
 
   /** It is on a page: what is written on it is looked at. */
@@ -103,7 +92,7 @@ export class FireManners {
     if (ends) {
       this.#scale ??= import('./scale.js').then(
         ({ Scale }) => new Scale(this.#view.root),
-        (why) => this.#ways.complain('load', `The bar of colours could not be loaded: ${why}`),
+        (why) => this.#session.reports.warn('load', `The bar of colours could not be loaded: ${why}`),
       );
     }
     (await this.#scale)?.show(mode, ends);
@@ -117,7 +106,7 @@ export class FireManners {
   change(name, value) {
     const choices = hasChoices(name) ? CHOICES[name] : undefined;
     if (choices && value !== null && !choices.some((one) => one === value)) {
-      this.#ways.refuse(name, value, `one of ${choices.join(', ')}`);
+      this.#session.reports.refuse(name, value, `one of ${choices.join(', ')}`);
     } else if (LIMITS.includes(name)) {
       if (this.#open) this.#limit(name);
       else this.#limits.delete(name);
@@ -145,7 +134,7 @@ export class FireManners {
 
   /** @type {(name: string, value: unknown) => void} */
   #ask(name, value) {
-    const asked = this.#ways.ask({ type: 'limit', source: 'attribute', id: name.replace('-', '_'), value });
+    const asked = this.#session.ask({ type: 'limit', source: 'attribute', id: name.replace('-', '_'), value });
     asked.then(() => this.#limits.set(name, value), () => {});
   }
 
@@ -157,12 +146,12 @@ export class FireManners {
     const ended = new AbortController();
     this.#ignorePointer = () => ended.abort();
     const ways = {
-      send: this.#ways.send,
-      move: (/** @type {number} */ x) => this.#ways.ask({ type: 'set', source: 'pointer', values: { source_x: x } }).catch(() => {}),
+      send: (/** @type {import('../engine/engine.js').Message} */ message) => this.#session.send(message),
+      move: (/** @type {number} */ x) => this.#session.ask({ type: 'set', source: 'pointer', values: { source_x: x } }).catch(() => {}),
     };
     import('./pointer.js').then(
       ({ listenToPointer }) => ended.signal.aborted || listenToPointer(this.#fire, this.#view.root, ways, ended.signal),
-      (why) => this.#ways.complain('load', `What listens to pointers could not be loaded: ${why}`),
+      (why) => this.#session.reports.warn('load', `What listens to pointers could not be loaded: ${why}`),
     );
   }
 
@@ -171,18 +160,18 @@ export class FireManners {
     const { fit, align } = this.#fire;
     const place = alignment(align || 'center bottom');
     if (!place) {
-      this.#ways.refuse('align', align, 'one or two of left, center, right and top, center, bottom');
+      this.#session.reports.refuse('align', align, 'one or two of left, center, right and top, center, bottom');
       return;
     }
     const [x, y] = place;
     this.#view.camera = { fit, x, y };
-    this.#ways.send({ type: 'view', ...this.#view.camera });
+    this.#session.send({ type: 'view', ...this.#view.camera });
   }
 
   /** @param {string} action */
   #touch(action) {
     if (!action || CSS.supports('touch-action', action)) this.#view.setTouchAction(action);
-    else this.#ways.refuse('touch-action', action, 'a value of CSS, as auto, none, pan-y or manipulation');
+    else this.#session.reports.refuse('touch-action', action, 'a value of CSS, as auto, none, pan-y or manipulation');
   }
 
   #control() {
@@ -190,7 +179,7 @@ export class FireManners {
     if (wanted === this.#controls) return;
     this.#controls = wanted;
     this.#hidePanel?.();
-    const failed = (/** @type {unknown} */ why) => this.#ways.complain('load', `The panel could not be loaded: ${why}`);
+    const failed = (/** @type {unknown} */ why) => this.#session.reports.warn('load', `The panel could not be loaded: ${why}`);
     this.#hidePanel = wanted === null ? undefined : showPanel(this.#fire, this.#only(wanted), failed);
   }
 
@@ -212,7 +201,7 @@ export class FireManners {
   async #misspelt(name) {
     const { meant } = await import('./spelling.js').catch(() => ({ meant: () => '' }));
     const ids = [...ID_OF_ATTRIBUTE.values()];
-    this.#ways.refuse('controls', name, `a list of parameters${meant(name, ids)}`);
+    this.#session.reports.refuse('controls', name, `a list of parameters${meant(name, ids)}`);
   }
 }
 

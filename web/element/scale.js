@@ -8,7 +8,7 @@
 
 import { QUANTITIES } from '../generated/quantities.js';
 
-const STYLES = `
+const STYLES = /* css */ `
 .scale-room { position: absolute; inset: 0; container-type: size; pointer-events: none; }
 .scale {
   position: absolute; left: 12px; bottom: 12px; box-sizing: border-box; max-inline-size: calc(100% - 24px);

@@ -13,7 +13,7 @@ import { motionIsReduced } from './visibility.js';
 /** How long the picture before a new fire takes to fade [ms]. */
 const FADE_MS = 400;
 
-const STYLES = `
+const STYLES = /* css */ `
 :host { display: block; position: relative; overflow: hidden; pointer-events: none; }
 :host([hidden]) { display: none; }
 /* Gives the element a height where its page gives it none. */

@@ -1,6 +1,6 @@
 /**
- * What of an element has to do with the page around it: how much it may draw, a
- * pointer that stirs it, its panel, its poster and its words.
+ * How an element behaves on its page: drawing limits, pointer, panel, poster, text alternatives and
+ * warnings about unknown attributes.
  */
 
 import { CHOICES, ID_OF_ATTRIBUTE, OBSERVED } from './attributes.js';
@@ -24,8 +24,8 @@ function spell(name) {
   import('./spelling.js').then(({ tell }) => tell(name), () => {});
 }
 
-/** The manners of one element. */
-export class FireManners {
+/** The page policies of one element. */
+export class PagePolicies {
   #fire;
   #view;
   #session;

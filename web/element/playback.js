@@ -54,7 +54,7 @@ export class Playback {
     return reduced && this.#fire.reducedMotion !== 'ignore';
   }
 
-  /** The visitor's wish, or the attribute, is another one. @param {boolean} [reduced] */
+  /** Applies a change of the visitor's preference or of the attribute. @param {boolean} [reduced] */
   follow(reduced) {
     const still = this.isCalm(reduced);
     if (still && !this.paused) this.set(true, true);

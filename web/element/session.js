@@ -10,13 +10,13 @@ import { EngineError } from '../engine/engine.js';
 import { burning } from '../engine/files.js';
 import { ID_OF_ATTRIBUTE, warmth } from './attributes.js';
 import { FireLink } from './engine-connection.js';
-import { FireManners } from './page-policies.js';
+import { PagePolicies } from './page-policies.js';
 import { Playback } from './playback.js';
 import { Reports } from './reports.js';
 import { Requests, deferred, postable, quiet } from './requests.js';
 import { settingsOfFile } from './settings.js';
 import { FireState } from './state.js';
-import { FireSigns } from './states.js';
+import { CssHooks } from './css-hooks.js';
 import { hexOf } from './values.js';
 import { FireView } from './view.js';
 
@@ -27,13 +27,13 @@ const STILL_AFTER = 2;
 export class FireSession {
   #engine;
   #requests = new Requests();
-  #manners;
-  #signs;
+  #policies;
+  #css;
   #state = new FireState();
   /** Settles when the engine has freed all fires before this one. */
   #gone = Promise.resolve();
   #announced = false;
-  /** Whether the preset's attribute goes without a wish for other values. */
+  /** Whether the preset's attribute changes without a request for other values. */
   #dropping = false;
   /** @type {FireLink | null} */
   #link = null;
@@ -55,8 +55,8 @@ export class FireSession {
     this.reports = new Reports(fire);
     this.view = new FireView(fire, () => this.playback.press());
     this.playback = new Playback(fire, this.view, (paused) => this.#play(paused));
-    this.#signs = new FireSigns(fire, this.view);
-    this.#manners = new FireManners(this);
+    this.#css = new CssHooks(fire, this.view);
+    this.#policies = new PagePolicies(this);
   }
 
   /** What the engine has told. */
@@ -122,7 +122,7 @@ export class FireSession {
 
   /** The element is on a page. */
   attach() {
-    this.#manners.watch();
+    this.#policies.watch();
     // One that failed tries again, also where it was taken off and put back at once.
     if (this.#link && this.#ready.failed) this.close();
     if (!this.#link) this.#open();
@@ -131,7 +131,7 @@ export class FireSession {
   /** An attribute has changed. @type {(name: string, value: string | null) => void} */
   attribute(name, value) {
     const id = ID_OF_ATTRIBUTE.get(name);
-    this.#manners.change(name, value);
+    this.#policies.change(name, value);
     if (name === 'loading') this.#link?.lookAgain();
     // Before, the fire starts with what its attributes say, wherever they stand.
     const begun = this.#state.started || this.#link?.live;
@@ -175,7 +175,7 @@ export class FireSession {
 
   /** Tells style sheets whether it is seen to burn. */
   #signal() {
-    this.#signs.burning(this.view.shows && this.#drawable && !this.playback.paused);
+    this.#css.burning(this.view.shows && this.#drawable && !this.playback.paused);
   }
 
   /** The settings in the file that `src` names; undefined, with a warning, where there are none. */
@@ -218,7 +218,7 @@ export class FireSession {
       motion: (reduced) => this.playback.follow(reduced),
     });
     this.#link = link;
-    this.#manners.begin();
+    this.#policies.begin();
     const still = this.playback.start(!this.#state.started && !fire.autoplay);
     const opened = link.open(
       () => fire.loading,
@@ -253,7 +253,7 @@ export class FireSession {
    */
   async #begin(link, still) {
     if (this.fire.warm) {
-      // Before, it may be taken for one that nobody sees.
+      // Until then the engine may treat the fire as invisible.
       if (!document.hidden) await link.looked;
       await this.ask({ type: 'warm' }).catch(() => {});
     } else if (still) {
@@ -264,7 +264,7 @@ export class FireSession {
     this.playback.offer();
     this.#announced = true;
     this.view.drawn().then(() => this.#signal(), () => {});
-    this.#manners.burns();
+    this.#policies.burns();
     this.#ready.resolve();
     this.reports.emit('ready');
   }
@@ -280,13 +280,13 @@ export class FireSession {
     this.#link = null;
     this.#announced = false;
     this.#state.stats = null;
-    this.#manners.end();
+    this.#policies.end();
     this.view.dropCanvas();
     this.view.offer('');
     this.view.show('loading');
     this.#drawable = true;
     this.#signal();
-    this.#signs.light();
+    this.#css.light();
   }
 
   /** @type {(message: Message, link: FireLink) => void} */
@@ -317,8 +317,8 @@ export class FireSession {
       }
       case 'stats':
         state.stats = { ...message.stats, engine: link.place };
-        this.#manners.measure(state.params.display_mode, message.stats.scale);
-        this.#signs.light(message.stats.scale ? 0 : message.stats.power, state.params);
+        this.#policies.measure(state.params.display_mode, message.stats.scale);
+        this.#css.light(message.stats.scale ? 0 : message.stats.power, state.params);
         reports.emit('stats', { ...state.stats });
         break;
       case 'quality': {
@@ -359,7 +359,7 @@ export class FireSession {
     this.view.show('failed', message);
     this.view.offer('');
     this.#signal();
-    this.#manners.end();
+    this.#policies.end();
     const error = new EngineError(kind, message);
     this.#link?.abandon(error);
     // A promise that was kept cannot be broken; what comes now is refused.

@@ -1,6 +1,6 @@
 /**
- * Settings of a fire as they come from outside: data or JSON text. Here they become
- * plain data; whether their values are good, the engine's table says.
+ * Settings from outside, as data or as JSON text. They become plain data here; the engine checks their
+ * values.
  */
 
 import { postable } from './requests.js';

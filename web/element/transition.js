@@ -1,9 +1,9 @@
 /**
- * Values that come to others in time: loaded by the first `to` of an element.
+ * Transitions of values: loaded by the first `to` of an element.
  *
- * The browser's own animations tell how far they have come, by its clock and its easings;
- * an animation without an element is none that a page sees or ends. The fire gets values as
- * from any script, each when it has taken those before.
+ * An animation of the browser gives the progress, with its clock and its easings. It has no element,
+ * so a page neither lists nor ends it. The fire gets values as from any script, each after it has
+ * taken those before.
  *
  * @typedef {import('../engine/engine.js').Message} Message
  * @typedef {import('../parameters.js').ParameterId} Id
@@ -15,7 +15,7 @@
  * @typedef {object} Move one call of `to`
  * @property {Values} to where its values arrive
  * @property {Set<string>} ids those that it still moves
- * @property {string[]} held of them, what somebody else just asked for; these wait for the answer
+ * @property {string[]} held of them, values that another message sets; these wait for its answer
  * @property {boolean} whole whether it lost none of them
  * @property {() => void} end has all of them arrive at once
  */
@@ -34,7 +34,7 @@ const ALLOWED = {
  * @param {FireSession} session
  * @param {Promise<unknown>} checked the answer whether the fire takes the values
  * @param {{duration?: unknown, easing?: unknown}} how
- * @returns {Promise<boolean>} whether all arrived; false where somebody took one over
+ * @returns {Promise<boolean>} whether all arrived; false if another message set one of them
  */
 export function run(orders, session, checked, how) {
   orders.moves ??= new Moves(session);
@@ -139,7 +139,7 @@ class Moves {
     let wake = () => {};
     const step = (/** @type {number} */ part) => {
       const free = [...move.ids].filter((id) => !move.held.includes(id));
-      // What is sent as it arrives is nobody's any more.
+      // A value that is sent for the last time is free for others.
       if (part === 1) for (const id of free) move.ids.delete(id);
       const values = free.map((id) => [id, part === 1 ? move.to[id] : this.#between(id, from[id], move.to[id], part)]);
       if (free.length > 0) last = set(Object.fromEntries(values));

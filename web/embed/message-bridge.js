@@ -54,8 +54,8 @@ const METHODS = new Map(Object.entries({
   option: (fire, name, value) => option(fire, name, value),
 }));
 
-/** What is asked of the line itself. */
-const OF_THE_LINE = ['hello', 'subscribe', 'unsubscribe'];
+/** What is asked of the bridge itself. */
+const OF_THE_BRIDGE = ['hello', 'subscribe', 'unsubscribe'];
 
 /**
  * The origins that an address allows, and what is wrong with the others.
@@ -77,7 +77,7 @@ export function allowedOrigins(lists) {
   return { origins: [...origins], refused };
 }
 
-/** The origin of a web address; nothing if it is none. @param {string} text */
+/** The origin of a web address; undefined for any other text. @param {string} text */
 function originOf(text) {
   try {
     const { protocol, host, origin } = new URL(text);
@@ -102,12 +102,12 @@ function whyNot(one, origin) {
  */
 export function answer(fire, origins, host = window.parent) {
   if (host === window) return;
-  const line = new Line(fire, origins, host);
-  window.addEventListener('message', (event) => line.hear(event));
+  const bridge = new MessageBridge(fire, origins, host);
+  window.addEventListener('message', (event) => bridge.receive(event));
   for (const type of EVENTS) {
-    fire.addEventListener(type, (event) => line.tell(type, /** @type {CustomEvent} */ (event).detail));
+    fire.addEventListener(type, (event) => bridge.forward(type, /** @type {CustomEvent} */ (event).detail));
   }
-  line.announce();
+  bridge.announce();
 }
 
 /** More was asked than is answered at one time. */
@@ -115,8 +115,8 @@ class BusyError extends Error {
   name = 'BusyError';
 }
 
-/** The line to the page around. */
-class Line {
+/** The bridge to the page around. */
+class MessageBridge {
   #fire;
   #origins;
   #host;
@@ -137,23 +137,23 @@ class Line {
 
   /** Says that messages are heard. */
   announce() {
-    this.#tellAll('hello', this.#greeting());
+    this.#post('hello', this.#greeting());
   }
 
   /** @type {(type: string, detail: unknown) => void} */
-  tell(type, detail) {
-    if (this.#wanted.has(type)) this.#tellAll(type, detail);
+  forward(type, detail) {
+    if (this.#wanted.has(type)) this.#post(type, detail);
   }
 
   /** @type {(event: string, detail: unknown) => void} */
-  #tellAll(event, detail) {
+  #post(event, detail) {
     for (const origin of this.#listeners) {
       this.#host.postMessage({ hearth: VERSION, event, detail }, origin);
     }
   }
 
   /** @param {MessageEvent} event */
-  hear({ source, origin, data }) {
+  receive({ source, origin, data }) {
     if (source !== this.#host || !isOurs(data)) return;
     if (!this.#origins.includes(origin)) {
       if (!this.#warned) {
@@ -175,7 +175,7 @@ class Line {
       if (!counts) throw new BusyError(`too many requests: ${MOST_OPEN} are waiting for their answers`);
       post({ id, ok: true, value: await this.#carryOut(message) });
     } catch (error) {
-      post({ id, ok: false, error: described(error) });
+      post({ id, ok: false, error: posted(error) });
     } finally {
       this.#open -= Number(counts);
     }
@@ -208,12 +208,12 @@ class Line {
 }
 
 function allMethods() {
-  return [...METHODS.keys(), ...OF_THE_LINE];
+  return [...METHODS.keys(), ...OF_THE_BRIDGE];
 }
 
 /**
- * Whether it is a request of this kind. An answer that comes back is none: two
- * pages that answered each other's answers would never end.
+ * Whether data is a request. An answer is not a request: two pages that answered each other's answers
+ * would never end.
  * @param {unknown} data
  * @returns {data is Request}
  */
@@ -318,12 +318,12 @@ function quoted(value) {
 }
 
 /** An error as it can be posted. @param {unknown} error */
-function described(error) {
+function posted(error) {
   const { name, message, id, value, min, max, kind } = Object(error);
   /** @type {{[field: string]: unknown}} */
-  const told = { name: String(name ?? 'Error'), message: String(message ?? error) };
+  const described = { name: String(name ?? 'Error'), message: String(message ?? error) };
   for (const [key, detail] of Object.entries({ id, value, min, max, kind })) {
-    if (['string', 'number', 'boolean'].includes(typeof detail)) told[key] = detail;
+    if (['string', 'number', 'boolean'].includes(typeof detail)) described[key] = detail;
   }
-  return told;
+  return described;
 }

@@ -39,7 +39,7 @@ export class FireSession {
   #link = null;
   /** Whether the graphics context is there; a lost one may come back. */
   #drawable = true;
-  /** What is asked of the fire, since the page asked for a transition. @type {any} */
+  /** What is asked of the fire, since the page asked for a transition. @type {import('./transition.js').Orders | undefined} */
   #orders;
   #ready = deferred();
   /** For code that is loaded on request and must not load it a second time. */
@@ -93,13 +93,14 @@ export class FireSession {
    */
   move(values, how) {
     this.#orders ??= [];
+    const orders = this.#orders;
     const checked = this.ask({ type: 'check', source: 'to', values: postable(values, 1) });
     const code = import('./transition.js').catch((why) => {
       this.#orders = undefined;
       this.reports.warn('load', `Transitions could not be loaded: ${why}`);
       throw why;
     });
-    return quiet(code.then(({ run }) => run(this.#orders, this, checked, { ...how })));
+    return quiet(code.then(({ run }) => run(orders, this, checked, { ...how })));
   }
 
   /**

@@ -9,6 +9,7 @@
  * @typedef {import('../parameters.js').ParameterId} Id
  * @typedef {{[id: string]: any}} Values
  * @typedef {[message: Message, answer: Promise<unknown>]} Order
+ * @typedef {Order[] & {moves?: Moves, end?: () => void}} Orders
  *
  * @typedef {import('./session.js').FireSession} FireSession
  *
@@ -29,7 +30,7 @@ const ALLOWED = {
 
 /**
  * Moves values.
- * @param {Order[] & {moves?: Moves, end?: () => void}} orders what is asked of the element since
+ * @param {Orders} orders what is asked of the element since
  *   its first `to`: from now on what is put there is heard at once, and `end` has all values arrive
  * @param {FireSession} session
  * @param {Promise<unknown>} checked the answer whether the fire takes the values

@@ -8,17 +8,17 @@ import { alignment } from './viewport.js';
 
 const LIMITS = ['fps-limit', 'max-pixels'];
 
-/** Attributes that need no look at what others there may be. */
+/** Common attributes; the code that knows the others is loaded only for those. */
 const USUAL = /^(class|id|style|slot|hidden|title|(data|aria)-.*)$/;
 
-/** What is written on the fires of the page. */
+/** Reports attributes that are set on fires of the page. */
 const names = globalThis.MutationObserver && new MutationObserver((records) => {
   for (const { target, attributeName } of records) {
     if (/** @type {Element} */ (target).hasAttribute(attributeName ?? '')) spell(attributeName ?? '');
   }
 });
 
-/** Says that an attribute does nothing, where it does nothing. @param {string} name */
+/** Warns of an attribute that has no effect. @param {string} name */
 function spell(name) {
   if (OBSERVED.includes(name) || USUAL.test(name)) return;
   import('./spelling.js').then(({ tell }) => tell(name), () => {});
@@ -29,18 +29,19 @@ export class PagePolicies {
   #fire;
   #view;
   #session;
-  /** Whether there is a link to the engine, and whether the fire burns. */
+  /** Whether there is a connection to the engine. */
   #open = false;
-  /** The last good limits. @type {Map<string, unknown>} */
+  /** The last accepted limits. @type {Map<string, unknown>} */
   #limits = new Map();
+  /** Whether the fire burns. */
   #burns = false;
-  /** The bar of colours, where there was one. @type {Promise<import('./scale.js').Scale | void> | undefined} */
+  /** The colour bar, once it is loaded. @type {Promise<import('./scale.js').Scale | void> | undefined} */
   #scale;
-  /** The attribute of the panel that is there. @type {string | null} */
+  /** The `controls` attribute of the mounted panel. @type {string | null} */
   #controls = null;
-  /** Takes the panel away, where there is one. @type {(() => void) | undefined} */
+  /** Removes the mounted panel. @type {(() => void) | undefined} */
   #hidePanel;
-  /** Stops listening to pointers, where it listens. @type {(() => void) | undefined} */
+  /** Removes the pointer listeners. @type {(() => void) | undefined} */
   #ignorePointer;
 
   /**
@@ -52,17 +53,17 @@ export class PagePolicies {
     this.#session = session;
   }
 
-  /** It is on a page: what is written on it is looked at. */
+  /** The element is on a page: checks the names of its attributes. */
   watch() {
     this.#fire.getAttributeNames().forEach(spell);
     names?.observe(this.#fire, { attributes: true });
   }
 
-  /** There is a link to the engine: it is told what it was not told before. */
+  /** There is a connection to the engine: sends the limits. */
   begin() {
     this.#open = true;
     for (const name of LIMITS) {
-      // One that was good before the element was taken off is good again.
+      // A limit that was accepted before the element was removed is still valid.
       if (this.#limits.has(name)) this.#ask(name, this.#limits.get(name));
       else if (this.#fire.hasAttribute(name)) this.#limit(name);
     }
@@ -84,9 +85,9 @@ export class PagePolicies {
   }
 
   /**
-   * Shows which colour is how much, or that none is. Its code is loaded only here.
+   * Shows the colour bar, or hides it. Its code is loaded on demand.
    * @param {string} [mode] the display
-   * @param {[number, number] | null} [ends] what its first and its last colour stand for
+   * @param {[number, number] | null} [ends] the values of its first and its last colour
    */
   async measure(mode, ends) {
     if (ends) {
@@ -125,7 +126,7 @@ export class PagePolicies {
     }
   }
 
-  /** How much it may draw; what is no number is the engine's to refuse. @param {string} name */
+  /** Sends a drawing limit; the engine refuses text that is not a number. @param {string} name */
   #limit(name) {
     const text = this.#fire.getAttribute(name) ?? undefined;
     const number = text?.trim() ? Number(text) : NaN;
@@ -138,7 +139,7 @@ export class PagePolicies {
     asked.then(() => this.#limits.set(name, value), () => {});
   }
 
-  /** Listens to pointers where it should. The code of that is loaded only then. */
+  /** Adds or removes the pointer listeners. Their code is loaded on demand. */
   #listen() {
     this.#ignorePointer?.();
     this.#ignorePointer = undefined;
@@ -155,7 +156,7 @@ export class PagePolicies {
     );
   }
 
-  /** Which part of its world is seen. */
+  /** Applies `fit` and `align`. */
   #look() {
     const { fit, align } = this.#fire;
     const place = alignment(align || 'center bottom');
@@ -184,7 +185,7 @@ export class PagePolicies {
   }
 
   /**
-   * The parameters that a list names; undefined: all.
+   * The parameters that a list names; undefined means all of them.
    * @param {string} list
    */
   #only(list) {
@@ -210,15 +211,15 @@ function hasChoices(name) {
   return Object.hasOwn(CHOICES, name);
 }
 
-/** Ways to say that there is a panel, besides naming the attribute alone. */
+/** Values of `controls` that mean all parameters. */
 const YES = ['true', 'controls'];
 
 /**
- * Shows the panel of a fire inside it. Its code is loaded only here.
+ * Mounts the panel inside its fire. Its code is loaded on demand.
  * @param {import('../hearth-fire.js').HearthFire} fire
- * @param {string[] | undefined} only the parameters that it shows, if not all
+ * @param {string[] | undefined} only the parameters to show; undefined means all of them
  * @param {(why: unknown) => void} fail
- * @returns {() => void} takes it away
+ * @returns {() => void} removes the panel
  */
 function showPanel(fire, only, fail) {
   const host = document.createElement('div');

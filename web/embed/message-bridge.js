@@ -1,15 +1,14 @@
 /**
- * How the page around an iframe speaks to the fire in it: in messages, and only
- * if the address of the fire names that page's origin.
+ * The message bridge of a fire in an iframe: the page around it sends requests, if the fire's address
+ * allows that page's origin.
  *
  *     → { hearth: 1, id: 7, method: 'set', args: ['viscosity', 0.02] }
  *     ← { hearth: 1, id: 7, ok: true, value: undefined }
  *     ← { hearth: 1, id: 7, ok: false, error: { name, message, id, value, min, max } }
  *     ← { hearth: 1, event: 'params-change', detail: {…} }
  *
- * What a method may do is written down here, one by one: no name in a message
- * is ever looked up in an object. What is no message of ours is left alone, and
- * so is every window but the parent: others have no business with the fire.
+ * The methods are a list: no name in a message is ever looked up in an object. Messages of other
+ * forms and of other windows than the parent are ignored.
  *
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
  * @typedef {{hearth: unknown, id?: unknown, method?: unknown, args?: unknown}} Request a message that nothing has checked
@@ -29,12 +28,12 @@ const MOST_OPEN = 256;
 /** Most origins that an address may name. */
 const MOST_ORIGINS = 16;
 
-/** What may be heard of a fire; `ready` is told without being asked for. */
+/** The events that are forwarded; `ready` needs no subscription. */
 const EVENTS = [
   'ready', 'play', 'pause', 'params-change', 'quality-change', 'stats', 'error', 'restored',
 ];
 
-/** What may be asked of a fire. @type {Map<unknown, (fire: HearthFire, ...args: any[]) => unknown>} */
+/** The methods that a page may call. @type {Map<unknown, (fire: HearthFire, ...args: any[]) => unknown>} */
 const METHODS = new Map(Object.entries({
   ready: (fire) => fire.ready,
   play: (fire) => fire.play(),
@@ -54,7 +53,7 @@ const METHODS = new Map(Object.entries({
   option: (fire, name, value) => option(fire, name, value),
 }));
 
-/** What is asked of the bridge itself. */
+/** The methods of the bridge itself. */
 const OF_THE_BRIDGE = ['hello', 'subscribe', 'unsubscribe'];
 
 /**
@@ -110,7 +109,7 @@ export function answer(fire, origins, host = window.parent) {
   bridge.announce();
 }
 
-/** More was asked than is answered at one time. */
+/** Too many requests are open. */
 class BusyError extends Error {
   name = 'BusyError';
 }
@@ -123,7 +122,7 @@ class MessageBridge {
   #open = 0;
   #wanted = new Set(['ready']);
   #warned = false;
-  /** Whom to tell: the origin that has spoken, until then whoever it can be. */
+  /** The origins that get events: all that are allowed, until one of them sends a message. */
   #listeners;
 
   /** @param {HearthFire} fire @param {string[]} origins @param {Window} host */
@@ -135,7 +134,7 @@ class MessageBridge {
     this.#listeners = origins.filter((origin) => parent === undefined || parent === origin);
   }
 
-  /** Says that messages are heard. */
+  /** Announces that the bridge is open. */
   announce() {
     this.#post('hello', this.#greeting());
   }

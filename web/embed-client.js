@@ -31,7 +31,7 @@ export function connectFire(iframe) {
   return /** @type {any} */ (new FrameFire(iframe));
 }
 
-/** @typedef {{listener: unknown, capture: boolean, heard: EventListenerOrEventListenerObject | null}} Listener */
+/** @typedef {{listener: unknown, capture: boolean, wrapped: EventListenerOrEventListenerObject | null}} Listener */
 
 class FrameFire extends EventTarget {
   #iframe;
@@ -49,7 +49,7 @@ class FrameFire extends EventTarget {
   /** Who listens for what. @type {Map<string, Listener[]>} */
   #listeners = new Map();
   /** The events that the page was asked for. @type {Set<string>} */
-  #told = new Set();
+  #subscribed = new Set();
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #silence;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -71,11 +71,11 @@ class FrameFire extends EventTarget {
   addEventListener(type, listener, options) {
     const { capture = false, once = false, signal } = optionsOf(options);
     if (!listener || signal?.aborted || this.#listenerOf(type, listener, capture)) return;
-    const entry = { listener, capture, heard: listener };
+    const entry = { listener, capture, wrapped: listener };
     const forget = () => this.#forget(type, entry);
     // Whoever listens once would go unseen.
-    if (once) entry.heard = after(forget, listener);
-    super.addEventListener(type, entry.heard, options);
+    if (once) entry.wrapped = after(forget, listener);
+    super.addEventListener(type, entry.wrapped, options);
     signal?.addEventListener('abort', forget);
     this.#listeners.set(type, [...(this.#listeners.get(type) ?? []), entry]);
     this.#agree(type);
@@ -90,7 +90,7 @@ class FrameFire extends EventTarget {
 
   /** @param {string} type @param {Listener} entry */
   #forget(type, entry) {
-    super.removeEventListener(type, entry.heard, entry.capture);
+    super.removeEventListener(type, entry.wrapped, entry.capture);
     const others = (this.#listeners.get(type) ?? []).filter((one) => one !== entry);
     if (others.length > 0) this.#listeners.set(type, others);
     else this.#listeners.delete(type);
@@ -173,27 +173,27 @@ class FrameFire extends EventTarget {
     this.#refusal = undefined;
     this.#window = this.#iframe.contentWindow;
     const waiting = this.#waiting.splice(0);
-    // What was asked of the page before it nobody will answer.
+    // Requests to the page before it stay without an answer.
     if (anew) this.#giveUp('the page in the iframe was loaded anew', new Set(waiting.map(({ id }) => id)));
-    for (const type of new Set([...this.#told, ...this.#listeners.keys()])) this.#agree(type);
+    for (const type of new Set([...this.#subscribed, ...this.#listeners.keys()])) this.#agree(type);
     for (const message of waiting) this.#post(message);
   }
 
   /**
-   * Asks the page for an event that somebody listens for, or not to tell it any more.
-   * Each by itself: one that there is not would cost the others.
+   * Subscribes to an event that has a listener, or unsubscribes from it. Each has a request of its
+   * own, because an unknown event refuses all events of its request.
    * @param {string} type
    */
   #agree(type) {
-    const told = this.#told;
+    const subscribed = this.#subscribed;
     const wanted = this.#listeners.has(type);
-    if (!this.#listens || told.has(type) === wanted) return;
-    if (wanted) told.add(type);
-    else told.delete(type);
+    if (!this.#listens || subscribed.has(type) === wanted) return;
+    if (wanted) subscribed.add(type);
+    else subscribed.delete(type);
     this.call(wanted ? 'subscribe' : 'unsubscribe', [type]).catch((error) => {
       // If it is not for the page that this is, that one is asked as it comes.
-      if (told !== this.#told) return;
-      told.delete(type);
+      if (subscribed !== this.#subscribed) return;
+      subscribed.delete(type);
       console.warn(`Hearth: ${error.message}`);
     });
   }
@@ -237,7 +237,7 @@ class FrameFire extends EventTarget {
    */
   #giveUp(why, except = new Set()) {
     this.#waiting.length = 0;
-    this.#told = new Set();
+    this.#subscribed = new Set();
     for (const [id, { reject }] of this.#open) {
       if (except.has(id)) continue;
       this.#open.delete(id);

@@ -1,46 +1,30 @@
 /**
  * `<hearth-fire>`: a fire as an HTML element.
  *
- * The element is a thin shell. It turns attributes, properties and calls into
- * messages to the engine and the engine's messages into promises and events. It
- * checks no value: the engine's table of parameters does. Reading a value gives
- * the last one that the engine accepted.
+ * The class is the element's public interface, and its JSDoc states it: types, manifest and React's
+ * types are derived from here. The work is done in `element/`: attributes, properties and calls
+ * become messages to the engine, and the engine's messages become promises and events. The element
+ * checks no value; the engine's table of parameters does. Reading a value gives the last one that
+ * the engine accepted.
  *
  * The module can be imported where there is no `window`; it then defines nothing.
  *
- * @typedef {import('./engine/engine.js').Message} Message
- * @typedef {import('./element/requests.js').Refusal} Refusal
  * @typedef {import('./parameters.js').HearthParameters} HearthParameters
  * @typedef {import('./parameters.js').ParameterId} ParameterId
  * @typedef {import('./parameters.js').HearthObject} HearthObject
- * @typedef {import('./element/types.js').HearthStats} HearthStats
+ * @typedef {import('./parameters.js').PresetName} PresetName
  * @typedef {import('./element/types.js').HearthConfig} HearthConfig
  * @typedef {import('./element/types.js').HearthPoint} HearthPoint
  * @typedef {import('./element/types.js').HearthQuality} HearthQuality
+ * @typedef {import('./element/types.js').HearthStats} HearthStats
  * @typedef {import('./element/types.js').HearthTransition} HearthTransition
- * @typedef {import('./parameters.js').PresetName} PresetName
  */
 
-import { DEFAULTS } from './generated/defaults.js';
-import { EngineError } from './engine/engine.js';
-import { burning } from './engine/files.js';
-import {
-  FireAttributes, ID_OF_ATTRIBUTE, ID_OF_PROPERTY, keepEarlyProperties, setOrRemove, warmth,
-} from './element/attributes.js';
-import { FireLink } from './element/engine-connection.js';
-import { FireManners } from './element/page-policies.js';
-import { settings, settingsOfFile } from './element/settings.js';
-import { FireSigns } from './element/states.js';
-import { hexOf, seedOf } from './element/values.js';
-import { FireView } from './element/view.js';
-import { Requests, deferred, postable, quiet, refusal } from './element/requests.js';
-import { motionIsReduced } from './element/visibility.js';
-
-/** Deepest nesting of values: `{objects: [{property: value}]}`. */
-const DEEPEST = 3;
-
-/** Seconds of fire that a still picture has burnt, so that it shows a fire. */
-const STILL_AFTER = 2;
+import { FireAttributes, ID_OF_PROPERTY, keepEarlyProperties, setOrRemove } from './element/attributes.js';
+import { postable, quiet } from './element/requests.js';
+import { FireSession } from './element/session.js';
+import { settings } from './element/settings.js';
+import { seedOf } from './element/values.js';
 
 /**
  * A fire, simulated by smoothed particle hydrodynamics.
@@ -79,64 +63,7 @@ export class HearthFire extends FireAttributes {
    */
   static engine = 'auto';
 
-  #requests = new Requests();
-  /** @type {FireView} */
-  #view;
-  /** @type {HearthParameters} */
-  #params = /** @type {HearthParameters} */ ({ ...DEFAULTS });
-  /** @type {Required<HearthObject>[]} */
-  #objects = [];
-  /** The values as they were before the model changed, for the way back. */
-  #kept = {};
-  /** @type {HearthStats | null} */
-  #stats = null;
-  /** @type {'auto' | HearthQuality} */
-  #quality = 'auto';
-  /** Whether somebody set the number of particles, as the engine says. */
-  #ownNumber = false;
-  #paused = false;
-  /** Whether it stands still because the visitor wants less motion. */
-  #still = false;
-  /** Whether it burns although the visitor wants less motion, who said so here. */
-  #stoppable = false;
-  /** Whether the engine ever had a fire of this element, and has told its values. */
-  #started = false;
-  /** Settles when the engine has freed all fires before this one. */
-  #gone = Promise.resolve();
-  #announced = false;
-  /** Whether the preset's attribute is taken away without a wish for other values. */
-  #dropping = false;
-  /** @type {PresetName} */
-  #preset = 'default';
-  /** @type {FireLink | null} */
-  #link = null;
-  /** @type {import('./element/page-policies.js').Ways} */
-  #ways;
-  /** @type {FireManners} */
-  #manners;
-  /** @type {FireSigns} */
-  #signs;
-  /** Whether its graphics context is there, of which it may be waiting for another one. */
-  #drawable = true;
-  /** What is asked of it, since somebody asked for a transition. @type {any} */
-  #orders;
-  #ready = deferred();
-
-  constructor() {
-    super();
-    this.#view = new FireView(this, () => this.#press());
-    this.#signs = new FireSigns(this, this.#view);
-    this.#ways = {
-      fire: this,
-      ask: (message) => this.#ask(message),
-      send: (message) => this.#link?.send(message),
-      refuse: (id, value, allowed) => this.#refuse(id, value, allowed),
-      complain: (kind, message) => this.#complain(kind, message),
-      hexOf,
-      isCalm: () => this.#isCalm(motionIsReduced()),
-    };
-    this.#manners = new FireManners(this.#ways, this.#view);
-  }
+  #session = new FireSession(this, () => [HearthFire.wasmUrl, HearthFire.engine]);
 
   /**
    * The named set of values that the fire starts from. Changed later, it replaces every value.
@@ -145,7 +72,8 @@ export class HearthFire extends FireAttributes {
    * @returns {PresetName}
    */
   get preset() {
-    return this.#started ? this.#preset : super.preset;
+    const { started, preset } = this.#session.state;
+    return started ? preset : super.preset;
   }
 
   set preset(name) {
@@ -157,7 +85,7 @@ export class HearthFire extends FireAttributes {
    * @returns {HearthParameters}
    */
   get params() {
-    return { ...this.#params };
+    return { ...this.#session.state.params };
   }
 
   /**
@@ -168,14 +96,14 @@ export class HearthFire extends FireAttributes {
    * @returns {Required<HearthObject>[]}
    */
   get objects() {
-    return this.#objects.map((object) => ({ ...object }));
+    return this.#session.state.objects.map((object) => ({ ...object }));
   }
 
   /** @param {HearthObject[]} objects */
   set objects(objects) {
     // Frameworks put undefined or null where there is no value any more.
     if (objects === undefined || objects === null) this.restore('objects');
-    else this.#set({ objects }, 'property');
+    else this.#session.set({ objects }, 'property');
   }
 
   /**
@@ -183,7 +111,8 @@ export class HearthFire extends FireAttributes {
    * @returns {HearthStats | null}
    */
   get stats() {
-    return this.#stats && { ...this.#stats };
+    const { stats } = this.#session.state;
+    return stats && { ...stats };
   }
 
   /**
@@ -193,7 +122,7 @@ export class HearthFire extends FireAttributes {
    * @returns {'auto' | HearthQuality}
    */
   get quality() {
-    return this.#quality;
+    return this.#session.state.quality;
   }
 
   set quality(quality) {
@@ -206,7 +135,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   get ready() {
-    return this.#ready.promise;
+    return this.#session.ready;
   }
 
   /**
@@ -216,11 +145,11 @@ export class HearthFire extends FireAttributes {
    * @returns {boolean}
    */
   get paused() {
-    return this.#paused;
+    return this.#session.playback.paused;
   }
 
   set paused(paused) {
-    this.#setPaused(Boolean(paused));
+    this.#session.playback.set(Boolean(paused));
   }
 
   /**
@@ -230,7 +159,8 @@ export class HearthFire extends FireAttributes {
    * @returns {HearthParameters[Id]}
    */
   get(id) {
-    return /** @type {any} */ (Object.hasOwn(this.#params, id) ? this.#params[id] : undefined);
+    const { params } = this.#session.state;
+    return /** @type {any} */ (Object.hasOwn(params, id) ? params[id] : undefined);
   }
 
   /**
@@ -254,7 +184,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   set(ids, value) {
-    return this.#set(typeof ids === 'object' && ids ? ids : { [String(ids)]: value }, 'property');
+    return this.#session.set(typeof ids === 'object' && ids ? ids : { [String(ids)]: value }, 'property');
   }
 
   /**
@@ -263,7 +193,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<number>}
    */
   addObject(object) {
-    return this.#ask({ type: 'addObject', source: 'property', object: postable(object, 1) });
+    return this.#session.ask({ type: 'addObject', source: 'property', object: postable(object, 1) });
   }
 
   /**
@@ -273,7 +203,8 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   changeObject(id, properties) {
-    return this.#ask({ type: 'changeObject', source: 'property', id: postable(id), values: postable(properties, 1) });
+    const values = postable(properties, 1);
+    return this.#session.ask({ type: 'changeObject', source: 'property', id: postable(id), values });
   }
 
   /**
@@ -283,7 +214,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   removeObject(id) {
-    return this.#ask({ type: 'removeObject', source: 'property', id: postable(id) });
+    return this.#session.ask({ type: 'removeObject', source: 'property', id: postable(id) });
   }
 
   /**
@@ -294,14 +225,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<boolean>}
    */
   to(values, how) {
-    this.#orders ??= [];
-    const checked = this.#ask({ type: 'check', source: 'to', values: postable(values, 1) });
-    const code = import('./element/transition.js').catch((why) => {
-      this.#orders = undefined;
-      this.#complain('load', `Transitions could not be loaded: ${why}`);
-      throw why;
-    });
-    return quiet(code.then(({ run }) => run(this.#orders, this.#ways, checked, { ...how })));
+    return this.#session.move(values, how);
   }
 
   /**
@@ -311,9 +235,9 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   restore(...ids) {
-    if (ids.length > 0) return this.#ask({ type: 'restore', source: 'property', ids: postable(ids, 1) });
-    this.#dropPreset();
-    return this.#ask({ type: 'preset', source: 'property', name: 'default' });
+    if (ids.length > 0) return this.#session.ask({ type: 'restore', source: 'property', ids: postable(ids, 1) });
+    this.#session.dropPreset();
+    return this.#session.ask({ type: 'preset', source: 'property', name: 'default' });
   }
 
   /**
@@ -321,7 +245,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   play() {
-    return this.#setPaused(false);
+    return this.#session.playback.set(false);
   }
 
   /**
@@ -329,7 +253,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   pause() {
-    return this.#setPaused(true);
+    return this.#session.playback.set(true);
   }
 
   /**
@@ -337,7 +261,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   reset() {
-    return this.#ask({ type: 'reset' });
+    return this.#session.ask({ type: 'reset' });
   }
 
   /**
@@ -346,7 +270,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   step(steps = 1) {
-    return this.#ask({ type: 'step', steps: postable(steps) });
+    return this.#session.ask({ type: 'step', steps: postable(steps) });
   }
 
   /**
@@ -355,7 +279,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<HearthConfig>}
    */
   exportConfig() {
-    return this.#ask({ type: 'export' });
+    return this.#session.ask({ type: 'export' });
   }
 
   /**
@@ -366,10 +290,10 @@ export class HearthFire extends FireAttributes {
    */
   importConfig(config) {
     try {
-      return this.#ask({ type: 'import', source: 'property', config: settings(config) });
+      return this.#session.ask({ type: 'import', source: 'property', config: settings(config) });
     } catch (error) {
       const { message } = /** @type {Error} */ (error);
-      return quiet(Promise.reject(this.#refused([{ id: 'config', value: config, message }])));
+      return quiet(Promise.reject(this.#session.reports.refused([{ id: 'config', value: config, message }])));
     }
   }
 
@@ -380,7 +304,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<Blob>}
    */
   toBlob(type = 'image/png', quality) {
-    return this.#ofPicture((canvas) => new Promise((resolve, reject) => {
+    return this.#session.ofPicture((canvas) => new Promise((resolve, reject) => {
       const refused = new Error(`the browser makes no file of the picture as ${type}`);
       canvas.toBlob((blob) => (blob ? resolve(blob) : reject(refused)), type, quality);
     }));
@@ -392,7 +316,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<MediaStream>}
    */
   captureStream(fps) {
-    return this.#ofPicture((canvas) => {
+    return this.#session.ofPicture((canvas) => {
       if (!canvas.captureStream) throw new Error('this browser cannot capture a canvas');
       return fps === undefined ? canvas.captureStream() : canvas.captureStream(fps);
     });
@@ -404,8 +328,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   async destroy() {
-    if (this.#link) this.#close();
-    await this.#gone;
+    await this.#session.close();
   }
 
   /**
@@ -417,7 +340,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   stir(x, y, u, v) {
-    return this.#ask({ type: 'stir', ...postable({ x, y, u, v }, 1) });
+    return this.#session.ask({ type: 'stir', ...postable({ x, y, u, v }, 1) });
   }
 
   /**
@@ -428,7 +351,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   sparks(x, y, count = 24) {
-    return this.#ask({ type: 'sparks', ...postable({ x, y, count }, 1) });
+    return this.#session.ask({ type: 'sparks', ...postable({ x, y, count }, 1) });
   }
 
   /**
@@ -439,7 +362,7 @@ export class HearthFire extends FireAttributes {
    * @returns {HearthPoint | null}
    */
   toMetres(x, y) {
-    return this.#view.place(this.#params)?.toMetres(x, y) ?? null;
+    return this.#session.view.place(this.params)?.toMetres(x, y) ?? null;
   }
 
   /**
@@ -450,28 +373,23 @@ export class HearthFire extends FireAttributes {
    * @returns {HearthPoint | null}
    */
   toPixels(x, y) {
-    return this.#view.place(this.#params)?.toPixels(x, y) ?? null;
+    return this.#session.view.place(this.params)?.toPixels(x, y) ?? null;
   }
 
   connectedCallback() {
     keepEarlyProperties(this);
     if (this.getAttribute('seed') === 'auto') seedOf(this);
-    this.#manners.watch();
-    // One that failed tries again, also where it was taken off and put back at once.
-    if (this.#link && this.#ready.failed) this.#close();
-    if (!this.#link) this.#open();
+    this.#session.attach();
   }
 
   /** It was taken to another document, as a window beside the page. */
   adoptedCallback() {
-    this.#view.dress();
+    this.#session.view.dress();
   }
 
   disconnectedCallback() {
     // An element that is only moved is back before the microtask.
-    queueMicrotask(() => {
-      if (!this.isConnected && this.#link) this.#close();
-    });
+    queueMicrotask(() => this.isConnected || this.#session.close());
   }
 
   /** A move by `moveBefore` needs nothing. */
@@ -479,377 +397,7 @@ export class HearthFire extends FireAttributes {
 
   /** @type {(name: string, old: string | null, value: string | null) => void} */
   attributeChangedCallback(name, _old, value) {
-    const id = ID_OF_ATTRIBUTE.get(name);
-    this.#manners.change(name, value);
-    if (name === 'loading') this.#link?.lookAgain();
-    // Before, the fire starts with what its attributes say, wherever they stand.
-    const begun = this.#started || this.#link?.live;
-    if (name === 'model' && !begun) {
-      // The first fire starts with its model.
-    } else if (id !== undefined) {
-      if (value !== null) this.#set({ [id]: value }, 'attribute');
-      else this.#ask({ type: 'restore', source: 'attribute', ids: [id] });
-    } else if (name === 'objects') {
-      this.#readObjects(value);
-    } else if (name === 'preset') {
-      if (begun && !this.#dropping) this.#ask({ type: 'preset', source: 'preset', name: value ?? 'default' });
-    } else if (name === 'quality') {
-      this.#ask({ type: 'quality', source: 'attribute', quality: value ?? 'auto' });
-    } else if (name === 'paused') {
-      if ((value !== null) !== this.#paused) this.#setPaused(value !== null);
-    } else if (name === 'src') {
-      if (begun) this.#changeFile();
-    } else if (name === 'warm') {
-      const seconds = warmth(this);
-      if (Number.isNaN(seconds)) this.#refuse(name, value ?? '', 'a number of seconds from 0 to 30');
-      else if (begun) this.#ask({ type: 'warm', seconds });
-    } else if (name === 'autoplay') {
-      if (this.#link && !this.#started && !this.autoplay) this.#setPaused(true);
-    } else if (name === 'reduced-motion' && this.#link) {
-      this.#motion(motionIsReduced());
-    }
-  }
-
-  /** Sets the objects that the attribute holds as JSON. @param {string | null} value */
-  #readObjects(value) {
-    if (value === null) {
-      this.#ask({ type: 'restore', source: 'attribute', ids: ['objects'] });
-      return;
-    }
-    try {
-      this.#set({ objects: JSON.parse(value) }, 'attribute');
-    } catch (error) {
-      this.#refuse('objects', value.slice(0, 40), `JSON of an array of objects: ${/** @type {Error} */ (error).message}`);
-    }
-  }
-
-  /** The attribute goes; its values are somebody else's to change. */
-  #dropPreset() {
-    this.#dropping = true;
-    this.removeAttribute('preset');
-    this.#dropping = false;
-  }
-
-  /** @param {Message} message */
-  #ask(message) {
-    // Where there can be no fire, nothing waits for one.
-    const answer = this.#ready.failed ? this.#ready.promise : this.#requests.ask(message);
-    this.#orders?.push([message, answer]);
-    return answer;
-  }
-
-  /** @type {(values: {[id: string]: unknown}, source: string) => Promise<void>} */
-  #set(values, source) {
-    return this.#ask({ type: 'set', source, values: postable(values, DEEPEST) });
-  }
-
-  /**
-   * The settings in the file that `src` names; undefined where there are none, which
-   * is said.
-   */
-  async #settingsOfFile() {
-    const { src } = this;
-    if (!src) return undefined;
-    try {
-      return await settingsOfFile(src);
-    } catch (error) {
-      const { message } = /** @type {Error} */ (error);
-      if (error instanceof RangeError) this.#refused([{ id: 'src', value: src, message }]);
-      else this.#complain('load', message);
-      return undefined;
-    }
-  }
-
-  /** Another file: the fire takes over what is in it. */
-  async #changeFile() {
-    const { src } = this;
-    const config = await this.#settingsOfFile();
-    if (src !== this.src) return;
-    if (config !== undefined) this.#ask({ type: 'import', source: 'src', config });
-    // Without a file it burns as it would have without one.
-    else if (!src) this.#ask({ type: 'preset', source: 'src', name: this.preset });
-  }
-
-  /**
-   * What `make` makes of the canvas, when there is a picture on it.
-   * @template T
-   * @param {(canvas: HTMLCanvasElement) => T | Promise<T>} make
-   * @returns {Promise<T>}
-   */
-  #ofPicture(make) {
-    return quiet(this.#ready.promise.then(() => this.#view.drawn()).then(make));
-  }
-
-  /** @type {(paused: boolean, still?: boolean) => Promise<void>} */
-  #setPaused(paused, still = false) {
-    // A visitor who wants less motion and lets it burn can stop it again.
-    this.#stoppable = !paused && motionIsReduced() && (this.#still || this.#stoppable);
-    this.#paused = paused;
-    this.#still = still;
-    this.#offer();
-    this.#signal();
-    // That it stands still for a visitor is nothing that its page said.
-    if (!still && this.hasAttribute('paused') !== paused) this.toggleAttribute('paused', paused);
-    // A fire that is still to come is told how it starts.
-    if (!this.#link?.live) return this.#ready.promise;
-    return this.#ask({ type: paused ? 'pause' : 'play' });
-  }
-
-  /** What the button in the picture does. */
-  #press() {
-    if (this.#still) this.play();
-    else this.#setPaused(true, true);
-  }
-
-  #offer() {
-    this.#view.offer(this.#still ? 'play' : this.#stoppable ? 'pause' : '');
-  }
-
-  /** Says whether it is seen to burn. */
-  #signal() {
-    this.#signs.burning(this.#view.shows && this.#drawable && !this.#paused);
-  }
-
-  /** Whether it moves less. @param {boolean} reduced */
-  #isCalm(reduced) {
-    return reduced && this.reducedMotion !== 'ignore';
-  }
-
-  /** @param {boolean} reduced */
-  #motion(reduced) {
-    const still = this.#isCalm(reduced);
-    if (still && !this.#paused) {
-      this.#setPaused(true, true);
-    } else if (!still && this.#still) {
-      this.#setPaused(false);
-    }
-  }
-
-  /** Makes a fire. */
-  #open() {
-    if (this.#ready.failed) this.#ready = deferred();
-    const canvas = this.#view.newCanvas();
-    this.#view.describe(this.alt);
-    this.#view.show('loading');
-    if (this.warm) this.#view.fade();
-    const reduced = this.#isCalm(motionIsReduced());
-    // One that stood still for that when it was taken off does so again.
-    const still = reduced && (this.#still || !this.#paused);
-    if (this.#still && !reduced) this.#setPaused(false);
-    const link = new FireLink(this, canvas, this.#requests, {
-      heard: (message) => this.#receive(message, link),
-      drawn: (picture) => this.#view.draw(picture),
-      begun: () => this.#begin(link, still),
-      motion: (reduced) => this.#motion(reduced),
-    });
-    this.#link = link;
-    this.#manners.begin();
-    if (still) this.#setPaused(true, true);
-    else if (!this.#started && !this.autoplay) this.#setPaused(true);
-    const opened = link.open(
-      () => this.loading,
-      () => [HearthFire.wasmUrl, HearthFire.engine],
-      () => this.#prepare(),
-      (prepared) => ({
-        ...this.#start(prepared.config), warm: this.warm, state: prepared.state, view: this.#view.camera,
-      }),
-    );
-    opened.catch((error) => link.closed || this.#fail(error.kind ?? 'load', error.message));
-  }
-
-  /** What a fire waits for: all that the one before it has to tell, or its file; and a kept fire. */
-  async #prepare() {
-    const state = this.warm && !this.src ? burning(this.preset) : undefined;
-    await this.#gone;
-    let config;
-    let src;
-    do {
-      src = this.src;
-      config = this.#started ? undefined : await this.#settingsOfFile();
-      // Another file may have been named meanwhile.
-    } while (src !== this.src);
-    return { config, state: await state };
-  }
-
-  /**
-   * What the fire starts from: preset, file and model at first, what it was when it comes
-   * back.
-   * @param {unknown} config what was in the file
-   */
-  #start(config) {
-    const [paused, quality] = [this.#paused, this.#quality];
-    if (this.#started) {
-      const [preset, kept, values, ownNumber] = [this.#preset, this.#kept, this.#params, this.#ownNumber];
-      return { preset, kept, values: { ...values, objects: this.#objects }, ownNumber, quality, paused };
-    }
-    const preset = this.getAttribute('preset') ?? undefined;
-    const model = this.getAttribute('model');
-    return { preset, config, values: model === null ? {} : { model }, quality, paused };
-  }
-
-  /**
-   * The fire is there and has its values.
-   * @param {FireLink} link
-   * @param {boolean} still
-   */
-  async #begin(link, still) {
-    if (this.warm) {
-      // Before, it may be taken for one that nobody sees.
-      if (!document.hidden) await link.looked;
-      await this.#ask({ type: 'warm' }).catch(() => {});
-    } else if (still) {
-      await this.#ask({ type: 'burn', seconds: STILL_AFTER }).catch(() => {});
-    }
-    if (!link.live) return;
-    this.#view.show('shown');
-    this.#offer();
-    this.#announced = true;
-    this.#view.drawn().then(() => this.#signal(), () => {});
-    this.#manners.burns();
-    this.#ready.resolve();
-    this.#emit('ready');
-  }
-
-  /** Frees the fire and all that belongs to it. */
-  #close() {
-    this.#orders?.end?.();
-    // Who waits from now on waits for the next one.
-    if (this.#announced) this.#ready = deferred();
-    this.#link?.close();
-    // One that never got its fire leaves none behind; the fire before it may still be there.
-    const gone = this.#link?.gone;
-    this.#gone = this.#gone.then(() => gone);
-    this.#link = null;
-    this.#announced = false;
-    this.#stats = null;
-    this.#manners.end();
-    this.#view.dropCanvas();
-    this.#view.offer('');
-    this.#view.show('loading');
-    this.#drawable = true;
-    this.#signal();
-    this.#signs.light();
-  }
-
-  /** @type {(message: Message, link: FireLink) => void} */
-  #receive(message, link) {
-    // Of a fire that was taken off only what it was given before still counts.
-    if (link.closed && !['ready', 'changed', 'done', 'refused'].includes(message.type)) return;
-    switch (message.type) {
-      case 'ready':
-        this.#started = true;
-        this.#params = { ...this.#params, ...message.values };
-        this.#objects = message.objects;
-        this.#ownNumber = message.ownNumber;
-        this.#preset = message.preset;
-        break;
-      case 'changed':
-        if (message.anew) this.#kept = {};
-        else if ('model' in message.values) this.#kept = this.#params;
-        this.#params = { ...this.#params, ...message.values };
-        this.#objects = message.objects ?? this.#objects;
-        this.#ownNumber = message.ownNumber;
-        this.#preset = message.preset;
-        if (message.anew) this.#reflectPreset();
-        if (!this.#announced) break;
-        for (const [id, value] of Object.entries(message.values)) {
-          this.#emit('params-change', { id, value, source: message.source });
-        }
-        if (message.objects) this.#emit('objects-change', { objects: this.objects, source: message.source });
-        break;
-      case 'done':
-        this.#requests.settle(message.request, undefined, message.value);
-        break;
-      case 'refused':
-        this.#refused(message.errors, message.request);
-        break;
-      case 'stats':
-        this.#stats = { ...message.stats, engine: link.place };
-        this.#manners.measure(this.#params.display_mode, message.stats.scale);
-        this.#signs.light(message.stats.scale ? 0 : message.stats.power, this.#params);
-        this.#emit('stats', this.stats);
-        break;
-      case 'quality': {
-        const { wish, quality, reason } = message;
-        this.#quality = wish;
-        if (this.#announced) this.#emit('quality-change', { quality, reason });
-        break;
-      }
-      case 'state':
-        this.#emit(message.playing ? 'play' : 'pause');
-        break;
-      case 'warming':
-        this.#view.fade();
-        break;
-      case 'restored':
-        this.#drawable = true;
-        this.#signal();
-        this.#emit('restored');
-        break;
-      case 'error':
-        // Its last picture stays where it goes on.
-        if (message.kind === 'context-lost') {
-          this.#drawable = false;
-          this.#signal();
-          this.#emit('error', { kind: message.kind, message: message.message });
-        } else if (message.burns) this.#complain(message.kind, message.message);
-        else this.#fail(message.kind, message.message);
-        break;
-    }
-  }
-
-  /** The attribute names the preset that a fire with other settings has. */
-  #reflectPreset() {
-    if (super.preset === this.#preset) return;
-    this.#dropping = true;
-    if (this.#preset === 'default') this.removeAttribute('preset');
-    else this.setAttribute('preset', this.#preset);
-    this.#dropping = false;
-  }
-
-  /** @type {(id: string, value: string, allowed: string) => Error} */
-  #refuse(id, value, allowed) {
-    return this.#refused([{ id, value, message: `${id} = ${value} is refused: it must be ${allowed}` }]);
-  }
-
-  /** Something is wrong, and the fire burns on. @type {(kind: string, message: string) => void} */
-  #complain(kind, message) {
-    console.warn(`<hearth-fire>: ${message}`);
-    this.#emit('error', { kind, message });
-  }
-
-  /** @type {(errors: Refusal[], request?: number) => Error} */
-  #refused(errors, request) {
-    for (const { message, ...rest } of errors) {
-      console.warn(`<hearth-fire>: ${message}`);
-      this.#emit('error', { kind: 'bad-parameter', message, ...rest });
-    }
-    const error = refusal(errors);
-    if (request !== undefined) this.#requests.settle(request, error);
-    return error;
-  }
-
-  /**
-   * There is no fire and why not: the poster stays, with words.
-   * @param {'unsupported' | 'load'} kind
-   * @param {string} message
-   */
-  #fail(kind, message) {
-    this.#view.show('failed', message);
-    this.#view.offer('');
-    this.#signal();
-    this.#manners.end();
-    const error = new EngineError(kind, message);
-    this.#link?.abandon(error);
-    // A promise that was kept cannot be broken; what comes now is refused.
-    if (this.#announced) this.#ready = deferred();
-    this.#ready.reject(error);
-    this.#complain(kind, message);
-  }
-
-  /** @type {(type: string, detail?: object | null) => void} */
-  #emit(type, detail = null) {
-    this.dispatchEvent(new CustomEvent(type, { detail }));
+    this.#session.attribute(name, value);
   }
 }
 

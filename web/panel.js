@@ -1,15 +1,14 @@
 /**
  * The panel of sliders, in any element of a page.
  *
- * `mountPanel` makes a canvas in `host`, loads the panel's wasm, which no page
- * pays for that never asks for it, and puts a mirror of the panel in the page's
- * own controls beside it (panel/accessible-controls.js). Where the panel cannot start it says so
- * in words and the mirror alone is left, in sight. In the shadow root of its own
- * fire the panel places itself and can be folded away.
+ * `mountPanel` makes a canvas in `host`, loads the panel's wasm on demand, and adds the accessible
+ * controls, which are native controls of the page (panel/accessible-controls.js). If the panel cannot
+ * start, a message says why and the accessible controls become visible instead. In the shadow root
+ * of its own fire the panel places itself and can be folded away.
  */
 
-import { mountMirror } from './panel/accessible-controls.js';
-import { Desk } from './panel/controller.js';
+import { mountAccessibleControls } from './panel/accessible-controls.js';
+import { PanelController } from './panel/controller.js';
 import { addFold } from './panel/fold.js';
 import { listenToKeys } from './panel/keys.js';
 import { addSheet } from './panel/sheet.js';
@@ -117,21 +116,21 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
   atEnd(() => host.classList.remove('hearth-panel'));
   const { styled, removeStyle } = addStyle(host);
   atEnd(removeStyle);
-  // Without its styles the mirror would stand in sight for a moment.
+  // Without the styles the accessible controls would be visible for a moment.
   await styled;
-  const desk = new Desk({ fire, host, page, script, embed, only });
-  atEnd(() => desk.close());
+  const controller = new PanelController({ fire, host, page, script, embed, only });
+  atEnd(() => controller.close());
   let revealed = '';
   const reveal = (/** @type {string} */ id) => {
     revealed = id;
     panel?.reveal(id);
   };
-  const mirror = mountMirror({ host, fire, desk, reveal });
-  atEnd(() => mirror.destroy());
+  const accessible = mountAccessibleControls({ host, fire, controller, reveal });
+  atEnd(() => accessible.destroy());
   const fold = inside ? addFold(host) : undefined;
   atEnd(fold?.remove ?? stayAboveKeyboard(host));
   if (inside || page !== undefined) atEnd(addSheet(host, inside ? fire : undefined));
-  atEnd(listenToKeys({ own: [host, fire], page: page !== undefined, fire, desk, hide: fold?.toggle }));
+  atEnd(listenToKeys({ own: [host, fire], page: page !== undefined, fire, controller, hide: fold?.toggle }));
   // Nothing around the panel is closed by a key that closes things in it.
   listen(host, 'keydown', (event) => {
     if (event.key !== 'Escape') return;
@@ -142,7 +141,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
   const update = () => {
     if (!canvas) return;
     const shown = canvas.getBoundingClientRect();
-    mirror.place(/** @type {Record<string, number[]>} */ (panel?.rectangles() ?? {}), shown, shown.width / canvas.offsetWidth || 1);
+    accessible.place(/** @type {Record<string, number[]>} */ (panel?.rectangles() ?? {}), shown, shown.width / canvas.offsetWidth || 1);
   };
   // eframe sizes the canvas from `devicePixelContentBoxSize`, which emulated
   // phones report at a ratio of 1: the panel would be painted too large.
@@ -187,7 +186,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
     message.textContent = `The panel cannot be shown: ${reason}. Here are plain controls instead.`;
     host.prepend(message);
     atEnd(() => message.remove());
-    mirror.stand();
+    accessible.stand();
   }
 
   async function start() {
@@ -204,16 +203,16 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
     try {
       const wasm = await load();
       if (ended) return;
-      const started = await wasm.Panel.start(place, fire, desk);
+      const started = await wasm.Panel.start(place, fire, controller);
       if (ended) {
         started.destroy();
         return;
       }
       panel = started;
       stage.inert = false;
-      panel.tell(desk.state);
-      desk.hovered = () => panel?.hovered();
-      // The mirror may have had the focus before there was a panel.
+      panel.tell(controller.state);
+      controller.hovered = () => panel?.hovered();
+      // The accessible controls may have had the focus before there was a panel.
       if (revealed) panel.reveal(revealed);
       place.addEventListener('webglcontextlost', lost);
       place.addEventListener('panel-painted', painted);
@@ -229,22 +228,22 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
   // controls stand in its place.
   const plain = matchMedia('(forced-colors: active)');
   const stand = () => {
-    mirror.stand(plain.matches);
+    accessible.stand(plain.matches);
     if (plain.matches) stop();
     else if (!panel) start();
   };
   listen(plain, 'change', stand);
-  if (plain.matches) mirror.stand();
+  if (plain.matches) accessible.stand();
   atEnd(stop);
-  listen(desk, 'search', () => {
+  listen(controller, 'search', () => {
     if (plain.matches || !canvas?.checkVisibility()) return;
     canvas.focus({ preventScroll: true });
     panel?.reveal('search');
   });
-  listen(desk, 'change', () => panel?.tell(desk.state));
+  listen(controller, 'change', () => panel?.tell(controller.state));
   // A drag, however long, and a key that is held down are one step each.
-  listen(host, 'pointerdown', () => desk.press(), { capture: true });
-  listen(window, 'keydown', (event) => event.repeat || desk.press(), { capture: true });
+  listen(host, 'pointerdown', () => controller.press(), { capture: true });
+  listen(window, 'keydown', (event) => event.repeat || controller.press(), { capture: true });
   listen(window, 'scroll', update, { passive: true, capture: true });
   listen(window, 'resize', update);
   await start();

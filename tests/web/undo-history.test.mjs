@@ -4,7 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
-import { Steps } from '../../web/panel/undo-history.js';
+import { UndoHistory } from '../../web/panel/undo-history.js';
 
 const DEFAULTS = {
   classic: { model: 'classic', width: 1, viscosity: 5, wind: 0, max_particles: 1000 },
@@ -121,7 +121,7 @@ function deed(steps, fire, random) {
 const made = () => {
   const fire = new Fire();
   let changes = 0;
-  const steps = new Steps(fire, () => { changes += 1; }, (id, model) => DEFAULTS[model][id]);
+  const steps = new UndoHistory(fire, () => { changes += 1; }, (id, model) => DEFAULTS[model][id]);
   return { fire, steps, changes: () => changes };
 };
 

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { cappedSize } from '../../web/element/visibility.js';
-import { alignment, placeOf } from '../../web/element/viewport.js';
+import { alignment, viewportOf } from '../../web/element/viewport.js';
 
 test('an alignment is one or two words of object-position, in any order', () => {
   for (const [words, shares] of /** @type {[string, [number, number] | undefined][]} */ ([
@@ -20,7 +20,7 @@ test('each fit scales the domain to the picture, and the alignment places it', (
   ])) {
     for (const x of [0, 0.5, 1]) {
       for (const y of [0, 0.5, 1]) {
-        const place = placeOf({ fit, x, y }, 1, 2, 300, 200);
+        const place = viewportOf({ fit, x, y }, 1, 2, 300, 200);
         assert.equal(place.scale, scale, fit);
         // The domain's own point at these shares is the picture's.
         assert.equal(place.left + (x - 0.5) * scale, 300 * x, `${fit} ${x}`);

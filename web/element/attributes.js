@@ -1,7 +1,6 @@
 /**
- * What of a `<hearth-fire>` is an attribute: every parameter by its id with
- * hyphens, and a few of the element's own. The own ones that are only kept in
- * their attribute have their properties here.
+ * The attributes of `<hearth-fire>`: one for each parameter, its id with hyphens, and the element's
+ * own. Properties that only reflect an attribute are defined here.
  */
 
 import { DEFAULTS, OWN_ATTRIBUTES } from '../generated/defaults.js';

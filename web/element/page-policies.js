@@ -1,16 +1,6 @@
 /**
- * What of an element has to do with the page around it: how much it may draw, a
- * pointer that stirs it, its panel, its poster and its words.
- *
- * @typedef {import('../engine/engine.js').Message} Message
- * @typedef {object} Ways what the element does for its parts
- * @property {import('../hearth-fire.js').HearthFire} fire the element
- * @property {(message: Message) => Promise<void>} ask asks the engine for something
- * @property {(message: Message) => void} send tells the engine something
- * @property {(id: string, value: string, allowed: string) => unknown} refuse
- * @property {(kind: string, message: string) => void} complain
- * @property {(colour: string, fire: Element) => string} hexOf
- * @property {() => boolean} isCalm whether it moves less, since its visitor wants that
+ * How an element behaves on its page: drawing limits, pointer, panel, poster, text alternatives and
+ * warnings about unknown attributes.
  */
 
 import { CHOICES, ID_OF_ATTRIBUTE, OBSERVED } from './attributes.js';
@@ -18,62 +8,62 @@ import { alignment } from './viewport.js';
 
 const LIMITS = ['fps-limit', 'max-pixels'];
 
-/** Attributes that need no look at what others there may be. */
+/** Common attributes; the code that knows the others is loaded only for those. */
 const USUAL = /^(class|id|style|slot|hidden|title|(data|aria)-.*)$/;
 
-/** What is written on the fires of the page. */
+/** Reports attributes that are set on fires of the page. */
 const names = globalThis.MutationObserver && new MutationObserver((records) => {
   for (const { target, attributeName } of records) {
     if (/** @type {Element} */ (target).hasAttribute(attributeName ?? '')) spell(attributeName ?? '');
   }
 });
 
-/** Says that an attribute does nothing, where it does nothing. @param {string} name */
+/** Warns of an attribute that has no effect. @param {string} name */
 function spell(name) {
   if (OBSERVED.includes(name) || USUAL.test(name)) return;
   import('./spelling.js').then(({ tell }) => tell(name), () => {});
 }
 
-/** The manners of one element. */
-export class FireManners {
+/** The page policies of one element. */
+export class PagePolicies {
   #fire;
   #view;
-  #ways;
-  /** Whether there is a link to the engine, and whether the fire burns. */
+  #session;
+  /** Whether there is a connection to the engine. */
   #open = false;
-  /** The last good limits. @type {Map<string, unknown>} */
+  /** The last accepted limits. @type {Map<string, unknown>} */
   #limits = new Map();
+  /** Whether the fire burns. */
   #burns = false;
-  /** The bar of colours, where there was one. @type {Promise<import('./scale.js').Scale | void> | undefined} */
+  /** The colour bar, once it is loaded. @type {Promise<import('./scale.js').Scale | void> | undefined} */
   #scale;
-  /** The attribute of the panel that is there. @type {string | null} */
+  /** The `controls` attribute of the mounted panel. @type {string | null} */
   #controls = null;
-  /** Takes the panel away, where there is one. @type {(() => void) | undefined} */
+  /** Removes the mounted panel. @type {(() => void) | undefined} */
   #hidePanel;
-  /** Stops listening to pointers, where it listens. @type {(() => void) | undefined} */
+  /** Removes the pointer listeners. @type {(() => void) | undefined} */
   #ignorePointer;
 
   /**
-   * @param {Ways} ways
-   * @param {import('./view.js').FireView} view
+   * @param {import('./session.js').FireSession} session
    */
-  constructor(ways, view) {
-    this.#fire = ways.fire;
-    this.#view = view;
-    this.#ways = ways;
+  constructor(session) {
+    this.#fire = session.fire;
+    this.#view = session.view;
+    this.#session = session;
   }
 
-  /** It is on a page: what is written on it is looked at. */
+  /** The element is on a page: checks the names of its attributes. */
   watch() {
     this.#fire.getAttributeNames().forEach(spell);
     names?.observe(this.#fire, { attributes: true });
   }
 
-  /** There is a link to the engine: it is told what it was not told before. */
+  /** There is a connection to the engine: sends the limits. */
   begin() {
     this.#open = true;
     for (const name of LIMITS) {
-      // One that was good before the element was taken off is good again.
+      // A limit that was accepted before the element was removed is still valid.
       if (this.#limits.has(name)) this.#ask(name, this.#limits.get(name));
       else if (this.#fire.hasAttribute(name)) this.#limit(name);
     }
@@ -95,15 +85,15 @@ export class FireManners {
   }
 
   /**
-   * Shows which colour is how much, or that none is. Its code is loaded only here.
+   * Shows the colour bar, or hides it. Its code is loaded on demand.
    * @param {string} [mode] the display
-   * @param {[number, number] | null} [ends] what its first and its last colour stand for
+   * @param {[number, number] | null} [ends] the values of its first and its last colour
    */
   async measure(mode, ends) {
     if (ends) {
       this.#scale ??= import('./scale.js').then(
         ({ Scale }) => new Scale(this.#view.root),
-        (why) => this.#ways.complain('load', `The bar of colours could not be loaded: ${why}`),
+        (why) => this.#session.reports.warn('load', `The bar of colours could not be loaded: ${why}`),
       );
     }
     (await this.#scale)?.show(mode, ends);
@@ -117,7 +107,7 @@ export class FireManners {
   change(name, value) {
     const choices = hasChoices(name) ? CHOICES[name] : undefined;
     if (choices && value !== null && !choices.some((one) => one === value)) {
-      this.#ways.refuse(name, value, `one of ${choices.join(', ')}`);
+      this.#session.reports.refuse(name, value, `one of ${choices.join(', ')}`);
     } else if (LIMITS.includes(name)) {
       if (this.#open) this.#limit(name);
       else this.#limits.delete(name);
@@ -136,7 +126,7 @@ export class FireManners {
     }
   }
 
-  /** How much it may draw; what is no number is the engine's to refuse. @param {string} name */
+  /** Sends a drawing limit; the engine refuses text that is not a number. @param {string} name */
   #limit(name) {
     const text = this.#fire.getAttribute(name) ?? undefined;
     const number = text?.trim() ? Number(text) : NaN;
@@ -145,11 +135,11 @@ export class FireManners {
 
   /** @type {(name: string, value: unknown) => void} */
   #ask(name, value) {
-    const asked = this.#ways.ask({ type: 'limit', source: 'attribute', id: name.replace('-', '_'), value });
+    const asked = this.#session.ask({ type: 'limit', source: 'attribute', id: name.replace('-', '_'), value });
     asked.then(() => this.#limits.set(name, value), () => {});
   }
 
-  /** Listens to pointers where it should. The code of that is loaded only then. */
+  /** Adds or removes the pointer listeners. Their code is loaded on demand. */
   #listen() {
     this.#ignorePointer?.();
     this.#ignorePointer = undefined;
@@ -157,32 +147,32 @@ export class FireManners {
     const ended = new AbortController();
     this.#ignorePointer = () => ended.abort();
     const ways = {
-      send: this.#ways.send,
-      move: (/** @type {number} */ x) => this.#ways.ask({ type: 'set', source: 'pointer', values: { source_x: x } }).catch(() => {}),
+      send: (/** @type {import('../engine/engine.js').Message} */ message) => this.#session.send(message),
+      move: (/** @type {number} */ x) => this.#session.ask({ type: 'set', source: 'pointer', values: { source_x: x } }).catch(() => {}),
     };
     import('./pointer.js').then(
       ({ listenToPointer }) => ended.signal.aborted || listenToPointer(this.#fire, this.#view.root, ways, ended.signal),
-      (why) => this.#ways.complain('load', `What listens to pointers could not be loaded: ${why}`),
+      (why) => this.#session.reports.warn('load', `What listens to pointers could not be loaded: ${why}`),
     );
   }
 
-  /** Which part of its world is seen. */
+  /** Applies `fit` and `align`. */
   #look() {
     const { fit, align } = this.#fire;
     const place = alignment(align || 'center bottom');
     if (!place) {
-      this.#ways.refuse('align', align, 'one or two of left, center, right and top, center, bottom');
+      this.#session.reports.refuse('align', align, 'one or two of left, center, right and top, center, bottom');
       return;
     }
     const [x, y] = place;
     this.#view.camera = { fit, x, y };
-    this.#ways.send({ type: 'view', ...this.#view.camera });
+    this.#session.send({ type: 'view', ...this.#view.camera });
   }
 
   /** @param {string} action */
   #touch(action) {
     if (!action || CSS.supports('touch-action', action)) this.#view.setTouchAction(action);
-    else this.#ways.refuse('touch-action', action, 'a value of CSS, as auto, none, pan-y or manipulation');
+    else this.#session.reports.refuse('touch-action', action, 'a value of CSS, as auto, none, pan-y or manipulation');
   }
 
   #control() {
@@ -190,12 +180,12 @@ export class FireManners {
     if (wanted === this.#controls) return;
     this.#controls = wanted;
     this.#hidePanel?.();
-    const failed = (/** @type {unknown} */ why) => this.#ways.complain('load', `The panel could not be loaded: ${why}`);
+    const failed = (/** @type {unknown} */ why) => this.#session.reports.warn('load', `The panel could not be loaded: ${why}`);
     this.#hidePanel = wanted === null ? undefined : showPanel(this.#fire, this.#only(wanted), failed);
   }
 
   /**
-   * The parameters that a list names; undefined: all.
+   * The parameters that a list names; undefined means all of them.
    * @param {string} list
    */
   #only(list) {
@@ -212,7 +202,7 @@ export class FireManners {
   async #misspelt(name) {
     const { meant } = await import('./spelling.js').catch(() => ({ meant: () => '' }));
     const ids = [...ID_OF_ATTRIBUTE.values()];
-    this.#ways.refuse('controls', name, `a list of parameters${meant(name, ids)}`);
+    this.#session.reports.refuse('controls', name, `a list of parameters${meant(name, ids)}`);
   }
 }
 
@@ -221,15 +211,15 @@ function hasChoices(name) {
   return Object.hasOwn(CHOICES, name);
 }
 
-/** Ways to say that there is a panel, besides naming the attribute alone. */
+/** Values of `controls` that mean all parameters. */
 const YES = ['true', 'controls'];
 
 /**
- * Shows the panel of a fire inside it. Its code is loaded only here.
+ * Mounts the panel inside its fire. Its code is loaded on demand.
  * @param {import('../hearth-fire.js').HearthFire} fire
- * @param {string[] | undefined} only the parameters that it shows, if not all
+ * @param {string[] | undefined} only the parameters to show; undefined means all of them
  * @param {(why: unknown) => void} fail
- * @returns {() => void} takes it away
+ * @returns {() => void} removes the panel
  */
 function showPanel(fire, only, fail) {
   const host = document.createElement('div');

@@ -1,14 +1,14 @@
 /**
- * The bar that says which colour is how much, in a `<hearth-fire>` that shows a
- * quantity instead of its fire. Only who asks for such a display loads it.
+ * The colour bar of a `<hearth-fire>` that shows a quantity instead of its fire. It is loaded with the
+ * first such display.
  *
- * The colours are those of the pictures (shaders/scale.glsl), worked out here: a
- * gradient in OKLCH would be shorter and is not known to every browser.
+ * The colours are those of the picture (shaders/scale.glsl). They are computed here, because a gradient
+ * in OKLCH, which would be shorter, is missing in older browsers.
  */
 
 import { QUANTITIES } from '../generated/quantities.js';
 
-const STYLES = `
+const STYLES = /* css */ `
 .scale-room { position: absolute; inset: 0; container-type: size; pointer-events: none; }
 .scale {
   position: absolute; left: 12px; bottom: 12px; box-sizing: border-box; max-inline-size: calc(100% - 24px);
@@ -42,7 +42,7 @@ const STYLES = `
 /** @type {{[mode: string]: string}} */
 const LABELS = { particles: 'Temperature', velocity: 'Speed' };
 
-/** Colours in a gradient, so many that nobody sees it is made of straight pieces. */
+/** Colours in a gradient: enough that its straight pieces are invisible. */
 const STOPS = 32;
 
 /** Nearer to an end, as a part of the bar, a tick's number would run into that of the end. */

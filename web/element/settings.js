@@ -1,6 +1,6 @@
 /**
- * Settings of a fire as they come from outside: data or JSON text. Here they become
- * plain data; whether their values are good, the engine's table says.
+ * Settings from outside, as data or as JSON text. They become plain data here; the engine checks their
+ * values.
  */
 
 import { postable } from './requests.js';
@@ -8,8 +8,8 @@ import { postable } from './requests.js';
 /** Longest JSON text, in letters, and longest file, in bytes. */
 const LONGEST = 65_536;
 
-/** Deepest nesting of settings: `{objects: [{property: value}]}`. */
-const DEEPEST = 3;
+/** Deepest nesting of settings and of values: `{objects: [{property: value}]}`. */
+export const DEEPEST = 3;
 
 /**
  * Settings as plain data.

@@ -1,6 +1,6 @@
 /**
- * Names that a fire does not know, and which ones may be meant: loaded where there is such
- * a name.
+ * Suggestions for unknown names, and warnings about unknown attributes: loaded with the first such
+ * name.
  */
 
 import { DEFAULTS, OWN_ATTRIBUTES } from '../generated/defaults.js';
@@ -25,7 +25,7 @@ const KNOWN = [...OWN_ATTRIBUTES, ...Object.keys(DEFAULTS).map((id) => id.replac
 const TOLD = new Set();
 
 /**
- * Says once that an attribute does nothing, unless it is none of the fire's affair.
+ * Warns once that an attribute has no effect, unless it is HTML's, a framework's or a library's.
  * @param {string} name
  */
 export function tell(name) {

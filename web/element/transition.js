@@ -1,21 +1,22 @@
 /**
- * Values that come to others in time: loaded by the first `to` of an element.
+ * Transitions of values: loaded by the first `to` of an element.
  *
- * The browser's own animations tell how far they have come, by its clock and its easings;
- * an animation without an element is none that a page sees or ends. The fire gets values as
- * from any script, each when it has taken those before.
+ * An animation of the browser gives the progress, with its clock and its easings. It has no element,
+ * so a page neither lists nor ends it. The fire gets values as from any script, each after it has
+ * taken those before.
  *
  * @typedef {import('../engine/engine.js').Message} Message
  * @typedef {import('../parameters.js').ParameterId} Id
  * @typedef {{[id: string]: any}} Values
  * @typedef {[message: Message, answer: Promise<unknown>]} Order
+ * @typedef {Order[] & {moves?: Moves, end?: () => void}} Orders
  *
- * @typedef {import('./page-policies.js').Ways} Ways
+ * @typedef {import('./session.js').FireSession} FireSession
  *
  * @typedef {object} Move one call of `to`
  * @property {Values} to where its values arrive
  * @property {Set<string>} ids those that it still moves
- * @property {string[]} held of them, what somebody else just asked for; these wait for the answer
+ * @property {string[]} held of them, values that another message sets; these wait for its answer
  * @property {boolean} whole whether it lost none of them
  * @property {() => void} end has all of them arrive at once
  */
@@ -29,15 +30,15 @@ const ALLOWED = {
 
 /**
  * Moves values.
- * @param {Order[] & {moves?: Moves, end?: () => void}} orders what is asked of the element since
+ * @param {Orders} orders what is asked of the element since
  *   its first `to`: from now on what is put there is heard at once, and `end` has all values arrive
- * @param {Ways} ways
+ * @param {FireSession} session
  * @param {Promise<unknown>} checked the answer whether the fire takes the values
  * @param {{duration?: unknown, easing?: unknown}} how
- * @returns {Promise<boolean>} whether all arrived; false where somebody took one over
+ * @returns {Promise<boolean>} whether all arrived; false if another message set one of them
  */
-export function run(orders, ways, checked, how) {
-  orders.moves ??= new Moves(ways);
+export function run(orders, session, checked, how) {
+  orders.moves ??= new Moves(session);
   const { moves } = orders;
   for (const order of orders.splice(0)) moves.hear(order);
   orders.push = (order) => moves.hear(order);
@@ -47,13 +48,13 @@ export function run(orders, ways, checked, how) {
 
 /** All values of an element that are on their way. */
 class Moves {
-  #ways;
+  #session;
   /** By the answer to their first question, the oldest first. @type {Map<Promise<unknown>, Move>} */
   #all = new Map();
 
-  /** @param {Ways} ways */
-  constructor(ways) {
-    this.#ways = ways;
+  /** @param {FireSession} session */
+  constructor(session) {
+    this.#session = session;
   }
 
   /**
@@ -107,7 +108,7 @@ class Moves {
   /** @type {(how: {duration?: unknown, easing?: unknown}) => KeyframeEffect} */
   #effect({ duration = 600, easing = 'ease-in-out' }) {
     const refuse = (/** @type {'duration' | 'easing'} */ id, /** @type {unknown} */ value) => (
-      this.#ways.refuse(id, String(value), ALLOWED[id])
+      this.#session.reports.refuse(id, String(value), ALLOWED[id])
     );
     if (typeof duration !== 'number' || !(duration >= 0 && duration < Infinity)) throw refuse('duration', duration);
     try {
@@ -119,8 +120,8 @@ class Moves {
 
   /** @type {(move: Move, effect: KeyframeEffect) => Promise<void>} */
   async #move(move, effect) {
-    const { fire } = this.#ways;
-    const set = (/** @type {Values} */ values) => this.#ways.ask({ type: 'set', source: 'to', values });
+    const { fire } = this.#session;
+    const set = (/** @type {Values} */ values) => this.#session.ask({ type: 'set', source: 'to', values });
     // What has nothing between two values, the model among it, is the new one at once; the
     // others move in that model, and from where they are in it.
     const sudden = [...move.ids].filter((id) => !isBetween(id, fire.get(/** @type {Id} */ (id))));
@@ -139,7 +140,7 @@ class Moves {
     let wake = () => {};
     const step = (/** @type {number} */ part) => {
       const free = [...move.ids].filter((id) => !move.held.includes(id));
-      // What is sent as it arrives is nobody's any more.
+      // A value that is sent for the last time is free for others.
       if (part === 1) for (const id of free) move.ids.delete(id);
       const values = free.map((id) => [id, part === 1 ? move.to[id] : this.#between(id, from[id], move.to[id], part)]);
       if (free.length > 0) last = set(Object.fromEntries(values));
@@ -152,7 +153,7 @@ class Moves {
     // Nobody is to see the way, or can.
     const jump = () => document.hidden && move.end();
     document.addEventListener('visibilitychange', jump, watched);
-    if (document.hidden || !fire.isConnected || this.#ways.isCalm()) move.end();
+    if (document.hidden || !fire.isConnected || this.#session.playback.isCalm()) move.end();
     try {
       while (move.ids.size > 0) {
         step(clamped(effect.getComputedTiming().progress ?? 1));
@@ -176,7 +177,7 @@ class Moves {
     if (typeof from === 'number') {
       return LOGARITHMIC.includes(id) ? from * (to / from) ** part : from + (to - from) * part;
     }
-    const { hexOf, fire } = this.#ways;
+    const { hexOf, fire } = this.#session;
     const hex = hexOf(`color-mix(in oklab, ${to} ${part * 100}%, ${from})`, fire);
     // Browsers before 2023 mix no colours.
     return isColour(hex) ? hex : from;

@@ -1,9 +1,8 @@
 /**
- * What the values of a message mean where only a browser and its page can tell: any
- * colour that CSS has, and the seed that a fire gets by itself.
+ * Values that only the browser can resolve: any CSS colour, and the seed of `seed="auto"`.
  *
- * They become what the engine reads when the message is sent: the element is on a
- * page then, and the order of its page's fires is known.
+ * They are resolved when a message is sent: the element is on a page then, which `var()` and the order
+ * of the fires depend on.
  *
  * @typedef {import('../engine/engine.js').Message} Message
  */
@@ -74,7 +73,7 @@ export function hexOf(colour, fire) {
 
 /**
  * A message as the engine reads it. Its values are changed in place: they are data that
- * nobody else has.
+ * no other fire has.
  * @param {Message} message
  * @param {Element} fire
  * @returns {Message}

@@ -1,19 +1,19 @@
 /**
- * What stands inside a `<hearth-fire>`: the canvas, the poster, the play and pause button
- * and the words for a browser that cannot show the fire.
+ * The shadow tree of `<hearth-fire>`: canvas, poster, the button that plays or pauses, and the message
+ * for a browser that cannot show the fire.
  *
- * The styles are a constructed sheet where the browser has them, because a page's
- * content security policy may forbid `<style>`.
+ * The styles are a constructed style sheet where the browser has those, because a content security
+ * policy may forbid `<style>`.
  */
 
-import { placeOf } from './viewport.js';
+import { viewportOf } from './viewport.js';
 import { deferred } from './requests.js';
 import { motionIsReduced } from './visibility.js';
 
 /** How long the picture before a new fire takes to fade [ms]. */
 const FADE_MS = 400;
 
-const STYLES = `
+const STYLES = /* css */ `
 :host { display: block; position: relative; overflow: hidden; pointer-events: none; }
 :host([hidden]) { display: none; }
 /* Gives the element a height where its page gives it none. */
@@ -255,7 +255,7 @@ export class FireView {
     const outer = this.#host.getBoundingClientRect();
     const inner = this.canvas?.getBoundingClientRect();
     if (!inner?.height) return null;
-    const { scale, left, bottom } = placeOf(this.camera, across, up, inner.width, inner.height);
+    const { scale, left, bottom } = viewportOf(this.camera, across, up, inner.width, inner.height);
     const middle = inner.left - outer.left + left;
     const floor = inner.bottom - outer.top - bottom;
     return {

@@ -1,6 +1,6 @@
 /**
- * Where the world of a fire stands in its picture. Pure functions: the renderer's
- * `camera.rs` does the same.
+ * Where the fire's domain lies in its picture. These functions are pure, and `camera.rs` of the renderer
+ * computes the same.
  */
 
 /** @type {{[word: string]: number}} */
@@ -30,7 +30,7 @@ export function alignment(words) {
  * @param {number} width of the picture in pixels
  * @param {number} height
  */
-export function placeOf({ fit, x, y }, across, up, width, height) {
+export function viewportOf({ fit, x, y }, across, up, width, height) {
   const [wide, high] = [width / across, height / up];
   const scale = { height: high, width: wide, contain: Math.min(wide, high), cover: Math.max(wide, high) }[fit] ?? high;
   return { scale, left: width * x + across * scale * (0.5 - x), bottom: (height - up * scale) * y };

@@ -1,6 +1,6 @@
 /**
- * Watches how large an element is, whether anybody sees it, and whether motion
- * is wanted. Everything that is watched is let go by `stop`.
+ * Observes the size of an element, whether it is visible, and whether the visitor wants reduced
+ * motion. `stop` ends all observers.
  */
 
 /** Most device pixels for a CSS pixel: more is not seen in a fire and costs much. */

@@ -1,15 +1,14 @@
 /**
- * How the page around an iframe speaks to the fire in it: in messages, and only
- * if the address of the fire names that page's origin.
+ * The message bridge of a fire in an iframe: the page around it sends requests, if the fire's address
+ * allows that page's origin.
  *
  *     → { hearth: 1, id: 7, method: 'set', args: ['viscosity', 0.02] }
  *     ← { hearth: 1, id: 7, ok: true, value: undefined }
  *     ← { hearth: 1, id: 7, ok: false, error: { name, message, id, value, min, max } }
  *     ← { hearth: 1, event: 'params-change', detail: {…} }
  *
- * What a method may do is written down here, one by one: no name in a message
- * is ever looked up in an object. What is no message of ours is left alone, and
- * so is every window but the parent: others have no business with the fire.
+ * The methods are a list: no name in a message is ever looked up in an object. Messages of other
+ * forms and of other windows than the parent are ignored.
  *
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
  * @typedef {{hearth: unknown, id?: unknown, method?: unknown, args?: unknown}} Request a message that nothing has checked
@@ -29,12 +28,12 @@ const MOST_OPEN = 256;
 /** Most origins that an address may name. */
 const MOST_ORIGINS = 16;
 
-/** What may be heard of a fire; `ready` is told without being asked for. */
+/** The events that are forwarded; `ready` needs no subscription. */
 const EVENTS = [
   'ready', 'play', 'pause', 'params-change', 'objects-change', 'quality-change', 'stats', 'error', 'restored',
 ];
 
-/** What may be asked of a fire. @type {Map<unknown, (fire: HearthFire, ...args: any[]) => unknown>} */
+/** The methods that a page may call. @type {Map<unknown, (fire: HearthFire, ...args: any[]) => unknown>} */
 const METHODS = new Map(Object.entries({
   ready: (fire) => fire.ready,
   play: (fire) => fire.play(),
@@ -58,8 +57,8 @@ const METHODS = new Map(Object.entries({
   option: (fire, name, value) => option(fire, name, value),
 }));
 
-/** What is asked of the line itself. */
-const OF_THE_LINE = ['hello', 'subscribe', 'unsubscribe'];
+/** The methods of the bridge itself. */
+const OF_THE_BRIDGE = ['hello', 'subscribe', 'unsubscribe'];
 
 /**
  * The origins that an address allows, and what is wrong with the others.
@@ -81,7 +80,7 @@ export function allowedOrigins(lists) {
   return { origins: [...origins], refused };
 }
 
-/** The origin of a web address; nothing if it is none. @param {string} text */
+/** The origin of a web address; undefined for any other text. @param {string} text */
 function originOf(text) {
   try {
     const { protocol, host, origin } = new URL(text);
@@ -106,28 +105,28 @@ function whyNot(one, origin) {
  */
 export function answer(fire, origins, host = window.parent) {
   if (host === window) return;
-  const line = new Line(fire, origins, host);
-  window.addEventListener('message', (event) => line.hear(event));
+  const bridge = new MessageBridge(fire, origins, host);
+  window.addEventListener('message', (event) => bridge.receive(event));
   for (const type of EVENTS) {
-    fire.addEventListener(type, (event) => line.tell(type, /** @type {CustomEvent} */ (event).detail));
+    fire.addEventListener(type, (event) => bridge.forward(type, /** @type {CustomEvent} */ (event).detail));
   }
-  line.announce();
+  bridge.announce();
 }
 
-/** More was asked than is answered at one time. */
+/** Too many requests are open. */
 class BusyError extends Error {
   name = 'BusyError';
 }
 
-/** The line to the page around. */
-class Line {
+/** The bridge to the page around. */
+class MessageBridge {
   #fire;
   #origins;
   #host;
   #open = 0;
   #wanted = new Set(['ready']);
   #warned = false;
-  /** Whom to tell: the origin that has spoken, until then whoever it can be. */
+  /** The origins that get events: all that are allowed, until one of them sends a message. */
   #listeners;
 
   /** @param {HearthFire} fire @param {string[]} origins @param {Window} host */
@@ -139,25 +138,25 @@ class Line {
     this.#listeners = origins.filter((origin) => parent === undefined || parent === origin);
   }
 
-  /** Says that messages are heard. */
+  /** Announces that the bridge is open. */
   announce() {
-    this.#tellAll('hello', this.#greeting());
+    this.#post('hello', this.#greeting());
   }
 
   /** @type {(type: string, detail: unknown) => void} */
-  tell(type, detail) {
-    if (this.#wanted.has(type)) this.#tellAll(type, detail);
+  forward(type, detail) {
+    if (this.#wanted.has(type)) this.#post(type, detail);
   }
 
   /** @type {(event: string, detail: unknown) => void} */
-  #tellAll(event, detail) {
+  #post(event, detail) {
     for (const origin of this.#listeners) {
       this.#host.postMessage({ hearth: VERSION, event, detail }, origin);
     }
   }
 
   /** @param {MessageEvent} event */
-  hear({ source, origin, data }) {
+  receive({ source, origin, data }) {
     if (source !== this.#host || !isOurs(data)) return;
     if (!this.#origins.includes(origin)) {
       if (!this.#warned) {
@@ -179,7 +178,7 @@ class Line {
       if (!counts) throw new BusyError(`too many requests: ${MOST_OPEN} are waiting for their answers`);
       post({ id, ok: true, value: await this.#carryOut(message) });
     } catch (error) {
-      post({ id, ok: false, error: described(error) });
+      post({ id, ok: false, error: posted(error) });
     } finally {
       this.#open -= Number(counts);
     }
@@ -212,12 +211,12 @@ class Line {
 }
 
 function allMethods() {
-  return [...METHODS.keys(), ...OF_THE_LINE];
+  return [...METHODS.keys(), ...OF_THE_BRIDGE];
 }
 
 /**
- * Whether it is a request of this kind. An answer that comes back is none: two
- * pages that answered each other's answers would never end.
+ * Whether data is a request. An answer is not a request: two pages that answered each other's answers
+ * would never end.
  * @param {unknown} data
  * @returns {data is Request}
  */
@@ -322,12 +321,12 @@ function quoted(value) {
 }
 
 /** An error as it can be posted. @param {unknown} error */
-function described(error) {
+function posted(error) {
   const { name, message, id, value, min, max, kind } = Object(error);
   /** @type {{[field: string]: unknown}} */
-  const told = { name: String(name ?? 'Error'), message: String(message ?? error) };
+  const described = { name: String(name ?? 'Error'), message: String(message ?? error) };
   for (const [key, detail] of Object.entries({ id, value, min, max, kind })) {
-    if (['string', 'number', 'boolean'].includes(typeof detail)) told[key] = detail;
+    if (['string', 'number', 'boolean'].includes(typeof detail)) described[key] = detail;
   }
-  return told;
+  return described;
 }

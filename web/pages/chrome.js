@@ -1,6 +1,6 @@
 /**
- * What stands around the fire, the chrome of the page, steps back while nobody does
- * anything and returns with the next input. CSS does the rest: it goes by `data-chrome`.
+ * The chrome around the fire fades after a time without input and returns with the next input. The
+ * attribute `data-chrome` holds the state, and CSS does the rest.
  */
 
 /** How long the chrome waits for input before it steps back [ms]. */

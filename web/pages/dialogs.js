@@ -26,7 +26,7 @@ export async function openDialog(id, fire) {
 
 /** @param {HTMLDialogElement} dialog */
 function prepare(dialog) {
-  // A key in a dialog is none of the fire's.
+  // A key in a dialog does not reach the fire.
   dialog.addEventListener('keydown', (event) => event.stopPropagation());
   dialog.addEventListener('click', (event) => {
     // Its padding is its children's, so this is the ground around it.

@@ -1,6 +1,5 @@
 /**
- * The full page: one fire, what stands around it, its panel, and the fire in the
- * address.
+ * The full page: one fire, its chrome and its panel, and an address that describes the fire.
  *
  * An address that names no scene and no value shows the scene in the HTML of the page.
  * `?scene=seed&viscosity=0.01&paused` sets what it says, by the names of the

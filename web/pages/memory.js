@@ -1,6 +1,6 @@
 /**
- * What the page remembers between visits, where the browser lets it: a private window
- * or a policy may forbid storage, and then every visit is the first.
+ * What the page keeps between visits. A private window or a policy may forbid storage; every visit is
+ * then the first.
  */
 
 /** @type {(key: string) => string | null} */

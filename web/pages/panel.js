@@ -1,6 +1,6 @@
 /**
- * The panel of the page: beside the fire on a wide screen, a sheet below it on a narrow
- * one, where nothing of it is loaded before somebody asks for it.
+ * The panel of the page: beside the fire on a wide screen, a sheet below it on a narrow one. On a narrow
+ * screen its code is loaded when the visitor opens it.
  */
 
 import { recall, remember } from './memory.js';

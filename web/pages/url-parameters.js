@@ -1,9 +1,8 @@
 /**
- * What the address of a page says about its fire:
- * `?scene=seed&viscosity=0.01&paused`.
+ * The URL parameters of a page with a fire: `?scene=seed&viscosity=0.01&paused`.
  *
- * Anybody can write an address. One bad value spoils no other, every one is
- * refused in words, and nothing in it makes the page fetch anything.
+ * Anyone can write an address. A bad value affects no other value, each refusal says why, and no value
+ * makes the page fetch anything.
  *
  * @typedef {object} Address
  * @property {string | undefined} scene  The preset that it names.

@@ -1,13 +1,11 @@
 /**
- * The panel once more, in the page's own controls.
+ * The accessible controls: native controls for everything on the panel's canvas.
  *
- * A canvas says nothing to a screen reader and has no stops for the Tab key.
- * So each parameter has a labelled native control here, and each button of the
- * panel a button: out of sight until it has the focus, and in step with the
- * fire both ways, in the groups of the panel. As on the panel, only those are there that
- * the fire's model uses. Each carries in `data-rect` where the panel shows its like:
- * `x y width height` in CSS pixels of the window, absent while that is out of
- * sight; a real mouse can press there.
+ * A canvas has no content for a screen reader and no stops for the Tab key. Each parameter therefore
+ * has a labelled native control here, and each button of the panel a button, in the panel's groups
+ * and only for parameters of the fire's model. A control is out of sight until it has the focus, and
+ * follows the fire. Its `data-rect` says where the panel shows its counterpart: `x y width height` in
+ * CSS pixels of the window, absent while that is out of sight. Tests click there with a real mouse.
  */
 
 import { COPIES, COPY_LABELS } from './controller.js';
@@ -37,7 +35,7 @@ const DEFAULT_MODEL = /** @type {ModelName} */ (PARAMETERS.find(({ id }) => id =
  * @typedef {import('../parameters.js').HearthParameters[Id]} Value
  * @typedef {(value: Value | undefined, domain: Domain) => void} Show puts a value into a control
  *
- * @typedef {object} Mirror
+ * @typedef {object} AccessibleControls
  * @property {(rectangles: Record<string, number[]>, canvas: DOMRect, scale: number) => void} place
  *   says where the panel shows its controls, by name, and how large
  * @property {(alone?: boolean) => void} stand stands in for a panel that cannot be shown
@@ -48,11 +46,11 @@ const DEFAULT_MODEL = /** @type {ModelName} */ (PARAMETERS.find(({ id }) => id =
  * @param {object} parts
  * @param {HTMLElement} parts.host
  * @param {HearthFire} parts.fire  Where values are read.
- * @param {import('./controller.js').Desk} parts.desk  What does it all.
+ * @param {import('./controller.js').PanelController} parts.controller  What does it all.
  * @param {(id: string) => void} parts.reveal  Brings a parameter into sight on the panel, or `share`.
- * @returns {Mirror}
+ * @returns {AccessibleControls}
  */
-export function mountMirror({ host, fire, desk, reveal }) {
+export function mountAccessibleControls({ host, fire, controller, reveal }) {
   const root = document.createElement('div');
   root.className = 'hearth-mirror';
   root.dir = 'ltr';
@@ -93,35 +91,35 @@ export function mountMirror({ host, fire, desk, reveal }) {
     places.set(`action:${action}`, button);
     return button;
   }
-  const few = desk.only !== undefined;
-  const shownParameters = desk.only?.flatMap((id) => PARAMETERS.filter((one) => one.id === id)) ?? PARAMETERS;
+  const few = controller.only !== undefined;
+  const shownParameters = controller.only?.flatMap((id) => PARAMETERS.filter((one) => one.id === id)) ?? PARAMETERS;
 
-  const pause = addButton('pause', 'Pause', () => (fire.paused ? desk.play() : desk.pause()));
+  const pause = addButton('pause', 'Pause', () => (fire.paused ? controller.play() : controller.pause()));
   const step = addButton('step', 'One step', () => {
-    if (!fire.paused) quietly(desk.pause());
-    return desk.step();
+    if (!fire.paused) quietly(controller.pause());
+    return controller.step();
   });
-  const reset = addButton('reset', 'Restart', () => desk.reset());
-  const undo = addButton('undo', 'Undo', () => desk.undo());
-  const redo = addButton('redo', 'Do again', () => desk.redo());
-  const picture = addButton('picture', 'Save a picture', () => desk.picture());
-  const fullscreen = addButton('fullscreen', 'Full screen', () => desk.fullscreen());
+  const reset = addButton('reset', 'Restart', () => controller.reset());
+  const undo = addButton('undo', 'Undo', () => controller.undo());
+  const redo = addButton('redo', 'Do again', () => controller.redo());
+  const picture = addButton('picture', 'Save a picture', () => controller.picture());
+  const fullscreen = addButton('fullscreen', 'Full screen', () => controller.fullscreen());
   const copies = COPIES.map((what) => addButton(`copy:${what}`, `Copy the ${COPY_LABELS[what]}`, () => (
-    desk.copy(what)
+    controller.copy(what)
   )));
-  const paste = addButton('paste', 'Paste settings', () => desk.paste());
+  const paste = addButton('paste', 'Paste settings', () => controller.paste());
   for (const button of [...copies, paste]) button.addEventListener('focus', () => reveal('share'));
-  const help = addButton('help', 'Keys', () => desk.help());
+  const help = addButton('help', 'Keys', () => controller.help());
   // Where there is little height the panel unfolds these.
   for (const button of [step, reset, redo, picture, fullscreen, help]) {
     button.addEventListener('focus', () => reveal('tools'));
   }
-  const scenes = addButton('scenes', 'Scenes', () => desk.scenes());
+  const scenes = addButton('scenes', 'Scenes', () => controller.scenes());
   scenes.setAttribute('aria-haspopup', 'dialog');
-  const resetAll = addButton('reset-all', 'Reset all to the scene', () => desk.restoreAll());
+  const resetAll = addButton('reset-all', 'Reset all to the scene', () => controller.restoreAll());
   if (!few) resetAll.addEventListener('focus', () => reveal('tools'));
 
-  const quality = addQuality(root, (name) => desk.quality(name));
+  const quality = addQuality(root, (name) => controller.quality(name));
   quality.addEventListener('focus', () => reveal('quality'));
   places.set('quality', quality);
   if (few) {
@@ -142,7 +140,7 @@ export function mountMirror({ host, fire, desk, reveal }) {
     }
     const place = group;
     const { row, control, note, show } = makeControl(parameter, (value) => {
-      quietly(desk.set(id, value).finally(shows.get(id)));
+      quietly(controller.set(id, value).finally(shows.get(id)));
     });
     control.dataset.parameter = id;
     control.title = parameter.doc;
@@ -150,13 +148,13 @@ export function mountMirror({ host, fire, desk, reveal }) {
     places.set(id, control);
     const restore = addButton(`restore:${id}`, `Reset ${parameter.label}`, () => {
       control.focus();
-      return desk.restore(id);
+      return controller.restore(id);
     }, place);
     shows.set(id, () => {
       const domain = domainOf(parameter);
       const value = read(id);
       row.hidden = !domain;
-      restore.hidden = !domain || id === MODEL || value === desk.defaultOf(id);
+      restore.hidden = !domain || id === MODEL || value === controller.defaultOf(id);
       if (domain) show(value, domain);
       const isChosen = (/** @type {[string, string[]]} */ [of, names]) => names.includes(String(read(/** @type {Id} */ (of))));
       const waits = Object.entries(parameter.when ?? {}).filter((chosen) => !isChosen(chosen));
@@ -194,7 +192,7 @@ export function mountMirror({ host, fire, desk, reveal }) {
     else shows.get(id)?.();
   };
   const failed = (/** @type {Event} */ event) => say(/** @type {CustomEvent} */ (event).detail?.message ?? '');
-  const heard = {
+  const listeners = {
     ready: showAll,
     play: showPlaying,
     pause: showPlaying,
@@ -203,11 +201,11 @@ export function mountMirror({ host, fire, desk, reveal }) {
     error: failed,
     restored: () => say(''),
   };
-  for (const [name, listener] of Object.entries(heard)) fire.addEventListener(name, listener);
+  for (const [name, listener] of Object.entries(listeners)) fire.addEventListener(name, listener);
   let said = '';
-  let preset = desk.state.preset;
+  let preset = controller.state.preset;
   const showDesk = () => {
-    const state = desk.state;
+    const state = controller.state;
     // Another scene has other values to go back to.
     if (state.preset !== preset) showAll();
     preset = state.preset;
@@ -221,7 +219,7 @@ export function mountMirror({ host, fire, desk, reveal }) {
     if (state.said !== said) say(state.said);
     said = state.said;
   };
-  desk.addEventListener('change', showDesk);
+  controller.addEventListener('change', showDesk);
   showDesk();
   showAll();
 
@@ -246,8 +244,8 @@ export function mountMirror({ host, fire, desk, reveal }) {
       root.classList.toggle('alone', alone);
     },
     destroy() {
-      for (const [name, listener] of Object.entries(heard)) fire.removeEventListener(name, listener);
-      desk.removeEventListener('change', showDesk);
+      for (const [name, listener] of Object.entries(listeners)) fire.removeEventListener(name, listener);
+      controller.removeEventListener('change', showDesk);
       root.remove();
     },
   };
@@ -259,9 +257,9 @@ let made = 0;
  * The labelled choice of how much work the fire may make itself.
  *
  * @param {HTMLElement} root
- * @param {(name: string) => void} wish
+ * @param {(name: string) => void} set
  */
-function addQuality(root, wish) {
+function addQuality(root, set) {
   const row = document.createElement('div');
   row.className = 'row';
   const label = document.createElement('label');
@@ -271,7 +269,7 @@ function addQuality(root, wish) {
   control.id = `hearth-mirror-${made}`;
   label.htmlFor = control.id;
   control.dataset.action = 'quality';
-  list({ choices: ['auto', 'low', 'medium', 'high'] }, control, (name) => wish(String(name)));
+  list({ choices: ['auto', 'low', 'medium', 'high'] }, control, (name) => set(String(name)));
   row.append(label, control);
   root.append(row);
   return control;
@@ -281,9 +279,9 @@ function addQuality(root, wish) {
  * One parameter's labelled control.
  *
  * @param {Parameter} parameter
- * @param {(value: Value) => void} wish
+ * @param {(value: Value) => void} set
  */
-function makeControl(parameter, wish) {
+function makeControl(parameter, set) {
   const row = document.createElement('div');
   row.className = 'row';
   const label = document.createElement('label');
@@ -306,14 +304,14 @@ function makeControl(parameter, wish) {
   function bind() {
     switch (parameter.kind) {
       case 'choice':
-        return list(parameter, select, wish);
+        return list(parameter, select, set);
       case 'flag':
-        return box(input, wish);
+        return box(input, set);
       case 'colour':
       case 'seed':
-        return field(parameter, input, wish);
+        return field(parameter, input, set);
       default:
-        return slider(parameter, input, wish);
+        return slider(parameter, input, set);
     }
   }
 }
@@ -326,8 +324,8 @@ function inWords([id, names]) {
   return `${label.toLowerCase()} ${before}${last}`;
 }
 
-/** @type {(parameter: Parameter, control: HTMLInputElement, wish: (value: Value) => void) => Show} */
-function slider(parameter, control, wish) {
+/** @type {(parameter: Parameter, control: HTMLInputElement, set: (value: Value) => void) => Show} */
+function slider(parameter, control, set) {
   let { min = 0, max = 1 } = parameter;
   control.type = 'range';
   control.step = parameter.kind === 'integer' ? '1' : 'any';
@@ -343,7 +341,7 @@ function slider(parameter, control, wish) {
   };
   control.addEventListener('input', () => {
     say();
-    wish(Number(control.value));
+    set(Number(control.value));
   });
   if (parameter.scale === 'log') {
     // Equal presses are equal ratios, as on the panel; the browser would take
@@ -372,32 +370,32 @@ function slider(parameter, control, wish) {
   };
 }
 
-/** @type {(parameter: Pick<Parameter, 'choices'>, control: HTMLSelectElement, wish: (value: Value) => void) => Show} */
-function list(parameter, control, wish) {
+/** @type {(parameter: Pick<Parameter, 'choices'>, control: HTMLSelectElement, set: (value: Value) => void) => Show} */
+function list(parameter, control, set) {
   for (const name of parameter.choices ?? []) control.add(new Option(name, name));
-  control.addEventListener('change', () => wish(control.value));
+  control.addEventListener('change', () => set(control.value));
   return (value) => {
     if (value !== undefined) control.value = String(value);
   };
 }
 
-/** @type {(control: HTMLInputElement, wish: (value: Value) => void) => Show} */
-function box(control, wish) {
+/** @type {(control: HTMLInputElement, set: (value: Value) => void) => Show} */
+function box(control, set) {
   control.type = 'checkbox';
-  control.addEventListener('change', () => wish(control.checked));
+  control.addEventListener('change', () => set(control.checked));
   return (value) => {
     control.checked = Boolean(value);
   };
 }
 
-/** @type {(parameter: Parameter, control: HTMLInputElement, wish: (value: Value) => void) => Show} */
-function field(parameter, control, wish) {
+/** @type {(parameter: Parameter, control: HTMLInputElement, set: (value: Value) => void) => Show} */
+function field(parameter, control, set) {
   control.type = parameter.kind === 'seed' ? 'number' : 'text';
   control.spellcheck = false;
   control.addEventListener('focus', () => control.select());
   control.addEventListener('change', () => {
     const seed = parameter.kind === 'seed' && control.value !== '';
-    wish(seed ? Number(control.value) : control.value);
+    set(seed ? Number(control.value) : control.value);
   });
   return (value) => {
     if (value !== undefined) control.value = String(value);

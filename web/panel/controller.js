@@ -1,17 +1,15 @@
 /**
- * Everything that the panel's two faces, egui and the mirror, can do.
+ * The panel controller: every command of the panel, for egui and for the accessible controls alike.
  *
- * Both press the same buttons here, so that each wish is a step that can be
- * undone, whoever had it. It speaks to the fire through the element's public API,
- * and to the page only where somebody asked for it: the clipboard, a download, the
- * full screen.
+ * A command goes through the undo history, whichever of the two sends it. The controller uses the
+ * fire's public API. It touches the page only on request: clipboard, download, full screen.
  */
 
 import { askForSettings, showKeys, showText } from './cards.js';
 import { showScenes } from './scenes.js';
 import { remember, remembered } from './memory.js';
 import { PARAMETERS, PRESETS } from '../parameters.js';
-import { Steps } from './undo-history.js';
+import { UndoHistory } from './undo-history.js';
 import { FILE as SHARE, elementCode, iframeCode, pageLink } from '../share.js';
 
 /**
@@ -70,14 +68,14 @@ export const COPY_LABELS = {
  * @property {string} said  What is just done, or went wrong, in words.
  */
 
-/** The desk of one panel. It says `change` when its state is another one. */
-export class Desk extends EventTarget {
+/** The controller of one panel. It says `change` when its state is another one. */
+export class PanelController extends EventTarget {
   #fire;
   #host;
   #page;
   #script;
   #embed;
-  #steps;
+  #history;
   /** @type {number | undefined} */
   #doneEnds;
   #done = '';
@@ -111,7 +109,7 @@ export class Desk extends EventTarget {
     /** The parameters that the panel shows, in this order; nothing: all. */
     this.only = known?.length ? known : undefined;
     this.#recallQuality();
-    this.#steps = new Steps(fire, () => this.#changed(), usualOf, (id) => this.defaultOf(id));
+    this.#history = new UndoHistory(fire, () => this.#changed(), usualOf, (id) => this.defaultOf(id));
     for (const name of NEWS) fire.addEventListener(name, this.#look);
     this.#look();
   }
@@ -122,8 +120,8 @@ export class Desk extends EventTarget {
       scene: this.#scene,
       preset: presetOf(this.#fire)?.label ?? '',
       values: valuesOf(this.#fire),
-      undo: this.#steps.canUndo,
-      redo: this.#steps.canRedo,
+      undo: this.#history.canUndo,
+      redo: this.#history.canRedo,
       link: this.#page !== undefined,
       iframe: this.#embed !== undefined,
       fullscreen: document.fullscreenEnabled === true,
@@ -132,14 +130,14 @@ export class Desk extends EventTarget {
     };
   }
 
-  /** A key or a button was pressed anew. */
+  /** A new gesture begins. */
   press() {
-    this.#steps.press();
+    this.#history.press();
   }
 
   /** @type {(id: Id, value: Value) => Promise<void>} */
   set(id, value) {
-    return this.#steps.set(id, value);
+    return this.#history.set(id, value);
   }
 
   /**
@@ -156,7 +154,7 @@ export class Desk extends EventTarget {
    * @param {Id} id
    */
   restore(id) {
-    return this.#steps.restore(id);
+    return this.#history.restore(id);
   }
 
   /** Puts all that the panel shows of the model back to what it has in the scene. */
@@ -166,7 +164,7 @@ export class Desk extends EventTarget {
     const ids = (this.only ?? PARAMETERS.map(({ id }) => id)).filter((id) => id !== MODEL.id && DOMAINS.get(id)?.[now.model]);
     const usual = ids.filter((id) => this.defaultOf(id) === usualOf(id, now.model));
     const others = ids.filter((id) => !usual.includes(id) && this.defaultOf(id) !== now[id]);
-    return this.#steps.all(async () => {
+    return this.#history.all(async () => {
       if (usual.length > 0) await fire.restore(...usual);
       if (others.length > 0) await fire.set(Object.fromEntries(others.map((id) => [id, this.defaultOf(id)])));
     }, { anew: false });
@@ -176,7 +174,7 @@ export class Desk extends EventTarget {
   preset(name) {
     /** @type {HearthConfig} */
     const config = { hearth: 1, preset: /** @type {HearthConfig['preset']} */ (name), values: {} };
-    return this.#steps.all(() => this.#fire.importConfig(config), { anew: true });
+    return this.#history.all(() => this.#fire.importConfig(config), { anew: true });
   }
 
   /** Shows the scenes to start from, or hides them. */
@@ -243,11 +241,11 @@ export class Desk extends EventTarget {
   }
 
   undo() {
-    return this.#steps.undo();
+    return this.#history.undo();
   }
 
   redo() {
-    return this.#steps.redo();
+    return this.#history.redo();
   }
 
   /**
@@ -271,7 +269,7 @@ export class Desk extends EventTarget {
   /** Asks for settings as JSON. */
   paste() {
     const take = async (/** @type {string} */ text) => {
-      await this.#steps.all(() => this.#fire.importConfig(text), { anew: true });
+      await this.#history.all(() => this.#fire.importConfig(text), { anew: true });
       this.#tell('paste', 'The settings are those that were pasted');
     };
     this.#show(askForSettings({ host: this.#host, take }));

@@ -1,7 +1,6 @@
 /**
- * The button that folds away a panel that lies inside of its fire, and brings it
- * back. In a fire too small for a useful panel it starts folded, and where it was
- * folded at the last visit.
+ * The button that folds and unfolds a panel inside its fire. The panel starts folded in a fire that is
+ * too small for it, and where the visitor folded it at the last visit.
  */
 
 import { remember, remembered } from './memory.js';

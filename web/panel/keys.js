@@ -1,9 +1,9 @@
 /**
- * The panel's keys. They act while the focus is in the panel or on the fire, on a page
- * of its own also where it is nowhere; in a page that shows a fire among other things,
- * the page does not hear of a key that acted. A key that types or that presses a
- * button is never taken. Single keys can be turned off: in the list of the keys, and by
- * `data-shortcuts="off"` on the panel's place, the fire or the page.
+ * The panel's keyboard shortcuts. They act while the focus is in the panel or on the fire; on a page
+ * for one fire also while nothing has the focus. In a page that shows a fire among other things, a
+ * key that acted does not reach the page. A key that types or presses a button never acts. Visitors
+ * turn single keys off in the list of keys; pages do so with `data-shortcuts="off"` on the panel's
+ * host, the fire or the root element.
  */
 
 import { remembered } from './memory.js';
@@ -33,18 +33,18 @@ const PRESSED = 'button, summary, a[href], input[type=checkbox], input[type=radi
  * @param {EventTarget[]} parts.own  Where the panel stands, and the fire.
  * @param {boolean} parts.page  Whether the page is one for this fire.
  * @param {import('../hearth-fire.js').HearthFire} parts.fire
- * @param {import('./controller.js').Desk} parts.desk
+ * @param {import('./controller.js').PanelController} parts.controller
  * @param {() => void} [parts.hide]  Hides the panel or shows it, where the panel itself does.
  * @returns {() => void} ends it
  */
-export function listenToKeys({ own, page, fire, desk, hide }) {
+export function listenToKeys({ own, page, fire, controller, hide }) {
   const acts = new Map(Object.entries({
-    ' ': () => (fire.paused ? desk.play() : desk.pause()),
-    r: () => desk.reset(),
-    f: () => desk.state.fullscreen && desk.fullscreen(),
-    s: () => desk.picture(),
-    '?': () => desk.help(),
-    '/': () => desk.search(),
+    ' ': () => (fire.paused ? controller.play() : controller.pause()),
+    r: () => controller.reset(),
+    f: () => controller.state.fullscreen && controller.fullscreen(),
+    s: () => controller.picture(),
+    '?': () => controller.help(),
+    '/': () => controller.search(),
     ...(hide && { h: hide }),
   }));
   /** @type {EventTarget[]} */
@@ -55,14 +55,14 @@ export function listenToKeys({ own, page, fire, desk, hide }) {
     const key = event.key.toLowerCase();
     const command = event.ctrlKey || event.metaKey;
     if (event.altKey || event.isComposing) return undefined;
-    if (command && key === 'z') return () => (event.shiftKey ? desk.redo() : desk.undo());
-    if (command && key === 'y') return () => desk.redo();
-    if (command && key === 'c' && !event.shiftKey) return desk.copyHovered;
+    if (command && key === 'z') return () => (event.shiftKey ? controller.redo() : controller.undo());
+    if (command && key === 'y') return () => controller.redo();
+    if (command && key === 'c' && !event.shiftKey) return controller.copyHovered;
     if (command || event.repeat || (event.shiftKey && !['?', '/'].includes(key))) return undefined;
     return areSilent(...own) ? undefined : acts.get(key);
   };
 
-  const heard = (/** @type {Event} */ event) => {
+  const onKey = (/** @type {Event} */ event) => {
     const key = /** @type {KeyboardEvent} */ (event);
     const act = wanted(key);
     if (!act || isTaken(key)) return;
@@ -74,9 +74,9 @@ export function listenToKeys({ own, page, fire, desk, hide }) {
     Promise.resolve(act()).catch(() => {});
   };
   const targets = page ? [document] : own;
-  for (const target of targets) target.addEventListener('keydown', heard);
+  for (const target of targets) target.addEventListener('keydown', onKey);
   return () => {
-    for (const target of targets) target.removeEventListener('keydown', heard);
+    for (const target of targets) target.removeEventListener('keydown', onKey);
   };
 }
 

@@ -1,6 +1,6 @@
 /**
- * The scenes to start from, as a card of pictures: each a button, the present one
- * marked. It stays open, so that one after the other can be looked at.
+ * The scenes to start from, as a card of pictures: each is a button, and the current one is marked. The
+ * card stays open, so that a visitor can try one scene after another.
  *
  * @typedef {{name: string, label: string, description?: string}} Scene
  */

@@ -1,6 +1,6 @@
 /**
- * The handle of a panel that lies as a sheet at the lower end of its fire or of the
- * window: it is dragged up and down, by hand or by keys, and its height is remembered.
+ * The handle of a panel that is a sheet at the lower end of its fire or of the window. Pointer and
+ * keys drag it up and down, and its height is kept for the next visit.
  */
 
 import { remember, remembered } from './memory.js';

@@ -1,6 +1,6 @@
 /**
- * The panel's style sheet, as a link: a page's policy that allows styles from its
- * own origin allows it, where it would forbid one that is written in the page.
+ * The panel's style sheet, as a link. A content security policy that allows styles of the page's own
+ * origin allows it; the same policy would forbid an inline style.
  */
 
 /**

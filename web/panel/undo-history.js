@@ -1,15 +1,13 @@
 /**
- * What somebody did to a fire in a panel, step by step, and the way back.
+ * The undo history of a panel.
  *
- * A step is what a hand does at once: a drag of a slider, a value that was typed,
- * a press of a button. Only what goes through here is a step. A page's own script
- * may change values sixty times a second; undoing that would be nobody's wish, so
- * its changes are no steps, and undoing one value leaves them alone. What replaces
- * all values, a preset or settings that were pasted, is undone as a whole.
+ * A step is one gesture: a drag of a slider, a typed value, a press of a button. A page's own script
+ * may change values sixty times a second, so its changes are not steps, and undoing one value keeps
+ * them. A command that replaces all values, such as a preset or pasted settings, is undone as a
+ * whole.
  *
- * The fire answers in order, so a step knows what it changed without asking again.
- * Where all values change, the step waits for those before it, and those after it
- * wait for it.
+ * The fire answers in order, so a step knows what it changed without a further request. A step that
+ * changes all values waits for the steps before it, and the steps after it wait for it.
  */
 
 /** Most steps that are kept. */
@@ -38,14 +36,14 @@ const MODEL = 'model';
  *
  * @typedef {object} Side
  * @property {Values} values  The values, or all of them.
- * @property {boolean} [named]  Whether somebody set the number of particles.
+ * @property {boolean} [named]  Whether the number of particles is set.
  * @property {HearthConfig} [config]  All settings, where all may have changed.
  * @property {Map<ModelName, Values>} [kept]  And what the other models had, where
  *   that was seen: settings hold the values of one model.
  */
 
 /** The steps of one panel. */
-export class Steps {
+export class UndoHistory {
   #fire;
   #changed;
   #defaultOf;
@@ -89,7 +87,7 @@ export class Steps {
     return this.#undone.length > 0;
   }
 
-  /** A key or a button was pressed anew: what comes now is another step. */
+  /** A new gesture begins: the next change is another step. */
   press() {
     this.#gesture += 1;
   }

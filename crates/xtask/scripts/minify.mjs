@@ -13,7 +13,7 @@
 import { readFile, readdir, rm } from 'node:fs/promises';
 import path from 'node:path';
 import { beginningsOf } from '../packaging/manifest.mjs';
-import { build } from './esbuild.mjs';
+import { build, transform } from './esbuild.mjs';
 import { shortenImports } from './imports.mjs';
 
 const folder = path.resolve(process.argv[2] ?? '');
@@ -71,7 +71,16 @@ async function moved({ path: script }) {
   const contents = text.replace(/(new URL\(')(\.\.?\/[^']*)(?=',)/g, (_, before, name) => (
     before + relative(owners.get(from) ?? from, path.posix.join(path.posix.dirname(from), name))
   ));
-  return { contents, loader: 'js' };
+  return { contents: await withSmallSheets(contents), loader: 'js' };
+}
+
+/** A script whose style sheets, which stand in it as `/* css *\/` templates, are small. @param {string} script */
+async function withSmallSheets(script) {
+  const parts = script.split(/\/\* css \*\/ `([^`$\\]*)`/);
+  const small = parts.map(async (part, at) => (
+    at % 2 === 0 ? part : JSON.stringify((await transform(part, { loader: 'css', minify: true, target: 'es2022' })).code.trim())
+  ));
+  return (await Promise.all(small)).join('');
 }
 
 /** How a script of `from`'s folder names `to`. @param {string} from @param {string} to */

@@ -1,10 +1,9 @@
 /**
- * What a fire tells the style sheets of its page: `:state(burning)`, and how bright it is
- * and of what colour.
+ * What a fire exposes to style sheets: `:state(burning)`, and its brightness and colour as custom
+ * properties.
  */
 
-/** The colour of a palette's light: what the pictures of its fires have on average, at full brightness. */
-/** @type {{[palette: string]: string}} */
+/** The colour of a palette's light: what the pictures of its fires have on average, at full brightness. @type {{[palette: string]: string}} */
 const GLOW = {
   blackbody: '#ff7728', gas: '#89adff', copper: '#93ffb9', lithium: '#ff637e', ghost: '#c2f8ff',
 };
@@ -12,8 +11,8 @@ const GLOW = {
 /** How much of the mean power is another one at the next measurement, of which a second has four. */
 const GAIN = 1 / 40;
 
-/** The signs of one element. */
-export class FireSigns {
+/** The hooks of one element. */
+export class CssHooks {
   #view;
   /** @type {any} */
   #states;

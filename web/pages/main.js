@@ -103,7 +103,8 @@ function keepAddress(options) {
     if (address.href !== location.href) history.replaceState(history.state, '', address);
   };
   const plan = () => {
-    planned ??= setTimeout(() => write().catch((error) => console.warn('Hearth:', error)), ADDRESS_MS);
+    if (planned !== undefined) return;
+    planned = setTimeout(() => write().catch((error) => console.warn('Hearth:', error)), ADDRESS_MS);
   };
   fire.addEventListener('params-change', plan);
   fire.addEventListener('objects-change', plan);

@@ -1,22 +1,22 @@
 //! The classic model: the student paper's, with its mistakes put right.
 //!
 //! Particles are born at a source, rise, push each other, cool and die; they
-//! alone carry the fire. One step is: emitter → neighbour grid → density →
+//! alone carry the fire. Broadcast step is: emitter → neighbour grid → density →
 //! pressure → forces → motion.
 
+mod as_published;
 mod emitter;
 mod forces;
 mod integrate;
 mod pairs;
 mod particles;
 mod pressure;
-mod printed;
 
 use crate::Particle;
 use crate::bounds::Bounds;
-use crate::extremes::smaller;
+use crate::extremes::fast_min;
 use crate::kernel::Kernel;
-use crate::params::{DisplayMode, Values, Walls};
+use crate::params::{DisplayMode, Physics, Walls};
 use crate::particle::{Instance, numbered};
 use crate::random::Random;
 use crate::simulation::{Push, Stage, StepReport};
@@ -26,7 +26,7 @@ use emitter::Emitter;
 pub(crate) use emitter::place as source;
 use integrate::{Motion, Substeps};
 use pairs::Pairs;
-pub(crate) use particles::{Living, Particles};
+pub(crate) use particles::{ParticleState, Particles};
 
 /// The particles of the classic model and what moves them.
 #[derive(Clone, Debug, Default)]
@@ -43,17 +43,17 @@ impl Classic {
     /// besides its own. Returns the length of the step \[s\].
     pub fn step(
         &mut self,
-        values: &Values,
+        values: &Physics,
         random: &mut Random,
         time: f64,
         push: Option<Push<'_>>,
-        watch: &mut dyn FnMut(Stage),
+        on_stage: &mut dyn FnMut(Stage),
     ) -> f64 {
         self.emitter.emit(&mut self.particles, values, random, time);
         let substeps = Substeps::divide(values, self.motion.fastest, self.motion.hardest);
         let turbulence = Turbulence::new(values, time);
         for _ in 0..substeps.count {
-            self.substep(values, &substeps, &turbulence, push, watch);
+            self.substep(values, &substeps, &turbulence, push, on_stage);
         }
         self.substeps = substeps.count;
         f64::from(values.time_step)
@@ -61,11 +61,11 @@ impl Classic {
 
     fn substep(
         &mut self,
-        values: &Values,
+        values: &Physics,
         substeps: &Substeps,
         turbulence: &Turbulence,
         push: Option<Push<'_>>,
-        watch: &mut dyn FnMut(Stage),
+        on_stage: &mut dyn FnMut(Stage),
     ) {
         let kernel = kernel(values);
         let bounds = bounds(values);
@@ -73,23 +73,23 @@ impl Classic {
         let pairs = &mut self.pairs;
 
         pairs.sort(particles, &bounds, &kernel);
-        watch(Stage::Sort);
+        on_stage(Stage::Sort);
         pairs.sum_density(particles, &kernel, values);
-        watch(Stage::Density);
+        on_stage(Stage::Density);
         forces::push_and_rub(pairs, &kernel, values, substeps.viscosity);
         if let Some(push) = push {
             pairs.push_by(particles, push);
         }
         forces::stir(particles, pairs, turbulence, values);
-        watch(Stage::Forces);
+        on_stage(Stage::Forces);
         self.motion = integrate::integrate(particles, pairs, values, substeps.length);
         integrate::bound(particles, values.walls, &bounds);
-        watch(Stage::Integrate);
+        on_stage(Stage::Integrate);
     }
 
     /// Takes up changed values: a smaller domain leaves particles outside;
     /// solid walls would sweep them onto each other, so they are gone instead.
-    pub fn adapt(&mut self, values: &Values) {
+    pub fn adapt(&mut self, values: &Physics) {
         let bounds = bounds(values);
         self.particles.retain(|one| bounds.hold(one.position()));
     }
@@ -109,12 +109,12 @@ impl Classic {
     }
 
     pub fn report(&self) -> StepReport {
-        let (mean_neighbours, most_neighbours) = self.pairs.mean_and_most();
+        let (mean_neighbours, max_neighbours) = self.pairs.mean_and_max();
         StepReport {
             substeps: self.substeps,
             mean_neighbours,
-            most_neighbours,
-            at_speed_limit: self.motion.limited,
+            max_neighbours,
+            speed_limited: self.motion.limited,
             at_guard: self.motion.limited,
             fastest: self.motion.fastest,
             ..StepReport::default()
@@ -140,7 +140,7 @@ impl Classic {
     /// The particle at `i` with what `mode` measures of it.
     // Taken into a loop, it would be a loop for each mode.
     #[inline(never)]
-    pub fn measured(&self, i: usize, values: &Values, mode: DisplayMode) -> Instance {
+    pub fn measured(&self, i: usize, values: &Physics, mode: DisplayMode) -> Instance {
         let one = &self.particles[i];
         let lived = one.age / one.lifetime;
         let measured = match mode {
@@ -156,23 +156,23 @@ impl Classic {
         // prints makes other densities, but no other volumes.
         let bell = Kernel::new(values.smoothing_radius).value(0.0);
         let share = kernel(values).value(0.0) / bell;
-        let volume = smaller(share * values.particle_mass / one.density, 1.0 / bell);
+        let volume = fast_min(share * values.particle_mass / one.density, 1.0 / bell);
         let [x, y, vx, vy] = one.motion.to_array();
         let number = numbered(one.id, mode);
         [x, y, vx, vy, one.temperature, volume, number, measured]
     }
 }
 
-fn kernel(values: &Values) -> Kernel {
+fn kernel(values: &Physics) -> Kernel {
     if values.printed_kernel {
-        Kernel::as_printed(values.smoothing_radius)
+        Kernel::as_published(values.smoothing_radius)
     } else {
         Kernel::new(values.smoothing_radius)
     }
 }
 
 /// The domain of the classic model: its top is open.
-pub(crate) fn bounds(values: &Values) -> Bounds {
+pub(crate) fn bounds(values: &Physics) -> Bounds {
     Bounds {
         width: values.domain_width,
         height: values.domain_height,

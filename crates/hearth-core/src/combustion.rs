@@ -1,7 +1,7 @@
 //! The combustion model: air that fills the domain, and a burner in it.
 //!
 //! Fuel flows in, mixes, burns, and the hot gas rises. Nothing is scripted: the
-//! taper of the flame, its flicker and its puffing come from the equations. One
+//! taper of the flame, its flicker and its puffing come from the equations. Broadcast
 //! step is: neighbour grid → pressure → forces and exchange → time step → embers →
 //! velocity → burning → burner → seam → position.
 
@@ -13,14 +13,14 @@ mod gas;
 mod resample;
 mod seam;
 mod time_step;
-mod whirls;
+mod vorticity_confinement;
 
 use glam::Vec2;
 
 use crate::Particle;
 use crate::grid::Grid;
 use crate::kernel::Kernel;
-use crate::params::{DisplayMode, Parameters, Values};
+use crate::params::{DisplayMode, Parameters, Physics};
 use crate::particle::{Instance, numbered};
 use crate::random::Random;
 use crate::simulation::{Push, Stage, StepReport};
@@ -46,7 +46,7 @@ pub(crate) struct Combustion {
     forces: Forces,
     embers: Embers,
     /// What the shape of the domain and the number of particles were made for.
-    made_for: Made,
+    discretisation: Discretisation,
     /// Temperature of the air that it was made of \[K\].
     air: f32,
     motion: Motion,
@@ -60,15 +60,15 @@ pub(crate) struct Combustion {
 
 /// What the gas depends on as a whole: where it changes, the gas is made anew.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Made {
+struct Discretisation {
     width: f32,
     height: f32,
     particles: u32,
 }
 
-impl Made {
-    fn by(values: &Values) -> Made {
-        Made {
+impl Discretisation {
+    fn by(values: &Physics) -> Discretisation {
+        Discretisation {
             width: values.domain_width,
             height: values.domain_height,
             particles: values.max_particles,
@@ -84,7 +84,7 @@ impl Combustion {
             grid: Grid::default(),
             forces: Forces::default(),
             embers: Embers::default(),
-            made_for: Made::by(parameters),
+            discretisation: Discretisation::by(parameters),
             air: parameters.ambient_temperature,
             motion: Motion::default(),
             power: 0.0,
@@ -102,9 +102,9 @@ impl Combustion {
         random: &mut Random,
         time: f64,
         push: Option<Push<'_>>,
-        watch: &mut dyn FnMut(Stage),
+        on_stage: &mut dyn FnMut(Stage),
     ) -> f64 {
-        let values: &Values = parameters;
+        let values: &Physics = parameters;
         let kernel = Kernel::new(parameters.smoothing_length());
         let sound = sound_speed(values);
         let bounds = bounds(values);
@@ -114,9 +114,9 @@ impl Combustion {
         let positions = gas.position.iter().copied();
         let places = grid.sort(positions, &bounds, kernel.support());
         gas.reorder(places);
-        watch(Stage::Sort);
+        on_stage(Stage::Sort);
         self.forces.fill(gas, grid, &kernel, values, sound);
-        watch(Stage::Density);
+        on_stage(Stage::Density);
         self.forces.exchange(gas, grid, &kernel, values, sound);
         let confinement = values.vorticity_confinement;
         self.forces.confine(gas, grid, &kernel, confinement);
@@ -128,7 +128,7 @@ impl Combustion {
                 *acceleration += push(gas.position[i], gas.velocity[i]);
             }
         }
-        watch(Stage::Forces);
+        on_stage(Stage::Forces);
 
         let dt = time_step::longest(gas, values, kernel.smoothing_length(), sound);
         let air = Air {
@@ -148,14 +148,14 @@ impl Combustion {
         let (h, fastest) = (kernel.smoothing_length(), self.motion.fastest);
         self.held = time_step::advance(gas, &bounds, values.shifting, h, fastest, dt);
         self.length = dt;
-        watch(Stage::Integrate);
+        on_stage(Stage::Integrate);
         f64::from(dt)
     }
 
     /// Takes up changed values. Where the domain or the number of particles
     /// changed, new particles take over what the old ones carried.
     pub fn adapt(&mut self, parameters: &Parameters, random: &mut Random) {
-        let made_for = Made::by(parameters);
+        let discretisation = Discretisation::by(parameters);
         // Air that is warmer or colder is so everywhere at once, and what it
         // carries with it; the old air would lift or sink as a whole.
         let warmer = parameters.ambient_temperature - self.air;
@@ -163,15 +163,15 @@ impl Combustion {
             self.gas.warm(warmer);
             self.air = parameters.ambient_temperature;
         }
-        if made_for != self.made_for {
-            self.gas = resample::take_over(&self.gas, &self.made_for, parameters, random);
-            self.made_for = made_for;
+        if discretisation != self.discretisation {
+            self.gas = resample::take_over(&self.gas, &self.discretisation, parameters, random);
+            self.discretisation = discretisation;
         }
         self.gas.weigh(parameters);
     }
 
     /// Puts these particles in the place of all that there are.
-    pub fn set_particles(&mut self, particles: &[Particle], values: &Values) {
+    pub fn set_particles(&mut self, particles: &[Particle], values: &Physics) {
         self.gas = Gas::of(particles, values);
         self.embers = Embers::default();
         self.motion = Motion::default();
@@ -190,9 +190,9 @@ impl Combustion {
     ) {
         self.set_particles(particles, parameters);
         self.embers = Embers::of(embers);
-        self.made_for = Made {
+        self.discretisation = Discretisation {
             particles: made_with,
-            ..Made::by(parameters)
+            ..Discretisation::by(parameters)
         };
         self.adapt(parameters, random);
     }
@@ -218,7 +218,7 @@ impl Combustion {
     }
 
     /// Throws embers from a place; nothing where that is outside.
-    pub fn throw_embers(&mut self, place: Vec2, count: u32, values: &Values, random: &mut Random) {
+    pub fn throw_embers(&mut self, place: Vec2, count: u32, values: &Physics, random: &mut Random) {
         if bounds(values).hold(place) {
             self.embers.throw_from(place, count, values, random);
         }
@@ -230,12 +230,12 @@ impl Combustion {
     }
 
     pub fn report(&self) -> StepReport {
-        let (mean_neighbours, most_neighbours) = self.forces.mean_and_most();
+        let (mean_neighbours, max_neighbours) = self.forces.mean_and_max();
         StepReport {
             substeps: 1,
             mean_neighbours,
-            most_neighbours,
-            at_speed_limit: self.motion.limited,
+            max_neighbours,
+            speed_limited: self.motion.limited,
             at_guard: self.motion.limited + self.held,
             fastest: self.motion.fastest,
             length: self.length,
@@ -294,7 +294,7 @@ impl Combustion {
 /// Buoyancy: b g (1 − Tₐ/T) θ. For the ideal gas that is b g (T/Tₐ − 1), the weight of
 /// the air that the gas displaces less its own. In a domain without a seam nothing
 /// would ever stop what rises, so there nothing is lifted.
-fn lift(gas: &mut Gas, expansions: &[f32], values: &Values) {
+fn lift(gas: &mut Gas, expansions: &[f32], values: &Physics) {
     if values.seam == 0.0 {
         return;
     }

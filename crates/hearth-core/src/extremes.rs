@@ -6,12 +6,12 @@
 
 /// The larger of the two; `b` where they cannot be compared.
 #[inline]
-pub(crate) fn larger(a: f32, b: f32) -> f32 {
+pub(crate) fn fast_max(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
 /// The smaller of the two; `b` where they cannot be compared.
 #[inline]
-pub(crate) fn smaller(a: f32, b: f32) -> f32 {
+pub(crate) fn fast_min(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }

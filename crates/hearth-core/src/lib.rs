@@ -30,6 +30,7 @@ pub mod fps;
 mod grid;
 pub mod kernel;
 mod lanes;
+mod neighbourhood;
 mod neighbours;
 mod noise;
 pub mod params;
@@ -38,7 +39,6 @@ pub mod preset;
 pub mod random;
 pub mod simulation;
 mod source;
-mod surroundings;
 mod turbulence;
 
 pub use combustion::{Burner, Ember};

@@ -18,7 +18,7 @@ use crate::lanes::{self, LANES, Lanes};
 /// Most entries that the lists may have. It is a net for a browser's memory: many
 /// particles within a large smoothing radius would have thousands of
 /// neighbours each. A hundred thousand particles reach it at some 650 neighbours.
-const MOST_ENTRIES: usize = 1 << 24;
+const MAX_ENTRIES: usize = 1 << 24;
 
 /// Where the lanes of a block lie that hold no particle, in smoothing lengths: out
 /// of every reach.
@@ -55,22 +55,22 @@ pub(crate) trait Block: Copy {
     fn place(&self) -> (Lanes, Lanes);
     /// What each gives to the sums of those around it.
     fn share(&self) -> Lanes;
-    /// The sum of what each gets, Σⱼ yⱼ [`kernel::bell`].
+    /// The sum of what each gets, Σⱼ yⱼ [`kernel::w`].
     fn sum(&mut self) -> &mut Lanes;
 }
 
 /// What the particles of a pair do to each other.
-pub(crate) trait Law<const N: usize> {
+pub(crate) trait PairSum<const N: usize> {
     /// The blocks that it is about.
     type Block: Block;
-    /// One particle, each property of it in all lanes.
-    type One;
+    /// Broadcast particle, each property of it in all lanes.
+    type Broadcast;
 
     /// The particle in a lane of `block`, moved by `shift` smoothing lengths.
-    fn one(&self, block: &Self::Block, lane: usize, shift: Vec2) -> Self::One;
+    fn one(&self, block: &Self::Block, lane: usize, shift: Vec2) -> Self::Broadcast;
 
     /// What `one` gains from each of the four `others`, and what these lose.
-    fn pair(&self, one: &Self::One, others: &Self::Block) -> ([Lanes; N], [Lanes; N]);
+    fn pair(&self, one: &Self::Broadcast, others: &Self::Block) -> ([Lanes; N], [Lanes; N]);
 
     /// Where a block keeps what its particles gain.
     fn gains(block: &mut Self::Block) -> &mut [Lanes; N];
@@ -153,7 +153,7 @@ impl Neighbours {
     ) {
         let mut stride = runs.iter().map(Run::len).sum();
         let begin = self.used;
-        if begin + LANES * stride > MOST_ENTRIES {
+        if begin + LANES * stride > MAX_ENTRIES {
             (runs, stride) = (&[], 0);
         }
         let end = begin + LANES * stride;
@@ -185,7 +185,7 @@ impl Neighbours {
         if own {
             for lane in 0..LANES {
                 let square = square(each[lane].0 - x, each[lane].1 - y);
-                sums[lane] = kernel::bell(square.sqrt()) * share;
+                sums[lane] = kernel::w(square.sqrt()) * share;
                 let later = !((2 << lane) - 1);
                 inner[lane] = (square.less(REACH_SQUARED) & later) as u8;
             }
@@ -198,7 +198,7 @@ impl Neighbours {
                 for lane in 0..LANES {
                     let (one_x, one_y, one_share) = each[lane];
                     let square = square(one_x - x, one_y - y);
-                    let bell = kernel::bell(square.sqrt());
+                    let bell = kernel::w(square.sqrt());
                     sums[lane] += bell * share;
                     back[lane] = bell * one_share;
                     // Written where the next entry belongs, and that place moves on
@@ -223,7 +223,7 @@ impl Neighbours {
     }
 
     /// Applies `law` to all pairs, from both ends.
-    pub fn apply<const N: usize, L: Law<N>>(&self, law: &L, blocks: &mut [L::Block]) {
+    pub fn apply<const N: usize, L: PairSum<N>>(&self, law: &L, blocks: &mut [L::Block]) {
         for sweep in &self.sweeps {
             let block = sweep.block as usize;
             let mut sums = [[Lanes::ZERO; N]; LANES];
@@ -286,7 +286,7 @@ impl Neighbours {
 
     /// Neighbours of a particle, on average, and the most of one, as the last search
     /// found them; counted anew.
-    pub fn mean_and_most(&self) -> (f32, u32) {
+    pub fn mean_and_max(&self) -> (f32, u32) {
         let nowhere = LANES * self.blocks;
         let mut counts = vec![0_u32; nowhere + 1];
         self.each(&mut Vec::new(), |one, _, others| {
@@ -361,9 +361,9 @@ mod tests {
         let mut neighbours = Neighbours::default();
         neighbours.find(&mut blocks, &grid, 0.02);
         let stride = blocks.len() * LANES;
-        assert!((MOST_ENTRIES - stride..=MOST_ENTRIES).contains(&neighbours.used));
-        let (mean, most) = neighbours.mean_and_most();
-        assert!(mean > 0.9 * 2.0 * MOST_ENTRIES as f32 * LANES as f32 / n as f32);
+        assert!((MAX_ENTRIES - stride..=MAX_ENTRIES).contains(&neighbours.used));
+        let (mean, most) = neighbours.mean_and_max();
+        assert!(mean > 0.9 * 2.0 * MAX_ENTRIES as f32 * LANES as f32 / n as f32);
         assert_eq!(most as usize, n - 1);
         // Whoever is left out still meets those of its own block.
         let last = blocks[blocks.len() - 1].sum.to_array();

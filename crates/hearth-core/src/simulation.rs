@@ -11,12 +11,12 @@ use std::fmt;
 use glam::Vec2;
 
 use crate::bounds::Bounds;
-use crate::classic::{self, Classic, Living};
+use crate::classic::{self, Classic, ParticleState};
 use crate::combustion::{self, Combustion, Ember};
+use crate::neighbourhood::measure;
 use crate::params::{DisplayMode, Input, Model, ParamError, Parameters};
 use crate::particle::{Instance, Particle};
 use crate::random::Random;
-use crate::surroundings::look_around;
 
 /// What the last step did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -27,9 +27,9 @@ pub struct StepReport {
     /// Neighbours of a particle within 2h, on average.
     pub mean_neighbours: f32,
     /// Most neighbours of one particle.
-    pub most_neighbours: u32,
+    pub max_neighbours: u32,
     /// Particles that the speed limit held back in the last substep.
-    pub at_speed_limit: u32,
+    pub speed_limited: u32,
     /// Particles that any net held: the speed limit or, in the combustion model,
     /// the farthest that shifting may move one.
     pub at_guard: u32,
@@ -111,18 +111,18 @@ impl Simulation {
         }
     }
 
-    /// Burns on by one step: one [`time_step`](crate::params::Values::time_step)
+    /// Burns on by one step: one [`time_step`](crate::params::Physics::time_step)
     /// in the classic model; in the combustion model as long as is stable, which
     /// [`report`](Simulation::report) and [`time`](Simulation::time) tell.
     pub fn step(&mut self) {
         self.step_watched(&mut |_| ());
     }
 
-    /// As [`step`](Simulation::step); calls `watch` at the end of each stage,
+    /// As [`step`](Simulation::step); calls `on_stage` at the end of each stage,
     /// several times for the substeps of the classic model. The core itself never
     /// asks the time.
-    pub fn step_watched(&mut self, watch: &mut dyn FnMut(Stage)) {
-        self.advance(None, watch);
+    pub fn step_watched(&mut self, on_stage: &mut dyn FnMut(Stage)) {
+        self.advance(None, on_stage);
     }
 
     /// As [`step`](Simulation::step), with a force of your own: `push` gives the
@@ -135,16 +135,16 @@ impl Simulation {
     pub fn step_watched_with(
         &mut self,
         push: impl Fn(Vec2, Vec2) -> Vec2,
-        watch: &mut dyn FnMut(Stage),
+        on_stage: &mut dyn FnMut(Stage),
     ) {
-        self.advance(Some(&push), watch);
+        self.advance(Some(&push), on_stage);
     }
 
-    fn advance(&mut self, push: Option<Push<'_>>, watch: &mut dyn FnMut(Stage)) {
+    fn advance(&mut self, push: Option<Push<'_>>, on_stage: &mut dyn FnMut(Stage)) {
         let (parameters, random) = (&self.parameters, &mut self.random);
         self.time += match &mut self.gas {
-            Gas::Classic(classic) => classic.step(parameters, random, self.time, push, watch),
-            Gas::Combustion(gas) => gas.step(parameters, random, self.time, push, watch),
+            Gas::Classic(classic) => classic.step(parameters, random, self.time, push, on_stage),
+            Gas::Combustion(gas) => gas.step(parameters, random, self.time, push, on_stage),
         };
     }
 
@@ -260,7 +260,7 @@ impl Simulation {
         let spin = mode == DisplayMode::Vorticity;
         if spin || mode == DisplayMode::Neighbours {
             let h = self.parameters.smoothing_length();
-            look_around(out, &self.bounds(), h, spin);
+            measure(out, &self.bounds(), h, spin);
         }
     }
 
@@ -291,7 +291,7 @@ impl Simulation {
 
     /// Copies of all particles, in the order of their birth.
     pub fn particles(&self) -> Vec<Particle> {
-        self.read(Living::particle, |gas, i| gas.particle(i, self.time))
+        self.read(ParticleState::particle, |gas, i| gas.particle(i, self.time))
     }
 
     /// The numbers by which particles are known from step to step, in the order of
@@ -303,12 +303,12 @@ impl Simulation {
 
     /// Positions \[m\], in the order of birth.
     pub fn positions(&self) -> Vec<Vec2> {
-        self.read(Living::position, |gas, i| gas.position[i])
+        self.read(ParticleState::position, |gas, i| gas.position[i])
     }
 
     /// Velocities [m/s], in the order of birth.
     pub fn velocities(&self) -> Vec<Vec2> {
-        self.read(Living::velocity, |gas, i| gas.velocity[i])
+        self.read(ParticleState::velocity, |gas, i| gas.velocity[i])
     }
 
     /// Temperatures \[K\], in the order of birth.
@@ -382,7 +382,7 @@ impl Simulation {
 
     fn read<T>(
         &self,
-        of_classic: impl Fn(&Living) -> T,
+        of_classic: impl Fn(&ParticleState) -> T,
         of_gas: impl Fn(&combustion::Gas, usize) -> T,
     ) -> Vec<T> {
         match &self.gas {

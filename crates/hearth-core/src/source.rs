@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use crate::classic;
 use crate::combustion::Burner;
-use crate::params::{Model, Parameters, Values};
+use crate::params::{Model, Parameters, Physics};
 
 /// The place of the source as the fire has it: inside its domain, wherever the
 /// parameters would have it.
@@ -34,7 +34,7 @@ impl Source {
 
 /// `source_x`, but no part of a source so wide nearer to a side than `margin` \[m\]; in
 /// the middle where there is no room.
-pub(crate) fn middle(values: &Values, width: f32, margin: f32) -> f32 {
+pub(crate) fn middle(values: &Physics, width: f32, margin: f32) -> f32 {
     let farthest = (0.5 * (values.domain_width - width) - margin).max(0.0);
     values.source_x.max(-farthest).min(farthest)
 }

@@ -14,7 +14,7 @@
 use glam::Vec2;
 
 use crate::noise::perlin_slope;
-use crate::params::Values;
+use crate::params::Physics;
 
 /// Root of the mean square of the slope of one layer, in a lattice cell: what
 /// makes `turbulence` the usual strength of the push.
@@ -43,7 +43,7 @@ struct Layer {
 
 impl Turbulence {
     /// The push at `time`.
-    pub fn new(values: &Values, time: f64) -> Turbulence {
+    pub fn new(values: &Physics, time: f64) -> Turbulence {
         let repeat = |length: f32| (length / values.turbulence_scale).round().max(1.0);
         let (width, height) = (values.domain_width, values.domain_height);
         let repeats = Vec2::new(repeat(width), repeat(height));

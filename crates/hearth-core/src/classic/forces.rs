@@ -15,25 +15,25 @@
 //! ```
 //!
 //! The paper prints some of this differently. Each printed form can be chosen
-//! by itself; [`Printed`] says how it differs
+//! by itself; [`AsPublished`] says how it differs
 //! and reckons with it.
 
 use glam::Vec2;
 
+use super::as_published::AsPublished;
 use super::pairs::{Block, Pairs};
 use super::particles::Particles;
-use super::printed::Printed;
 use crate::kernel::{self, Kernel};
 use crate::lanes::{Lanes, Real};
-use crate::neighbours::Law;
-use crate::params::Values;
+use crate::neighbours::PairSum;
+use crate::params::Physics;
 use crate::turbulence::Turbulence;
 
 /// Adds pressure and viscosity to the acceleration of every particle.
 ///
 /// `viscosity` [Pa·s] is what the substep can bear, at most the parameter's.
-pub(crate) fn push_and_rub(pairs: &mut Pairs, kernel: &Kernel, values: &Values, viscosity: f32) {
-    let printed = Printed::new(kernel, values, viscosity);
+pub(crate) fn push_and_rub(pairs: &mut Pairs, kernel: &Kernel, values: &Physics, viscosity: f32) {
+    let printed = AsPublished::new(kernel, values, viscosity);
     if printed.any() {
         pairs.apply(&printed);
     } else {
@@ -42,17 +42,17 @@ pub(crate) fn push_and_rub(pairs: &mut Pairs, kernel: &Kernel, values: &Values, 
 }
 
 /// A particle, each property of it in all lanes.
-pub(crate) struct One {
+pub(crate) struct Broadcast {
     pub place: [Lanes; 2],
     pub velocity: [Lanes; 2],
     pub volume: Lanes,
     pub pressure: Lanes,
 }
 
-impl One {
+impl Broadcast {
     #[inline(always)]
-    pub fn of(block: &Block, lane: usize, shift: Vec2) -> One {
-        One {
+    pub fn of(block: &Block, lane: usize, shift: Vec2) -> Broadcast {
+        Broadcast {
             place: [
                 block.place[0].spread(lane) - shift.x,
                 block.place[1].spread(lane) - shift.y,
@@ -87,31 +87,31 @@ struct PushAndRub {
 
 impl PushAndRub {
     fn new(kernel: &Kernel, mass: f32, viscosity: f32) -> PushAndRub {
-        let each = mass * kernel.steepness_norm();
+        let each = mass * kernel.minus_dw_norm();
         PushAndRub {
             rub: Lanes::splat(2.0 * viscosity * each),
         }
     }
 }
 
-impl Law<2> for PushAndRub {
+impl PairSum<2> for PushAndRub {
     type Block = Block;
-    type One = One;
+    type Broadcast = Broadcast;
 
     #[inline(always)]
-    fn one(&self, block: &Block, lane: usize, shift: Vec2) -> One {
-        One::of(block, lane, shift)
+    fn one(&self, block: &Block, lane: usize, shift: Vec2) -> Broadcast {
+        Broadcast::of(block, lane, shift)
     }
 
     #[inline(always)]
-    fn pair(&self, one: &One, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
+    fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
         let [x, y] = one.offset(others);
         let square = x * x + y * y;
         let q = kernel::distance(square);
         let softened = square + 0.01;
         // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
         // times q²: one division serves both.
-        let slope = kernel::steepness(q) * (one.volume * others.volume) / (q * softened);
+        let slope = kernel::minus_dw(q) * (one.volume * others.volume) / (q * softened);
         let push = slope * softened * (one.pressure + others.pressure);
         let rub = slope * square * self.rub;
         let [vx, vy] = one.apart(others);
@@ -128,7 +128,7 @@ impl Law<2> for PushAndRub {
 /// Acceleration upwards of gas of that temperature: buoyancy, and the weight that
 /// the paper counts besides it.
 #[inline(always)]
-pub(crate) fn lift(block: &Block, temperature: Lanes, values: &Values) -> Lanes {
+pub(crate) fn lift(block: &Block, temperature: Lanes, values: &Physics) -> Lanes {
     let lift = if values.printed_divisor {
         let density = Lanes::splat(1.0) / block.volume;
         (Lanes::splat(values.ambient_density) - density) * (values.buoyancy / values.particle_mass)
@@ -146,7 +146,7 @@ pub(crate) fn stir(
     particles: &Particles,
     pairs: &mut Pairs,
     turbulence: &Turbulence,
-    values: &Values,
+    values: &Physics,
 ) {
     if turbulence.stirs() {
         pairs.push_by(particles, |position, velocity| {
@@ -165,10 +165,10 @@ pub(crate) fn stir(
 /// that is born faster from being hit harder than gravity hits it.
 fn resisted<T: Real>(a: T, v: T, terminal_speed: f32) -> T {
     let (zero, one) = (T::of(0.0), T::of(1.0));
-    let drag = v * v.larger(zero - v) / T::of(terminal_speed * terminal_speed);
-    let left = |drag: T| (one - drag).larger(T::of(-1.0)).smaller(T::of(2.0));
+    let drag = v * v.fast_max(zero - v) / T::of(terminal_speed * terminal_speed);
+    let left = |drag: T| (one - drag).fast_max(T::of(-1.0)).fast_min(T::of(2.0));
     // An acceleration downwards meets drag upwards.
-    a.larger(zero) * left(drag) + a.smaller(zero) * left(zero - drag)
+    a.fast_max(zero) * left(drag) + a.fast_min(zero) * left(zero - drag)
 }
 
 #[cfg(test)]

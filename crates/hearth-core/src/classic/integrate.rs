@@ -6,17 +6,17 @@
 
 use super::forces;
 use super::pairs::{Block, Pairs};
-use super::particles::{Living, Particles};
+use super::particles::{ParticleState, Particles};
 use super::pressure::DENSITY_FLOOR;
 use crate::bounds::Bounds;
-use crate::extremes::larger;
+use crate::extremes::fast_max;
 use crate::lanes::{LANES, Lanes, Real, transposed};
-use crate::params::{Values, Walls};
+use crate::params::{Physics, Walls};
 
 /// Most parts that a step is divided into. The limits ask for more only in
 /// corners of the ranges where stiffness or viscosity could not be seen to grow
 /// any further.
-pub(crate) const MOST_SUBSTEPS: u32 = 32;
+pub(crate) const MAX_SUBSTEPS: u32 = 32;
 
 /// How a step is divided.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,7 +39,7 @@ impl Substeps {
     ///
     /// `fastest` and `hardest` are the largest speed and acceleration of the
     /// last substep.
-    pub fn divide(values: &Values, fastest: f32, hardest: f32) -> Substeps {
+    pub fn divide(values: &Physics, fastest: f32, hardest: f32) -> Substeps {
         let h = values.smoothing_radius;
         let sound = values.gas_constant.sqrt();
         let courant = 0.35 * h / (sound + fastest);
@@ -48,7 +48,7 @@ impl Substeps {
 
         let longest = courant.min(force).min(diffusion(values.viscosity));
         let count = (values.time_step / longest).ceil();
-        let count = (count as u32).clamp(1, MOST_SUBSTEPS);
+        let count = (count as u32).clamp(1, MAX_SUBSTEPS);
         let length = values.time_step / count as f32;
         // Where even the shortest substep is too long for the viscosity, the
         // gas gets the stiffest viscosity that it can bear.
@@ -80,13 +80,13 @@ const POSITION: Lanes = Lanes::new([1.0, 1.0, 0.0, 0.0]);
 pub(crate) fn integrate(
     particles: &mut Particles,
     pairs: &mut Pairs,
-    values: &Values,
+    values: &Physics,
     dt: f32,
 ) -> Motion {
     let mut seen = Seen::default();
     for (block, members) in pairs.each() {
         let particles = &mut particles[members];
-        if let Ok(four) = <&mut [Living; LANES]>::try_from(&mut *particles) {
+        if let Ok(four) = <&mut [ParticleState; LANES]>::try_from(&mut *particles) {
             advance(four, LANES, block, values, dt, &mut seen);
         } else if let Some(&one) = particles.first() {
             // The last block of a row is filled up, and nothing moves where there
@@ -117,10 +117,10 @@ struct Seen {
 /// Moves the four particles of a block, of which it holds so many.
 #[inline(always)]
 fn advance(
-    four: &mut [Living; LANES],
+    four: &mut [ParticleState; LANES],
     held: usize,
     block: &Block,
-    values: &Values,
+    values: &Physics,
     dt: f32,
     seen: &mut Seen,
 ) {
@@ -137,13 +137,13 @@ fn advance(
     let limit = Lanes::splat(values.speed_limit);
     let too_fast = (limit * limit).less(square);
     if too_fast != 0 {
-        let kept = limit / square.sqrt().larger(limit);
+        let kept = limit / square.sqrt().fast_max(limit);
         velocity = velocity.map(|v| v * kept);
-        square = square.smaller(limit * limit);
+        square = square.fast_min(limit * limit);
         seen.limited += too_fast.count_ones();
     }
-    seen.fastest = square.larger(seen.fastest);
-    seen.hardest = (ax * ax + ay * ay).larger(seen.hardest);
+    seen.fastest = square.fast_max(seen.fastest);
+    seen.hardest = (ax * ax + ay * ay).fast_max(seen.hardest);
 
     let moved = if values.printed_euler {
         block.velocity
@@ -154,7 +154,7 @@ fn advance(
     for (particle, motion) in four.iter_mut().zip(motions) {
         particle.motion = particle.motion * POSITION + motion;
         let cooled = particle.temperature - values.cooling_rate * dt;
-        particle.temperature = larger(cooled, values.ambient_temperature);
+        particle.temperature = fast_max(cooled, values.ambient_temperature);
         particle.age += dt;
     }
 }
@@ -169,7 +169,7 @@ pub(crate) fn bound(particles: &mut Particles, walls: Walls, bounds: &Bounds) {
     particles.retain(|one| one.age < one.lifetime && bounds.hold(one.position()));
 }
 
-fn meet(walls: Walls, bounds: &Bounds, particle: &mut Living) {
+fn meet(walls: Walls, bounds: &Bounds, particle: &mut ParticleState) {
     let half = 0.5 * bounds.width;
     let (mut at, mut v) = (particle.position(), particle.velocity());
     match walls {
@@ -239,7 +239,7 @@ mod tests {
             ("time_step", 1.0 / 60.0),
         ]);
         let substeps = Substeps::divide(&parameters, 0.0, 0.0);
-        assert_eq!(substeps.count, MOST_SUBSTEPS);
+        assert_eq!(substeps.count, MAX_SUBSTEPS);
         assert!(substeps.viscosity < 0.1);
     }
 

@@ -7,14 +7,14 @@ use std::ops::Range;
 
 use glam::Vec2;
 
-use super::particles::{Living, Particles};
+use super::particles::{ParticleState, Particles};
 use super::pressure;
 use crate::bounds::Bounds;
 use crate::grid::Grid;
 use crate::kernel::Kernel;
 use crate::lanes::{LANES, Lanes, transposed};
-use crate::neighbours::{self, Law, NOWHERE, Neighbours};
-use crate::params::Values;
+use crate::neighbours::{self, NOWHERE, Neighbours, PairSum};
+use crate::params::Physics;
 
 /// Four particles.
 #[derive(Clone, Copy, Debug)]
@@ -59,7 +59,7 @@ impl neighbours::Block for Block {
 
 /// m h, times the factor of W': what every push has [kg/m · 1/m³].
 fn push_factor(kernel: &Kernel, mass: f32) -> f32 {
-    mass * kernel.smoothing_length() * kernel.steepness_norm()
+    mass * kernel.smoothing_length() * kernel.minus_dw_norm()
 }
 
 /// The blocks, where they lie, and which are near which.
@@ -74,7 +74,7 @@ impl Pairs {
     /// Puts the particles into the order of their places, and into blocks.
     pub fn sort(&mut self, particles: &mut Particles, bounds: &Bounds, kernel: &Kernel) {
         let Pairs { grid, blocks, .. } = self;
-        let positions = particles.iter().map(Living::position);
+        let positions = particles.iter().map(ParticleState::position);
         let places = grid.sort(positions, bounds, kernel.support());
         particles.reorder(places);
         // Not cleared: every block is written as a whole.
@@ -98,14 +98,14 @@ impl Pairs {
 
     /// Finds all pairs of sorted particles, and fills in every density,
     /// ρᵢ = Σⱼ mⱼ W(rᵢⱼ), the particle itself included, and every pressure.
-    pub fn sum_density(&mut self, particles: &mut Particles, kernel: &Kernel, values: &Values) {
+    pub fn sum_density(&mut self, particles: &mut Particles, kernel: &Kernel, values: &Physics) {
         let Pairs {
             grid,
             blocks,
             neighbours,
         } = self;
         neighbours.find(blocks, grid, kernel.smoothing_length());
-        let each = values.particle_mass * kernel.bell_norm();
+        let each = values.particle_mass * kernel.w_norm();
         let push = push_factor(kernel, values.particle_mass);
         for (block, members) in blocks.iter_mut().zip(grid.members()) {
             let density = block.volume * each;
@@ -120,7 +120,7 @@ impl Pairs {
     }
 
     /// Adds what `law` says of all pairs to the accelerations.
-    pub fn apply<L: Law<2, Block = Block>>(&mut self, law: &L) {
+    pub fn apply<L: PairSum<2, Block = Block>>(&mut self, law: &L) {
         self.neighbours.apply(law, &mut self.blocks);
     }
 
@@ -144,8 +144,8 @@ impl Pairs {
     }
 
     /// Neighbours of a particle, on average, and the most of one.
-    pub fn mean_and_most(&self) -> (f32, u32) {
-        self.neighbours.mean_and_most()
+    pub fn mean_and_max(&self) -> (f32, u32) {
+        self.neighbours.mean_and_max()
     }
 }
 

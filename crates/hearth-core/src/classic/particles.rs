@@ -14,7 +14,7 @@ use crate::particle::Particle;
 
 /// A particle that is alive. All of it lies together, since sorting moves all of it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Living {
+pub(crate) struct ParticleState {
     /// Position \[m\] and velocity [m/s]: x, y, and x, y. They move together.
     pub motion: Lanes,
     /// Temperature \[K\].
@@ -30,7 +30,7 @@ pub(crate) struct Living {
     pub id: u64,
 }
 
-impl Living {
+impl ParticleState {
     pub fn position(&self) -> Vec2 {
         let [x, y, ..] = self.motion.to_array();
         Vec2::new(x, y)
@@ -56,22 +56,22 @@ impl Living {
 /// All particles that are alive; as a slice, the particles.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Particles {
-    living: Vec<Living>,
+    living: Vec<ParticleState>,
     born: u64,
     /// The second half of each reordering.
-    scratch: Vec<Living>,
+    scratch: Vec<ParticleState>,
 }
 
 impl Deref for Particles {
-    type Target = [Living];
+    type Target = [ParticleState];
 
-    fn deref(&self) -> &[Living] {
+    fn deref(&self) -> &[ParticleState] {
         &self.living
     }
 }
 
 impl DerefMut for Particles {
-    fn deref_mut(&mut self) -> &mut [Living] {
+    fn deref_mut(&mut self) -> &mut [ParticleState] {
         &mut self.living
     }
 }
@@ -85,7 +85,7 @@ impl Particles {
 
     pub fn push(&mut self, particle: Particle) {
         let (at, v) = (particle.position, particle.velocity);
-        self.living.push(Living {
+        self.living.push(ParticleState {
             motion: Lanes::new([at.x, at.y, v.x, v.y]),
             temperature: particle.temperature,
             age: particle.age,
@@ -98,7 +98,7 @@ impl Particles {
     }
 
     /// Keeps the particles for which `alive` says so, in their order.
-    pub fn retain(&mut self, alive: impl Fn(&Living) -> bool) {
+    pub fn retain(&mut self, alive: impl Fn(&ParticleState) -> bool) {
         self.living.retain(alive);
     }
 

@@ -25,12 +25,12 @@
 use glam::{Vec2, Vec4};
 
 use super::gas::Gas;
-use super::whirls::Whirls;
+use super::vorticity_confinement::VorticityConfinement;
 use crate::grid::Grid;
 use crate::kernel::{self, Kernel};
 use crate::lanes::{LANES, Lanes, Real, sums, transposed};
 use crate::neighbours::{self, NOWHERE, Neighbours};
-use crate::params::Values;
+use crate::params::Physics;
 
 /// Prandtl and Schmidt number of the eddies: how much better they mix momentum
 /// than heat and matter.
@@ -40,7 +40,7 @@ const PRANDTL: f32 = 0.7;
 const SLIGHT: f32 = 2e-3;
 
 /// θ = (T/Tₐ)^ε.
-pub(crate) fn expansion(temperature: f32, values: &Values) -> f32 {
+pub(crate) fn expansion(temperature: f32, values: &Physics) -> f32 {
     let ratio = temperature / values.ambient_temperature;
     let excess = ratio - 1.0;
     // Most of the domain is air, and a power takes as long as ten pairs.
@@ -83,7 +83,7 @@ impl neighbours::Block for Block {
 
 /// A particle, as the exchange takes it: four numbers of it at a time.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Parcel {
+pub(super) struct PackedParticle {
     /// Position, in smoothing lengths, and velocity [m/s].
     pub motion: Lanes,
     /// Volume \[m²\] and pressure \[Pa\], and two that are not used.
@@ -92,9 +92,9 @@ pub(super) struct Parcel {
     pub state: Lanes,
 }
 
-impl Parcel {
+impl PackedParticle {
     /// Of no consequence: nowhere.
-    const NONE: Parcel = Parcel {
+    const NONE: PackedParticle = PackedParticle {
         motion: Lanes::new([NOWHERE, NOWHERE, 0.0, 0.0]),
         room: Lanes::new([1.0, 0.0, 0.0, 0.0]),
         state: Lanes::ZERO,
@@ -104,7 +104,7 @@ impl Parcel {
 /// What a particle gains from others.
 #[derive(Clone, Copy, Debug)]
 struct Gain {
-    /// Acceleration [m/s²], and crowding in the units of [`Exchange`].
+    /// Acceleration [m/s²], and concentration_gradient in the units of [`Exchange`].
     motion: Lanes,
     /// Change of its state [1/s].
     state: Lanes,
@@ -127,8 +127,8 @@ struct Exchange {
 }
 
 impl Exchange {
-    fn new(kernel: &Kernel, values: &Values, sound: f32, mass: f32) -> Exchange {
-        let (h, factor) = (kernel.smoothing_length(), kernel.steepness_norm());
+    fn new(kernel: &Kernel, values: &Physics, sound: f32, mass: f32) -> Exchange {
+        let (h, factor) = (kernel.smoothing_length(), kernel.minus_dw_norm());
         Exchange {
             push: Lanes::splat(factor * h / mass),
             artificial: Lanes::splat(factor * values.artificial_viscosity * sound * h),
@@ -155,7 +155,7 @@ struct Flow {
 
 impl Exchange {
     #[inline(always)]
-    fn flow(&self, one: &One, others: [Parcel; LANES]) -> Flow {
+    fn flow(&self, one: &Broadcast, others: [PackedParticle; LANES]) -> Flow {
         let [x, y, vx, vy] = transposed(others.map(|other| other.motion));
         let [volume, pressure, ..] = transposed(others.map(|other| other.room));
         let (x, y) = (one.motion[0] - x, one.motion[1] - y);
@@ -165,7 +165,7 @@ impl Exchange {
         let softened = square + 0.01;
         // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
         // times q²: one division serves both.
-        let slope = kernel::steepness(q) / (q * softened);
+        let slope = kernel::minus_dw(q) / (q * softened);
         let steep = slope * softened;
 
         // Vᵢ Vⱼ ρ̄/m, both ways.
@@ -173,7 +173,7 @@ impl Exchange {
         let common = (volumes + volumes) / (one.volume + volume);
         let stirred = (vx * vx + vy * vy).sqrt() * self.eddy;
         let laplacian = common * slope * square;
-        let approach = (vx * x + vy * y).smaller(Lanes::ZERO);
+        let approach = (vx * x + vy * y).fast_min(Lanes::ZERO);
 
         let push = steep * volumes * (one.pressure + pressure) * self.push
             - common * slope * approach * self.artificial;
@@ -188,18 +188,18 @@ impl Exchange {
 }
 
 /// A particle, each property of it in all lanes.
-struct One {
+struct Broadcast {
     motion: [Lanes; 4],
     volume: Lanes,
     pressure: Lanes,
 }
 
-impl One {
+impl Broadcast {
     /// A particle, moved by so many smoothing lengths.
     #[inline(always)]
-    fn of(parcel: &Parcel, shift: Vec2) -> One {
+    fn of(parcel: &PackedParticle, shift: Vec2) -> Broadcast {
         let [x, y, vx, vy] = [0, 1, 2, 3].map(|k| parcel.motion.spread(k));
-        One {
+        Broadcast {
             motion: [x - shift.x, y - shift.y, vx, vy],
             volume: parcel.room.spread(0),
             pressure: parcel.room.spread(1),
@@ -212,13 +212,13 @@ impl One {
 pub(crate) struct Forces {
     neighbours: Neighbours,
     blocks: Vec<Block>,
-    parcels: Vec<Parcel>,
+    packed: Vec<PackedParticle>,
     gains: Vec<Gain>,
     /// The others of one particle.
     others: Vec<u32>,
     /// θ
     expansions: Vec<f32>,
-    whirls: Whirls,
+    vorticity_confinement: VorticityConfinement,
 }
 
 impl Forces {
@@ -229,7 +229,7 @@ impl Forces {
         gas: &mut Gas,
         grid: &Grid,
         kernel: &Kernel,
-        values: &Values,
+        values: &Physics,
         sound: f32,
     ) {
         let Forces {
@@ -261,50 +261,50 @@ impl Forces {
         }
         neighbours.find(blocks, grid, kernel.smoothing_length());
 
-        let each = gas.mass * kernel.bell_norm();
+        let each = gas.mass * kernel.w_norm();
         let mut sum = 0.0;
         for (block, members) in blocks.iter().zip(grid.members()) {
-            let filling = (block.sum * each).to_array();
-            for (i, filling) in members.zip(filling) {
-                gas.filling[i] = filling;
-                sum += f64::from(filling);
+            let number_density = (block.sum * each).to_array();
+            for (i, number_density) in members.zip(number_density) {
+                gas.number_density[i] = number_density;
+                sum += f64::from(number_density);
             }
         }
         let mean = (sum / gas.len().max(1) as f64) as f32;
-        for (i, &filling) in gas.filling.iter().enumerate() {
-            gas.volume[i] = gas.mass * expansions[i] / filling;
-            gas.pressure[i] = sound * sound * (filling - mean);
+        for (i, &number_density) in gas.number_density.iter().enumerate() {
+            gas.volume[i] = gas.mass * expansions[i] / number_density;
+            gas.pressure[i] = sound * sound * (number_density - mean);
         }
     }
 
-    /// Sums acceleration, exchange and crowding over the pairs.
+    /// Sums acceleration, exchange and concentration_gradient over the pairs.
     pub fn exchange(
         &mut self,
         gas: &mut Gas,
         grid: &Grid,
         kernel: &Kernel,
-        values: &Values,
+        values: &Physics,
         sound: f32,
     ) {
         let Forces {
             neighbours,
             blocks,
-            parcels,
+            packed,
             gains,
             others,
             ..
         } = self;
         let inverse_h = 1.0 / kernel.smoothing_length();
-        // One more than there are places: the lists are filled up with it.
+        // Broadcast more than there are places: the lists are filled up with it.
         let places = LANES * blocks.len() + 1;
-        parcels.resize(places, Parcel::NONE);
-        parcels[places - 1] = Parcel::NONE;
-        let (fours, _) = parcels.as_chunks_mut::<LANES>();
-        for (parcels, members) in fours.iter_mut().zip(grid.members()) {
-            parcels[members.len()..].fill(Parcel::NONE);
-            for (parcel, i) in parcels.iter_mut().zip(members) {
+        packed.resize(places, PackedParticle::NONE);
+        packed[places - 1] = PackedParticle::NONE;
+        let (fours, _) = packed.as_chunks_mut::<LANES>();
+        for (packed, members) in fours.iter_mut().zip(grid.members()) {
+            packed[members.len()..].fill(PackedParticle::NONE);
+            for (parcel, i) in packed.iter_mut().zip(members) {
                 let (at, v) = (gas.position[i] * inverse_h, gas.velocity[i]);
-                *parcel = Parcel {
+                *parcel = PackedParticle {
                     motion: Lanes::new([at.x, at.y, v.x, v.y]),
                     room: Lanes::new([gas.volume[i], gas.pressure[i], 0.0, 0.0]),
                     state: Lanes::new(gas.state[i].to_array()),
@@ -322,13 +322,13 @@ impl Forces {
 
         let law = Exchange::new(kernel, values, sound, gas.mass);
         neighbours.each(others, |here, shift, others| {
-            let parcel = parcels[here];
-            let one = One::of(&parcel, shift);
+            let parcel = packed[here];
+            let one = Broadcast::of(&parcel, shift);
             let mut motion = [Lanes::ZERO; 4];
             let mut state = Lanes::ZERO;
             for four in others.chunks_exact(LANES) {
                 let four = [0, 1, 2, 3].map(|k| four[k] as usize);
-                let theirs = four.map(|there| parcels[there]);
+                let theirs = four.map(|there| packed[there]);
                 let flow = law.flow(&one, theirs);
                 let [fx, fy] = flow.force;
                 let [x, y] = flow.slope;
@@ -350,13 +350,13 @@ impl Forces {
             gain.state += state;
         });
 
-        let crowd = -kernel.steepness_norm() * kernel.smoothing_length();
+        let crowd = -kernel.minus_dw_norm() * kernel.smoothing_length();
         let (fours, _) = gains.as_chunks::<LANES>();
         for (gains, members) in fours.iter().zip(grid.members()) {
             for (gain, i) in gains.iter().zip(members) {
                 let [ax, ay, x, y] = gain.motion.to_array();
                 gas.acceleration[i] = Vec2::new(ax, ay);
-                gas.crowding[i] = Vec2::new(x, y) * crowd;
+                gas.concentration_gradient[i] = Vec2::new(x, y) * crowd;
                 gas.change[i] = Vec4::from_array(gain.state.to_array());
             }
         }
@@ -365,8 +365,14 @@ impl Forces {
     /// Adds vorticity confinement.
     pub fn confine(&mut self, gas: &mut Gas, grid: &Grid, kernel: &Kernel, strength: f32) {
         if strength != 0.0 {
-            self.whirls
-                .confine(gas, grid, &self.neighbours, &self.parcels, kernel, strength);
+            self.vorticity_confinement.confine(
+                gas,
+                grid,
+                &self.neighbours,
+                &self.packed,
+                kernel,
+                strength,
+            );
         }
     }
 
@@ -376,8 +382,8 @@ impl Forces {
     }
 
     /// Neighbours of a particle, on average, and the most of one.
-    pub fn mean_and_most(&self) -> (f32, u32) {
-        self.neighbours.mean_and_most()
+    pub fn mean_and_max(&self) -> (f32, u32) {
+        self.neighbours.mean_and_max()
     }
 }
 

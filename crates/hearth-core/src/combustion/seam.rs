@@ -9,8 +9,8 @@
 use glam::{Vec2, Vec4};
 
 use super::gas::Gas;
-use crate::extremes::{larger, smaller};
-use crate::params::Values;
+use crate::extremes::{fast_max, fast_min};
+use crate::params::Physics;
 
 /// Speed at which the seam swallows motion and matter, in its own thickness a
 /// second [m/s]: what passes through is air when it comes out.
@@ -27,7 +27,7 @@ const FRESH_WIND: f32 = 0.5;
 
 /// Acceleration that keeps the air at the speed of the wind: without it only
 /// the seam would pull, and the middle would take minutes to follow.
-pub(crate) fn blow(gas: &mut Gas, values: &Values) {
+pub(crate) fn blow(gas: &mut Gas, values: &Physics) {
     if values.seam == 0.0 {
         return;
     }
@@ -40,14 +40,14 @@ pub(crate) fn blow(gas: &mut Gas, values: &Values) {
 }
 
 /// Makes air of what is in the seam, for `dt`.
-pub(crate) fn freshen(gas: &mut Gas, values: &Values, spacing: f32, dt: f32) {
+pub(crate) fn freshen(gas: &mut Gas, values: &Physics, spacing: f32, dt: f32) {
     if values.seam == 0.0 {
         return;
     }
     // Thinner than this, particles would hop over it.
     let thinnest = THINNEST * spacing;
-    let thickness = larger(values.seam * values.domain_height, thinnest);
-    let side = larger(values.seam * values.domain_width, thinnest);
+    let thickness = fast_max(values.seam * values.domain_height, thinnest);
+    let side = fast_max(values.seam * values.domain_width, thinnest);
     let air = Vec4::new(values.ambient_temperature, 0.0, 1.0, 0.0);
     let wind = Vec2::new(values.wind, 0.0);
     let (calm, clean) = (
@@ -57,17 +57,17 @@ pub(crate) fn freshen(gas: &mut Gas, values: &Values, spacing: f32, dt: f32) {
     let sides = (values.wind.abs() / FRESH_WIND).min(1.0);
     for i in 0..gas.len() {
         let at = gas.position[i];
-        let from_edge = smaller(at.y, values.domain_height - at.y);
+        let from_edge = fast_min(at.y, values.domain_height - at.y);
         let from_side = 0.5 * values.domain_width - at.x.abs();
         let depth = 1.0 - from_edge / thickness;
         if depth > 0.0 {
             let velocity = &mut gas.velocity[i];
-            *velocity = wind + (*velocity - wind) / (1.0 + calm * smaller(depth, 1.0));
+            *velocity = wind + (*velocity - wind) / (1.0 + calm * fast_min(depth, 1.0));
         }
-        let depth = larger(depth, (1.0 - from_side / side) * sides);
+        let depth = fast_max(depth, (1.0 - from_side / side) * sides);
         if depth > 0.0 {
             let state = &mut gas.state[i];
-            let swallowed = clean * smaller(MATTER_EDGE * depth, 1.0);
+            let swallowed = clean * fast_min(MATTER_EDGE * depth, 1.0);
             *state = air + (*state - air) / (1.0 + swallowed);
         }
     }

@@ -17,8 +17,8 @@ use glam::Vec2;
 
 use super::gas::Gas;
 use crate::bounds::Bounds;
-use crate::extremes::{larger, smaller};
-use crate::params::Values;
+use crate::extremes::{fast_max, fast_min};
+use crate::params::Physics;
 
 /// Strength of the shift, in h²/s for each h/s of speed, where `shifting` is 1.
 /// Twice as much starts to add energy to a Taylor–Green vortex; half as much
@@ -26,7 +26,7 @@ use crate::params::Values;
 const SHIFT: f32 = 8.0;
 /// Most of that in a step, in h²: shifting spreads particles as diffusion spreads
 /// heat, and like it overshoots beyond a limit, here measured at 0.6.
-const MOST_SHIFT: f32 = 0.3;
+const MAX_SHIFT: f32 = 0.3;
 /// Most that a particle is shifted in a step, in h.
 const FARTHEST_SHIFT: f32 = 0.3;
 /// No particle moves faster than this times the speed of sound: a net.
@@ -42,10 +42,10 @@ const USUAL_DRIVE: f32 = 9.81 * 220.0;
 /// The numerical speed of sound c₀ [m/s]: `stiffness`, and more for a stronger fire,
 /// so that the gas stays as hard to compress. A planar plume rises as the cube
 /// root of what drives it; and no wind comes near it.
-pub(crate) fn sound_speed(values: &Values) -> f32 {
+pub(crate) fn sound_speed(values: &Physics) -> f32 {
     let drive = values.buoyancy * values.gravity * values.fuel_power / USUAL_DRIVE;
-    let risen = values.stiffness * libm::cbrtf(larger(drive, 1.0));
-    larger(risen, BLOWN * values.wind.abs())
+    let risen = values.stiffness * libm::cbrtf(fast_max(drive, 1.0));
+    fast_max(risen, BLOWN * values.wind.abs())
 }
 
 /// What a step's motion came to.
@@ -58,10 +58,10 @@ pub(crate) struct Motion {
 }
 
 /// The longest stable step \[s\] for the accelerations of the gas.
-pub(crate) fn longest(gas: &Gas, values: &Values, h: f32, sound: f32) -> f32 {
+pub(crate) fn longest(gas: &Gas, values: &Physics, h: f32, sound: f32) -> f32 {
     let largest = |vectors: &[Vec2]| {
         let squares = vectors.iter().map(|v| v.length_squared());
-        squares.fold(0.0, larger).sqrt()
+        squares.fold(0.0, fast_max).sqrt()
     };
     let (speed, hardest) = (largest(&gas.velocity), largest(&gas.acceleration));
     let eddy = values.eddy_viscosity * values.eddy_viscosity * h * speed;
@@ -85,7 +85,7 @@ pub(crate) fn accelerate(gas: &mut Gas, sound: f32, dt: f32) -> Motion {
             *velocity *= limit / speed;
             motion.limited += 1;
         }
-        motion.fastest = larger(motion.fastest, smaller(speed, limit));
+        motion.fastest = fast_max(motion.fastest, fast_min(speed, limit));
     }
     motion
 }
@@ -101,11 +101,11 @@ pub(crate) fn advance(
     fastest: f32,
     dt: f32,
 ) -> u32 {
-    let shift = smaller(SHIFT * shifting * h * fastest * dt, MOST_SHIFT * h * h);
+    let shift = fast_min(SHIFT * shifting * h * fastest * dt, MAX_SHIFT * h * h);
     let farthest = FARTHEST_SHIFT * h;
     let mut held = 0;
     for i in 0..gas.len() {
-        let away = gas.crowding[i] * -shift;
+        let away = gas.concentration_gradient[i] * -shift;
         held += u32::from(away.length_squared() > farthest * farthest);
         let away = away.clamp_length_max(farthest);
         gas.position[i] = bounds.wrap(gas.position[i] + gas.velocity[i] * dt + away);
@@ -161,8 +161,8 @@ mod tests {
         let parameters = with(&[]);
         let mut gas = wild(&parameters, 2);
         gas.velocity.fill(Vec2::ZERO);
-        gas.crowding.fill(Vec2::new(1.0, 0.0));
-        gas.crowding[1] = Vec2::new(0.0, -1e6);
+        gas.concentration_gradient.fill(Vec2::new(1.0, 0.0));
+        gas.concentration_gradient[1] = Vec2::new(0.0, -1e6);
         let (h, before) = (parameters.smoothing_length(), gas.position.clone());
         gas.position[0] = Vec2::new(0.1, 0.9);
         gas.position[1] = Vec2::new(0.1, 0.9);
@@ -171,7 +171,7 @@ mod tests {
         assert!((gas.position[1].y - 0.9 - FARTHEST_SHIFT * h).abs() < 1e-5);
         let mut still = wild(&parameters, 2);
         still.velocity.fill(Vec2::ZERO);
-        still.crowding.fill(Vec2::new(1.0, 0.0));
+        still.concentration_gradient.fill(Vec2::new(1.0, 0.0));
         advance(&mut still, &bounds(&parameters), 0.0, h, 2.0, 1e-3);
         assert_eq!(still.position, before);
     }

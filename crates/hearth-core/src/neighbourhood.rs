@@ -8,7 +8,7 @@
 //! the same cell. So a picture of a warm fire allocates nothing and changes nothing.
 
 use crate::bounds::Bounds;
-use crate::extremes::larger;
+use crate::extremes::fast_max;
 use crate::kernel;
 use crate::particle::Instance;
 
@@ -29,12 +29,12 @@ const FIELDS: usize = size_of::<Instance>() / size_of::<f32>();
 /// ω = 2 Σ V g (r × v)/Σ V g r², g = −W'/r, with r and v from it to each of them:
 /// the curl of SPH over what that makes of a rigid rotation, which so comes out
 /// exactly, at the rim of the gas too.
-pub(crate) fn look_around(instances: &mut Vec<Instance>, bounds: &Bounds, h: f32, spin: bool) {
+pub(crate) fn measure(instances: &mut Vec<Instance>, bounds: &Bounds, h: f32, spin: bool) {
     let count = instances.len();
     let reach = 2.0 * h;
     // As wide as a kernel reaches, and no more of them than particles.
     let area = bounds.width * bounds.height;
-    let edge = larger(reach, (area / (count + 1) as f32).sqrt());
+    let edge = fast_max(reach, (area / (count + 1) as f32).sqrt());
     let across = Axis::new(bounds.width, edge, bounds.periodic);
     let up = Axis::new(bounds.height, edge, bounds.endless);
     let place = |one: &Instance| (across.cell(one[0] + 0.5 * bounds.width), up.cell(one[1]));
@@ -67,15 +67,15 @@ pub(crate) fn look_around(instances: &mut Vec<Instance>, bounds: &Bounds, h: f32
                 let square = x * x + y * y;
                 if square < reach * reach {
                     near += 1.0;
-                    let q = larger(square.sqrt() / h, 1e-6);
-                    let weight = other[VOLUME] * kernel::steepness(q) / q;
+                    let q = fast_max(square.sqrt() / h, 1e-6);
+                    let weight = other[VOLUME] * kernel::minus_dw(q) / q;
                     turn += weight * (x * (other[3] - one[3]) - y * (other[2] - one[2]));
                     inertia += weight * square;
                 }
             }
         }
         particles[i][FOUND] = if spin {
-            2.0 * turn / larger(inertia, f32::MIN_POSITIVE)
+            2.0 * turn / fast_max(inertia, f32::MIN_POSITIVE)
         } else {
             near
         };

@@ -7,12 +7,12 @@
 
 use glam::Vec2;
 
-use super::forces::Parcel;
+use super::forces::PackedParticle;
 use super::gas::Gas;
 use crate::grid::Grid;
 use crate::kernel::{self, Kernel};
 use crate::lanes::{LANES, Lanes, Real, transposed};
-use crate::neighbours::{self, Law, Neighbours};
+use crate::neighbours::{self, Neighbours, PairSum};
 
 /// Four particles.
 #[derive(Clone, Copy, Debug, Default)]
@@ -42,17 +42,17 @@ impl neighbours::Block for Block {
 }
 
 /// A particle, each property of it in all lanes.
-struct One {
+struct Broadcast {
     place: [Lanes; 2],
     volume: Lanes,
     velocity: [Lanes; 2],
     curl: Lanes,
 }
 
-impl One {
-    fn of(block: &Block, lane: usize, shift: Vec2) -> One {
+impl Broadcast {
+    fn of(block: &Block, lane: usize, shift: Vec2) -> Broadcast {
         let [x, y] = block.place.map(|at| at.spread(lane));
-        One {
+        Broadcast {
             place: [x - shift.x, y - shift.y],
             volume: block.volume.spread(lane),
             velocity: block.velocity.map(|v| v.spread(lane)),
@@ -67,7 +67,7 @@ impl One {
             self.place[1] - others.place[1],
         );
         let q = kernel::distance(x * x + y * y);
-        let steep = kernel::steepness(q) / q;
+        let steep = kernel::minus_dw(q) / q;
         [x * steep, y * steep]
     }
 }
@@ -75,15 +75,15 @@ impl One {
 /// ω = Σ V ∇W × v
 struct Curl;
 
-impl Law<1> for Curl {
+impl PairSum<1> for Curl {
     type Block = Block;
-    type One = One;
+    type Broadcast = Broadcast;
 
-    fn one(&self, block: &Block, lane: usize, shift: Vec2) -> One {
-        One::of(block, lane, shift)
+    fn one(&self, block: &Block, lane: usize, shift: Vec2) -> Broadcast {
+        Broadcast::of(block, lane, shift)
     }
 
-    fn pair(&self, one: &One, others: &Block) -> ([Lanes; 1], [Lanes; 1]) {
+    fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 1], [Lanes; 1]) {
         let [x, y] = one.slope(others);
         let turn =
             x * (one.velocity[1] - others.velocity[1]) - y * (one.velocity[0] - others.velocity[0]);
@@ -98,16 +98,16 @@ impl Law<1> for Curl {
 /// Σ V (|ωⱼ| − |ωᵢ|) ∇W
 struct Ascent;
 
-impl Law<2> for Ascent {
+impl PairSum<2> for Ascent {
     type Block = Block;
-    type One = One;
+    type Broadcast = Broadcast;
 
-    fn one(&self, block: &Block, lane: usize, shift: Vec2) -> One {
-        One::of(block, lane, shift)
+    fn one(&self, block: &Block, lane: usize, shift: Vec2) -> Broadcast {
+        Broadcast::of(block, lane, shift)
     }
 
-    fn pair(&self, one: &One, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
-        let size = |curl: Lanes| curl.larger(-curl);
+    fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
+        let size = |curl: Lanes| curl.fast_max(-curl);
         let more = size(one.curl) - size(others.curl[0]);
         let slope = one.slope(others);
         (
@@ -123,23 +123,23 @@ impl Law<2> for Ascent {
 
 /// The memory of the two passes.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Whirls {
+pub(crate) struct VorticityConfinement {
     blocks: Vec<Block>,
 }
 
-impl Whirls {
+impl VorticityConfinement {
     /// Adds the push of that strength to the accelerations.
     pub fn confine(
         &mut self,
         gas: &mut Gas,
         grid: &Grid,
         neighbours: &Neighbours,
-        parcels: &[Parcel],
+        packed: &[PackedParticle],
         kernel: &Kernel,
         strength: f32,
     ) {
         self.blocks.clear();
-        let (fours, _) = parcels.as_chunks::<LANES>();
+        let (fours, _) = packed.as_chunks::<LANES>();
         self.blocks.extend(fours.iter().map(|four| {
             let [x, y, vx, vy] = transposed(four.map(|parcel| parcel.motion));
             let [volume, ..] = transposed(four.map(|parcel| parcel.room));
@@ -153,7 +153,7 @@ impl Whirls {
         neighbours.apply(&Curl, &mut self.blocks);
         neighbours.apply(&Ascent, &mut self.blocks);
         let h = kernel.smoothing_length();
-        let strength = strength * h * h * kernel.steepness_norm();
+        let strength = strength * h * h * kernel.minus_dw_norm();
         for (block, members) in self.blocks.iter().zip(grid.members()) {
             let Block { curl, ascent, .. } = block;
             let curl = curl[0].to_array();

@@ -6,16 +6,16 @@
 
 use glam::Vec2;
 
-use super::forces::One;
+use super::forces::Broadcast;
 use super::pairs::Block;
 use crate::kernel::{self, Kernel};
 use crate::lanes::Lanes;
-use crate::neighbours::Law;
-use crate::params::Values;
+use crate::neighbours::PairSum;
+use crate::params::Physics;
 
 /// The paper's equations as they are printed, each to be chosen by itself.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Printed {
+pub(crate) struct AsPublished {
     /// Equation 3, f = − m (pᵢ + pⱼ)/(2 ρⱼ) ∇W: the ½ halves the gradient of
     /// the pressure, and the density of force is taken for an acceleration.
     pressure: bool,
@@ -30,10 +30,10 @@ pub(crate) struct Printed {
     rub: f32,
 }
 
-impl Printed {
+impl AsPublished {
     /// Which of them `values` choose.
-    pub fn new(kernel: &Kernel, values: &Values, viscosity: f32) -> Printed {
-        Printed {
+    pub fn new(kernel: &Kernel, values: &Physics, viscosity: f32) -> AsPublished {
+        AsPublished {
             pressure: values.printed_pressure,
             viscosity: values.printed_viscosity,
             divisor: values.printed_divisor,
@@ -61,27 +61,27 @@ impl Printed {
     }
 }
 
-impl Law<2> for Printed {
+impl PairSum<2> for AsPublished {
     type Block = Block;
-    type One = One;
+    type Broadcast = Broadcast;
 
     #[inline(always)]
-    fn one(&self, block: &Block, lane: usize, shift: Vec2) -> One {
-        One::of(block, lane, shift)
+    fn one(&self, block: &Block, lane: usize, shift: Vec2) -> Broadcast {
+        Broadcast::of(block, lane, shift)
     }
 
-    fn pair(&self, one: &One, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
+    fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
         let [x, y] = one.offset(others);
         let square = x * x + y * y;
         let q = kernel::distance(square);
-        let steep = kernel::steepness(q) / q;
+        let steep = kernel::minus_dw(q) / q;
         let share = if self.pressure { 0.5 } else { 1.0 };
         let push = steep * (one.pressure + others.pressure) * share;
         let drag = if self.viscosity {
             let h = self.kernel.smoothing_length();
             -Lanes::new(q.to_array().map(|q| self.kernel.laplacian(q * h)))
         } else {
-            -(steep * (2.0 * self.kernel.steepness_norm()) * square / (square + 0.01))
+            -(steep * (2.0 * self.kernel.minus_dw_norm()) * square / (square + 0.01))
         };
         let rub = drag * self.rub;
         let [vx, vy] = one.apart(others);

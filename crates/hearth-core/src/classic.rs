@@ -4,24 +4,27 @@
 //! alone carry the fire. Broadcast step is: emitter → neighbour grid → density →
 //! pressure → forces → motion.
 
-mod as_published;
+mod block_force;
 mod emitter;
+mod equation_of_state;
 mod forces;
 mod integrate;
+mod interactions;
+mod pair;
 mod pairs;
 mod particles;
-mod pressure;
 
 use crate::Particle;
 use crate::bounds::Bounds;
 use crate::extremes::fast_min;
+use crate::forces::BodyForce;
 use crate::kernel::Kernel;
 use crate::params::{DisplayMode, Physics, Walls};
 use crate::particle::{Instance, numbered};
 use crate::random::Random;
-use crate::simulation::{Push, Stage, StepReport};
-use crate::turbulence::Turbulence;
+use crate::simulation::{Stage, StepReport};
 
+use block_force::BlockForce;
 use emitter::Emitter;
 pub(crate) use emitter::place as source;
 use integrate::{Motion, Substeps};
@@ -39,21 +42,21 @@ pub(crate) struct Classic {
 }
 
 impl Classic {
-    /// Burns on by one time step from `time` on, with the accelerations `push`
-    /// besides its own. Returns the length of the step \[s\].
+    /// Burns on by one time step from `time` on, with the force
+    /// `user` besides its own. Returns the length of the step \[s\].
     pub fn step(
         &mut self,
         values: &Physics,
         random: &mut Random,
         time: f64,
-        push: Option<Push<'_>>,
+        user: Option<&dyn BodyForce>,
         on_stage: &mut dyn FnMut(Stage),
     ) -> f64 {
         self.emitter.emit(&mut self.particles, values, random, time);
         let substeps = Substeps::divide(values, self.motion.fastest, self.motion.hardest);
-        let turbulence = Turbulence::new(values, time);
+        let forces = forces::list(values, time, user);
         for _ in 0..substeps.count {
-            self.substep(values, &substeps, &turbulence, push, on_stage);
+            self.substep(values, &substeps, &forces, on_stage);
         }
         self.substeps = substeps.count;
         f64::from(values.time_step)
@@ -63,8 +66,7 @@ impl Classic {
         &mut self,
         values: &Physics,
         substeps: &Substeps,
-        turbulence: &Turbulence,
-        push: Option<Push<'_>>,
+        forces: &impl BlockForce,
         on_stage: &mut dyn FnMut(Stage),
     ) {
         let kernel = kernel(values);
@@ -76,13 +78,9 @@ impl Classic {
         on_stage(Stage::Sort);
         pairs.sum_density(particles, &kernel, values);
         on_stage(Stage::Density);
-        forces::push_and_rub(pairs, &kernel, values, substeps.viscosity);
-        if let Some(push) = push {
-            pairs.push_by(particles, push);
-        }
-        forces::stir(particles, pairs, turbulence, values);
+        interactions::sum(pairs, &kernel, values, substeps.viscosity);
         on_stage(Stage::Forces);
-        self.motion = integrate::integrate(particles, pairs, values, substeps.length);
+        self.motion = integrate::integrate(particles, pairs, forces, values, substeps.length);
         integrate::bound(particles, values.walls, &bounds);
         on_stage(Stage::Integrate);
     }
@@ -154,9 +152,9 @@ impl Classic {
         };
         // A particle alone has all the room of its kernel. The factor that the paper
         // prints makes other densities, but no other volumes.
-        let bell = Kernel::new(values.smoothing_radius).value(0.0);
-        let share = kernel(values).value(0.0) / bell;
-        let volume = fast_min(share * values.particle_mass / one.density, 1.0 / bell);
+        let w = Kernel::new(values.smoothing_radius).value(0.0);
+        let share = kernel(values).value(0.0) / w;
+        let volume = fast_min(share * values.particle_mass / one.density, 1.0 / w);
         let [x, y, vx, vy] = one.motion.to_array();
         let number = numbered(one.id, mode);
         [x, y, vx, vy, one.temperature, volume, number, measured]

@@ -2,14 +2,19 @@
 //!
 //! Fuel flows in, mixes, burns, and the hot gas rises. Nothing is scripted: the
 //! taper of the flame, its flicker and its puffing come from the equations. Broadcast
-//! step is: neighbour grid → pressure → forces and exchange → time step → embers →
-//! velocity → burning → burner → seam → position.
+//! step is: neighbour grid → number density and pressure → pair interactions → vorticity
+//! confinement → body forces → time step → embers → velocity → burning → burner → seam →
+//! position.
 
 mod burner;
 mod chemistry;
 mod embers;
+mod equation_of_state;
 mod forces;
 mod gas;
+mod interactions;
+mod number_density;
+mod pair;
 mod resample;
 mod seam;
 mod time_step;
@@ -18,21 +23,25 @@ mod vorticity_confinement;
 use glam::Vec2;
 
 use crate::Particle;
+use crate::forces::BodyForce;
 use crate::grid::Grid;
 use crate::kernel::Kernel;
+use crate::neighbours::Neighbours;
 use crate::params::{DisplayMode, Parameters, Physics};
 use crate::particle::{Instance, numbered};
 use crate::random::Random;
-use crate::simulation::{Push, Stage, StepReport};
-use crate::turbulence::Turbulence;
+use crate::simulation::{Stage, StepReport};
 
 pub use burner::Burner;
 pub use embers::Ember;
 use embers::{Air, Embers};
-use forces::Forces;
 pub(crate) use gas::{Gas, bounds};
+use interactions::Interactions;
+use number_density::NumberDensity;
+use pair::Context;
 use time_step::Motion;
 pub(crate) use time_step::sound_speed;
+use vorticity_confinement::VorticityConfinement;
 
 /// Gas that is warmer \[K\], or sootier, can be seen.
 const SEEN_TEMPERATURE: f32 = 400.0;
@@ -43,7 +52,10 @@ const SEEN_SOOT: f32 = 0.002;
 pub(crate) struct Combustion {
     gas: Gas,
     grid: Grid,
-    forces: Forces,
+    neighbours: Neighbours,
+    number_density: NumberDensity,
+    interactions: Interactions,
+    vorticity_confinement: VorticityConfinement,
     embers: Embers,
     /// What the shape of the domain and the number of particles were made for.
     discretisation: Discretisation,
@@ -82,7 +94,10 @@ impl Combustion {
         Combustion {
             gas: Gas::air(parameters, parameters.spacing(), random),
             grid: Grid::default(),
-            forces: Forces::default(),
+            neighbours: Neighbours::default(),
+            number_density: NumberDensity::default(),
+            interactions: Interactions::default(),
+            vorticity_confinement: VorticityConfinement::default(),
             embers: Embers::default(),
             discretisation: Discretisation::by(parameters),
             air: parameters.ambient_temperature,
@@ -94,14 +109,14 @@ impl Combustion {
         }
     }
 
-    /// Burns on by one step from `time` on, with the accelerations `push` besides
+    /// Burns on by one step from `time` on, with the force `user` besides
     /// its own. Returns the length of the step \[s\].
     pub fn step(
         &mut self,
         parameters: &Parameters,
         random: &mut Random,
         time: f64,
-        push: Option<Push<'_>>,
+        user: Option<&dyn BodyForce>,
         on_stage: &mut dyn FnMut(Stage),
     ) -> f64 {
         let values: &Physics = parameters;
@@ -115,19 +130,20 @@ impl Combustion {
         let places = grid.sort(positions, &bounds, kernel.support());
         gas.reorder(places);
         on_stage(Stage::Sort);
-        self.forces.fill(gas, grid, &kernel, values, sound);
+        let context = Context {
+            kernel: &kernel,
+            values,
+            sound,
+            mass: gas.mass,
+        };
+        let neighbours = &mut self.neighbours;
+        self.number_density.sum(gas, grid, neighbours, &context);
         on_stage(Stage::Density);
-        self.forces.exchange(gas, grid, &kernel, values, sound);
-        let confinement = values.vorticity_confinement;
-        self.forces.confine(gas, grid, &kernel, confinement);
-        lift(gas, self.forces.expansions(), values);
-        Turbulence::new(values, time).stir(&gas.position, &mut gas.acceleration);
-        seam::blow(gas, values);
-        if let Some(push) = push {
-            for (i, acceleration) in gas.acceleration.iter_mut().enumerate() {
-                *acceleration += push(gas.position[i], gas.velocity[i]);
-            }
-        }
+        self.interactions.sum(gas, grid, neighbours, &context);
+        let (packed, strength) = (self.interactions.packed(), values.vorticity_confinement);
+        let confinement = &mut self.vorticity_confinement;
+        confinement.add(gas, grid, neighbours, packed, &kernel, strength);
+        forces::add_all(gas, values, time, user);
         on_stage(Stage::Forces);
 
         let dt = time_step::longest(gas, values, kernel.smoothing_length(), sound);
@@ -230,7 +246,7 @@ impl Combustion {
     }
 
     pub fn report(&self) -> StepReport {
-        let (mean_neighbours, max_neighbours) = self.forces.mean_and_max();
+        let (mean_neighbours, max_neighbours) = self.neighbours.mean_and_max();
         StepReport {
             substeps: 1,
             mean_neighbours,
@@ -288,20 +304,5 @@ impl Combustion {
     /// Copies out the embers.
     pub fn write_embers(&self, out: &mut Vec<Instance>) {
         self.embers.write_instances(out);
-    }
-}
-
-/// Buoyancy: b g (1 − Tₐ/T) θ. For the ideal gas that is b g (T/Tₐ − 1), the weight of
-/// the air that the gas displaces less its own. In a domain without a seam nothing
-/// would ever stop what rises, so there nothing is lifted.
-fn lift(gas: &mut Gas, expansions: &[f32], values: &Physics) {
-    if values.seam == 0.0 {
-        return;
-    }
-    let air = values.ambient_temperature;
-    let strength = values.buoyancy * values.gravity;
-    let gained = gas.acceleration.iter_mut().zip(&gas.state);
-    for ((acceleration, state), expansion) in gained.zip(expansions) {
-        acceleration.y += strength * (1.0 - air / state.x) * expansion;
     }
 }

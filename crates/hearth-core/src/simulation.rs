@@ -13,6 +13,7 @@ use glam::Vec2;
 use crate::bounds::Bounds;
 use crate::classic::{self, Classic, ParticleState};
 use crate::combustion::{self, Combustion, Ember};
+use crate::forces::BodyForce;
 use crate::neighbourhood::measure;
 use crate::params::{DisplayMode, Input, Model, ParamError, Parameters};
 use crate::particle::{Instance, Particle};
@@ -57,9 +58,6 @@ pub enum Stage {
     /// Motion, burning, and what comes in and leaves.
     Integrate,
 }
-
-/// An acceleration [m/s²] at a position \[m\] and velocity [m/s].
-pub(crate) type Push<'a> = &'a dyn Fn(Vec2, Vec2) -> Vec2;
 
 /// A fire.
 ///
@@ -115,36 +113,27 @@ impl Simulation {
     /// in the classic model; in the combustion model as long as is stable, which
     /// [`report`](Simulation::report) and [`time`](Simulation::time) tell.
     pub fn step(&mut self) {
-        self.step_watched(&mut |_| ());
+        self.step_in_stages(None, &mut |_| ());
     }
 
-    /// As [`step`](Simulation::step); calls `on_stage` at the end of each stage,
-    /// several times for the substeps of the classic model. The core itself never
-    /// asks the time.
-    pub fn step_watched(&mut self, on_stage: &mut dyn FnMut(Stage)) {
-        self.advance(None, on_stage);
+    /// As [`step`](Simulation::step), with a force of your own: a closure that
+    /// gives the acceleration [m/s²] at a position \[m\] and velocity [m/s].
+    pub fn step_with(&mut self, force: impl Fn(Vec2, Vec2) -> Vec2) {
+        self.step_in_stages(Some(&force), &mut |_| ());
     }
 
-    /// As [`step`](Simulation::step), with a force of your own: `push` gives the
-    /// acceleration [m/s²] at a position \[m\] and velocity [m/s].
-    pub fn step_with(&mut self, push: impl Fn(Vec2, Vec2) -> Vec2) {
-        self.step_watched_with(push, &mut |_| ());
-    }
-
-    /// As [`step_with`](Simulation::step_with) and [`step_watched`](Simulation::step_watched).
-    pub fn step_watched_with(
+    /// As [`step`](Simulation::step), with any [`BodyForce`] besides the model's own; calls
+    /// `on_stage` at the end of each stage, several times for the substeps of the classic
+    /// model. The core itself never reads a clock.
+    pub fn step_in_stages(
         &mut self,
-        push: impl Fn(Vec2, Vec2) -> Vec2,
+        force: Option<&dyn BodyForce>,
         on_stage: &mut dyn FnMut(Stage),
     ) {
-        self.advance(Some(&push), on_stage);
-    }
-
-    fn advance(&mut self, push: Option<Push<'_>>, on_stage: &mut dyn FnMut(Stage)) {
         let (parameters, random) = (&self.parameters, &mut self.random);
         self.time += match &mut self.gas {
-            Gas::Classic(classic) => classic.step(parameters, random, self.time, push, on_stage),
-            Gas::Combustion(gas) => gas.step(parameters, random, self.time, push, on_stage),
+            Gas::Classic(classic) => classic.step(parameters, random, self.time, force, on_stage),
+            Gas::Combustion(gas) => gas.step(parameters, random, self.time, force, on_stage),
         };
     }
 

@@ -6,7 +6,7 @@
 
 use glam::{Vec2, Vec4};
 
-use super::forces::expansion;
+use super::equation_of_state::expansion;
 use crate::Particle;
 use crate::bounds::Bounds;
 use crate::extremes::fast_max;
@@ -38,6 +38,8 @@ pub(crate) struct Gas {
     pub acceleration: Vec<Vec2>,
     /// Change of the state by diffusion [1/s].
     pub change: Vec<State>,
+    /// θ, the volume of a unit of mass in that of the air.
+    pub expansion: Vec<f32>,
     /// Y = Σ yⱼ Wᵢⱼ, how full of gas the place is, in mass of cold air [kg/m³].
     pub number_density: Vec<f32>,
     /// Volume \[m²\].
@@ -94,6 +96,7 @@ impl Gas {
         ));
         self.acceleration.push(Vec2::ZERO);
         self.change.push(Vec4::ZERO);
+        self.expansion.push(1.0);
         self.number_density.push(0.0);
         self.pressure.push(0.0);
         self.concentration_gradient.push(Vec2::ZERO);

@@ -12,7 +12,7 @@
 use glam::{Vec2, Vec4};
 
 use super::Discretisation;
-use super::forces::expansion;
+use super::equation_of_state::expansion;
 use super::gas::{Gas, lattice};
 use crate::Particle;
 use crate::bounds::Bounds;

@@ -1,11 +1,4 @@
-//! How long a step may be, and the motion in it.
-//!
-//! ```text
-//! dt = min( 0.4 h/(c₀ + u),  0.25 √(h/a),  0.125 h²/ν )
-//! ```
-//!
-//! Nothing crosses a kernel in one go, sound included; no force moves a particle
-//! too far; diffusion damps and does not overshoot (Monaghan 1992, Morris et al. 1997).
+//! The combustion model's step: how long it may be, and the motion in it.
 //!
 //! Symplectic Euler moves the particles. Then they are shifted a little from
 //! where they crowd to where they are sparse (Lind et al., J. Comput. Phys. 231,
@@ -19,6 +12,7 @@ use super::gas::Gas;
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::Physics;
+use crate::time_step::Stability;
 
 /// Strength of the shift, in h²/s for each h/s of speed, where `shifting` is 1.
 /// Twice as much starts to add energy to a Taylor–Green vortex; half as much
@@ -31,6 +25,8 @@ const MAX_SHIFT: f32 = 0.3;
 const FARTHEST_SHIFT: f32 = 0.3;
 /// No particle moves faster than this times the speed of sound: a net.
 const FASTEST: f32 = 1.5;
+/// Courant's number.
+const COURANT: f32 = 0.4;
 /// Longest step \[s\].
 const LONGEST: f32 = 1.0 / 60.0;
 
@@ -63,15 +59,21 @@ pub(crate) fn longest(gas: &Gas, values: &Physics, h: f32, sound: f32) -> f32 {
         let squares = vectors.iter().map(|v| v.length_squared());
         squares.fold(0.0, fast_max).sqrt()
     };
-    let (speed, hardest) = (largest(&gas.velocity), largest(&gas.acceleration));
+    let (speed, acceleration) = (largest(&gas.velocity), largest(&gas.acceleration));
     let eddy = values.eddy_viscosity * values.eddy_viscosity * h * speed;
     let viscosity = values.kinematic_viscosity + values.artificial_viscosity * h * sound / 8.0;
     let diffusivity = viscosity.max(values.diffusion) + eddy;
 
-    let courant = 0.4 * h / (sound + speed);
-    let force = 0.25 * (h / hardest.max(1e-6)).sqrt();
-    let diffusion = 0.125 * h * h / diffusivity.max(1e-9);
-    courant.min(force).min(diffusion).min(LONGEST)
+    let stability = Stability {
+        courant: COURANT,
+        h,
+        sound,
+        speed,
+        acceleration,
+        viscosity: diffusivity,
+        density: 1.0,
+    };
+    stability.longest_step().min(LONGEST)
 }
 
 /// Gives every particle its new velocity.

@@ -1,13 +1,14 @@
-//! The forces of pairs where an equation is taken as the paper prints it.
+//! Pair interactions as the paper prints them.
 //!
 //! Each printed form can be chosen by itself, so that a reader can see what it
 //! does. They stand apart because the two ends of a pair may then feel
-//! different forces, and because the usual forces need not ask at every pair.
+//! different forces, and because the usual interactions need not ask at every pair.
 
 use glam::Vec2;
 
-use super::forces::Broadcast;
-use super::pairs::Block;
+use crate::classic::pair::Broadcast;
+use crate::classic::pairs::Block;
+use crate::interaction::Separation;
 use crate::kernel::{self, Kernel};
 use crate::lanes::Lanes;
 use crate::neighbours::PairSum;
@@ -15,7 +16,7 @@ use crate::params::Physics;
 
 /// The paper's equations as they are printed, each to be chosen by itself.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct AsPublished {
+pub(super) struct AsPublished {
     /// Equation 3, f = − m (pᵢ + pⱼ)/(2 ρⱼ) ∇W: the ½ halves the gradient of
     /// the pressure, and the density of force is taken for an acceleration.
     pressure: bool,
@@ -27,7 +28,7 @@ pub(crate) struct AsPublished {
     mass: f32,
     kernel: Kernel,
     /// m μ [kg/m · Pa·s].
-    rub: f32,
+    viscous: f32,
 }
 
 impl AsPublished {
@@ -39,7 +40,7 @@ impl AsPublished {
             divisor: values.printed_divisor,
             mass: values.particle_mass,
             kernel: *kernel,
-            rub: values.particle_mass * viscosity,
+            viscous: values.particle_mass * viscosity,
         }
     }
 
@@ -66,29 +67,28 @@ impl PairSum<2> for AsPublished {
     type Broadcast = Broadcast;
 
     #[inline(always)]
-    fn one(&self, block: &Block, lane: usize, shift: Vec2) -> Broadcast {
+    fn broadcast(&self, block: &Block, lane: usize, shift: Vec2) -> Broadcast {
         Broadcast::of(block, lane, shift)
     }
 
     fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
-        let [x, y] = one.offset(others);
-        let square = x * x + y * y;
-        let q = kernel::distance(square);
-        let steep = kernel::minus_dw(q) / q;
+        let offset = one.offset(others);
+        let Separation { x, y, square, q } = offset;
+        let gradient = kernel::minus_dw(q) / q;
         let share = if self.pressure { 0.5 } else { 1.0 };
-        let push = steep * (one.pressure + others.pressure) * share;
-        let drag = if self.viscosity {
+        let pressure = gradient * (one.pressure + others.pressure) * share;
+        let laplacian = if self.viscosity {
             let h = self.kernel.smoothing_length();
             -Lanes::new(q.to_array().map(|q| self.kernel.laplacian(q * h)))
         } else {
-            -(steep * (2.0 * self.kernel.minus_dw_norm()) * square / (square + 0.01))
+            -(gradient * (2.0 * self.kernel.minus_dw_norm()) * square / offset.softened())
         };
-        let rub = drag * self.rub;
-        let [vx, vy] = one.apart(others);
+        let viscous = laplacian * self.viscous;
+        let [vx, vy] = one.relative_velocity(others);
         let ends = |mine: Lanes, theirs: Lanes| {
-            let pushed = push * theirs * self.by(mine, self.pressure);
-            let rubbed = rub * theirs * self.by(mine, false);
-            [x * pushed + vx * rubbed, y * pushed + vy * rubbed]
+            let radial = pressure * theirs * self.by(mine, self.pressure);
+            let relative = viscous * theirs * self.by(mine, false);
+            [x * radial + vx * relative, y * radial + vy * relative]
         };
         (
             ends(one.volume, others.volume),
@@ -97,7 +97,7 @@ impl PairSum<2> for AsPublished {
     }
 
     #[inline(always)]
-    fn gains(block: &mut Block) -> &mut [Lanes; 2] {
+    fn accumulator(block: &mut Block) -> &mut [Lanes; 2] {
         &mut block.acceleration
     }
 }

@@ -22,15 +22,17 @@ mod vorticity_confinement;
 
 use glam::Vec2;
 
-use crate::Particle;
+use crate::bounds::Bounds;
 use crate::forces::BodyForce;
 use crate::grid::Grid;
+use crate::instance::{GasParticle, Instance, Measured, numbered};
 use crate::kernel::Kernel;
 use crate::neighbours::Neighbours;
 use crate::params::{DisplayMode, Parameters, Physics};
-use crate::particle::{Instance, numbered};
+use crate::particle::Particle;
 use crate::random::Random;
-use crate::simulation::{Stage, StepReport};
+use crate::report::{Stage, StepReport};
+use crate::solver::Solver;
 
 pub use burner::Burner;
 pub use embers::Ember;
@@ -39,13 +41,18 @@ pub(crate) use gas::{Gas, bounds};
 use interactions::Interactions;
 use number_density::NumberDensity;
 use pair::Context;
+use resample::Discretisation;
 use time_step::Motion;
 pub(crate) use time_step::sound_speed;
 use vorticity_confinement::VorticityConfinement;
 
 /// Gas that is warmer \[K\], or sootier, can be seen.
-const SEEN_TEMPERATURE: f32 = 400.0;
-const SEEN_SOOT: f32 = 0.002;
+const VISIBLE_TEMPERATURE: f32 = 400.0;
+const VISIBLE_SOOT: f32 = 0.002;
+
+/// What a caller reads who puts in a number of particles that does not go with the
+/// smoothing length.
+const NOT_AS_MANY: &str = "there must be from half to twice max_particles of them";
 
 /// The gas of the combustion model and what moves it.
 #[derive(Clone, Debug)]
@@ -57,7 +64,7 @@ pub(crate) struct Combustion {
     interactions: Interactions,
     vorticity_confinement: VorticityConfinement,
     embers: Embers,
-    /// What the shape of the domain and the number of particles were made for.
+    /// What the present particles were laid out for.
     discretisation: Discretisation,
     /// Temperature of the air that it was made of \[K\].
     air: f32,
@@ -65,27 +72,9 @@ pub(crate) struct Combustion {
     /// Of the burning in the last step, and of what heated the source [kW/m].
     power: f32,
     preheat: f32,
-    /// Particles that shifting would have moved too far.
-    held: u32,
+    /// Particles whose shift was cut.
+    cut: u32,
     length: f32,
-}
-
-/// What the gas depends on as a whole: where it changes, the gas is made anew.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Discretisation {
-    width: f32,
-    height: f32,
-    particles: u32,
-}
-
-impl Discretisation {
-    fn by(values: &Physics) -> Discretisation {
-        Discretisation {
-            width: values.domain_width,
-            height: values.domain_height,
-            particles: values.max_particles,
-        }
-    }
 }
 
 impl Combustion {
@@ -104,14 +93,60 @@ impl Combustion {
             motion: Motion::default(),
             power: 0.0,
             preheat: 0.0,
-            held: 0,
+            cut: 0,
             length: 0.0,
         }
     }
 
-    /// Burns on by one step from `time` on, with the force `user` besides
-    /// its own. Returns the length of the step \[s\].
-    pub fn step(
+    /// Burns on from these particles and embers, of a fire whose `max_particles` was
+    /// `made_with`: where this one's is another, as many as it has take over.
+    pub fn resume(
+        &mut self,
+        particles: &[Particle],
+        embers: Vec<Ember>,
+        made_with: u32,
+        parameters: &Parameters,
+        random: &mut Random,
+    ) {
+        self.set_particles(particles, parameters);
+        self.embers = Embers::of(embers);
+        self.discretisation = Discretisation {
+            particles: made_with,
+            ..Discretisation::by(parameters)
+        };
+        self.adapt(parameters, random);
+    }
+
+    /// All particles, in no particular order.
+    pub fn gas(&self) -> &Gas {
+        &self.gas
+    }
+
+    /// All embers.
+    pub fn embers(&self) -> &[Ember] {
+        self.embers.alive()
+    }
+
+    /// Throws embers from a place; nothing where that is outside.
+    pub fn throw_embers(&mut self, place: Vec2, count: u32, values: &Physics, random: &mut Random) {
+        if bounds(values).hold(place) {
+            self.embers.throw_from(place, count, values, random);
+        }
+    }
+
+    /// Power of the burning in the last step [kW/m].
+    pub fn power(&self) -> f32 {
+        self.power
+    }
+
+    /// Copies out the embers.
+    pub fn write_embers(&self, out: &mut Vec<Instance>) {
+        self.embers.write_instances(out);
+    }
+}
+
+impl Solver for Combustion {
+    fn step(
         &mut self,
         parameters: &Parameters,
         random: &mut Random,
@@ -162,15 +197,15 @@ impl Combustion {
         };
         seam::freshen(gas, values, parameters.spacing(), dt);
         let (h, fastest) = (kernel.smoothing_length(), self.motion.fastest);
-        self.held = time_step::advance(gas, &bounds, values.shifting, h, fastest, dt);
+        self.cut = time_step::advance(gas, &bounds, values.shifting, h, fastest, dt);
         self.length = dt;
         on_stage(Stage::Integrate);
         f64::from(dt)
     }
 
-    /// Takes up changed values. Where the domain or the number of particles
+    /// Where the domain or the number of particles
     /// changed, new particles take over what the old ones carried.
-    pub fn adapt(&mut self, parameters: &Parameters, random: &mut Random) {
+    fn adapt(&mut self, parameters: &Parameters, random: &mut Random) {
         let discretisation = Discretisation::by(parameters);
         // Air that is warmer or colder is so everywhere at once, and what it
         // carries with it; the old air would lift or sink as a whole.
@@ -186,35 +221,30 @@ impl Combustion {
         self.gas.weigh(parameters);
     }
 
-    /// Puts these particles in the place of all that there are.
-    pub fn set_particles(&mut self, particles: &[Particle], values: &Physics) {
+    fn set_particles(&mut self, particles: &[Particle], values: &Physics) {
         self.gas = Gas::of(particles, values);
         self.embers = Embers::default();
         self.motion = Motion::default();
         (self.power, self.preheat, self.length) = (0.0, 0.0, 0.0);
     }
 
-    /// Burns on from these particles and embers, of a fire whose `max_particles` was
-    /// `made_with`: where this one's is another, as many as it has take over.
-    pub fn resume(
-        &mut self,
-        particles: &[Particle],
-        embers: Vec<Ember>,
-        made_with: u32,
-        parameters: &Parameters,
-        random: &mut Random,
-    ) {
-        self.set_particles(particles, parameters);
-        self.embers = Embers::of(embers);
-        self.discretisation = Discretisation {
-            particles: made_with,
-            ..Discretisation::by(parameters)
-        };
-        self.adapt(parameters, random);
+    fn refuse_count(&self, count: usize, values: &Physics) -> Option<&'static str> {
+        // The smoothing length goes with `max_particles`.
+        let usual = values.max_particles as usize;
+        let few = usual.div_ceil(2)..=2 * usual;
+        (!few.contains(&count)).then_some(NOT_AS_MANY)
+    }
+
+    fn bounds(&self, values: &Physics) -> Bounds {
+        bounds(values)
+    }
+
+    fn sound_speed(&self, values: &Physics) -> f32 {
+        sound_speed(values)
     }
 
     /// Length of the last step, or about that of the first \[s\].
-    pub fn step_length(&self, parameters: &Parameters) -> f64 {
+    fn step_length(&self, parameters: &Parameters) -> f64 {
         f64::from(if self.length > 0.0 {
             self.length
         } else {
@@ -223,36 +253,14 @@ impl Combustion {
         })
     }
 
-    /// All particles, in no particular order.
-    pub fn gas(&self) -> &Gas {
-        &self.gas
-    }
-
-    /// All embers.
-    pub fn embers(&self) -> &[Ember] {
-        self.embers.alive()
-    }
-
-    /// Throws embers from a place; nothing where that is outside.
-    pub fn throw_embers(&mut self, place: Vec2, count: u32, values: &Physics, random: &mut Random) {
-        if bounds(values).hold(place) {
-            self.embers.throw_from(place, count, values, random);
-        }
-    }
-
-    /// Power of the burning in the last step [kW/m].
-    pub fn power(&self) -> f32 {
-        self.power
-    }
-
-    pub fn report(&self) -> StepReport {
+    fn report(&self, _values: &Physics) -> StepReport {
         let (mean_neighbours, max_neighbours) = self.neighbours.mean_and_max();
         StepReport {
             substeps: 1,
             mean_neighbours,
             max_neighbours,
             speed_limited: self.motion.limited,
-            at_guard: self.motion.limited + self.held,
+            at_guard: self.motion.limited + self.cut,
             fastest: self.motion.fastest,
             length: self.length,
             power: self.power,
@@ -260,49 +268,69 @@ impl Combustion {
         }
     }
 
-    /// Copies out the gas that can be seen.
-    pub fn write_instances(&self, out: &mut Vec<Instance>) {
+    fn count(&self) -> usize {
+        self.gas.len()
+    }
+
+    fn by_id(&self) -> Vec<usize> {
+        self.gas.by_id()
+    }
+
+    fn id(&self, i: usize) -> u64 {
+        self.gas.id[i].into()
+    }
+
+    fn particle(&self, i: usize, time: f64) -> Particle {
+        self.gas.particle(i, time)
+    }
+
+    fn density(&self, i: usize) -> f32 {
+        self.gas.mass / self.gas.volume[i]
+    }
+
+    fn pressure(&self, i: usize) -> f32 {
+        self.gas.pressure[i]
+    }
+
+    fn write_fire(&self, out: &mut Vec<Instance>) {
         let gas = &self.gas;
         out.extend((0..gas.len()).filter_map(|i| {
             let [temperature, _, _, soot] = gas.state[i].to_array();
-            let seen = temperature > SEEN_TEMPERATURE || soot > SEEN_SOOT;
-            seen.then(|| {
-                [
-                    gas.position[i].x,
-                    gas.position[i].y,
-                    gas.velocity[i].x,
-                    gas.velocity[i].y,
+            let visible = temperature > VISIBLE_TEMPERATURE || soot > VISIBLE_SOOT;
+            visible.then(|| {
+                Instance::from(GasParticle {
+                    position: gas.position[i],
+                    velocity: gas.velocity[i],
                     temperature,
-                    gas.volume[i],
+                    volume: gas.volume[i],
                     soot,
-                    gas.burn[i],
-                ]
+                    burn_rate: gas.burn[i],
+                })
             })
         }));
     }
 
-    /// The particle at `i` with what `mode` measures of it.
     // Taken into a loop, it would be a loop for each mode.
     #[inline(never)]
-    pub fn measured(&self, i: usize, mode: DisplayMode) -> Instance {
+    fn measured(&self, i: usize, _values: &Physics, mode: DisplayMode) -> Measured {
         let gas = &self.gas;
-        let (at, v, volume) = (gas.position[i], gas.velocity[i], gas.volume[i]);
         let [temperature, fuel, _, soot] = gas.state[i].to_array();
-        let measured = match mode {
+        let value = match mode {
             DisplayMode::Particles | DisplayMode::Temperature => temperature,
-            DisplayMode::Density => gas.mass / volume,
+            DisplayMode::Density => self.density(i),
             DisplayMode::Pressure => gas.pressure[i],
-            DisplayMode::Velocity => v.length(),
+            DisplayMode::Velocity => gas.velocity[i].length(),
             DisplayMode::Fuel => fuel,
             DisplayMode::Soot | DisplayMode::Sprites => soot,
             _ => 0.0,
         };
-        let number = numbered(gas.id[i].into(), mode);
-        [at.x, at.y, v.x, v.y, temperature, volume, number, measured]
-    }
-
-    /// Copies out the embers.
-    pub fn write_embers(&self, out: &mut Vec<Instance>) {
-        self.embers.write_instances(out);
+        Measured {
+            position: gas.position[i],
+            velocity: gas.velocity[i],
+            temperature,
+            volume: gas.volume[i],
+            number: numbered(gas.id[i].into(), mode),
+            value,
+        }
     }
 }

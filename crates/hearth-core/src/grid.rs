@@ -19,7 +19,7 @@ use crate::lanes::{LANES, Lanes, Real};
 /// Width of a bin, in reaches: the narrower, the fewer particles are looked at in
 /// vain, and the more bins there are to count.
 const BIN: f32 = 0.125;
-/// Most bins for each particle.
+/// Largest number of bins for each particle.
 const MAX_BINS: usize = 4;
 
 /// Particles sorted into rows, and along them.
@@ -65,7 +65,7 @@ impl Run {
     }
 }
 
-/// Most runs that one block has to look at: two in its row, three in the next.
+/// Largest number of runs with neighbours of one block: two in its row, three in the next.
 pub(crate) const MAX_RUNS: usize = 5;
 
 impl Grid {

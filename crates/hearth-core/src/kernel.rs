@@ -1,7 +1,6 @@
 //! The cubic spline kernel in two dimensions.
 //!
-//! A particle is not a point but a bell: it carries its mass spread over a
-//! disc of radius 2h. With q = r/h,
+//! A particle spreads its mass over a disc of radius 2h. With q = r/h,
 //!
 //! ```text
 //! W(r) = σ · { 1 − 3/2 q² + 3/4 q³     0 ≤ q < 1
@@ -9,7 +8,7 @@
 //!            { 0                       2 ≤ q
 //! ```
 //!
-//! The paper prints σ = 1/(πh³), which makes the bell's volume one in three
+//! The paper prints σ = 1/(πh³), which makes the kernel's volume one in three
 //! dimensions; in two it is σ = 10/(7πh²) (Monaghan, Rep. Prog. Phys. 68, 2005).
 
 use std::f32::consts::PI;
@@ -18,22 +17,23 @@ use crate::extremes::fast_max;
 use crate::lanes::{Lanes, Real};
 
 /// Both pieces of the kernel as one expression without a branch, of the distance
-/// in smoothing lengths: W = σ/4 · bell.
+/// in smoothing lengths: W = σ/4 · w.
 #[inline(always)]
 pub(crate) fn w<T: Real>(q: T) -> T {
     let (outer, inner) = tails(q);
     outer * outer * outer - T::of(4.0) * inner * inner * inner
 }
 
-/// Its slope: W' = −3σ/4h · steepness.
+/// Its slope: W' = −3σ/4h · minus_dw.
 #[inline(always)]
 pub(crate) fn minus_dw<T: Real>(q: T) -> T {
     let (outer, inner) = tails(q);
     outer * outer - T::of(4.0) * inner * inner
 }
 
-/// Distance of particles by the square of it, in smoothing lengths, not quite zero
-/// for those that touch: their offset is, and so is what they do to each other.
+/// The distance with this square, in smoothing lengths. It is never quite zero, so that
+/// quotients stay finite; the offset of particles that touch is zero, and so are their
+/// interactions.
 #[inline(always)]
 pub(crate) fn distance(square: Lanes) -> Lanes {
     square.fast_max(Lanes::splat(1e-12)).sqrt()
@@ -99,13 +99,13 @@ impl Kernel {
         -self.minus_dw_norm() * minus_dw(q) / fast_max(q, 1e-6)
     }
 
-    /// What [`bell`] is to be multiplied by to be W [1/m²].
+    /// The factor that turns [`w`] into W [1/m²].
     pub(crate) fn w_norm(&self) -> f32 {
         0.25 * self.norm
     }
 
-    /// What [`steepness`] is to be multiplied by to be −W'/h [1/m⁴]: over q, that
-    /// is −W'/r.
+    /// The factor that turns [`minus_dw`] into −W'/h [1/m⁴], and `minus_dw(q)/q` into
+    /// −W'/r.
     pub(crate) fn minus_dw_norm(&self) -> f32 {
         0.75 * self.norm * self.inverse_h * self.inverse_h
     }

@@ -29,6 +29,7 @@ mod extremes;
 mod forces;
 pub mod fps;
 mod grid;
+pub mod instance;
 mod interaction;
 pub mod kernel;
 mod lanes;
@@ -39,16 +40,20 @@ pub mod params;
 mod particle;
 pub mod preset;
 pub mod random;
+mod report;
 pub mod simulation;
+mod solver;
 mod source;
 mod time_step;
 
 pub use combustion::{Burner, Ember};
 pub use forces::{BodyForce, LocalGas};
 pub use glam::Vec2;
+pub use instance::Instance;
 pub use params::Parameters;
-pub use particle::{Instance, Particle};
-pub use simulation::{Simulation, Stage, StepReport, burning};
+pub use particle::Particle;
+pub use report::{Stage, StepReport};
+pub use simulation::{Simulation, burning};
 pub use source::Source;
 
 // The examples of the README run with those of the documentation.

@@ -1,9 +1,9 @@
 //! Passes over the pairs of particles within each other's kernel.
 //!
-//! Particles are taken four at a time, in blocks that hold each property of the
-//! four side by side ([`Block`]); places in them are in smoothing lengths. A pass
-//! holds one particle of a block against the four of another at once. Each pair of
-//! blocks is met from one of its ends, and both get their share.
+//! Particles come four at a time, in blocks that hold each property of the four side by
+//! side ([`Block`]), with positions in smoothing lengths. A pass computes one particle of a
+//! block against the four of another at once. It meets each pair of blocks from one end and
+//! adds to the sums of both.
 //!
 //! The first pass sums the kernels and notes for each particle which particles of
 //! which blocks are within its reach; what follows goes by these lists. They keep
@@ -159,7 +159,7 @@ impl Neighbours {
         }
         let end = begin + LANES * stride;
         if end > self.entries.len() {
-            // By half as much again, so that a growing fire seldom asks for more.
+            // By half as much again, so that a growing fire seldom allocates.
             let room = end.max(self.entries.len() / 2 * 3);
             self.entries.resize(room, 0);
         }
@@ -250,10 +250,10 @@ impl Neighbours {
         }
     }
 
-    /// Calls `see` with each particle of the `blocks`, the shift of those that it is
-    /// held against, in smoothing lengths, and these, so that each pair is met from
-    /// one of its ends. Particles are told by their places, four to a block; to make
-    /// the others a multiple of four, the place after the last block is added.
+    /// Calls `see` with each particle, the shift of its neighbours in smoothing lengths,
+    /// and these neighbours, so that it meets each pair from one end. A particle is its
+    /// place, four to a block; the place after the last block fills the neighbours up to a
+    /// multiple of four.
     #[inline(always)]
     pub fn each(&self, others: &mut Vec<u32>, mut see: impl FnMut(usize, Vec2, &[u32])) {
         let nowhere = (LANES * self.blocks) as u32;
@@ -286,7 +286,7 @@ impl Neighbours {
     }
 
     /// Neighbours of a particle, on average, and the largest number of one, as the last search
-    /// found them; counted anew.
+    /// found them; it counts them again.
     pub fn mean_and_max(&self) -> (f32, u32) {
         let nowhere = LANES * self.blocks;
         let mut counts = vec![0_u32; nowhere + 1];

@@ -61,7 +61,7 @@ fn fade_slope(t: f32) -> f32 {
     30.0 * t * t * (t * (t - 2.0) + 1.0)
 }
 
-/// Broadcast of eight gradients, each of length √2, so that the noise reaches ±1.
+/// One of eight gradients, each of length √2, so that the noise reaches ±1.
 fn gradient(seed: u32, ix: i32, iy: i32) -> (f32, f32) {
     const DIAGONAL: f32 = 1.0;
     const AXIS: f32 = std::f32::consts::SQRT_2;

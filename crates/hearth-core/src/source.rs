@@ -2,9 +2,7 @@
 
 use glam::Vec2;
 
-use crate::classic;
-use crate::combustion::Burner;
-use crate::params::{Model, Parameters, Physics};
+use crate::params::Physics;
 
 /// The place of the source as the fire has it: inside its domain, wherever the
 /// parameters would have it.
@@ -14,22 +12,6 @@ pub struct Source {
     pub foot: Vec2,
     /// Its width \[m\].
     pub width: f32,
-}
-
-impl Source {
-    /// The source of these parameters.
-    pub fn of(parameters: &Parameters) -> Source {
-        match parameters.model() {
-            Model::Classic => classic::source(parameters),
-            Model::Combustion => {
-                let burner = Burner::of(parameters);
-                Source {
-                    foot: Vec2::new(burner.middle, burner.bottom),
-                    width: 2.0 * burner.half_width,
-                }
-            }
-        }
-    }
 }
 
 /// `source_x`, but no part of a source so wide nearer to a side than `margin` \[m\]; in
@@ -42,7 +24,7 @@ pub(crate) fn middle(values: &Physics, width: f32, margin: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::params::Input;
+    use crate::params::{Input, Model, Parameters};
 
     fn of(model: Model, values: &[(&str, f64)]) -> (Source, Parameters) {
         let mut parameters = Parameters::new(model);

@@ -69,7 +69,7 @@ impl Emitter {
         }
 
         let source = Source::new(values, time);
-        self.look_around(particles, &source);
+        self.find_near(particles, &source);
         while self.owed >= 1.0 && particles.len() < values.max_particles as usize {
             let Some(particle) = self.newborn(values, &source, random) else {
                 break;
@@ -80,8 +80,8 @@ impl Emitter {
         }
     }
 
-    /// Notes the particles that a birth could come too close to.
-    fn look_around(&mut self, particles: &Particles, source: &Source) {
+    /// Finds the particles that a birth could come too close to.
+    fn find_near(&mut self, particles: &Particles, source: &Source) {
         let Source {
             middle,
             half_width,

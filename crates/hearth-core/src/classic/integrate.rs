@@ -14,9 +14,8 @@ use crate::lanes::{LANES, Lanes, Real, transposed};
 use crate::params::{Physics, Walls};
 use crate::time_step::{Stability, diffusion_limit};
 
-/// Most parts that a step is divided into. The limits ask for more only in
-/// corners of the ranges where stiffness or viscosity could not be seen to grow
-/// any further.
+/// Largest number of substeps. The limits require more only in corners of the
+/// ranges where a higher stiffness or viscosity changes nothing visible.
 pub(crate) const MAX_SUBSTEPS: u32 = 32;
 
 /// Courant's number.
@@ -68,7 +67,7 @@ pub(crate) struct Motion {
     pub fastest: f32,
     /// Largest acceleration [m/s²].
     pub hardest: f32,
-    /// Particles that the speed limit held back.
+    /// Particles that the speed limit slowed down.
     pub limited: u32,
 }
 
@@ -90,13 +89,12 @@ pub(crate) fn integrate(
         if let Ok(four) = <&mut [ParticleState; LANES]>::try_from(&mut *particles) {
             advance(four, LANES, block, forces, values, dt, &mut maxima);
         } else if let Some(&one) = particles.first() {
-            // The last block of a row is filled up, and nothing moves where there
-            // is no particle.
-            let held = particles.len();
+            // The last block of a row is filled up with copies, which do not move.
+            let count = particles.len();
             let mut four = [one; LANES];
-            four[..held].copy_from_slice(particles);
-            advance(&mut four, held, block, forces, values, dt, &mut maxima);
-            particles.copy_from_slice(&four[..held]);
+            four[..count].copy_from_slice(particles);
+            advance(&mut four, count, block, forces, values, dt, &mut maxima);
+            particles.copy_from_slice(&four[..count]);
         }
     }
     Motion {
@@ -115,11 +113,11 @@ struct Maxima {
     limited: u32,
 }
 
-/// Moves the four particles of a block, of which it holds so many.
+/// Moves the first `count` particles of a block.
 #[inline(always)]
 fn advance(
     four: &mut [ParticleState; LANES],
-    held: usize,
+    count: usize,
     block: &Block,
     forces: &impl BlockForce,
     values: &Physics,
@@ -130,8 +128,8 @@ fn advance(
     let local = Four::new(four, block, values.ambient_density);
     forces.add(&local, &mut acceleration);
     let [mut ax, mut ay] = acceleration;
-    if held < LANES {
-        (ax, ay) = (ax.first(held), ay.first(held));
+    if count < LANES {
+        (ax, ay) = (ax.first(count), ay.first(count));
     }
     let [old_x, old_y] = block.velocity;
     let mut velocity = [old_x + ax * dt, old_y + ay * dt];
@@ -161,7 +159,7 @@ fn advance(
     }
 }
 
-/// Applies the walls and takes away whoever has died or left.
+/// Applies the walls and removes particles that have died or left.
 pub(crate) fn bound(particles: &mut Particles, walls: Walls, bounds: &Bounds) {
     if walls != Walls::Open {
         for particle in particles.iter_mut() {

@@ -1,6 +1,6 @@
 //! Burning and radiating.
 //!
-//! Broadcast reaction, as fast as its time allows and as far as fuel and oxygen reach:
+//! One reaction, as fast as its time allows and as far as fuel and oxygen reach:
 //!
 //! ```text
 //! burn = min(F, O/s, (T_max − T)/(ΔT (1 + s))) (1 − e^(−dt/τ))   where T > T_ign

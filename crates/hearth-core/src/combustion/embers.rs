@@ -9,9 +9,9 @@ use glam::Vec2;
 use super::gas::Gas;
 use crate::bounds::Bounds;
 use crate::grid::Grid;
+use crate::instance::{EmberParticle, Instance};
 use crate::kernel::Kernel;
 use crate::params::Physics;
-use crate::particle::Instance;
 use crate::random::Random;
 
 /// A spark.
@@ -130,16 +130,14 @@ impl Embers {
     /// Copies out what the renderer needs.
     pub fn write_instances(&self, out: &mut Vec<Instance>) {
         out.extend(self.alive.iter().map(|ember| {
-            [
-                ember.position.x,
-                ember.position.y,
-                ember.velocity.x,
-                ember.velocity.y,
-                ember.temperature,
-                ember.size,
-                ember.age,
-                1.0 - ember.age / ember.lifetime,
-            ]
+            Instance::from(EmberParticle {
+                position: ember.position,
+                velocity: ember.velocity,
+                temperature: ember.temperature,
+                size: ember.size,
+                age: ember.age,
+                life: 1.0 - ember.age / ember.lifetime,
+            })
         }));
     }
 }

@@ -1,7 +1,7 @@
 //! The gas that fills the domain, and its lattice at the start.
 //!
 //! Every particle has the same mass; what differs is how much room it takes.
-//! Broadcast array a property, sorted by grid cell at every step; readers get copies
+//! Each property has an array, sorted by grid cell at every step; readers get copies
 //! in the order of the ids.
 
 use glam::{Vec2, Vec4};
@@ -14,7 +14,7 @@ use crate::params::Physics;
 use crate::random::Random;
 
 /// What diffuses from particle to particle: temperature \[K\], fuel, oxygen, soot.
-/// Broadcast vector, since one law moves all four.
+/// One vector, since one equation moves all four.
 pub(crate) type State = Vec4;
 
 /// Part of the spacing by which the lattice of the start is disturbed: a
@@ -34,13 +34,13 @@ pub(crate) struct Gas {
     /// Mass of each particle [kg/m].
     pub mass: f32,
 
-    // Discretisation anew at every step.
+    // Computed again at every step.
     pub acceleration: Vec<Vec2>,
     /// Change of the state by diffusion [1/s].
     pub change: Vec<State>,
     /// θ, the volume of a unit of mass in that of the air.
     pub expansion: Vec<f32>,
-    /// Y = Σ yⱼ Wᵢⱼ, how full of gas the place is, in mass of cold air [kg/m³].
+    /// Y = Σ yⱼ Wᵢⱼ, the number density, in mass of cold air [kg/m³].
     pub number_density: Vec<f32>,
     /// Volume \[m²\].
     pub volume: Vec<f32>,
@@ -148,7 +148,7 @@ impl Gas {
     }
 
     /// Puts each particle in its place: that at `i` goes to `places[i]`. What every
-    /// step makes anew stays where it is.
+    /// step computes again stays where it is.
     pub fn reorder(&mut self, places: &[u32]) {
         let scratch = &mut self.scratch;
         scatter(&mut self.position, &mut scratch.vector, places);

@@ -11,14 +11,13 @@
 
 use glam::{Vec2, Vec4};
 
-use super::Discretisation;
 use super::equation_of_state::expansion;
 use super::gas::{Gas, lattice};
 use crate::Particle;
 use crate::bounds::Bounds;
 use crate::grid::Grid;
 use crate::kernel::Kernel;
-use crate::params::Parameters;
+use crate::params::{Parameters, Physics};
 use crate::random::Random;
 
 /// How much finer than for cold air the lattice is, for gas that is compressed.
@@ -27,6 +26,24 @@ const FINER: f32 = 1.04;
 const THINNEST: f32 = 0.05;
 /// Most that is passed on from place to place.
 const MAX_PASSED: f32 = 1.0;
+
+/// How the domain is divided into particles. Where this changes, other particles take over.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Discretisation {
+    pub width: f32,
+    pub height: f32,
+    pub particles: u32,
+}
+
+impl Discretisation {
+    pub fn by(values: &Physics) -> Discretisation {
+        Discretisation {
+            width: values.domain_width,
+            height: values.domain_height,
+            particles: values.max_particles,
+        }
+    }
+}
 
 /// Gas for the domain and number of particles of `parameters` with what `old`
 /// gas, made for `was`, carried.

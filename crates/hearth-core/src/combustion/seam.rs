@@ -4,7 +4,7 @@
 //! number of particles never changes and nothing is born or lost. In the seam, a
 //! strip at the top and at the bottom, velocity relaxes to the wind, and
 //! temperature, fuel, oxygen and soot to those of air. Where the wind blows, these four
-//! do so at the sides too, lest smoke that has left comes back on the other side.
+//! do so at the sides too, so that smoke that has left does not come back on the other side.
 
 use glam::{Vec2, Vec4};
 

@@ -1,7 +1,7 @@
 //! The combustion model's step: how long it may be, and the motion in it.
 //!
 //! Symplectic Euler moves the particles. Then they are shifted a little from
-//! where they crowd to where they are sparse (Lind et al., J. Comput. Phys. 231,
+//! where they are dense to where they are sparse (Lind et al., J. Comput. Phys. 231,
 //! 2012; in proportion to the largest speed as by Sun et al., CMAME 315, 2017):
 //! particles that only follow the flow line up along it, leave gaps, and the
 //! noise of that eats vortices. A shift moves no momentum.
@@ -23,7 +23,7 @@ const SHIFT: f32 = 8.0;
 const MAX_SHIFT: f32 = 0.3;
 /// Most that a particle is shifted in a step, in h.
 const FARTHEST_SHIFT: f32 = 0.3;
-/// No particle moves faster than this times the speed of sound: a net.
+/// The speed limit, in speeds of sound.
 const FASTEST: f32 = 1.5;
 /// Courant's number.
 const COURANT: f32 = 0.4;
@@ -49,7 +49,7 @@ pub(crate) fn sound_speed(values: &Physics) -> f32 {
 pub(crate) struct Motion {
     /// Largest speed [m/s].
     pub fastest: f32,
-    /// Particles that the net held back.
+    /// Particles that the speed limit slowed down.
     pub limited: u32,
 }
 
@@ -92,9 +92,9 @@ pub(crate) fn accelerate(gas: &mut Gas, sound: f32, dt: f32) -> Motion {
     motion
 }
 
-/// Moves every particle with its new velocity, and a little away from the
-/// crowd; `fastest` is the largest speed. Returns how many would have gone
-/// farther than they may.
+/// Moves every particle with its new velocity, and shifts it a little down the
+/// concentration gradient; `fastest` is the largest speed. Returns how many shifts
+/// [`FARTHEST_SHIFT`] cut.
 pub(crate) fn advance(
     gas: &mut Gas,
     bounds: &Bounds,
@@ -105,14 +105,14 @@ pub(crate) fn advance(
 ) -> u32 {
     let shift = fast_min(SHIFT * shifting * h * fastest * dt, MAX_SHIFT * h * h);
     let farthest = FARTHEST_SHIFT * h;
-    let mut held = 0;
+    let mut cut = 0;
     for i in 0..gas.len() {
         let away = gas.concentration_gradient[i] * -shift;
-        held += u32::from(away.length_squared() > farthest * farthest);
+        cut += u32::from(away.length_squared() > farthest * farthest);
         let away = away.clamp_length_max(farthest);
         gas.position[i] = bounds.wrap(gas.position[i] + gas.velocity[i] * dt + away);
     }
-    held
+    cut
 }
 
 #[cfg(test)]
@@ -123,7 +123,7 @@ mod tests {
 
     #[test]
     fn a_step_keeps_all_three_limits() {
-        for (speed, push, viscosity) in [
+        for (speed, force, viscosity) in [
             (0.0, 0.0, 0.0),
             (8.0, 0.0, 0.0),
             (0.0, 1e4, 0.0),
@@ -135,11 +135,11 @@ mod tests {
             ]);
             let mut gas = wild(&parameters, 1);
             gas.velocity.fill(Vec2::new(speed, 0.0));
-            gas.acceleration.fill(Vec2::new(0.0, push));
+            gas.acceleration.fill(Vec2::new(0.0, force));
             let (h, sound) = (parameters.smoothing_length(), sound_speed(&parameters));
             let dt = longest(&gas, &parameters, h, sound) * 0.9999;
             assert!(dt <= 0.4 * h / (sound + speed));
-            assert!(dt <= 0.25 * (h / push.max(1e-6)).sqrt());
+            assert!(dt <= 0.25 * (h / force.max(1e-6)).sqrt());
             assert!(dt <= 0.125 * h * h / (viscosity as f32).max(1e-9));
         }
     }
@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn shifting_leads_away_from_the_crowd_and_never_far() {
+    fn shifting_follows_the_gradient_down_and_never_far() {
         let parameters = with(&[]);
         let mut gas = wild(&parameters, 2);
         gas.velocity.fill(Vec2::ZERO);

@@ -2,7 +2,7 @@
 //!
 //! Each printed form can be chosen by itself, so that a reader can see what it
 //! does. They stand apart because the two ends of a pair may then feel
-//! different forces, and because the usual interactions need not ask at every pair.
+//! different forces, and because the usual interactions test no flag at every pair.
 
 use glam::Vec2;
 

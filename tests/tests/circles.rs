@@ -5,8 +5,8 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 /// Files that are in a circle still, to be taken off this list with their circle.
 const KNOWN: &[&str] = &[
@@ -45,10 +45,9 @@ const KNOWN: &[&str] = &[
 /// A crate's files by module path, "" for the root.
 type Modules = BTreeMap<String, PathBuf>;
 
-fn modules(folder: &Path, path: &str, found: &mut Modules) {
-    let entries = fs::read_dir(folder).expect("a folder of sources");
-    for entry in entries {
-        let file = entry.expect("an entry").path();
+fn modules(folder: &Path, path: &str, found: &mut Modules) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let file = entry?.path();
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
         let module = match &*stem {
             "lib" | "main" | "mod" => path.to_owned(),
@@ -56,20 +55,21 @@ fn modules(folder: &Path, path: &str, found: &mut Modules) {
             stem => format!("{path}::{stem}"),
         };
         if file.is_dir() {
-            modules(&file, &module, found);
+            modules(&file, &module, found)?;
         } else if file.extension().is_some_and(|end| end == "rs") {
             found.insert(module, file);
         }
     }
+    Ok(())
 }
 
 /// The sources without comments and unit tests.
-fn code(file: &Path) -> String {
-    let text = fs::read_to_string(file).expect("a source");
+fn code(file: &Path) -> io::Result<String> {
+    let text = fs::read_to_string(file)?;
     let before_tests = text.split("mod tests {").next();
     let lines = before_tests.unwrap_or_default().lines();
     let code = lines.filter(|line| !line.trim_start().starts_with("//"));
-    code.collect::<Vec<_>>().join("\n")
+    Ok(code.collect::<Vec<_>>().join("\n"))
 }
 
 /// Every path that a `use` of these sources names, and whether it is public.
@@ -167,12 +167,12 @@ fn target<'a>(path: &str, modules: &'a Modules, exports: &BTreeMap<String, Strin
 }
 
 /// The files of a crate that are in a circle.
-fn circles(source: &Path) -> BTreeSet<PathBuf> {
+fn circles(source: &Path) -> io::Result<BTreeSet<PathBuf>> {
     let mut all = Modules::new();
-    modules(source, "", &mut all);
+    modules(source, "", &mut all)?;
     let mut exports = BTreeMap::new();
     if let Some(root) = all.get("") {
-        for (_, path) in uses(&code(root)).into_iter().filter(|(public, _)| *public) {
+        for (_, path) in uses(&code(root)?).into_iter().filter(|(public, _)| *public) {
             if let Some(path) = absolute("", &path, &all) {
                 let name = path.rsplit("::").next().unwrap_or_default().to_owned();
                 exports.insert(name, path);
@@ -181,7 +181,7 @@ fn circles(source: &Path) -> BTreeSet<PathBuf> {
     }
     let mut arrows: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for (module, file) in all.iter().filter(|(module, _)| !module.is_empty()) {
-        for (_, path) in uses(&code(file)) {
+        for (_, path) in uses(&code(file)?) {
             if let Some(path) = absolute(module, &path, &all) {
                 let to = target(&path, &all, &exports);
                 if to != module {
@@ -205,7 +205,7 @@ fn circles(source: &Path) -> BTreeSet<PathBuf> {
         false
     };
     let back = all.iter().filter(|(module, _)| leads_back(module));
-    back.map(|(_, file)| file.clone()).collect()
+    Ok(back.map(|(_, file)| file.clone()).collect())
 }
 
 #[test]
@@ -215,7 +215,7 @@ fn no_file_uses_what_leads_back_to_it() {
     let mut found = Vec::new();
     for folder in crates {
         let source = folder.expect("a crate").path().join("src");
-        for file in circles(&source) {
+        for file in circles(&source).expect("sources") {
             let file = file.strip_prefix(&root).expect("a file of this repository");
             let name = file.to_string_lossy().replace('\\', "/");
             if !KNOWN.contains(&name.as_str()) {
@@ -245,7 +245,7 @@ fn a_circle_is_found_through_braces_parents_and_the_root() {
         "c.rs",
         "use std::fmt;\n#[cfg(test)]\nmod tests {\n    use crate::b::B;\n}\n",
     );
-    let names: Vec<_> = circles(&folder).into_iter().collect();
+    let names: Vec<_> = circles(&folder).expect("sources").into_iter().collect();
     let expected = ["a/inner.rs", "a.rs", "b.rs"].map(|name| folder.join(name));
     fs::remove_dir_all(&folder).expect("it can be removed");
     assert_eq!(BTreeSet::from_iter(names), BTreeSet::from(expected));

@@ -37,23 +37,23 @@ impl Simulation {
 
     /// Positions \[m\], in the order of birth.
     pub fn positions(&self) -> Vec<Vec2> {
-        self.read(|particle| particle.position)
+        self.vectors(|particle| particle.position)
     }
 
     /// Velocities [m/s], in the order of birth.
     pub fn velocities(&self) -> Vec<Vec2> {
-        self.read(|particle| particle.velocity)
+        self.vectors(|particle| particle.velocity)
     }
 
     /// Temperatures \[K\], in the order of birth.
     pub fn temperatures(&self) -> Vec<f32> {
-        self.read(|particle| particle.temperature)
+        self.scalars(|particle| particle.temperature)
     }
 
     /// Times since birth \[s\], in the order of birth; the air of the combustion
     /// model is as old as the fire.
     pub fn ages(&self) -> Vec<f32> {
-        self.read(|particle| particle.age)
+        self.scalars(|particle| particle.age)
     }
 
     /// Densities [kg/m³] as the last step found them, in the order of birth.
@@ -69,17 +69,17 @@ impl Simulation {
 
     /// Fuel \[share of the gas\], in the order of birth; none in the classic model.
     pub fn fuels(&self) -> Vec<f32> {
-        self.read(|particle| particle.fuel)
+        self.scalars(|particle| particle.fuel)
     }
 
     /// Oxygen \[share of that of air\], in the order of birth; one in the classic model.
     pub fn oxygens(&self) -> Vec<f32> {
-        self.read(|particle| particle.oxygen)
+        self.scalars(|particle| particle.oxygen)
     }
 
     /// Soot, in the order of birth; none in the classic model.
     pub fn soots(&self) -> Vec<f32> {
-        self.read(|particle| particle.soot)
+        self.scalars(|particle| particle.soot)
     }
 
     /// Fuel burnt in a second [1/s] in the last step, in the order of birth;
@@ -110,8 +110,14 @@ impl Simulation {
     }
 
     // From copies of whole particles: a loop of its own for each reader and model would be
-    // half a kilobyte of download.
-    fn read<T>(&self, of: impl Fn(&Particle) -> T) -> Vec<T> {
+    // a kilobyte of download.
+    #[inline(never)]
+    fn scalars(&self, of: fn(&Particle) -> f32) -> Vec<f32> {
+        self.particles().iter().map(of).collect()
+    }
+
+    #[inline(never)]
+    fn vectors(&self, of: fn(&Particle) -> Vec2) -> Vec<Vec2> {
         self.particles().iter().map(of).collect()
     }
 

@@ -7,7 +7,7 @@
 
 use std::fmt::Write as _;
 
-use hearth_core::params::{Choice, Input, Kind, Model, PARAMETERS, Param, Walls};
+use hearth_core::params::{Choice, Input, Kind, Model, PARAMETERS, Param, Role, Walls};
 use hearth_core::random::Random;
 use hearth_core::{Parameters, Particle, Simulation, Vec2};
 
@@ -35,27 +35,9 @@ const MOST_STEPS: f64 = 200_000.0;
 /// there is, and few enough for a test.
 pub const PARTICLES: (f64, f64) = (1000.0, 1500.0);
 
-/// The parameters that only say how the result is shown: a change of these changes no fire.
-const LOOK: [&str; 14] = [
-    "display_mode",
-    "layers",
-    "particle_size",
-    "exposure",
-    "luminance_exponent",
-    "smoke_opacity",
-    "bloom",
-    "detail",
-    "palette",
-    "cool_colour",
-    "hot_colour",
-    "backdrop",
-    "heat_haze",
-    "background",
-];
-
 /// Whether a parameter only says how a fire is shown or how fast it is played.
 pub fn is_shown_only(param: &Param) -> bool {
-    LOOK.contains(&param.id) || param.id == "time_scale"
+    param.role != Role::Physics
 }
 
 /// The parameters of `model` that move particles and have a range, without those
@@ -178,7 +160,7 @@ pub fn burn(fire: &mut Simulation, seconds: f64) -> Fared {
         steps += 1;
         let report = fire.report();
         held += f64::from(report.at_guard);
-        held_back += f64::from(report.at_speed_limit);
+        held_back += f64::from(report.speed_limited);
         moved += fire.count() as f64;
         // The classic model divides a step.
         work += fire.count() as f64 * f64::from(report.substeps);

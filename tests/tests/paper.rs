@@ -158,7 +158,7 @@ fn births_come_at_the_emission_rate_whatever_the_time_step() {
 #[test]
 fn a_source_without_room_gives_what_can_leave_it() {
     let crowded = burn(with(&[("emission_rate", 1e5), ("max_particles", 1e5)]), 2.0);
-    let most = crowded.report().most_neighbours;
+    let most = crowded.report().max_neighbours;
     assert!(most < 80, "{most} neighbours: the source has piled up");
 }
 

@@ -288,7 +288,7 @@ fn periodic_neighbours_feel_each_other_across_the_edge() {
         let mut fire = Simulation::new(still(walls));
         fire.set_particles(&pair).expect("they are fine");
         fire.step();
-        fire.report().most_neighbours
+        fire.report().max_neighbours
     };
     assert_eq!(neighbours("periodic"), 1);
     assert_eq!(neighbours("solid"), 0);

@@ -14,7 +14,7 @@ pub(crate) struct Bounds {
 }
 
 impl Bounds {
-    /// Whether `position` is inside; what is no number is not.
+    /// Whether `position` is inside; NaN is not.
     #[inline]
     pub fn hold(&self, position: Vec2) -> bool {
         position.x.abs() <= 0.5 * self.width && (0.0..=self.height).contains(&position.y)

@@ -1,33 +1,41 @@
 //! The classic model: the student paper's, with its mistakes put right.
 //!
-//! Particles are born at a source, rise, push each other, cool and die; they
+//! Particles are born at a source, rise, repel each other, cool and die; they
 //! alone carry the fire. One step is: emitter → neighbour grid → density →
 //! pressure → forces → motion.
 
+mod block_force;
 mod emitter;
+mod equation_of_state;
 mod forces;
 mod integrate;
+mod interactions;
+mod pair;
 mod pairs;
 mod particles;
-mod pressure;
-mod printed;
 
-use crate::Particle;
 use crate::bounds::Bounds;
-use crate::extremes::smaller;
+use crate::extremes::fast_min;
+use crate::forces::BodyForce;
+use crate::instance::{ClassicParticle, Instance, Measured, numbered};
 use crate::kernel::Kernel;
-use crate::params::{DisplayMode, Values, Walls};
-use crate::particle::{Instance, numbered};
+use crate::params::{DisplayMode, Parameters, Physics, Walls};
+use crate::particle::Particle;
 use crate::random::Random;
+use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
-use crate::simulation::{Push, Stage, StepReport};
-use crate::turbulence::Turbulence;
+use crate::solver::Solver;
 
+use block_force::BlockForce;
 use emitter::Emitter;
 pub(crate) use emitter::place as source;
 use integrate::{Motion, Substeps};
 use pairs::Pairs;
-pub(crate) use particles::{Living, Particles};
+use particles::Particles;
+
+/// How many particles a caller may put in, and what a caller reads of more.
+const MAX_PARTICLES: usize = 400_000;
+const TOO_MANY: &str = "there may be 400000 of them at most";
 
 /// The particles of the classic model and what moves them.
 #[derive(Clone, Debug, Default)]
@@ -41,38 +49,12 @@ pub(crate) struct Classic {
 }
 
 impl Classic {
-    /// Burns on by one time step from `time` on, with the accelerations `push`
-    /// besides its own. Returns the length of the step \[s\].
-    pub fn step(
-        &mut self,
-        scene: &Scene,
-        random: &mut Random,
-        time: f64,
-        push: Option<Push<'_>>,
-        watch: &mut dyn FnMut(Stage),
-    ) -> f64 {
-        let values: &Values = scene.settings();
-        self.emitters
-            .resize_with(scene.objects().len(), Emitter::default);
-        for (emitter, source) in self.emitters.iter_mut().zip(scene.sources()) {
-            emitter.emit(&mut self.particles, source, random, time);
-        }
-        let substeps = Substeps::divide(values, self.motion.fastest, self.motion.hardest);
-        let turbulence = Turbulence::new(values, time);
-        for _ in 0..substeps.count {
-            self.substep(values, &substeps, &turbulence, push, watch);
-        }
-        self.substeps = substeps.count;
-        f64::from(values.time_step)
-    }
-
     fn substep(
         &mut self,
-        values: &Values,
+        values: &Physics,
         substeps: &Substeps,
-        turbulence: &Turbulence,
-        push: Option<Push<'_>>,
-        watch: &mut dyn FnMut(Stage),
+        forces: &impl BlockForce,
+        on_stage: &mut dyn FnMut(Stage),
     ) {
         let kernel = kernel(values);
         let bounds = bounds(values);
@@ -80,29 +62,49 @@ impl Classic {
         let pairs = &mut self.pairs;
 
         pairs.sort(particles, &bounds, &kernel);
-        watch(Stage::Sort);
+        on_stage(Stage::Sort);
         pairs.sum_density(particles, &kernel, values);
-        watch(Stage::Density);
-        forces::push_and_rub(pairs, &kernel, values, substeps.viscosity);
-        if let Some(push) = push {
-            pairs.push_by(particles, push);
-        }
-        forces::stir(particles, pairs, turbulence, values);
-        watch(Stage::Forces);
-        self.motion = integrate::integrate(particles, pairs, values, substeps.length);
+        on_stage(Stage::Density);
+        interactions::sum(pairs, &kernel, values, substeps.viscosity);
+        on_stage(Stage::Forces);
+        self.motion = integrate::integrate(particles, pairs, forces, values, substeps.length);
         integrate::bound(particles, values.walls, &bounds);
-        watch(Stage::Integrate);
+        on_stage(Stage::Integrate);
+    }
+}
+
+impl Solver for Classic {
+    fn step(
+        &mut self,
+        scene: &Scene,
+        random: &mut Random,
+        time: f64,
+        user: Option<&dyn BodyForce>,
+        on_stage: &mut dyn FnMut(Stage),
+    ) -> f64 {
+        let values: &Physics = scene.settings();
+        self.emitters
+            .resize_with(scene.objects().len(), Emitter::default);
+        for (emitter, source) in self.emitters.iter_mut().zip(scene.sources()) {
+            emitter.emit(&mut self.particles, source, random, time);
+        }
+        let substeps = Substeps::divide(values, self.motion.fastest, self.motion.hardest);
+        let forces = forces::list(values, time, user);
+        for _ in 0..substeps.count {
+            self.substep(values, &substeps, &forces, on_stage);
+        }
+        self.substeps = substeps.count;
+        f64::from(values.time_step)
     }
 
-    /// Takes up changed values: a smaller domain leaves particles outside;
-    /// solid walls would sweep them onto each other, so they are gone instead.
-    pub fn adapt(&mut self, values: &Values) {
+    /// A smaller domain leaves particles outside; solid walls would sweep them onto each
+    /// other, so they are gone instead.
+    fn adapt(&mut self, values: &Parameters, _random: &mut Random) {
         let bounds = bounds(values);
         self.particles.retain(|one| bounds.hold(one.position()));
     }
 
-    /// Puts these particles in the place of all that there are.
-    pub fn set_particles(&mut self, particles: &[Particle]) {
+    fn set_particles(&mut self, particles: &[Particle], _values: &Physics) {
         self.particles.clear();
         for &particle in particles {
             self.particles.push(particle);
@@ -110,47 +112,79 @@ impl Classic {
         self.motion = Motion::default();
     }
 
-    /// All particles, in no particular order.
-    pub fn particles(&self) -> &Particles {
-        &self.particles
+    fn refuse_count(&self, count: usize, _values: &Physics) -> Option<&'static str> {
+        (count > MAX_PARTICLES).then_some(TOO_MANY)
     }
 
-    pub fn report(&self) -> StepReport {
-        let (mean_neighbours, most_neighbours) = self.pairs.mean_and_most();
+    fn bounds(&self, values: &Physics) -> Bounds {
+        bounds(values)
+    }
+
+    fn sound_speed(&self, scene: &Scene) -> f32 {
+        scene.settings().gas_constant.sqrt()
+    }
+
+    fn step_length(&self, scene: &Scene) -> f64 {
+        f64::from(scene.settings().time_step)
+    }
+
+    fn report(&self, values: &Physics) -> StepReport {
+        let (mean_neighbours, max_neighbours) = self.pairs.mean_and_max();
         StepReport {
             substeps: self.substeps,
             mean_neighbours,
-            most_neighbours,
-            at_speed_limit: self.motion.limited,
+            max_neighbours,
+            speed_limited: self.motion.limited,
             at_guard: self.motion.limited,
             fastest: self.motion.fastest,
+            length: values.time_step,
             ..StepReport::default()
         }
     }
 
-    pub fn write_instances(&self, out: &mut Vec<Instance>) {
+    fn count(&self) -> usize {
+        self.particles.len()
+    }
+
+    fn by_id(&self) -> Vec<usize> {
+        self.particles.by_id()
+    }
+
+    fn id(&self, i: usize) -> u64 {
+        self.particles[i].id
+    }
+
+    fn particle(&self, i: usize, _time: f64) -> Particle {
+        self.particles[i].particle()
+    }
+
+    fn density(&self, i: usize) -> f32 {
+        self.particles[i].density
+    }
+
+    fn pressure(&self, i: usize) -> f32 {
+        self.particles[i].pressure
+    }
+
+    fn write_fire(&self, out: &mut Vec<Instance>) {
         out.extend(self.particles.iter().map(|one| {
-            let [x, y, vx, vy] = one.motion.to_array();
-            [
-                x,
-                y,
-                vx,
-                vy,
-                one.temperature,
-                one.density,
-                one.age,
-                1.0 - one.age / one.lifetime,
-            ]
+            Instance::from(ClassicParticle {
+                position: one.position(),
+                velocity: one.velocity(),
+                temperature: one.temperature,
+                density: one.density,
+                age: one.age,
+                life: 1.0 - one.age / one.lifetime,
+            })
         }));
     }
 
-    /// The particle at `i` with what `mode` measures of it.
     // Taken into a loop, it would be a loop for each mode.
     #[inline(never)]
-    pub fn measured(&self, i: usize, values: &Values, mode: DisplayMode) -> Instance {
+    fn measured(&self, i: usize, values: &Physics, mode: DisplayMode) -> Measured {
         let one = &self.particles[i];
         let lived = one.age / one.lifetime;
-        let measured = match mode {
+        let value = match mode {
             DisplayMode::Particles | DisplayMode::Temperature => one.temperature,
             DisplayMode::Density => one.density,
             DisplayMode::Pressure => one.pressure,
@@ -161,25 +195,30 @@ impl Classic {
         };
         // A particle alone has all the room of its kernel. The factor that the paper
         // prints makes other densities, but no other volumes.
-        let bell = Kernel::new(values.smoothing_radius).value(0.0);
-        let share = kernel(values).value(0.0) / bell;
-        let volume = smaller(share * values.particle_mass / one.density, 1.0 / bell);
-        let [x, y, vx, vy] = one.motion.to_array();
-        let number = numbered(one.id, mode);
-        [x, y, vx, vy, one.temperature, volume, number, measured]
+        let w = Kernel::new(values.smoothing_radius).value(0.0);
+        let share = kernel(values).value(0.0) / w;
+        let volume = fast_min(share * values.particle_mass / one.density, 1.0 / w);
+        Measured {
+            position: one.position(),
+            velocity: one.velocity(),
+            temperature: one.temperature,
+            volume,
+            number: numbered(one.id, mode),
+            value,
+        }
     }
 }
 
-fn kernel(values: &Values) -> Kernel {
+fn kernel(values: &Physics) -> Kernel {
     if values.printed_kernel {
-        Kernel::as_printed(values.smoothing_radius)
+        Kernel::as_published(values.smoothing_radius)
     } else {
         Kernel::new(values.smoothing_radius)
     }
 }
 
 /// The domain of the classic model: its top is open.
-pub(crate) fn bounds(values: &Values) -> Bounds {
+pub(crate) fn bounds(values: &Physics) -> Bounds {
     Bounds {
         width: values.domain_width,
         height: values.domain_height,

@@ -2,79 +2,80 @@
 //!
 //! Fuel flows in, mixes, burns, and the hot gas rises. Nothing is scripted: the
 //! taper of the flame, its flicker and its puffing come from the equations. One
-//! step is: neighbour grid → pressure → forces and exchange → time step → embers →
-//! velocity → burning → burner → seam → position.
+//! step is: neighbour grid → number density and pressure → pair interactions → vorticity
+//! confinement → body forces → time step → embers → velocity → burning → burner → seam →
+//! position.
 
 mod burner;
 mod chemistry;
 mod embers;
+mod equation_of_state;
 mod forces;
 mod gas;
+mod interactions;
+mod number_density;
+mod pair;
 mod resample;
 mod seam;
 mod time_step;
-mod whirls;
+mod vorticity_confinement;
 
 use glam::Vec2;
 
-use crate::Particle;
+use crate::bounds::Bounds;
+use crate::forces::BodyForce;
 use crate::grid::Grid;
+use crate::instance::{GasParticle, Instance, Measured, numbered};
 use crate::kernel::Kernel;
-use crate::params::{DisplayMode, Parameters, Values};
-use crate::particle::{Instance, numbered};
+use crate::neighbours::Neighbours;
+use crate::params::{DisplayMode, Parameters, Physics};
+use crate::particle::Particle;
 use crate::random::Random;
+use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
-use crate::simulation::{Push, Stage, StepReport};
-use crate::turbulence::Turbulence;
+use crate::solver::Solver;
 
 pub use burner::Burner;
 pub use embers::Ember;
 use embers::{Air, Embers};
-use forces::Forces;
 pub(crate) use gas::{Gas, bounds};
+use interactions::Interactions;
+use number_density::NumberDensity;
+use pair::Context;
+use resample::Discretisation;
 use time_step::Motion;
 pub(crate) use time_step::sound_speed;
+use vorticity_confinement::VorticityConfinement;
 
 /// Gas that is warmer \[K\], or sootier, can be seen.
-const SEEN_TEMPERATURE: f32 = 400.0;
-const SEEN_SOOT: f32 = 0.002;
+const VISIBLE_TEMPERATURE: f32 = 400.0;
+const VISIBLE_SOOT: f32 = 0.002;
+
+/// What a caller reads who puts in a number of particles that does not go with the
+/// smoothing length.
+const NOT_AS_MANY: &str = "there must be from half to twice max_particles of them";
 
 /// The gas of the combustion model and what moves it.
 #[derive(Clone, Debug)]
 pub(crate) struct Combustion {
     gas: Gas,
     grid: Grid,
-    forces: Forces,
+    neighbours: Neighbours,
+    number_density: NumberDensity,
+    interactions: Interactions,
+    vorticity_confinement: VorticityConfinement,
     embers: Embers,
-    /// What the shape of the domain and the number of particles were made for.
-    made_for: Made,
+    /// What the present particles were laid out for.
+    discretisation: Discretisation,
     /// Temperature of the air that it was made of \[K\].
     air: f32,
     motion: Motion,
     /// Of the burning in the last step, and of what heated the source [kW/m].
     power: f32,
     preheat: f32,
-    /// Particles that shifting would have moved too far.
-    held: u32,
+    /// Particles whose shift was cut.
+    cut: u32,
     length: f32,
-}
-
-/// What the gas depends on as a whole: where it changes, the gas is made anew.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Made {
-    width: f32,
-    height: f32,
-    particles: u32,
-}
-
-impl Made {
-    fn by(values: &Values) -> Made {
-        Made {
-            width: values.domain_width,
-            height: values.domain_height,
-            particles: values.max_particles,
-        }
-    }
 }
 
 impl Combustion {
@@ -83,30 +84,79 @@ impl Combustion {
         Combustion {
             gas: Gas::air(parameters, parameters.spacing(), random),
             grid: Grid::default(),
-            forces: Forces::default(),
+            neighbours: Neighbours::default(),
+            number_density: NumberDensity::default(),
+            interactions: Interactions::default(),
+            vorticity_confinement: VorticityConfinement::default(),
             embers: Embers::default(),
-            made_for: Made::by(parameters),
+            discretisation: Discretisation::by(parameters),
             air: parameters.ambient_temperature,
             motion: Motion::default(),
             power: 0.0,
             preheat: 0.0,
-            held: 0,
+            cut: 0,
             length: 0.0,
         }
     }
 
-    /// Burns on by one step from `time` on, with the accelerations `push` besides
-    /// its own. Returns the length of the step \[s\].
-    pub fn step(
+    /// Burns on from these particles and embers, of a fire whose `max_particles` was
+    /// `made_with`: where this one's is another, as many as it has take over.
+    pub fn resume(
+        &mut self,
+        particles: &[Particle],
+        embers: Vec<Ember>,
+        made_with: u32,
+        parameters: &Parameters,
+        random: &mut Random,
+    ) {
+        self.set_particles(particles, parameters);
+        self.embers = Embers::of(embers);
+        self.discretisation = Discretisation {
+            particles: made_with,
+            ..Discretisation::by(parameters)
+        };
+        self.adapt(parameters, random);
+    }
+
+    /// All particles, in no particular order.
+    pub fn gas(&self) -> &Gas {
+        &self.gas
+    }
+
+    /// All embers.
+    pub fn embers(&self) -> &[Ember] {
+        self.embers.alive()
+    }
+
+    /// Throws embers from a place; nothing where that is outside.
+    pub fn throw_embers(&mut self, place: Vec2, count: u32, values: &Physics, random: &mut Random) {
+        if bounds(values).hold(place) {
+            self.embers.throw_from(place, count, values, random);
+        }
+    }
+
+    /// Power of the burning in the last step [kW/m].
+    pub fn power(&self) -> f32 {
+        self.power
+    }
+
+    /// Copies out the embers.
+    pub fn write_embers(&self, out: &mut Vec<Instance>) {
+        self.embers.write_instances(out);
+    }
+}
+
+impl Solver for Combustion {
+    fn step(
         &mut self,
         scene: &Scene,
         random: &mut Random,
         time: f64,
-        push: Option<Push<'_>>,
-        watch: &mut dyn FnMut(Stage),
+        user: Option<&dyn BodyForce>,
+        on_stage: &mut dyn FnMut(Stage),
     ) -> f64 {
         let parameters = scene.settings();
-        let values: &Values = parameters;
+        let values: &Physics = parameters;
         let kernel = Kernel::new(parameters.smoothing_length());
         let sound = sound_speed(values, scene.power());
         let bounds = bounds(values);
@@ -116,21 +166,22 @@ impl Combustion {
         let positions = gas.position.iter().copied();
         let places = grid.sort(positions, &bounds, kernel.support());
         gas.reorder(places);
-        watch(Stage::Sort);
-        self.forces.fill(gas, grid, &kernel, values, sound);
-        watch(Stage::Density);
-        self.forces.exchange(gas, grid, &kernel, values, sound);
-        let confinement = values.vorticity_confinement;
-        self.forces.confine(gas, grid, &kernel, confinement);
-        lift(gas, self.forces.expansions(), values);
-        Turbulence::new(values, time).stir(&gas.position, &mut gas.acceleration);
-        seam::blow(gas, values);
-        if let Some(push) = push {
-            for (i, acceleration) in gas.acceleration.iter_mut().enumerate() {
-                *acceleration += push(gas.position[i], gas.velocity[i]);
-            }
-        }
-        watch(Stage::Forces);
+        on_stage(Stage::Sort);
+        let context = Context {
+            kernel: &kernel,
+            values,
+            sound,
+            mass: gas.mass,
+        };
+        let neighbours = &mut self.neighbours;
+        self.number_density.sum(gas, grid, neighbours, &context);
+        on_stage(Stage::Density);
+        self.interactions.sum(gas, grid, neighbours, &context);
+        let (packed, strength) = (self.interactions.packed(), values.vorticity_confinement);
+        let confinement = &mut self.vorticity_confinement;
+        confinement.add(gas, grid, neighbours, packed, &kernel, strength);
+        forces::add_all(gas, values, time, user);
+        on_stage(Stage::Forces);
 
         let dt = time_step::longest(gas, values, kernel.smoothing_length(), sound);
         let air = Air {
@@ -151,16 +202,16 @@ impl Combustion {
         }
         seam::freshen(gas, values, parameters.spacing(), dt);
         let (h, fastest) = (kernel.smoothing_length(), self.motion.fastest);
-        self.held = time_step::advance(gas, &bounds, values.shifting, h, fastest, dt);
+        self.cut = time_step::advance(gas, &bounds, values.shifting, h, fastest, dt);
         self.length = dt;
-        watch(Stage::Integrate);
+        on_stage(Stage::Integrate);
         f64::from(dt)
     }
 
-    /// Takes up changed values. Where the domain or the number of particles
+    /// Where the domain or the number of particles
     /// changed, new particles take over what the old ones carried.
-    pub fn adapt(&mut self, parameters: &Parameters, random: &mut Random) {
-        let made_for = Made::by(parameters);
+    fn adapt(&mut self, parameters: &Parameters, random: &mut Random) {
+        let discretisation = Discretisation::by(parameters);
         // Air that is warmer or colder is so everywhere at once, and what it
         // carries with it; the old air would lift or sink as a whole.
         let warmer = parameters.ambient_temperature - self.air;
@@ -168,82 +219,54 @@ impl Combustion {
             self.gas.warm(warmer);
             self.air = parameters.ambient_temperature;
         }
-        if made_for != self.made_for {
-            self.gas = resample::take_over(&self.gas, &self.made_for, parameters, random);
-            self.made_for = made_for;
+        if discretisation != self.discretisation {
+            self.gas = resample::take_over(&self.gas, &self.discretisation, parameters, random);
+            self.discretisation = discretisation;
         }
         self.gas.weigh(parameters);
     }
 
-    /// Puts these particles in the place of all that there are.
-    pub fn set_particles(&mut self, particles: &[Particle], values: &Values) {
+    fn set_particles(&mut self, particles: &[Particle], values: &Physics) {
         self.gas = Gas::of(particles, values);
         self.embers = Embers::default();
         self.motion = Motion::default();
         (self.power, self.preheat, self.length) = (0.0, 0.0, 0.0);
     }
 
-    /// Burns on from these particles and embers, of a fire whose `max_particles` was
-    /// `made_with`: where this one's is another, as many as it has take over.
-    pub fn resume(
-        &mut self,
-        particles: &[Particle],
-        embers: Vec<Ember>,
-        made_with: u32,
-        parameters: &Parameters,
-        random: &mut Random,
-    ) {
-        self.set_particles(particles, parameters);
-        self.embers = Embers::of(embers);
-        self.made_for = Made {
-            particles: made_with,
-            ..Made::by(parameters)
-        };
-        self.adapt(parameters, random);
+    fn refuse_count(&self, count: usize, values: &Physics) -> Option<&'static str> {
+        // The smoothing length goes with `max_particles`.
+        let usual = values.max_particles as usize;
+        let few = usual.div_ceil(2)..=2 * usual;
+        (!few.contains(&count)).then_some(NOT_AS_MANY)
+    }
+
+    fn bounds(&self, values: &Physics) -> Bounds {
+        bounds(values)
+    }
+
+    fn sound_speed(&self, scene: &Scene) -> f32 {
+        sound_speed(scene.settings(), scene.power())
     }
 
     /// Length of the last step, or about that of the first \[s\].
-    pub fn step_length(&self, scene: &Scene) -> f64 {
+    fn step_length(&self, scene: &Scene) -> f64 {
         f64::from(if self.length > 0.0 {
             self.length
         } else {
             let parameters = scene.settings();
             let h = parameters.smoothing_length();
-            let sound = sound_speed(parameters, scene.power());
-            time_step::longest(&self.gas, parameters, h, sound)
+            time_step::longest(&self.gas, parameters, h, self.sound_speed(scene))
         })
     }
 
-    /// All particles, in no particular order.
-    pub fn gas(&self) -> &Gas {
-        &self.gas
-    }
-
-    /// All embers.
-    pub fn embers(&self) -> &[Ember] {
-        self.embers.alive()
-    }
-
-    /// Throws embers from a place; nothing where that is outside.
-    pub fn throw_embers(&mut self, place: Vec2, count: u32, values: &Values, random: &mut Random) {
-        if bounds(values).hold(place) {
-            self.embers.throw_from(place, count, values, random);
-        }
-    }
-
-    /// Power of the burning in the last step [kW/m].
-    pub fn power(&self) -> f32 {
-        self.power
-    }
-
-    pub fn report(&self) -> StepReport {
-        let (mean_neighbours, most_neighbours) = self.forces.mean_and_most();
+    fn report(&self, _values: &Physics) -> StepReport {
+        let (mean_neighbours, max_neighbours) = self.neighbours.mean_and_max();
         StepReport {
             substeps: 1,
             mean_neighbours,
-            most_neighbours,
-            at_speed_limit: self.motion.limited,
-            at_guard: self.motion.limited + self.held,
+            max_neighbours,
+            speed_limited: self.motion.limited,
+            at_guard: self.motion.limited + self.cut,
             fastest: self.motion.fastest,
             length: self.length,
             power: self.power,
@@ -251,64 +274,69 @@ impl Combustion {
         }
     }
 
-    /// Copies out the gas that can be seen.
-    pub fn write_instances(&self, out: &mut Vec<Instance>) {
+    fn count(&self) -> usize {
+        self.gas.len()
+    }
+
+    fn by_id(&self) -> Vec<usize> {
+        self.gas.by_id()
+    }
+
+    fn id(&self, i: usize) -> u64 {
+        self.gas.id[i].into()
+    }
+
+    fn particle(&self, i: usize, time: f64) -> Particle {
+        self.gas.particle(i, time)
+    }
+
+    fn density(&self, i: usize) -> f32 {
+        self.gas.mass / self.gas.volume[i]
+    }
+
+    fn pressure(&self, i: usize) -> f32 {
+        self.gas.pressure[i]
+    }
+
+    fn write_fire(&self, out: &mut Vec<Instance>) {
         let gas = &self.gas;
         out.extend((0..gas.len()).filter_map(|i| {
             let [temperature, _, _, soot] = gas.state[i].to_array();
-            let seen = temperature > SEEN_TEMPERATURE || soot > SEEN_SOOT;
-            seen.then(|| {
-                [
-                    gas.position[i].x,
-                    gas.position[i].y,
-                    gas.velocity[i].x,
-                    gas.velocity[i].y,
+            let visible = temperature > VISIBLE_TEMPERATURE || soot > VISIBLE_SOOT;
+            visible.then(|| {
+                Instance::from(GasParticle {
+                    position: gas.position[i],
+                    velocity: gas.velocity[i],
                     temperature,
-                    gas.volume[i],
+                    volume: gas.volume[i],
                     soot,
-                    gas.burn[i],
-                ]
+                    burn_rate: gas.burn[i],
+                })
             })
         }));
     }
 
-    /// The particle at `i` with what `mode` measures of it.
     // Taken into a loop, it would be a loop for each mode.
     #[inline(never)]
-    pub fn measured(&self, i: usize, mode: DisplayMode) -> Instance {
+    fn measured(&self, i: usize, _values: &Physics, mode: DisplayMode) -> Measured {
         let gas = &self.gas;
-        let (at, v, volume) = (gas.position[i], gas.velocity[i], gas.volume[i]);
         let [temperature, fuel, _, soot] = gas.state[i].to_array();
-        let measured = match mode {
+        let value = match mode {
             DisplayMode::Particles | DisplayMode::Temperature => temperature,
-            DisplayMode::Density => gas.mass / volume,
+            DisplayMode::Density => self.density(i),
             DisplayMode::Pressure => gas.pressure[i],
-            DisplayMode::Velocity => v.length(),
+            DisplayMode::Velocity => gas.velocity[i].length(),
             DisplayMode::Fuel => fuel,
             DisplayMode::Soot | DisplayMode::Sprites => soot,
             _ => 0.0,
         };
-        let number = numbered(gas.id[i].into(), mode);
-        [at.x, at.y, v.x, v.y, temperature, volume, number, measured]
-    }
-
-    /// Copies out the embers.
-    pub fn write_embers(&self, out: &mut Vec<Instance>) {
-        self.embers.write_instances(out);
-    }
-}
-
-/// Buoyancy: b g (1 − Tₐ/T) θ. For the ideal gas that is b g (T/Tₐ − 1), the weight of
-/// the air that the gas displaces less its own. In a domain without a seam nothing
-/// would ever stop what rises, so there nothing is lifted.
-fn lift(gas: &mut Gas, expansions: &[f32], values: &Values) {
-    if values.seam == 0.0 {
-        return;
-    }
-    let air = values.ambient_temperature;
-    let strength = values.buoyancy * values.gravity;
-    let gained = gas.acceleration.iter_mut().zip(&gas.state);
-    for ((acceleration, state), expansion) in gained.zip(expansions) {
-        acceleration.y += strength * (1.0 - air / state.x) * expansion;
+        Measured {
+            position: gas.position[i],
+            velocity: gas.velocity[i],
+            temperature,
+            volume: gas.volume[i],
+            number: numbered(gas.id[i].into(), mode),
+            value,
+        }
     }
 }

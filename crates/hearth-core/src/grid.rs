@@ -19,8 +19,8 @@ use crate::lanes::{LANES, Lanes, Real};
 /// Width of a bin, in reaches: the narrower, the fewer particles are looked at in
 /// vain, and the more bins there are to count.
 const BIN: f32 = 0.125;
-/// Most bins for each particle.
-const MOST_BINS: usize = 4;
+/// Largest number of bins for each particle.
+const MAX_BINS: usize = 4;
 
 /// Particles sorted into rows, and along them.
 #[derive(Clone, Debug, Default)]
@@ -65,8 +65,8 @@ impl Run {
     }
 }
 
-/// Most runs that one block has to look at: two in its row, three in the next.
-pub(crate) const MOST_RUNS: usize = 5;
+/// Largest number of runs with neighbours of one block: two in its row, three in the next.
+pub(crate) const MAX_RUNS: usize = 5;
 
 impl Grid {
     /// Sorts particles whose kernels end at `reach`. Returns their places: what is
@@ -130,7 +130,7 @@ impl Grid {
     fn lay_out(&mut self, bounds: &Bounds, reach: f32, particles: usize) {
         let parts = |length: f32, part: f32| ((length / part).floor() as usize).max(1);
         self.rows = parts(bounds.height, reach);
-        let most = (MOST_BINS * particles / self.rows).max(1);
+        let most = (MAX_BINS * particles / self.rows).max(1);
         self.bins = parts(bounds.width, BIN * reach).min(most);
         self.across = bounds.periodic.then_some(bounds.width);
         self.up = bounds.endless.then_some(bounds.height);
@@ -152,7 +152,7 @@ impl Grid {
     fn indices(&self, across: [f32; 3], up: f32) -> ([usize; 3], usize) {
         let [a, b, c] = across;
         let at = Lanes::new([a, b, c, up]) * self.scale + self.offset;
-        let inside = at.larger(Lanes::ZERO).smaller(self.last);
+        let inside = at.fast_max(Lanes::ZERO).fast_min(self.last);
         let [a, b, c, row] = inside.nearest_whole().map(|index| index as usize);
         ([a, b, c], row)
     }
@@ -222,7 +222,7 @@ impl Grid {
         row: usize,
         block: usize,
         (from, to): (f32, f32),
-        runs: &mut [Run; MOST_RUNS],
+        runs: &mut [Run; MAX_RUNS],
     ) -> usize {
         let mut found = 0;
         let mut see = |run: Run| {

@@ -1,7 +1,6 @@
 //! The cubic spline kernel in two dimensions.
 //!
-//! A particle is not a point but a bell: it carries its mass spread over a
-//! disc of radius 2h. With q = r/h,
+//! A particle spreads its mass over a disc of radius 2h. With q = r/h,
 //!
 //! ```text
 //! W(r) = σ · { 1 − 3/2 q² + 3/4 q³     0 ≤ q < 1
@@ -9,34 +8,35 @@
 //!            { 0                       2 ≤ q
 //! ```
 //!
-//! The paper prints σ = 1/(πh³), which makes the bell's volume one in three
+//! The paper prints σ = 1/(πh³), which makes the kernel's volume one in three
 //! dimensions; in two it is σ = 10/(7πh²) (Monaghan, Rep. Prog. Phys. 68, 2005).
 
 use std::f32::consts::PI;
 
-use crate::extremes::larger;
+use crate::extremes::fast_max;
 use crate::lanes::{Lanes, Real};
 
 /// Both pieces of the kernel as one expression without a branch, of the distance
-/// in smoothing lengths: W = σ/4 · bell.
+/// in smoothing lengths: W = σ/4 · w.
 #[inline(always)]
-pub(crate) fn bell<T: Real>(q: T) -> T {
+pub(crate) fn w<T: Real>(q: T) -> T {
     let (outer, inner) = tails(q);
     outer * outer * outer - T::of(4.0) * inner * inner * inner
 }
 
-/// Its slope: W' = −3σ/4h · steepness.
+/// Its slope: W' = −3σ/4h · minus_dw.
 #[inline(always)]
-pub(crate) fn steepness<T: Real>(q: T) -> T {
+pub(crate) fn minus_dw<T: Real>(q: T) -> T {
     let (outer, inner) = tails(q);
     outer * outer - T::of(4.0) * inner * inner
 }
 
-/// Distance of particles by the square of it, in smoothing lengths, not quite zero
-/// for those that touch: their offset is, and so is what they do to each other.
+/// The distance with this square, in smoothing lengths. It is never quite zero, so that
+/// quotients stay finite; the offset of particles that touch is zero, and so are their
+/// interactions.
 #[inline(always)]
 pub(crate) fn distance(square: Lanes) -> Lanes {
-    square.larger(Lanes::splat(1e-12)).sqrt()
+    square.fast_max(Lanes::splat(1e-12)).sqrt()
 }
 
 /// 2 − q and 1 − q, each zero from where it would be negative.
@@ -45,7 +45,7 @@ fn tails<T: Real>(q: T) -> (T, T) {
     // So written and not as the larger of 2 − q and 0: that takes compilers to
     // wasm two instructions.
     let (one, two) = (T::of(1.0), T::of(2.0));
-    (two - q.smaller(two), one - q.smaller(one))
+    (two - q.fast_min(two), one - q.fast_min(one))
 }
 
 /// The kernel of one smoothing length.
@@ -67,7 +67,7 @@ impl Kernel {
     }
 
     /// The kernel with the factor that the paper prints (equation 1).
-    pub fn as_printed(h: f32) -> Kernel {
+    pub fn as_published(h: f32) -> Kernel {
         Kernel {
             norm: 1.0 / (PI * h * h * h),
             ..Kernel::new(h)
@@ -87,7 +87,7 @@ impl Kernel {
     /// W at the distance `r` [1/m²].
     #[inline]
     pub fn value(&self, r: f32) -> f32 {
-        0.25 * self.norm * bell(r * self.inverse_h)
+        0.25 * self.norm * w(r * self.inverse_h)
     }
 
     /// W'(r)/r [1/m⁴], never positive: ∇W at the offset **r** is this times **r**.
@@ -96,17 +96,17 @@ impl Kernel {
         let q = r * self.inverse_h;
         // At q = 0 the offset is zero, so the force is too, and any finite value
         // will do.
-        -self.steepness_norm() * steepness(q) / larger(q, 1e-6)
+        -self.minus_dw_norm() * minus_dw(q) / fast_max(q, 1e-6)
     }
 
-    /// What [`bell`] is to be multiplied by to be W [1/m²].
-    pub(crate) fn bell_norm(&self) -> f32 {
+    /// The factor that turns [`w`] into W [1/m²].
+    pub(crate) fn w_norm(&self) -> f32 {
         0.25 * self.norm
     }
 
-    /// What [`steepness`] is to be multiplied by to be −W'/h [1/m⁴]: over q, that
-    /// is −W'/r.
-    pub(crate) fn steepness_norm(&self) -> f32 {
+    /// The factor that turns [`minus_dw`] into −W'/h [1/m⁴], and `minus_dw(q)/q` into
+    /// −W'/r.
+    pub(crate) fn minus_dw_norm(&self) -> f32 {
         0.75 * self.norm * self.inverse_h * self.inverse_h
     }
 
@@ -153,7 +153,7 @@ mod tests {
 
     #[test]
     fn as_printed_its_volume_is_off_by_what_the_dimension_costs() {
-        let kernel = Kernel::as_printed(0.05);
+        let kernel = Kernel::as_published(0.05);
         let volume = integrate(&kernel, |r| kernel.value(r));
         assert!((volume - 0.7 / 0.05).abs() < 1e-4, "{volume}");
     }

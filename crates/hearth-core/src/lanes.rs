@@ -32,12 +32,12 @@ mod register {
         unsafe { arch::_mm_sqrt_ps(a) }
     }
     #[inline(always)]
-    pub fn smaller(a: Register, b: Register) -> Register {
+    pub fn fast_min(a: Register, b: Register) -> Register {
         // SAFETY: the instruction set is part of the target.
         unsafe { arch::_mm_min_ps(a, b) }
     }
     #[inline(always)]
-    pub fn larger(a: Register, b: Register) -> Register {
+    pub fn fast_max(a: Register, b: Register) -> Register {
         // SAFETY: the instruction set is part of the target.
         unsafe { arch::_mm_max_ps(a, b) }
     }
@@ -71,11 +71,11 @@ mod register {
     // These two give their first operand unless the second is beyond it, SSE's
     // give the second unless the first is: so the operands change places.
     #[inline(always)]
-    pub fn smaller(a: Register, b: Register) -> Register {
+    pub fn fast_min(a: Register, b: Register) -> Register {
         arch::f32x4_pmin(b, a)
     }
     #[inline(always)]
-    pub fn larger(a: Register, b: Register) -> Register {
+    pub fn fast_max(a: Register, b: Register) -> Register {
         arch::f32x4_pmax(b, a)
     }
     #[inline(always)]
@@ -110,12 +110,12 @@ mod register {
         unsafe { arch::vsqrtq_f32(a) }
     }
     #[inline(always)]
-    pub fn smaller(a: Register, b: Register) -> Register {
+    pub fn fast_min(a: Register, b: Register) -> Register {
         // SAFETY: the instruction set is part of the target.
         unsafe { arch::vbslq_f32(arch::vcltq_f32(a, b), a, b) }
     }
     #[inline(always)]
-    pub fn larger(a: Register, b: Register) -> Register {
+    pub fn fast_max(a: Register, b: Register) -> Register {
         // SAFETY: the instruction set is part of the target.
         unsafe { arch::vbslq_f32(arch::vcgtq_f32(a, b), a, b) }
     }
@@ -165,11 +165,11 @@ mod register {
     pub fn sqrt(a: Register) -> Register {
         each(a, a, |a, _| a.sqrt())
     }
-    pub fn smaller(a: Register, b: Register) -> Register {
-        each(a, b, extremes::smaller)
+    pub fn fast_min(a: Register, b: Register) -> Register {
+        each(a, b, extremes::fast_min)
     }
-    pub fn larger(a: Register, b: Register) -> Register {
-        each(a, b, extremes::larger)
+    pub fn fast_max(a: Register, b: Register) -> Register {
+        each(a, b, extremes::fast_max)
     }
     pub fn less(a: Register, b: Register) -> u32 {
         a.cmplt(b).bitmask()
@@ -232,7 +232,7 @@ impl Lanes {
     #[inline(always)]
     pub fn largest(self) -> f32 {
         let [a, b, c, d] = self.to_array();
-        extremes::larger(extremes::larger(a, b), extremes::larger(c, d))
+        extremes::fast_max(extremes::fast_max(a, b), extremes::fast_max(c, d))
     }
 
     #[inline(always)]
@@ -255,9 +255,9 @@ pub(crate) trait Real:
     /// This number, as often as there are lanes.
     fn of(number: f32) -> Self;
     /// The smaller; `other` where they cannot be compared or are alike.
-    fn smaller(self, other: Self) -> Self;
+    fn fast_min(self, other: Self) -> Self;
     /// The larger; `other` where they cannot be compared or are alike.
-    fn larger(self, other: Self) -> Self;
+    fn fast_max(self, other: Self) -> Self;
 }
 
 impl Real for f32 {
@@ -266,12 +266,12 @@ impl Real for f32 {
         number
     }
     #[inline(always)]
-    fn smaller(self, other: f32) -> f32 {
-        extremes::smaller(self, other)
+    fn fast_min(self, other: f32) -> f32 {
+        extremes::fast_min(self, other)
     }
     #[inline(always)]
-    fn larger(self, other: f32) -> f32 {
-        extremes::larger(self, other)
+    fn fast_max(self, other: f32) -> f32 {
+        extremes::fast_max(self, other)
     }
 }
 
@@ -281,12 +281,12 @@ impl Real for Lanes {
         Lanes::splat(number)
     }
     #[inline(always)]
-    fn smaller(self, other: Lanes) -> Lanes {
-        Lanes(register::smaller(self.0.into(), other.0.into()).into())
+    fn fast_min(self, other: Lanes) -> Lanes {
+        Lanes(register::fast_min(self.0.into(), other.0.into()).into())
     }
     #[inline(always)]
-    fn larger(self, other: Lanes) -> Lanes {
-        Lanes(register::larger(self.0.into(), other.0.into()).into())
+    fn fast_max(self, other: Lanes) -> Lanes {
+        Lanes(register::fast_max(self.0.into(), other.0.into()).into())
     }
 }
 
@@ -366,8 +366,8 @@ mod tests {
                     left - right,
                     left * right,
                     left / right,
-                    left.smaller(right),
-                    left.larger(right),
+                    left.fast_min(right),
+                    left.fast_max(right),
                     left.sqrt(),
                 ];
                 let one = [
@@ -375,8 +375,8 @@ mod tests {
                     a - b,
                     a * b,
                     a / b,
-                    a.smaller(b),
-                    a.larger(b),
+                    a.fast_min(b),
+                    a.fast_max(b),
                     a.sqrt(),
                 ];
                 for (four, one) in four.into_iter().zip(one) {

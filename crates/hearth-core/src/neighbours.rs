@@ -1,9 +1,9 @@
 //! Passes over the pairs of particles within each other's kernel.
 //!
-//! Particles are taken four at a time, in blocks that hold each property of the
-//! four side by side ([`Block`]); places in them are in smoothing lengths. A pass
-//! holds one particle of a block against the four of another at once. Each pair of
-//! blocks is met from one of its ends, and both get their share.
+//! Particles come four at a time, in blocks that hold each property of the four side by
+//! side ([`Block`]), with positions in smoothing lengths. A pass computes one particle of a
+//! block against the four of another at once. It meets each pair of blocks from one end and
+//! adds to the sums of both.
 //!
 //! The first pass sums the kernels and notes for each particle which particles of
 //! which blocks are within its reach; what follows goes by these lists. They keep
@@ -18,7 +18,7 @@ use crate::lanes::{self, LANES, Lanes};
 /// Most entries that the lists may have. It is a net for a browser's memory: many
 /// particles within a large smoothing radius would have thousands of
 /// neighbours each. A hundred thousand particles reach it at some 650 neighbours.
-const MOST_ENTRIES: usize = 1 << 24;
+const MAX_ENTRIES: usize = 1 << 24;
 
 /// Where the lanes of a block lie that hold no particle, in smoothing lengths: out
 /// of every reach.
@@ -52,36 +52,37 @@ const MEMBERS: [([u32; LANES], usize); SUBSETS] = {
 /// Four particles, as the passes need them.
 pub(crate) trait Block: Copy {
     /// Where they are, in smoothing lengths.
-    fn place(&self) -> (Lanes, Lanes);
-    /// What each gives to the sums of those around it.
-    fn share(&self) -> Lanes;
-    /// The sum of what each gets, Σⱼ yⱼ [`kernel::bell`].
+    fn place(&self) -> [Lanes; 2];
+    /// The weight of each in the sums of those around it.
+    fn weight(&self) -> Lanes;
+    /// The sum of the weights around each, Σⱼ yⱼ [`kernel::w`].
     fn sum(&mut self) -> &mut Lanes;
 }
 
-/// What the particles of a pair do to each other.
-pub(crate) trait Law<const N: usize> {
+/// Sums over pairs, `N` for each particle.
+pub(crate) trait PairSum<const N: usize> {
     /// The blocks that it is about.
     type Block: Block;
     /// One particle, each property of it in all lanes.
-    type One;
+    type Broadcast;
 
     /// The particle in a lane of `block`, moved by `shift` smoothing lengths.
-    fn one(&self, block: &Self::Block, lane: usize, shift: Vec2) -> Self::One;
+    fn broadcast(&self, block: &Self::Block, lane: usize, shift: Vec2) -> Self::Broadcast;
 
-    /// What `one` gains from each of the four `others`, and what these lose.
-    fn pair(&self, one: &Self::One, others: &Self::Block) -> ([Lanes; N], [Lanes; N]);
+    /// What each of the four `others` adds to the sums of `one`, and what `one` takes
+    /// from theirs.
+    fn pair(&self, one: &Self::Broadcast, others: &Self::Block) -> ([Lanes; N], [Lanes; N]);
 
-    /// Where a block keeps what its particles gain.
-    fn gains(block: &mut Self::Block) -> &mut [Lanes; N];
+    /// Where a block keeps the sums.
+    fn accumulator(block: &mut Self::Block) -> &mut [Lanes; N];
 }
 
-/// A block that looks at others: in its own part of the domain, or, moved by
+/// A block and its neighbours: in its own part of the domain, or, moved by
 /// `shift` smoothing lengths, beyond a periodic edge.
 #[derive(Clone, Copy, Debug)]
 struct Sweep {
     block: u32,
-    /// Whether it looks at itself too.
+    /// Whether it is its own neighbour too.
     own: bool,
     /// Which of its own particles are within reach of each, from later lanes.
     inner: [u8; LANES],
@@ -128,7 +129,7 @@ impl Neighbours {
         let mut runs = Default::default();
         for row in 0..grid.rows() {
             for block in grid.blocks(row) {
-                let (from, to) = span(blocks[block].place().0);
+                let (from, to) = span(blocks[block].place()[0]);
                 let count = grid.runs_after(row, block, (from * h, to * h), &mut runs);
                 let runs = &runs[..count];
                 let near = runs.iter().take_while(|run| run.shift == Vec2::ZERO);
@@ -153,12 +154,12 @@ impl Neighbours {
     ) {
         let mut stride = runs.iter().map(Run::len).sum();
         let begin = self.used;
-        if begin + LANES * stride > MOST_ENTRIES {
+        if begin + LANES * stride > MAX_ENTRIES {
             (runs, stride) = (&[], 0);
         }
         let end = begin + LANES * stride;
         if end > self.entries.len() {
-            // By half as much again, so that a growing fire seldom asks for more.
+            // By half as much again, so that a growing fire seldom allocates.
             let room = end.max(self.entries.len() / 2 * 3);
             self.entries.resize(room, 0);
         }
@@ -169,7 +170,7 @@ impl Neighbours {
         let lists = [first, second, third, fourth];
         let mut counts = [0; LANES];
 
-        let ((x, y), share) = (blocks[block].place(), blocks[block].share());
+        let ([x, y], weight) = (blocks[block].place(), blocks[block].weight());
         // Lanes that hold no particle lie all in one place: here, in another.
         let held = x.less(Lanes::splat(0.5 * NOWHERE));
         let each = [0, 1, 2, 3].map(|lane| {
@@ -178,29 +179,29 @@ impl Neighbours {
             } else {
                 x.spread(lane)
             };
-            (x, y.spread(lane), share.spread(lane))
+            (x, y.spread(lane), weight.spread(lane))
         });
         let mut sums = [Lanes::ZERO; LANES];
         let mut inner = [0; LANES];
         if own {
             for lane in 0..LANES {
                 let square = square(each[lane].0 - x, each[lane].1 - y);
-                sums[lane] = kernel::bell(square.sqrt()) * share;
+                sums[lane] = kernel::w(square.sqrt()) * weight;
                 let later = !((2 << lane) - 1);
                 inner[lane] = (square.less(REACH_SQUARED) & later) as u8;
             }
         }
-        let each = each.map(|(x, y, share)| (x - shift.x, y - shift.y, share));
+        let each = each.map(|(x, y, weight)| (x - shift.x, y - shift.y, weight));
         for run in runs {
             for (number, others) in (run.start..).zip(&mut blocks[run.start..run.end]) {
-                let ((x, y), share) = (others.place(), others.share());
+                let ([x, y], weight) = (others.place(), others.weight());
                 let mut back = [Lanes::ZERO; LANES];
                 for lane in 0..LANES {
-                    let (one_x, one_y, one_share) = each[lane];
+                    let (one_x, one_y, one_weight) = each[lane];
                     let square = square(one_x - x, one_y - y);
-                    let bell = kernel::bell(square.sqrt());
-                    sums[lane] += bell * share;
-                    back[lane] = bell * one_share;
+                    let w = kernel::w(square.sqrt());
+                    sums[lane] += w * weight;
+                    back[lane] = w * one_weight;
                     // Written where the next entry belongs, and that place moves on
                     // only if it is one: a wrong guess costs more than the writing.
                     let within = square.less(REACH_SQUARED);
@@ -222,37 +223,37 @@ impl Neighbours {
         });
     }
 
-    /// Applies `law` to all pairs, from both ends.
-    pub fn apply<const N: usize, L: Law<N>>(&self, law: &L, blocks: &mut [L::Block]) {
+    /// Adds `pairs` to the sums of both ends of every pair.
+    pub fn sum<const N: usize, P: PairSum<N>>(&self, pairs: &P, blocks: &mut [P::Block]) {
         for sweep in &self.sweeps {
             let block = sweep.block as usize;
-            let mut sums = [[Lanes::ZERO; N]; LANES];
-            for (lane, sum) in sums.iter_mut().enumerate() {
-                let one = law.one(&blocks[block], lane, sweep.shift);
+            let mut own = [[Lanes::ZERO; N]; LANES];
+            for (lane, sum) in own.iter_mut().enumerate() {
+                let one = pairs.broadcast(&blocks[block], lane, sweep.shift);
                 if sweep.own {
-                    *sum = law.pair(&one, &blocks[block]).0;
+                    *sum = pairs.pair(&one, &blocks[block]).0;
                 }
                 for &entry in sweep.list(&self.entries, lane) {
                     let others = &mut blocks[entry as usize / SUBSETS];
-                    let (gain, loss) = law.pair(&one, others);
-                    let theirs = L::gains(others);
+                    let (gain, loss) = pairs.pair(&one, others);
+                    let theirs = P::accumulator(others);
                     for k in 0..N {
                         sum[k] += gain[k];
                         theirs[k] -= loss[k];
                     }
                 }
             }
-            let gains = L::gains(&mut blocks[block]);
-            for (k, gain) in gains.iter_mut().enumerate() {
-                *gain += lanes::sums(sums.map(|sum| sum[k]));
+            let accumulator = P::accumulator(&mut blocks[block]);
+            for (k, sum) in accumulator.iter_mut().enumerate() {
+                *sum += lanes::sums(own.map(|sum| sum[k]));
             }
         }
     }
 
-    /// Calls `see` with each particle of the `blocks`, the shift of those that it is
-    /// held against, in smoothing lengths, and these, so that each pair is met from
-    /// one of its ends. Particles are told by their places, four to a block; to make
-    /// the others a multiple of four, the place after the last block is added.
+    /// Calls `see` with each particle, the shift of its neighbours in smoothing lengths,
+    /// and these neighbours, so that it meets each pair from one end. A particle is its
+    /// place, four to a block; the place after the last block fills the neighbours up to a
+    /// multiple of four.
     #[inline(always)]
     pub fn each(&self, others: &mut Vec<u32>, mut see: impl FnMut(usize, Vec2, &[u32])) {
         let nowhere = (LANES * self.blocks) as u32;
@@ -284,9 +285,9 @@ impl Neighbours {
         }
     }
 
-    /// Neighbours of a particle, on average, and the most of one, as the last search
-    /// found them; counted anew.
-    pub fn mean_and_most(&self) -> (f32, u32) {
+    /// Neighbours of a particle, on average, and the largest number of one, as the last search
+    /// found them; it counts them again.
+    pub fn mean_and_max(&self) -> (f32, u32) {
         let nowhere = LANES * self.blocks;
         let mut counts = vec![0_u32; nowhere + 1];
         self.each(&mut Vec::new(), |one, _, others| {
@@ -329,15 +330,15 @@ mod tests {
 
     #[derive(Clone, Copy, Default)]
     struct Four {
-        place: (Lanes, Lanes),
+        place: [Lanes; 2],
         sum: Lanes,
     }
 
     impl Block for Four {
-        fn place(&self) -> (Lanes, Lanes) {
+        fn place(&self) -> [Lanes; 2] {
             self.place
         }
-        fn share(&self) -> Lanes {
+        fn weight(&self) -> Lanes {
             Lanes::splat(1.0)
         }
         fn sum(&mut self) -> &mut Lanes {
@@ -361,10 +362,10 @@ mod tests {
         let mut neighbours = Neighbours::default();
         neighbours.find(&mut blocks, &grid, 0.02);
         let stride = blocks.len() * LANES;
-        assert!((MOST_ENTRIES - stride..=MOST_ENTRIES).contains(&neighbours.used));
-        let (mean, most) = neighbours.mean_and_most();
-        assert!(mean > 0.9 * 2.0 * MOST_ENTRIES as f32 * LANES as f32 / n as f32);
-        assert_eq!(most as usize, n - 1);
+        assert!((MAX_ENTRIES - stride..=MAX_ENTRIES).contains(&neighbours.used));
+        let (mean, max) = neighbours.mean_and_max();
+        assert!(mean > 0.9 * 2.0 * MAX_ENTRIES as f32 * LANES as f32 / n as f32);
+        assert_eq!(max as usize, n - 1);
         // Whoever is left out still meets those of its own block.
         let last = blocks[blocks.len() - 1].sum.to_array();
         assert!(last.iter().all(|sum| sum.is_finite() && *sum >= 16.0));

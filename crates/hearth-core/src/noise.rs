@@ -46,8 +46,8 @@ pub fn perlin_slope(seed: u32, at: Vec2, repeats: [u32; 2]) -> Vec2 {
         + (c - a) * v
         + (a - b - c + d) * (u * v)
         + Vec2::new(
-            steepness(inside.x) * (at_b - at_a + v * twist),
-            steepness(inside.y) * (at_c - at_a + u * twist),
+            fade_slope(inside.x) * (at_b - at_a + v * twist),
+            fade_slope(inside.y) * (at_c - at_a + u * twist),
         )
 }
 
@@ -57,7 +57,7 @@ fn fade(t: f32) -> f32 {
 }
 
 /// The slope of [`fade`].
-fn steepness(t: f32) -> f32 {
+fn fade_slope(t: f32) -> f32 {
     30.0 * t * t * (t * (t - 2.0) + 1.0)
 }
 

@@ -23,7 +23,7 @@ use table::{Place, parameters};
 
 pub use choices::{Backdrop, Choice, DisplayMode, Layers, Model, Palette, Walls};
 pub use quantity::Quantity;
-pub use table::{Description, Domain, Kind, Param, Scale, Selection, selections_in_words};
+pub use table::{Description, Domain, Kind, Param, Role, Scale, Selection, selections_in_words};
 pub use value::{Colour, Input, ParamError, Refusal, Value};
 
 /// The displays that show light, so that its brightness and its colours count.
@@ -68,25 +68,25 @@ parameters! {
         wind: number "Wind" ["m/s"] Linear { Combustion(0.0, -3.0..=3.0) }
         /// Other colours of the fire: those of glowing soot, of gas, of copper or lithium
         /// salts, of a ghost, or your own from a cool colour to a hot one.
-        palette: (choice Palette) "Palette" { Every(Blackbody) } when { display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
+        [Look] palette: (choice Palette) "Palette" { Every(Blackbody) } when { display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// A brighter picture. Exposure in steps that each double the light.
-        exposure: number "Brightness" ["EV"] Linear { Every(0.0, -4.0..=4.0) } when { display_mode: LIGHT }
+        [Look] exposure: number "Brightness" ["EV"] Linear { Every(0.0, -4.0..=4.0) } when { display_mode: LIGHT }
         /// A wider shine around bright places. Share of the light that a lens would spread.
-        bloom: number "Glow" [""] Linear { Every(0.15, 0.0..=0.6) } when { display_mode: FIRE, layers: LIT }
+        [Look] bloom: number "Glow" [""] Linear { Every(0.15, 0.0..=0.6) } when { display_mode: FIRE, layers: LIT }
         /// Thicker smoke. How strongly smoke hides what is behind it.
-        smoke_opacity: number "Smoke" [""] Linear { Every(0.3, 0.0..=2.0) } when { display_mode: FIRE, layers: SMOKY }
+        [Look] smoke_opacity: number "Smoke" [""] Linear { Every(0.3, 0.0..=2.0) } when { display_mode: FIRE, layers: SMOKY }
         /// More sparks. Embers thrown each second, which the flow carries off.
         ember_rate: number "Sparks" ["1/s"] Linear { Combustion(40.0, 0.0..=1000.0) } when { display_mode: FIRE, layers: LIT }
         /// A wall behind the fire, or none. What the fire burns in front of, in place of
         /// the background: the fire lights it.
-        backdrop: (choice Backdrop) "Backdrop" { Every(None) } when { display_mode: FIRE }
+        [Look] backdrop: (choice Backdrop) "Backdrop" { Every(None) } when { display_mode: FIRE }
         /// A faster fire; below 1 slow motion. Seconds of fire for each second of the clock.
-        time_scale: number "Speed" [""] Log { Every(1.0, 0.1..=2.0) }
+        [View] time_scale: number "Speed" [""] Log { Every(1.0, 0.1..=2.0) }
         /// Another view of the same gas: the fire; every particle; a quantity of the gas,
         /// with a bar that says which colour is how much; the number of neighbours; the hard
         /// round sprites of the paper; or sprites with a texture. In the classic model fuel is
         /// what is left of a particle's life, and soot what makes smoke of it.
-        display_mode: (choice DisplayMode) "Display" { Every(Fire) }
+        [View] display_mode: (choice DisplayMode) "Display" { Every(Fire) }
     }
     "Fire" {
         /// A fire farther to the right, or below 0 to the left. Place of the middle of the
@@ -139,24 +139,24 @@ parameters! {
     }
     "Look" {
         /// Fire and smoke, the fire alone, or the smoke alone. What of them is drawn.
-        layers: (choice Layers) "Layers" { Every(Both) } when { display_mode: FIRE }
+        [View] layers: (choice Layers) "Layers" { Every(Both) } when { display_mode: FIRE }
         /// Finer tongues and wisps. Strength of the fine structure that the gas carries
         /// along.
-        detail: number "Detail" [""] Linear { Every(1.0, 0.0..=2.0) } when { display_mode: FIRE }
+        [Look] detail: number "Detail" [""] Linear { Every(1.0, 0.0..=2.0) } when { display_mode: FIRE }
         /// More contrast between bright and dim parts of the fire. How much of a black
         /// body's enormous range of brightness is kept.
-        luminance_exponent: number "Luminance exponent" [""] Linear { Every(0.35, 0.15..=1.0) } when { display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
+        [Look] luminance_exponent: number "Luminance exponent" [""] Linear { Every(0.35, 0.15..=1.0) } when { display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// Larger, softer particles. Size at which a particle is drawn.
-        particle_size: number "Particle size" ["m"] Log { Classic(0.04, 0.01..=0.1) } when { display_mode: LIGHT }
+        [Look] particle_size: number "Particle size" ["m"] Log { Classic(0.04, 0.01..=0.1) } when { display_mode: LIGHT }
         /// Colour of the coolest fire, where the palette is the custom one; transparent is black.
-        cool_colour: colour "Cool colour" { Every(Colour::rgb(0x8a, 0x12, 0xff)) } when { palette: &["custom"], display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
+        [Look] cool_colour: colour "Cool colour" { Every(Colour::rgb(0x8a, 0x12, 0xff)) } when { palette: &["custom"], display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// Colour of the hottest fire, where the palette is the custom one; transparent is black.
-        hot_colour: colour "Hot colour" { Every(Colour::rgb(0x38, 0xe8, 0xff)) } when { palette: &["custom"], display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
+        [Look] hot_colour: colour "Hot colour" { Every(Colour::rgb(0x38, 0xe8, 0xff)) } when { palette: &["custom"], display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// Colour behind the fire: `transparent`, so that the page shows through, or a colour.
-        background: colour "Background" { Every(Colour::TRANSPARENT) } unless { backdrop: WALL, display_mode: FIRE }
+        [Look] background: colour "Background" { Every(Colour::TRANSPARENT) } unless { backdrop: WALL, display_mode: FIRE }
         /// A backdrop that shimmers behind the flame. How strongly hot gas bends the view
         /// of the backdrop; a page cannot be bent.
-        heat_haze: number "Heat haze" [""] Linear { Every(0.3, 0.0..=1.0) } when { backdrop: WALL, display_mode: FIRE }
+        [Look] heat_haze: number "Heat haze" [""] Linear { Every(0.3, 0.0..=1.0) } when { backdrop: WALL, display_mode: FIRE }
     }
     "Air" {
         /// Larger, slower swings of the flame. Size of the eddies that turbulence stirs.
@@ -330,10 +330,7 @@ impl Parameters {
         };
         Parameters {
             current: Values::of_model(model),
-            other: Values {
-                model,
-                ..Values::of_model(other)
-            },
+            other: Values::of_model(other).belonging_to(model),
         }
     }
 

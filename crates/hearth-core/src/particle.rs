@@ -1,10 +1,16 @@
-//! A particle as it is put in and read out, and as the renderer gets it.
+//! A particle as callers put it in and read it out.
+
+use std::fmt;
 
 use glam::Vec2;
 
-use crate::params::DisplayMode;
+use crate::bounds::Bounds;
 
-/// A particle as it is put in and read out. What its model does not use is left
+/// Fastest particle that can be put in [m/s]; what is thousands of times as
+/// fast as the gas would not move it but break it.
+const FASTEST: f32 = 1000.0;
+
+/// A particle as callers put it in and read it out. What its model does not use stays
 /// as it is in air.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Particle {
@@ -40,24 +46,54 @@ impl Particle {
             soot: 0.0,
         }
     }
-}
 
-/// A particle as the renderer gets it. Place \[m\], velocity [m/s] and temperature
-/// \[K\] come first: x, y, vx, vy, T; then, in the classic model, density [kg/m³],
-/// age \[s\] and remaining life [0–1]; in the combustion model, volume \[m²\],
-/// soot, and fuel burnt in a second [1/s]; of an ember, size \[m\], age \[s\] and
-/// remaining life [0–1].
-///
-/// Where the [display mode](crate::params::DisplayMode) is not fire's or the paper's,
-/// in both models: volume \[m²\], zero, and what the mode measures; of sprites, volume,
-/// the particle's number modulo 4096, and how much there is of it to glow: remaining
-/// life, or soot.
-pub type Instance = [f32; 8];
-
-/// What a particle of that id is told by in a picture, where that is asked for.
-pub(crate) fn numbered(id: u64, mode: DisplayMode) -> f32 {
-    match mode {
-        DisplayMode::Sprites => (id % 4096) as f32,
-        _ => 0.0,
+    /// What is wrong with it, where something is.
+    pub(crate) fn fault(&self, bounds: &Bounds) -> Option<&'static str> {
+        let Particle {
+            position,
+            velocity,
+            temperature,
+            age,
+            lifetime,
+            fuel,
+            oxygen,
+            soot,
+        } = *self;
+        let share = 0.0..=1.0;
+        if !bounds.hold(position) {
+            Some("position must be inside the domain")
+        } else if !(0.0..=FASTEST).contains(&velocity.length()) {
+            Some("velocity must be at most 1000 m/s")
+        } else if !(1.0..=1e5).contains(&temperature) {
+            Some("temperature must be from 1 to 100000 K")
+        } else if !(age >= 0.0 && lifetime > age) {
+            Some("age must be at least 0 and less than the lifetime")
+        } else if !(share.contains(&fuel) && share.contains(&oxygen)) {
+            Some("fuel and oxygen must be from 0 to 1")
+        } else if !(0.0..=10.0).contains(&soot) {
+            Some("soot must be from 0 to 10")
+        } else {
+            None
+        }
     }
 }
+
+/// Why particles were refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ParticleError {
+    /// The first particle that cannot be taken, where it is not their number.
+    pub index: Option<usize>,
+    /// What is wrong with it.
+    pub what: &'static str,
+}
+
+impl fmt::Display for ParticleError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.index {
+            Some(index) => write!(f, "particle {index} is refused: {}", self.what),
+            None => write!(f, "the particles are refused: {}", self.what),
+        }
+    }
+}
+
+impl std::error::Error for ParticleError {}

@@ -2,9 +2,7 @@
 
 use glam::Vec2;
 
-use crate::classic;
-use crate::combustion::Burner;
-use crate::params::{Model, Parameters, Values};
+use crate::params::Physics;
 
 /// The place of the source as the fire has it: inside its domain, wherever the
 /// parameters would have it.
@@ -16,25 +14,9 @@ pub struct Source {
     pub width: f32,
 }
 
-impl Source {
-    /// The source of these parameters.
-    pub fn of(parameters: &Parameters) -> Source {
-        match parameters.model() {
-            Model::Classic => classic::source(parameters),
-            Model::Combustion => {
-                let burner = Burner::of(parameters);
-                Source {
-                    foot: Vec2::new(burner.middle, burner.bottom),
-                    width: 2.0 * burner.half_width,
-                }
-            }
-        }
-    }
-}
-
 /// `source_x`, but no part of a source so wide nearer to a side than `margin` \[m\]; in
 /// the middle where there is no room.
-pub(crate) fn middle(values: &Values, width: f32, margin: f32) -> f32 {
+pub(crate) fn middle(values: &Physics, width: f32, margin: f32) -> f32 {
     let farthest = (0.5 * (values.domain_width - width) - margin).max(0.0);
     values.source_x.max(-farthest).min(farthest)
 }
@@ -42,7 +24,7 @@ pub(crate) fn middle(values: &Values, width: f32, margin: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::params::Input;
+    use crate::params::{Input, Model, Parameters};
 
     fn of(model: Model, values: &[(&str, f64)]) -> (Source, Parameters) {
         let mut parameters = Parameters::new(model);

@@ -519,11 +519,11 @@ fn step(simulation: &mut Simulation, stir: Option<Stir>, watch: &mut dyn FnMut(S
     let start = simulation.time();
     match stir {
         Some(stir) => {
-            let push =
+            let force =
                 |place: Vec2, velocity: Vec2| Vec2::from(stir.push(place.into(), velocity.into()));
-            simulation.step_watched_with(push, watch);
+            simulation.step_in_stages(Some(&force), watch);
         }
-        None => simulation.step_watched(watch),
+        None => simulation.step_in_stages(None, watch),
     }
     simulation.time() - start
 }

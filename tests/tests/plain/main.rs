@@ -169,7 +169,7 @@ impl Difference<'_> {
     fn count(&self, fire: &Simulation, oracle: &Oracle) {
         let (report, crowd) = (fire.report(), oracle.crowd());
         let [low, high] = [0, 1].map(|k| crowd.iter().map(|count| count[k]).max());
-        let most = Some(report.most_neighbours);
+        let most = Some(report.max_neighbours);
         let all = f64::from(report.mean_neighbours) * crowd.len() as f64;
         let [fewest, greatest] = [0, 1].map(|k| {
             let sum: u32 = crowd.iter().map(|count| count[k]).sum();

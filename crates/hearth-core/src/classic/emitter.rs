@@ -11,9 +11,9 @@
 
 use glam::Vec2;
 
-use super::particles::{Living, Particles};
+use super::particles::{ParticleState, Particles};
 use crate::noise::perlin;
-use crate::params::Values;
+use crate::params::Physics;
 use crate::particle::Particle;
 use crate::random::Random;
 use crate::source;
@@ -54,7 +54,7 @@ impl Emitter {
     pub fn emit(
         &mut self,
         particles: &mut Particles,
-        values: &Values,
+        values: &Physics,
         random: &mut Random,
         time: f64,
     ) {
@@ -69,7 +69,7 @@ impl Emitter {
         }
 
         let source = Source::new(values, time);
-        self.look_around(particles, &source);
+        self.find_near(particles, &source);
         while self.owed >= 1.0 && particles.len() < values.max_particles as usize {
             let Some(particle) = self.newborn(values, &source, random) else {
                 break;
@@ -80,8 +80,8 @@ impl Emitter {
         }
     }
 
-    /// Notes the particles that a birth could come too close to.
-    fn look_around(&mut self, particles: &Particles, source: &Source) {
+    /// Finds the particles that a birth could come too close to.
+    fn find_near(&mut self, particles: &Particles, source: &Source) {
         let Source {
             middle,
             half_width,
@@ -90,16 +90,20 @@ impl Emitter {
         } = *source;
         let reach = Vec2::new(half_width + room, source.rise + room);
         self.near.clear();
-        self.near
-            .extend(particles.iter().map(Living::position).filter(|&position| {
-                let offset = (position - middle).abs();
-                offset.x < reach.x && offset.y < reach.y
-            }));
+        self.near.extend(
+            particles
+                .iter()
+                .map(ParticleState::position)
+                .filter(|&position| {
+                    let offset = (position - middle).abs();
+                    offset.x < reach.x && offset.y < reach.y
+                }),
+        );
     }
 
     fn newborn(
         &mut self,
-        values: &Values,
+        values: &Physics,
         source: &Source,
         random: &mut Random,
     ) -> Option<Particle> {
@@ -142,7 +146,7 @@ impl Emitter {
 }
 
 /// Where the source of these values is, and how wide what of it is inside the domain.
-pub(crate) fn place(values: &Values) -> source::Source {
+pub(crate) fn place(values: &Physics) -> source::Source {
     let rise = values.emission_speed * values.time_step;
     let top = (values.domain_height - rise).max(0.0);
     let width = values.source_width.min(values.domain_width);
@@ -168,7 +172,7 @@ struct Source {
 }
 
 impl Source {
-    fn new(values: &Values, time: f64) -> Source {
+    fn new(values: &Physics, time: f64) -> Source {
         let place = place(values);
         Source {
             middle: place.foot,
@@ -180,14 +184,14 @@ impl Source {
     }
 
     /// Longest life of a particle that is born at `x` \[s\].
-    fn longest_life(&self, values: &Values, x: f32) -> f32 {
+    fn longest_life(&self, values: &Physics, x: f32) -> f32 {
         let longest = values.lifetime_max.max(values.lifetime_min);
         let off_centre = (x / self.half_width).abs();
         longest - values.taper * off_centre * (longest - values.lifetime_min)
     }
 
     /// How hard the source burns at `x`, one on average.
-    fn vigour(&self, values: &Values, x: f32) -> f32 {
+    fn vigour(&self, values: &Physics, x: f32) -> f32 {
         // Another seed than the flicker's, or both would beat in time.
         let noise = perlin(
             values.seed ^ 0x5EED,

@@ -4,19 +4,22 @@
 //! with the *new* velocity. The paper's equation 6 prints forward Euler, which
 //! moves with the old one and lets energy drift; it can be chosen.
 
-use super::forces;
+use super::block_force::{BlockForce, Four};
+use super::equation_of_state::DENSITY_FLOOR;
 use super::pairs::{Block, Pairs};
-use super::particles::{Living, Particles};
-use super::pressure::DENSITY_FLOOR;
+use super::particles::{ParticleState, Particles};
 use crate::bounds::Bounds;
-use crate::extremes::larger;
+use crate::extremes::fast_max;
 use crate::lanes::{LANES, Lanes, Real, transposed};
-use crate::params::{Values, Walls};
+use crate::params::{Physics, Walls};
+use crate::time_step::{Stability, diffusion_limit};
 
-/// Most parts that a step is divided into. The limits ask for more only in
-/// corners of the ranges where stiffness or viscosity could not be seen to grow
-/// any further.
-pub(crate) const MOST_SUBSTEPS: u32 = 32;
+/// Largest number of substeps. The limits require more only in corners of the
+/// ranges where a higher stiffness or viscosity changes nothing visible.
+pub(crate) const MAX_SUBSTEPS: u32 = 32;
+
+/// Courant's number.
+const COURANT: f32 = 0.35;
 
 /// How a step is divided.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,30 +32,26 @@ pub(crate) struct Substeps {
 }
 
 impl Substeps {
-    /// Divides a step by the three limits of an explicit scheme:
-    ///
-    /// ```text
-    /// 0.35 h/(c + u)     nothing crosses a kernel in one go (Courant)
-    /// 0.25 √(h/a)        no force moves a particle too far
-    /// 0.125 h²/ν         viscosity damps and does not overshoot
-    /// ```
-    ///
-    /// `fastest` and `hardest` are the largest speed and acceleration of the
-    /// last substep.
-    pub fn divide(values: &Values, fastest: f32, hardest: f32) -> Substeps {
+    /// Divides a step into the fewest stable parts. `fastest` and `hardest` are the
+    /// largest speed and acceleration of the last substep.
+    pub fn divide(values: &Physics, fastest: f32, hardest: f32) -> Substeps {
         let h = values.smoothing_radius;
-        let sound = values.gas_constant.sqrt();
-        let courant = 0.35 * h / (sound + fastest);
-        let force = 0.25 * (h / hardest.max(1e-6)).sqrt();
-        let diffusion = |viscosity: f32| 0.125 * h * h * DENSITY_FLOOR / viscosity.max(1e-9);
-
-        let longest = courant.min(force).min(diffusion(values.viscosity));
+        let stability = Stability {
+            courant: COURANT,
+            h,
+            sound: values.gas_constant.sqrt(),
+            speed: fastest,
+            acceleration: hardest,
+            viscosity: values.viscosity,
+            density: DENSITY_FLOOR,
+        };
+        let longest = stability.longest_step();
         let count = (values.time_step / longest).ceil();
-        let count = (count as u32).clamp(1, MOST_SUBSTEPS);
+        let count = (count as u32).clamp(1, MAX_SUBSTEPS);
         let length = values.time_step / count as f32;
         // Where even the shortest substep is too long for the viscosity, the
         // gas gets the stiffest viscosity that it can bear.
-        let bearable = 0.125 * h * h * DENSITY_FLOOR / length;
+        let bearable = diffusion_limit(h, DENSITY_FLOOR, length);
         Substeps {
             count,
             length,
@@ -68,68 +67,69 @@ pub(crate) struct Motion {
     pub fastest: f32,
     /// Largest acceleration [m/s²].
     pub hardest: f32,
-    /// Particles that the speed limit held back.
+    /// Particles that the speed limit slowed down.
     pub limited: u32,
 }
 
 /// Of a motion its position alone.
 const POSITION: Lanes = Lanes::new([1.0, 1.0, 0.0, 0.0]);
 
-/// Lifts, moves, cools and ages every particle by `dt`. It cools at a steady rate,
+/// Applies body forces and moves, cools and ages every particle by `dt`. It cools at a steady rate,
 /// down to the temperature of the air.
 pub(crate) fn integrate(
     particles: &mut Particles,
     pairs: &mut Pairs,
-    values: &Values,
+    forces: &impl BlockForce,
+    values: &Physics,
     dt: f32,
 ) -> Motion {
-    let mut seen = Seen::default();
+    let mut maxima = Maxima::default();
     for (block, members) in pairs.each() {
         let particles = &mut particles[members];
-        if let Ok(four) = <&mut [Living; LANES]>::try_from(&mut *particles) {
-            advance(four, LANES, block, values, dt, &mut seen);
+        if let Ok(four) = <&mut [ParticleState; LANES]>::try_from(&mut *particles) {
+            advance(four, LANES, block, forces, values, dt, &mut maxima);
         } else if let Some(&one) = particles.first() {
-            // The last block of a row is filled up, and nothing moves where there
-            // is no particle.
-            let held = particles.len();
+            // The last block of a row is filled up with copies, which do not move.
+            let count = particles.len();
             let mut four = [one; LANES];
-            four[..held].copy_from_slice(particles);
-            advance(&mut four, held, block, values, dt, &mut seen);
-            particles.copy_from_slice(&four[..held]);
+            four[..count].copy_from_slice(particles);
+            advance(&mut four, count, block, forces, values, dt, &mut maxima);
+            particles.copy_from_slice(&four[..count]);
         }
     }
     Motion {
-        fastest: seen.fastest.largest().sqrt(),
-        hardest: seen.hardest.largest().sqrt(),
-        limited: seen.limited,
+        fastest: maxima.fastest.largest().sqrt(),
+        hardest: maxima.hardest.largest().sqrt(),
+        limited: maxima.limited,
     }
 }
 
-/// What has been seen of all particles' motion so far: squares of the largest
-/// speeds and accelerations, and how many were held back.
+/// Squares of the largest speeds and accelerations so far, and how many particles
+/// the speed limit slowed down.
 #[derive(Default)]
-struct Seen {
+struct Maxima {
     fastest: Lanes,
     hardest: Lanes,
     limited: u32,
 }
 
-/// Moves the four particles of a block, of which it holds so many.
+/// Moves the first `count` particles of a block.
 #[inline(always)]
 fn advance(
-    four: &mut [Living; LANES],
-    held: usize,
+    four: &mut [ParticleState; LANES],
+    count: usize,
     block: &Block,
-    values: &Values,
+    forces: &impl BlockForce,
+    values: &Physics,
     dt: f32,
-    seen: &mut Seen,
+    maxima: &mut Maxima,
 ) {
-    let [a, b, c, d] = &*four;
-    let temperature = [a, b, c, d].map(|one| one.temperature);
-    let [mut ax, mut ay] = block.acceleration;
-    ay += forces::lift(block, Lanes::new(temperature), values);
-    if held < LANES {
-        (ax, ay) = (ax.first(held), ay.first(held));
+    let mut acceleration = block.acceleration;
+    let local = Four::new(four, block, values.ambient_density);
+    forces.add(&local, &mut acceleration);
+    let [mut ax, mut ay] = acceleration;
+    if count < LANES {
+        (ax, ay) = (ax.first(count), ay.first(count));
     }
     let [old_x, old_y] = block.velocity;
     let mut velocity = [old_x + ax * dt, old_y + ay * dt];
@@ -137,13 +137,13 @@ fn advance(
     let limit = Lanes::splat(values.speed_limit);
     let too_fast = (limit * limit).less(square);
     if too_fast != 0 {
-        let kept = limit / square.sqrt().larger(limit);
+        let kept = limit / square.sqrt().fast_max(limit);
         velocity = velocity.map(|v| v * kept);
-        square = square.smaller(limit * limit);
-        seen.limited += too_fast.count_ones();
+        square = square.fast_min(limit * limit);
+        maxima.limited += too_fast.count_ones();
     }
-    seen.fastest = square.larger(seen.fastest);
-    seen.hardest = (ax * ax + ay * ay).larger(seen.hardest);
+    maxima.fastest = square.fast_max(maxima.fastest);
+    maxima.hardest = (ax * ax + ay * ay).fast_max(maxima.hardest);
 
     let moved = if values.printed_euler {
         block.velocity
@@ -154,12 +154,12 @@ fn advance(
     for (particle, motion) in four.iter_mut().zip(motions) {
         particle.motion = particle.motion * POSITION + motion;
         let cooled = particle.temperature - values.cooling_rate * dt;
-        particle.temperature = larger(cooled, values.ambient_temperature);
+        particle.temperature = fast_max(cooled, values.ambient_temperature);
         particle.age += dt;
     }
 }
 
-/// Applies the walls and takes away whoever has died or left.
+/// Applies the walls and removes particles that have died or left.
 pub(crate) fn bound(particles: &mut Particles, walls: Walls, bounds: &Bounds) {
     if walls != Walls::Open {
         for particle in particles.iter_mut() {
@@ -169,7 +169,7 @@ pub(crate) fn bound(particles: &mut Particles, walls: Walls, bounds: &Bounds) {
     particles.retain(|one| one.age < one.lifetime && bounds.hold(one.position()));
 }
 
-fn meet(walls: Walls, bounds: &Bounds, particle: &mut Living) {
+fn meet(walls: Walls, bounds: &Bounds, particle: &mut ParticleState) {
     let half = 0.5 * bounds.width;
     let (mut at, mut v) = (particle.position(), particle.velocity());
     match walls {
@@ -239,23 +239,19 @@ mod tests {
             ("time_step", 1.0 / 60.0),
         ]);
         let substeps = Substeps::divide(&parameters, 0.0, 0.0);
-        assert_eq!(substeps.count, MOST_SUBSTEPS);
+        assert_eq!(substeps.count, MAX_SUBSTEPS);
         assert!(substeps.viscosity < 0.1);
     }
 
     /// Moves the particles for `dt` with an acceleration of 10 m/s² downwards, and
     /// no other.
     fn fall(particles: &mut Particles, parameters: &Parameters, dt: f32) -> Motion {
-        let mut parameters = parameters.clone();
-        let set = parameters.set("gravity", Input::Number(0.0));
-        assert_eq!(set, Ok(()));
-        let parameters = &parameters;
         let mut pairs = Pairs::default();
         let bounds = crate::classic::bounds(parameters);
         let kernel = crate::kernel::Kernel::new(parameters.smoothing_radius);
         pairs.sort(particles, &bounds, &kernel);
-        pairs.push_by(particles, |_, _| Vec2::new(0.0, -10.0));
-        integrate(particles, &mut pairs, parameters, dt)
+        let gravity = |_: Vec2, _: Vec2| Vec2::new(0.0, -10.0);
+        integrate(particles, &mut pairs, &gravity, parameters, dt)
     }
 
     fn one_falling(velocity: f32) -> Particles {

@@ -5,16 +5,14 @@
 
 use std::ops::Range;
 
-use glam::Vec2;
-
-use super::particles::{Living, Particles};
-use super::pressure;
+use super::equation_of_state;
+use super::particles::{ParticleState, Particles};
 use crate::bounds::Bounds;
 use crate::grid::Grid;
 use crate::kernel::Kernel;
 use crate::lanes::{LANES, Lanes, transposed};
-use crate::neighbours::{self, Law, NOWHERE, Neighbours};
-use crate::params::Values;
+use crate::neighbours::{self, NOWHERE, Neighbours, PairSum};
+use crate::params::Physics;
 
 /// Four particles.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +21,7 @@ pub(crate) struct Block {
     pub place: [Lanes; 2],
     /// What the first pass sums; then the volume of a unit of mass [m³/kg].
     pub volume: Lanes,
-    /// Pressure, times what every push has of it: m h, times the factor of W'.
+    /// Pressure, times the factor that every pressure force has: m h, times that of W'.
     pub pressure: Lanes,
     /// Velocity [m/s].
     pub velocity: [Lanes; 2],
@@ -44,11 +42,11 @@ impl Block {
 
 impl neighbours::Block for Block {
     #[inline(always)]
-    fn place(&self) -> (Lanes, Lanes) {
-        (self.place[0], self.place[1])
+    fn place(&self) -> [Lanes; 2] {
+        self.place
     }
     #[inline(always)]
-    fn share(&self) -> Lanes {
+    fn weight(&self) -> Lanes {
         Lanes::splat(1.0)
     }
     #[inline(always)]
@@ -57,9 +55,9 @@ impl neighbours::Block for Block {
     }
 }
 
-/// m h, times the factor of W': what every push has [kg/m · 1/m³].
-fn push_factor(kernel: &Kernel, mass: f32) -> f32 {
-    mass * kernel.smoothing_length() * kernel.steepness_norm()
+/// m h, times the factor of W': what every pressure force has [kg/m · 1/m³].
+fn pressure_factor(kernel: &Kernel, mass: f32) -> f32 {
+    mass * kernel.smoothing_length() * kernel.minus_dw_norm()
 }
 
 /// The blocks, where they lie, and which are near which.
@@ -74,7 +72,7 @@ impl Pairs {
     /// Puts the particles into the order of their places, and into blocks.
     pub fn sort(&mut self, particles: &mut Particles, bounds: &Bounds, kernel: &Kernel) {
         let Pairs { grid, blocks, .. } = self;
-        let positions = particles.iter().map(Living::position);
+        let positions = particles.iter().map(ParticleState::position);
         let places = grid.sort(positions, bounds, kernel.support());
         particles.reorder(places);
         // Not cleared: every block is written as a whole.
@@ -98,20 +96,20 @@ impl Pairs {
 
     /// Finds all pairs of sorted particles, and fills in every density,
     /// ρᵢ = Σⱼ mⱼ W(rᵢⱼ), the particle itself included, and every pressure.
-    pub fn sum_density(&mut self, particles: &mut Particles, kernel: &Kernel, values: &Values) {
+    pub fn sum_density(&mut self, particles: &mut Particles, kernel: &Kernel, values: &Physics) {
         let Pairs {
             grid,
             blocks,
             neighbours,
         } = self;
         neighbours.find(blocks, grid, kernel.smoothing_length());
-        let each = values.particle_mass * kernel.bell_norm();
-        let push = push_factor(kernel, values.particle_mass);
+        let each = values.particle_mass * kernel.w_norm();
+        let factor = pressure_factor(kernel, values.particle_mass);
         for (block, members) in blocks.iter_mut().zip(grid.members()) {
             let density = block.volume * each;
-            block.volume = pressure::volume(density);
-            let pressure = pressure::pressure(density, values);
-            block.pressure = pressure * push;
+            block.volume = equation_of_state::volume(density);
+            let pressure = equation_of_state::pressure(density, values);
+            block.pressure = pressure * factor;
             let (density, pressure) = (density.to_array(), pressure.to_array());
             for (lane, particle) in particles[members].iter_mut().enumerate() {
                 (particle.density, particle.pressure) = (density[lane], pressure[lane]);
@@ -119,9 +117,9 @@ impl Pairs {
         }
     }
 
-    /// Adds what `law` says of all pairs to the accelerations.
-    pub fn apply<L: Law<2, Block = Block>>(&mut self, law: &L) {
-        self.neighbours.apply(law, &mut self.blocks);
+    /// Adds `interactions` of all pairs to the accelerations.
+    pub fn sum<P: PairSum<2, Block = Block>>(&mut self, interactions: &P) {
+        self.neighbours.sum(interactions, &mut self.blocks);
     }
 
     /// Each block and which particles it holds.
@@ -130,24 +128,14 @@ impl Pairs {
         self.blocks.iter_mut().zip(self.grid.members())
     }
 
-    /// Adds the acceleration `push` of a position \[m\] and a velocity [m/s].
-    pub fn push_by(&mut self, particles: &Particles, push: impl Fn(Vec2, Vec2) -> Vec2) {
-        for (block, members) in self.each() {
-            let [mut x, mut y] = block.acceleration.map(Lanes::to_array);
-            for (lane, particle) in particles[members].iter().enumerate() {
-                let a = push(particle.position(), particle.velocity());
-                x[lane] += a.x;
-                y[lane] += a.y;
-            }
-            block.acceleration = [x, y].map(Lanes::new);
-        }
-    }
-
-    /// Neighbours of a particle, on average, and the most of one.
-    pub fn mean_and_most(&self) -> (f32, u32) {
-        self.neighbours.mean_and_most()
+    /// Neighbours of a particle, on average, and the largest number of one.
+    pub fn mean_and_max(&self) -> (f32, u32) {
+        self.neighbours.mean_and_max()
     }
 }
+
+#[cfg(test)]
+use glam::Vec2;
 
 #[cfg(test)]
 impl Pairs {
@@ -169,11 +157,11 @@ impl Pairs {
         mass: f32,
         of: impl Fn(Vec2) -> f32,
     ) {
-        let push = push_factor(kernel, mass);
+        let factor = pressure_factor(kernel, mass);
         for (block, members) in self.each() {
             let mut pressures = [0.0; LANES];
             for (lane, particle) in particles[members].iter().enumerate() {
-                pressures[lane] = of(particle.position()) * push;
+                pressures[lane] = of(particle.position()) * factor;
             }
             block.pressure = Lanes::new(pressures);
         }

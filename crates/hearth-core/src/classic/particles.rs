@@ -1,9 +1,8 @@
 //! Where the particles are kept.
 //!
-//! They are private to the solver: it sorts them by place at every substep, so
-//! that neighbours in space are neighbours in memory. Whoever reads particles gets
-//! copies in the order of their ids, which is the order of their birth and never
-//! changes.
+//! They are private to the solver, which sorts them by place at every substep, so
+//! that neighbours in space are neighbours in memory. Readers get copies in the order
+//! of the ids, which is the order of birth and never changes.
 
 use std::ops::{Deref, DerefMut};
 
@@ -12,9 +11,9 @@ use glam::Vec2;
 use crate::lanes::Lanes;
 use crate::particle::Particle;
 
-/// A particle that is alive. All of it lies together, since sorting moves all of it.
+/// The state of a particle. All of it lies together, since sorting moves all of it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Living {
+pub(crate) struct ParticleState {
     /// Position \[m\] and velocity [m/s]: x, y, and x, y. They move together.
     pub motion: Lanes,
     /// Temperature \[K\].
@@ -30,7 +29,7 @@ pub(crate) struct Living {
     pub id: u64,
 }
 
-impl Living {
+impl ParticleState {
     pub fn position(&self) -> Vec2 {
         let [x, y, ..] = self.motion.to_array();
         Vec2::new(x, y)
@@ -41,7 +40,7 @@ impl Living {
         Vec2::new(x, y)
     }
 
-    /// What of it is told to others.
+    /// The particle as callers read it.
     pub fn particle(&self) -> Particle {
         Particle {
             velocity: self.velocity(),
@@ -53,39 +52,39 @@ impl Living {
     }
 }
 
-/// All particles that are alive; as a slice, the particles.
+/// All particles; dereferences to a slice of their states.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Particles {
-    living: Vec<Living>,
+    states: Vec<ParticleState>,
     born: u64,
     /// The second half of each reordering.
-    scratch: Vec<Living>,
+    scratch: Vec<ParticleState>,
 }
 
 impl Deref for Particles {
-    type Target = [Living];
+    type Target = [ParticleState];
 
-    fn deref(&self) -> &[Living] {
-        &self.living
+    fn deref(&self) -> &[ParticleState] {
+        &self.states
     }
 }
 
 impl DerefMut for Particles {
-    fn deref_mut(&mut self) -> &mut [Living] {
-        &mut self.living
+    fn deref_mut(&mut self) -> &mut [ParticleState] {
+        &mut self.states
     }
 }
 
 impl Particles {
-    /// Forgets every particle, and that there ever was one.
+    /// Removes every particle; ids begin at 0 again.
     pub fn clear(&mut self) {
-        self.living.clear();
+        self.states.clear();
         self.born = 0;
     }
 
     pub fn push(&mut self, particle: Particle) {
         let (at, v) = (particle.position, particle.velocity);
-        self.living.push(Living {
+        self.states.push(ParticleState {
             motion: Lanes::new([at.x, at.y, v.x, v.y]),
             temperature: particle.temperature,
             age: particle.age,
@@ -98,23 +97,25 @@ impl Particles {
     }
 
     /// Keeps the particles for which `alive` says so, in their order.
-    pub fn retain(&mut self, alive: impl Fn(&Living) -> bool) {
-        self.living.retain(alive);
+    pub fn retain(&mut self, alive: impl Fn(&ParticleState) -> bool) {
+        self.states.retain(alive);
     }
 
     /// Puts each particle in its place: that at `i` goes to `places[i]`.
     pub fn reorder(&mut self, places: &[u32]) {
-        // As many as there are, whichever: every place is somebody's.
-        self.scratch.truncate(self.living.len());
-        let missing = &self.living[self.scratch.len()..];
+        // The contents do not matter: every place is written.
+        self.scratch.truncate(self.states.len());
+        let missing = &self.states[self.scratch.len()..];
         self.scratch.extend_from_slice(missing);
-        for (particle, &place) in self.living.iter().zip(places) {
+        for (particle, &place) in self.states.iter().zip(places) {
             self.scratch[place as usize] = *particle;
         }
-        std::mem::swap(&mut self.living, &mut self.scratch);
+        std::mem::swap(&mut self.states, &mut self.scratch);
     }
 
     /// The indices of all particles in the order of their ids.
+    // Inlined, the compiler makes it twice as large.
+    #[inline(never)]
     pub fn by_id(&self) -> Vec<usize> {
         // Byte by byte, the lowest first: the standard library's sort would be 3 KB of
         // the headless library's download, and is slower.

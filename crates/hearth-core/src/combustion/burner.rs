@@ -8,9 +8,9 @@
 
 use super::chemistry::{HEAT_CAPACITY, heat_of_combustion};
 use super::gas::Gas;
-use crate::extremes::{larger, smaller};
+use crate::extremes::{fast_max, fast_min};
 use crate::noise::perlin;
-use crate::params::{Parameters, Values};
+use crate::params::{Parameters, Physics};
 use crate::source;
 
 /// Height of the block, in spacings of the particles.
@@ -53,11 +53,11 @@ impl Burner {
     }
 
     /// The burner of these values; `None` where it is off.
-    pub(crate) fn new(values: &Values, spacing: f32) -> Option<Burner> {
+    pub(crate) fn new(values: &Physics, spacing: f32) -> Option<Burner> {
         (values.fuel_power > 0.0).then(|| Burner::at(values, spacing))
     }
 
-    fn at(values: &Values, spacing: f32) -> Burner {
+    fn at(values: &Physics, spacing: f32) -> Burner {
         let height = ROWS * spacing;
         let (low, high) = (values.seam, 1.0 - values.seam);
         let highest = (high * values.domain_height - height).max(0.0);
@@ -82,7 +82,7 @@ impl Burner {
 
     /// Feeds the gas in the block for `dt`. Returns the heat that it took to
     /// make that gas as hot as the source [kJ/m], which comes on top of the power.
-    pub(crate) fn feed(&self, gas: &mut Gas, values: &Values, time: f64, dt: f32) -> f32 {
+    pub(crate) fn feed(&self, gas: &mut Gas, values: &Physics, time: f64, dt: f32) -> f32 {
         let heat = self.hold(gas, values, dt);
         let mut left = values.fuel_power / heat_of_combustion(values) * dt;
         let height = self.top - self.bottom;
@@ -96,7 +96,7 @@ impl Burner {
 
     /// Gives gas in the block its temperature, its oxygen and its velocity.
     /// Returns the heat that it took [kJ/m].
-    fn hold(&self, gas: &mut Gas, values: &Values, dt: f32) -> f32 {
+    fn hold(&self, gas: &mut Gas, values: &Physics, dt: f32) -> f32 {
         let grip = (GRIP * dt).min(1.0);
         let hot = values
             .source_temperature
@@ -105,11 +105,11 @@ impl Burner {
         for i in 0..gas.len() {
             if self.holds(gas, i, 0.0) {
                 let state = &mut gas.state[i];
-                heated += larger(hot - state.x, 0.0);
-                state.x = larger(state.x, hot);
+                heated += fast_max(hot - state.x, 0.0);
+                state.x = fast_max(state.x, hot);
                 // Air comes into the block from below, as it would not into a
                 // burner; what the source brings displaces it.
-                state.z = smaller(state.z, values.source_oxygen);
+                state.z = fast_min(state.z, values.source_oxygen);
                 let velocity = &mut gas.velocity[i];
                 velocity.x -= velocity.x * grip;
                 velocity.y += (values.emission_speed - velocity.y) * grip;
@@ -120,7 +120,7 @@ impl Burner {
 
     /// Spreads `fuel` [kg/m] over the gas so far above the block, and returns
     /// what it cannot take, since no gas can be more than fuel.
-    fn mix_in(&self, gas: &mut Gas, values: &Values, time: f64, above: f32, fuel: f32) -> f32 {
+    fn mix_in(&self, gas: &mut Gas, values: &Physics, time: f64, above: f32, fuel: f32) -> f32 {
         let share = |x: f32| {
             let across = (x - self.middle) / self.half_width * (0.5 * NOISE_CELLS);
             let noise = perlin(values.seed, across, time * NOISE_PER_SECOND);

@@ -15,8 +15,8 @@
 //! flame is smoke, which thins slowly.
 
 use super::gas::{Gas, State};
-use crate::extremes::{larger, smaller};
-use crate::params::Values;
+use crate::extremes::{fast_max, fast_min};
+use crate::params::Physics;
 
 /// Heat capacity of the gas [kJ/(kg·K)].
 pub(crate) const HEAT_CAPACITY: f32 = 1.0;
@@ -25,14 +25,14 @@ pub(crate) const HEAT_CAPACITY: f32 = 1.0;
 const SOOT_BURNS: (f32, f32) = (850.0, 1150.0);
 
 /// Heat that a unit of fuel gives [kJ/kg], for each kg of the mixture.
-pub(crate) fn heat_of_combustion(values: &Values) -> f32 {
+pub(crate) fn heat_of_combustion(values: &Physics) -> f32 {
     HEAT_CAPACITY * values.flame_rise * (1.0 + values.air_demand)
 }
 
-/// Lets the gas diffuse, burn and radiate for `dt`, where the hottest source has the
-/// temperature `source` \[K\]. Returns the power of the
+/// Lets the gas diffuse, burn and radiate for `dt`; `source` is the temperature of the
+/// hottest source \[K\]. Returns the power of the
 /// burning [kW/m].
-pub(crate) fn react(gas: &mut Gas, values: &Values, source: f32, dt: f32) -> f32 {
+pub(crate) fn react(gas: &mut Gas, values: &Physics, source: f32, dt: f32) -> f32 {
     let demand = values.air_demand;
     let fast = 1.0 - libm::expf(-dt / values.burn_time);
     let rise = values.flame_rise * (1.0 + demand);
@@ -56,7 +56,7 @@ pub(crate) fn react(gas: &mut Gas, values: &Values, source: f32, dt: f32) -> f32
         let oxygen = oxygen.clamp(0.0, 1.0);
         let burn = if t > values.ignition_temperature {
             let lacking = ((equilibrium - t) / rise).clamp(0.0, 1.0);
-            smaller(smaller(fuel, oxygen / demand), lacking) * fast
+            fast_min(fast_min(fuel, oxygen / demand), lacking) * fast
         } else {
             0.0
         };
@@ -65,7 +65,7 @@ pub(crate) fn react(gas: &mut Gas, values: &Values, source: f32, dt: f32) -> f32
 
         let lost = dt * values.radiative_cooling * (radiated(t) - from_air);
         // Radiation stops at the temperature of the air, however long the step.
-        let cooled = larger(t - lost, smaller(air, t));
+        let cooled = fast_max(t - lost, fast_min(air, t));
         let t = cooled + rise * burn;
         let glowing = ((t - cool) / (hot - cool)).clamp(0.0, 1.0);
         let left = smoke_left + glowing * (soot_left - smoke_left);

@@ -9,9 +9,9 @@ use glam::Vec2;
 use super::gas::Gas;
 use crate::bounds::Bounds;
 use crate::grid::Grid;
+use crate::instance::{EmberParticle, Instance};
 use crate::kernel::Kernel;
-use crate::params::Values;
-use crate::particle::Instance;
+use crate::params::Physics;
 use crate::random::Random;
 
 /// A spark.
@@ -69,7 +69,7 @@ impl Embers {
     }
 
     /// Lets embers be born, drift, cool and die for `dt` in the air around them.
-    pub fn drift(&mut self, air: &Air, values: &Values, random: &mut Random, dt: f32) {
+    pub fn drift(&mut self, air: &Air, values: &Physics, random: &mut Random, dt: f32) {
         self.throw(air.gas, values, random, dt);
         for ember in &mut self.alive {
             let flow = air.velocity_at(ember.position);
@@ -89,7 +89,7 @@ impl Embers {
             .retain(|ember| ember.age < ember.lifetime && air.bounds.hold(ember.position));
     }
 
-    fn throw(&mut self, gas: &Gas, values: &Values, random: &mut Random, dt: f32) {
+    fn throw(&mut self, gas: &Gas, values: &Physics, random: &mut Random, dt: f32) {
         let patience = 1.0 + values.ember_rate * PATIENCE;
         self.owed = (self.owed + values.ember_rate * dt).min(patience);
         if values.ember_rate == 0.0 {
@@ -107,7 +107,7 @@ impl Embers {
     }
 
     /// Throws so many from a place, or as many as there may be.
-    pub fn throw_from(&mut self, place: Vec2, count: u32, values: &Values, random: &mut Random) {
+    pub fn throw_from(&mut self, place: Vec2, count: u32, values: &Physics, random: &mut Random) {
         let room = MOST.saturating_sub(self.alive.len());
         for _ in 0..room.min(count as usize) {
             let way = Vec2::new(random.between(-1.0, 1.0), random.unit());
@@ -115,7 +115,7 @@ impl Embers {
         }
     }
 
-    fn bear(&mut self, position: Vec2, velocity: Vec2, values: &Values, random: &mut Random) {
+    fn bear(&mut self, position: Vec2, velocity: Vec2, values: &Physics, random: &mut Random) {
         let longest = values.ember_life_max.max(values.ember_life_min);
         self.alive.push(Ember {
             position,
@@ -130,16 +130,14 @@ impl Embers {
     /// Copies out what the renderer needs.
     pub fn write_instances(&self, out: &mut Vec<Instance>) {
         out.extend(self.alive.iter().map(|ember| {
-            [
-                ember.position.x,
-                ember.position.y,
-                ember.velocity.x,
-                ember.velocity.y,
-                ember.temperature,
-                ember.size,
-                ember.age,
-                1.0 - ember.age / ember.lifetime,
-            ]
+            Instance::from(EmberParticle {
+                position: ember.position,
+                velocity: ember.velocity,
+                temperature: ember.temperature,
+                size: ember.size,
+                age: ember.age,
+                life: 1.0 - ember.age / ember.lifetime,
+            })
         }));
     }
 }

@@ -1,20 +1,20 @@
 //! The gas that fills the domain, and its lattice at the start.
 //!
 //! Every particle has the same mass; what differs is how much room it takes.
-//! One array a property, sorted by grid cell at every step; readers get copies
+//! Each property has an array, sorted by grid cell at every step; readers get copies
 //! in the order of the ids.
 
 use glam::{Vec2, Vec4};
 
-use super::forces::expansion;
+use super::equation_of_state::expansion;
 use crate::Particle;
 use crate::bounds::Bounds;
-use crate::extremes::larger;
-use crate::params::Values;
+use crate::extremes::fast_max;
+use crate::params::Physics;
 use crate::random::Random;
 
 /// What diffuses from particle to particle: temperature \[K\], fuel, oxygen, soot.
-/// One vector, since one law moves all four.
+/// One vector, since one equation moves all four.
 pub(crate) type State = Vec4;
 
 /// Part of the spacing by which the lattice of the start is disturbed: a
@@ -34,17 +34,19 @@ pub(crate) struct Gas {
     /// Mass of each particle [kg/m].
     pub mass: f32,
 
-    // Made anew at every step.
+    // Computed again at every step.
     pub acceleration: Vec<Vec2>,
     /// Change of the state by diffusion [1/s].
     pub change: Vec<State>,
-    /// Y = Σ yⱼ Wᵢⱼ, how full of gas the place is, in mass of cold air [kg/m³].
-    pub filling: Vec<f32>,
+    /// θ, the volume of a unit of mass in that of the air.
+    pub expansion: Vec<f32>,
+    /// Y = Σ yⱼ Wᵢⱼ, the number density, in mass of cold air [kg/m³].
+    pub number_density: Vec<f32>,
     /// Volume \[m²\].
     pub volume: Vec<f32>,
     pub pressure: Vec<f32>,
     /// Gradient of the particle concentration, ΣV∇W [1/m].
-    pub crowding: Vec<Vec2>,
+    pub concentration_gradient: Vec<Vec2>,
     /// Fuel burnt in a second [1/s].
     pub burn: Vec<f32>,
     scratch: Scratch,
@@ -59,7 +61,7 @@ struct Scratch {
 
 impl Gas {
     /// Air at rest that fills the domain.
-    pub fn air(values: &Values, spacing: f32, random: &mut Random) -> Gas {
+    pub fn air(values: &Physics, spacing: f32, random: &mut Random) -> Gas {
         let mut gas = Gas::default();
         for place in lattice(values, spacing, random).points {
             gas.push(&Particle {
@@ -73,7 +75,7 @@ impl Gas {
     }
 
     /// Gas of these particles.
-    pub fn of(particles: &[Particle], values: &Values) -> Gas {
+    pub fn of(particles: &[Particle], values: &Physics) -> Gas {
         let mut gas = Gas::default();
         for particle in particles {
             gas.push(particle);
@@ -94,21 +96,22 @@ impl Gas {
         ));
         self.acceleration.push(Vec2::ZERO);
         self.change.push(Vec4::ZERO);
-        self.filling.push(0.0);
+        self.expansion.push(1.0);
+        self.number_density.push(0.0);
         self.pressure.push(0.0);
-        self.crowding.push(Vec2::ZERO);
+        self.concentration_gradient.push(Vec2::ZERO);
         self.burn.push(0.0);
     }
 
     /// Gives every particle its mass: together they fill the domain with air.
-    pub fn weigh(&mut self, values: &Values) {
+    pub fn weigh(&mut self, values: &Physics) {
         let area = values.domain_width * values.domain_height;
         self.mass = values.ambient_density * area / self.len().max(1) as f32;
     }
 
     /// Gives every particle its mass and the room that it will take, which the
     /// next step finds out better.
-    pub fn settle(&mut self, values: &Values) {
+    pub fn settle(&mut self, values: &Physics) {
         self.weigh(values);
         self.volume.clear();
         self.volume
@@ -123,7 +126,7 @@ impl Gas {
     /// Makes all of it warmer by `kelvin`.
     pub fn warm(&mut self, kelvin: f32) {
         for state in &mut self.state {
-            state.x = larger(state.x + kelvin, 1.0);
+            state.x = fast_max(state.x + kelvin, 1.0);
         }
     }
 
@@ -145,7 +148,7 @@ impl Gas {
     }
 
     /// Puts each particle in its place: that at `i` goes to `places[i]`. What every
-    /// step makes anew stays where it is.
+    /// step computes again stays where it is.
     pub fn reorder(&mut self, places: &[u32]) {
         let scratch = &mut self.scratch;
         scatter(&mut self.position, &mut scratch.vector, places);
@@ -173,7 +176,7 @@ pub(crate) struct Lattice {
 
 /// A lattice of that spacing, slightly disturbed. Its rows are as many as come
 /// next to the number of places that this makes, and no more.
-pub(crate) fn lattice(values: &Values, spacing: f32, random: &mut Random) -> Lattice {
+pub(crate) fn lattice(values: &Physics, spacing: f32, random: &mut Random) -> Lattice {
     let (width, height) = (values.domain_width, values.domain_height);
     let columns = ((width / spacing) as usize).max(1);
     let places = width * height / (spacing * spacing);
@@ -200,7 +203,7 @@ fn scatter<T: Copy + Default>(values: &mut Vec<T>, scratch: &mut Vec<T>, places:
 }
 
 /// The domain of the combustion model: each edge is the opposite one.
-pub(crate) fn bounds(values: &Values) -> Bounds {
+pub(crate) fn bounds(values: &Physics) -> Bounds {
     Bounds {
         width: values.domain_width,
         height: values.domain_height,

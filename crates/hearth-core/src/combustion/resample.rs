@@ -11,14 +11,13 @@
 
 use glam::{Vec2, Vec4};
 
-use super::Made;
-use super::forces::expansion;
+use super::equation_of_state::expansion;
 use super::gas::{Gas, lattice};
 use crate::Particle;
 use crate::bounds::Bounds;
 use crate::grid::Grid;
 use crate::kernel::Kernel;
-use crate::params::Parameters;
+use crate::params::{Parameters, Physics};
 use crate::random::Random;
 
 /// How much finer than for cold air the lattice is, for gas that is compressed.
@@ -26,13 +25,31 @@ const FINER: f32 = 1.04;
 /// Least density that the lattice is laid out for.
 const THINNEST: f32 = 0.05;
 /// Most that is passed on from place to place.
-const MOST_PASSED: f32 = 1.0;
+const MAX_PASSED: f32 = 1.0;
+
+/// How the domain is divided into particles. Where this changes, other particles take over.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Discretisation {
+    pub width: f32,
+    pub height: f32,
+    pub particles: u32,
+}
+
+impl Discretisation {
+    pub fn by(values: &Physics) -> Discretisation {
+        Discretisation {
+            width: values.domain_width,
+            height: values.domain_height,
+            particles: values.max_particles,
+        }
+    }
+}
 
 /// Gas for the domain and number of particles of `parameters` with what `old`
 /// gas, made for `was`, carried.
 pub(super) fn take_over(
     old: &Gas,
-    was: &Made,
+    was: &Discretisation,
     parameters: &Parameters,
     random: &mut Random,
 ) -> Gas {
@@ -50,7 +67,7 @@ pub(super) fn take_over(
             let wanted = density / FINER + error[column + 1];
             let taken = wanted > 0.5;
             let rest = wanted - f32::from(u8::from(taken));
-            let rest = rest.clamp(-MOST_PASSED, MOST_PASSED);
+            let rest = rest.clamp(-MAX_PASSED, MAX_PASSED);
             error[column + 2] += rest * (7.0 / 16.0);
             next[column] += rest * (3.0 / 16.0);
             next[column + 1] += rest * (5.0 / 16.0);
@@ -79,7 +96,7 @@ struct Sampler<'a> {
 }
 
 impl<'a> Sampler<'a> {
-    fn new(old: &'a Gas, was: &Made, parameters: &Parameters) -> Sampler<'a> {
+    fn new(old: &'a Gas, was: &Discretisation, parameters: &Parameters) -> Sampler<'a> {
         let bounds = Bounds {
             width: was.width,
             height: was.height,
@@ -159,11 +176,11 @@ mod tests {
     }
 
     fn taken_over(old: &Gas, was: &Parameters, parameters: &Parameters) -> Gas {
-        take_over(old, &made_for(was), parameters, &mut Random::new(4))
+        take_over(old, &discretisation(was), parameters, &mut Random::new(4))
     }
 
-    fn made_for(parameters: &Parameters) -> Made {
-        Made::by(parameters)
+    fn discretisation(parameters: &Parameters) -> Discretisation {
+        Discretisation::by(parameters)
     }
 
     #[test]

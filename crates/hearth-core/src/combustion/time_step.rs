@@ -1,14 +1,7 @@
-//! How long a step may be, and the motion in it.
-//!
-//! ```text
-//! dt = min( 0.4 h/(c₀ + u),  0.25 √(h/a),  0.125 h²/ν )
-//! ```
-//!
-//! Nothing crosses a kernel in one go, sound included; no force moves a particle
-//! too far; diffusion damps and does not overshoot (Monaghan 1992, Morris et al. 1997).
+//! The combustion model's step: how long it may be, and the motion in it.
 //!
 //! Symplectic Euler moves the particles. Then they are shifted a little from
-//! where they crowd to where they are sparse (Lind et al., J. Comput. Phys. 231,
+//! where they are dense to where they are sparse (Lind et al., J. Comput. Phys. 231,
 //! 2012; in proportion to the largest speed as by Sun et al., CMAME 315, 2017):
 //! particles that only follow the flow line up along it, leave gaps, and the
 //! noise of that eats vortices. A shift moves no momentum.
@@ -17,8 +10,9 @@ use glam::Vec2;
 
 use super::gas::Gas;
 use crate::bounds::Bounds;
-use crate::extremes::{larger, smaller};
-use crate::params::Values;
+use crate::extremes::{fast_max, fast_min};
+use crate::params::Physics;
+use crate::time_step::Stability;
 
 /// Strength of the shift, in h²/s for each h/s of speed, where `shifting` is 1.
 /// Twice as much starts to add energy to a Taylor–Green vortex; half as much
@@ -26,11 +20,13 @@ use crate::params::Values;
 const SHIFT: f32 = 8.0;
 /// Most of that in a step, in h²: shifting spreads particles as diffusion spreads
 /// heat, and like it overshoots beyond a limit, here measured at 0.6.
-const MOST_SHIFT: f32 = 0.3;
+const MAX_SHIFT: f32 = 0.3;
 /// Most that a particle is shifted in a step, in h.
 const FARTHEST_SHIFT: f32 = 0.3;
-/// No particle moves faster than this times the speed of sound: a net.
+/// The speed limit, in speeds of sound.
 const FASTEST: f32 = 1.5;
+/// Courant's number.
+const COURANT: f32 = 0.4;
 /// Longest step \[s\].
 const LONGEST: f32 = 1.0 / 60.0;
 
@@ -42,10 +38,10 @@ const USUAL_DRIVE: f32 = 9.81 * 220.0;
 /// The numerical speed of sound c₀ [m/s]: `stiffness`, and more for a stronger fire,
 /// of `power` [kW/m], so that the gas stays as hard to compress. A planar plume rises as the cube
 /// root of what drives it; and no wind comes near it.
-pub(crate) fn sound_speed(values: &Values, power: f32) -> f32 {
+pub(crate) fn sound_speed(values: &Physics, power: f32) -> f32 {
     let drive = values.buoyancy * values.gravity * power / USUAL_DRIVE;
-    let risen = values.stiffness * libm::cbrtf(larger(drive, 1.0));
-    larger(risen, BLOWN * values.wind.abs())
+    let risen = values.stiffness * libm::cbrtf(fast_max(drive, 1.0));
+    fast_max(risen, BLOWN * values.wind.abs())
 }
 
 /// What a step's motion came to.
@@ -53,25 +49,31 @@ pub(crate) fn sound_speed(values: &Values, power: f32) -> f32 {
 pub(crate) struct Motion {
     /// Largest speed [m/s].
     pub fastest: f32,
-    /// Particles that the net held back.
+    /// Particles that the speed limit slowed down.
     pub limited: u32,
 }
 
 /// The longest stable step \[s\] for the accelerations of the gas.
-pub(crate) fn longest(gas: &Gas, values: &Values, h: f32, sound: f32) -> f32 {
+pub(crate) fn longest(gas: &Gas, values: &Physics, h: f32, sound: f32) -> f32 {
     let largest = |vectors: &[Vec2]| {
         let squares = vectors.iter().map(|v| v.length_squared());
-        squares.fold(0.0, larger).sqrt()
+        squares.fold(0.0, fast_max).sqrt()
     };
-    let (speed, hardest) = (largest(&gas.velocity), largest(&gas.acceleration));
+    let (speed, acceleration) = (largest(&gas.velocity), largest(&gas.acceleration));
     let eddy = values.eddy_viscosity * values.eddy_viscosity * h * speed;
     let viscosity = values.kinematic_viscosity + values.artificial_viscosity * h * sound / 8.0;
     let diffusivity = viscosity.max(values.diffusion) + eddy;
 
-    let courant = 0.4 * h / (sound + speed);
-    let force = 0.25 * (h / hardest.max(1e-6)).sqrt();
-    let diffusion = 0.125 * h * h / diffusivity.max(1e-9);
-    courant.min(force).min(diffusion).min(LONGEST)
+    let stability = Stability {
+        courant: COURANT,
+        h,
+        sound,
+        speed,
+        acceleration,
+        viscosity: diffusivity,
+        density: 1.0,
+    };
+    stability.longest_step().min(LONGEST)
 }
 
 /// Gives every particle its new velocity.
@@ -85,14 +87,14 @@ pub(crate) fn accelerate(gas: &mut Gas, sound: f32, dt: f32) -> Motion {
             *velocity *= limit / speed;
             motion.limited += 1;
         }
-        motion.fastest = larger(motion.fastest, smaller(speed, limit));
+        motion.fastest = fast_max(motion.fastest, fast_min(speed, limit));
     }
     motion
 }
 
-/// Moves every particle with its new velocity, and a little away from the
-/// crowd; `fastest` is the largest speed. Returns how many would have gone
-/// farther than they may.
+/// Moves every particle with its new velocity, and shifts it a little down the
+/// concentration gradient; `fastest` is the largest speed. Returns how many shifts
+/// [`FARTHEST_SHIFT`] cut.
 pub(crate) fn advance(
     gas: &mut Gas,
     bounds: &Bounds,
@@ -101,16 +103,16 @@ pub(crate) fn advance(
     fastest: f32,
     dt: f32,
 ) -> u32 {
-    let shift = smaller(SHIFT * shifting * h * fastest * dt, MOST_SHIFT * h * h);
+    let shift = fast_min(SHIFT * shifting * h * fastest * dt, MAX_SHIFT * h * h);
     let farthest = FARTHEST_SHIFT * h;
-    let mut held = 0;
+    let mut cut = 0;
     for i in 0..gas.len() {
-        let away = gas.crowding[i] * -shift;
-        held += u32::from(away.length_squared() > farthest * farthest);
+        let away = gas.concentration_gradient[i] * -shift;
+        cut += u32::from(away.length_squared() > farthest * farthest);
         let away = away.clamp_length_max(farthest);
         gas.position[i] = bounds.wrap(gas.position[i] + gas.velocity[i] * dt + away);
     }
-    held
+    cut
 }
 
 #[cfg(test)]
@@ -126,7 +128,7 @@ mod tests {
 
     #[test]
     fn a_step_keeps_all_three_limits() {
-        for (speed, push, viscosity) in [
+        for (speed, force, viscosity) in [
             (0.0, 0.0, 0.0),
             (8.0, 0.0, 0.0),
             (0.0, 1e4, 0.0),
@@ -138,11 +140,11 @@ mod tests {
             ]);
             let mut gas = wild(&parameters, 1);
             gas.velocity.fill(Vec2::new(speed, 0.0));
-            gas.acceleration.fill(Vec2::new(0.0, push));
+            gas.acceleration.fill(Vec2::new(0.0, force));
             let (h, sound) = (parameters.smoothing_length(), sound(&parameters));
             let dt = longest(&gas, &parameters, h, sound) * 0.9999;
             assert!(dt <= 0.4 * h / (sound + speed));
-            assert!(dt <= 0.25 * (h / push.max(1e-6)).sqrt());
+            assert!(dt <= 0.25 * (h / force.max(1e-6)).sqrt());
             assert!(dt <= 0.125 * h * h / (viscosity as f32).max(1e-9));
         }
     }
@@ -162,12 +164,12 @@ mod tests {
     }
 
     #[test]
-    fn shifting_leads_away_from_the_crowd_and_never_far() {
+    fn shifting_follows_the_gradient_down_and_never_far() {
         let parameters = with(&[]);
         let mut gas = wild(&parameters, 2);
         gas.velocity.fill(Vec2::ZERO);
-        gas.crowding.fill(Vec2::new(1.0, 0.0));
-        gas.crowding[1] = Vec2::new(0.0, -1e6);
+        gas.concentration_gradient.fill(Vec2::new(1.0, 0.0));
+        gas.concentration_gradient[1] = Vec2::new(0.0, -1e6);
         let (h, before) = (parameters.smoothing_length(), gas.position.clone());
         gas.position[0] = Vec2::new(0.1, 0.9);
         gas.position[1] = Vec2::new(0.1, 0.9);
@@ -176,7 +178,7 @@ mod tests {
         assert!((gas.position[1].y - 0.9 - FARTHEST_SHIFT * h).abs() < 1e-5);
         let mut still = wild(&parameters, 2);
         still.velocity.fill(Vec2::ZERO);
-        still.crowding.fill(Vec2::new(1.0, 0.0));
+        still.concentration_gradient.fill(Vec2::new(1.0, 0.0));
         advance(&mut still, &bounds(&parameters), 0.0, h, 2.0, 1e-3);
         assert_eq!(still.position, before);
     }

@@ -57,7 +57,20 @@ pub struct Param {
     pub kind: Kind,
     /// The models it belongs to, each with a default and a range.
     pub domains: &'static [Domain],
+    /// What it changes.
+    pub role: Role,
     pub(super) field: Field,
+}
+
+/// What a parameter changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// The gas: the solver receives these parameters and no others.
+    Physics,
+    /// The light, colours and surroundings that the renderer gives the gas.
+    Look,
+    /// What of the simulation a viewer sees, and how fast it plays.
+    View,
 }
 
 /// What a person reads about a parameter. It stands in an array of its own, so
@@ -261,6 +274,8 @@ fn edit_distance(known: &str, asked: &str) -> usize {
 /// `id: kind "Label" ["unit"] Scale { Model(default, min..=max) … }`,
 /// after its doc; a choice names its type as `(choice Type)`; unit, scale and
 /// range stand only where the kind has them; `Every` stands for every model.
+/// `[Look]` or `[View]` before the id is its [`Role`]; an entry without one is physics
+/// and stands in [`Physics`](super::Physics).
 /// `when { id: names, … }` behind it says when it is of use, `unless { id: names, … }`
 /// when not: see [`Description::when`] and [`Description::unless`].
 ///
@@ -269,29 +284,52 @@ fn edit_distance(known: &str, asked: &str) -> usize {
 macro_rules! parameters {
     ($( $group:literal { $(
         $(#[doc = $doc:literal])+
-        $id:ident : $kind:tt $label:literal $([$unit:literal])? $($scale:ident)?
+        $([$role:ident] $shown:ident)? $($id:ident)? : $kind:tt $label:literal $([$unit:literal])? $($scale:ident)?
             { $( $model:ident $domain:tt )+ } $(when { $( $choice:ident : $names:expr ),+ })?
             $(unless { $( $other:ident : $excluded:expr ),+ })?
     )+ } )+) => {
-        /// The value of every parameter. Read it through [`Parameters`]; it is
-        /// written only by the validator.
+        // A macro cannot stand where a field does, so each struct states all fields and
+        // `cfg(any())`, which is never true, takes out those of the other.
+
+        /// The values that move the gas: all that the solver receives.
         #[derive(Clone, Debug, PartialEq)]
-        pub struct Values { $($(
+        pub struct Physics { $($(
             $(#[doc = $doc])+
-            pub $id: parameters!(@type $kind),
+            $( #[cfg(any())] #[doc = stringify!($shown)] )?
+            pub $($shown)? $($id)?: parameters!(@type $kind),
         )+)+ }
+
+        /// The value of every parameter: those of the look and the view, and through
+        /// `Deref` those of the [`Physics`]. Only the validator writes them.
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct Values {
+            physics: Physics,
+            $($(
+                $(#[doc = $doc])+
+                $( #[cfg(any())] #[doc = stringify!($id)] )?
+                pub $($shown)? $($id)?: parameters!(@type $kind),
+            )+)+
+        }
+
+        impl Deref for Values {
+            type Target = Physics;
+            fn deref(&self) -> &Physics {
+                &self.physics
+            }
+        }
 
         /// Names each field of [`Values`]: with two functions that know them all
         /// an engine is smaller than with two functions for each.
         #[expect(non_camel_case_types, reason = "named as the fields are")]
         #[derive(Clone, Copy, Debug)]
-        enum Field { $($( $id, )+)+ }
+        enum Field { $($( $($shown)? $($id)?, )+)+ }
 
         impl Values {
             #[inline(never)]
             fn place(&mut self, field: Field) -> Place<'_> {
                 match field { $($(
-                    Field::$id => parameters!(@place $kind, self.$id),
+                    Field::$($shown)? $($id)? =>
+                        parameters!(@place $kind, self.$($shown)? $(physics.$id)?),
                 )+)+ }
             }
 
@@ -302,24 +340,36 @@ macro_rules! parameters {
                 self.clone().place(field).value()
             }
 
+            /// These values, for a set whose present model is this one.
+            fn belonging_to(mut self, model: Model) -> Values {
+                self.physics.model = model;
+                self
+            }
+
             fn of_model(model: Model) -> Values {
-                let mut values = Values { $($(
-                    $id: parameters!(@first $kind, $($domain)+),
-                )+)+ };
+                let mut values = Values {
+                    physics: Physics { $($(
+                        $( #[cfg(any())] #[doc = stringify!($shown)] )?
+                        $($shown)? $($id)?: parameters!(@first $kind, $($domain)+),
+                    )+)+ },
+                    $($(
+                        $( #[cfg(any())] #[doc = stringify!($id)] )?
+                        $($shown)? $($id)?: parameters!(@first $kind, $($domain)+),
+                    )+)+
+                };
                 for param in PARAMETERS {
                     if let Some(domain) = param.domain(model) {
                         values.place(param.field).put(domain.default);
                     }
                 }
-                values.model = model;
-                values
+                values.belonging_to(model)
             }
         }
 
         /// Every parameter, in the order in which a panel shows them.
         pub static PARAMETERS: &[Param] = &[ $($(
             Param {
-                id: stringify!($id),
+                id: stringify!($($shown)? $($id)?),
                 group: $group,
                 unit: concat!($($unit)?),
                 kind: parameters!(@kind $kind $($scale)?),
@@ -330,7 +380,8 @@ macro_rules! parameters {
                         range: parameters!(@range $kind, $domain),
                     },
                 )+ ],
-                field: Field::$id,
+                role: parameters!(@role $($role)?),
+                field: Field::$($shown)? $($id)?,
             },
         )+)+ ];
 
@@ -359,6 +410,9 @@ macro_rules! parameters {
     (@kind flag) => { Kind::Flag };
     (@kind colour) => { Kind::Colour };
     (@kind (choice $type:ident)) => { Kind::Choice(<$type as Choice>::NAMES) };
+
+    (@role) => { Role::Physics };
+    (@role $role:ident) => { Role::$role };
 
     (@model Every) => { None };
     (@model $model:ident) => { Some(Model::$model) };

@@ -18,97 +18,25 @@
 //! A velocity is stored as the root of its share of the largest, so that slow gas loses
 //! little.
 
+mod digest;
+mod format;
+
 use std::fmt;
 
-use super::{Gas, Simulation, fault};
-use crate::combustion::Ember;
-use crate::params::{Parameters, Value};
-use crate::particle::Particle;
-use crate::random::Random;
-use crate::scene::Scene;
 use glam::Vec2;
 
-/// The version of the form.
-pub const VERSION: u16 = 1;
+use super::Simulation;
+use crate::combustion::Ember;
+use crate::particle::Particle;
+use crate::random::Random;
+use format::{Bytes, Columns, EACH, EMBERS, HEADER, Head, MAGIC, share, signed};
 
-const MAGIC: &[u8; 4] = b"Fire";
-const HEADER: usize = 56;
-/// Bytes of a particle, and of an ember.
-const EACH: usize = 10;
-/// Most embers that are stored.
-const EMBERS: usize = 1000;
+pub use digest::digest;
+pub use format::VERSION;
+
+const NO_FIRE: &str = "these bytes are no burning fire";
 /// Temperature of an ember at birth, which only falls \[K\].
 const HOTTEST_EMBER: f32 = 2500.0;
-/// Longest time that is believed \[s\].
-const LONGEST: f64 = 1e6;
-
-/// Parameters that change the picture, the clock or the grain, and not the gas.
-const NOT_OF_THE_GAS: [&str; 16] = [
-    "display_mode",
-    "layers",
-    "exposure",
-    "luminance_exponent",
-    "smoke_opacity",
-    "bloom",
-    "detail",
-    "palette",
-    "cool_colour",
-    "hot_colour",
-    "backdrop",
-    "heat_haze",
-    "background",
-    "time_scale",
-    "seed",
-    "max_particles",
-];
-
-/// A number for all values that the gas depends on: fires of the same digest burn alike.
-/// Values at their default do not count, so that a new parameter changes none.
-pub fn digest(scene: &Scene) -> u64 {
-    let name = scene.settings().model().name();
-    let mut hash = of_values(
-        fnv(0xcbf2_9ce4_8422_2325, name.as_bytes()),
-        scene.settings(),
-    );
-    if scene.objects().len() != 1 {
-        hash = fnv(hash, b"objects");
-        for values in scene.sources() {
-            hash = of_values(fnv(hash, b"source"), values);
-        }
-    }
-    hash
-}
-
-fn of_values(mut hash: u64, parameters: &Parameters) -> u64 {
-    for (param, value) in parameters.changed() {
-        if NOT_OF_THE_GAS.contains(&param.id) {
-            continue;
-        }
-        hash = fnv(hash, param.id.as_bytes());
-        let number = match value {
-            Value::Number(x) => x.to_bits(),
-            Value::Integer(n) | Value::Seed(n) => n,
-            Value::Flag(on) => on.into(),
-            Value::Choice(name) => {
-                hash = fnv(hash, name.as_bytes());
-                continue;
-            }
-            Value::Colour(_) => continue,
-        };
-        hash = fnv(hash, &number.to_le_bytes());
-    }
-    hash
-}
-
-/// The hash of Fowler, Noll and Vo (FNV-1a) of these bytes after those hashed before.
-// Three callers: a copy in each is half a kilobyte of download.
-#[inline(never)]
-fn fnv(hash: u64, bytes: &[u8]) -> u64 {
-    bytes.iter().fold(hash, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
-}
-
 /// Why bytes are no fire that can be taken up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BurningError {
@@ -132,10 +60,8 @@ impl std::error::Error for BurningError {}
 impl Simulation {
     /// This fire as bytes; none in the classic model.
     pub fn burning(&self) -> Option<Vec<u8>> {
-        let Gas::Combustion(_) = &self.gas else {
-            return None;
-        };
-        let (particles, air) = (self.particles(), self.parameters().ambient_temperature);
+        self.solver.combustion()?;
+        let (particles, air) = (self.particles(), self.scene.settings().ambient_temperature);
         let embers = &self.embers()[..self.embers().len().min(EMBERS)];
         let most = |all: &mut dyn Iterator<Item = f32>| all.fold(0.0, f32::max);
         let speed = |velocity: Vec2| velocity.abs().max_element();
@@ -154,7 +80,7 @@ impl Simulation {
         out.extend(VERSION.to_le_bytes());
         out.extend((embers.len() as u16).to_le_bytes());
         out.extend(digest(&self.scene).to_le_bytes());
-        out.extend(self.parameters().max_particles.to_le_bytes());
+        out.extend(self.scene.settings().max_particles.to_le_bytes());
         out.extend((particles.len() as u32).to_le_bytes());
         out.extend(self.time.to_le_bytes());
         for scale in scales {
@@ -187,8 +113,8 @@ impl Simulation {
 
     fn write_places(&self, out: &mut Vec<u8>, places: impl Iterator<Item = Vec2> + Clone) {
         let (width, height) = (
-            self.parameters().domain_width,
-            self.parameters().domain_height,
+            self.scene.settings().domain_width,
+            self.scene.settings().domain_height,
         );
         let across = |part: f32| (part * 65_536.0).clamp(0.0, 65_535.0) as u16;
         out.extend(
@@ -208,7 +134,7 @@ impl Simulation {
         let mut bytes = Bytes(bytes);
         let head = Head::read(&mut bytes).ok_or(BurningError::Damaged(NO_FIRE))?;
         head.check(bytes.0.len()).map_err(BurningError::Damaged)?;
-        let Gas::Combustion(gas) = &mut self.gas else {
+        let Some(gas) = self.solver.combustion_mut() else {
             return Err(BurningError::Other);
         };
         if head.digest != digest(&self.scene) {
@@ -232,7 +158,7 @@ impl Simulation {
             .collect();
         let bounds = crate::combustion::bounds(parameters);
         for particle in &particles {
-            if let Some(what) = fault(particle, &bounds) {
+            if let Some(what) = particle.fault(&bounds) {
                 return Err(BurningError::Damaged(what));
             }
         }
@@ -260,145 +186,10 @@ impl Simulation {
     }
 }
 
-const NO_FIRE: &str = "these bytes are no burning fire";
-
-/// What stands before the columns.
-struct Head {
-    version: u16,
-    embers: usize,
-    digest: u64,
-    made_with: u32,
-    particles: usize,
-    time: f64,
-    scales: [f32; 6],
-}
-
-impl Head {
-    fn read(bytes: &mut Bytes<'_>) -> Option<Head> {
-        if bytes.take::<4>()? != *MAGIC {
-            return None;
-        }
-        let version = u16::from_le_bytes(bytes.take()?);
-        let embers = u16::from_le_bytes(bytes.take()?).into();
-        let digest = u64::from_le_bytes(bytes.take()?);
-        let made_with = u32::from_le_bytes(bytes.take()?);
-        let particles = u32::from_le_bytes(bytes.take()?) as usize;
-        let time = f64::from_le_bytes(bytes.take()?);
-        let mut scales = [0.0; 6];
-        for scale in &mut scales {
-            *scale = f32::from_le_bytes(bytes.take()?);
-        }
-        Some(Head {
-            version,
-            embers,
-            digest,
-            made_with,
-            particles,
-            time,
-            scales,
-        })
-    }
-
-    /// What is wrong with it, where so many bytes follow.
-    fn check(&self, rest: usize) -> Result<(), &'static str> {
-        // Enough for any fire, and few enough that no sum below overflows.
-        let few = 1..=100_000;
-        if self.version != VERSION {
-            return Err("the burning fire is of another version");
-        }
-        if !few.contains(&self.particles) || self.embers > EMBERS {
-            return Err("the burning fire has no such number of particles");
-        }
-        if rest != EACH * (self.particles + self.embers) {
-            return Err("the burning fire is cut short, or too long");
-        }
-        let [velocity, hot, sooty, rest @ ..] = self.scales;
-        let good = (0.0..=500.0).contains(&velocity)
-            && (0.0..=20_000.0).contains(&hot)
-            && (0.0..=10.0).contains(&sooty)
-            && rest.iter().all(|scale| (0.0..=500.0).contains(scale))
-            && (0.0..=LONGEST).contains(&self.time);
-        if good {
-            Ok(())
-        } else {
-            Err("the burning fire is beyond all measure")
-        }
-    }
-}
-
-/// What is left to be read.
-struct Bytes<'a>(&'a [u8]);
-
-impl<'a> Bytes<'a> {
-    fn take<const N: usize>(&mut self) -> Option<[u8; N]> {
-        let (first, rest) = self.0.split_first_chunk()?;
-        self.0 = rest;
-        Some(*first)
-    }
-
-    /// The next so many; all that there are, where those are fewer.
-    fn split(&mut self, count: usize) -> &'a [u8] {
-        let (first, rest) = self.0.split_at(count.min(self.0.len()));
-        self.0 = rest;
-        first
-    }
-}
-
-/// The columns of particles or of embers.
-struct Columns<'a> {
-    places: [&'a [u8]; 2],
-    shares: [&'a [u8]; 6],
-}
-
-impl<'a> Columns<'a> {
-    fn of(bytes: &mut Bytes<'a>, count: usize) -> Columns<'a> {
-        Columns {
-            places: std::array::from_fn(|_| bytes.split(2 * count)),
-            shares: std::array::from_fn(|_| bytes.split(count)),
-        }
-    }
-
-    fn share(&self, column: usize, i: usize) -> f32 {
-        let byte = self.shares[column].get(i).copied().unwrap_or(0);
-        f32::from(byte) / 255.0
-    }
-
-    fn place(&self, i: usize, domain: Vec2) -> Vec2 {
-        let part = |axis: usize| {
-            let two = self.places[axis].get(2 * i..2 * i + 2);
-            let [low, high] = two.and_then(|two| two.try_into().ok()).unwrap_or([0; 2]);
-            (f32::from(u16::from_le_bytes([low, high])) + 0.5) / 65_536.0
-        };
-        Vec2::new(part(0) - 0.5, part(1)) * domain
-    }
-
-    fn velocity(&self, i: usize, largest: f32) -> Vec2 {
-        let one = |column: usize| {
-            let byte = self.shares[column].get(i).copied().unwrap_or(128);
-            let root = (f32::from(byte) - 128.0) / 127.0;
-            root * root.abs() * largest
-        };
-        Vec2::new(one(0), one(1))
-    }
-}
-
-/// A share of the largest in eight bits.
-fn share(value: f32, largest: f32) -> u8 {
-    let part = if largest > 0.0 { value / largest } else { 0.0 };
-    (part * 255.0 + 0.5).clamp(0.0, 255.0) as u8
-}
-
-/// A signed share of the largest as its root, 128 for none.
-fn signed(value: f32, largest: f32) -> u8 {
-    let part = if largest > 0.0 { value / largest } else { 0.0 };
-    let root = part.abs().sqrt().min(1.0) * 127.0;
-    (128.5 + root.copysign(part)).clamp(1.0, 255.0) as u8
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::params::{Input, Model, PARAMETERS};
+    use crate::params::{Input, Model, Parameters};
 
     fn with(values: &[(&str, f64)]) -> Parameters {
         let mut parameters = Parameters::new(Model::Combustion);
@@ -419,10 +210,6 @@ mod tests {
     #[test]
     fn what_is_no_matter_of_the_gas_is_a_parameter_and_changes_no_digest() {
         let usual = Parameters::new(Model::Combustion);
-        for id in NOT_OF_THE_GAS {
-            let param = PARAMETERS.iter().find(|param| param.id == id);
-            assert!(param.is_some(), "{id}");
-        }
         for (id, value) in [("exposure", 1.0), ("seed", 7.0), ("max_particles", 1200.0)] {
             assert_eq!(
                 digest(&with(&[(id, value)]).into()),

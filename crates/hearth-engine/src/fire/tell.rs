@@ -20,7 +20,7 @@ impl Fire {
             steps_per_frame: self.steps_per_frame,
             substeps: report.substeps,
             neighbours: report.mean_neighbours,
-            at_speed_limit: report.at_speed_limit,
+            at_speed_limit: report.speed_limited,
             time: self.simulation.time(),
             paused: !self.playing,
             slowed: self.pace.slowed(),

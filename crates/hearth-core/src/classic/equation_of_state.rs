@@ -2,25 +2,24 @@
 //! prints its equation of state).
 
 use crate::lanes::Real;
-use crate::params::Values;
+use crate::params::Physics;
 
-/// Least density that a force reckons with [kg/m³]. A particle that is nearly
-/// alone sees a small part of its surroundings; dividing by what it sees would
-/// fling it away.
+/// Least density that forces use [kg/m³]. A particle that is nearly alone samples a
+/// small part of its neighbourhood; dividing by that density would fling it away.
 pub(crate) const DENSITY_FLOOR: f32 = 0.3;
 
-/// p = k (ρ − ρ₀) \[Pa\], never below zero: a gas without walls pushes and does not
-/// pull.
+/// p = k (ρ − ρ₀) \[Pa\], never below zero: a gas without walls repels and does not
+/// attract.
 #[inline(always)]
-pub(crate) fn pressure<T: Real>(density: T, values: &Values) -> T {
+pub(crate) fn pressure<T: Real>(density: T, values: &Physics) -> T {
     let compressed = density - T::of(values.rest_density);
-    (T::of(values.gas_constant) * compressed).larger(T::of(0.0))
+    (T::of(values.gas_constant) * compressed).fast_max(T::of(0.0))
 }
 
-/// Volume of a unit of mass of that density [m³/kg], as forces reckon with it.
+/// Volume of a unit of mass of that density [m³/kg], as forces use it.
 #[inline(always)]
 pub(crate) fn volume<T: Real>(density: T) -> T {
-    T::of(1.0) / density.larger(T::of(DENSITY_FLOOR))
+    T::of(1.0) / density.fast_max(T::of(DENSITY_FLOOR))
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
-//! Turbulence: a push that swirls and neither compresses nor drives.
+//! Turbulence: a random force that swirls and neither compresses nor drives.
 //!
-//! The finest eddies are below what particles can carry. Their push is drawn at
-//! random instead (Stam & Fiume, SIGGRAPH 1993), as the curl of a noise, which
+//! Particles cannot carry the finest eddies. A random field stands for them (Stam & Fiume, SIGGRAPH 1993), as the curl of a noise, which
 //! makes it divergence-free (Bridson, Hourihan, Nordenstam, SIGGRAPH 2007):
 //!
 //! ```text
@@ -13,17 +12,18 @@
 
 use glam::Vec2;
 
+use super::{BodyForce, LocalGas};
 use crate::noise::perlin_slope;
-use crate::params::Values;
+use crate::params::Physics;
 
 /// Root of the mean square of the slope of one layer, in a lattice cell: what
-/// makes `turbulence` the usual strength of the push.
+/// makes `turbulence` the usual acceleration.
 const USUAL_SLOPE: f32 = 1.22;
 
 /// How each layer moves, in metres a second, across and up; another seed each.
 const LAYERS: [(u32, f64, f64); 2] = [(0xC0_FFEE, 0.13, 0.7), (0xBEEF, -0.19, -0.25)];
 
-/// The push at one moment.
+/// The field at one moment.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turbulence {
     strength: f32,
@@ -42,8 +42,12 @@ struct Layer {
 }
 
 impl Turbulence {
-    /// The push at `time`.
-    pub fn new(values: &Values, time: f64) -> Turbulence {
+    /// The field at `time`; `None` without turbulence.
+    pub fn new(values: &Physics, time: f64) -> Option<Turbulence> {
+        (values.turbulence > 0.0).then(|| Turbulence::at(values, time))
+    }
+
+    fn at(values: &Physics, time: f64) -> Turbulence {
         let repeat = |length: f32| (length / values.turbulence_scale).round().max(1.0);
         let (width, height) = (values.domain_width, values.domain_height);
         let repeats = Vec2::new(repeat(width), repeat(height));
@@ -65,27 +69,13 @@ impl Turbulence {
             }),
         }
     }
+}
 
-    /// Whether there is any push at all.
-    pub fn stirs(&self) -> bool {
-        self.strength > 0.0
-    }
-
-    /// Adds the push to the acceleration of every particle.
-    pub fn stir(&self, positions: &[Vec2], accelerations: &mut [Vec2]) {
-        if !self.stirs() {
-            return;
-        }
-        for (position, acceleration) in positions.iter().zip(accelerations) {
-            *acceleration += self.push(*position);
-        }
-    }
-
-    /// The push at one place [m/s²].
-    pub fn push(&self, position: Vec2) -> Vec2 {
+impl BodyForce for Turbulence {
+    fn acceleration(&self, gas: &LocalGas) -> Vec2 {
         let mut slope = Vec2::ZERO;
         for layer in &self.layers {
-            let at = position * self.cells - layer.scrolled;
+            let at = gas.position * self.cells - layer.scrolled;
             slope += perlin_slope(layer.seed, at, self.repeats);
         }
         // The slope by metres, not by cells: cells are not quite square, and
@@ -111,6 +101,17 @@ mod tests {
         parameters
     }
 
+    impl Turbulence {
+        fn at_place(&self, position: Vec2) -> Vec2 {
+            self.acceleration(&LocalGas {
+                position,
+                velocity: Vec2::ZERO,
+                temperature: 293.0,
+                expansion: 1.0,
+            })
+        }
+    }
+
     fn places(seed: u32) -> Vec<Vec2> {
         let mut random = Random::new(seed);
         let mut place = || Vec2::new(random.between(-0.6, 0.6), random.between(0.0, 1.5));
@@ -120,16 +121,16 @@ mod tests {
     #[test]
     fn it_neither_compresses_nor_drives() {
         for scale in [0.05, 0.15, 0.6] {
-            let push = Turbulence::new(&of(&[("turbulence_scale", scale)]), 12.3);
+            let field = Turbulence::at(&of(&[("turbulence_scale", scale)]), 12.3);
             let d = 2e-3 * scale as f32;
             let (mut divergence, mut shear, mut sum) = (0.0, 0.0, Vec2::ZERO);
             for at in places(1) {
                 let (x, y) = (Vec2::new(d, 0.0), Vec2::new(0.0, d));
-                let along_x = (push.push(at + x) - push.push(at - x)) / (2.0 * d);
-                let along_y = (push.push(at + y) - push.push(at - y)) / (2.0 * d);
+                let along_x = (field.at_place(at + x) - field.at_place(at - x)) / (2.0 * d);
+                let along_y = (field.at_place(at + y) - field.at_place(at - y)) / (2.0 * d);
                 divergence += (along_x.x + along_y.y).abs();
                 shear += along_x.x.abs() + along_y.y.abs();
-                sum += push.push(at);
+                sum += field.at_place(at);
             }
             assert!(divergence < 0.02 * shear, "{divergence} of {shear}");
             assert!((sum / 4000.0).length() < 0.15, "{sum}");
@@ -139,10 +140,10 @@ mod tests {
     #[test]
     fn its_usual_strength_is_what_the_parameter_says() {
         for scale in [0.05, 0.15] {
-            let push = Turbulence::new(&of(&[("turbulence_scale", scale)]), 3.0);
+            let field = Turbulence::at(&of(&[("turbulence_scale", scale)]), 3.0);
             let squares = places(2)
                 .into_iter()
-                .map(|at| push.push(at).length_squared());
+                .map(|at| field.at_place(at).length_squared());
             let usual = (squares.sum::<f32>() / 4000.0).sqrt();
             assert!((usual / 2.0 - 1.0).abs() < 0.15, "{usual}");
         }
@@ -151,17 +152,17 @@ mod tests {
     #[test]
     fn it_repeats_with_the_domain_and_moves_on() {
         let values = of(&[]);
-        let push = Turbulence::new(&values, 5.0);
+        let field = Turbulence::at(&values, 5.0);
         let domain = Vec2::new(values.domain_width, values.domain_height);
         for at in places(3) {
             for across in [Vec2::new(domain.x, 0.0), Vec2::new(0.0, domain.y)] {
-                assert!(push.push(at).distance(push.push(at + across)) < 1e-2);
+                assert!(field.at_place(at).distance(field.at_place(at + across)) < 1e-2);
             }
         }
-        let later = Turbulence::new(&values, 6.0);
+        let later = Turbulence::at(&values, 6.0);
         let moved = places(3)
             .iter()
-            .filter(|&&at| push.push(at).distance(later.push(at)) > 0.2)
+            .filter(|&&at| field.at_place(at).distance(later.at_place(at)) > 0.2)
             .count();
         assert!(moved > 2000, "{moved} of 4000");
     }
@@ -171,11 +172,11 @@ mod tests {
         let values = of(&[]);
         let year = 365.0 * 86_400.0;
         let (now, next) = (
-            Turbulence::new(&values, year),
-            Turbulence::new(&values, year + 1e-3),
+            Turbulence::at(&values, year),
+            Turbulence::at(&values, year + 1e-3),
         );
         for at in places(4) {
-            assert!(now.push(at).distance(next.push(at)) < 0.1);
+            assert!(now.at_place(at).distance(next.at_place(at)) < 0.1);
         }
     }
 }

@@ -1,18 +1,17 @@
-//! What a particle has around it, for whoever looks: how fast that turns, and how
-//! many others the particle feels.
+//! Vorticity and number of neighbours of every particle, for the displays that show them.
 //!
-//! A fire that stands still is looked at too, and so are particles that were just
-//! put in. So this goes by the particles as they are, and not by the lists of the last
-//! step. Its memory is the list of instances itself: behind them stands the first
-//! particle of each cell, and in a field of theirs that is free the next one of
-//! the same cell. So a picture of a warm fire allocates nothing and changes nothing.
+//! A paused fire and particles that a caller has just put in have these too, so the search
+//! reads the particles as they are and not the lists of the last step. Its memory is the
+//! list of instances itself: behind the instances stands the first particle of each cell,
+//! and a free field of each instance holds the next particle of the same cell. So a picture
+//! of a warm fire allocates nothing and changes nothing.
 
 use crate::bounds::Bounds;
-use crate::extremes::larger;
+use crate::extremes::fast_max;
+use crate::instance::Instance;
 use crate::kernel;
-use crate::particle::Instance;
 
-/// Fields of an instance: its volume; what is free; what is found out.
+/// Fields of an instance: its volume, a free one, and the result.
 const VOLUME: usize = 5;
 const NEXT: usize = 6;
 const FOUND: usize = 7;
@@ -22,19 +21,19 @@ const FAR: f32 = 1e9;
 /// Numbers of an instance.
 const FIELDS: usize = size_of::<Instance>() / size_of::<f32>();
 
-/// Finds for each particle its vorticity [1/s] if it is `spin` that is asked for,
-/// or the number of its neighbours within 2`h` \[m\].
+/// Finds the `vorticity` of each particle [1/s] or, where that is false, the number of its
+/// neighbours within 2`h` \[m\].
 ///
 /// The vorticity is twice the speed at which its neighbours turn around it,
 /// ω = 2 Σ V g (r × v)/Σ V g r², g = −W'/r, with r and v from it to each of them:
 /// the curl of SPH over what that makes of a rigid rotation, which so comes out
 /// exactly, at the rim of the gas too.
-pub(crate) fn look_around(instances: &mut Vec<Instance>, bounds: &Bounds, h: f32, spin: bool) {
+pub(crate) fn measure(instances: &mut Vec<Instance>, bounds: &Bounds, h: f32, vorticity: bool) {
     let count = instances.len();
     let reach = 2.0 * h;
     // As wide as a kernel reaches, and no more of them than particles.
     let area = bounds.width * bounds.height;
-    let edge = larger(reach, (area / (count + 1) as f32).sqrt());
+    let edge = fast_max(reach, (area / (count + 1) as f32).sqrt());
     let across = Axis::new(bounds.width, edge, bounds.periodic);
     let up = Axis::new(bounds.height, edge, bounds.endless);
     let place = |one: &Instance| (across.cell(one[0] + 0.5 * bounds.width), up.cell(one[1]));
@@ -67,15 +66,15 @@ pub(crate) fn look_around(instances: &mut Vec<Instance>, bounds: &Bounds, h: f32
                 let square = x * x + y * y;
                 if square < reach * reach {
                     near += 1.0;
-                    let q = larger(square.sqrt() / h, 1e-6);
-                    let weight = other[VOLUME] * kernel::steepness(q) / q;
+                    let q = fast_max(square.sqrt() / h, 1e-6);
+                    let weight = other[VOLUME] * kernel::minus_dw(q) / q;
                     turn += weight * (x * (other[3] - one[3]) - y * (other[2] - one[2]));
                     inertia += weight * square;
                 }
             }
         }
-        particles[i][FOUND] = if spin {
-            2.0 * turn / larger(inertia, f32::MIN_POSITIVE)
+        particles[i][FOUND] = if vorticity {
+            2.0 * turn / fast_max(inertia, f32::MIN_POSITIVE)
         } else {
             near
         };

@@ -1,21 +1,22 @@
-//! The forces of pairs where an equation is taken as the paper prints it.
+//! Pair interactions as the paper prints them.
 //!
 //! Each printed form can be chosen by itself, so that a reader can see what it
 //! does. They stand apart because the two ends of a pair may then feel
-//! different forces, and because the usual forces need not ask at every pair.
+//! different forces, and because the usual interactions test no flag at every pair.
 
 use glam::Vec2;
 
-use super::forces::One;
-use super::pairs::Block;
+use crate::classic::pair::Broadcast;
+use crate::classic::pairs::Block;
+use crate::interaction::Separation;
 use crate::kernel::{self, Kernel};
 use crate::lanes::Lanes;
-use crate::neighbours::Law;
-use crate::params::Values;
+use crate::neighbours::PairSum;
+use crate::params::Physics;
 
 /// The paper's equations as they are printed, each to be chosen by itself.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Printed {
+pub(super) struct AsPublished {
     /// Equation 3, f = − m (pᵢ + pⱼ)/(2 ρⱼ) ∇W: the ½ halves the gradient of
     /// the pressure, and the density of force is taken for an acceleration.
     pressure: bool,
@@ -27,19 +28,19 @@ pub(crate) struct Printed {
     mass: f32,
     kernel: Kernel,
     /// m μ [kg/m · Pa·s].
-    rub: f32,
+    viscous: f32,
 }
 
-impl Printed {
+impl AsPublished {
     /// Which of them `values` choose.
-    pub fn new(kernel: &Kernel, values: &Values, viscosity: f32) -> Printed {
-        Printed {
+    pub fn new(kernel: &Kernel, values: &Physics, viscosity: f32) -> AsPublished {
+        AsPublished {
             pressure: values.printed_pressure,
             viscosity: values.printed_viscosity,
             divisor: values.printed_divisor,
             mass: values.particle_mass,
             kernel: *kernel,
-            rub: values.particle_mass * viscosity,
+            viscous: values.particle_mass * viscosity,
         }
     }
 
@@ -61,34 +62,33 @@ impl Printed {
     }
 }
 
-impl Law<2> for Printed {
+impl PairSum<2> for AsPublished {
     type Block = Block;
-    type One = One;
+    type Broadcast = Broadcast;
 
     #[inline(always)]
-    fn one(&self, block: &Block, lane: usize, shift: Vec2) -> One {
-        One::of(block, lane, shift)
+    fn broadcast(&self, block: &Block, lane: usize, shift: Vec2) -> Broadcast {
+        Broadcast::of(block, lane, shift)
     }
 
-    fn pair(&self, one: &One, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
-        let [x, y] = one.offset(others);
-        let square = x * x + y * y;
-        let q = kernel::distance(square);
-        let steep = kernel::steepness(q) / q;
+    fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
+        let offset = one.offset(others);
+        let Separation { x, y, square, q } = offset;
+        let gradient = kernel::minus_dw(q) / q;
         let share = if self.pressure { 0.5 } else { 1.0 };
-        let push = steep * (one.pressure + others.pressure) * share;
-        let drag = if self.viscosity {
+        let pressure = gradient * (one.pressure + others.pressure) * share;
+        let laplacian = if self.viscosity {
             let h = self.kernel.smoothing_length();
             -Lanes::new(q.to_array().map(|q| self.kernel.laplacian(q * h)))
         } else {
-            -(steep * (2.0 * self.kernel.steepness_norm()) * square / (square + 0.01))
+            -(gradient * (2.0 * self.kernel.minus_dw_norm()) * square / offset.softened())
         };
-        let rub = drag * self.rub;
-        let [vx, vy] = one.apart(others);
+        let viscous = laplacian * self.viscous;
+        let [vx, vy] = one.relative_velocity(others);
         let ends = |mine: Lanes, theirs: Lanes| {
-            let pushed = push * theirs * self.by(mine, self.pressure);
-            let rubbed = rub * theirs * self.by(mine, false);
-            [x * pushed + vx * rubbed, y * pushed + vy * rubbed]
+            let radial = pressure * theirs * self.by(mine, self.pressure);
+            let relative = viscous * theirs * self.by(mine, false);
+            [x * radial + vx * relative, y * radial + vy * relative]
         };
         (
             ends(one.volume, others.volume),
@@ -97,7 +97,7 @@ impl Law<2> for Printed {
     }
 
     #[inline(always)]
-    fn gains(block: &mut Block) -> &mut [Lanes; 2] {
+    fn accumulator(block: &mut Block) -> &mut [Lanes; 2] {
         &mut block.acceleration
     }
 }

@@ -1,0 +1,77 @@
+//! A particle and four of its neighbours, as pair interactions take them.
+
+use glam::Vec2;
+
+use super::pairs::Block;
+use crate::interaction::Separation;
+use crate::kernel;
+use crate::lanes::Lanes;
+
+/// A particle with each property in all lanes.
+pub(super) struct Broadcast {
+    place: [Lanes; 2],
+    velocity: [Lanes; 2],
+    pub volume: Lanes,
+    pub pressure: Lanes,
+}
+
+impl Broadcast {
+    #[inline(always)]
+    pub fn of(block: &Block, lane: usize, shift: Vec2) -> Broadcast {
+        Broadcast {
+            place: [
+                block.place[0].spread(lane) - shift.x,
+                block.place[1].spread(lane) - shift.y,
+            ],
+            velocity: block.velocity.map(|v| v.spread(lane)),
+            volume: block.volume.spread(lane),
+            pressure: block.pressure.spread(lane),
+        }
+    }
+
+    /// Offset from each of the others.
+    #[inline(always)]
+    pub fn offset(&self, others: &Block) -> Separation {
+        Separation::between(self.place, others.place)
+    }
+
+    /// Velocity relative to each of the others [m/s].
+    #[inline(always)]
+    pub fn relative_velocity(&self, others: &Block) -> [Lanes; 2] {
+        let [vx, vy] = others.velocity;
+        [self.velocity[0] - vx, self.velocity[1] - vy]
+    }
+}
+
+/// A particle against four others. Kernel gradients lack their factor
+/// [`Kernel::minus_dw_norm`](kernel::Kernel::minus_dw_norm).
+pub(super) struct Pair {
+    pub offset: Separation,
+    /// Relative velocity [m/s].
+    pub velocity: [Lanes; 2],
+    /// −∇W/r · Vᵢ Vⱼ.
+    pub gradient: Lanes,
+    /// −r·∇W/(r² + 0.01 h²) · Vᵢ Vⱼ.
+    pub laplacian: Lanes,
+    /// pᵢ + pⱼ, as the blocks hold them.
+    pub pressures: Lanes,
+}
+
+impl Pair {
+    #[inline(always)]
+    pub fn new(one: &Broadcast, others: &Block) -> Pair {
+        let offset = one.offset(others);
+        let softened = offset.softened();
+        // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
+        // times q²: one division serves both.
+        let quotient =
+            kernel::minus_dw(offset.q) * (one.volume * others.volume) / (offset.q * softened);
+        Pair {
+            offset,
+            velocity: one.relative_velocity(others),
+            gradient: quotient * softened,
+            laplacian: quotient * offset.square,
+            pressures: one.pressure + others.pressure,
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! The pair interactions of the combustion model: one line each in [`list`].
+//!
+//! With the harmonic mean density ρ̄ = 2 m/(Vᵢ + Vⱼ) of a pair, each file states its own
+//! equation. Whatever one particle gains its neighbour loses, to the last bit. The same
+//! pass sums the gradient of the particle concentration, Σ V ∇W, by which particles are
+//! shifted.
+
+mod artificial_viscosity;
+mod diffusion;
+mod pressure;
+mod viscosity;
+
+use glam::{Vec2, Vec4};
+
+use super::gas::Gas;
+use super::pair::{Broadcast, Context, PackedParticle, Pair};
+use crate::grid::Grid;
+use crate::interaction::{PairInteraction, Rates};
+use crate::lanes::{LANES, Lanes, sums, transposed};
+use crate::neighbours::Neighbours;
+
+/// All pair interactions, in the order in which their rates add up.
+fn list(context: &Context) -> impl PairInteraction<Pair> {
+    (
+        pressure::Pressure::new(context),
+        artificial_viscosity::ArtificialViscosity::new(context),
+        viscosity::Viscosity::new(context),
+        diffusion::Diffusion::new(context),
+    )
+}
+
+/// What the pass sums for a particle.
+#[derive(Clone, Copy, Debug)]
+struct Accumulator {
+    /// Acceleration [m/s²], and the concentration gradient but for its factor.
+    motion: Lanes,
+    /// Change of the state [1/s].
+    state: Lanes,
+}
+
+impl Accumulator {
+    const ZERO: Accumulator = Accumulator {
+        motion: Lanes::ZERO,
+        state: Lanes::ZERO,
+    };
+}
+
+/// The memory of the pass.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Interactions {
+    packed: Vec<PackedParticle>,
+    accumulators: Vec<Accumulator>,
+    /// The neighbours of one particle.
+    others: Vec<u32>,
+}
+
+impl Interactions {
+    /// Sums acceleration, exchange and concentration gradient over the pairs.
+    pub fn sum(&mut self, gas: &mut Gas, grid: &Grid, neighbours: &Neighbours, context: &Context) {
+        let kernel = context.kernel;
+        self.pack(gas, grid, 1.0 / kernel.smoothing_length());
+        let Interactions {
+            packed,
+            accumulators,
+            others,
+        } = self;
+        accumulators.clear();
+        accumulators.resize(packed.len(), Accumulator::ZERO);
+
+        let (interactions, eddy_scale) = (list(context), Pair::eddy_scale(context));
+        neighbours.each(others, |here, shift, others| {
+            let particle = packed[here];
+            let one = Broadcast::of(&particle, shift);
+            let mut motion = [Lanes::ZERO; 4];
+            let mut state = Lanes::ZERO;
+            for four in others.chunks_exact(LANES) {
+                let four = [0, 1, 2, 3].map(|k| four[k] as usize);
+                let theirs = four.map(|there| packed[there]);
+                let pair = Pair::new(&one, theirs, eddy_scale);
+                let mut rates = Rates::NONE;
+                interactions.add(&pair, &mut rates);
+                let [ax, ay] = rates.acceleration(&pair.offset, pair.velocity);
+                let (x, y) = (pair.offset.x * pair.gradient, pair.offset.y * pair.gradient);
+                motion[0] += ax;
+                motion[1] += ay;
+                motion[2] += x * pair.volume;
+                motion[3] += y * pair.volume;
+                let lost = transposed([ax, ay, x * one.volume, y * one.volume]);
+                for k in 0..LANES {
+                    let flux = (particle.state - theirs[k].state) * rates.mixing.spread(k);
+                    state += flux;
+                    let accumulator = &mut accumulators[four[k]];
+                    accumulator.motion -= lost[k];
+                    accumulator.state -= flux;
+                }
+            }
+            let accumulator = &mut accumulators[here];
+            accumulator.motion += sums(motion);
+            accumulator.state += state;
+        });
+
+        let gradient_norm = -kernel.minus_dw_norm() * kernel.smoothing_length();
+        let (fours, _) = accumulators.as_chunks::<LANES>();
+        for (accumulators, members) in fours.iter().zip(grid.members()) {
+            for (accumulator, i) in accumulators.iter().zip(members) {
+                let [ax, ay, x, y] = accumulator.motion.to_array();
+                gas.acceleration[i] = Vec2::new(ax, ay);
+                gas.concentration_gradient[i] = Vec2::new(x, y) * gradient_norm;
+                gas.change[i] = Vec4::from_array(accumulator.state.to_array());
+            }
+        }
+    }
+
+    fn pack(&mut self, gas: &Gas, grid: &Grid, inverse_h: f32) {
+        let packed = &mut self.packed;
+        // One more than there are places: the lists are filled up with it.
+        let places = LANES * grid.block_count() + 1;
+        packed.resize(places, PackedParticle::NONE);
+        packed[places - 1] = PackedParticle::NONE;
+        let (fours, _) = packed.as_chunks_mut::<LANES>();
+        for (packed, members) in fours.iter_mut().zip(grid.members()) {
+            packed[members.len()..].fill(PackedParticle::NONE);
+            for (particle, i) in packed.iter_mut().zip(members) {
+                let (at, v) = (gas.position[i] * inverse_h, gas.velocity[i]);
+                *particle = PackedParticle {
+                    motion: Lanes::new([at.x, at.y, v.x, v.y]),
+                    room: Lanes::new([gas.volume[i], gas.pressure[i], 0.0, 0.0]),
+                    state: Lanes::new(gas.state[i].to_array()),
+                };
+            }
+        }
+    }
+
+    /// The gas as the last pass packed it, four places to a block of the grid.
+    pub fn packed(&self) -> &[PackedParticle] {
+        &self.packed
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::combustion::gas::bounds;
+    use crate::combustion::gas::tests::{wild, with};
+    use crate::combustion::number_density::NumberDensity;
+    use crate::kernel::Kernel;
+    use crate::params::Parameters;
+
+    /// Gas in random motion with its interactions summed.
+    fn summed(parameters: &Parameters, seed: u32) -> Gas {
+        let mut gas = wild(parameters, seed);
+        let context = Context {
+            kernel: &Kernel::new(parameters.smoothing_length()),
+            values: parameters,
+            sound: 6.0,
+            mass: gas.mass,
+        };
+        let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
+        let positions = gas.position.clone().into_iter();
+        let reach = context.kernel.support();
+        gas.reorder(grid.sort(positions, &bounds(parameters), reach));
+        NumberDensity::default().sum(&mut gas, &grid, &mut neighbours, &context);
+        Interactions::default().sum(&mut gas, &grid, &neighbours, &context);
+        gas
+    }
+
+    #[test]
+    fn what_one_gains_another_loses() {
+        for seed in 0..3 {
+            let parameters = with(&[("max_particles", 1500.0), ("gas_expansion", 1.0)]);
+            let gas = summed(&parameters, seed);
+            let net: Vec2 = gas.acceleration.iter().sum();
+            let all: f32 = gas.acceleration.iter().map(|a| a.length()).sum();
+            assert!(net.length() < 1e-5 * all, "{net} of {all}");
+            let net: Vec4 = gas.change.iter().sum();
+            let all: Vec4 = gas.change.iter().map(|c| c.abs()).sum();
+            assert!((net.abs() / all).max_element() < 1e-5, "{net} of {all}");
+        }
+    }
+
+    #[test]
+    fn viscosity_of_each_kind_takes_energy() {
+        for (id, low, high) in [
+            ("kinematic_viscosity", 0.0, 0.01),
+            ("eddy_viscosity", 0.0, 0.4),
+            ("artificial_viscosity", 0.02, 0.4),
+        ] {
+            let work = |value: f64| {
+                let parameters = with(&[
+                    ("max_particles", 1500.0),
+                    ("kinematic_viscosity", 0.0),
+                    ("eddy_viscosity", 0.0),
+                    ("artificial_viscosity", 0.02),
+                    (id, value),
+                ]);
+                let gas = summed(&parameters, 5);
+                let pairs = gas.velocity.iter().zip(&gas.acceleration);
+                pairs.map(|(v, a)| f64::from(v.dot(*a))).sum::<f64>()
+            };
+            assert!(work(high) < work(low) - 1.0, "{id}");
+        }
+    }
+
+    #[test]
+    fn the_particles_fill_the_domain_whatever_they_are_made_of() {
+        let parameters = with(&[("max_particles", 1500.0)]);
+        let gas = summed(&parameters, 7);
+        let filled: f32 = gas.volume.iter().sum();
+        let domain = parameters.domain_width * parameters.domain_height;
+        assert!((filled / domain - 1.0).abs() < 0.03, "{filled} of {domain}");
+    }
+}

@@ -1,0 +1,100 @@
+//! Number density, volume and pressure of the gas.
+//!
+//! Hot gas takes more room. Each particle is weighted by y = m θ, and the number density
+//! Y = Σ yⱼ Wᵢⱼ says how full a place is, whatever mixture fills it. So the volume V = y/Y
+//! and the pressure p = c₀² (Y − Ȳ) run smoothly across the edge of a flame, where a plain
+//! p(ρ, T) would act as a false surface tension (density-independent SPH: Saitoh & Makino,
+//! ApJ 768, 2013). Ȳ is the mean over the particles: hot gas in a closed domain raises the
+//! pressure everywhere, which moves nothing, but its noise damps every instability. Pressure
+//! below the mean pulls particles together, and shifting spreads them again; so shifting
+//! cannot be turned off.
+
+use super::equation_of_state::expansion;
+use super::gas::Gas;
+use super::pair::Context;
+use crate::grid::Grid;
+use crate::lanes::{LANES, Lanes};
+use crate::neighbours::{self, NOWHERE, Neighbours};
+
+/// Four particles, as the search for pairs takes them.
+#[derive(Clone, Copy, Debug, Default)]
+struct Block {
+    /// Position, in smoothing lengths.
+    place: [Lanes; 2],
+    /// θ, the weight of each in the sums.
+    weight: Lanes,
+    /// Σ θⱼ w(q).
+    sum: Lanes,
+}
+
+impl neighbours::Block for Block {
+    #[inline(always)]
+    fn place(&self) -> [Lanes; 2] {
+        self.place
+    }
+    #[inline(always)]
+    fn weight(&self) -> Lanes {
+        self.weight
+    }
+    #[inline(always)]
+    fn sum(&mut self) -> &mut Lanes {
+        &mut self.sum
+    }
+}
+
+/// The memory of the pass.
+#[derive(Clone, Debug, Default)]
+pub(super) struct NumberDensity {
+    blocks: Vec<Block>,
+}
+
+impl NumberDensity {
+    /// Finds all pairs of sorted gas, and sums the number density, from which volume
+    /// and pressure follow.
+    pub fn sum(
+        &mut self,
+        gas: &mut Gas,
+        grid: &Grid,
+        neighbours: &mut Neighbours,
+        context: &Context,
+    ) {
+        let Context { kernel, values, .. } = *context;
+        for (theta, state) in gas.expansion.iter_mut().zip(&gas.state) {
+            *theta = expansion(state.x, values);
+        }
+        let inverse_h = 1.0 / kernel.smoothing_length();
+        // Not cleared: every block is written as a whole.
+        self.blocks.resize(grid.block_count(), Block::default());
+        for (block, members) in self.blocks.iter_mut().zip(grid.members()) {
+            let mut place = [[NOWHERE; LANES]; 2];
+            let mut weight = [0.0; LANES];
+            for (lane, i) in members.enumerate() {
+                let at = gas.position[i] * inverse_h;
+                (place[0][lane], place[1][lane]) = (at.x, at.y);
+                weight[lane] = gas.expansion[i];
+            }
+            *block = Block {
+                place: place.map(Lanes::new),
+                weight: Lanes::new(weight),
+                sum: Lanes::ZERO,
+            };
+        }
+        neighbours.find(&mut self.blocks, grid, kernel.smoothing_length());
+
+        let each = gas.mass * kernel.w_norm();
+        let mut sum = 0.0;
+        for (block, members) in self.blocks.iter().zip(grid.members()) {
+            let number_density = (block.sum * each).to_array();
+            for (i, number_density) in members.zip(number_density) {
+                gas.number_density[i] = number_density;
+                sum += f64::from(number_density);
+            }
+        }
+        let mean = (sum / gas.len().max(1) as f64) as f32;
+        let sound = context.sound;
+        for (i, &number_density) in gas.number_density.iter().enumerate() {
+            gas.volume[i] = gas.mass * gas.expansion[i] / number_density;
+            gas.pressure[i] = sound * sound * (number_density - mean);
+        }
+    }
+}

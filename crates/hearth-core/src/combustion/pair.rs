@@ -1,0 +1,125 @@
+//! A particle of the gas and four of its neighbours, as pair interactions take them.
+
+use glam::Vec2;
+
+use crate::interaction::Separation;
+use crate::kernel::{self, Kernel};
+use crate::lanes::{LANES, Lanes, Real, transposed};
+use crate::neighbours::NOWHERE;
+use crate::params::Physics;
+
+/// A particle, packed so that a pass gathers four numbers of it at a time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PackedParticle {
+    /// Position, in smoothing lengths, and velocity [m/s].
+    pub motion: Lanes,
+    /// Volume \[m²\] and pressure \[Pa\], and two that are not used.
+    pub room: Lanes,
+    /// Temperature \[K\], fuel, oxygen, soot.
+    pub state: Lanes,
+}
+
+impl PackedParticle {
+    /// A particle outside of every reach.
+    pub const NONE: PackedParticle = PackedParticle {
+        motion: Lanes::new([NOWHERE, NOWHERE, 0.0, 0.0]),
+        room: Lanes::new([1.0, 0.0, 0.0, 0.0]),
+        state: Lanes::ZERO,
+    };
+}
+
+/// A particle with each property in all lanes.
+pub(super) struct Broadcast {
+    motion: [Lanes; 4],
+    pub volume: Lanes,
+    pressure: Lanes,
+}
+
+impl Broadcast {
+    /// A particle, moved by so many smoothing lengths.
+    #[inline(always)]
+    pub fn of(particle: &PackedParticle, shift: Vec2) -> Broadcast {
+        let [x, y, vx, vy] = [0, 1, 2, 3].map(|k| particle.motion.spread(k));
+        Broadcast {
+            motion: [x - shift.x, y - shift.y, vx, vy],
+            volume: particle.room.spread(0),
+            pressure: particle.room.spread(1),
+        }
+    }
+}
+
+/// What the interactions of a step have in common.
+pub(super) struct Context<'a> {
+    pub kernel: &'a Kernel,
+    pub values: &'a Physics,
+    /// Numerical speed of sound c₀ [m/s].
+    pub sound: f32,
+    /// Mass of a particle [kg/m].
+    pub mass: f32,
+}
+
+/// A particle against four others. Kernel gradients lack their factor
+/// [`Kernel::minus_dw_norm`], which the constants of the interactions hold.
+pub(super) struct Pair {
+    pub offset: Separation,
+    /// Relative velocity [m/s].
+    pub velocity: [Lanes; 2],
+    /// Volume of the others \[m²\].
+    pub volume: Lanes,
+    /// −∇W/r.
+    pub gradient: Lanes,
+    /// −∇W/r · 1/(r² + 0.01 h²).
+    pub softened_gradient: Lanes,
+    /// Vᵢ Vⱼ.
+    pub volumes: Lanes,
+    /// Vᵢ Vⱼ ρ̄/m.
+    pub mean_volume: Lanes,
+    /// pᵢ + pⱼ \[Pa\].
+    pub pressures: Lanes,
+    /// −r·∇W/(r² + 0.01 h²) · Vᵢ Vⱼ ρ̄/m.
+    pub laplacian: Lanes,
+    /// Eddy viscosity ν_t = C_s² h |vᵢⱼ| [m²/s].
+    pub eddy_viscosity: Lanes,
+}
+
+impl Pair {
+    /// C_s² h, which [`Pair::new`] takes.
+    pub fn eddy_scale(context: &Context) -> Lanes {
+        let smagorinsky = context.values.eddy_viscosity;
+        Lanes::splat(smagorinsky * smagorinsky * context.kernel.smoothing_length())
+    }
+
+    #[inline(always)]
+    pub fn new(one: &Broadcast, others: [PackedParticle; LANES], eddy_scale: Lanes) -> Pair {
+        let [x, y, vx, vy] = transposed(others.map(|other| other.motion));
+        let [volume, pressure, ..] = transposed(others.map(|other| other.room));
+        let [one_x, one_y, one_vx, one_vy] = one.motion;
+        let offset = Separation::between([one_x, one_y], [x, y]);
+        let (vx, vy) = (one_vx - vx, one_vy - vy);
+        // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
+        // times q²: one division serves both.
+        let softened = offset.softened();
+        let softened_gradient = kernel::minus_dw(offset.q) / (offset.q * softened);
+        let volumes = one.volume * volume;
+        let mean_volume = (volumes + volumes) / (one.volume + volume);
+        Pair {
+            offset,
+            velocity: [vx, vy],
+            volume,
+            gradient: softened_gradient * softened,
+            softened_gradient,
+            volumes,
+            mean_volume,
+            pressures: one.pressure + pressure,
+            laplacian: mean_volume * softened_gradient * offset.square,
+            eddy_viscosity: (vx * vx + vy * vy).sqrt() * eddy_scale,
+        }
+    }
+
+    /// r·v, and zero where the particles part.
+    #[inline(always)]
+    pub fn approach(&self) -> Lanes {
+        let ([vx, vy], Separation { x, y, .. }) = (self.velocity, self.offset);
+        (vx * x + vy * y).fast_min(Lanes::ZERO)
+    }
+}

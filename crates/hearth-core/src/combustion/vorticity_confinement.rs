@@ -1,0 +1,211 @@
+//! Vorticity confinement: a force around every vortex that gives back the rotation
+//! that a coarse simulation loses (Fedkiw, Stam, Jensen, SIGGRAPH 2001),
+//! a = ε h (∇|ω|/|∇|ω|| × ω).
+//!
+//! It takes two more passes over the pairs: for the curl ω of the velocity, and for
+//! the gradient of its magnitude.
+
+use glam::Vec2;
+
+use super::gas::Gas;
+use super::pair::PackedParticle;
+use crate::grid::Grid;
+use crate::interaction::Separation;
+use crate::kernel::{self, Kernel};
+use crate::lanes::{LANES, Lanes, Real, transposed};
+use crate::neighbours::{self, Neighbours, PairSum};
+
+/// Four particles.
+#[derive(Clone, Copy, Debug, Default)]
+struct Block {
+    /// Position, in smoothing lengths.
+    place: [Lanes; 2],
+    /// Volume \[m²\].
+    volume: Lanes,
+    /// Velocity [m/s].
+    velocity: [Lanes; 2],
+    /// ω, but for the factor of W'.
+    curl: [Lanes; 1],
+    /// ∇|ω|, but for its factor.
+    gradient: [Lanes; 2],
+}
+
+impl neighbours::Block for Block {
+    fn place(&self) -> [Lanes; 2] {
+        self.place
+    }
+    fn weight(&self) -> Lanes {
+        self.volume
+    }
+    fn sum(&mut self) -> &mut Lanes {
+        &mut self.curl[0]
+    }
+}
+
+/// A particle with each property in all lanes.
+struct Broadcast {
+    place: [Lanes; 2],
+    volume: Lanes,
+    velocity: [Lanes; 2],
+    curl: Lanes,
+}
+
+impl Broadcast {
+    fn of(block: &Block, lane: usize, shift: Vec2) -> Broadcast {
+        let [x, y] = block.place.map(|at| at.spread(lane));
+        Broadcast {
+            place: [x - shift.x, y - shift.y],
+            volume: block.volume.spread(lane),
+            velocity: block.velocity.map(|v| v.spread(lane)),
+            curl: block.curl[0].spread(lane),
+        }
+    }
+
+    /// −∇W at each of the others, but for its factor.
+    fn minus_gradient(&self, others: &Block) -> [Lanes; 2] {
+        let Separation { x, y, q, .. } = Separation::between(self.place, others.place);
+        let over_r = kernel::minus_dw(q) / q;
+        [x * over_r, y * over_r]
+    }
+}
+
+/// ω = Σ V ∇W × v
+struct Curl;
+
+impl PairSum<1> for Curl {
+    type Block = Block;
+    type Broadcast = Broadcast;
+
+    fn broadcast(&self, block: &Block, lane: usize, shift: Vec2) -> Broadcast {
+        Broadcast::of(block, lane, shift)
+    }
+
+    fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 1], [Lanes; 1]) {
+        let [x, y] = one.minus_gradient(others);
+        let turn =
+            x * (one.velocity[1] - others.velocity[1]) - y * (one.velocity[0] - others.velocity[0]);
+        ([turn * others.volume], [-(turn * one.volume)])
+    }
+
+    fn accumulator(block: &mut Block) -> &mut [Lanes; 1] {
+        &mut block.curl
+    }
+}
+
+/// ∇|ω| = Σ V (|ωⱼ| − |ωᵢ|) ∇W
+struct CurlGradient;
+
+impl PairSum<2> for CurlGradient {
+    type Block = Block;
+    type Broadcast = Broadcast;
+
+    fn broadcast(&self, block: &Block, lane: usize, shift: Vec2) -> Broadcast {
+        Broadcast::of(block, lane, shift)
+    }
+
+    fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
+        let magnitude = |curl: Lanes| curl.fast_max(-curl);
+        let more = magnitude(one.curl) - magnitude(others.curl[0]);
+        let gradient = one.minus_gradient(others);
+        (
+            gradient.map(|along| along * more * others.volume),
+            gradient.map(|along| -(along * more * one.volume)),
+        )
+    }
+
+    fn accumulator(block: &mut Block) -> &mut [Lanes; 2] {
+        &mut block.gradient
+    }
+}
+
+/// The memory of the two passes.
+#[derive(Clone, Debug, Default)]
+pub(super) struct VorticityConfinement {
+    blocks: Vec<Block>,
+}
+
+impl VorticityConfinement {
+    /// Adds the force of that strength ε to the accelerations.
+    pub fn add(
+        &mut self,
+        gas: &mut Gas,
+        grid: &Grid,
+        neighbours: &Neighbours,
+        packed: &[PackedParticle],
+        kernel: &Kernel,
+        strength: f32,
+    ) {
+        if strength == 0.0 {
+            return;
+        }
+        self.blocks.clear();
+        let (fours, _) = packed.as_chunks::<LANES>();
+        self.blocks.extend(fours.iter().map(|four| {
+            let [x, y, vx, vy] = transposed(four.map(|particle| particle.motion));
+            let [volume, ..] = transposed(four.map(|particle| particle.room));
+            Block {
+                place: [x, y],
+                volume,
+                velocity: [vx, vy],
+                ..Block::default()
+            }
+        }));
+        neighbours.sum(&Curl, &mut self.blocks);
+        neighbours.sum(&CurlGradient, &mut self.blocks);
+        let h = kernel.smoothing_length();
+        let strength = strength * h * h * kernel.minus_dw_norm();
+        for (block, members) in self.blocks.iter().zip(grid.members()) {
+            let curl = block.curl[0].to_array();
+            let [x, y] = block.gradient.map(Lanes::to_array);
+            for (lane, i) in members.enumerate() {
+                let towards = Vec2::new(x[lane], y[lane]).normalize_or_zero();
+                gas.acceleration[i] += Vec2::new(towards.y, -towards.x) * (curl[lane] * strength);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::combustion::gas::bounds;
+    use crate::combustion::gas::tests::{wild, with};
+    use crate::combustion::interactions::Interactions;
+    use crate::combustion::number_density::NumberDensity;
+    use crate::combustion::pair::Context;
+
+    #[test]
+    fn it_turns_vortices_and_leaves_uniform_flow_alone() {
+        let parameters = with(&[("max_particles", 1500.0)]);
+        let mut gas = wild(&parameters, 9);
+        let context = Context {
+            kernel: &Kernel::new(parameters.smoothing_length()),
+            values: &parameters,
+            sound: 6.0,
+            mass: gas.mass,
+        };
+        let kernel = context.kernel;
+        let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
+        let positions = gas.position.clone().into_iter();
+        gas.reorder(grid.sort(positions, &bounds(&parameters), kernel.support()));
+        NumberDensity::default().sum(&mut gas, &grid, &mut neighbours, &context);
+        let mut interactions = Interactions::default();
+        interactions.sum(&mut gas, &grid, &neighbours, &context);
+        let before = gas.acceleration.clone();
+
+        let confine = |gas: &mut Gas, interactions: &Interactions, strength| {
+            let packed = interactions.packed();
+            VorticityConfinement::default().add(gas, &grid, &neighbours, packed, kernel, strength);
+        };
+        confine(&mut gas, &interactions, 0.0);
+        assert_eq!(gas.acceleration, before);
+        confine(&mut gas, &interactions, 0.5);
+        assert_ne!(gas.acceleration, before);
+
+        gas.velocity.fill(Vec2::new(0.7, -0.2));
+        interactions.sum(&mut gas, &grid, &neighbours, &context);
+        let before = gas.acceleration.clone();
+        confine(&mut gas, &interactions, 0.5);
+        assert_eq!(gas.acceleration, before);
+    }
+}

@@ -1,0 +1,40 @@
+//! What a step did, and its stages.
+
+/// What the last step did.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StepReport {
+    /// Parts the step was divided into; one in the combustion model, whose
+    /// steps are as long as they may be.
+    pub substeps: u32,
+    /// Neighbours of a particle within 2h, on average.
+    pub mean_neighbours: f32,
+    /// Largest number of neighbours of one particle.
+    pub max_neighbours: u32,
+    /// Particles that the speed limit slowed down in the last substep.
+    pub speed_limited: u32,
+    /// Particles that any safety net held: the speed limit or, in the combustion model,
+    /// the farthest that shifting may move one.
+    pub at_guard: u32,
+    /// Speed of the fastest particle [m/s].
+    pub fastest: f32,
+    /// Length of the step \[s\].
+    pub length: f32,
+    /// Power of the burning [kW/m]; zero in the classic model.
+    pub power: f32,
+    /// Power that heated the gas of the source, on top of that of the burning [kW/m];
+    /// zero in the classic model.
+    pub preheat: f32,
+}
+
+/// The stages of a step, in their order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Births, and the order of particles in memory.
+    Sort,
+    /// Neighbour search and density.
+    Density,
+    /// Pair interactions and, in the combustion model, body forces.
+    Forces,
+    /// Motion and burning, what enters and what leaves.
+    Integrate,
+}

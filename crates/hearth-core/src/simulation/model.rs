@@ -1,0 +1,45 @@
+//! The solver of the model that burns. What only one model has is an `Option` here.
+
+use crate::classic::Classic;
+use crate::combustion::Combustion;
+use crate::params::{Model, Parameters};
+use crate::random::Random;
+use crate::solver::Either;
+
+/// The solver of either model.
+pub(super) type AnySolver = Either<Classic, Combustion>;
+
+impl AnySolver {
+    /// The solver at the start of a fire.
+    // Three callers; a copy in each would be a kilobyte of download.
+    #[inline(never)]
+    pub fn new(parameters: &Parameters, random: &mut Random) -> AnySolver {
+        match parameters.model() {
+            Model::Classic => Either::Classic(Classic::default()),
+            Model::Combustion => Either::Combustion(Combustion::new(parameters, random)),
+        }
+    }
+
+    pub fn model(&self) -> Model {
+        match self {
+            Either::Classic(_) => Model::Classic,
+            Either::Combustion(_) => Model::Combustion,
+        }
+    }
+
+    /// The combustion model, where that burns.
+    pub fn combustion(&self) -> Option<&Combustion> {
+        match self {
+            Either::Combustion(solver) => Some(solver),
+            Either::Classic(_) => None,
+        }
+    }
+
+    /// The combustion model, where that burns.
+    pub fn combustion_mut(&mut self) -> Option<&mut Combustion> {
+        match self {
+            Either::Combustion(solver) => Some(solver),
+            Either::Classic(_) => None,
+        }
+    }
+}

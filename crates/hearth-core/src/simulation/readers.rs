@@ -1,0 +1,127 @@
+//! What a fire tells of its particles, as copies in the order of birth.
+
+use glam::Vec2;
+
+use super::Simulation;
+use crate::combustion::{Combustion, Ember};
+use crate::instance::Measured;
+use crate::params::DisplayMode;
+use crate::particle::Particle;
+use crate::solver::Solver;
+
+impl Simulation {
+    /// Power of the burning in the last step [kW/m]; zero in the classic model.
+    pub fn power(&self) -> f32 {
+        self.solver.combustion().map_or(0.0, Combustion::power)
+    }
+
+    /// The embers that fly; none in the classic model.
+    pub fn embers(&self) -> &[Ember] {
+        self.solver.combustion().map_or(&[], Combustion::embers)
+    }
+
+    /// Copies of all particles, in the order of their birth.
+    // Each reader that starts from it would carry a copy.
+    #[inline(never)]
+    pub fn particles(&self) -> Vec<Particle> {
+        let solver = &self.solver;
+        self.each(|i| solver.particle(i, self.time))
+    }
+
+    /// The numbers by which particles are known from step to step, in the order of
+    /// birth, which is theirs. Particles that are put in, or that take over a fire,
+    /// are numbered from 0 again.
+    pub fn ids(&self) -> Vec<u64> {
+        self.each(|i| self.solver.id(i))
+    }
+
+    /// Positions \[m\], in the order of birth.
+    pub fn positions(&self) -> Vec<Vec2> {
+        self.vectors(|particle| particle.position)
+    }
+
+    /// Velocities [m/s], in the order of birth.
+    pub fn velocities(&self) -> Vec<Vec2> {
+        self.vectors(|particle| particle.velocity)
+    }
+
+    /// Temperatures \[K\], in the order of birth.
+    pub fn temperatures(&self) -> Vec<f32> {
+        self.scalars(|particle| particle.temperature)
+    }
+
+    /// Times since birth \[s\], in the order of birth; the air of the combustion
+    /// model is as old as the fire.
+    pub fn ages(&self) -> Vec<f32> {
+        self.scalars(|particle| particle.age)
+    }
+
+    /// Densities [kg/m³] as the last step found them, in the order of birth.
+    pub fn densities(&self) -> Vec<f32> {
+        self.each(|i| self.solver.density(i))
+    }
+
+    /// Pressures \[Pa\] as the last step found them, in the order of birth; in the
+    /// combustion model above the mean of the domain.
+    pub fn pressures(&self) -> Vec<f32> {
+        self.each(|i| self.solver.pressure(i))
+    }
+
+    /// Fuel \[share of the gas\], in the order of birth; none in the classic model.
+    pub fn fuels(&self) -> Vec<f32> {
+        self.scalars(|particle| particle.fuel)
+    }
+
+    /// Oxygen \[share of that of air\], in the order of birth; one in the classic model.
+    pub fn oxygens(&self) -> Vec<f32> {
+        self.scalars(|particle| particle.oxygen)
+    }
+
+    /// Soot, in the order of birth; none in the classic model.
+    pub fn soots(&self) -> Vec<f32> {
+        self.scalars(|particle| particle.soot)
+    }
+
+    /// Fuel burnt in a second [1/s] in the last step, in the order of birth;
+    /// none in the classic model.
+    pub fn burn_rates(&self) -> Vec<f32> {
+        match self.solver.combustion() {
+            Some(combustion) => self.each(|i| combustion.gas().burn[i]),
+            None => vec![0.0; self.count()],
+        }
+    }
+
+    /// Vorticities [1/s], counterclockwise above zero, in the order of birth: twice
+    /// the speed at which the neighbours of each particle turn around it now.
+    pub fn vorticities(&self) -> Vec<f32> {
+        self.measured(DisplayMode::Vorticity)
+    }
+
+    /// How many others each particle has within 2h now, in the order of birth.
+    pub fn neighbour_counts(&self) -> Vec<u32> {
+        let counts = self.measured(DisplayMode::Neighbours).into_iter();
+        counts.map(|count| count as u32).collect()
+    }
+
+    fn measured(&self, mode: DisplayMode) -> Vec<f32> {
+        let mut all = Vec::new();
+        self.write_measured(mode, &mut all);
+        self.each(|i| Measured::from(all[i]).value)
+    }
+
+    // From copies of whole particles: a loop of its own for each reader and model would be
+    // a kilobyte of download.
+    #[inline(never)]
+    fn scalars(&self, of: fn(&Particle) -> f32) -> Vec<f32> {
+        self.particles().iter().map(of).collect()
+    }
+
+    #[inline(never)]
+    fn vectors(&self, of: fn(&Particle) -> Vec2) -> Vec<Vec2> {
+        self.particles().iter().map(of).collect()
+    }
+
+    fn each<T>(&self, of: impl Fn(usize) -> T) -> Vec<T> {
+        self.solver.by_id().into_iter().map(of).collect()
+    }
+}

@@ -1,0 +1,122 @@
+//! What every model of a fire can do.
+
+use crate::bounds::Bounds;
+use crate::forces::BodyForce;
+use crate::instance::{Instance, Measured};
+use crate::params::{DisplayMode, Parameters, Physics};
+use crate::particle::Particle;
+use crate::random::Random;
+use crate::report::{Stage, StepReport};
+use crate::scene::Scene;
+
+/// Declares the trait, and for [`Either`] passes every method on to the solver that it
+/// holds. A `dyn Solver` would keep all methods of both models in every download.
+macro_rules! solver {
+    (
+        &mut $this:ident { $(
+            $(#[$doc:meta])+
+            fn $write:ident($($in:ident: $in_type:ty),* $(,)?) $(-> $out:ty)?;
+        )+ }
+        &$me:ident { $(
+            $(#[$read_doc:meta])+
+            fn $read:ident($($arg:ident: $arg_type:ty),* $(,)?) $(-> $type:ty)?;
+        )+ }
+    ) => {
+        /// The gas of a model, and the steps by which it burns.
+        pub(crate) trait Solver { $(
+            $(#[$doc])+
+            fn $write(&mut $this, $($in: $in_type),*) $(-> $out)?;
+        )+ $(
+            $(#[$read_doc])+
+            fn $read(&$me, $($arg: $arg_type),*) $(-> $type)?;
+        )+ }
+
+        impl<A: Solver, B: Solver> Solver for Either<A, B> { $(
+            #[inline]
+            fn $write(&mut $this, $($in: $in_type),*) $(-> $out)? {
+                match $this {
+                    Either::Classic(solver) => solver.$write($($in),*),
+                    Either::Combustion(solver) => solver.$write($($in),*),
+                }
+            }
+        )+ $(
+            #[inline]
+            fn $read(&$me, $($arg: $arg_type),*) $(-> $type)? {
+                match $me {
+                    Either::Classic(solver) => solver.$read($($arg),*),
+                    Either::Combustion(solver) => solver.$read($($arg),*),
+                }
+            }
+        )+ }
+    };
+}
+
+solver! {
+    &mut self {
+        /// Burns on by one step from `time` on, with the force `user` besides the model's
+        /// own. Returns the length of the step \[s\].
+        fn step(
+            scene: &Scene,
+            random: &mut Random,
+            time: f64,
+            user: Option<&dyn BodyForce>,
+            on_stage: &mut dyn FnMut(Stage),
+        ) -> f64;
+
+        /// Takes up changed values.
+        fn adapt(parameters: &Parameters, random: &mut Random);
+
+        /// Puts these particles in the place of all that there are.
+        fn set_particles(particles: &[Particle], values: &Physics);
+    }
+
+    &self {
+        /// What is wrong with so many particles, where something is.
+        fn refuse_count(count: usize, values: &Physics) -> Option<&'static str>;
+
+        /// The domain.
+        fn bounds(values: &Physics) -> Bounds;
+
+        /// Speed of sound [m/s].
+        fn sound_speed(scene: &Scene) -> f32;
+
+        /// Length of the next step, as far as it is known \[s\].
+        fn step_length(scene: &Scene) -> f64;
+
+        /// What the last step did.
+        fn report(values: &Physics) -> StepReport;
+
+        /// Number of particles.
+        fn count() -> usize;
+
+        /// The indices of all particles in the order of their ids, which is that of birth.
+        fn by_id() -> Vec<usize>;
+
+        /// The id of a particle.
+        fn id(i: usize) -> u64;
+
+        /// A particle at `time`.
+        fn particle(i: usize, time: f64) -> Particle;
+
+        /// Density of a particle [kg/m³], as the last step found it.
+        fn density(i: usize) -> f32;
+
+        /// Pressure of a particle \[Pa\], as the last step found it.
+        fn pressure(i: usize) -> f32;
+
+        /// Copies out the particles that the display of the fire shows.
+        fn write_fire(out: &mut Vec<Instance>);
+
+        /// A particle with what a display mode measures of it.
+        fn measured(i: usize, values: &Physics, mode: DisplayMode) -> Measured;
+    }
+}
+
+/// One of two solvers.
+// There is one of them, so the larger one's room costs nothing.
+#[allow(clippy::large_enum_variant)]
+#[derive(Clone, Debug)]
+pub(crate) enum Either<A, B> {
+    Classic(A),
+    Combustion(B),
+}

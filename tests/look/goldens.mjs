@@ -31,7 +31,7 @@ const VARIANTS = {
   'default-custom': { kept: 'default', values: { palette: 'custom' } },
   'default-bricks': { kept: 'default', values: { backdrop: 'bricks', heat_haze: 1 } },
   'default-smoke': { kept: 'default', values: { layers: 'smoke', smoke_opacity: 1 } },
-  'default-low': { kept: 'default', lines: 'low', values: { detail: 0.5, bloom: 0.4 } },
+  'default-low': { kept: 'default', quality: 'low', values: { detail: 0.5, bloom: 0.4 } },
   'classic-copper': { kept: 'classic', values: { palette: 'copper' } },
   'classic-bricks': { kept: 'classic', values: { backdrop: 'bricks', heat_haze: 1 } },
 };

@@ -27,7 +27,7 @@ const PAINTER = process.env.HEARTH_PAINTER;
  * @property {number} [height]
  * @property {string} [format]  Of the fields.
  * @property {string[]} [without]  Extensions that the device lacks.
- * @property {string} [lines]  Those of which level of quality.
+ * @property {string} [quality]  Which level.
  */
 
 export class Studio {

@@ -7,32 +7,35 @@ use crate::shaders::{HEADER, SOURCES, Shader, Source, UNIFORMS};
 /// A program that the driver compiles, on threads of its own if it has any.
 struct Compiling<G: Graphics> {
     source: &'static Source,
-    handle: G::Program,
+    handle: Option<G::Program>,
     shaders: [Option<G::Shader>; 2],
 }
 
 impl<G: Graphics> Compiling<G> {
     /// Begins to compile and link, and waits for neither.
-    fn begin(gl: &G, source: &'static Source) -> Result<Compiling<G>, RenderError> {
+    fn begin(gl: &G, source: &'static Source) -> Compiling<G> {
+        let mut shaders = [None, None];
         let handle = gl.create_program();
-        let handle = handle.ok_or(RenderError::Resource { pass: source.name })?;
-        let shaders = [
-            (glow::VERTEX_SHADER, source.vertex),
-            (glow::FRAGMENT_SHADER, source.fragment),
-        ]
-        .map(|(kind, text)| {
-            let shader = gl.create_shader(kind)?;
-            gl.shader_source(&shader, &[HEADER, text].concat());
-            gl.compile_shader(&shader);
-            gl.attach_shader(&handle, &shader);
-            Some(shader)
-        });
-        gl.link_program(&handle);
-        Ok(Compiling {
+        if let Some(handle) = &handle {
+            let stages = [
+                (glow::VERTEX_SHADER, source.vertex),
+                (glow::FRAGMENT_SHADER, source.fragment),
+            ];
+            for (slot, (kind, text)) in shaders.iter_mut().zip(stages) {
+                if let Some(shader) = gl.create_shader(kind) {
+                    gl.shader_source(&shader, &(HEADER.to_owned() + text));
+                    gl.compile_shader(&shader);
+                    gl.attach_shader(handle, &shader);
+                    *slot = Some(shader);
+                }
+            }
+            gl.link_program(handle);
+        }
+        Compiling {
             source,
             handle,
             shaders,
-        })
+        }
     }
 
     /// Waits until the program is linked.
@@ -42,6 +45,8 @@ impl<G: Graphics> Compiling<G> {
             handle,
             shaders,
         } = self;
+        let pass = source.name;
+        let handle = handle.ok_or(RenderError::Resource { pass })?;
         let linked = gl.is_linked(&handle);
         // Logs are read only where something went wrong: reading one makes a browser wait for
         // its shader compiler.
@@ -57,7 +62,6 @@ impl<G: Graphics> Compiling<G> {
         }
         if let Some(log) = log {
             gl.delete_program(&handle);
-            let pass = source.name;
             return Err(RenderError::Program { pass, log });
         }
         gl.use_program(&handle);
@@ -90,7 +94,7 @@ impl<G: Graphics> Programs<G> {
         let mut programs = Programs(Vec::with_capacity(SOURCES.len()));
         let mut refused = None;
         for begun in begun {
-            match begun.and_then(|compiling| compiling.finish(gl)) {
+            match begun.finish(gl) {
                 Ok(program) => programs.0.push(program),
                 Err(error) => refused = refused.or(Some(error)),
             }

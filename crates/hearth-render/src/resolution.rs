@@ -66,7 +66,7 @@ impl ResolutionLimits {
 }
 
 /// Sizes of the targets for one size of the picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Layout {
     /// The limits that these sizes keep.
     pub limits: ResolutionLimits,
@@ -88,6 +88,13 @@ pub struct Layout {
     pub irradiance: [u32; 2],
     /// The blurred copies of the light, sharpest first; unused ones at the end.
     blurs: [[u32; 2]; MAX_BLURS],
+}
+
+impl PartialEq for Layout {
+    /// All sizes follow from the picture's and from the limits.
+    fn eq(&self, other: &Layout) -> bool {
+        self.picture == other.picture && self.limits == other.limits
+    }
 }
 
 impl Layout {

@@ -1,6 +1,6 @@
 /**
- * Where tests have fires painted: headless Chromium without a graphics card, whose
- * pictures are the same on every machine, with the painter's page open.
+ * The painter's page in headless Chromium without a graphics card, whose pictures are the same
+ * on every machine.
  */
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -11,26 +11,26 @@ const HERE = path.dirname(fileURLToPath(import.meta.url));
 /** Snapshots and the pictures of them. */
 export const GOLDENS = path.resolve(HERE, '../goldens');
 
-/** Where `cargo xtask` has put the painter. */
+/** The folder of the painter that `cargo xtask` built. */
 const PAINTER = process.env.HEARTH_PAINTER;
 
 /** @typedef {{width: number, height: number, rgba: Uint8Array}} Pixels  Premultiplied sRGB. */
 /**
- * What a test wants to see.
+ * What a test requests.
  * @typedef {object} Wish
  * @property {string} [kept]  A snapshot.
- * @property {string} [mode]  And what is seen of it.
- * @property {string} [lit]  Or a preset that burns.
- * @property {number} [burnt]  For so long [s].
- * @property {{[id: string]: string | number}} [values]  What is set beside that.
+ * @property {string} [mode]  Its display mode.
+ * @property {string} [lit]  Or a preset to light.
+ * @property {number} [burnt]  How long it burns [s].
+ * @property {{[id: string]: string | number}} [values]  Other parameters.
  * @property {number} [width]
  * @property {number} [height]
- * @property {string} [format]  Of the fields.
+ * @property {string} [format]  Format of the targets.
  * @property {string[]} [without]  Extensions that the device lacks.
  * @property {string} [quality]  Which level.
  */
 
-export class Studio {
+export class Painter {
   /** @param {Browser} browser @param {import('../e2e/driver.mjs').Tab} tab */
   constructor(browser, tab) {
     this.browser = browser;
@@ -43,7 +43,7 @@ export class Studio {
     try {
       const tab = await browser.open('index.html');
       await tab.until('the painter is there', () => /** @type {any} */ (window).look);
-      return new Studio(browser, tab);
+      return new Painter(browser, tab);
     } catch (error) {
       await browser.close();
       throw error;
@@ -75,11 +75,11 @@ export class Studio {
 }
 
 /**
- * Those names that begin as somebody wants them; all of them where nobody said how.
+ * The names with one of these beginnings; all names without beginnings.
  * @param {string[]} names
  * @param {string[]} begins
- * @param {string} what they are the names of
- * @throws {Error} where none begins so: a slip of the pen must not look like work done
+ * @param {string} what the names are of
+ * @throws {Error} no name has that beginning: a typing error must not look like success
  */
 export function named(names, begins, what) {
   for (const begin of begins) {

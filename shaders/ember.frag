@@ -1,16 +1,16 @@
 // The light of one ember.
+#include "palette.glsl"
+#include "light.glsl"
 
 in vec2 corner;
-flat in vec4 heat;
+flat in vec2 spark;
 
-uniform sampler2D black_body; // chroma, ln luminance, by temperature
-uniform vec4 table; // kK to table coordinate: scale, offset
+out vec4 light; // encoded; coverage
 
-out vec4 light; // as of the flame: square root of light / range; coverage
+const float OPACITY = 0.6; // of the middle of a full spark
 
 void main() {
     float inside = max(1.0 - dot(corner, corner), 0.0);
-    vec4 body = texture(black_body, vec2(heat.x * table.x + table.y, 0.5));
-    vec3 emitted = body.rgb * exp(heat.y * body.a) * (heat.z * inside * inside);
-    light = vec4(sqrt(emitted * heat.w), 0.6 * inside * min(heat.z, 1.0));
+    vec3 emitted = radiance(spark.x) * (spark.y * inside * inside);
+    light = vec4(encode_light(emitted), OPACITY * inside * min(spark.y, 1.0));
 }

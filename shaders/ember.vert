@@ -1,23 +1,28 @@
-// One quad an ember: a spark, drawn out along its way. One that is smaller than
-// a pixel is drawn larger and fainter, so that it does not flicker.
+// One quad an ember: a spark, drawn out along its motion. A spark smaller than a pixel is
+// drawn larger and fainter, so that it does not flicker.
+#include "particle.glsl"
 
-uniform vec4 spark; // smallest radius [m], time of exposure [s]
-uniform vec4 shine; // luminance exponent, gain, 1 / light range
+uniform float smallest; // radius [m]
+uniform float gain; // brightness of gas of 1500 K
 
 out vec2 corner;
-flat out vec4 heat; // kK, luminance exponent, brightness
+flat out vec2 spark; // kK, brightness
+
+const float EXPOSURE = 0.008; // time of exposure [s]
+const float LONGEST = 3.0;    // radii of the most drawn-out spark
+const float FADE_OUT = 0.2;   // share of its life in which a spark fades
 
 void main() {
     Particle particle = this_particle();
     corner = particle.corner;
     float speed = length(particle.velocity);
-    vec2 along = speed > 1e-4 ? particle.velocity / speed : vec2(0.0, 1.0);
+    vec2 along = direction(particle, speed);
     float wanted = 0.5 * particle.state.y;
-    float radius = max(wanted, spark.x);
-    float drawn_out = clamp(speed * spark.y / radius, 1.0, 3.0);
+    float radius = max(wanted, smallest);
+    float drawn_out = clamp(speed * EXPOSURE / radius, 1.0, LONGEST);
     gl_Position = clip(particle, particle.place
         + radius * (corner.x * vec2(along.y, -along.x) + corner.y * drawn_out * along));
     float share = wanted / radius;
-    float alive = smoothstep(0.0, 0.2, particle.state.w);
-    heat = vec4(particle.state.x * 1e-3, shine.x, shine.y * alive * share * share / drawn_out, shine.z);
+    float alive = smoothstep(0.0, FADE_OUT, particle.state.w);
+    spark = vec2(particle.state.x * 1e-3, gain * alive * share * share / drawn_out);
 }

@@ -1,21 +1,21 @@
-// The paper's drawing: a hard disc, its colour by the distance from the centre.
+// The paper's drawing: a hard disc, coloured by the distance from its centre.
+#include "palette.glsl"
+#include "tone.glsl"
 
 in vec2 corner;
-flat in float centre; // [kK]
+flat in float centre;
 
-uniform sampler2D black_body; // chroma, ln luminance, by temperature
-uniform vec4 sprite; // radius [m], pixels in a radius
-uniform vec4 heat;   // …, luminance exponent, gain
-uniform vec4 table;  // kK to table coordinate: scale, offset
-uniform vec4 pale;   // what light that is far too bright pales to, and how
+uniform float pixels; // in a radius
+uniform float gain; // brightness of gas of 1500 K
 
 out vec4 pixel;
 
+const float RIM = 0.55;   // temperature of the rim, as a share of the centre's
+const float RIM_AT = 0.95; // where it is reached, in radii
+
 void main() {
     float distance = length(corner);
-    float inside = clamp((1.0 - distance) * sprite.y + 0.5, 0.0, 1.0);
-    float kilokelvin = centre * mix(1.0, 0.55, smoothstep(0.0, 0.95, distance));
-    vec4 body = texture(black_body, vec2(kilokelvin * table.x + table.y, 0.5));
-    vec3 shown = encode(tone_map(body.rgb * exp(heat.y * body.a) * heat.z, pale));
-    pixel = vec4(shown, 1.0) * inside;
+    float inside = clamp((1.0 - distance) * pixels + 0.5, 0.0, 1.0);
+    float kilokelvin = centre * mix(1.0, RIM, smoothstep(0.0, RIM_AT, distance));
+    pixel = vec4(displayed(radiance(kilokelvin) * gain), 1.0) * inside;
 }

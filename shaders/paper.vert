@@ -1,15 +1,18 @@
 // One quad a particle: the paper's round sprite.
+#include "particle.glsl"
 
-uniform vec4 sprite; // radius [m], pixels in a radius
-uniform vec4 heat;   // temperature of the centre [kK], or 0: the particle's own; luminance exponent, gain
+uniform float radius; // [m]
+uniform float pixels; // in a radius
+uniform float hottest; // temperature of every centre [kK]; 0: the particle's own
 
-out vec2 corner; // in radii, a pixel further than the rim
+out vec2 corner; // in radii, a pixel beyond the rim
 flat out float centre; // [kK]
+
+const float GLOWING = 0.8; // cooler gas is not drawn [kK]
 
 void main() {
     Particle particle = this_particle();
-    corner = particle.corner * (1.0 + 1.0 / sprite.y);
-    centre = heat.x > 0.0 ? heat.x : particle.state.x * 1e-3;
-    // Gas that does not glow is not drawn.
-    gl_Position = clip(particle, particle.place + corner * (centre > 0.8 ? sprite.x : 0.0));
+    corner = particle.corner * (1.0 + 1.0 / pixels);
+    centre = hottest > 0.0 ? hottest : particle.state.x * 1e-3;
+    gl_Position = clip(particle, particle.place + corner * (centre > GLOWING ? radius : 0.0));
 }

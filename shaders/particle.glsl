@@ -1,33 +1,37 @@
-// Reading particles. Their numbers lie in a texture, and one instance draws a
-// whole block of quads: a software renderer, and some phones, pay for every
-// instance far more than for a quad.
+// Reads a particle and places a corner of its quad. One instance draws a whole block of
+// quads: software renderers and some phones pay far more for an instance than for a quad.
+// BLOCK, ROW and TEXELS come from build/values.rs.
 
-const int BLOCK = 64;       // quads an instance
-const int ROW = 512;        // particles a row of the texture
-
-uniform sampler2D particles; // two texels each
-uniform vec4 world; // metres to clip: scale, offset
-uniform vec4 count; // particles
+uniform sampler2D particles; // TEXELS texels a particle, ROW particles a row
+uniform vec2 clip_scale;     // metres to clip coordinates
+uniform vec2 clip_offset;    // the floor's middle in clip coordinates
+uniform float count;         // particles
 
 struct Particle {
     vec2 place;    // [m]
     vec2 velocity; // [m/s]
-    vec4 state;    // temperature [K] and what else its model says of it
-    vec2 corner;   // which corner of its quad this vertex is, −1 or 1
-    bool real;     // the last block may not be full
+    vec4 state;    // temperature [K], then three values that depend on the model
+    vec2 corner;   // corner of the quad that this vertex is, −1 or 1
+    bool real;     // false in the unused rest of the last block
 };
 
 Particle this_particle() {
     int number = gl_InstanceID * BLOCK + gl_VertexID / 6;
-    ivec2 texel = ivec2(number % ROW * 2, number / ROW);
+    ivec2 texel = ivec2(number % ROW * TEXELS, number / ROW);
     vec4 motion = texelFetch(particles, texel, 0);
     vec4 state = texelFetch(particles, texel + ivec2(1, 0), 0);
     int at = gl_VertexID % 6; // two triangles: 0 1 2, 2 1 3
-    int corner = at < 3 ? at : at == 3 ? 2 : at == 4 ? 1 : 3;
+    int which = at < 3 ? at : at == 3 ? 2 : at == 4 ? 1 : 3;
     return Particle(motion.xy, motion.zw, state,
-                    vec2(corner & 1, corner >> 1) * 2.0 - 1.0, float(number) < count.x);
+                    vec2(which & 1, which >> 1) * 2.0 - 1.0, float(number) < count);
 }
 
+// Direction of the motion; upward at rest.
+vec2 direction(Particle particle, float speed) {
+    return speed > 1e-4 ? particle.velocity / speed : vec2(0.0, 1.0);
+}
+
+// Outside of the clip volume if the particle is not real.
 vec4 clip(Particle particle, vec2 place) {
-    return particle.real ? vec4(place * world.xy + world.zw, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+    return particle.real ? vec4(place * clip_scale + clip_offset, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

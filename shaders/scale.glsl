@@ -1,11 +1,18 @@
 // The colour of a share of the span, 0–1. Even steps of it are even steps of lightness
 // (OkLCh, B. Ottosson 2020), so that no colour pretends an edge: from violet over red to
-// yellow, or, where the middle is zero, from it to blue and to orange.
-vec3 scale_colour(float share, float two_sided) {
+// yellow, or, where the middle is zero, from it to blue and to orange. web/scale.js draws the
+// same colours on the bar.
+#include "colour.glsl"
+
+uniform float two_sided; // 1: the middle of the span is zero
+
+vec3 scale_colour(float share) {
+    // Lightness, chroma, hue [rad].
     vec3 lch = vec3(0.18 + 0.77 * share, 0.03 + share * (0.66 - 0.6 * share), 5.1487 + 2.9671 * share);
     if (two_sided > 0.0) {
         float side = 2.0 * share - 1.0;
         float far = abs(side);
+        // Largest chroma, hue at zero, and how far the hue turns.
         vec3 way = side < 0.0 ? vec3(0.34, 4.5728, -0.733) : vec3(0.46, 0.2618, 1.1345);
         lch = vec3(0.16 + 0.74 * far, way.x * far * (1.0 - 0.74 * far), way.y + way.z * far);
     }

@@ -1,35 +1,51 @@
-// One quad a particle: a smooth kernel, drawn out along the way it moves,
-// and what that particle adds to the fields.
+// One quad a particle of the classic model: a kernel, drawn out along its motion, and what
+// the particle adds to the field.
+#include "particle.glsl"
 
-uniform vec4 kernel; // radius [m], time of stretch [s], weight
-uniform vec4 scale;  // what the target's range leaves of each field
+uniform float radius;     // of the kernel [m]
+uniform float weight;     // of a particle in its prime
+uniform vec4 field_scale; // what the target's range leaves of each value
 
 out vec2 corner;       // −1–1 over the kernel
 flat out vec4 payload; // weight, weight × kK, weight × glow, weight × smoke
+
+const float STRETCH = 0.02; // motion that draws a kernel out [s]
+const float LONGEST = 2.2;  // radii of the most drawn-out kernel
+// Length grows by this power and width by −1/2: a stretched kernel also gains area.
+const float LENGTHENING = 0.75;
+// Gas spreads while it rises: radius of a newborn kernel, and what age adds.
+const float NEWBORN = 0.85;
+const float SPREAD = 0.4;
+// Particles fade in, heat up and fade out, in shares of a life. The fade-in also ends after as
+// many seconds, so that a long-lived particle does not stay dark.
+const float FADE_IN = 0.15;
+const float HEAT_UP = 0.30;
+const float FADE_OUT = 0.45;
+const float COLD_START = 0.62; // share of its temperature that a newborn particle shows
+// Gas glows in full from the second temperature on and not below the first [kK].
+const float DARK = 0.6;
+const float GLOWING = 0.95;
 
 void main() {
     Particle particle = this_particle();
     corner = particle.corner;
 
     float speed = length(particle.velocity);
-    vec2 along = speed > 1e-4 ? particle.velocity / speed : vec2(0.0, 1.0);
-    float drawn_out = min(1.0 + speed * kernel.y / kernel.x, 2.2);
+    vec2 along = direction(particle, speed);
+    float drawn_out = min(1.0 + speed * STRETCH / radius, LONGEST);
 
-    // Gas spreads while it rises: the kernel widens and thins.
     float age = particle.state.z;
-    float life = clamp(particle.state.w, 0.0, 1.0); // what remains of it
+    float life = clamp(particle.state.w, 0.0, 1.0); // share that remains
     float lived = 1.0 - life;
-    float widened = 0.85 + 0.4 * lived;
-    vec2 radii = kernel.x * widened * vec2(inversesqrt(drawn_out), pow(drawn_out, 0.75));
+    float widened = NEWBORN + SPREAD * lived;
+    vec2 radii = radius * widened * vec2(inversesqrt(drawn_out), pow(drawn_out, LENGTHENING));
     gl_Position = clip(particle, particle.place + corner.x * radii.x * vec2(along.y, -along.x)
                                                 + corner.y * radii.y * along);
 
-    // Nothing pops: a particle comes from nothing, catches fire, and goes to
-    // nothing. However long it lives, it does not wait to catch fire.
-    float born = smoothstep(0.0, 1.0, max(lived / 0.15, age / 0.15));
-    float lit = smoothstep(0.0, 1.0, max(lived / 0.30, age / 0.30));
-    float weight = kernel.z * born * smoothstep(0.0, 0.45, life) / (widened * widened);
-    float kilokelvin = particle.state.x * 1e-3 * mix(0.62, 1.0, lit);
-    float glow = smoothstep(0.6, 0.95, kilokelvin);
-    payload = weight * vec4(1.0, kilokelvin, glow, lived * lived * lived) * scale;
+    float born = smoothstep(0.0, 1.0, max(lived / FADE_IN, age / FADE_IN));
+    float lit = smoothstep(0.0, 1.0, max(lived / HEAT_UP, age / HEAT_UP));
+    float mass = weight * born * smoothstep(0.0, FADE_OUT, life) / (widened * widened);
+    float kilokelvin = particle.state.x * 1e-3 * mix(COLD_START, 1.0, lit);
+    float glow = smoothstep(DARK, GLOWING, kilokelvin);
+    payload = mass * vec4(1.0, kilokelvin, glow, lived * lived * lived) * field_scale;
 }

@@ -1,22 +1,24 @@
 // One sprite: a soft flake of noise that glows as a black body.
+#include "palette.glsl"
+#include "tone.glsl"
 
 in vec2 corner;
 flat in vec4 part;
 flat in vec2 heat;
 
-uniform sampler2D noise;      // a tile; 0.5 is zero
-uniform sampler2D black_body; // chroma, ln luminance, by temperature
-uniform vec4 shine; // luminance exponent, gain
-uniform vec4 table; // kK to table coordinate: scale, offset
-uniform vec4 pale;  // what light that is far too bright pales to, and how
+uniform sampler2D noise; // a tile; 0.5 is zero
+uniform float gain; // brightness of gas of 1500 K
 
 out vec4 shown;
 
+const float PART = 0.16; // half the side of a sprite's part of the noise tile
+const float RIM = 0.72;  // temperature of the rim, as a share of the middle's
+
 void main() {
     float inside = max(1.0 - dot(corner, corner), 0.0);
-    vec4 grain = texture(noise, part.xy + 0.16 * mat2(part.zw, -part.w, part.z) * corner);
+    vec4 grain = texture(noise, part.xy + PART * mat2(part.zw, -part.w, part.z) * corner);
+    // 0.75 is the mean of the noise's sum.
     float flake = inside * smoothstep(0.0, 0.9, inside + 2.0 * (grain.x + 0.5 * grain.w - 0.75));
-    vec4 body = texture(black_body, vec2(heat.x * (0.72 + 0.28 * flake) * table.x + table.y, 0.5));
-    vec3 colour = encode(tone_map(body.rgb * exp(shine.x * body.a) * shine.y, pale));
+    vec3 colour = displayed(radiance(heat.x * mix(RIM, 1.0, flake)) * gain);
     shown = vec4(colour, 1.0) * (heat.y * flake);
 }

@@ -7,12 +7,12 @@ import { after, before, test } from 'node:test';
 import { compare } from './compare.mjs';
 import { show } from './goldens.mjs';
 import { sheet } from './sheet.mjs';
-import { Studio } from './studio.mjs';
+import { Painter } from './painter.mjs';
 
-/** @type {Studio} */
-let studio;
-before(async () => { studio = await Studio.open(); });
-after(() => studio?.close());
+/** @type {Painter} */
+let painter;
+before(async () => { painter = await Painter.open(); });
+after(() => painter?.close());
 
 /** Fires of both models, of different sizes; one with all that only it needs in a context. */
 const FIRES = [
@@ -22,17 +22,17 @@ const FIRES = [
 ];
 
 test('fires in one context look as each alone, to the bit', async () => {
-  const together = await studio.ask('inTurn', FIRES, 4);
+  const together = await painter.ask('inTurn', FIRES, 4);
   const alone = [];
-  for (const one of FIRES) alone.push(...await studio.ask('inTurn', [one], 4));
+  for (const one of FIRES) alone.push(...await painter.ask('inTurn', [one], 4));
   assert.ok(together.every((one, at) => one.length > 10_000 && together.indexOf(one) === at));
   assert.deepEqual(together.map((one, at) => one === alone[at]), [true, true, true]);
 });
 
 test('nothing that somebody else leaves in a context changes a picture', async () => {
-  const right = await studio.ask('inTurn', FIRES, 2);
-  for (const disturbance of await studio.ask('disturbances')) {
-    const disturbed = await studio.ask('inTurn', FIRES, 2, disturbance);
+  const right = await painter.ask('inTurn', FIRES, 2);
+  for (const disturbance of await painter.ask('disturbances')) {
+    const disturbed = await painter.ask('inTurn', FIRES, 2, disturbance);
     // A mask of colours is the one thing here that a host has to undo; and so it is seen
     // that what is left behind would be seen.
     const same = disturbance !== 'a colour that nobody may draw';
@@ -43,7 +43,7 @@ test('nothing that somebody else leaves in a context changes a picture', async (
 for (const kept of ['default', 'classic', 'seed', 'forge']) {
   for (const [width, height] of [[1, 1], [3, 1000], [1000, 3], [641, 359]]) {
     test(`${kept} fits a picture of ${width} × ${height}`, async () => {
-      const { rgba } = await studio.still({ kept, width, height });
+      const { rgba } = await painter.still({ kept, width, height });
       assert.equal(rgba.length, 4 * width * height);
       for (let at = 0; at < rgba.length; at += 4) {
         const most = Math.max(...rgba.subarray(at, at + 3));
@@ -58,7 +58,7 @@ for (const kept of ['default', 'classic']) {
   test(`${kept} is the same fire in odd numbers of pixels`, async () => {
     // One line less of a thousand moves nothing by more than half a pixel.
     const [even, odd] = [{ width: 640, height: 720 }, { width: 641, height: 721 }];
-    const [a, b] = [sheet(await studio.still({ kept, ...even })), sheet(await studio.still({ kept, ...odd }))];
+    const [a, b] = [sheet(await painter.still({ kept, ...even })), sheet(await painter.still({ kept, ...odd }))];
     const { colour, structure } = compare(a, { ...b, width: a.width, rgb: cut(b, a) });
     if (colour > 2 || structure < 0.93) {
       assert.fail(`colours differ by ${colour.toFixed(2)}, structure agrees by ${structure.toFixed(3)}: see ${show(`${kept}-odd`, b, a)}`);
@@ -86,7 +86,7 @@ test('a wall is lit alike in pictures of any shape', async () => {
   const wish = { kept: 'torch', values: { backdrop: 'bricks', heat_haze: 0 }, height };
   const lit = async (/** @type {number} */ aspect) => {
     const width = Math.round(aspect * height);
-    const { rgba } = await studio.still({ ...wish, width });
+    const { rgba } = await painter.still({ ...wish, width });
     let [sum, count] = [0, 0];
     for (let y = 0.2 * height; y < 0.6 * height; y += 1) {
       for (let x = 0.12 * height; x < 0.28 * height; x += 1) {

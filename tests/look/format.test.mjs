@@ -8,7 +8,7 @@ import { after, before, test } from 'node:test';
 import { compare } from './compare.mjs';
 import { show, wishes } from './goldens.mjs';
 import { sheet } from './sheet.mjs';
-import { Studio } from './studio.mjs';
+import { Painter } from './painter.mjs';
 
 /** Most that eight bits may change where the structure is the same, in hundredths of
     OkLab, as everything here. A gas flame, of little soot, is grainy; most scenes stay
@@ -25,10 +25,10 @@ const [HALF, NONE] = [
   ['EXT_color_buffer_float', 'EXT_color_buffer_half_float'],
 ];
 
-/** @type {Studio} */
-let studio;
-before(async () => { studio = await Studio.open(); });
-after(() => studio?.close());
+/** @type {Painter} */
+let painter;
+before(async () => { painter = await Painter.open(); });
+after(() => painter?.close());
 
 /** Every scene whose fire is made of fields: what is kept of it. */
 const scenes = Object.entries(wishes()).filter(([name, wish]) => wish.kept === name && wish.mode === 'fire');
@@ -52,20 +52,20 @@ for (const [name, wish] of scenes) {
   });
 }
 
-/** A fire in half floats, and in eight bits. @param {import('./studio.mjs').Wish} wish */
+/** A fire in half floats, and in eight bits. @param {import('./painter.mjs').Wish} wish */
 async function both(wish) {
-  const floats = await studio.still({ ...wish, format: 'rgba16f' });
-  return [floats, await studio.still({ ...wish, without: NONE })].map(sheet);
+  const floats = await painter.still({ ...wish, format: 'rgba16f' });
+  return [floats, await painter.still({ ...wish, without: NONE })].map(sheet);
 }
 
 test('a device draws into the best that it has', async () => {
-  const formats = await Promise.all([[], HALF, NONE].map((without) => studio.ask('formatOf', { without })));
+  const formats = await Promise.all([[], HALF, NONE].map((without) => painter.ask('formatOf', { without })));
   assert.deepEqual(formats, ['rgba16f', 'rgba16f', 'rgba8']);
 });
 
 for (const [name, wish] of scenes.filter(([name]) => ['default', 'classic'].includes(name))) {
   test(`half floats give ${name} the same bits whichever extension gives them`, async () => {
-    const [all, half] = await Promise.all([[], HALF].map((without) => studio.still({ ...wish, without })));
+    const [all, half] = await Promise.all([[], HALF].map((without) => painter.still({ ...wish, without })));
     assert.equal(Buffer.compare(all.rgba, half.rgba), 0);
   });
 }

@@ -6,10 +6,10 @@ import path from 'node:path';
 import { Picture } from '../e2e/picture.mjs';
 import { compare } from './compare.mjs';
 import { encode, sheet } from './sheet.mjs';
-import { GOLDENS } from './studio.mjs';
+import { GOLDENS } from './painter.mjs';
 
-/** @typedef {import('./studio.mjs').Wish} Wish */
-/** @typedef {import('./studio.mjs').Studio} Studio */
+/** @typedef {import('./painter.mjs').Wish} Wish */
+/** @typedef {import('./painter.mjs').Painter} Painter */
 
 /** Pixels of a picture as it is drawn, and of one that is all edges, which take most of
     a file: a disc for every particle. */
@@ -31,7 +31,7 @@ const VARIANTS = {
   'default-custom': { kept: 'default', values: { palette: 'custom' } },
   'default-bricks': { kept: 'default', values: { backdrop: 'bricks', heat_haze: 1 } },
   'default-smoke': { kept: 'default', values: { layers: 'smoke', smoke_opacity: 1 } },
-  'default-low': { kept: 'default', lines: 'low', values: { detail: 0.5, bloom: 0.4 } },
+  'default-low': { kept: 'default', quality: 'low', values: { detail: 0.5, bloom: 0.4 } },
   'classic-copper': { kept: 'classic', values: { palette: 'copper' } },
   'classic-bricks': { kept: 'classic', values: { backdrop: 'bricks', heat_haze: 1 } },
 };
@@ -56,15 +56,15 @@ export function wishes() {
   return { ...all, ...VARIANTS };
 }
 
-/** A picture as wide as its fire, and not much wider. @param {Studio} studio @param {Wish} wish */
-export async function drawn(studio, wish) {
+/** A picture as wide as its fire, and not much wider. @param {Painter} painter @param {Wish} wish */
+export async function drawn(painter, wish) {
   const [width, height] = await Promise.all(['domain_width', 'domain_height'].map(
-    (id) => studio.ask('value', wish, id),
+    (id) => painter.ask('value', wish, id),
   ));
   const share = Math.min(Math.max((1.15 * Number(width)) / Number(height), 0.4), 1.5);
   const pixels = DISCS.includes(wish.mode ?? '') ? PIXELS.discs : PIXELS.most;
   const size = [share, 1].map((side) => 2 * Math.round((side * Math.sqrt(pixels / share)) / 2));
-  return sheet(await studio.still({ ...wish, width: size[0], height: size[1] }));
+  return sheet(await painter.still({ ...wish, width: size[0], height: size[1] }));
 }
 
 /** @param {string} name */

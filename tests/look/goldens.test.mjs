@@ -10,16 +10,16 @@ import { compare } from './compare.mjs';
 import { complaint, drawn, golden, show, TOLERANCE, wishes } from './goldens.mjs';
 import { hueTurned, toneMappedByChannel } from './mistakes.mjs';
 import { coarse, sheet } from './sheet.mjs';
-import { GOLDENS, Studio } from './studio.mjs';
+import { GOLDENS, Painter } from './painter.mjs';
 
-/** @type {Studio} */
-let studio;
-before(async () => { studio = await Studio.open(); });
-after(() => studio?.close());
+/** @type {Painter} */
+let painter;
+before(async () => { painter = await Painter.open(); });
+after(() => painter?.close());
 
 for (const [name, wish] of Object.entries(wishes())) {
   test(`${name} looks as it did`, async () => {
-    const [actual, expected] = [await drawn(studio, wish), golden(name)];
+    const [actual, expected] = [await drawn(painter, wish), golden(name)];
     const said = complaint(actual, expected);
     if (said !== '') assert.fail(`${said}: see ${show(name, actual, expected).join(', ')}`);
   });
@@ -44,7 +44,7 @@ const WRONG = {
 for (const kept of ['default', 'classic']) {
   for (const [mistake, values] of Object.entries(WRONG)) {
     test(`${mistake} is reported of ${kept}`, async () => {
-      assertReported(await drawn(studio, { kept, values }), golden(kept));
+      assertReported(await drawn(painter, { kept, values }), golden(kept));
     });
   }
   for (const [mistake, make] of Object.entries({
@@ -53,14 +53,14 @@ for (const kept of ['default', 'classic']) {
     'another tone map': toneMappedByChannel,
   })) {
     test(`${mistake} is reported of ${kept}`, async () => {
-      const right = await studio.still({ kept });
+      const right = await painter.still({ kept });
       const [wrong, expected] = [make(right), right].map(sheet);
       assertReported(wrong, coarse(expected));
     });
   }
 
   test(`what nobody sees is not reported of ${kept}`, async () => {
-    const right = await studio.still({ kept });
+    const right = await painter.still({ kept });
     // Rounding elsewhere: each channel one step off, this way or that.
     let seed = 1;
     const step = () => {

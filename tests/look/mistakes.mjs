@@ -2,7 +2,7 @@
  * Pictures as they would be if the drawing went wrong where no setting reaches.
  */
 
-/** @typedef {import('./studio.mjs').Pixels} Pixels */
+/** @typedef {import('./painter.mjs').Pixels} Pixels */
 
 const decode = (/** @type {number} */ x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
 const encode = (/** @type {number} */ x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);

@@ -6,17 +6,17 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { BARS } from './bars.mjs';
 import { rising } from './figures/motion.mjs';
-import { Studio } from './studio.mjs';
+import { Painter } from './painter.mjs';
 
-/** @type {Studio} */
-let studio;
-before(async () => { studio = await Studio.open(); });
-after(() => studio?.close());
+/** @type {Painter} */
+let painter;
+before(async () => { painter = await Painter.open(); });
+after(() => painter?.close());
 
 for (const lit of ['default', 'classic']) {
   test(`the pixels of ${lit} are those of a fire`, async () => {
-    await studio.ask('watch', { lit, burnt: 2 });
-    const found = await studio.ask('seen', 2.5);
+    await painter.ask('watch', { lit, burnt: 2 });
+    const found = await painter.ask('seen', 2.5);
     for (const { words, figure, holds, brief } of BARS) {
       if (brief) assert.ok(holds(figure(found)), `${words}: ${JSON.stringify(figure(found))}`);
     }
@@ -26,9 +26,9 @@ for (const lit of ['default', 'classic']) {
 
 test('no scene flashes, or shines through more than it covers', async (t) => {
   // Each until it fills its height, and then for a few seconds.
-  for (const lit of await studio.ask('presets')) {
+  for (const lit of await painter.ask('presets')) {
     await t.test(lit, async () => {
-      const { flashes, exceeds, luminous } = await studio.ask('glanced', { lit, burnt: 3 }, 3);
+      const { flashes, exceeds, luminous } = await painter.ask('glanced', { lit, burnt: 3 }, 3);
       assert.ok(flashes.passes && exceeds === 0, JSON.stringify({ flashes, exceeds }));
       assert.ok(luminous > 0.002, `${luminous} of it is luminous`);
     });
@@ -36,8 +36,8 @@ test('no scene flashes, or shines through more than it covers', async (t) => {
 });
 
 test('light that is none of a black body is seen as such', async () => {
-  await studio.ask('watch', { lit: 'default', burnt: 1, values: { palette: 'copper' } });
-  const found = await studio.ask('seen', 0.5);
+  await painter.ask('watch', { lit: 'default', burnt: 1, values: { palette: 'copper' } });
+  const found = await painter.ask('seen', 0.5);
   for (const id of ['locus', 'warm']) {
     const { figure, holds } = BARS.find((bar) => bar.id === id) ?? assert.fail(id);
     assert.ok(!holds(figure(found)), `${id}: ${figure(found)}`);

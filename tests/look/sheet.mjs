@@ -6,7 +6,7 @@
 import { deflateSync } from 'node:zlib';
 import { Picture } from '../e2e/picture.mjs';
 
-/** @typedef {import('./studio.mjs').Pixels} Pixels */
+/** @typedef {import('./painter.mjs').Pixels} Pixels */
 
 /** Steps of a channel from one kept colour to the next. */
 const STEP = 4;

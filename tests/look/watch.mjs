@@ -5,7 +5,7 @@
  */
 import { writeFileSync } from 'node:fs';
 import { BARS, TELLING, traits } from './bars.mjs';
-import { Studio, named } from './studio.mjs';
+import { Painter, named } from './painter.mjs';
 
 const SECONDS = Number(process.env.HEARTH_SECONDS ?? 60);
 /** How long a fire has burnt before [s]: until it fills its height. */
@@ -14,7 +14,7 @@ const BURNT = 5;
 const [file, ...begins] = process.argv.slice(2);
 if (file === undefined) throw new Error('usage: node watch.mjs table.md [SCENE...]');
 
-const studio = await Studio.open();
+const painter = await Painter.open();
 const lines = [
   `| scene | ${BARS.map(({ words }) => words).join(' | ')} | what flickers often, anywhere: general, red |`,
   `|---${'|---'.repeat(BARS.length + 1)}|`,
@@ -22,14 +22,14 @@ const lines = [
 ];
 let missed = 0;
 try {
-  for (const lit of named(await studio.ask('presets'), begins, 'scene')) {
+  for (const lit of named(await painter.ask('presets'), begins, 'scene')) {
     const values = {};
-    for (const id of TELLING) values[id] = await studio.ask('value', { lit }, id);
+    for (const id of TELLING) values[id] = await painter.ask('value', { lit }, id);
     const has = traits(values);
-    await studio.ask('watch', { lit, burnt: BURNT });
+    await painter.ask('watch', { lit, burnt: BURNT });
     // In parts: a browser's driver waits for an answer only so long.
-    for (let second = 1; second < SECONDS; second += 1) await studio.ask('until', second);
-    const found = await studio.ask('seen', SECONDS);
+    for (let second = 1; second < SECONDS; second += 1) await painter.ask('until', second);
+    const found = await painter.ask('seen', SECONDS);
     const cells = BARS.map(({ figure, holds, show, needs = [] }) => {
       const value = figure(found);
       if (!needs.every((trait) => has.includes(trait))) return '–';
@@ -43,7 +43,7 @@ try {
     console.log(lines.at(-1));
   }
 } finally {
-  await studio.close();
+  await painter.close();
 }
 writeFileSync(file, `Each scene for ${SECONDS} s as the page shows it at 1024 × 768, 30 pictures a second. What is bold misses its bar. `
   + 'Behind the number of flashes: the most of a field of 10° that flashed together more than three times in a second; 25 % are allowed.\n\n'

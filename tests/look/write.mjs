@@ -7,7 +7,7 @@ import { readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { drawn, file, wishes } from './goldens.mjs';
 import { coarse, encode } from './sheet.mjs';
-import { GOLDENS, Studio, named } from './studio.mjs';
+import { GOLDENS, Painter, named } from './painter.mjs';
 
 /** Most bytes of one picture, and of all that lies in the folder. */
 const [LARGEST, ALL] = [36_000, 1_200_000];
@@ -15,16 +15,16 @@ const [LARGEST, ALL] = [36_000, 1_200_000];
 const begins = process.argv.slice(2);
 const all = wishes();
 const wanted = named(Object.keys(all), begins, 'picture');
-const studio = await Studio.open();
+const painter = await Painter.open();
 try {
   for (const name of wanted) {
-    const png = encode(coarse(await drawn(studio, all[name])));
+    const png = encode(coarse(await drawn(painter, all[name])));
     if (png.length > LARGEST) throw new Error(`${name}.png takes ${png.length} bytes, more than ${LARGEST}`);
     writeFileSync(file(name), png);
     console.log(`${name}.png: ${(png.length / 1000).toFixed(1)} KB`);
   }
 } finally {
-  await studio.close();
+  await painter.close();
 }
 
 // What nobody draws any more goes.

@@ -11,13 +11,13 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::WebGl2RenderingContext;
 
 use crate::budget::{STEPS_BUDGET_MS, share};
-use crate::easel::{Canvas, Easel, Show};
 use crate::fire::Fire;
 use crate::host::Host;
 use crate::message::{Message, Order, Refused, RefusedMessage};
 use crate::outbox::{Outbox, Trouble};
 use crate::raw::Raw;
 use crate::scene;
+use crate::shared_canvas::{Canvas, SharedCanvas, Show};
 use crate::wanted::Wanted;
 
 /// Draws any number of fires.
@@ -25,7 +25,7 @@ use crate::wanted::Wanted;
 pub struct Engine {
     /// Few, so that looking for one is quick, and a map’s code not worth its size.
     fires: Vec<Fire>,
-    easel: Easel,
+    canvas: SharedCanvas,
     host: Host,
     post: Function,
 }
@@ -46,11 +46,11 @@ impl Engine {
         context: Option<WebGl2RenderingContext>,
         show: Show,
     ) -> Result<Engine, js_sys::Error> {
-        let easel =
-            Easel::new(canvas, context, show).map_err(|words| js_sys::Error::new(&words))?;
+        let canvas =
+            SharedCanvas::new(canvas, context, show).map_err(|words| js_sys::Error::new(&words))?;
         Ok(Engine {
             fires: Vec::new(),
-            easel,
+            canvas,
             host: Host,
             post,
         })
@@ -92,7 +92,7 @@ impl Engine {
             left -= 1;
             if fire.is_due(now) {
                 // Drawing takes nothing from the steps of others.
-                end += fire.frame(now, deadline, fires, &self.easel, &self.host, &mut out);
+                end += fire.frame(now, deadline, fires, &self.canvas, &self.host, &mut out);
             }
         }
         self.end(out)
@@ -102,15 +102,15 @@ impl Engine {
     pub fn context(&mut self, back: bool) -> bool {
         let mut out = Outbox::default();
         let trouble = if back {
-            self.easel
+            self.canvas
                 .restore()
                 .map_err(|why| (Trouble::Unsupported, why))
         } else {
-            self.easel.lose();
+            self.canvas.lose();
             let words = "the graphics context was lost; the fire goes on when it is back";
             Err((Trouble::ContextLost, words.to_owned()))
         };
-        let drawable = self.easel.ground().is_some();
+        let drawable = self.canvas.gpu().is_some();
         for fire in &mut self.fires {
             fire.set_drawable(drawable);
             match &trouble {
@@ -154,7 +154,7 @@ impl Engine {
             }
             out.ready(id, &wanted);
             let mut fire = Fire::new(id, wanted, start);
-            fire.set_drawable(self.easel.ground().is_some());
+            fire.set_drawable(self.canvas.gpu().is_some());
             self.fires.push(fire);
             return out.done(id, request);
         };

@@ -10,19 +10,19 @@ use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
 use hearth_core::params::DisplayMode;
 use hearth_core::{Instance, Parameters, Simulation, Stage, burning};
-use hearth_render::{Camera, Lines};
+use hearth_render::{Camera, ResolutionLimits};
 
 use crate::asked::Asked;
 use crate::average::smooth;
 use crate::budget::{Pace, make_steps};
-use crate::easel::Easel;
+use crate::fire_frame::FireFrame;
 use crate::grain::Grain;
 use crate::host::Host;
 use crate::limits::{Limit, Limits, Sparks, Stir};
 use crate::message::Start;
 use crate::outbox::{Outbox, Trouble};
-use crate::picture::Picture;
 use crate::quality::{Frame, Level, Quality};
+use crate::shared_canvas::SharedCanvas;
 use crate::wanted::{Wanted, adapt};
 use crate::warm::Warm;
 
@@ -68,7 +68,7 @@ pub struct Fire {
     begun: bool,
     quality: Quality,
     grain: Grain,
-    picture: Picture,
+    picture: FireFrame,
     /// Whether there is a context to draw it in.
     drawable: bool,
     instances: Vec<Instance>,
@@ -116,7 +116,7 @@ impl Fire {
             warm,
             quality,
             grain: Grain::of(start.side),
-            picture: Picture::default(),
+            picture: FireFrame::default(),
             drawable: false,
             instances: Vec::new(),
             embers: Vec::new(),
@@ -219,7 +219,7 @@ impl Fire {
         self.visible = visible;
         if !visible {
             // Its textures are of use to others meanwhile.
-            self.picture.put_away();
+            self.picture.free();
             self.stale = true;
         }
         self.keep_time(was_seen);
@@ -286,7 +286,7 @@ impl Fire {
     pub fn set_drawable(&mut self, drawable: bool) {
         let was_seen = self.seen();
         self.drawable = drawable;
-        self.picture.put_away();
+        self.picture.free();
         self.stale = true;
         self.keep_time(was_seen);
     }
@@ -314,7 +314,7 @@ impl Fire {
         now: f64,
         deadline: f64,
         fires: usize,
-        easel: &Easel,
+        canvas: &SharedCanvas,
         host: &Host,
         out: &mut Outbox,
     ) -> f64 {
@@ -364,7 +364,7 @@ impl Fire {
         self.begun |= drawn;
         let shown = self.picture.scale();
         let draw_ms = if drawn {
-            self.draw(stands, easel, host, out)
+            self.draw(stands, canvas, host, out)
         } else {
             0.0
         };
@@ -403,7 +403,7 @@ impl Fire {
         }
         if (drawn && stands) || rescaled || now - self.told_at >= STATS_EVERY_MS {
             self.told_at = now;
-            self.tell(easel, out);
+            self.tell(canvas, out);
         }
         // Whoever waits for steps finds them in picture and statistics.
         if !self.seen() || (!warming && (!self.stale || !self.asked.is_empty())) {
@@ -459,7 +459,7 @@ impl Fire {
     }
 
     /// Draws it; returns how long that took \[ms\].
-    fn draw(&mut self, stands: bool, easel: &Easel, host: &Host, out: &mut Outbox) -> f64 {
+    fn draw(&mut self, stands: bool, canvas: &SharedCanvas, host: &Host, out: &mut Outbox) -> f64 {
         let start = host.now();
         self.simulation.write_instances(&mut self.instances);
         if self.simulation.parameters().display_mode == DisplayMode::Fire {
@@ -468,12 +468,16 @@ impl Fire {
             self.embers.clear();
         }
         let level = self.quality.level();
-        let lines = [Lines::LOW, Lines::MEDIUM, Lines::HIGH];
+        let limits = [
+            ResolutionLimits::LOW,
+            ResolutionLimits::MEDIUM,
+            ResolutionLimits::HIGH,
+        ];
         let drawn = self.picture.draw(
             self.id,
-            easel,
+            canvas,
             self.limits.fit(self.size, level.pixels()),
-            lines[level as usize],
+            limits[level as usize],
             (&self.instances, &self.embers),
             (self.simulation.time(), self.simulation.parameters()),
             self.camera,

@@ -4,7 +4,7 @@
 //! (see [`message`]) and answers in messages only (see `outbox`), all of them
 //! postable, so that it runs on a page's main thread or in a worker without a
 //! change to anybody's API. All fires are drawn on one canvas, one after another
-//! (see `easel`); its surroundings call it for each frame and take the pictures away.
+//! (see `shared_canvas`); its surroundings call it for each frame and take the pictures away.
 //!
 //! A frame goes one way: the clock says how much fire is due, the simulation makes
 //! whole steps for it as far as the frame's [`budget`] allows, the renderer draws
@@ -30,19 +30,19 @@ mod asked;
 #[cfg(target_arch = "wasm32")]
 mod average;
 #[cfg(target_arch = "wasm32")]
-mod easel;
-#[cfg(target_arch = "wasm32")]
 mod engine;
 #[cfg(target_arch = "wasm32")]
 mod fire;
+#[cfg(target_arch = "wasm32")]
+mod fire_frame;
 #[cfg(target_arch = "wasm32")]
 mod host;
 #[cfg(target_arch = "wasm32")]
 pub mod outbox;
 #[cfg(target_arch = "wasm32")]
-mod passes;
+mod pass_times;
 #[cfg(target_arch = "wasm32")]
-mod picture;
+mod shared_canvas;
 #[cfg(target_arch = "wasm32")]
 mod webgl;
 

@@ -1,9 +1,9 @@
-//! The page's own WebGL2 context, as the renderer calls it.
+//! The renderer's [`Graphics`] for the page's own WebGL2 context.
 //!
-//! Nothing here makes an object for each frame. Particles and uniforms are sent
-//! straight from wasm's memory, through one view of all of it that is made anew
-//! only when that memory has grown; and the calls of a frame are not those of
-//! web-sys that can fail, each of which makes an object to catch what is thrown.
+//! No call of a frame makes an object. Particles and uniforms are uploaded from wasm's memory
+//! through one view of all of it, which is replaced only after that memory has grown. The calls
+//! of a frame are not the fallible ones of web-sys, each of which makes an object to catch
+//! exceptions.
 
 use std::cell::RefCell;
 
@@ -16,7 +16,7 @@ use web_sys::{
     WebGlUniformLocation, WebGlVertexArrayObject,
 };
 
-// None of these throws where what it gets is of the right type.
+// None of these throws if its arguments are of the right type.
 #[wasm_bindgen]
 extern "C" {
     #[wasm_bindgen(extends = Context)]
@@ -41,7 +41,7 @@ extern "C" {
     #[wasm_bindgen(method, js_name = uniform4fv)]
     fn uniform(
         this: &Calls,
-        place: Option<&WebGlUniformLocation>,
+        location: Option<&WebGlUniformLocation>,
         from: &Float32Array,
         offset: u32,
         length: u32,
@@ -55,13 +55,13 @@ extern "C" {
 }
 
 impl Calls {
-    /// The calls of a context that cannot fail.
+    /// The infallible calls of a context.
     pub fn of(context: &Context) -> &Calls {
         context.unchecked_ref()
     }
 }
 
-/// A context and what it reads from.
+/// A context and the memory that it reads.
 pub struct WebGl {
     /// The context.
     pub context: Context,
@@ -69,7 +69,7 @@ pub struct WebGl {
 }
 
 impl WebGl {
-    /// As the renderer calls this context.
+    /// Wraps a context.
     pub fn new(context: Context) -> WebGl {
         WebGl {
             context,
@@ -81,7 +81,7 @@ impl WebGl {
 /// All of wasm's memory, as floats.
 struct Memory {
     floats: Float32Array,
-    /// How large it was when this was made.
+    /// Size of the memory when the view was made.
     pages: usize,
 }
 
@@ -90,10 +90,10 @@ impl Memory {
         core::arch::wasm32::memory_size(0)
     }
 
-    /// Where these floats are in it.
+    /// Offset of these floats in the view.
     fn find(&mut self, floats: &[f32]) -> u32 {
-        // Memory that has grown is another buffer; a view of the old one is empty.
-        // Keeping the new one may make it grow again.
+        // Memory that has grown is another buffer; a view of the old one is empty. Keeping the
+        // new view may make the memory grow again.
         while self.pages != Memory::pages() {
             *self = Memory::now();
         }
@@ -127,7 +127,7 @@ impl Graphics for WebGl {
     type Texture = WebGlTexture;
     type Framebuffer = WebGlFramebuffer;
     type VertexArray = WebGlVertexArrayObject;
-    type Place = WebGlUniformLocation;
+    type Location = WebGlUniformLocation;
 
     forward! {
         fn create_program() -> Option<WebGlProgram> = gl => gl.create_program();
@@ -142,8 +142,8 @@ impl Graphics for WebGl {
         fn compile_shader(shader: &WebGlShader) = gl => gl.compile_shader(shader);
         fn shader_log(shader: &WebGlShader) -> String = gl => gl.get_shader_info_log(shader).unwrap_or_default();
         fn delete_shader(shader: &WebGlShader) = gl => gl.delete_shader(Some(shader));
-        fn uniform_place(program: &WebGlProgram, name: &str) -> Option<WebGlUniformLocation> = gl => gl.get_uniform_location(program, name);
-        fn set_sampler(place: Option<&WebGlUniformLocation>, unit: i32) = gl => gl.uniform1i(place, unit);
+        fn uniform_location(program: &WebGlProgram, name: &str) -> Option<WebGlUniformLocation> = gl => gl.get_uniform_location(program, name);
+        fn set_sampler(location: Option<&WebGlUniformLocation>, unit: i32) = gl => gl.uniform1i(location, unit);
 
         fn create_texture() -> Option<WebGlTexture> = gl => gl.create_texture();
         fn delete_texture(texture: &WebGlTexture) = gl => gl.delete_texture(Some(texture));
@@ -169,13 +169,14 @@ impl Graphics for WebGl {
         fn draw_instances(vertices: i32, instances: i32) = gl => gl.draw_arrays_instanced(Context::TRIANGLES, 0, vertices, instances);
     }
 
-    fn set_uniform(&self, place: Option<&WebGlUniformLocation>, value: [f32; 4]) {
+    fn set_uniforms(&self, location: Option<&WebGlUniformLocation>, values: &[f32]) {
         let mut memory = self.memory.borrow_mut();
-        let offset = memory.find(&value);
-        Calls::of(&self.context).uniform(place, &memory.floats, offset, 4);
+        let offset = memory.find(values);
+        let length = values.len() as u32;
+        Calls::of(&self.context).uniform(location, &memory.floats, offset, length);
     }
 
-    // What a context refuses in the following calls it says by drawing nothing.
+    // If a context refuses one of the following calls, it draws nothing.
 
     fn make_room(&self, internal: u32, kind: u32, [width, height]: [u32; 2]) {
         let _ = self
@@ -230,7 +231,7 @@ impl Graphics for WebGl {
 
     fn read_floats(&self, [width, height]: [u32; 2], texels: &mut [f32]) {
         let read = Float32Array::new_with_length(texels.len() as u32);
-        // Only an array of another type, or too short a one, is refused.
+        // A context refuses only arrays of another type or too short ones.
         let _ = self.context.read_pixels_with_opt_array_buffer_view(
             0,
             0,
@@ -261,11 +262,11 @@ impl Graphics for WebGl {
     }
 
     fn largest_texture(&self) -> u32 {
-        let most = Calls::of(&self.context).ask(Context::MAX_TEXTURE_SIZE);
-        most.as_f64().map_or(1, |most| most as u32)
+        let max = Calls::of(&self.context).ask(Context::MAX_TEXTURE_SIZE);
+        max.as_f64().map_or(1, |max| max as u32)
     }
 
-    /// Asking for an extension is also what switches it on.
+    /// Asking for an extension also enables it.
     fn has_extension(&self, name: &str) -> bool {
         matches!(self.context.get_extension(name), Ok(Some(_)))
     }

@@ -7,13 +7,7 @@
 //! exponent while the chroma stays what physics says.
 
 use crate::cie::{FIRST, OBSERVER, STEP};
-
-/// Coolest temperature of the look-up table \[K\].
-pub(crate) const COOLEST: f32 = 600.0;
-/// Hottest temperature of the look-up table \[K\]. The parameters allow 2500 K.
-pub(crate) const HOTTEST: f32 = 2600.0;
-/// Entries of the look-up table.
-pub(crate) const ENTRIES: usize = 128;
+use crate::constants::{COOLEST, ENTRIES, HOTTEST};
 
 /// Temperature whose luminance counts as 1 \[K\]: the middle of a flame.
 const REFERENCE: f64 = 1500.0;

@@ -1,49 +1,50 @@
-//! What is said when the graphics driver refuses.
+//! Errors of the graphics driver.
 
 use std::fmt;
 
 /// Why the renderer cannot draw.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RenderError {
-    /// A shader pair was not compiled or linked.
+    /// A pair of shaders was not compiled or linked.
     Program {
-        /// The pass it belongs to.
+        /// Name of its files.
         pass: &'static str,
-        /// What the driver said.
+        /// The driver's log.
         log: String,
     },
-    /// A texture, buffer or framebuffer could not be made.
+    /// The driver made no program, texture or framebuffer, as after a lost context.
     Resource {
-        /// The pass it belongs to.
+        /// The pass that needs it.
         pass: &'static str,
-        /// What the driver said.
-        log: String,
     },
     /// No target format can be drawn into.
     NoTarget,
 }
 
-impl RenderError {
-    /// The driver has none to give, as when the context is lost.
-    pub(crate) fn none(pass: &'static str) -> RenderError {
-        let log = "it has none to give".to_owned();
-        RenderError::Resource { pass, log }
-    }
-}
-
 impl fmt::Display for RenderError {
+    // Written in pieces: formatting them would be larger.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            RenderError::Program { pass, log } => {
-                write!(f, "the shaders of the pass \"{pass}\" were refused: {log}")
-            }
-            RenderError::Resource { pass, log } => {
-                write!(f, "the pass \"{pass}\" got no graphics memory: {log}")
-            }
-            RenderError::NoTarget => {
-                f.write_str("the graphics driver offers no texture that can be drawn into")
-            }
-        }
+        let pieces = match self {
+            RenderError::Program { pass, log } => [
+                "the driver refuses the shaders of the pass \"",
+                *pass,
+                "\": ",
+                log,
+            ],
+            RenderError::Resource { pass } => [
+                "the driver has no graphics memory for the pass \"",
+                *pass,
+                "\"",
+                "",
+            ],
+            RenderError::NoTarget => [
+                "the graphics driver offers no texture format that can be drawn into",
+                "",
+                "",
+                "",
+            ],
+        };
+        pieces.into_iter().try_for_each(|piece| f.write_str(piece))
     }
 }
 

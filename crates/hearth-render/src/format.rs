@@ -1,8 +1,7 @@
-//! Which pixels the fields are kept in.
+//! The pixel format of the targets.
 //!
-//! Half floats wherever the browser can draw into them. Full floats never:
-//! phones cannot blend them. Where there are no half floats, eight bits hold
-//! scaled values: coarser, but a fire.
+//! Half floats wherever the browser can draw into them, and never full floats, which phones
+//! cannot blend. Without half floats, eight bits hold scaled values: coarser, but a fire.
 
 use crate::gl::Graphics;
 
@@ -79,7 +78,7 @@ mod tests {
     #[test]
     fn eight_bits_hold_the_hottest_gas_wherever_they_hold_its_weight() {
         let [weight, heat, ..] = TargetFormat::Rgba8.field_range();
-        let hottest = crate::blackbody::HOTTEST / 1000.0;
+        let hottest = crate::constants::HOTTEST / 1000.0;
         // The mean temperature is heat / weight, so heat must not saturate first.
         assert!(heat >= weight * hottest * 0.999);
     }

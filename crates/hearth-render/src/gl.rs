@@ -1,21 +1,18 @@
-//! The calls of WebGL2 that the renderer makes, and whom it makes them to.
+//! The calls of WebGL2 that the renderer makes, as the trait [`Graphics`], and that trait for
+//! `glow`.
 //!
-//! The renderer knows no browser: whoever has a context says how it is called,
-//! once, by [`Graphics`]. For `glow`, which speaks to any driver, that is said
-//! here; a page that speaks to its own context alone carries less code.
+//! The renderer knows no browser. `glow` speaks to any driver; the engine implements the trait
+//! for the page's own context, which takes less code.
 //!
-//! `glow` marks every call `unsafe`, because a native driver trusts the
-//! pointers and sizes it is given. WebGL checks them all, and what passes
-//! through here is only handles of the same context, whole slices and plain
-//! numbers. So the marks end in this file and the rest of the crate stays
-//! free of them.
+//! `glow` marks every call `unsafe`, because a native driver trusts the pointers and sizes that
+//! it gets. WebGL checks them all, and only handles of the same context, whole slices and plain
+//! numbers pass through here. So `unsafe` ends in this file.
 
 #![allow(unsafe_code)]
 
 use glow::HasContext as Gl;
 
-/// A context of WebGL2. Each call is the one of that name, with the handles of
-/// the same context.
+/// A context of WebGL2. Each method is the call of that name, with handles of the same context.
 #[allow(missing_docs)]
 pub trait Graphics {
     type Program;
@@ -23,8 +20,8 @@ pub trait Graphics {
     type Texture;
     type Framebuffer;
     type VertexArray;
-    /// Where a program keeps a uniform.
-    type Place;
+    /// Location of a uniform.
+    type Location;
 
     fn create_program(&self) -> Option<Self::Program>;
     fn attach_shader(&self, program: &Self::Program, shader: &Self::Shader);
@@ -38,31 +35,32 @@ pub trait Graphics {
     fn compile_shader(&self, shader: &Self::Shader);
     fn shader_log(&self, shader: &Self::Shader) -> String;
     fn delete_shader(&self, shader: &Self::Shader);
-    fn uniform_place(&self, program: &Self::Program, name: &str) -> Option<Self::Place>;
-    fn set_sampler(&self, place: Option<&Self::Place>, unit: i32);
-    fn set_uniform(&self, place: Option<&Self::Place>, value: [f32; 4]);
+    fn uniform_location(&self, program: &Self::Program, name: &str) -> Option<Self::Location>;
+    fn set_sampler(&self, location: Option<&Self::Location>, unit: i32);
+    /// Sets an array of `vec4`.
+    fn set_uniforms(&self, location: Option<&Self::Location>, values: &[f32]);
 
     fn create_texture(&self) -> Option<Self::Texture>;
     fn delete_texture(&self, texture: &Self::Texture);
     fn active_texture(&self, unit: u32);
-    /// As everything of textures: of two dimensions.
+    /// Textures have two dimensions, here as everywhere.
     fn bind_texture(&self, texture: &Self::Texture);
     fn tex_parameter(&self, name: u32, value: u32);
-    /// Gives the bound texture its size, and nothing in it.
+    /// Allocates the bound texture.
     fn make_room(&self, internal: u32, kind: u32, size: [u32; 2]);
     /// Replaces a part of the bound texture, whose texels are four bytes.
     fn replace_bytes(&self, size: [u32; 2], texels: &[u8]);
     /// Replaces a part of the bound texture, whose texels are four floats.
     fn replace_floats(&self, from: [u32; 2], size: [u32; 2], texels: &[f32]);
-    /// Copies out the lower left part of what the bound framebuffer draws into.
+    /// Copies out the lower left part of the bound framebuffer.
     fn read_floats(&self, size: [u32; 2], texels: &mut [f32]);
     fn generate_mipmap(&self);
 
     fn create_framebuffer(&self) -> Option<Self::Framebuffer>;
     fn delete_framebuffer(&self, framebuffer: &Self::Framebuffer);
-    /// The picture's own where there is none.
+    /// The picture's own if there is none.
     fn bind_framebuffer(&self, framebuffer: Option<&Self::Framebuffer>);
-    /// Lets the bound framebuffer draw into `texture`; what it says of that.
+    /// Makes `texture` what the bound framebuffer draws into; returns the framebuffer's status.
     fn attach_texture(&self, texture: &Self::Texture) -> u32;
 
     fn create_vertex_array(&self) -> Option<Self::VertexArray>;
@@ -98,7 +96,7 @@ impl Graphics for glow::Context {
     type Texture = glow::Texture;
     type Framebuffer = glow::Framebuffer;
     type VertexArray = glow::VertexArray;
-    type Place = glow::UniformLocation;
+    type Location = glow::UniformLocation;
 
     forward! {
         fn create_program() -> Option<glow::Program> = gl => Gl::create_program(gl).ok();
@@ -113,9 +111,9 @@ impl Graphics for glow::Context {
         fn compile_shader(shader: &glow::Shader) = gl => Gl::compile_shader(gl, *shader);
         fn shader_log(shader: &glow::Shader) -> String = gl => Gl::get_shader_info_log(gl, *shader);
         fn delete_shader(shader: &glow::Shader) = gl => Gl::delete_shader(gl, *shader);
-        fn uniform_place(program: &glow::Program, name: &str) -> Option<glow::UniformLocation> = gl => Gl::get_uniform_location(gl, *program, name);
-        fn set_sampler(place: Option<&glow::UniformLocation>, unit: i32) = gl => Gl::uniform_1_i32(gl, place, unit);
-        fn set_uniform(place: Option<&glow::UniformLocation>, value: [f32; 4]) = gl => Gl::uniform_4_f32_slice(gl, place, &value);
+        fn uniform_location(program: &glow::Program, name: &str) -> Option<glow::UniformLocation> = gl => Gl::get_uniform_location(gl, *program, name);
+        fn set_sampler(location: Option<&glow::UniformLocation>, unit: i32) = gl => Gl::uniform_1_i32(gl, location, unit);
+        fn set_uniforms(location: Option<&glow::UniformLocation>, values: &[f32]) = gl => Gl::uniform_4_f32_slice(gl, location, values);
 
         fn create_texture() -> Option<glow::Texture> = gl => Gl::create_texture(gl).ok();
         fn delete_texture(texture: &glow::Texture) = gl => Gl::delete_texture(gl, *texture);

@@ -1,41 +1,56 @@
 //! Draws a fire with WebGL2, from particles to pixels.
 //!
-//! Particles are splatted as smooth kernels into fields (weight, temperature,
-//! soot or glow and smoke), so the picture shows continuous gas instead of
-//! dots. The fields are warped and eroded by noise, which rises with the classic
-//! model's flame and is carried along by the combustion model's gas; they shine
-//! as a black body, bloom, and are tone mapped into premultiplied sRGB.
+//! Particles are splatted as smooth kernels into fields (weight, temperature, soot or glow and
+//! smoke), so the picture shows continuous gas instead of dots. Noise warps and erodes the
+//! fields; it rises with the classic model's flame, and the combustion model's gas carries it.
+//! The fields shine as a black body, bloom, and are tone mapped into premultiplied sRGB.
 //!
-//! A [`Renderer`] owns its handles and borrows the context in each call; fires of
-//! one context share a [`Studio`]. Neither knows the page or any user interface.
+//! A [`Renderer`] owns its handles and borrows the context in each call; fires of one context
+//! share [`SharedResources`]. Neither knows the page or any user interface. A pass is a file in
+//! `passes/` and its shaders.
 
+mod advection;
 mod blackbody;
+mod bounds;
 mod camera;
 mod cie;
-mod drift;
+mod constants;
 mod error;
 mod format;
+mod frame;
 mod gl;
-mod layout;
+#[cfg(test)]
+#[path = "../build/glsl/mod.rs"]
+mod glsl;
+mod image;
+mod instance;
+mod kernel;
+mod motion;
 mod noise;
 mod palette;
 mod particles;
+mod pass;
 mod passes;
 mod program;
 mod renderer;
+mod resolution;
+mod rise;
 mod scale;
-#[cfg(test)]
 mod shaders;
-mod studio;
-mod survey;
+mod shared;
 mod target;
 mod targets;
+#[cfg(test)]
+#[path = "../build/values.rs"]
+mod values;
+mod viewport;
 
 pub use blackbody::{Chromaticity, chromaticity, linear_srgb, luminance};
 pub use camera::{Camera, Fit};
 pub use error::RenderError;
 pub use format::TargetFormat;
 pub use gl::Graphics;
-pub use layout::Lines;
-pub use renderer::{Carried, Motion, Renderer, View};
-pub use studio::Studio;
+pub use motion::{CarriedNoise, Motion};
+pub use renderer::{Renderer, View};
+pub use resolution::ResolutionLimits;
+pub use shared::SharedResources;

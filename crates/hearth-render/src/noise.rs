@@ -1,10 +1,12 @@
-//! A tile of gradient noise, made once, read everywhere.
+//! The tile of gradient noise, computed once.
 //!
 //! Reading a small texture is far cheaper than computing noise for each
-//! pixel, and it tiles without a seam, so it can scroll for ever.
+//! pixel, and it tiles without a seam, so it can scroll endlessly.
+
+use crate::constants::NOISE_LEVELS;
 
 /// Texels along an edge of the tile.
-pub const SIZE: usize = 128;
+pub const SIZE: usize = 1 << NOISE_LEVELS;
 /// Lattice cells of the coarsest octave along an edge.
 pub const CELLS: usize = 8;
 

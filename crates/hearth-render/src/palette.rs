@@ -1,4 +1,4 @@
-//! What colours the fire has by its temperature.
+//! The colours of the fire by its temperature.
 //!
 //! Soot glows as a black body. A flame of gas, of salts or of ghosts has a hue of
 //! its own, from a cool end to a hot one, times the brightness of a black body of the
@@ -7,16 +7,17 @@
 use hearth_core::Parameters;
 use hearth_core::params::{Colour, Palette};
 
-use crate::blackbody::{self, COOLEST, ENTRIES, HOTTEST};
+use crate::blackbody;
+use crate::constants::{COOLEST, ENTRIES, HOTTEST};
 
 /// Temperature at which a palette's cool colour begins to give way to the hot
 /// one \[K\], and at which it is gone.
 const COOL: f32 = 1000.0;
 const HOT: f32 = 1900.0;
-/// Of a channel that has so little, half goes into what is far too bright.
+/// A channel of this value pales half way to white.
 const PALE: f32 = 0.03;
 
-/// What a fire is coloured by: all that a table of colours depends on.
+/// All that a table of colours depends on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tint {
     palette: Palette,
@@ -25,7 +26,7 @@ pub struct Tint {
 }
 
 impl Tint {
-    /// What `parameters` ask for.
+    /// The tint of these parameters.
     pub fn of(parameters: &Parameters) -> Tint {
         let palette = parameters.palette;
         let ends = match palette {
@@ -35,7 +36,7 @@ impl Tint {
         Tint { palette, ends }
     }
 
-    /// Whether it is the black body's, whose table all fires share.
+    /// Whether it is that of the black body, whose table all fires share.
     pub fn is_black_body(self) -> bool {
         self.palette == Palette::Blackbody
     }
@@ -54,14 +55,15 @@ impl Tint {
         }
     }
 
-    /// What light that is far too bright pales to, in linear sRGB; and 1 where it
-    /// gets there by way of yellow, as glowing soot does, or 0.
-    pub fn pale(self) -> [f32; 4] {
+    /// What light that is far too bright pales to, in linear sRGB; and 1 if it pales by way of
+    /// yellow, as glowing soot does, or 0.
+    pub fn pale(self) -> ([f32; 3], f32) {
         if self.is_black_body() {
-            return [1.0, 0.92, 0.66, 1.0];
+            return ([1.0, 0.92, 0.66], 1.0);
         }
-        let [_, [r, g, b]] = self.hues();
-        [r, g, b, 0.0].map(|channel| 0.35 * channel + 0.65 * channel / (channel + PALE))
+        let [_, hot] = self.hues();
+        let pale = |channel| 0.35 * channel + 0.65 * channel / (channel + PALE);
+        (hot.map(pale), 0.0)
     }
 
     /// The look-up table as one row of texels: chroma and ln(luminance), as

@@ -7,6 +7,8 @@
 use hearth_core::Instance;
 use hearth_core::params::{DisplayMode, Model};
 
+use crate::instance::measured;
+
 /// One particle of so many may lie beyond either end.
 const BEYOND: u32 = 200;
 /// Parts of the whole between which those beyond are told from the rest.
@@ -21,29 +23,29 @@ const SLIGHTEST: f32 = 0.05;
 const LITTLE: f32 = 0.4;
 const PATIENCE: u32 = 60;
 
-/// Least and most of what is measured, but for a few; nothing of no particles.
+/// Smallest and largest value of what is measured, except a few; none without particles.
 pub fn extremes(instances: &[Instance]) -> Option<[f32; 2]> {
     let measured = || {
-        let last = instances.iter().map(|&[.., measured]| measured);
-        last.filter(|measured| measured.abs() < f32::MAX)
+        let all = instances.iter().map(measured);
+        all.filter(|measured| measured.abs() < f32::MAX)
     };
-    let [mut least, mut most] = [f32::MAX, f32::MIN];
+    let [mut min, mut max] = [f32::MAX, f32::MIN];
     for measured in measured() {
         // Not `min` and `max`, which are longer in wasm.
-        least = if measured < least { measured } else { least };
-        most = if measured > most { measured } else { most };
+        min = if measured < min { measured } else { min };
+        max = if measured > max { measured } else { max };
     }
-    if least > most {
+    if min > max {
         return None;
     }
-    let width = (most - least) / BINS as f32;
+    let width = (max - min) / BINS as f32;
     if width.is_infinite() {
         return None;
     }
     let mut bins = [0; BINS];
     let mut count = 0;
     for measured in measured() {
-        bins[(((measured - least) / width) as usize).min(BINS - 1)] += 1;
+        bins[(((measured - min) / width) as usize).min(BINS - 1)] += 1;
         count += 1;
     }
     // How far the bins reach that hold few of all, from the first or from the last one.
@@ -55,7 +57,7 @@ pub fn extremes(instances: &[Instance]) -> Option<[f32; 2]> {
         }
         passed as f32 * width
     };
-    Some([least + beyond(0), most - beyond(BINS - 1)])
+    Some([min + beyond(0), max - beyond(BINS - 1)])
 }
 
 /// What the colours go from and to, and how that came.
@@ -82,40 +84,40 @@ impl Scale {
         };
         let is_new = self.of != Some((mode, model));
         self.of = Some((mode, model));
-        let [mut least, mut most] = match seen {
+        let [mut min, mut max] = match seen {
             Some(seen) => seen,
             None if is_new => [0.0; 2],
             None => return,
         };
         if quantity.signed {
-            most = most.max(-least).max(SMALLEST);
-            least = -most;
+            max = max.max(-min).max(SMALLEST);
+            min = -max;
         }
         let [from, to] = self.ends;
-        if !is_new && from <= least && most <= to {
-            if most - least >= LITTLE * (to - from) {
+        if !is_new && from <= min && max <= to {
+            if max - min >= LITTLE * (to - from) {
                 self.waited = 0;
                 return;
             }
             if self.waited > 0 {
-                least = least.min(self.lately[0]);
-                most = most.max(self.lately[1]);
+                min = min.min(self.lately[0]);
+                max = max.max(self.lately[1]);
             }
-            self.lately = [least, most];
+            self.lately = [min, max];
             self.waited += 1;
             if self.waited < PATIENCE {
                 return;
             }
         }
-        self.ends = rounded([least, most], quantity.whole);
+        self.ends = rounded([min, max], quantity.whole);
         self.waited = 0;
     }
 }
 
-/// Round numbers around `least` and `most`.
-fn rounded([least, most]: [f32; 2], are_whole: bool) -> [f32; 2] {
-    let enough = (SLIGHTEST * most).max(SMALLEST);
-    let step = (most - least).max(enough) / STEPS;
+/// Round numbers around `min` and `max`.
+fn rounded([min, max]: [f32; 2], are_whole: bool) -> [f32; 2] {
+    let enough = (SLIGHTEST * max).max(SMALLEST);
+    let step = (max - min).max(enough) / STEPS;
     // 1, 2, 5, 10, 20, … or 0.5, 0.2, 0.1, …, told by what is to be divided by what,
     // so that each end is the float next to its decimal.
     let (mut over, mut under, mut doubled) = (1.0, 1.0, 0);
@@ -126,8 +128,8 @@ fn rounded([least, most]: [f32; 2], are_whole: bool) -> [f32; 2] {
         over *= if doubled == 1 { 2.5 } else { 2.0 };
         doubled = (doubled + 1) % 3;
     }
-    let lower = (least * under / over).floor();
-    let upper = (most * under / over).ceil().max(lower + 1.0);
+    let lower = (min * under / over).floor();
+    let upper = (max * under / over).ceil().max(lower + 1.0);
     [lower, upper].map(|end| end * over / under)
 }
 
@@ -163,18 +165,18 @@ mod tests {
                 let of = |i: i32| (i as f32 / count as f32).powf(power) * 7.0 - 2.0;
                 let mut all: Vec<f32> = (0..count).map(of).collect();
                 all.push(f32::NAN);
-                let [least, most] = extremes(&instances(all.clone())).unwrap();
-                let inside = |&&x: &&f32| (least..=most).contains(&x);
+                let [min, max] = extremes(&instances(all.clone())).unwrap();
+                let inside = |&&x: &&f32| (min..=max).contains(&x);
                 let held = all.iter().filter(inside).count() as f32;
                 assert!(held >= 0.98 * count as f32, "{held} of {count}");
-                assert!(least >= -2.0 && most <= 5.0);
+                assert!(min >= -2.0 && max <= 5.0);
             }
         }
         let mut far = vec![1.0; 999];
         far[..500].fill(2.0);
         far.push(1e6);
-        let [_, most] = extremes(&instances(far)).unwrap();
-        assert!(most < 1e4);
+        let [_, max] = extremes(&instances(far)).unwrap();
+        assert!(max < 1e4);
         assert_eq!(extremes(&[]), None);
         assert_eq!(extremes(&instances([f32::INFINITY])), None);
         assert_eq!(extremes(&instances([3.0, 3.0])), Some([3.0, 3.0]));
@@ -198,8 +200,8 @@ mod tests {
         }
         for exponent in -30..20 {
             let size = 3.0 * 10.0_f32.powi(exponent);
-            let [least, most] = after(&mut Scale::default(), MODE, [[-size, 2.0 * size]]);
-            assert!(least <= -size && 2.0 * size <= most, "{least} {most}");
+            let [min, max] = after(&mut Scale::default(), MODE, [[-size, 2.0 * size]]);
+            assert!(min <= -size && 2.0 * size <= max, "{min} {max}");
         }
     }
 
@@ -208,14 +210,14 @@ mod tests {
         for mode in [MODE, DisplayMode::Pressure] {
             let mut scale = Scale::default();
             let flicker = |picture: i32| {
-                let most = 2.05 + 0.7 * (picture as f32 * 0.7).sin() + 0.2 * (picture as f32).sin();
-                [-0.5 * most, most]
+                let max = 2.05 + 0.7 * (picture as f32 * 0.7).sin() + 0.2 * (picture as f32).sin();
+                [-0.5 * max, max]
             };
             let ends = after(&mut scale, mode, (0..60).map(flicker));
             for picture in 60..2000 {
-                let [least, most] = flicker(picture);
-                assert_eq!(after(&mut scale, mode, [[least, most]]), ends);
-                assert!(ends[0] <= least && most <= ends[1]);
+                let [min, max] = flicker(picture);
+                assert_eq!(after(&mut scale, mode, [[min, max]]), ends);
+                assert!(ends[0] <= min && max <= ends[1]);
             }
         }
     }

@@ -10,7 +10,7 @@ pub fn texture<G: Graphics>(
     pass: &'static str,
     wrap: u32,
 ) -> Result<G::Texture, RenderError> {
-    let texture = gl.create_texture().ok_or(RenderError::none(pass))?;
+    let texture = gl.create_texture().ok_or(RenderError::Resource { pass })?;
     gl.bind_texture(&texture);
     for (name, value) in [
         (glow::TEXTURE_MIN_FILTER, glow::LINEAR),
@@ -31,7 +31,7 @@ pub struct Target<G: Graphics> {
 }
 
 impl<G: Graphics> Target<G> {
-    /// Makes a target, or says why the driver refuses.
+    /// Makes a target.
     pub fn new(
         gl: &G,
         pass: &'static str,
@@ -44,7 +44,7 @@ impl<G: Graphics> Target<G> {
         gl.make_room(internal, kind, size);
         let Some(framebuffer) = gl.create_framebuffer() else {
             gl.delete_texture(&texture);
-            return Err(RenderError::none(pass));
+            return Err(RenderError::Resource { pass });
         };
         gl.bind_framebuffer(Some(&framebuffer));
         let status = gl.attach_texture(&texture);
@@ -58,8 +58,7 @@ impl<G: Graphics> Target<G> {
             Ok(target)
         } else {
             target.destroy(gl);
-            let log = format!("framebuffer status {status}");
-            Err(RenderError::Resource { pass, log })
+            Err(RenderError::Resource { pass })
         }
     }
 
@@ -68,19 +67,18 @@ impl<G: Graphics> Target<G> {
         self.size
     }
 
-    /// Draws go here from now on, into the lower left `size` of it.
-    #[inline(never)]
+    /// Makes the lower left `size` of it what draws go into.
     pub fn draw_here(&self, gl: &G, [width, height]: [u32; 2]) {
         gl.bind_framebuffer(Some(&self.framebuffer));
         gl.viewport(width as i32, height as i32);
     }
 
-    /// Reads of texture `unit` come from here from now on.
-    pub fn read_here(&self, gl: &G, unit: u32) {
-        bind(gl, unit, &self.texture);
+    /// What was drawn.
+    pub fn texture(&self) -> &G::Texture {
+        &self.texture
     }
 
-    /// Copies out all of it.
+    /// Copies all texels out.
     pub fn read(&self, gl: &G) -> Vec<f32> {
         let [width, height] = self.size;
         let mut texels = vec![0.0; 4 * (width * height) as usize];
@@ -90,7 +88,7 @@ impl<G: Graphics> Target<G> {
         texels
     }
 
-    /// Replaces all of it.
+    /// Replaces all texels.
     pub fn write(&self, gl: &G, texels: &[f32]) {
         bind(gl, 0, &self.texture);
         gl.replace_floats([0, 0], self.size, texels);
@@ -103,8 +101,7 @@ impl<G: Graphics> Target<G> {
     }
 }
 
-/// Reads of texture `unit` come from `texture` from now on.
-#[inline(never)]
+/// Makes `texture` what unit `unit` reads.
 pub fn bind<G: Graphics>(gl: &G, unit: u32, texture: &G::Texture) {
     gl.active_texture(unit);
     gl.bind_texture(texture);

@@ -62,10 +62,10 @@ class Share {
 
 export class Film {
   /**
-   * @param {{context: WebGL2RenderingContext, easel: any, fire: any, locus: (kelvin: number) => [number, number]}} of
+   * @param {{context: WebGL2RenderingContext, brush: any, fire: any, locus: (kelvin: number) => [number, number]}} of
    */
-  constructor({ context, easel, fire, locus }) {
-    Object.assign(this, { context, easel, fire });
+  constructor({ context, brush, fire, locus }) {
+    Object.assign(this, { context, brush, fire });
     this.flashes = new Flashes(WIDTH, HEIGHT, PIXEL);
     this.page = new Uint8ClampedArray(4 * WIDTH * HEIGHT);
     const bodies = Array.from({ length: 241 }, (_, step) => locus(1000 + 5 * step));
@@ -97,10 +97,10 @@ export class Film {
       const time = this.pictures / RATE;
       this.fire.burn(this.start + time * this.pace);
       const light = this.pictures % LIGHT_EVERY === 0
-        ? this.easel.light(this.fire, WIDTH, HEIGHT)
-        : this.easel.paint(this.fire, WIDTH, HEIGHT);
+        ? this.brush.light(this.fire, WIDTH, HEIGHT)
+        : this.brush.paint(this.fire, WIDTH, HEIGHT);
       if (light) this.seeLight(light);
-      this.see(time, this.easel.pixels(WIDTH, HEIGHT));
+      this.see(time, this.brush.pixels(WIDTH, HEIGHT));
     }
   }
 
@@ -218,9 +218,9 @@ export class Film {
 /**
  * The flashes of a fire, and its pixels with a colour above their alpha, in a film of so
  * long [s]. A coarse one: what flashes is larger than its pixels.
- * @param {{context: WebGL2RenderingContext, easel: any, fire: any}} of @param {number} seconds
+ * @param {{context: WebGL2RenderingContext, brush: any, fire: any}} of @param {number} seconds
  */
-export function glance({ context, easel, fire }, seconds) {
+export function glance({ context, brush, fire }, seconds) {
   const [width, height] = [WIDTH / 2, HEIGHT / 2];
   Object.assign(context.canvas, { width, height });
   const flashes = new Flashes(width, height, 2 * PIXEL);
@@ -228,8 +228,8 @@ export function glance({ context, easel, fire }, seconds) {
   let [exceeds, luminous] = [0, 0];
   for (let picture = 0; picture < seconds * RATE; picture += 1) {
     fire.burn(start + (picture / RATE) * pace);
-    easel.paint(fire, width, height);
-    const rgba = easel.pixels(width, height);
+    brush.paint(fire, width, height);
+    const rgba = brush.pixels(width, height);
     for (let at = 0; at < rgba.length; at += 4) {
       const [r, g, b, a] = rgba.subarray(at, at + 4);
       if (Math.max(r, g, b) > a) exceeds += 1;

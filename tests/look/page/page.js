@@ -64,15 +64,15 @@ function packed(bytes) {
 }
 
 /** A fire that stands still, as RGBA from the upper left. */
-async function still({ width, height, format, without, lines = 'medium', ...wish }) {
+async function still({ width, height, format, without, quality = 'medium', ...wish }) {
   const fire = await fireOf(wish);
   const { context, painter: of } = painter(format, without);
   Object.assign(context.canvas, { width, height });
-  const easel = of.easel(lines);
-  easel.paint_still(fire, width, height);
-  const pixels = easel.pixels(width, height);
-  easel.leave();
-  easel.free();
+  const brush = of.of_one_fire(quality);
+  brush.paint_still(fire, width, height);
+  const pixels = brush.pixels(width, height);
+  brush.destroy();
+  brush.free();
   fire.free();
   complain(context);
   return packed(pixels);
@@ -101,18 +101,18 @@ const value = async (wish, id) => {
 async function inTurn(wishes, pictures, disturbance) {
   const { context, painter: of } = painter();
   const fires = await Promise.all(wishes.map(fireOf));
-  const easels = fires.map(() => of.easel('medium'));
+  const brushes = fires.map(() => of.of_one_fire('medium'));
   const last = [];
   for (let picture = 1; picture <= pictures; picture += 1) {
     wishes.forEach(({ width, height }, one) => {
       Object.assign(context.canvas, { width, height });
       fires[one].burn(wishes[one].burnt + picture / 30);
       if (disturbance) DISTURBANCES[disturbance](context);
-      easels[one].paint(fires[one], width, height);
-      last[one] = packed(easels[one].pixels(width, height));
+      brushes[one].paint(fires[one], width, height);
+      last[one] = packed(brushes[one].pixels(width, height));
     });
   }
-  for (const easel of easels) easel.leave();
+  for (const brush of brushes) brush.destroy();
   complain(context);
   if (disturbance) painters.clear();
   return last;
@@ -175,9 +175,9 @@ const disturbances = () => Object.keys(DISTURBANCES);
 let film;
 /** Starts to watch a fire that burns. */
 async function watch(wish) {
-  film?.easel.leave();
+  film?.brush.destroy();
   const { context, painter: of } = painter();
-  film = new Film({ context, easel: of.easel('medium'), fire: await fireOf(wish), locus });
+  film = new Film({ context, brush: of.of_one_fire('medium'), fire: await fireOf(wish), locus });
 }
 /** Watches it until that time. */
 function until(seconds) {
@@ -193,10 +193,10 @@ function seen(seconds) {
 /** What a short and coarse film of a fire says. */
 async function glanced(wish, seconds) {
   const { context, painter: of } = painter();
-  const [easel, fire] = [of.easel('low'), await fireOf(wish)];
-  const found = glance({ context, easel, fire }, seconds);
-  easel.leave();
-  easel.free();
+  const [brush, fire] = [of.of_one_fire('low'), await fireOf(wish)];
+  const found = glance({ context, brush, fire }, seconds);
+  brush.destroy();
+  brush.free();
   fire.free();
   complain(context);
   return found;

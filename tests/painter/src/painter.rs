@@ -5,7 +5,9 @@ use std::rc::Rc;
 use hearth_core::params::Input;
 use hearth_core::preset::{PRESETS, Preset};
 use hearth_core::{Instance, Parameters, Simulation};
-use hearth_render::{Chromaticity, Lines, Renderer, Studio, TargetFormat, View, chromaticity};
+use hearth_render::{
+    Chromaticity, Renderer, ResolutionLimits, SharedResources, TargetFormat, View, chromaticity,
+};
 use js_sys::{Float32Array, Uint8Array};
 use wasm_bindgen::prelude::*;
 use web_sys::WebGl2RenderingContext as Context;
@@ -139,12 +141,12 @@ impl Light {
     }
 }
 
-/// A context, with what all fires that are painted there share.
+/// A context with the GPU resources that all its fires share.
 #[wasm_bindgen]
 pub struct Painter {
     context: Context,
     gl: Rc<glow::Context>,
-    studio: Rc<Studio>,
+    shared: Rc<SharedResources>,
 }
 
 #[wasm_bindgen]
@@ -153,36 +155,36 @@ impl Painter {
     #[wasm_bindgen(constructor)]
     pub fn new(context: Context, format: &str) -> Result<Painter, JsValue> {
         let gl = glow::Context::from_webgl2_context(context.clone());
-        let studio = match format {
-            "" => Studio::new(&gl),
-            "rgba16f" => Studio::with_format(&gl, TargetFormat::Rgba16F),
-            "rgba8" => Studio::with_format(&gl, TargetFormat::Rgba8),
+        let shared = match format {
+            "" => SharedResources::new(&gl),
+            "rgba16f" => SharedResources::with_format(&gl, TargetFormat::Rgba16F),
+            "rgba8" => SharedResources::with_format(&gl, TargetFormat::Rgba8),
             other => return Err(format!("no format {other}").into()),
         };
         Ok(Painter {
             context,
             gl: Rc::new(gl),
-            studio: Rc::new(studio.map_err(words)?),
+            shared: Rc::new(shared.map_err(words)?),
         })
     }
 
     /// The format of its fields.
     #[wasm_bindgen(getter)]
     pub fn format(&self) -> String {
-        self.studio.target_format().name().to_owned()
+        self.shared.target_format().name().to_owned()
     }
 
-    /// Where one fire is painted, on its own.
-    pub fn easel(&self, lines: &str) -> Result<Easel, JsValue> {
-        let renderer = Renderer::within(&*self.gl, Rc::clone(&self.studio));
+    /// A painter of one fire, at that quality.
+    pub fn of_one_fire(&self, quality: &str) -> Result<FirePainter, JsValue> {
+        let renderer = Renderer::within(&*self.gl, Rc::clone(&self.shared));
         let mut renderer = renderer.map_err(words)?;
-        renderer.set_lines(match lines {
-            "low" => Lines::LOW,
-            "medium" => Lines::MEDIUM,
-            "high" => Lines::HIGH,
-            other => return Err(format!("no lines {other}").into()),
+        renderer.set_limits(match quality {
+            "low" => ResolutionLimits::LOW,
+            "medium" => ResolutionLimits::MEDIUM,
+            "high" => ResolutionLimits::HIGH,
+            other => return Err(format!("no quality {other}").into()),
         });
-        Ok(Easel {
+        Ok(FirePainter {
             context: self.context.clone(),
             gl: Rc::clone(&self.gl),
             renderer: Some(renderer),
@@ -190,16 +192,16 @@ impl Painter {
     }
 }
 
-/// Where one fire is painted, picture after picture.
+/// Paints one fire, picture after picture.
 #[wasm_bindgen]
-pub struct Easel {
+pub struct FirePainter {
     context: Context,
     gl: Rc<glow::Context>,
     renderer: Option<Renderer>,
 }
 
 #[wasm_bindgen]
-impl Easel {
+impl FirePainter {
     /// Paints a fire as it burns now.
     pub fn paint(&mut self, fire: &Fire, width: u32, height: u32) -> Result<(), JsValue> {
         self.draw(fire, [width, height], fire.time, &mut |_| {})
@@ -211,8 +213,8 @@ impl Easel {
         self.paint(fire, width, height)
     }
 
-    /// Paints a fire, and gives its light before glow and tone map, where it is drawn with
-    /// any. Not what embers add.
+    /// Paints a fire and returns its light before glow and tone map, without that of embers;
+    /// none in display modes without light.
     pub fn light(
         &mut self,
         fire: &Fire,
@@ -248,7 +250,7 @@ impl Easel {
     }
 
     /// Frees what it made in the context.
-    pub fn leave(&mut self) {
+    pub fn destroy(&mut self) {
         if let Some(renderer) = self.renderer.take() {
             renderer.destroy(&self.gl);
         }
@@ -261,10 +263,7 @@ impl Easel {
         time: f64,
         watch: &mut dyn FnMut(&'static str),
     ) -> Result<(), JsValue> {
-        let renderer = self
-            .renderer
-            .as_mut()
-            .ok_or("nobody paints here any more")?;
+        let renderer = self.renderer.as_mut().ok_or("the painter is destroyed")?;
         let mode = fire.parameters.display_mode;
         renderer.upload(&self.gl, mode, &fire.instances, &fire.embers);
         let view = View {
@@ -278,7 +277,7 @@ impl Easel {
     }
 }
 
-/// The light in the target that was drawn into last: it keeps square roots.
+/// The light in the target that was drawn into last, which holds square roots.
 fn target(context: &Context) -> Result<Light, JsValue> {
     let view = context.get_parameter(Context::VIEWPORT)?;
     let view = js_sys::Int32Array::new(&view).to_vec();

@@ -1,11 +1,11 @@
 //! What a fire says about itself.
 
 use super::{Fire, STAGES};
-use crate::easel::Easel;
 use crate::outbox::{Outbox, Stats};
+use crate::shared_canvas::SharedCanvas;
 
 impl Fire {
-    pub(super) fn tell(&mut self, easel: &Easel, out: &mut Outbox) {
+    pub(super) fn tell(&mut self, canvas: &SharedCanvas, out: &mut Outbox) {
         let report = self.simulation.report();
         let passes = self.picture.passes();
         let mut stages = [("upload", self.upload_ms); STAGES.len() + 1];
@@ -28,7 +28,7 @@ impl Fire {
             step_length: self.step_length,
             power: self.power,
             embers: self.simulation.embers().len(),
-            target_format: easel.target_format(),
+            target_format: canvas.target_format(),
             stages,
             passes: passes.map_or(&[], |passes| &passes.times),
             pass_timer: passes.map_or("", |passes| passes.timer()),

@@ -1,0 +1,176 @@
+use super::*;
+
+const SCREEN: (&str, &str) = (
+    "screen.vert",
+    "out vec2 uv;\nvoid main() {\n    uv = vec2(gl_VertexID);\n    gl_Position = vec4(uv, 0.0, 1.0);\n}\n",
+);
+
+const LIGHT: (&str, &str) = (
+    "light.glsl",
+    "uniform float gain; // brightness\nuniform float unused;\nvec3 lit(vec3 light) {\n    return light * gain;\n}\nfloat idle() {\n    return unused;\n}\n",
+);
+
+const PASS: &str = "#include \"light.glsl\"
+in vec2 uv;
+uniform sampler2D field; // what it reads
+uniform vec2 size;       // in pictures
+uniform vec3 tint;
+out vec4 pixel;
+const float HALF = 0.50; // half
+void main() {
+    vec2 place = uv * size.yx - -HALF;
+    pixel = vec4(lit(texture(field, place).rgb + tint * WHOLE), 1.0);
+}
+";
+
+fn compiled(pass: &str) -> Result<Program, String> {
+    let files = Files::from([SCREEN, LIGHT, ("pass.frag", pass)]);
+    let mut programs = programs(&files, &[("WHOLE", "1.0".to_owned())])?;
+    assert_eq!(programs.len(), 1);
+    Ok(programs.remove(0))
+}
+
+fn complaint(old: &str, new: &str) -> String {
+    let broken = PASS.replace(old, new);
+    assert_ne!(broken, PASS, "{old}");
+    match compiled(&broken) {
+        Ok(_) => format!("{old} → {new} compiles"),
+        Err(said) => said,
+    }
+}
+
+#[test]
+fn a_pass_is_folded_and_packed() {
+    let program = compiled(PASS).unwrap();
+    assert_eq!(program.name, "pass");
+    let uniforms = program.uniforms.iter();
+    let packed: Vec<_> = uniforms.map(|u| (u.name.as_str(), u.size, u.at)).collect();
+    assert_eq!(packed, [("gain", 1, 3), ("size", 2, 4), ("tint", 3, 0)]);
+    assert_eq!(program.uniforms[0].comment, "brightness");
+    assert_eq!(program.vectors, 2);
+    assert_eq!(program.samplers, [("field".to_owned(), "field".to_owned())]);
+    assert_eq!(
+        program.stages[1].text(true),
+        "uniform vec4 U[2];vec3 lit(vec3 light){return light*U[0].w;}in vec2 uv;uniform sampler2D field;\
+         out vec4 pixel;void main(){vec2 place=uv*U[1].yx- -.5;\
+         pixel=vec4(lit(texture(field,place).rgb+U[0].xyz*1.),1.);}"
+    );
+}
+
+#[test]
+fn what_a_shader_gets_wrong_fails_the_build() {
+    for (old, new, said) in [
+        ("* size.yx", "* sise.yx", "sise is used and not declared"),
+        ("size.yx", "size.zx", "size.zx: size has 2 components"),
+        (
+            "tint * WHOLE",
+            "gain.x * tint",
+            "gain.x: gain has 1 components",
+        ),
+        ("vec3 tint", "mat3 tint", "no uniform is a mat3"),
+        (
+            "vec3 tint",
+            "float gain; uniform vec3 tint",
+            "gain is declared twice",
+        ),
+        (" + tint * WHOLE", "", "tint is declared and never used"),
+        (
+            "vec2 place",
+            "vec2 size = uv; vec2 place",
+            "size is global and a variable of main",
+        ),
+        (
+            "light.glsl",
+            "dark.glsl",
+            "there is no shader file dark.glsl",
+        ),
+        ("1.0);\n}", "1.0);\n", "ends in the middle of a declaration"),
+        ("uv * size", "uv @ size", "'@' has no place in GLSL"),
+    ] {
+        let complaint = complaint(old, new);
+        assert!(complaint.contains(said), "{complaint}");
+        assert!(complaint.contains("pass.frag"), "{complaint}");
+    }
+}
+
+#[test]
+fn a_uniform_has_one_type_in_both_stages() {
+    let files = Files::from([
+        (
+            "pass.vert",
+            "uniform vec2 size;\nvoid main() {\n    gl_Position = size.xyxy;\n}\n",
+        ),
+        (
+            "pass.frag",
+            "uniform vec3 size;\nout vec4 pixel;\nvoid main() {\n    pixel = size.xyzz;\n}\n",
+        ),
+    ]);
+    let complaint = programs(&files, &[]).err().unwrap();
+    assert!(complaint.contains("size is of two types"), "{complaint}");
+}
+
+#[test]
+fn no_uniform_spans_two_vectors_or_overlaps_another() {
+    let folder = std::path::Path::new("../../shaders");
+    let files = Files::read(folder).unwrap();
+    for program in programs(&files, &crate::values::shared()).unwrap() {
+        let mut taken = vec![false; 4 * program.vectors];
+        for uniform in &program.uniforms {
+            let last = uniform.at + uniform.size - 1;
+            assert_eq!(
+                uniform.at / 4,
+                last / 4,
+                "{}: {}",
+                program.name,
+                uniform.name
+            );
+            for component in &mut taken[uniform.at..=last] {
+                assert!(!std::mem::replace(component, true), "{}", uniform.name);
+            }
+        }
+    }
+}
+
+/// Two variables of one name in two functions, a field named as a component, a sampler.
+const NAMES: &str = "struct Gas {
+    float x;
+    vec4 state;
+};
+in vec2 uv;
+uniform sampler2D field;
+out vec4 pixel;
+Gas read(vec2 place) {
+    vec4 texel = texture(field, place);
+    return Gas(texel.x, texel);
+}
+void main() {
+    float first = 1.0;
+    Gas texel = read(uv.yx);
+    pixel = texel.state.wzyx * texel.x * first;
+}
+";
+
+#[test]
+fn short_names_keep_scopes_fields_and_components_apart() {
+    let mut programs = vec![compiled(NAMES).unwrap()];
+    shorten(&mut programs);
+    let text = programs[0].stages[1].text(true);
+    let sampler = &programs[0].samplers[0].1;
+    assert_eq!(programs[0].samplers[0].0, "field");
+    assert!(
+        text.contains(&format!("uniform sampler2D {sampler};")),
+        "{text}"
+    );
+    assert!(
+        text.contains(&format!("vec4 b=texture({sampler},a);")),
+        "{text}"
+    );
+    assert!(text.contains("float a=1.;"), "{text}");
+    assert!(
+        text.contains(".yx);") && text.contains(".wzyx*b."),
+        "{text}"
+    );
+    for long in ["place", "texel", "state", "pixel", "read", "Gas"] {
+        assert!(!text.contains(long), "{long} in {text}");
+    }
+}

@@ -1,0 +1,27 @@
+//! Constants that shaders get by name, from those that Rust uses too.
+
+use crate::constants::{BLOCK, COOLEST, ENTRIES, HOTTEST, NOISE_LEVELS, ROW, TEXELS};
+
+/// Names and values, as GLSL writes them.
+pub fn shared() -> Vec<(&'static str, String)> {
+    let whole = |value: usize| value.to_string();
+    // The shortest decimal that is this float again.
+    let real = |value: f32| format!("{value:?}");
+    let [scale, offset] = table_coordinate();
+    vec![
+        ("BLOCK", whole(BLOCK)),
+        ("ROW", whole(ROW)),
+        ("TEXELS", whole(TEXELS)),
+        ("NOISE_LEVELS", real(NOISE_LEVELS as f32)),
+        ("TABLE_SCALE", real(scale)),
+        ("TABLE_OFFSET", real(offset)),
+    ]
+}
+
+/// Coordinate in the colour table of a temperature in kK: scale and offset. The first and the
+/// last entry stand in the middle of their texels.
+pub fn table_coordinate() -> [f32; 2] {
+    let entries = ENTRIES as f32;
+    let scale = (entries - 1.0) / entries * 1e3 / (HOTTEST - COOLEST);
+    [scale, 0.5 / entries - scale * COOLEST * 1e-3]
+}

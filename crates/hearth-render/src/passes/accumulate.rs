@@ -1,0 +1,42 @@
+//! A measured quantity to a field.
+
+use crate::frame::Frame;
+use crate::image::Image;
+use crate::kernel::peak;
+use crate::pass::{Blend, Draw, Load, Pass};
+use crate::shaders::uniforms;
+
+/// Largest weight of gas, which a target of eight bits holds as 1.
+pub const MAX_WEIGHT: f32 = 1.5;
+
+/// Sums of smooth kernels.
+pub struct Accumulate;
+
+impl Pass for Accumulate {
+    const KEY: &'static str = "gather";
+    const TARGET: Image = Image::Field;
+    const LOAD: Load = Load::Clear;
+    const BLEND: Blend = Blend::Add;
+    const DRAW: Draw = Draw::Particles;
+    type Uniforms = uniforms::Accumulate;
+
+    fn applies(frame: &Frame) -> bool {
+        frame.shows_quantity()
+    }
+
+    fn uniforms(frame: &Frame, _: usize) -> uniforms::Accumulate {
+        let [clip_scale, clip_offset] = frame.viewport.to_clip();
+        let radius = frame.kernel.radius;
+        let [span_from, per_span] = frame.span();
+        uniforms::Accumulate {
+            clip_scale,
+            clip_offset,
+            count: frame.particles as f32,
+            radius,
+            reach: 1.0,
+            peak: peak(radius) / MAX_WEIGHT,
+            span_from,
+            per_span,
+        }
+    }
+}

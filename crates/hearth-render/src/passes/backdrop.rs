@@ -1,0 +1,43 @@
+//! Displayed colours to the picture, in front of the backdrop.
+
+use crate::frame::{Frame, wrapped};
+use crate::image::Image;
+use crate::noise;
+use crate::pass::{Draw, Pass};
+use crate::shaders::uniforms;
+
+/// How far hot gas bends what is seen through it, in heights of the domain.
+const BEND: f32 = 0.035;
+/// Waves of the haze in the height of the domain.
+const WAVES: f32 = 3.5;
+
+/// The last pass of a fire in front of a backdrop, which the fire lights and makes shimmer. A
+/// page behind the fire cannot shimmer.
+pub struct Backdrop;
+
+impl Pass for Backdrop {
+    const KEY: &'static str = "backdrop";
+    const TARGET: Image = Image::Picture;
+    const DRAW: Draw = Draw::All;
+    type Uniforms = uniforms::Backdrop;
+
+    fn applies(frame: &Frame) -> bool {
+        frame.has_backdrop()
+    }
+
+    fn uniforms(frame: &Frame, _: usize) -> uniforms::Backdrop {
+        let viewport = &frame.viewport;
+        let tiles = WAVES * viewport.zoom / noise::CELLS as f32;
+        let risen = frame.motion.rise.distance / f64::from(viewport.metres[1]);
+        let [weight, heat, ..] = frame.field_range();
+        uniforms::Backdrop {
+            field_used: frame.field_used(),
+            field_edge: frame.field_edge(),
+            weight_range: [weight, heat],
+            haze_tiles: [tiles * viewport.aspect, tiles],
+            haze_risen: wrapped(risen * f64::from(tiles)),
+            haze_bend: frame.parameters.heat_haze * BEND / viewport.zoom,
+            light_range: frame.format.light_range(),
+        }
+    }
+}

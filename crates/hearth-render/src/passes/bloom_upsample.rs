@@ -1,0 +1,29 @@
+//! Blurred copies to one glow.
+
+use crate::frame::Frame;
+use crate::image::Image;
+use crate::pass::{Draw, Levels, Pass};
+use crate::shaders::uniforms;
+
+/// The second half of the bloom: it joins the copies, from the widest to the sharpest.
+pub struct BloomUpsample;
+
+impl Pass for BloomUpsample {
+    const KEY: &'static str = "bloom";
+    const TARGET: Image = Image::Glow;
+    const DRAW: Draw = Draw::All;
+    const LEVELS: Levels = Levels::Up;
+    type Uniforms = uniforms::BloomUpsample;
+
+    fn applies(frame: &Frame) -> bool {
+        frame.blooms()
+    }
+
+    fn uniforms(frame: &Frame, level: usize) -> uniforms::BloomUpsample {
+        let shares = frame.layout.limits.sharper_shares;
+        uniforms::BloomUpsample {
+            texel: frame.layout.blurs()[level + 1].map(|side| 1.0 / side as f32),
+            share: shares[shares.len() - 1 - level],
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! Displayed colours to the picture, in front of its background.
+
+use hearth_core::params::DisplayMode;
+
+use crate::frame::{Frame, background};
+use crate::image::Image;
+use crate::pass::{Draw, Load, Pass};
+use crate::shaders::uniforms;
+
+/// The last pass of a fire without a backdrop, and of sprites.
+pub struct Composite;
+
+impl Pass for Composite {
+    const KEY: &'static str = "present";
+    const TARGET: Image = Image::Picture;
+    const LOAD: Load = Load::Clear;
+    const DRAW: Draw = Draw::Halo;
+    type Uniforms = uniforms::Composite;
+
+    fn applies(frame: &Frame) -> bool {
+        let fire = frame.shows(DisplayMode::Fire) && !frame.has_backdrop();
+        fire || frame.shows(DisplayMode::Sprites)
+    }
+
+    fn uniforms(frame: &Frame, _: usize) -> uniforms::Composite {
+        uniforms::Composite {
+            background: background(frame.parameters.background),
+        }
+    }
+}

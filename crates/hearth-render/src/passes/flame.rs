@@ -1,0 +1,70 @@
+//! The field of burning gas to light.
+
+use hearth_core::params::Model;
+
+use crate::frame::{Frame, wrapped};
+use crate::image::Image;
+use crate::noise;
+use crate::pass::{Draw, Load, Pass};
+use crate::shaders::uniforms;
+
+/// Brightness beside that of the classic model: this gas is hotter.
+const BRIGHTNESS: f32 = 0.34;
+/// Optical depth of cold gas with a soot of 1, at a smoke opacity of 1.
+const SMOKE: f32 = 14.0;
+/// Tiles of noise per tile of the grain, across and up: tongues are taller than wide.
+const TONGUES: [f32; 2] = [1.15, 0.75];
+/// How far above a floor that is seen gas ends softly, at most, in heights of the domain.
+const SOFT: f32 = 0.04;
+
+/// Light and coverage.
+pub struct Flame;
+
+impl Pass for Flame {
+    const KEY: &'static str = "flame";
+    const TARGET: Image = Image::Light;
+    const LOAD: Load = Load::Clear;
+    const DRAW: Draw = Draw::Reach;
+    type Uniforms = uniforms::Flame;
+
+    fn applies(frame: &Frame) -> bool {
+        frame.burns_as(Model::Combustion)
+    }
+
+    fn uniforms(frame: &Frame, _: usize) -> uniforms::Flame {
+        let (source, kernel, motion) = (frame.source, frame.kernel, &frame.motion);
+        let tiles = TONGUES.map(|share| share / (noise::CELLS as f32 * kernel.grain));
+        let risen = if frame.carries_noise() {
+            0.0
+        } else {
+            wrapped(motion.rise.distance * f64::from(tiles[1]))
+        };
+        // Where the floor is seen, what is at it ends softly, and below the source.
+        let [_, below] = frame.viewport.shows_beyond();
+        let soft = (source.foot.y / frame.parameters.domain_height).clamp(1e-3, SOFT);
+        uniforms::Flame {
+            field_used: frame.field_used(),
+            field_edge: frame.field_edge(),
+            field_range: frame.field_range(),
+            picture_size: frame.viewport.metres,
+            floor_middle: frame.viewport.floor,
+            source: source.foot.to_array(),
+            zoom: frame.viewport.zoom,
+            source_width: source.width,
+            per_domain_width: 1.0 / frame.parameters.domain_width,
+            tiles,
+            risen,
+            pattern_starts: motion.advection.starts(),
+            pattern_shares: motion.advection.shares(),
+            warp: kernel.warp,
+            detail: frame.parameters.detail,
+            air: frame.parameters.ambient_temperature * 1e-3,
+            smoke: SMOKE * frame.smoke_opacity(),
+            luminance_exponent: frame.parameters.luminance_exponent,
+            gain: BRIGHTNESS * frame.gain(),
+            light_scale: 1.0 / frame.format.light_range(),
+            fire_share: frame.fire_share(),
+            per_soft_floor: if below { 1.0 / soft } else { 1e6 },
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! Gas of the combustion model to the field.
+
+use hearth_core::params::Model;
+
+use crate::frame::Frame;
+use crate::image::Image;
+use crate::kernel::peak;
+use crate::pass::{Blend, Draw, Load, Pass};
+use crate::shaders::uniforms;
+
+/// Sums of smooth kernels.
+pub struct Gas;
+
+impl Pass for Gas {
+    const KEY: &'static str = "gas";
+    const TARGET: Image = Image::Field;
+    const LOAD: Load = Load::Clear;
+    const BLEND: Blend = Blend::Add;
+    const DRAW: Draw = Draw::Particles;
+    type Uniforms = uniforms::Gas;
+
+    fn applies(frame: &Frame) -> bool {
+        frame.burns_as(Model::Combustion)
+    }
+
+    fn uniforms(frame: &Frame, _: usize) -> uniforms::Gas {
+        let scale = frame.field_range().map(|range| 1.0 / range);
+        of_gas(frame, frame.kernel.radius, 0.0, scale)
+    }
+}
+
+/// The uniforms of gas with kernels of that radius.
+pub fn of_gas(frame: &Frame, radius: f32, velocities: f32, field_scale: [f32; 4]) -> uniforms::Gas {
+    let [clip_scale, clip_offset] = frame.viewport.to_clip();
+    uniforms::Gas {
+        clip_scale,
+        clip_offset,
+        count: frame.particles as f32,
+        radius,
+        peak: peak(radius),
+        velocities,
+        field_scale,
+    }
+}

@@ -1,0 +1,26 @@
+//! Glow to the light that falls on the backdrop.
+
+use crate::frame::Frame;
+use crate::image::Image;
+use crate::pass::{Draw, Pass};
+use crate::shaders::uniforms;
+
+/// The fire as a lamp.
+pub struct Irradiance;
+
+impl Pass for Irradiance {
+    const KEY: &'static str = "backdrop";
+    const TARGET: Image = Image::Irradiance;
+    const DRAW: Draw = Draw::All;
+    type Uniforms = uniforms::Irradiance;
+
+    fn applies(frame: &Frame) -> bool {
+        frame.has_backdrop()
+    }
+
+    fn uniforms(frame: &Frame, _: usize) -> uniforms::Irradiance {
+        uniforms::Irradiance {
+            size: frame.viewport.heights(),
+        }
+    }
+}

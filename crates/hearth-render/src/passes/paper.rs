@@ -1,0 +1,53 @@
+//! Particles to the picture, as in the paper.
+
+use hearth_core::params::{DisplayMode, Model};
+
+use crate::frame::Frame;
+use crate::image::Image;
+use crate::palette::Tint;
+use crate::pass::{Blend, Draw, Load, Pass};
+use crate::shaders::uniforms;
+
+/// The paper's discs.
+pub struct Paper;
+
+impl Pass for Paper {
+    const KEY: &'static str = "paper";
+    const TARGET: Image = Image::Picture;
+    const LOAD: Load = Load::Clear;
+    const BLEND: Blend = Blend::Over;
+    const DRAW: Draw = Draw::Particles;
+    type Uniforms = uniforms::Paper;
+
+    fn applies(frame: &Frame) -> bool {
+        frame.shows(DisplayMode::Paper)
+    }
+
+    fn uniforms(frame: &Frame, _: usize) -> uniforms::Paper {
+        let parameters = frame.parameters;
+        // The classic model's sprites have one size and one colour, as in the paper; gas that
+        // burns shows how large and how hot it is.
+        let (size, hottest) = match parameters.model() {
+            Model::Classic => (
+                parameters.particle_size,
+                parameters.maximum_temperature * 1e-3,
+            ),
+            Model::Combustion => (parameters.spacing(), 0.0),
+        };
+        let radius = 0.5 * size;
+        let [clip_scale, clip_offset] = frame.viewport.to_clip();
+        let (pale, yellow) = Tint::of(parameters).pale();
+        uniforms::Paper {
+            clip_scale,
+            clip_offset,
+            count: frame.particles as f32,
+            radius,
+            pixels: radius / frame.pixel(),
+            hottest,
+            luminance_exponent: parameters.luminance_exponent,
+            gain: frame.gain(),
+            pale,
+            yellow,
+        }
+    }
+}

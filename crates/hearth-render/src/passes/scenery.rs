@@ -1,0 +1,28 @@
+//! The backdrop in plain light.
+
+use crate::frame::Frame;
+use crate::image::Image;
+use crate::pass::{Draw, Pass};
+use crate::shaders::uniforms;
+
+/// A wall on a floor, drawn again only where it stands in another place.
+pub struct Scenery;
+
+impl Pass for Scenery {
+    const KEY: &'static str = "backdrop";
+    const TARGET: Image = Image::Scenery;
+    const DRAW: Draw = Draw::All;
+    type Uniforms = uniforms::Scenery;
+
+    fn applies(frame: &Frame) -> bool {
+        frame.has_backdrop() && frame.scenery_is_stale
+    }
+
+    fn uniforms(frame: &Frame, _: usize) -> uniforms::Scenery {
+        uniforms::Scenery {
+            floor_middle: frame.viewport.floor,
+            size: frame.viewport.heights(),
+            wall_foot: frame.wall_foot(),
+        }
+    }
+}

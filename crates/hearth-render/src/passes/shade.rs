@@ -1,0 +1,57 @@
+//! The field of the classic model to light.
+
+use hearth_core::params::Model;
+
+use crate::frame::{Frame, wrapped};
+use crate::image::Image;
+use crate::noise;
+use crate::pass::{Draw, Load, Pass};
+use crate::shaders::uniforms;
+
+/// Optical depth of the smoke in the middle of one kernel, at a smoke opacity of 1.
+const SMOKE: f32 = 2.2;
+
+/// Light and coverage.
+pub struct Shade;
+
+impl Pass for Shade {
+    const KEY: &'static str = "shade";
+    const TARGET: Image = Image::Light;
+    const LOAD: Load = Load::Clear;
+    const DRAW: Draw = Draw::Reach;
+    type Uniforms = uniforms::Shade;
+
+    fn applies(frame: &Frame) -> bool {
+        frame.burns_as(Model::Classic)
+    }
+
+    fn uniforms(frame: &Frame, _: usize) -> uniforms::Shade {
+        let (source, kernel, rise) = (frame.source, frame.kernel, &frame.motion.rise);
+        let flame = rise.flame_height(source.foot.y).max(2.0 * kernel.grain);
+        let tiles = 1.0 / (noise::CELLS as f32 * kernel.grain);
+        // Gas leaves at the top; where that is seen, it ends softly.
+        let [above, _] = frame.viewport.shows_beyond();
+        uniforms::Shade {
+            field_used: frame.field_used(),
+            field_edge: frame.field_edge(),
+            field_range: frame.field_range(),
+            picture_size: frame.viewport.metres,
+            floor_middle: frame.viewport.floor,
+            source: source.foot.to_array(),
+            zoom: frame.viewport.zoom,
+            per_flame_height: 1.0 / flame,
+            per_half_source: 2.0 / source.width,
+            tiles,
+            risen: wrapped(rise.distance * f64::from(tiles)),
+            warp: kernel.warp,
+            detail: frame.parameters.detail,
+            air: frame.parameters.ambient_temperature * 1e-3,
+            smoke: SMOKE * frame.smoke_opacity(),
+            luminance_exponent: frame.parameters.luminance_exponent,
+            gain: frame.gain(),
+            light_scale: 1.0 / frame.format.light_range(),
+            fire_share: frame.fire_share(),
+            soft_top: f32::from(above),
+        }
+    }
+}

@@ -1,0 +1,31 @@
+//! The field to its view from farther away.
+
+use hearth_core::params::Model;
+
+use crate::frame::Frame;
+use crate::image::Image;
+use crate::pass::{Draw, Pass};
+use crate::shaders::uniforms;
+
+/// Blurs the field.
+pub struct Spread;
+
+impl Pass for Spread {
+    const KEY: &'static str = "spread";
+    const TARGET: Image = Image::Wide;
+    const DRAW: Draw = Draw::All;
+    type Uniforms = uniforms::Spread;
+
+    fn applies(frame: &Frame) -> bool {
+        frame.burns_as(Model::Classic)
+    }
+
+    fn uniforms(frame: &Frame, _: usize) -> uniforms::Spread {
+        // Five reads each way, a radius apart, span six radii of a kernel.
+        let radius = frame.kernel.radius / frame.viewport.metres[1] * frame.used[1] as f32;
+        uniforms::Spread {
+            field_used: frame.field_used(),
+            read_step: frame.layout.field.map(|side| radius / side as f32),
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! Particles to sprites with a texture.
+
+use hearth_core::params::{DisplayMode, Model};
+
+use crate::frame::Frame;
+use crate::image::Image;
+use crate::palette::Tint;
+use crate::pass::{Blend, Draw, Load, Pass};
+use crate::shaders::uniforms;
+
+/// Opacity of a sprite, and how much life, or soot, it takes to glow in full.
+const OF_LIFE: [f32; 2] = [0.45, 0.25];
+const OF_SOOT: [f32; 2] = [0.9, 0.3];
+/// Brightness of a sprite, beside that of a fire's gas: many lie over each other.
+const BRIGHTNESS: f32 = 0.16;
+/// Seconds in which a sprite turns once, on average.
+const TURN: f64 = 9.0;
+
+/// Flakes of noise.
+pub struct Sprite;
+
+impl Pass for Sprite {
+    const KEY: &'static str = "sprites";
+    const TARGET: Image = Image::Shown;
+    const LOAD: Load = Load::Clear;
+    const BLEND: Blend = Blend::Screen;
+    const DRAW: Draw = Draw::Particles;
+    type Uniforms = uniforms::Sprite;
+
+    fn applies(frame: &Frame) -> bool {
+        frame.shows(DisplayMode::Sprites)
+    }
+
+    fn uniforms(frame: &Frame, _: usize) -> uniforms::Sprite {
+        let parameters = frame.parameters;
+        let [opacity, full] = match parameters.model() {
+            Model::Classic => OF_LIFE,
+            Model::Combustion => OF_SOOT,
+        };
+        // Speeds are odd numbers of halves, so two turns of speed 1 are a period of all.
+        let turns = frame.time / (2.0 * TURN);
+        let [clip_scale, clip_offset] = frame.viewport.to_clip();
+        let (pale, yellow) = Tint::of(parameters).pale();
+        uniforms::Sprite {
+            clip_scale,
+            clip_offset,
+            count: frame.particles as f32,
+            radius: frame.kernel.radius,
+            turns: 2.0 * (turns - turns.floor()) as f32,
+            opacity,
+            full,
+            luminance_exponent: parameters.luminance_exponent,
+            gain: BRIGHTNESS * frame.gain(),
+            pale,
+            yellow,
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! Gas of the combustion model to the flow, by the shaders of the gas.
+
+use super::gas::of_gas;
+use crate::frame::Frame;
+use crate::image::Image;
+use crate::pass::{Blend, Draw, Load, Pass};
+use crate::shaders::uniforms;
+
+/// Sums of velocities.
+pub struct Velocity;
+
+impl Pass for Velocity {
+    const KEY: &'static str = "gas";
+    const TARGET: Image = Image::Flow;
+    const LOAD: Load = Load::Clear;
+    const BLEND: Blend = Blend::Add;
+    const DRAW: Draw = Draw::Particles;
+    type Uniforms = uniforms::Gas;
+
+    fn applies(frame: &Frame) -> bool {
+        frame.carries_noise()
+    }
+
+    fn uniforms(frame: &Frame, _: usize) -> uniforms::Gas {
+        let radius = frame.resolved(frame.kernel.radius, frame.layout.flow[1]);
+        of_gas(frame, radius, 1.0, [1.0; 4])
+    }
+}

@@ -1,0 +1,120 @@
+//! Draws a frame, pass by pass, as the table says.
+
+use super::Renderer;
+use crate::frame::{Frame, background};
+use crate::gl::Graphics;
+use crate::image::Image;
+use crate::pass::{Draw, Load, Row};
+use crate::passes::PASSES;
+use crate::shaders::{FLOATS, SOURCES};
+use crate::target::{Target, bind};
+
+/// What a target holds where nothing was drawn.
+const NOTHING: [f32; 4] = [0.0; 4];
+
+impl<G: Graphics> Renderer<G> {
+    /// Draws the passes of the frame; calls `watch` with each key once its passes are submitted.
+    pub(super) fn draw(&self, gl: &G, frame: &Frame, watch: &mut dyn FnMut(&'static str)) {
+        let mut last = None;
+        for row in PASSES.iter().filter(|row| (row.applies)(frame)) {
+            if let Some(key) = last.replace(row.key).filter(|key| *key != row.key) {
+                watch(key);
+            }
+            for level in row.levels.of(frame.widest_blur()) {
+                self.draw_pass(gl, frame, row, level);
+            }
+        }
+        if let Some(key) = last {
+            watch(key);
+        }
+    }
+
+    fn draw_pass(&self, gl: &G, frame: &Frame, row: &Row, level: usize) {
+        let size = match self.target(frame, row.target, level) {
+            Some(target) => {
+                let part = if row.target == Image::Field {
+                    frame.used
+                } else {
+                    target.size()
+                };
+                target.draw_here(gl, part);
+                part
+            }
+            None => {
+                let [width, height] = frame.layout.picture;
+                gl.bind_framebuffer(None);
+                gl.viewport(width as i32, height as i32);
+                [width, height]
+            }
+        };
+        if row.load == Load::Clear {
+            gl.clear(match row.target {
+                Image::Picture => background(frame.parameters.background),
+                _ => NOTHING,
+            });
+        }
+        let source = &SOURCES[row.shader as usize];
+        for (unit, &(_, image)) in source.samplers.iter().enumerate() {
+            if let Some(texture) = self.texture(frame, row.draw, image, level) {
+                bind(gl, unit as u32, texture);
+            }
+        }
+        let mut uniforms = [0.0; FLOATS];
+        (row.uniforms)(frame, level, &mut uniforms);
+        let programs = &self.shared.programs;
+        programs.activate(gl, row.shader, &uniforms[..source.floats]);
+        let blends = row.blend.factors();
+        if let Some((drawn, there)) = blends {
+            gl.enable(glow::BLEND);
+            gl.blend_func(drawn, there);
+        }
+        match row.draw {
+            Draw::All => gl.draw_triangle(),
+            Draw::Reach => draw_part(gl, frame, frame.reach, size),
+            Draw::Halo => draw_part(gl, frame, frame.halo(), size),
+            Draw::Particles => self.particles.draw(gl),
+            Draw::Embers => self.embers.draw(gl),
+        }
+        if blends.is_some() {
+            gl.disable(glow::BLEND);
+        }
+    }
+
+    /// The target that an image is; none of the picture, and of what no pass draws.
+    fn target(&self, frame: &Frame, image: Image, level: usize) -> Option<&Target<G>> {
+        let target = image.target(level, frame.widest_blur(), self.newest)?;
+        self.targets.get(target).map(|(_, target)| target)
+    }
+
+    /// The texture that an image is in a pass that draws that.
+    fn texture(
+        &self,
+        frame: &Frame,
+        draw: Draw,
+        image: Image,
+        level: usize,
+    ) -> Option<&G::Texture> {
+        match image {
+            Image::Particles if draw == Draw::Embers => Some(self.embers.texture()),
+            Image::Particles => Some(self.particles.texture()),
+            Image::Noise => Some(&self.shared.noise),
+            Image::Palette => Some(match &self.tinted {
+                Some((_, colours)) => colours,
+                None => &self.shared.black_body,
+            }),
+            _ => self.target(frame, image, level).map(Target::texture),
+        }
+    }
+}
+
+/// Draws the part of a target of that size that `bounds` \[m\] touch.
+fn draw_part<G: Graphics>(gl: &G, frame: &Frame, bounds: [f32; 4], size: [u32; 2]) {
+    let part = frame.viewport.rectangle(bounds, size);
+    if part.width == 0 || part.height == 0 {
+        return;
+    }
+    gl.enable(glow::SCISSOR_TEST);
+    gl.scissor(part.x, part.y, part.width, part.height);
+    gl.draw_triangle();
+    gl.disable(glow::SCISSOR_TEST);
+}

@@ -1,0 +1,79 @@
+//! Makes what a frame needs and frees what it does not.
+
+use hearth_core::params::Backdrop;
+
+use super::{CARRIED, Renderer, SCENERY};
+use crate::error::RenderError;
+use crate::frame::Frame;
+use crate::gl::Graphics;
+use crate::palette::Tint;
+use crate::passes::PASSES;
+use crate::shaders::SOURCES;
+use crate::shared::colour_table;
+
+impl<G: Graphics> Renderer<G> {
+    /// Makes the colours of that tint.
+    pub(super) fn fit_colours(&mut self, gl: &G, tint: Tint) -> Result<(), RenderError> {
+        if self
+            .tinted
+            .as_ref()
+            .is_some_and(|(drawn, _)| *drawn == tint)
+        {
+            return Ok(());
+        }
+        if let Some((_, old)) = self.tinted.take() {
+            gl.delete_texture(&old);
+        }
+        if !tint.is_black_body() {
+            self.tinted = Some((tint, colour_table(gl, &tint.table())?));
+        }
+        Ok(())
+    }
+
+    /// Makes every target that a pass of the frame draws into or reads.
+    pub(super) fn fit_targets(&mut self, gl: &G, frame: &Frame) -> Result<(), RenderError> {
+        self.targets.fit(gl, frame.layout);
+        if frame.parameters.backdrop != Backdrop::Bricks {
+            self.targets.free(gl, SCENERY);
+        }
+        let widest = frame.widest_blur();
+        for row in PASSES.iter().filter(|row| (row.applies)(frame)) {
+            let source = &SOURCES[row.shader as usize];
+            let read = source.samplers.iter().map(|(_, image)| *image);
+            let images = read.chain([row.target]);
+            for (image, level) in
+                images.flat_map(|image| row.levels.of(widest).map(move |level| (image, level)))
+            {
+                // Both of those that take turns are made at once.
+                let Some(target) = image.target(level, widest, 0) else {
+                    continue;
+                };
+                let is_new = self.targets.need(gl, source.name, frame.format, target)?;
+                if is_new && target == SCENERY {
+                    self.scenery = None;
+                }
+                if is_new && target == CARRIED {
+                    self.fit_carried(gl, frame)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes the targets of the carried noise, as a still fire left them or empty.
+    fn fit_carried(&mut self, gl: &G, frame: &Frame) -> Result<(), RenderError> {
+        self.targets
+            .need(gl, "advect_noise", frame.format, CARRIED + 1)?;
+        match self.carried.take() {
+            Some(carried) if carried.layout == frame.layout => {
+                for target in [CARRIED, CARRIED + 1] {
+                    if let Some((_, target)) = self.targets.get(target) {
+                        target.write(gl, &carried.texels);
+                    }
+                }
+            }
+            _ => self.motion.advection.forget(),
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,247 @@
+//! Resolution: how large each target is.
+//!
+//! Fields are smooth, so a few texels for each kernel are enough. The light keeps half of a large
+//! picture's lines, and glow needs fewer still. Fill rate is what phones, and machines without a
+//! graphics card, lack most.
+
+/// Largest number of blurred copies of the light.
+pub const MAX_BLURS: usize = 4;
+/// Lines of the widest blurred copy at every quality and size of the picture, so that the glow is
+/// equally wide in all of them. Each sharper copy has twice as many.
+const WIDEST_BLUR: u32 = 32;
+
+/// How much coarser than the field its view from farther away is.
+const SPREAD: u32 = 6;
+
+/// Largest number of lines of the backdrop: it is far away.
+const SCENERY: u32 = 1080;
+/// Lines and largest number of columns of the fire's light on the backdrop: every texel reads
+/// all of the fire.
+const IRRADIANCE: [u32; 2] = [16, 64];
+
+/// Largest number of texels that all kernels together may touch in a frame.
+const SPLAT_BUDGET: f32 = 4.0e6;
+
+/// How finely a fire is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ResolutionLimits {
+    /// The light has every line of a picture of so many lines, and half of a larger one's.
+    pub full: u32,
+    /// Largest number of lines of the light.
+    pub light: u32,
+    /// Largest number of lines of the fields.
+    pub field: u32,
+    /// Texels of the field that a kernel's radius should span: with fewer, texels show; more
+    /// only cost time.
+    pub texels: f32,
+    /// Share of each sharper blurred copy when it joins the wider ones, from the widest on.
+    pub sharper_shares: &'static [f32],
+}
+
+impl ResolutionLimits {
+    /// For slow machines.
+    pub const LOW: ResolutionLimits = ResolutionLimits {
+        full: 270,
+        light: 360,
+        field: 180,
+        texels: 2.6,
+        sharper_shares: &[0.64],
+    };
+    /// For most machines.
+    pub const MEDIUM: ResolutionLimits = ResolutionLimits {
+        full: 360,
+        light: 720,
+        field: 270,
+        texels: 3.2,
+        sharper_shares: &[0.4, 0.4],
+    };
+    /// For fast machines.
+    pub const HIGH: ResolutionLimits = ResolutionLimits {
+        full: 540,
+        light: 1080,
+        field: 405,
+        texels: 4.0,
+        sharper_shares: &[0.4, 0.25, 0.2],
+    };
+}
+
+/// Sizes of the targets for one size of the picture.
+#[derive(Clone, Copy, Debug)]
+pub struct Layout {
+    /// The limits that these sizes keep.
+    pub limits: ResolutionLimits,
+    /// The picture itself.
+    pub picture: [u32; 2],
+    /// The field.
+    pub field: [u32; 2],
+    /// The field as seen from farther away.
+    pub wide: [u32; 2],
+    /// Velocities of the gas.
+    pub flow: [u32; 2],
+    /// How far it has carried the limits structure.
+    pub carried: [u32; 2],
+    /// The light before the tone map.
+    pub light: [u32; 2],
+    /// The backdrop.
+    pub scenery: [u32; 2],
+    /// The fire's light on the backdrop.
+    pub irradiance: [u32; 2],
+    /// The blurred copies of the light, sharpest first; unused ones at the end.
+    blurs: [[u32; 2]; MAX_BLURS],
+}
+
+impl PartialEq for Layout {
+    /// All sizes follow from the picture's and from the limits.
+    fn eq(&self, other: &Layout) -> bool {
+        self.picture == other.picture && self.limits == other.limits
+    }
+}
+
+impl Layout {
+    /// The layout of a picture, none of whose targets has a side longer than `max`; none for a
+    /// picture without pixels.
+    pub fn new(picture: [u32; 2], limits: ResolutionLimits, max: u32) -> Option<Layout> {
+        let [width, height] = picture;
+        if width == 0 || height == 0 || max == 0 {
+            return None;
+        }
+        let lines = |lines: u32| {
+            let share = f64::from(lines.max(1)) / f64::from(height);
+            [(f64::from(width) * share).ceil(), f64::from(lines)]
+                .map(|side| (side as u32).clamp(1, max))
+        };
+        let light = lines(height.min((height / 2).max(limits.full).min(limits.light)));
+        let mut sharpest = WIDEST_BLUR << limits.sharper_shares.len();
+        let blurs = [(); MAX_BLURS].map(|()| {
+            let size = lines(sharpest.min(light[1].div_ceil(2)));
+            sharpest /= 2;
+            size
+        });
+        let field = lines(limits.field.min(height.div_ceil(2)));
+        let backdrop = |lines: u32, columns: u32| {
+            let lines = lines.min(height).min(max);
+            let across = f64::from(width) * f64::from(lines) / f64::from(height);
+            [(across as u32).clamp(1, columns.min(max)), lines]
+        };
+        Some(Layout {
+            limits,
+            picture,
+            field,
+            wide: field.map(|side| side.div_ceil(SPREAD)),
+            flow: field.map(|side| side.div_ceil(3)),
+            carried: field.map(|side| side.div_ceil(2)),
+            light,
+            scenery: backdrop(SCENERY, max),
+            irradiance: backdrop(IRRADIANCE[0], IRRADIANCE[1]),
+            blurs,
+        })
+    }
+
+    /// Sizes of the blurred copies of the light, sharpest first.
+    pub fn blurs(&self) -> &[[u32; 2]] {
+        &self.blurs[..self.limits.sharper_shares.len() + 1]
+    }
+
+    /// The lower left part of the field that `count` kernels of `radius` \[m\] deserve in a
+    /// picture `height` \[m\] high.
+    pub fn used_field(&self, count: usize, radius: f32, height: f32) -> [u32; 2] {
+        let needed = self.limits.texels * height / radius;
+        let affordable = (SPLAT_BUDGET / count.max(1) as f32).sqrt() * height / (2.0 * radius);
+        let share = needed.min(affordable).max(32.0) / self.field[1] as f32;
+        self.field
+            .map(|side| ((side as f32 * share.min(1.0)).ceil() as u32).clamp(1, side))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_without_pixels_has_no_layout() {
+        for size in [[0, 0], [0, 480], [640, 0]] {
+            assert_eq!(Layout::new(size, ResolutionLimits::MEDIUM, 4096), None);
+        }
+    }
+
+    #[test]
+    fn every_target_has_texels_and_fits_the_driver() {
+        for size in [
+            [1, 1],
+            [1, 5000],
+            [5000, 1],
+            [360, 640],
+            [2560, 1440],
+            [30_000, 30_000],
+        ] {
+            let layout = Layout::new(size, ResolutionLimits::HIGH, 2048).expect("there are pixels");
+            let sizes = layout.blurs().iter().copied().chain([
+                layout.field,
+                layout.wide,
+                layout.flow,
+                layout.carried,
+                layout.light,
+                layout.scenery,
+                layout.irradiance,
+            ]);
+            for [width, height] in sizes {
+                assert!((1..=2048).contains(&width) && (1..=2048).contains(&height));
+            }
+            let [width, height] = layout.used_field(100_000, 0.01, 6.0);
+            assert!((1..=layout.field[0]).contains(&width));
+            assert!((1..=layout.field[1]).contains(&height));
+        }
+    }
+
+    #[test]
+    fn higher_quality_is_never_coarser() {
+        for size in [[320, 200], [360, 640], [1280, 720], [3840, 2160]] {
+            let layouts = [
+                ResolutionLimits::LOW,
+                ResolutionLimits::MEDIUM,
+                ResolutionLimits::HIGH,
+            ]
+            .map(|lines| Layout::new(size, lines, 4096).expect("there are pixels"));
+            for of in [
+                |layout: &Layout| layout.light[1],
+                |layout: &Layout| layout.field[1],
+                |layout: &Layout| layout.blurs()[0][1],
+                |layout: &Layout| layout.used_field(1000, 0.04, 1.5)[1],
+            ] {
+                assert!(layouts.is_sorted_by_key(of), "{layouts:?}");
+            }
+            assert!(layouts[2].light[1] <= size[1], "{layouts:?}");
+        }
+    }
+
+    #[test]
+    fn glow_is_equally_wide_at_every_quality() {
+        for lines in [
+            ResolutionLimits::LOW,
+            ResolutionLimits::MEDIUM,
+            ResolutionLimits::HIGH,
+        ] {
+            let layout = Layout::new([1280, 720], lines, 4096).expect("there are pixels");
+            let widest = layout.blurs().last().expect("there are copies");
+            assert_eq!(widest[1], WIDEST_BLUR);
+            // Share of the widest copy in the glow.
+            let share: f32 = lines
+                .sharper_shares
+                .iter()
+                .map(|sharper| 1.0 - sharper)
+                .product();
+            assert!((share - 0.36).abs() < 1e-6, "{lines:?}");
+        }
+    }
+
+    #[test]
+    fn many_particles_do_not_cost_more_than_the_budget() {
+        let layout =
+            Layout::new([1280, 720], ResolutionLimits::MEDIUM, 4096).expect("there are pixels");
+        for count in [1000, 10_000, 100_000] {
+            let [_, lines] = layout.used_field(count, 0.04, 1.5);
+            let side = 2.0 * 0.04 / 1.5 * lines as f32;
+            assert!(count as f32 * side * side <= 1.1 * SPLAT_BUDGET, "{count}");
+        }
+    }
+}

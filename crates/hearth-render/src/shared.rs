@@ -1,0 +1,94 @@
+//! GPU resources that all fires of one context share: compiled shaders and constant textures.
+//!
+//! A page may have thirty fires. Compiling shaders takes a driver longer than everything else
+//! that a new fire needs, so only the first fire waits for it.
+
+use crate::blackbody;
+use crate::constants::ENTRIES;
+use crate::error::RenderError;
+use crate::format::TargetFormat;
+use crate::gl::Graphics;
+use crate::noise;
+use crate::program::Programs;
+use crate::target::{Target, texture};
+
+/// The shared part of the renderers of one context.
+pub struct SharedResources<G: Graphics = glow::Context> {
+    pub(crate) programs: Programs<G>,
+    pub(crate) format: TargetFormat,
+    /// Largest side of a texture.
+    pub(crate) max_side: u32,
+    pub(crate) noise: G::Texture,
+    pub(crate) black_body: G::Texture,
+    /// Without attributes: no pass reads a buffer, whatever else the context holds.
+    pub(crate) no_attributes: G::VertexArray,
+}
+
+impl<G: Graphics> SharedResources<G> {
+    /// Compiles every pair of shaders and chooses the target format.
+    ///
+    /// # Errors
+    /// The driver refuses a shader, a texture or every format.
+    pub fn new(gl: &G) -> Result<SharedResources<G>, RenderError> {
+        let mut last = RenderError::NoTarget;
+        for &format in TargetFormat::candidates(gl) {
+            match SharedResources::with_format(gl, format) {
+                Ok(shared) => return Ok(shared),
+                Err(error) => last = error,
+            }
+        }
+        Err(last)
+    }
+
+    /// As [`new`](SharedResources::new), with a given target format.
+    ///
+    /// # Errors
+    /// The driver refuses a shader, a texture or this format.
+    pub fn with_format(gl: &G, format: TargetFormat) -> Result<SharedResources<G>, RenderError> {
+        // Only a trial shows whether a format can be drawn into.
+        Target::new(gl, "splat", format, [4, 4])?.destroy(gl);
+        Ok(SharedResources {
+            programs: Programs::new(gl)?,
+            format,
+            max_side: gl.largest_texture(),
+            noise: {
+                let noise = texture(gl, "shade", glow::REPEAT)?;
+                let size = [noise::SIZE as u32; 2];
+                gl.make_room(glow::RGBA8, glow::UNSIGNED_BYTE, size);
+                gl.replace_bytes(size, &noise::tile());
+                // Mipmaps, for noise that is folded finer than texels.
+                gl.tex_parameter(glow::TEXTURE_MIN_FILTER, glow::LINEAR_MIPMAP_NEAREST);
+                gl.generate_mipmap();
+                noise
+            },
+            black_body: colour_table(gl, &blackbody::table())?,
+            no_attributes: gl
+                .create_vertex_array()
+                .ok_or(RenderError::Resource { pass: "splat" })?,
+        })
+    }
+
+    /// The pixels of the off-screen targets.
+    pub fn target_format(&self) -> TargetFormat {
+        self.format
+    }
+
+    /// Frees everything. No renderer of this context may draw after that.
+    pub fn destroy(self, gl: &G) {
+        self.programs.destroy(gl);
+        gl.delete_texture(&self.noise);
+        gl.delete_texture(&self.black_body);
+        gl.delete_vertex_array(&self.no_attributes);
+    }
+}
+
+/// A table of colours by temperature, as a texture.
+pub fn colour_table<G: Graphics>(gl: &G, table: &[[f32; 4]]) -> Result<G::Texture, RenderError> {
+    gl.active_texture(0);
+    let colours = texture(gl, "shade", glow::CLAMP_TO_EDGE)?;
+    let size = [ENTRIES as u32, 1];
+    let (internal, _) = TargetFormat::Rgba16F.constants();
+    gl.make_room(internal, glow::FLOAT, size);
+    gl.replace_floats([0, 0], size, table.as_flattened());
+    Ok(colours)
+}

@@ -1,0 +1,2 @@
+// Sums the kernels of a measured quantity.
+#include "kernel.glsl"

@@ -1,0 +1,21 @@
+// Halves the light, or reduces a larger picture to the first blurred copy.
+
+in vec2 uv;
+
+uniform sampler2D sharper; // the light, or the next sharper copy
+uniform vec2 texel;        // size of a texel of the smaller copy
+
+out vec4 blur;
+
+const float STEP = 0.4; // between two of 4 × 4 reads, in texels: they span 1.6, so that copies overlap
+
+void main() {
+    vec3 sum = vec3(0.0);
+    for (float y = -1.5; y < 2.0; y += 1.0) {
+        for (float x = -1.5; x < 2.0; x += 1.0) {
+            vec3 root = texture(sharper, uv + vec2(x, y) * STEP * texel).rgb;
+            sum += root * root;
+        }
+    }
+    blur = vec4(sqrt(sum / 16.0), 1.0);
+}

@@ -1,0 +1,23 @@
+// Doubles a blurred copy and blends it with the next sharper one.
+
+in vec2 uv;
+
+uniform sampler2D wider; // the blurred copy
+uniform sampler2D blur;  // the next sharper one
+uniform vec2 texel;      // size of a texel of the wider one
+uniform float share;     // of the sharper one
+
+out vec4 glow;
+
+vec3 at(float x, float y) {
+    vec3 root = texture(wider, uv + vec2(x, y) * texel).rgb;
+    return root * root;
+}
+
+// Eight reads around the pixel: a tent without its middle, whose weights sum up to 12.
+void main() {
+    vec3 sum = at(-1.0, 0.0) + at(1.0, 0.0) + at(0.0, -1.0) + at(0.0, 1.0)
+             + 2.0 * (at(-0.5, -0.5) + at(0.5, -0.5) + at(-0.5, 0.5) + at(0.5, 0.5));
+    vec3 root = texture(blur, uv).rgb;
+    glow = vec4(sqrt(mix(sum / 12.0, root * root, share)), 1.0);
+}

@@ -1,0 +1,2 @@
+// A measured quantity as a disc a particle.
+#include "measured.glsl"

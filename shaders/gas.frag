@@ -1,0 +1,2 @@
+// Sums the kernels of the combustion model's gas.
+#include "kernel.glsl"

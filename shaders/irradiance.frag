@@ -1,0 +1,27 @@
+// The light of the fire on the wall behind it: all of the fire is a lamp, a little way in front.
+
+in vec2 uv;
+
+uniform sampler2D widest_blur; // of the light
+uniform vec2 size; // of the picture, in heights of the domain
+
+out vec4 irradiance; // square root of the light / range
+
+const float DISTANCE = 0.06; // square of the lamp's distance from the wall, in heights of the domain
+
+void main() {
+    // One read for four texels, whatever the shape of the picture: every texel counts.
+    vec2 reads = ceil(vec2(textureSize(widest_blur, 0)) / 2.0);
+    vec3 sum = vec3(0.0);
+    for (float y = 0.5; y < reads.y; y += 1.0) {
+        for (float x = 0.5; x < reads.x; x += 1.0) {
+            vec2 at = vec2(x, y) / reads;
+            vec3 root = texture(widest_blur, at).rgb;
+            vec2 way = (uv - at) * size;
+            // Inverse square, times the cosine at either end.
+            float near = DISTANCE / (DISTANCE + dot(way, way));
+            sum += root * root * near * near;
+        }
+    }
+    irradiance = vec4(sqrt(sum * size.x * size.y / (reads.x * reads.y)), 1.0);
+}

@@ -1,0 +1,20 @@
+// One quad a particle, with the measured quantity as a share of the colour scale.
+#include "particle.glsl"
+
+uniform float radius;    // of the quad, in which corner is −reach to reach [m]
+uniform float reach;     // of the quad in radii: a disc needs a pixel more for its soft rim
+uniform float peak;      // 1 / integral of the kernel [1/m²]; 0: a disc of its own
+uniform float span_from; // quantity of the first colour
+uniform float per_span;  // 1 / (quantity of the last colour − that of the first)
+
+out vec2 corner;       // in radii
+flat out vec4 payload; // weight, weight × share of the span
+
+void main() {
+    Particle particle = this_particle();
+    corner = particle.corner * reach;
+    gl_Position = clip(particle, particle.place + corner * radius);
+    float share = clamp((particle.state.w - span_from) * per_span, 0.0, 1.0);
+    float weight = peak > 0.0 ? particle.state.y * peak : 1.0;
+    payload = weight * vec4(1.0, share, 0.0, 0.0);
+}

@@ -2,11 +2,11 @@
  * What of an element has to do with the page around it: how much it may draw, a
  * pointer that stirs it, its panel, its poster and its words.
  *
- * @typedef {import('./engine.js').Message} Message
+ * @typedef {import('./engine.js').Call} Call
  * @typedef {object} Ways what the element does for its parts
  * @property {any} fire the element
- * @property {(message: Message) => Promise<void>} ask asks the engine for something
- * @property {(message: Message) => void} send tells the engine something
+ * @property {(...call: Call) => Promise<void>} ask calls the engine
+ * @property {(...call: Call) => void} send calls the engine, whose answer nobody waits for
  * @property {(id: string, value: string, allowed: string) => unknown} refuse
  * @property {(kind: string, message: string) => void} complain
  * @property {(colour: string, fire: Element) => string} hexOf
@@ -144,7 +144,7 @@ export class FireManners {
 
   /** @type {(name: string, value: unknown) => void} */
   #ask(name, value) {
-    const asked = this.#ways.ask({ type: 'limit', source: 'attribute', id: name.replace('-', '_'), value });
+    const asked = this.#ways.ask(name.replace('-', '_'), value);
     asked.then(() => this.#limits.set(name, value), () => {});
   }
 
@@ -157,7 +157,7 @@ export class FireManners {
     this.#ignorePointer = () => ended.abort();
     const ways = {
       send: this.#ways.send,
-      move: (x) => this.#ways.ask({ type: 'set', source: 'pointer', values: { source_x: x } }).catch(() => {}),
+      move: (x) => this.#ways.ask('set', { source_x: x }, 'pointer').catch(() => {}),
     };
     import('./fire-pointer.js').then(
       ({ listenToPointer }) => ended.signal.aborted || listenToPointer(this.#fire, this.#view.root, ways, ended.signal),
@@ -174,7 +174,7 @@ export class FireManners {
       return;
     }
     this.#view.camera = { fit, x, y };
-    this.#ways.send({ type: 'view', ...this.#view.camera });
+    this.#ways.send('view', fit, x, y);
   }
 
   /** @param {string} action */

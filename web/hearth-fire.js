@@ -1,13 +1,14 @@
 /**
  * `<hearth-fire>`: a fire as an HTML element.
  *
- * The element is a thin shell. It turns attributes, properties and calls into
- * messages to the engine and the engine's messages into promises and events. It
- * checks no value: the engine's table of parameters does. Reading a value gives
- * the last one that the engine accepted.
+ * The element is a thin shell. It turns attributes, properties and methods into calls of
+ * the engine, and the engine's events into promises and events. It checks no value: the
+ * table of parameters in wasm does. Reading a value gives the last one that the engine
+ * accepted.
  *
  * The module can be imported where there is no `window`; it then defines nothing.
  *
+ * @typedef {import('./engine.js').Call} Call
  * @typedef {import('./engine.js').Message} Message
  * @typedef {import('./requests.js').Refusal} Refusal
  */
@@ -92,8 +93,8 @@ export class HearthFire extends FireAttributes {
     this.#signs = new FireSigns(this, this.#view);
     this.#ways = {
       fire: this,
-      ask: (message) => this.#ask(message),
-      send: (message) => this.#link?.send(message),
+      ask: (...call) => this.#ask(...call),
+      send: (...call) => this.#link?.send(...call),
       refuse: (id, value, allowed) => this.#refuse(id, value, allowed),
       complain: (kind, message) => this.#complain(kind, message),
       hexOf,
@@ -173,7 +174,7 @@ export class HearthFire extends FireAttributes {
    */
   to(values, how) {
     this.#orders ??= [];
-    const checked = this.#ask({ type: 'check', source: 'to', values: postable(values, 1) });
+    const checked = this.#ask('check', postable(values, 1));
     const code = import('./fire-transition.js').catch((why) => {
       this.#orders = undefined;
       this.#complain('load', `Transitions could not be loaded: ${why}`);
@@ -189,9 +190,9 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   restore(...ids) {
-    if (ids.length > 0) return this.#ask({ type: 'restore', source: 'property', ids: postable(ids, 1) });
+    if (ids.length > 0) return this.#ask('restore', postable(ids, 1), 'property');
     this.#dropPreset();
-    return this.#ask({ type: 'preset', source: 'property', name: 'default' });
+    return this.#ask('preset', 'default', 'property');
   }
 
   /** Lets it burn. */
@@ -206,7 +207,7 @@ export class HearthFire extends FireAttributes {
 
   /** Starts again from nothing, with the same values. */
   reset() {
-    return this.#ask({ type: 'reset' });
+    return this.#ask('reset');
   }
 
   /**
@@ -215,7 +216,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   step(steps = 1) {
-    return this.#ask({ type: 'step', steps: postable(steps) });
+    return this.#ask('step', postable(steps));
   }
 
   /**
@@ -224,7 +225,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<{hearth: 1, preset?: string, values: {[id: string]: any}}>}
    */
   exportConfig() {
-    return this.#ask({ type: 'export' });
+    return this.#ask('export');
   }
 
   /**
@@ -235,7 +236,7 @@ export class HearthFire extends FireAttributes {
    */
   importConfig(config) {
     try {
-      return this.#ask({ type: 'import', source: 'property', config: settings(config) });
+      return this.#ask('import', settings(config), 'property');
     } catch (error) {
       const { message } = /** @type {Error} */ (error);
       return quiet(Promise.reject(this.#refused([{ id: 'config', value: config, message }])));
@@ -286,7 +287,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   stir(x, y, u, v) {
-    return this.#ask({ type: 'stir', ...postable({ x, y, u, v }, 1) });
+    return this.#ask('stir', ...postable([x, y, u, v], 1));
   }
 
   /**
@@ -297,7 +298,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   sparks(x, y, count = 24) {
-    return this.#ask({ type: 'sparks', ...postable({ x, y, count }, 1) });
+    return this.#ask('sparks', ...postable([x, y, count], 1));
   }
 
   /**
@@ -356,11 +357,11 @@ export class HearthFire extends FireAttributes {
       // The first fire starts with its model.
     } else if (id !== undefined) {
       if (value !== null) this.#set({ [id]: value }, 'attribute');
-      else this.#ask({ type: 'restore', source: 'attribute', ids: [id] });
+      else this.#ask('restore', [id], 'attribute');
     } else if (name === 'preset') {
-      if (begun && !this.#dropping) this.#ask({ type: 'preset', source: 'preset', name: value ?? 'default' });
+      if (begun && !this.#dropping) this.#ask('preset', value ?? 'default', 'preset');
     } else if (name === 'quality') {
-      this.#ask({ type: 'quality', source: 'attribute', quality: value ?? 'auto' });
+      this.#ask('quality', value ?? 'auto');
     } else if (name === 'paused') {
       if ((value !== null) !== this.#paused) this.#setPaused(value !== null);
     } else if (name === 'src') {
@@ -368,7 +369,7 @@ export class HearthFire extends FireAttributes {
     } else if (name === 'warm') {
       const seconds = warmth(this);
       if (Number.isNaN(seconds)) this.#refuse(name, value ?? '', 'a number of seconds from 0 to 30');
-      else if (begun) this.#ask({ type: 'warm', seconds });
+      else if (begun) this.#ask('warm', seconds);
     } else if (name === 'autoplay') {
       if (this.#link && !this.#started && !this.autoplay) this.#setPaused(true);
     } else if (name === 'reduced-motion' && this.#link) {
@@ -383,17 +384,17 @@ export class HearthFire extends FireAttributes {
     this.#dropping = false;
   }
 
-  /** @param {Message} message */
-  #ask(message) {
+  /** Calls the engine. @param {Call} call */
+  #ask(...call) {
     // Where there can be no fire, nothing waits for one.
-    const answer = this.#ready.failed ? this.#ready.promise : this.#requests.ask(message);
-    this.#orders?.push([message, answer]);
+    const answer = this.#ready.failed ? this.#ready.promise : this.#requests.ask(...call);
+    this.#orders?.push([call, answer]);
     return answer;
   }
 
   /** @type {(values: {[id: string]: unknown}, source: string) => Promise<void>} */
   #set(values, source) {
-    return this.#ask({ type: 'set', source, values: postable(values, 1) });
+    return this.#ask('set', postable(values, 1), source);
   }
 
   /**
@@ -418,9 +419,9 @@ export class HearthFire extends FireAttributes {
     const { src } = this;
     const config = await this.#settingsOfFile();
     if (src !== this.src) return;
-    if (config !== undefined) this.#ask({ type: 'import', source: 'src', config });
+    if (config !== undefined) this.#ask('import', config, 'src');
     // Without a file it burns as it would have without one.
-    else if (!src) this.#ask({ type: 'preset', source: 'src', name: this.preset });
+    else if (!src) this.#ask('preset', this.preset, 'src');
   }
 
   /**
@@ -445,7 +446,7 @@ export class HearthFire extends FireAttributes {
     if (!still && this.hasAttribute('paused') !== paused) this.toggleAttribute('paused', paused);
     // A fire that is still to come is told how it starts.
     if (!this.#link?.live) return this.#ready.promise;
-    return this.#ask({ type: paused ? 'pause' : 'play' });
+    return this.#ask(paused ? 'pause' : 'play');
   }
 
   /** What the button in the picture does. */
@@ -549,9 +550,9 @@ export class HearthFire extends FireAttributes {
     if (this.warm) {
       // Before, it may be taken for one that nobody sees.
       if (!document.hidden) await link.looked;
-      await this.#ask({ type: 'warm' }).catch(() => {});
+      await this.#ask('warm').catch(() => {});
     } else if (still) {
-      await this.#ask({ type: 'burn', seconds: STILL_AFTER }).catch(() => {});
+      await this.#ask('burn', STILL_AFTER).catch(() => {});
     }
     if (!link.live) return;
     this.#view.show('shown');

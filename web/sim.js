@@ -55,7 +55,7 @@ export async function createSimulation(options = {}) {
   }
   if (preset !== undefined) text('preset', preset);
   const { Fire } = await loaded(wasm);
-  return new Simulation(() => new Fire(preset, ...columns(values)));
+  return new Simulation(() => new Fire(preset, ...columns(values)), [['preset', preset], ...values]);
 }
 
 /** A fire, step by step. */
@@ -64,9 +64,12 @@ class Simulation {
   #fire;
   #gone = 'this simulation was freed';
 
-  /** @param {() => any} make */
-  constructor(make) {
-    this.#fire = this.#guard(make);
+  /**
+   * @param {() => any} make
+   * @param {any[][]} values those that it starts with
+   */
+  constructor(make, values) {
+    this.#fire = this.#guard(make, values);
   }
 
   /** Simulated time since the start [s]. */
@@ -120,7 +123,10 @@ class Simulation {
    */
   get(id) {
     text('id', id);
-    return this.#use((fire) => fire.get(id));
+    /** @type {any} */
+    const found = {};
+    this.#use((fire) => fire.get(id, found));
+    return found[id];
   }
 
   /**
@@ -130,7 +136,7 @@ class Simulation {
    */
   set(ids, value) {
     const values = typeof ids === 'string' ? [[ids, value]] : fields('values', ids);
-    this.#use((fire) => fire.set(...columns(values)));
+    this.#use((fire) => fire.set(...columns(values)), values);
   }
 
   /**
@@ -274,24 +280,27 @@ class Simulation {
   /**
    * @template T
    * @param {(fire: any) => T} act
+   * @param {any[][]} [values] those that it hands over
    * @returns {T}
    */
-  #use(act) {
+  #use(act, values) {
     if (!this.#fire) throw new Error(this.#gone);
-    return this.#guard(() => act(this.#fire));
+    return this.#guard(() => act(this.#fire), values);
   }
 
   /**
-   * What stops wasm itself leaves this one simulation half changed, and no other. It is
-   * let go as it is: wasm cannot free what it was in the middle of.
+   * If wasm traps, only this simulation is half changed. It is abandoned: its memory leaks,
+   * because wasm cannot unwind.
    * @template T
    * @param {() => T} act
+   * @param {any[][]} [values]
    * @returns {T}
    */
-  #guard(act) {
+  #guard(act, values) {
     try {
       return act();
     } catch (cause) {
+      if (Array.isArray(cause)) throw refusal(cause, values);
       if (!(cause instanceof WebAssembly.RuntimeError)) throw cause;
       this.#fire = undefined;
       this.#gone = 'this simulation has stopped for good';
@@ -409,9 +418,27 @@ function isPlain(/** @type {any} */ object) {
   return prototype === null || Object.getPrototypeOf(prototype) === null;
 }
 
-/** Ids and values as two arrays, as wasm takes them. */
+/** Ids and values as two arrays, as wasm takes them: an object becomes words for it. */
 function columns(/** @type {any[][]} */ values) {
-  return [values.map(([id]) => id), values.map(([, value]) => value)];
+  const plain = (/** @type {any} */ value) => (
+    ['string', 'number', 'boolean', 'undefined'].includes(typeof value) ? value : words(value)
+  );
+  return [values.map(([id]) => id), values.map(([, value]) => plain(value))];
+}
+
+/**
+ * The error that is thrown for the errors of wasm.
+ * @param {any[]} errors
+ * @param {any[][]} [values] those that were handed over
+ */
+function refusal(errors, values = []) {
+  // The value is the one that was sent, not wasm's words for it.
+  for (const error of errors) {
+    const sent = values.find(([id]) => id === error.id);
+    if (sent) [, error.value] = sent;
+  }
+  const [first] = errors;
+  return Object.assign(new RangeError(first.message), first, first.id === undefined ? {} : { errors });
 }
 
 /**

@@ -1,76 +1,86 @@
-//! A fire's settings as one small piece of data: to be kept, sent and opened again.
+//! A fire's settings as plain data, which can be stored, sent and opened again.
 //!
-//! `{"hearth": 1, "preset": "seed", "values": {"viscosity": 0.02}}`: the preset it
-//! starts from, where that is not the default one, and what differs from it. It
-//! holds what a fire burns with and nothing of the device that it burns on. A scene's
-//! file is one too: its label and its description are for people.
+//! `{"hearth": 1, "preset": "seed", "values": {"viscosity": 0.02}}` names the preset,
+//! where that is not the default one, and what differs from it. Settings hold what a fire
+//! burns with and nothing of the device that it burns on. The file of a scene has the
+//! same form, with a label and a description for people.
 
+use hearth_bindings::{Argument, Check, Form, Untrusted, ValidationError, Values, settings};
 use hearth_core::params::{Input, Model, PARAMETERS, Param, Value};
 
-use crate::fields::Fields;
-use crate::message::{Refused, SentValues, with_values};
-use crate::raw::Raw;
-use crate::wanted::{NUMBER, Wanted};
+use crate::requested::{COUNT, Requested};
 
 /// The version of the form.
 pub const VERSION: u32 = 1;
 
-/// The fields that there are.
-const FIELDS: [&str; 5] = ["hearth", "preset", "values", "label", "description"];
+/// The fields, and what each must be.
+const FIELDS: [(&str, Check); 5] = [
+    ("hearth", Check::optional(Form::Any)),
+    ("preset", Check::optional(Form::Text)),
+    ("values", Check::optional(Form::Values)),
+    ("label", Check::optional(Form::Text)),
+    ("description", Check::optional(Form::Text)),
+];
 
 /// Settings whose form is right. Their values are not checked yet.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Config {
+pub struct Config<'a> {
     /// The preset.
-    pub preset: Option<String>,
+    pub preset: Option<&'a str>,
     /// What differs from it.
-    pub values: SentValues,
+    pub values: Values<'a>,
 }
 
-impl Config {
+impl<'a> Config<'a> {
     /// Checks the form.
     ///
     /// # Errors
     /// The first field that is not as described above.
-    pub fn parse(raw: &Raw) -> Result<Config, Refused> {
-        let Raw::Object(fields) = raw else {
+    pub fn parse(config: &'a Untrusted) -> Result<Config<'a>, ValidationError> {
+        let Untrusted::Object(fields) = config else {
             let allowed = "an object with the fields preset and values";
-            return Err(Refused::field("config", raw, allowed));
+            return Err(ValidationError::new("config", config, allowed));
         };
         for (name, value) in fields {
-            if !FIELDS.contains(&name.as_str()) {
-                return Err(unknown_field(name, value));
+            match FIELDS.iter().find(|(known, _)| known == name) {
+                Some((_, check)) => check.test(name, value)?,
+                None => return Err(unknown_field(name, value)),
             }
         }
-        let mut fields = Fields::of(raw);
-        match raw.field("hearth") {
-            Raw::Missing => {}
-            Raw::Number(version) if *version == f64::from(VERSION) => {}
-            _ => fields.refuse("hearth", "1, the version of the form"),
+        let version = config.field("hearth");
+        if !version.is_missing() && version.number() != f64::from(VERSION) {
+            let allowed = "1, the version of the form";
+            return Err(ValidationError::new("hearth", version, allowed));
         }
-        for words in ["label", "description"] {
-            fields.optional_text(words);
-        }
-        let config = Config {
-            preset: fields.optional_text("preset"),
-            values: fields.optional_values("values"),
-        };
-        fields.refused().map_or(Ok(config), Err)
+        Ok(Config {
+            preset: Argument::read(config.field("preset")),
+            values: config.field("values").fields(),
+        })
+    }
+
+    /// What a fire with untrusted settings burns with.
+    ///
+    /// # Errors
+    /// Everything in them that is refused.
+    pub fn requested_by(config: &'a Untrusted) -> Result<Requested, Vec<ValidationError>> {
+        Config::parse(config)
+            .map_err(|error| vec![error])?
+            .requested()
     }
 
     /// What a fire with these settings burns with.
     ///
     /// # Errors
     /// Everything in them that is refused.
-    pub fn wanted(&self) -> Result<Wanted, Vec<Refused>> {
-        let base = match &self.preset {
-            Some(name) => Wanted::of_preset(name)?,
-            None => Wanted::default(),
+    pub fn requested(&self) -> Result<Requested, Vec<ValidationError>> {
+        let base = match self.preset {
+            Some(name) => Requested::of_preset(name)?,
+            None => Requested::default(),
         };
-        let parameters = with_values(&base.parameters, &self.values)?;
-        let named = self.values.iter().any(|(id, _)| id == NUMBER);
-        Ok(Wanted {
-            own_number: named && parameters.model() == Model::Combustion,
+        let parameters = settings::with_values(&base.parameters, self.values)?;
+        let named = self.values.iter().any(|(id, _)| id == COUNT);
+        Ok(Requested {
+            count_overridden: named && parameters.model() == Model::Combustion,
             parameters,
             ..base
         })
@@ -79,9 +89,9 @@ impl Config {
 
 /// The values of a fire that differ from those of its preset, as far as its model
 /// has a use for them: what would have to be set to have it again.
-pub fn changed(wanted: &Wanted) -> Vec<(&'static Param, Value)> {
-    let now = &wanted.parameters;
-    let preset = wanted.of_its_preset();
+pub fn changed(requested: &Requested) -> Vec<(&'static Param, Value)> {
+    let now = &requested.parameters;
+    let preset = requested.of_its_preset();
     let mut base = preset.clone();
     if base.model() != now.model() {
         // Another model has other defaults.
@@ -90,7 +100,7 @@ pub fn changed(wanted: &Wanted) -> Vec<(&'static Param, Value)> {
     }
     let differs = |param: &&Param| {
         let before = if param.id == "model" { &preset } else { &base };
-        param.get(now) != param.get(before) || param.id == NUMBER && wanted.names_number()
+        param.get(now) != param.get(before) || param.id == COUNT && requested.names_count()
     };
     let used = PARAMETERS
         .iter()
@@ -101,7 +111,7 @@ pub fn changed(wanted: &Wanted) -> Vec<(&'static Param, Value)> {
 }
 
 /// A field that settings have no use for, with the one that may have been meant.
-fn unknown_field(name: &str, value: &Raw) -> Refused {
+fn unknown_field(name: &str, value: &Untrusted) -> ValidationError {
     let known = "one of hearth, preset, values (parameters stand in values)";
-    Refused::field(name.get(..40).unwrap_or(name), value, known)
+    ValidationError::new(name.get(..40).unwrap_or(name), value, known)
 }

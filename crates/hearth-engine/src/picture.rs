@@ -5,8 +5,8 @@ use hearth_core::{Instance, Parameters};
 use hearth_render::{Camera, Carried, Lines, Motion, Renderer, View};
 
 use crate::easel::{Easel, Ground};
-use crate::host::Host;
 use crate::passes::Passes;
+use crate::wall_clock::WallClock;
 use crate::webgl::WebGl;
 
 /// Pictures of a fire that may be on their way at once: one is shown while the next
@@ -74,7 +74,7 @@ impl Picture {
         (time, parameters): (f64, &Parameters),
         camera: Camera,
         stands: bool,
-        host: &Host,
+        host: &WallClock,
     ) -> Result<f64, String> {
         let Some(ground) = easel.ground() else {
             return Ok(host.now());

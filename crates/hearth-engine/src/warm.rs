@@ -9,10 +9,7 @@ use hearth_core::burning::BurningError;
 use hearth_core::params::{Input, Model};
 use hearth_core::{Parameters, Simulation};
 
-use crate::wanted::NUMBER;
-
-/// Longest time that a fire may burn before it is shown \[s\].
-pub const LONGEST: f64 = 30.0;
+use crate::requested::COUNT;
 
 /// Seconds of fire for which all particles burn.
 const FINE: f64 = 0.9;
@@ -98,7 +95,7 @@ impl Warm {
         let few = (wanted.max_particles / FEW).max(FEWEST);
         if self.left > FINE && parameters.model() == Model::Combustion && few < wanted.max_particles
         {
-            let set = parameters.set(NUMBER, Input::Number(few.into()));
+            let set = parameters.set(COUNT, Input::Number(few.into()));
             debug_assert_eq!(set, Ok(()));
         }
         parameters

@@ -1,55 +1,53 @@
 //! Settings: what is exported can be imported, and nothing wrong is taken.
 
+use hearth_bindings::Untrusted;
 use hearth_core::params::{Input, Model, PARAMETERS};
 use hearth_core::preset::PRESETS;
+use hearth_engine::commands::Command;
 use hearth_engine::config::{Config, changed};
-use hearth_engine::message::Order;
-use hearth_engine::raw::Raw;
-use hearth_engine::wanted::Wanted;
+use hearth_engine::requested::Requested;
 
-fn object(fields: Vec<(&str, Raw)>) -> Raw {
+fn object(fields: Vec<(&str, Untrusted)>) -> Untrusted {
     let named = fields.into_iter().map(|(id, value)| (id.to_owned(), value));
-    Raw::Object(named.collect())
+    Untrusted::Object(named.collect())
 }
 
-fn text(words: &str) -> Raw {
-    Raw::Text(words.to_owned())
+fn text(words: &str) -> Untrusted {
+    Untrusted::Text(words.to_owned())
 }
 
 /// A fire's settings as they are sent.
-fn exported(wanted: &Wanted) -> Raw {
-    let values = changed(wanted).into_iter().map(|(param, value)| {
+fn exported(requested: &Requested) -> Untrusted {
+    let values = changed(requested).into_iter().map(|(param, value)| {
         let value = value
             .as_number()
-            .map_or_else(|| text(&value.to_string()), Raw::Number);
+            .map_or_else(|| text(&value.to_string()), Untrusted::Number);
         (param.id, value)
     });
     object(vec![
-        ("hearth", Raw::Number(1.0)),
-        ("preset", text(wanted.preset)),
+        ("hearth", Untrusted::Number(1.0)),
+        ("preset", text(requested.preset)),
         ("values", object(values.collect())),
     ])
 }
 
-fn imported(raw: &Raw) -> Wanted {
-    let config = Config::parse(raw);
-    match config.map(|config| config.wanted()) {
-        Ok(Ok(wanted)) => wanted,
-        other => panic!("{raw:?} gives {other:?}"),
+fn imported(config: &Untrusted) -> Requested {
+    match Config::requested_by(config) {
+        Ok(requested) => requested,
+        other => panic!("{config:?} gives {other:?}"),
     }
 }
 
-fn errors(raw: &Raw) -> Vec<String> {
-    let refused = match Config::parse(raw) {
-        Ok(config) => config.wanted().err().unwrap_or_default(),
-        Err(refused) => vec![refused],
-    };
+fn errors(config: &Untrusted) -> Vec<String> {
+    let refused = Config::requested_by(config).err().unwrap_or_default();
     refused.into_iter().map(|one| one.message).collect()
 }
 
-fn set(wanted: &Wanted, id: &str, value: Raw) -> Wanted {
-    match wanted.after(&Order::Set(vec![(id.to_owned(), value)])) {
-        Some(Ok(wanted)) => wanted,
+fn set(requested: &Requested, id: &str, value: Untrusted) -> Requested {
+    let values = &[(id.to_owned(), value)];
+    let source = "test";
+    match requested.after(&Command::Set { values, source }) {
+        Some(Ok(requested)) => requested,
         other => panic!("{id} gives {other:?}"),
     }
 }
@@ -57,9 +55,9 @@ fn set(wanted: &Wanted, id: &str, value: Raw) -> Wanted {
 #[test]
 fn a_preset_alone_has_nothing_to_tell() {
     for preset in PRESETS {
-        let wanted = Wanted::of_preset(preset.name);
+        let requested = Requested::of_preset(preset.name);
         assert_eq!(
-            wanted.map(|wanted| changed(&wanted).len()),
+            requested.map(|requested| changed(&requested).len()),
             Ok(0),
             "{}",
             preset.name
@@ -71,14 +69,14 @@ fn a_preset_alone_has_nothing_to_tell() {
 fn whatever_is_changed_comes_back() {
     for preset in PRESETS {
         for model in [Model::Classic, Model::Combustion] {
-            let wanted = Wanted::of_preset(preset.name).unwrap_or_default();
-            let mut wanted = set(&wanted, "model", text(model.name()));
+            let requested = Requested::of_preset(preset.name).unwrap_or_default();
+            let mut requested = set(&requested, "model", text(model.name()));
             for param in PARAMETERS {
                 let Some(domain) = param.domain(model) else {
                     continue;
                 };
                 let (min, max) = domain.range;
-                let mut parameters = wanted.parameters.clone();
+                let mut parameters = requested.parameters.clone();
                 let one_end = if param.get(&parameters).as_number() == Some(max) {
                     min
                 } else {
@@ -86,11 +84,11 @@ fn whatever_is_changed_comes_back() {
                 };
                 // What is no number stays as it is here.
                 if parameters.set(param.id, Input::Number(one_end)).is_ok() {
-                    wanted.parameters = parameters;
+                    requested.parameters = parameters;
                 }
             }
-            let back = imported(&exported(&wanted));
-            for (param, value) in changed(&wanted) {
+            let back = imported(&exported(&requested));
+            for (param, value) in changed(&requested) {
                 assert_eq!(
                     param.get(&back.parameters),
                     value,
@@ -99,39 +97,42 @@ fn whatever_is_changed_comes_back() {
                     preset.name
                 );
             }
-            assert_eq!(exported(&back), exported(&wanted));
+            assert_eq!(exported(&back), exported(&requested));
             assert_eq!(back.preset, preset.name);
         }
     }
 }
 
 #[test]
-fn a_number_of_particles_that_somebody_set_is_kept() {
-    let wanted = Wanted::default();
-    let default = f64::from(wanted.parameters.max_particles);
-    assert!(changed(&wanted).is_empty());
-    let wanted = set(&wanted, "max_particles", Raw::Number(default));
-    let ids: Vec<_> = changed(&wanted).iter().map(|(param, _)| param.id).collect();
+fn an_overridden_number_of_particles_is_kept() {
+    let requested = Requested::default();
+    let default = f64::from(requested.parameters.max_particles);
+    assert!(changed(&requested).is_empty());
+    let requested = set(&requested, "max_particles", Untrusted::Number(default));
+    let ids: Vec<_> = changed(&requested)
+        .iter()
+        .map(|(param, _)| param.id)
+        .collect();
     assert_eq!(ids, ["max_particles"]);
-    assert!(imported(&exported(&wanted)).own_number);
+    assert!(imported(&exported(&requested)).count_overridden);
 }
 
 #[test]
 fn settings_replace_all_that_was() {
-    let wanted = set(&Wanted::default(), "exposure", Raw::Number(1.0));
-    let config = Config::parse(&object(vec![("values", object(vec![]))]));
-    let order = config.map(Order::Import);
+    let requested = set(&Requested::default(), "exposure", Untrusted::Number(1.0));
+    let config = &object(vec![("values", object(vec![]))]);
+    let source = "test";
     assert_eq!(
-        order.map(|order| wanted.after(&order)),
-        Ok(Some(Ok(Wanted::default())))
+        requested.after(&Command::Import { config, source }),
+        Some(Ok(Requested::default()))
     );
 }
 
 #[test]
 fn the_words_of_a_scene_change_nothing() {
-    let values = || ("values", object(vec![("wind", Raw::Number(1.0))]));
+    let values = || ("values", object(vec![("wind", Untrusted::Number(1.0))]));
     let scene = object(vec![
-        ("hearth", Raw::Number(1.0)),
+        ("hearth", Untrusted::Number(1.0)),
         ("label", text("Gale")),
         ("description", text("A fire in the wind.")),
         values(),
@@ -143,34 +144,46 @@ fn the_words_of_a_scene_change_nothing() {
 fn what_is_wrong_is_named_and_nothing_is_taken() {
     let values = |fields| object(vec![("values", object(fields))]);
     for (wrong, named) in [
-        (Raw::Missing, "config"),
-        (Raw::Number(1.0), "config"),
-        (Raw::List(vec![]), "config"),
-        (object(vec![("exposure", Raw::Number(1.0))]), "exposure"),
+        (Untrusted::Missing, "config"),
+        (Untrusted::Number(1.0), "config"),
+        (Untrusted::List(vec![]), "config"),
+        (
+            object(vec![("exposure", Untrusted::Number(1.0))]),
+            "exposure",
+        ),
         (object(vec![("__proto__", object(vec![]))]), "__proto__"),
-        (object(vec![("hearth", Raw::Number(2.0))]), "hearth = 2"),
+        (
+            object(vec![("hearth", Untrusted::Number(2.0))]),
+            "hearth = 2",
+        ),
         (object(vec![("preset", text("sead"))]), "seed"),
-        (object(vec![("preset", Raw::Number(1.0))]), "preset = 1"),
-        (object(vec![("label", Raw::Number(1.0))]), "label = 1"),
+        (
+            object(vec![("preset", Untrusted::Number(1.0))]),
+            "preset = 1",
+        ),
+        (object(vec![("label", Untrusted::Number(1.0))]), "label = 1"),
         (object(vec![("description", object(vec![]))]), "description"),
         (object(vec![("values", text("many"))]), "values = \"many\""),
         (
-            values(vec![("exposurr", Raw::Number(1.0))]),
+            values(vec![("exposurr", Untrusted::Number(1.0))]),
             "did you mean \"exposure\"?",
         ),
         (
-            values(vec![("exposure", Raw::Number(99.0))]),
+            values(vec![("exposure", Untrusted::Number(99.0))]),
             "from -4 to 4",
         ),
         (
-            values(vec![("exposure", Raw::Number(f64::NAN))]),
+            values(vec![("exposure", Untrusted::Number(f64::NAN))]),
             "exposure = NaN",
         ),
         (
             values(vec![("exposure", object(vec![]))]),
             "exposure = \"an object\"",
         ),
-        (values(vec![("__proto__", Raw::Number(1.0))]), "__proto__"),
+        (
+            values(vec![("__proto__", Untrusted::Number(1.0))]),
+            "__proto__",
+        ),
     ] {
         let said = errors(&wrong);
         assert!(
@@ -179,8 +192,8 @@ fn what_is_wrong_is_named_and_nothing_is_taken() {
         );
     }
     let two = values(vec![
-        ("exposure", Raw::Number(99.0)),
-        ("bloom", Raw::Number(-1.0)),
+        ("exposure", Untrusted::Number(99.0)),
+        ("bloom", Untrusted::Number(-1.0)),
     ]);
     assert_eq!(errors(&two).len(), 2, "each of them is named");
 }

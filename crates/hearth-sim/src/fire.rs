@@ -1,17 +1,13 @@
 //! One simulation, as `web/sim.js` holds it.
 
-use hearth_core::params::{PARAMETERS, ParamError, Value};
+use hearth_bindings::{Record, Untrusted, ValidationError, settings};
+use hearth_core::params::PARAMETERS;
 use hearth_core::{Parameters, Simulation};
-use js_sys::{Array, Object, RangeError};
+use js_sys::Array;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::particles;
-use crate::refusal::{self, Sent};
-use crate::start;
-
-/// The id of the model, which decides what other ids mean.
-const MODEL: &str = "model";
 
 /// A simulation. Arrays of its particles are copies, in the order of birth.
 #[wasm_bindgen]
@@ -27,9 +23,14 @@ impl Fire {
     /// An unknown preset, or a value that is refused.
     #[wasm_bindgen(constructor)]
     pub fn new(preset: Option<String>, ids: Array, values: Array) -> Result<Fire, JsValue> {
-        let parameters = start::of_preset(preset.as_deref())
-            .map_err(|message| refusal::of_field("preset", preset.as_deref().into(), &message))?;
-        let parameters = with_values(&parameters, &ids, &values)?;
+        let parameters = match preset {
+            Some(name) => settings::preset(&name)
+                .map_err(|error| thrown(&[error]))?
+                .parameters(),
+            None => Parameters::default(),
+        };
+        let parameters = settings::with_values(&parameters, &columns(&ids, &values))
+            .map_err(|errors| thrown(&errors))?;
         Ok(Fire {
             simulation: Simulation::new(parameters),
         })
@@ -71,28 +72,30 @@ impl Fire {
         self.simulation.step_length()
     }
 
-    /// The value of one parameter.
+    /// Sets the value of the parameter of that id in an object.
     ///
     /// # Errors
     /// An unknown id.
-    pub fn get(&self, id: String) -> Result<JsValue, JsValue> {
+    pub fn get(&self, id: String, into: &Record) -> Result<(), JsValue> {
         let parameters = self.simulation.parameters();
         if let Some(value) = parameters.get(&id) {
-            return Ok(plain(value));
+            into.set_value(&id, value);
+            return Ok(());
         }
-        // What is unknown cannot be restored either, and that says it in words.
-        with_defaults(parameters, &Array::of1(&id.into())).map(|_| JsValue::UNDEFINED)
+        // An unknown id cannot be restored either, and that error names it.
+        settings::with_defaults(parameters, &[(id, Untrusted::Missing)])
+            .map_err(|errors| thrown(&errors))
+            .map(|_| ())
     }
 
     /// All values, by id.
     #[wasm_bindgen(getter)]
-    pub fn params(&self) -> Object {
-        let object = Object::new();
+    pub fn params(&self) -> Record {
+        let values = Record::new();
         for param in PARAMETERS {
-            let value = param.get(self.simulation.parameters());
-            refusal::put(&object, param.id, &plain(value));
+            values.set_value(param.id, param.get(self.simulation.parameters()));
         }
-        object
+        values
     }
 
     /// Sets these, all or none.
@@ -100,7 +103,9 @@ impl Fire {
     /// # Errors
     /// Every value that is refused.
     pub fn set(&mut self, ids: Array, values: Array) -> Result<(), JsValue> {
-        let parameters = with_values(self.simulation.parameters(), &ids, &values)?;
+        let values = columns(&ids, &values);
+        let parameters = settings::with_values(self.simulation.parameters(), &values)
+            .map_err(|errors| thrown(&errors))?;
         self.simulation.set_parameters(parameters);
         Ok(())
     }
@@ -113,7 +118,8 @@ impl Fire {
         let parameters = if ids.length() == 0 {
             Parameters::default()
         } else {
-            with_defaults(self.simulation.parameters(), &ids)?
+            settings::with_defaults(self.simulation.parameters(), &columns(&ids, &ids))
+                .map_err(|errors| thrown(&errors))?
         };
         self.simulation.set_parameters(parameters);
         Ok(())
@@ -141,7 +147,7 @@ impl Fire {
     #[wasm_bindgen(js_name = checkCount)]
     pub fn check_count(&self, count: f64) -> Result<(), JsValue> {
         if count > particles::MOST as f64 {
-            return Err(RangeError::new(particles::TOO_MANY).into());
+            return Err(of_particles(particles::TOO_MANY, None));
         }
         Ok(())
     }
@@ -154,58 +160,31 @@ impl Fire {
     pub fn set_particles(&mut self, numbers: &[f32]) -> Result<(), JsValue> {
         let particles = particles::particles(numbers);
         let set = self.simulation.set_particles(&particles);
-        set.map_err(|error| refusal::of_particles(&error))
+        set.map_err(|error| of_particles(&error.to_string(), error.index))
     }
 }
 
-fn with_values(
-    parameters: &Parameters,
-    ids: &Array,
-    values: &Array,
-) -> Result<Parameters, JsValue> {
-    let mut new = parameters.clone();
-    let ids = texts(ids);
-    let sent: Vec<Sent> = values.iter().map(|value| Sent::of(&value)).collect();
-    let inputs = ids.iter().zip(&sent);
-    new.set_all(inputs.map(|(id, sent)| (id.as_str(), sent.input())))
-        .map(|()| new)
-        .map_err(|errors| {
-            refusal::of_values(&errors, &|id| {
-                // The error shortens the name of an unknown id.
-                let at = ids.iter().position(|sent| sent == id);
-                at.map_or(JsValue::UNDEFINED, |at| values.get(at as u32))
-            })
-        })
+/// Values by their ids, from two arrays of the same length.
+fn columns(ids: &Array, values: &Array) -> Vec<(String, Untrusted)> {
+    let mut pairs = Vec::new();
+    for at in 0..ids.length() {
+        let id = ids.get(at).as_string().unwrap_or_default();
+        pairs.push((id, Untrusted::scalar(&values.get(at))));
+    }
+    pairs
 }
 
-fn texts(ids: &Array) -> Vec<String> {
-    ids.iter().filter_map(|id| id.as_string()).collect()
+/// Errors as `web/sim.js` takes them, which makes a `RangeError` of them.
+fn thrown(errors: &[ValidationError]) -> JsValue {
+    ValidationError::to_array(errors).into()
 }
 
-/// The model comes first, wherever it stands: it decides about the other defaults.
-fn with_defaults(parameters: &Parameters, ids: &Array) -> Result<Parameters, JsValue> {
-    let ids = texts(ids);
-    let mut new = parameters.clone();
-    let mut refused: Vec<ParamError> = Vec::new();
-    for models in [true, false] {
-        for id in ids.iter().filter(|&id| (id == MODEL) == models) {
-            refused.extend(new.restore(id).err());
-        }
+/// An error about particles as `web/sim.js` takes it.
+fn of_particles(message: &str, index: Option<usize>) -> JsValue {
+    let error = Record::new();
+    error.set_text("message", message);
+    if let Some(index) = index {
+        error.set_number("index", index as f64);
     }
-    if refused.is_empty() {
-        Ok(new)
-    } else {
-        Err(refusal::of_values(&refused, &|_| JsValue::UNDEFINED))
-    }
-}
-
-/// A value as JavaScript has it.
-fn plain(value: Value) -> JsValue {
-    match value {
-        Value::Flag(on) => on.into(),
-        _ => match value.as_number() {
-            Some(number) => number.into(),
-            None => value.to_string().into(),
-        },
-    }
+    Array::of1(&error).into()
 }

@@ -18,6 +18,7 @@ mod markdown;
 mod react;
 mod rust;
 mod scene;
+mod stats;
 mod typescript;
 
 use std::path::Path;
@@ -55,6 +56,7 @@ pub fn generate() -> Result<Vec<Generated>> {
         ("web/parameters.d.ts", typescript::declarations(&scenes)),
         ("web/react.d.ts", react::declarations()),
         ("web/custom-elements.json", manifest::manifest()),
+        ("docs/element.md", stats::page()?),
         ("docs/parameters.md", markdown::reference()),
         ("docs/scenes.md", gallery::page(&scenes)),
     ];

@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use hearth_core::params::{Choice, Domain, Kind, Model, PARAMETERS, Param};
 
 use super::scene::Scene;
-use super::{domains, json_string, json_value, property};
+use super::{domains, json_string, json_value, property, stats};
 
 const HEADER: &str = "\
 // Generated from the parameter table of hearth-core by `cargo xtask codegen`;
@@ -105,6 +105,7 @@ pub(super) fn declarations(scenes: &[Scene]) -> String {
     text.push_str("\n/** The value of every parameter, as the element's properties name it. */\n");
     interface(&mut text, "HearthProperties", |param| property(param.id));
     text.push_str(TABLE);
+    text.push_str(&stats::interface());
     text
 }
 

@@ -94,7 +94,9 @@ class Simulation {
 
   /** Every value that it burns with, by id. */
   get params() {
-    return this.#use((fire) => fire.params);
+    const values = {};
+    this.#use((fire) => fire.get(values));
+    return values;
   }
 
   /**
@@ -125,7 +127,7 @@ class Simulation {
     text('id', id);
     /** @type {any} */
     const found = {};
-    this.#use((fire) => fire.get(id, found));
+    this.#use((fire) => fire.get(found, id));
     return found[id];
   }
 
@@ -145,7 +147,7 @@ class Simulation {
    */
   restore(...ids) {
     for (const id of ids) text('id', id);
-    this.#use((fire) => fire.restore(ids));
+    this.#use((fire) => fire.set(ids));
   }
 
   /** The number by which each particle is known from step to step. */
@@ -215,7 +217,7 @@ class Simulation {
 
   /** The embers that fly, an array a property; none in the classic model. */
   embers() {
-    const numbers = this.#use((fire) => fire.embers());
+    const numbers = this.#read('embers');
     const count = numbers.length / EMBER_NUMBERS;
     /** @type {any} */
     const embers = { count };

@@ -6,8 +6,7 @@ use hearth_core::preset::{PRESETS, Preset};
 use crate::check::one_of;
 use crate::{Untrusted, ValidationError, Values};
 
-/// The id of the model. It comes first, because it decides which values and defaults the
-/// other parameters have.
+/// The id of the model.
 const MODEL: &str = "model";
 
 /// `parameters` with these values, all of them or none.
@@ -18,28 +17,7 @@ pub fn with_values(
     parameters: &Parameters,
     values: Values<'_>,
 ) -> Result<Parameters, Vec<ValidationError>> {
-    let mut new = parameters.clone();
-    let mut errors = Vec::new();
-    set_good(&mut new, values, &mut errors);
-    if errors.is_empty() {
-        Ok(new)
-    } else {
-        Err(errors)
-    }
-}
-
-/// Sets those of these values that are good and adds an error for each other one.
-#[inline(never)]
-pub fn set_good(
-    parameters: &mut Parameters,
-    values: Values<'_>,
-    errors: &mut Vec<ValidationError>,
-) {
-    model_first(values, &mut |id, value| {
-        if let Err(error) = parameters.set(id, value.input()) {
-            errors.push(ValidationError::of_parameter(&error, value));
-        }
-    });
+    changed(parameters, values, false)
 }
 
 /// `parameters` with the default values of the ids of these values, all of them or none.
@@ -50,13 +28,18 @@ pub fn with_defaults(
     parameters: &Parameters,
     values: Values<'_>,
 ) -> Result<Parameters, Vec<ValidationError>> {
+    changed(parameters, values, true)
+}
+
+#[inline(never)]
+fn changed(
+    parameters: &Parameters,
+    values: Values<'_>,
+    to_defaults: bool,
+) -> Result<Parameters, Vec<ValidationError>> {
     let mut new = parameters.clone();
     let mut errors = Vec::new();
-    model_first(values, &mut |id, _| {
-        if let Err(error) = new.restore(id) {
-            errors.push(ValidationError::of_parameter(&error, &Untrusted::Missing));
-        }
-    });
+    change(&mut new, values, to_defaults, &mut errors);
     if errors.is_empty() {
         Ok(new)
     } else {
@@ -64,12 +47,35 @@ pub fn with_defaults(
     }
 }
 
-/// Visits the value of the model, then all others.
-fn model_first(values: Values<'_>, visit: &mut dyn FnMut(&str, &Untrusted)) {
+/// Sets those of these values that are good and adds an error for each other one.
+pub fn set_good(
+    parameters: &mut Parameters,
+    values: Values<'_>,
+    errors: &mut Vec<ValidationError>,
+) {
+    change(parameters, values, false, errors);
+}
+
+/// Changes the model first, because it decides which values and defaults the others have.
+#[inline(never)]
+fn change(
+    parameters: &mut Parameters,
+    values: Values<'_>,
+    to_defaults: bool,
+    errors: &mut Vec<ValidationError>,
+) {
     for of_model in [true, false] {
         for (id, value) in values {
-            if (id == MODEL) == of_model {
-                visit(id, value);
+            if (id == MODEL) != of_model {
+                continue;
+            }
+            let changed = if to_defaults {
+                parameters.restore(id)
+            } else {
+                parameters.set(id, value.input())
+            };
+            if let Err(error) = changed {
+                errors.push(ValidationError::of_parameter(&error, value));
             }
         }
     }

@@ -22,7 +22,8 @@ use crate::wall_clock::WallClock;
 #[wasm_bindgen]
 pub struct Engine {
     /// Few, so a search is quick and a map is not worth its code.
-    fires: Vec<Fire>,
+    #[expect(clippy::vec_box, reason = "less code moves a pointer than a fire")]
+    fires: Vec<Box<Fire>>,
     easel: Easel,
     clock: WallClock,
     events: Events,
@@ -137,7 +138,7 @@ impl Engine {
 
 impl Engine {
     fn wants_frame(&self) -> bool {
-        self.fires.iter().any(Fire::wants_frame)
+        self.fires.iter().any(|fire| fire.wants_frame())
     }
 
     fn run(
@@ -157,7 +158,7 @@ impl Engine {
                 events.ready(id, &requested);
                 let mut fire = Fire::new(id, requested, &start);
                 fire.set_drawable(self.easel.ground().is_some());
-                self.fires.push(fire);
+                self.fires.push(Box::new(fire));
                 return Ok(Answer::Done);
             }
             (Some(fire), command) if !matches!(command, Command::Add { .. }) => (fire, command),

@@ -72,12 +72,18 @@ impl Fire {
         self.simulation.step_length()
     }
 
-    /// Sets the value of the parameter of that id in an object.
+    /// Puts the value of the parameter of that id into an object; without an id, all.
     ///
     /// # Errors
     /// An unknown id.
-    pub fn get(&self, id: String, into: &Record) -> Result<(), JsValue> {
+    pub fn get(&self, into: &Record, id: Option<String>) -> Result<(), JsValue> {
         let parameters = self.simulation.parameters();
+        let Some(id) = id else {
+            for param in PARAMETERS {
+                into.set_value(param.id, param.get(parameters));
+            }
+            return Ok(());
+        };
         if let Some(value) = parameters.get(&id) {
             into.set_value(&id, value);
             return Ok(());
@@ -88,39 +94,19 @@ impl Fire {
             .map(|_| ())
     }
 
-    /// All values, by id.
-    #[wasm_bindgen(getter)]
-    pub fn params(&self) -> Record {
-        let values = Record::new();
-        for param in PARAMETERS {
-            values.set_value(param.id, param.get(self.simulation.parameters()));
-        }
-        values
-    }
-
-    /// Sets these, all or none.
+    /// Sets these, all or none. Without values, puts them back to their defaults, or all
+    /// where there are no ids.
     ///
     /// # Errors
-    /// Every value that is refused.
-    pub fn set(&mut self, ids: Array, values: Array) -> Result<(), JsValue> {
-        let values = columns(&ids, &values);
-        let parameters = settings::with_values(self.simulation.parameters(), &values)
-            .map_err(|errors| thrown(&errors))?;
-        self.simulation.set_parameters(parameters);
-        Ok(())
-    }
-
-    /// Puts these back to their defaults, all or none; without ids, all values.
-    ///
-    /// # Errors
-    /// Every id that is unknown.
-    pub fn restore(&mut self, ids: Array) -> Result<(), JsValue> {
-        let parameters = if ids.length() == 0 {
-            Parameters::default()
-        } else {
-            settings::with_defaults(self.simulation.parameters(), &columns(&ids, &ids))
-                .map_err(|errors| thrown(&errors))?
+    /// Every value that is refused and every id that is unknown.
+    pub fn set(&mut self, ids: Array, values: Option<Array>) -> Result<(), JsValue> {
+        let old = self.simulation.parameters();
+        let changed = match values {
+            Some(values) => settings::with_values(old, &columns(&ids, &values)),
+            None if ids.length() == 0 => Ok(Parameters::default()),
+            None => settings::with_defaults(old, &columns(&ids, &Array::new())),
         };
+        let parameters = changed.map_err(|errors| thrown(&errors))?;
         self.simulation.set_parameters(parameters);
         Ok(())
     }
@@ -133,11 +119,6 @@ impl Fire {
     /// One property of all particles; see [`particles::property`].
     pub fn read(&self, name: &str) -> Vec<f32> {
         particles::property(&self.simulation, name)
-    }
-
-    /// All numbers of each ember; see [`particles::embers`].
-    pub fn embers(&self) -> Vec<f32> {
-        particles::embers(self.simulation.embers())
     }
 
     /// Refuses what is far too many particles, before they are copied.
@@ -164,7 +145,7 @@ impl Fire {
     }
 }
 
-/// Values by their ids, from two arrays of the same length.
+/// Values by their ids, from two arrays. A value that is not there is missing.
 fn columns(ids: &Array, values: &Array) -> Vec<(String, Untrusted)> {
     let mut pairs = Vec::new();
     for at in 0..ids.length() {

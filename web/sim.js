@@ -13,6 +13,8 @@
 
 /** Most steps of one call: minutes of work. More is a mistake. */
 const MOST_STEPS = 100_000;
+/** Most particles that wasm takes: more are refused before they are copied. */
+const MOST_PARTICLES = 400_000;
 /** Most fields of an object that is handed over, far more than there are parameters. */
 const MOST_FIELDS = 1000;
 
@@ -105,11 +107,8 @@ class Simulation {
    */
   step(steps = 1) {
     if (!Number.isInteger(steps) || steps < 0 || steps > MOST_STEPS) {
-      const allowed = `a whole number from 0 to ${MOST_STEPS}`;
-      throw Object.assign(
-        new RangeError(`steps = ${words(steps)} is refused: it must be ${allowed}`),
-        { id: 'steps', value: steps, min: 0, max: MOST_STEPS },
-      );
+      const message = `steps = ${words(steps)} is refused: it must be a whole number from 0 to ${MOST_STEPS}`;
+      throw refusal([{ id: 'steps', value: steps, min: 0, max: MOST_STEPS, message }]);
     }
     this.#use((fire) => fire.step(steps));
   }
@@ -127,7 +126,11 @@ class Simulation {
     text('id', id);
     /** @type {any} */
     const found = {};
-    this.#use((fire) => fire.get(found, id));
+    this.#use((fire) => {
+      fire.get(found, id);
+      // An unknown id cannot be restored either, and that error names it.
+      if (!Object.hasOwn(found, id)) fire.set([id]);
+    });
     return found[id];
   }
 
@@ -246,7 +249,9 @@ class Simulation {
     if (!Number.isInteger(count)) {
       throw new RangeError(`positions has ${2 * count} numbers: it must have two for each particle`);
     }
-    this.#use((fire) => fire.checkCount(count));
+    if (count > MOST_PARTICLES) {
+      throw new RangeError(`the particles are refused: there may be ${MOST_PARTICLES} of them at most`);
+    }
     /** @type {Values} */
     const values = {
       positions,
@@ -433,14 +438,13 @@ function columns(/** @type {any[][]} */ values) {
  * @param {any[]} errors
  * @param {any[][]} [values] those that were handed over
  */
-function refusal(errors, values = []) {
+function refusal(errors, values) {
   // The value is the one that was sent, not wasm's words for it.
   for (const error of errors) {
-    const sent = values.find(([id]) => id === error.id);
-    if (sent) [, error.value] = sent;
+    for (const [id, value] of values ?? []) if (id === error.id) error.value = value;
   }
   const [first] = errors;
-  return Object.assign(new RangeError(first.message), first, first.id === undefined ? {} : { errors });
+  return Object.assign(new RangeError(first.message), first, first.id && { errors });
 }
 
 /**

@@ -25,12 +25,12 @@ impl Fire {
     pub fn new(preset: Option<String>, ids: Array, values: Array) -> Result<Fire, JsValue> {
         let parameters = match preset {
             Some(name) => settings::preset(&name)
-                .map_err(|error| thrown(&[error]))?
+                .map_err(|error| thrown(vec![error]))?
                 .parameters(),
             None => Parameters::default(),
         };
-        let parameters = settings::with_values(&parameters, &columns(&ids, &values))
-            .map_err(|errors| thrown(&errors))?;
+        let parameters =
+            settings::with_values(&parameters, &columns(&ids, &values)).map_err(thrown)?;
         Ok(Fire {
             simulation: Simulation::new(parameters),
         })
@@ -72,26 +72,15 @@ impl Fire {
         self.simulation.step_length()
     }
 
-    /// Puts the value of the parameter of that id into an object; without an id, all.
-    ///
-    /// # Errors
-    /// An unknown id.
-    pub fn get(&self, into: &Record, id: Option<String>) -> Result<(), JsValue> {
+    /// Puts the value of the parameter of that id into an object; without an id, all. An
+    /// unknown id puts nothing.
+    pub fn get(&self, into: &Record, id: Option<String>) {
         let parameters = self.simulation.parameters();
-        let Some(id) = id else {
-            for param in PARAMETERS {
+        for param in PARAMETERS {
+            if id.as_ref().is_none_or(|id| param.id == id) {
                 into.set_value(param.id, param.get(parameters));
             }
-            return Ok(());
-        };
-        if let Some(value) = parameters.get(&id) {
-            into.set_value(&id, value);
-            return Ok(());
         }
-        // An unknown id cannot be restored either, and that error names it.
-        settings::with_defaults(parameters, &[(id, Untrusted::Missing)])
-            .map_err(|errors| thrown(&errors))
-            .map(|_| ())
     }
 
     /// Sets these, all or none. Without values, puts them back to their defaults, or all
@@ -106,7 +95,7 @@ impl Fire {
             None if ids.length() == 0 => Ok(Parameters::default()),
             None => settings::with_defaults(old, &columns(&ids, &Array::new())),
         };
-        let parameters = changed.map_err(|errors| thrown(&errors))?;
+        let parameters = changed.map_err(thrown)?;
         self.simulation.set_parameters(parameters);
         Ok(())
     }
@@ -121,18 +110,6 @@ impl Fire {
         particles::property(&self.simulation, name)
     }
 
-    /// Refuses what is far too many particles, before they are copied.
-    ///
-    /// # Errors
-    /// More than [`particles::MOST`].
-    #[wasm_bindgen(js_name = checkCount)]
-    pub fn check_count(&self, count: f64) -> Result<(), JsValue> {
-        if count > particles::MOST as f64 {
-            return Err(of_particles(particles::TOO_MANY, None));
-        }
-        Ok(())
-    }
-
     /// Puts these particles, [`particles::NUMBERS`] each, in the place of all.
     ///
     /// # Errors
@@ -141,7 +118,14 @@ impl Fire {
     pub fn set_particles(&mut self, numbers: &[f32]) -> Result<(), JsValue> {
         let particles = particles::particles(numbers);
         let set = self.simulation.set_particles(&particles);
-        set.map_err(|error| of_particles(&error.to_string(), error.index))
+        set.map_err(|refused| {
+            let error = Record::new();
+            error.set_text("message", &refused.to_string());
+            if let Some(index) = refused.index {
+                error.set_number("index", index as f64);
+            }
+            Array::of1(&error).into()
+        })
     }
 }
 
@@ -156,16 +140,8 @@ fn columns(ids: &Array, values: &Array) -> Vec<(String, Untrusted)> {
 }
 
 /// Errors as `web/sim.js` takes them, which makes a `RangeError` of them.
-fn thrown(errors: &[ValidationError]) -> JsValue {
-    ValidationError::to_array(errors).into()
-}
-
-/// An error about particles as `web/sim.js` takes it.
-fn of_particles(message: &str, index: Option<usize>) -> JsValue {
-    let error = Record::new();
-    error.set_text("message", message);
-    if let Some(index) = index {
-        error.set_number("index", index as f64);
-    }
-    Array::of1(&error).into()
+// Its callers would each free the errors.
+#[inline(never)]
+fn thrown(errors: Vec<ValidationError>) -> JsValue {
+    ValidationError::to_array(&errors).into()
 }

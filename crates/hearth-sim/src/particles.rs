@@ -7,11 +7,11 @@ use hearth_core::{Ember, Particle, Simulation, Vec2};
 /// oxygen, soot. `web/sim.js` puts them in this order.
 pub const NUMBERS: usize = 10;
 
-/// Most particles that the core takes in either model: more are refused before
-/// anybody copies them.
+/// Most particles that the core takes in either model. `web/sim.js` refuses more before it
+/// copies them, in the same words.
 pub const MOST: usize = 400_000;
 
-/// What is said of more of them.
+/// The error of more of them.
 pub const TOO_MANY: &str = "the particles are refused: there may be 400000 of them at most";
 
 /// The particles that these numbers are, unchecked; an incomplete last one is not

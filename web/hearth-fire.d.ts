@@ -9,13 +9,13 @@ import type {
   HearthPoint,
   HearthQuality,
   HearthQualityDetail,
-  HearthStats,
   HearthTransition,
 } from './element/types.js';
 import type {
   HearthObject,
   HearthParameters,
   HearthProperties,
+  HearthStats,
   ParameterId,
   PresetName,
 } from './parameters.js';

@@ -16,7 +16,7 @@
  * @typedef {import('./element/types.js').HearthConfig} HearthConfig
  * @typedef {import('./element/types.js').HearthPoint} HearthPoint
  * @typedef {import('./element/types.js').HearthQuality} HearthQuality
- * @typedef {import('./element/types.js').HearthStats} HearthStats
+ * @typedef {import('./parameters.js').HearthStats} HearthStats
  * @typedef {import('./element/types.js').HearthTransition} HearthTransition
  */
 
@@ -193,7 +193,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<number>}
    */
   addObject(object) {
-    return this.#session.ask({ type: 'addObject', source: 'property', object: postable(object, 1) });
+    return this.#session.ask('addObject', postable(object, 1), 'property');
   }
 
   /**
@@ -203,8 +203,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   changeObject(id, properties) {
-    const values = postable(properties, 1);
-    return this.#session.ask({ type: 'changeObject', source: 'property', id: postable(id), values });
+    return this.#session.ask('changeObject', postable(id), postable(properties, 1), 'property');
   }
 
   /**
@@ -214,7 +213,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   removeObject(id) {
-    return this.#session.ask({ type: 'removeObject', source: 'property', id: postable(id) });
+    return this.#session.ask('removeObject', postable(id), 'property');
   }
 
   /**
@@ -235,9 +234,9 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   restore(...ids) {
-    if (ids.length > 0) return this.#session.ask({ type: 'restore', source: 'property', ids: postable(ids, 1) });
+    if (ids.length > 0) return this.#session.ask('restore', postable(ids, 1), 'property');
     this.#session.dropPreset();
-    return this.#session.ask({ type: 'preset', source: 'property', name: 'default' });
+    return this.#session.ask('preset', 'default', 'property');
   }
 
   /**
@@ -261,7 +260,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   reset() {
-    return this.#session.ask({ type: 'reset' });
+    return this.#session.ask('reset');
   }
 
   /**
@@ -270,7 +269,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   step(steps = 1) {
-    return this.#session.ask({ type: 'step', steps: postable(steps) });
+    return this.#session.ask('step', postable(steps));
   }
 
   /**
@@ -279,7 +278,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<HearthConfig>}
    */
   exportConfig() {
-    return this.#session.ask({ type: 'export' });
+    return this.#session.ask('export');
   }
 
   /**
@@ -290,7 +289,7 @@ export class HearthFire extends FireAttributes {
    */
   importConfig(config) {
     try {
-      return this.#session.ask({ type: 'import', source: 'property', config: settings(config) });
+      return this.#session.ask('import', settings(config), 'property');
     } catch (error) {
       const { message } = /** @type {Error} */ (error);
       return quiet(Promise.reject(this.#session.reports.refused([{ id: 'config', value: config, message }])));
@@ -340,7 +339,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   stir(x, y, u, v) {
-    return this.#session.ask({ type: 'stir', ...postable({ x, y, u, v }, 1) });
+    return this.#session.ask('stir', ...postable([x, y, u, v], 1));
   }
 
   /**
@@ -351,7 +350,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   sparks(x, y, count = 24) {
-    return this.#session.ask({ type: 'sparks', ...postable({ x, y, count }, 1) });
+    return this.#session.ask('sparks', ...postable([x, y, count], 1));
   }
 
   /**

@@ -438,3 +438,55 @@ export interface Quantity {
 
 /** Of each display mode that measures something, what. */
 export declare const QUANTITIES: Partial<Record<HearthParameters['display_mode'], Quantity>>;
+
+/** What a fire reports about itself, about four times a second: see crates/hearth-engine/src/stats.rs. */
+export interface HearthStats {
+  /** Pictures a second. */
+  fps: number;
+  /** Particles alive. */
+  particles: number;
+  /** Embers that glow. */
+  embers: number;
+  /** Age of the fire [s]. */
+  time: number;
+  /** Power of the burning [kW/m]; 0 in the classic model. */
+  power: number;
+  /** Seconds of fire for each second of the clock, of late. */
+  timeScale: number;
+  /** Whether it lately fell behind the clock, so that the page would not freeze. */
+  slowed: boolean;
+  /** Steps of the simulation for each picture. */
+  stepsPerFrame: number;
+  /** Length of a step [s of fire]. */
+  stepLength: number;
+  /** Parts that stability divided the last step into. */
+  substeps: number;
+  /** Time that a step takes the processor [ms]. */
+  stepMs: number;
+  /** Time that a picture takes the processor [ms]. */
+  drawMs: number;
+  /** What takes how long in a frame [ms]: `sort`, `density`, `forces` and `integrate` of all its steps, which together are `stepMs` × `stepsPerFrame`, and `upload`, a part of `drawMs`. A browser's clock may tick only every 0.1 ms; these are averages over a hundred steps and more, so that does not show. */
+  stages: Record<'sort' | 'density' | 'forces' | 'integrate' | 'upload', number>;
+  /** What each pass of the picture takes [ms], by name, in their order. */
+  passes: Record<string, number>;
+  /** The clock of `passes`: `gpu`, the graphics card's, one pass a picture in turn; or `submit`, where the browser does not lend that one: only how long it took to hand the pass over. */
+  passTimer: 'gpu' | 'submit' | '';
+  /** The quality that it has. */
+  quality: 'low' | 'medium' | 'high';
+  /** Why it has that quality. */
+  qualityReason: string;
+  /** What the number of particles follows from: `quality low`, `quality medium`, `quality high` or `size`; empty where `max_particles` says it, and in the classic model. */
+  limit: string;
+  /** Neighbours of a particle, on average. */
+  neighbours: number;
+  /** What the first and the last colour of the picture stand for, as `[0, 2000]`, in the unit of what `display_mode` shows; `null` where that is a fire. */
+  scale: [min: number, max: number] | null;
+  /** Particles at the speed limit. */
+  atSpeedLimit: number;
+  /** Whether it stands still. */
+  paused: boolean;
+  /** The format of the textures that it is drawn into. */
+  targetFormat: string;
+  /** Where the engine runs: `worker` or `main`. */
+  engine: 'worker' | 'main';
+}

@@ -14,7 +14,6 @@ import type {
   HearthObjectsDetail,
   HearthQuality,
   HearthQualityDetail,
-  HearthStats,
   PresetName,
 } from './hearth-fire.js';
 

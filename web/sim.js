@@ -13,6 +13,8 @@
 
 /** Most steps of one call: minutes of work. More is a mistake. */
 const MOST_STEPS = 100_000;
+/** Most particles that wasm takes: more are refused before they are copied. */
+const MOST_PARTICLES = 400_000;
 /** Most fields of an object that is handed over, far more than there are parameters. */
 const MOST_FIELDS = 1000;
 
@@ -55,7 +57,7 @@ export async function createSimulation(options = {}) {
   }
   if (preset !== undefined) text('preset', preset);
   const { Fire } = await loaded(wasm);
-  return new Simulation(() => new Fire(preset, ...columns(values)));
+  return new Simulation(() => new Fire(preset, ...columns(values)), [['preset', preset], ...values]);
 }
 
 /** A fire, step by step. */
@@ -64,9 +66,12 @@ class Simulation {
   #fire;
   #gone = 'this simulation was freed';
 
-  /** @param {() => any} make */
-  constructor(make) {
-    this.#fire = this.#guard(make);
+  /**
+   * @param {() => any} make
+   * @param {any[][]} values those that it starts with
+   */
+  constructor(make, values) {
+    this.#fire = this.#guard(make, values);
   }
 
   /** Simulated time since the start [s]. */
@@ -91,7 +96,9 @@ class Simulation {
 
   /** Every value that it burns with, by id. */
   get params() {
-    return this.#use((fire) => fire.params);
+    const values = {};
+    this.#use((fire) => fire.get(values));
+    return values;
   }
 
   /**
@@ -100,11 +107,8 @@ class Simulation {
    */
   step(steps = 1) {
     if (!Number.isInteger(steps) || steps < 0 || steps > MOST_STEPS) {
-      const allowed = `a whole number from 0 to ${MOST_STEPS}`;
-      throw Object.assign(
-        new RangeError(`steps = ${words(steps)} is refused: it must be ${allowed}`),
-        { id: 'steps', value: steps, min: 0, max: MOST_STEPS },
-      );
+      const message = `steps = ${words(steps)} is refused: it must be a whole number from 0 to ${MOST_STEPS}`;
+      throw refusal([{ id: 'steps', value: steps, min: 0, max: MOST_STEPS, message }]);
     }
     this.#use((fire) => fire.step(steps));
   }
@@ -120,7 +124,14 @@ class Simulation {
    */
   get(id) {
     text('id', id);
-    return this.#use((fire) => fire.get(id));
+    /** @type {any} */
+    const found = {};
+    this.#use((fire) => {
+      fire.get(found, id);
+      // An unknown id cannot be restored either, and that error names it.
+      if (!Object.hasOwn(found, id)) fire.set([id]);
+    });
+    return found[id];
   }
 
   /**
@@ -130,7 +141,7 @@ class Simulation {
    */
   set(ids, value) {
     const values = typeof ids === 'string' ? [[ids, value]] : fields('values', ids);
-    this.#use((fire) => fire.set(...columns(values)));
+    this.#use((fire) => fire.set(...columns(values)), values);
   }
 
   /**
@@ -139,7 +150,7 @@ class Simulation {
    */
   restore(...ids) {
     for (const id of ids) text('id', id);
-    this.#use((fire) => fire.restore(ids));
+    this.#use((fire) => fire.set(ids));
   }
 
   /** The number by which each particle is known from step to step. */
@@ -209,7 +220,7 @@ class Simulation {
 
   /** The embers that fly, an array a property; none in the classic model. */
   embers() {
-    const numbers = this.#use((fire) => fire.embers());
+    const numbers = this.#read('embers');
     const count = numbers.length / EMBER_NUMBERS;
     /** @type {any} */
     const embers = { count };
@@ -238,7 +249,9 @@ class Simulation {
     if (!Number.isInteger(count)) {
       throw new RangeError(`positions has ${2 * count} numbers: it must have two for each particle`);
     }
-    this.#use((fire) => fire.checkCount(count));
+    if (count > MOST_PARTICLES) {
+      throw new RangeError(`the particles are refused: there may be ${MOST_PARTICLES} of them at most`);
+    }
     /** @type {Values} */
     const values = {
       positions,
@@ -274,24 +287,27 @@ class Simulation {
   /**
    * @template T
    * @param {(fire: any) => T} act
+   * @param {any[][]} [values] those that it hands over
    * @returns {T}
    */
-  #use(act) {
+  #use(act, values) {
     if (!this.#fire) throw new Error(this.#gone);
-    return this.#guard(() => act(this.#fire));
+    return this.#guard(() => act(this.#fire), values);
   }
 
   /**
-   * What stops wasm itself leaves this one simulation half changed, and no other. It is
-   * let go as it is: wasm cannot free what it was in the middle of.
+   * If wasm traps, only this simulation is half changed. It is abandoned: its memory leaks,
+   * because wasm cannot unwind.
    * @template T
    * @param {() => T} act
+   * @param {any[][]} [values]
    * @returns {T}
    */
-  #guard(act) {
+  #guard(act, values) {
     try {
       return act();
     } catch (cause) {
+      if (Array.isArray(cause)) throw refusal(cause, values);
       if (!(cause instanceof WebAssembly.RuntimeError)) throw cause;
       this.#fire = undefined;
       this.#gone = 'this simulation has stopped for good';
@@ -409,9 +425,26 @@ function isPlain(/** @type {any} */ object) {
   return prototype === null || Object.getPrototypeOf(prototype) === null;
 }
 
-/** Ids and values as two arrays, as wasm takes them. */
+/** Ids and values as two arrays, as wasm takes them: an object becomes words for it. */
 function columns(/** @type {any[][]} */ values) {
-  return [values.map(([id]) => id), values.map(([, value]) => value)];
+  const plain = (/** @type {any} */ value) => (
+    ['string', 'number', 'boolean', 'undefined'].includes(typeof value) ? value : words(value)
+  );
+  return [values.map(([id]) => id), values.map(([, value]) => plain(value))];
+}
+
+/**
+ * The error that is thrown for the errors of wasm.
+ * @param {any[]} errors
+ * @param {any[][]} [values] those that were handed over
+ */
+function refusal(errors, values) {
+  // The value is the one that was sent, not wasm's words for it.
+  for (const error of errors) {
+    for (const [id, value] of values ?? []) if (id === error.id) error.value = value;
+  }
+  const [first] = errors;
+  return Object.assign(new RangeError(first.message), first, first.id && { errors });
 }
 
 /**

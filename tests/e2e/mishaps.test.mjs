@@ -75,7 +75,7 @@ test('a context that is lost again while it is restored comes back in the end', 
       let restored = false;
       let again = false;
       addEventListener('message', ({ data }) => {
-        if (data.type === 'reset') restored = true;
+        if (data[2] === 'reset') restored = true;
       });
       prototype.linkProgram = function linkProgram(program) {
         if (restored && !again) {

@@ -101,7 +101,7 @@ test('an engine that breaks is said, and the next fire has a new one', async () 
     beforeWorker: () => {
       // A defect of the engine would end in an error out of nowhere, as this.
       addEventListener('message', ({ data }) => {
-        if (data.type === 'reset') setTimeout(() => { throw new Error('a defect'); });
+        if (data[2] === 'reset') setTimeout(() => { throw new Error('a defect'); });
       });
     },
   });

@@ -1,9 +1,10 @@
 /**
- * One fire of the engine, from its first size to the last message about it.
+ * One fire of the engine, from its first size to the last event about it.
  *
  * An element has a link while it is on a page. When it is taken off, the link
  * is closed and everything of it is let go: watchers, listeners, the engine's fire.
  *
+ * @typedef {import('../engine/engine.js').Call} Call
  * @typedef {import('../engine/engine.js').Message} Message
  * @typedef {import('../engine/engine.js').Drawn} Drawn
  * @typedef {{[field: string]: any}} Start what the fire starts with: see the engine's `add`
@@ -13,8 +14,8 @@ import { connect } from '../engine/engine.js';
 import { meant } from './values.js';
 import { guess, sight, watch } from './visibility.js';
 
-/** The request number of a removal; the others start at 1. */
-const REMOVAL = 0;
+/** The request number of a removal: the largest; the others start at 1. */
+const REMOVAL = 2 ** 32 - 1;
 
 /** A link between an element and the engine. */
 export class FireLink {
@@ -55,12 +56,12 @@ export class FireLink {
     this.#watcher = watch(host, canvas, {
       resized: (width, height, side) => {
         this.#size = { width, height, side };
-        this.send({ type: 'resize', ...this.#size });
+        this.send('resize', width, height, side);
       },
       visible: (visible) => {
         this.#visible = visible;
         this.#looked();
-        this.send({ type: 'visible', visible });
+        this.send('visible', visible);
       },
       motion: tell.motion,
     });
@@ -130,9 +131,13 @@ export class FireLink {
     this.#port = port;
     this.#fire = fire;
     if (port.warning) this.#tell.heard({ type: 'error', kind: 'load', message: port.warning, burns: true });
-    const state = { ...this.#size, visible: this.#visible, guess: guess() };
-    this.send({ type: 'add', ...state, ...start(prepared) });
-    answered = this.#requests.connect(fire, (message) => this.send(message));
+    const { width, height, side } = this.#size;
+    const { view, ...started } = start(prepared);
+    this.send('add', { side, guess: guess(), ...started });
+    this.send('view', view.fit, view.x, view.y);
+    this.send('resize', width, height, side);
+    this.send('visible', this.#visible);
+    answered = this.#requests.connect(fire, (request, call) => this.#call(request, call));
   }
 
   /**
@@ -155,7 +160,7 @@ export class FireLink {
     this.#watcher.stop();
     if (this.live) {
       this.gone = new Promise((resolve) => (this.#removed = resolve));
-      this.send({ type: 'remove', request: REMOVAL });
+      this.#call(REMOVAL, ['remove']);
     }
     this.#requests.disconnect();
     this.#fire = 0;
@@ -169,15 +174,20 @@ export class FireLink {
     this.#requests.abandon(this.#fire, error);
     this.#requests.abandon(0, error);
     if (this.live) {
-      this.send({ type: 'remove', request: REMOVAL });
+      this.#call(REMOVAL, ['remove']);
       this.#port.close(this.#fire);
     }
     this.#removed();
     this.#fire = 0;
   }
 
-  /** @param {Message} message */
-  send(message) {
-    if (this.#fire) this.#port.post({ ...meant(message, this.#host), fire: this.#fire });
+  /** Calls the engine, whose answer nobody waits for. @param {Call} call */
+  send(...call) {
+    this.#call(0, call);
+  }
+
+  /** @type {(request: number, call: Call) => void} */
+  #call(request, call) {
+    if (this.#fire) this.#port.send([this.#fire, request, ...meant(call, this.#host)]);
   }
 }

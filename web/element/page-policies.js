@@ -135,7 +135,7 @@ export class PagePolicies {
 
   /** @type {(name: string, value: unknown) => void} */
   #ask(name, value) {
-    const asked = this.#session.ask({ type: 'limit', source: 'attribute', id: name.replace('-', '_'), value });
+    const asked = this.#session.ask(name.replace('-', '_'), value);
     asked.then(() => this.#limits.set(name, value), () => {});
   }
 
@@ -147,8 +147,8 @@ export class PagePolicies {
     const ended = new AbortController();
     this.#ignorePointer = () => ended.abort();
     const ways = {
-      send: (/** @type {import('../engine/engine.js').Message} */ message) => this.#session.send(message),
-      move: (/** @type {number} */ x) => this.#session.ask({ type: 'set', source: 'pointer', values: { source_x: x } }).catch(() => {}),
+      send: (/** @type {import('../engine/engine.js').Call} */ ...call) => this.#session.send(...call),
+      move: (/** @type {number} */ x) => this.#session.ask('set', { source_x: x }, 'pointer').catch(() => {}),
     };
     import('./pointer.js').then(
       ({ listenToPointer }) => ended.signal.aborted || listenToPointer(this.#fire, this.#view.root, ways, ended.signal),
@@ -166,7 +166,7 @@ export class PagePolicies {
     }
     const [x, y] = place;
     this.#view.camera = { fit, x, y };
-    this.#session.send({ type: 'view', ...this.#view.camera });
+    this.#session.send('view', fit, x, y);
   }
 
   /** @param {string} action */

@@ -105,7 +105,7 @@ export function listenToPointer(fire, root, { send, move }, signal) {
     if (!(seconds > 0 && seconds < PAUSE_MS / 1000)) return;
     const strength = event.buttons & 1 ? 2 : 1;
     const speed = (/** @type {number} */ metres) => Math.max(-FASTEST, Math.min(FASTEST, (strength * metres) / seconds));
-    send({ type: 'stir', ...place, u: speed(place.x - before.x), v: speed(place.y - before.y) });
+    send('stir', place.x, place.y, speed(place.x - before.x), speed(place.y - before.y));
   };
   const lift = (/** @type {PointerEvent} */ event) => {
     leave(event);
@@ -114,7 +114,7 @@ export function listenToPointer(fire, root, { send, move }, signal) {
     root.style.cursor = '';
     const { inside, metres } = locate(event);
     if (event.type === 'pointerup' && press?.clicks && inside && metres) {
-      send({ type: 'sparks', ...metres, count: SPARKS });
+      send('sparks', metres.x, metres.y, SPARKS);
     }
   };
   // A mouse that holds the source selects no text. A finger still scrolls the page up and

@@ -1,60 +1,60 @@
 /**
- * Promises for what an element asked of the engine.
+ * Promises for the calls of an element.
  *
- * Each request has a number; the engine's `done` or `refused` names it. What is
- * asked before there is a fire waits here and is sent in order when there is one.
- * A promise that nobody looks at never becomes an "unhandled rejection": a fire
- * is decoration, and the refusal is also an event and a warning.
+ * Each request has a number, which the engine's `done` or `refused` event carries. Calls
+ * made before there is a fire wait here and are sent in order when there is one. A
+ * rejected promise that nobody handles is no "unhandled rejection": a fire is decoration,
+ * and the refusal is also an event and a warning.
  *
- * @typedef {import('../engine/engine.js').Message} Message
+ * @typedef {import('../engine/engine.js').Call} Call
  * @typedef {{id: string, value: unknown, message: string, min?: number, max?: number}} Refusal
  * @typedef {{promise: Promise<any>, resolve: (value?: unknown) => void, reject: (error: Error) => void, failed: boolean}} Deferred
  */
 
-/** Most requests that wait before some are dropped for newer ones of the same kind. */
-const MOST_WAITING = 500;
+/** Most calls that wait before some are dropped for newer ones of the same kind. */
+const MAX_WAITING = 500;
 
 /** Requests, waiting or on their way. */
 export class Requests {
   #last = 0;
   /** @type {Map<number, Deferred & {fire: number}>} */
   #open = new Map();
-  /** What is asked before there is a fire, models first. @type {Message[]} */
+  /** Calls made before there is a fire, models first. @type {{request: number, call: Call}[]} */
   #waiting = [];
   #models = 0;
-  /** @type {((message: Message) => void) | undefined} */
+  /** @type {((request: number, call: Call) => void) | undefined} */
   #send;
   #fire = 0;
 
   /**
-   * Asks for something.
-   * @param {Message} message
+   * Calls a command of the engine.
+   * @param {Call} call
    * @returns {Promise<any>}
    */
-  ask(message) {
+  ask(...call) {
     this.#last += 1;
     const request = this.#last;
     const entry = Object.assign(deferred(), { fire: this.#fire });
     this.#open.set(request, entry);
     if (this.#send) {
-      this.#send({ ...message, request });
+      this.#send(request, call);
       return entry.promise;
     }
-    this.#makeRoom(message, entry);
-    if (isModel(message)) this.#waiting.splice(this.#models++, 0, { ...message, request });
-    else this.#waiting.push({ ...message, request });
+    this.#makeRoom(call, entry);
+    if (ids(call) === 'model') this.#waiting.splice(this.#models++, 0, { request, call });
+    else this.#waiting.push({ request, call });
     return entry.promise;
   }
 
   /**
-   * Who sets the same values again and again of a fire that nobody sees yet must not
-   * fill the memory: where many wait, the oldest of the same kind goes the way of `entry`.
-   * @type {(message: Message, entry: Deferred) => void}
+   * Bounds the memory of a page that sets the same values of an unseen fire again and again:
+   * where many calls wait, the oldest of the same kind is dropped and settles as `entry` does.
+   * @type {(call: Call, entry: Deferred) => void}
    */
-  #makeRoom(message, entry) {
-    if (message.type !== 'set' || this.#waiting.length < MOST_WAITING) return;
-    const kind = ids(message);
-    const at = this.#waiting.findIndex((one) => one.type === 'set' && ids(one) === kind);
+  #makeRoom(call, entry) {
+    const kind = ids(call);
+    if (kind === undefined || this.#waiting.length < MAX_WAITING) return;
+    const at = this.#waiting.findIndex((waiting) => ids(waiting.call) === kind);
     if (at < 0) return;
     const [old] = this.#waiting.splice(at, 1);
     if (at < this.#models) this.#models -= 1;
@@ -63,33 +63,33 @@ export class Requests {
   }
 
   /**
-   * There is a fire: sends what waits.
+   * There is a fire: sends the calls that wait.
    * @param {number} fire
-   * @param {(message: Message) => void} send
-   * @returns {Promise<unknown>} when all of it was answered
+   * @param {(request: number, call: Call) => void} send
+   * @returns {Promise<unknown>} when all of them were answered
    */
   connect(fire, send) {
     this.#fire = fire;
     this.#send = send;
     this.#models = 0;
-    const answers = this.#waiting.splice(0).map((message) => {
-      const entry = this.#open.get(message.request);
+    const answers = this.#waiting.splice(0).map(({ request, call }) => {
+      const entry = this.#open.get(request);
       if (entry) entry.fire = fire;
-      send(message);
-      // Steps can take their time; nothing needs to wait for them.
-      return message.type === 'step' ? undefined : entry?.promise;
+      send(request, call);
+      // Steps can take long; nothing needs to wait for them.
+      return call[0] === 'step' ? undefined : entry?.promise;
     });
     return Promise.allSettled(answers);
   }
 
-  /** There is no fire any more; what is asked from now on waits for the next. */
+  /** There is no fire any more; calls from now on wait for the next. */
   disconnect() {
     this.#fire = 0;
     this.#send = undefined;
   }
 
   /**
-   * A request was carried out, with what it asked for, or refused with `error`.
+   * A request was carried out, with the value that it asked for, or refused with `error`.
    * @param {number} request
    * @param {Error} [error]
    * @param {unknown} [value]
@@ -102,7 +102,7 @@ export class Requests {
   }
 
   /**
-   * Gives up what was asked of one fire; 0: what still waits for one.
+   * Gives up the requests to one fire; 0: those that still wait for one.
    * @param {number} fire
    * @param {Error} error
    */
@@ -114,17 +114,9 @@ export class Requests {
   }
 }
 
-/**
- * Whether a message sets the model alone, which decides what all other values may be.
- * @param {Message} message
- */
-function isModel(message) {
-  return message.type === 'set' && ids(message) === 'model';
-}
-
-/** The ids that a message sets. @param {Message} message */
-function ids({ values = {} }) {
-  return Object.keys(values).join();
+/** The ids that a call sets; the model decides what all other values may be. @param {Call} call */
+function ids([method, values]) {
+  return method === 'set' ? Object.keys(values).join() : undefined;
 }
 
 /**
@@ -168,9 +160,9 @@ export function quiet(promise) {
 const MOST_FIELDS = 1000;
 
 /**
- * The same value as plain data, which can be posted; where it is none, something of
- * its kind, which the engine refuses by that name. No code of the page runs later
- * than here, and none of it breaks more than its own value.
+ * The same value as plain data, which can be posted. A value that is no plain data becomes
+ * something of its kind, which the engine refuses by that name. No code of the page runs
+ * after this, and none of it breaks more than its own value.
  * @param {unknown} value
  * @param {number} [depth] how deep it may yet be nested
  * @returns {any}

@@ -2,6 +2,7 @@
  * The fire behind an element: it opens and closes the connection to the engine, passes on what
  * the element asks for, and takes what the engine answers.
  *
+ * @typedef {import('../engine/engine.js').Call} Call
  * @typedef {import('../engine/engine.js').Message} Message
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
  */
@@ -69,22 +70,22 @@ export class FireSession {
     return this.#ready.promise;
   }
 
-  /** @param {Message} message @returns {Promise<any>} */
-  ask(message) {
+  /** Calls the engine. @type {(...call: Call) => Promise<any>} */
+  ask(...call) {
     // Where there can be no fire, nothing waits for one.
-    const answer = this.#ready.failed ? this.ready : this.#requests.ask(message);
-    this.#orders?.push([message, answer]);
+    const answer = this.#ready.failed ? this.ready : this.#requests.ask(...call);
+    this.#orders?.push([call, answer]);
     return answer;
   }
 
-  /** Tells the engine something that has no answer. @param {Message} message */
-  send(message) {
-    this.#link?.send(message);
+  /** Calls the engine, whose answer nobody waits for. @type {(...call: Call) => void} */
+  send(...call) {
+    this.#link?.send(...call);
   }
 
   /** @type {(values: {[id: string]: unknown}, source: string) => Promise<void>} */
   set(values, source) {
-    return this.ask({ type: 'set', source, values: postable(values, DEEPEST) });
+    return this.ask('set', postable(values, DEEPEST), source);
   }
 
   /**
@@ -94,7 +95,7 @@ export class FireSession {
   move(values, how) {
     this.#orders ??= [];
     const orders = this.#orders;
-    const checked = this.ask({ type: 'check', source: 'to', values: postable(values, 1) });
+    const checked = this.ask('check', postable(values, 1));
     const code = import('./transition.js').catch((why) => {
       this.#orders = undefined;
       this.reports.warn('load', `Transitions could not be loaded: ${why}`);
@@ -140,13 +141,13 @@ export class FireSession {
       // The first fire starts with its model.
     } else if (id !== undefined) {
       if (value !== null) this.set({ [id]: value }, 'attribute');
-      else this.ask({ type: 'restore', source: 'attribute', ids: [id] });
+      else this.ask('restore', [id], 'attribute');
     } else if (name === 'objects') {
       this.#setObjects(value);
     } else if (name === 'preset') {
-      if (begun && !this.#dropping) this.ask({ type: 'preset', source: 'preset', name: value ?? 'default' });
+      if (begun && !this.#dropping) this.ask('preset', value ?? 'default', 'preset');
     } else if (name === 'quality') {
-      this.ask({ type: 'quality', source: 'attribute', quality: value ?? 'auto' });
+      this.ask('quality', value ?? 'auto');
     } else if (name === 'paused') {
       if ((value !== null) !== this.playback.paused) this.playback.set(value !== null);
     } else if (name === 'src') {
@@ -154,7 +155,7 @@ export class FireSession {
     } else if (name === 'warm') {
       const seconds = warmth(this.fire);
       if (Number.isNaN(seconds)) this.reports.refuse(name, value ?? '', 'a number of seconds from 0 to 30');
-      else if (begun) this.ask({ type: 'warm', seconds });
+      else if (begun) this.ask('warm', seconds);
     } else if (name === 'autoplay') {
       if (this.#link && !this.#state.started && !this.fire.autoplay) this.playback.set(true);
     } else if (name === 'reduced-motion' && this.#link) {
@@ -165,7 +166,7 @@ export class FireSession {
   /** Sets the objects that the attribute has as JSON. @param {string | null} value */
   #setObjects(value) {
     if (value === null) {
-      this.ask({ type: 'restore', source: 'attribute', ids: ['objects'] });
+      this.ask('restore', ['objects'], 'attribute');
       return;
     }
     try {
@@ -187,7 +188,7 @@ export class FireSession {
     this.#signal();
     // A fire that is still to come is told how it starts.
     if (!this.#link?.live) return this.ready;
-    return this.ask({ type: paused ? 'pause' : 'play' });
+    return this.ask(paused ? 'pause' : 'play');
   }
 
   /** Tells style sheets whether it is seen to burn. */
@@ -214,9 +215,9 @@ export class FireSession {
     const { src } = this.fire;
     const config = await this.#settingsOfFile();
     if (src !== this.fire.src) return;
-    if (config !== undefined) this.ask({ type: 'import', source: 'src', config });
+    if (config !== undefined) this.ask('import', config, 'src');
     // Without a file it burns as it would have without one.
-    else if (!src) this.ask({ type: 'preset', source: 'src', name: this.fire.preset });
+    else if (!src) this.ask('preset', this.fire.preset, 'src');
   }
 
   /** Makes a fire. */
@@ -272,9 +273,9 @@ export class FireSession {
     if (this.fire.warm) {
       // Until then the engine may treat the fire as invisible.
       if (!document.hidden) await link.looked;
-      await this.ask({ type: 'warm' }).catch(() => {});
+      await this.ask('warm').catch(() => {});
     } else if (still) {
-      await this.ask({ type: 'burn', seconds: STILL_AFTER }).catch(() => {});
+      await this.ask('burn', STILL_AFTER).catch(() => {});
     }
     if (!link.live) return;
     this.view.show('shown');

@@ -5,7 +5,7 @@
  * @typedef {import('../parameters.js').HearthParameters} HearthParameters
  * @typedef {import('../parameters.js').PresetName} PresetName
  * @typedef {import('./types.js').HearthQuality} HearthQuality
- * @typedef {import('./types.js').HearthStats} HearthStats
+ * @typedef {import('../parameters.js').HearthStats} HearthStats
  */
 
 import { DEFAULTS } from '../generated/defaults.js';

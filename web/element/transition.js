@@ -5,10 +5,10 @@
  * so a page neither lists nor ends it. The fire gets values as from any script, each after it has
  * taken those before.
  *
- * @typedef {import('../engine/engine.js').Message} Message
+ * @typedef {import('../engine/engine.js').Call} Call
  * @typedef {import('../parameters.js').ParameterId} Id
  * @typedef {{[id: string]: any}} Values
- * @typedef {[message: Message, answer: Promise<unknown>]} Order
+ * @typedef {[call: Call, answer: Promise<unknown>]} Order
  * @typedef {Order[] & {moves?: Moves, end?: () => void}} Orders
  *
  * @typedef {import('./session.js').FireSession} FireSession
@@ -63,14 +63,14 @@ class Moves {
    * @param {Order} order
    * @returns {number} how many orders wait to be heard, as a list's `push` has it
    */
-  hear([{ type, source, values, ids }, answer]) {
-    if (type === 'check') {
+  hear([[method, given, source], answer]) {
+    if (method === 'check') {
       // Its colours are as the engine has them when it is answered.
-      this.#all.set(answer, { to: values, ids: new Set(Object.keys(values ?? {})), held: [], whole: true, end() {} });
+      this.#all.set(answer, { to: given, ids: new Set(Object.keys(given ?? {})), held: [], whole: true, end() {} });
       return 0;
     }
-    if (source === 'to' || !['set', 'restore', 'preset', 'import'].includes(type)) return 0;
-    const named = ids ?? (values && Object.keys(values));
+    if (source === 'to' || !['set', 'restore', 'preset', 'import'].includes(method)) return 0;
+    const named = method === 'restore' ? given : method === 'set' && Object.keys(given);
     // Another model has values of its own.
     const all = !named || named.includes('model');
     for (const move of this.#all.values()) {
@@ -121,7 +121,7 @@ class Moves {
   /** @type {(move: Move, effect: KeyframeEffect) => Promise<void>} */
   async #move(move, effect) {
     const { fire } = this.#session;
-    const set = (/** @type {Values} */ values) => this.#session.ask({ type: 'set', source: 'to', values });
+    const set = (/** @type {Values} */ values) => this.#session.ask('set', values, 'to');
     // What has nothing between two values, the model among it, is the new one at once; the
     // others move in that model, and from where they are in it.
     const sudden = [...move.ids].filter((id) => !isBetween(id, fire.get(/** @type {Id} */ (id))));

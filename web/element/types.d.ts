@@ -8,57 +8,6 @@ import type { HearthObject, HearthParameters, ParameterId, PresetName } from '..
 /** How much work a fire makes itself. */
 export type HearthQuality = 'low' | 'medium' | 'high';
 
-/** What a fire says about itself, about four times a second. */
-export interface HearthStats {
-  /** Pictures a second, smoothed. */
-  fps: number;
-  /** Particles alive. */
-  particles: number;
-  /** Time of one step of the simulation [ms]. */
-  stepMs: number;
-  /** Time of drawing, as the processor sees it [ms]. */
-  drawMs: number;
-  /** Steps made for each picture, smoothed. */
-  stepsPerFrame: number;
-  /** Parts that stability divided the last step into. */
-  substeps: number;
-  /** Neighbours of a particle, on average. */
-  neighbours: number;
-  /** Particles at the speed limit. */
-  atSpeedLimit: number;
-  /** Age of the fire [s]. */
-  time: number;
-  /** Whether the fire lately fell behind the clock, so that the page would not freeze. */
-  slowed: boolean;
-  /** Seconds of fire for each second of the clock, as it lately was. */
-  timeScale: number;
-  /** Length of a step in seconds of fire, on average. */
-  stepLength: number;
-  /** Power that burns [kW/m]; 0 in the classic model. */
-  power: number;
-  /** Embers that glow. */
-  embers: number;
-  paused: boolean;
-  /** The format of the textures that it is drawn into. */
-  targetFormat: string;
-  /** The quality that it has, and why, in words. */
-  quality: HearthQuality;
-  qualityReason: string;
-  /** What takes how long in a frame [ms]: the stages of its steps, and sending the particles. */
-  stages: Record<'sort' | 'density' | 'forces' | 'integrate' | 'upload', number>;
-  /** What each pass of the picture takes [ms], in their order. */
-  passes: Record<string, number>;
-  /** Whose clock says so: the graphics card's, or the processor's when it handed them over. */
-  passTimer: 'gpu' | 'submit' | '';
-  /** Where the engine runs. */
-  engine: 'worker' | 'main';
-  /**
-   * What the first and the last colour of the picture stand for, in the unit of what
-   * `display_mode` shows; null where that is a fire.
-   */
-  scale: [least: number, most: number] | null;
-}
-
 /**
  * The settings of a fire, as `exportConfig` gives them and `importConfig` and `src`
  * take them: what differs from a preset, or from the defaults.

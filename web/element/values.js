@@ -1,10 +1,10 @@
 /**
  * Values that only the browser can resolve: any CSS colour, and the seed of `seed="auto"`.
  *
- * They are resolved when a message is sent: the element is on a page then, which `var()` and the order
+ * They are resolved when a call is sent: the element is on a page then, which `var()` and the order
  * of the fires depend on.
  *
- * @typedef {import('../engine/engine.js').Message} Message
+ * @typedef {import('../engine/engine.js').Call} Call
  */
 
 import { DEFAULTS } from '../generated/defaults.js';
@@ -72,26 +72,28 @@ export function hexOf(colour, fire) {
 }
 
 /**
- * A message as the engine reads it. Its values are changed in place: they are data that
+ * A call as the engine reads it. Its values are changed in place: they are data that
  * no other fire has.
- * @param {Message} message
+ * @param {Call} call
  * @param {Element} fire
- * @returns {Message}
+ * @returns {Call}
  */
-export function meant(message, fire) {
-  let { type, config, values } = message;
+export function meant([method, given, ...rest], fire) {
   if (fire.getAttribute('seed') === 'auto') {
     // What replaces every value leaves it its own seed, unless it names one.
-    if (type === 'preset') [type, config] = ['import', { preset: message.name }];
-    if (type === 'import' && isObject(config)) config = { ...config, values: { seed: 'auto', ...config.values } };
-    if (type === 'add') values = { seed: 'auto', ...values };
+    if (method === 'preset') [method, given] = ['import', { preset: given }];
+    if ((method === 'import' || method === 'add') && isObject(given)) {
+      given = { ...given, values: { seed: 'auto', ...given.values } };
+    }
   }
-  for (const sent of [values, config?.values]) {
+  /** @type {{[method: string]: any[]}} */
+  const all = { set: [given], check: [given], import: [given?.values], add: [given?.values, given?.config?.values] };
+  for (const sent of all[method] ?? []) {
     for (const id in sent) {
       const value = sent[id];
       if (id === 'seed' && value === 'auto') sent[id] = seedOf(fire);
       else if (isColour(id) && typeof value === 'string') sent[id] = hexOf(value, fire);
     }
   }
-  return { ...message, type, config, values };
+  return [method, given, ...rest];
 }

@@ -1,12 +1,13 @@
 /**
- * Loads the engine and connects elements to it, in messages only.
+ * Loads the engine and connects elements to it.
  *
- * Whatever an element and the engine say to each other could go through
- * `postMessage`: plain data, delivered later, in order, no getter into wasm. All
- * fires of a page share one engine. It runs in a worker where that can draw, and
- * on the main thread elsewhere; its wasm is fetched and compiled once, here.
+ * Calls and events are plain data, delivered later and in order, as by `postMessage`: no
+ * getter of a page reaches into wasm. All fires of a page share one engine. It runs in a
+ * worker where that can draw, and on the main thread elsewhere. Its wasm is fetched and
+ * compiled once, here.
  *
- * @typedef {{type: string, fire?: number, [field: string]: any}} Message
+ * @typedef {[method: string, ...arguments: any[]]} Call a command of the engine: see its table
+ * @typedef {{type: string, fire?: number, [field: string]: any}} Message an event of the engine
  * @typedef {ImageBitmap | HTMLCanvasElement} Drawn a picture: a bitmap to be kept,
  *   or a canvas to be copied from at once
  * @typedef {{heard: (message: Message) => void, drawn: (picture: Drawn) => void}} Listener
@@ -59,7 +60,7 @@ function missing() {
 class EnginePort {
   /** What is wrong with how it is served, though it burns; else empty. */
   warning = '';
-  /** @type {(message: Message | number) => void} */
+  /** @type {(call: [fire: number, request: number, ...call: Call] | number) => void} */
   send = () => {};
   end = () => {};
   /** @type {Map<number, Listener>} */
@@ -101,14 +102,6 @@ class EnginePort {
   #rest() {
     clearTimeout(this.#idle);
     this.#idle = setTimeout(() => this.#retire(), IDLE_MS);
-  }
-
-  /**
-   * Sends a message to the engine.
-   * @param {Message} message
-   */
-  post(message) {
-    this.send(message);
   }
 
   /** A fire's picture is shown, and another may follow. @param {number} fire */

@@ -60,10 +60,10 @@ export function runEngine(Engine, canvas, { post, show, fail }) {
   canvas.addEventListener('webglcontextrestored', restored);
 
   return {
-    /** @param {import('./engine.js').Message} message */
-    receive(message) {
+    /** @param {[fire: number, request: number, ...call: import('./engine.js').Call]} call */
+    call(call) {
       try {
-        if (engine) goOn(engine.receive(message));
+        if (engine) goOn(engine.call(call));
       } catch (error) {
         broken(error);
       }

@@ -24,7 +24,7 @@ export function start(Engine, port) {
   const offscreen = pictureCanvas();
   // WebKit has such canvases, but not all of its ports can draw on them.
   const engine = (offscreen && attempt(() => run(offscreen))) ?? run(document.createElement('canvas'));
-  port.send = (message) => queueMicrotask(() => typeof message === 'number' ? engine.shown(message) : engine.receive(message));
+  port.send = (call) => queueMicrotask(() => typeof call === 'number' ? engine.shown(call) : engine.call(call));
   port.end = () => engine.end();
 }
 

@@ -1,7 +1,7 @@
 /**
- * The engine in a worker: the page's thread stays free. It says `started`, or why
- * it cannot, and from then on speaks the engine's messages. Each picture is sent
- * as a bitmap, which costs no copy.
+ * The engine in a worker: the page's thread stays free. The worker posts `started`, or why
+ * it cannot start; from then on it takes calls and posts events. Each picture is sent as a
+ * bitmap, which costs no copy.
  */
 
 import { contextOf, pictureCanvas, runEngine } from './loop.js';
@@ -36,16 +36,10 @@ async function start(module) {
 }
 
 addEventListener('message', ({ data }) => {
+  if (Array.isArray(data)) engine?.call(/** @type {any} */ (data));
   // A number: that fire's picture is shown.
-  if (typeof data === 'number') {
-    engine?.shown(data);
-    return;
-  }
-  if (data.type !== 'start') {
-    engine?.receive(data);
-    return;
-  }
-  start(data.module).then(
+  else if (typeof data === 'number') engine?.shown(data);
+  else start(data.module).then(
     () => postMessage({ type: 'started' }),
     (error) => postMessage({ type: 'stopped', why: String(error) }),
   );

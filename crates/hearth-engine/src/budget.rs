@@ -31,17 +31,17 @@ pub fn share(now: f64, end: f64, fires: usize) -> f64 {
     now + (end - now).max(0.0) / fires.max(1) as f64
 }
 
-/// Seconds of the clock over which a fire's pace is averaged.
+/// Seconds of the clock over which the real-time factor is averaged.
 const LATELY: f64 = 1.0;
 
 /// Longest frame that is held against a fire \[s\]. Whatever keeps a page from
 /// drawing for longer is rarely the fire, and it is not slow for seconds after.
 const LONGEST_SLOW_FRAME: f64 = 0.25;
 
-/// How fast a fire lately burnt, and whether it should have burnt faster: sums
-/// over its frames, of which the older ones fade away.
+/// The real-time factor of a fire, and whether it should be higher: sums over frames, of
+/// which the older ones fade away.
 #[derive(Clone, Debug, Default)]
-pub struct Pace {
+pub struct RealTime {
     /// Seconds of the clock.
     clock: f64,
     /// Seconds of fire that were made in them.
@@ -52,7 +52,7 @@ pub struct Pace {
     missed: f64,
 }
 
-impl Pace {
+impl RealTime {
     /// Counts a frame of `passed` seconds of the clock, each of them `time_scale`
     /// seconds of fire. It made so many seconds of fire and dropped others.
     pub fn frame(&mut self, passed: f64, time_scale: f64, made: f64, dropped: f64) {
@@ -66,7 +66,7 @@ impl Pace {
     }
 
     /// Seconds of fire for each second of the clock; zero before there was one.
-    pub fn time_scale(&self) -> f64 {
+    pub fn factor(&self) -> f64 {
         if self.clock > 0.0 {
             self.made / self.clock
         } else {
@@ -134,97 +134,97 @@ mod tests {
     }
 
     /// A second of frames at 60 Hz that each make `part` of what they should.
-    fn second(pace: &mut Pace, scale: f64, part: f64) {
+    fn second(real_time: &mut RealTime, scale: f64, part: f64) {
         for _ in 0..60 {
             let wanted = scale / 60.0;
-            pace.frame(1.0 / 60.0, scale, part * wanted, (1.0 - part) * wanted);
+            real_time.frame(1.0 / 60.0, scale, part * wanted, (1.0 - part) * wanted);
         }
     }
 
     #[test]
-    fn the_pace_is_fire_by_clock() {
-        let mut pace = Pace::default();
-        assert_eq!(pace.time_scale(), 0.0);
+    fn the_real_time_factor_is_fire_by_clock() {
+        let mut real_time = RealTime::default();
+        assert_eq!(real_time.factor(), 0.0);
         for scale in [1.0, 0.1, 2.0] {
             for _ in 0..10 {
-                second(&mut pace, scale, 1.0);
+                second(&mut real_time, scale, 1.0);
                 // Also while an older scale fades: nothing is behind.
-                assert!(!pace.slowed());
+                assert!(!real_time.slowed());
             }
-            assert!((pace.time_scale() - scale).abs() < 1e-3);
+            assert!((real_time.factor() - scale).abs() < 1e-3);
         }
     }
 
     #[test]
     fn a_fire_that_drops_steps_says_so_until_it_drops_none() {
-        let mut pace = Pace::default();
+        let mut real_time = RealTime::default();
         for _ in 0..10 {
-            second(&mut pace, 1.0, 0.3);
-            assert!(pace.slowed());
+            second(&mut real_time, 1.0, 0.3);
+            assert!(real_time.slowed());
         }
-        assert!((pace.time_scale() - 0.3).abs() < 1e-3);
+        assert!((real_time.factor() - 0.3).abs() < 1e-3);
         for _ in 0..5 {
-            second(&mut pace, 1.0, 1.0);
+            second(&mut real_time, 1.0, 1.0);
         }
-        assert!(!pace.slowed());
+        assert!(!real_time.slowed());
     }
 
     #[test]
-    fn a_fire_that_is_forgiven_is_not_slow_and_still_says_its_pace() {
-        let mut pace = Pace::default();
+    fn a_fire_that_is_forgiven_is_not_slow_and_keeps_its_real_time_factor() {
+        let mut real_time = RealTime::default();
         for _ in 0..10 {
-            second(&mut pace, 1.0, 0.3);
+            second(&mut real_time, 1.0, 0.3);
         }
-        let before = pace.time_scale();
-        pace.forgive();
-        assert!(!pace.slowed());
-        assert_eq!(pace.time_scale(), before);
+        let before = real_time.factor();
+        real_time.forgive();
+        assert!(!real_time.slowed());
+        assert_eq!(real_time.factor(), before);
         // Only what comes counts, and that at once.
-        pace.frame(1.0 / 60.0, 1.0, 1.0 / 60.0, 0.0);
-        assert!(!pace.slowed());
-        second(&mut pace, 1.0, 0.3);
-        assert!(pace.slowed());
+        real_time.frame(1.0 / 60.0, 1.0, 1.0 / 60.0, 0.0);
+        assert!(!real_time.slowed());
+        second(&mut real_time, 1.0, 0.3);
+        assert!(real_time.slowed());
     }
 
     #[test]
     fn one_late_frame_is_not_slow_but_many_are() {
-        let mut pace = Pace::default();
-        second(&mut pace, 1.0, 1.0);
-        pace.frame(1.0 / 60.0, 1.0, 0.5 / 60.0, 0.5 / 60.0);
-        assert!(!pace.slowed());
-        second(&mut pace, 1.0, 0.8);
-        assert!(pace.slowed());
+        let mut real_time = RealTime::default();
+        second(&mut real_time, 1.0, 1.0);
+        real_time.frame(1.0 / 60.0, 1.0, 0.5 / 60.0, 0.5 / 60.0);
+        assert!(!real_time.slowed());
+        second(&mut real_time, 1.0, 0.8);
+        assert!(real_time.slowed());
     }
 
     #[test]
     fn steps_that_are_longer_than_frames_are_not_slow() {
-        let mut pace = Pace::default();
+        let mut real_time = RealTime::default();
         // Slow motion with long steps: one in ten frames makes one.
         for frame in 0..100 {
             let made = if frame % 10 == 9 { 1.0 / 60.0 } else { 0.0 };
-            pace.frame(1.0 / 60.0, 0.1, made, 0.0);
-            assert!(!pace.slowed());
+            real_time.frame(1.0 / 60.0, 0.1, made, 0.0);
+            assert!(!real_time.slowed());
         }
     }
 
     #[test]
     fn frames_too_rare_to_be_made_up_for_are_slow() {
-        let mut pace = Pace::default();
+        let mut real_time = RealTime::default();
         for _ in 0..10 {
-            pace.frame(0.2, 1.0, LONGEST_FRAME, 0.0);
+            real_time.frame(0.2, 1.0, LONGEST_FRAME, 0.0);
         }
-        assert!(pace.slowed());
-        assert!((pace.time_scale() - 0.5).abs() < 1e-6);
+        assert!(real_time.slowed());
+        assert!((real_time.factor() - 0.5).abs() < 1e-6);
     }
 
     #[test]
     fn a_page_that_hung_for_once_has_no_slow_fire_for_long() {
-        let mut pace = Pace::default();
-        second(&mut pace, 1.0, 1.0);
-        pace.frame(10.0, 1.0, LONGEST_FRAME, 0.0);
+        let mut real_time = RealTime::default();
+        second(&mut real_time, 1.0, 1.0);
+        real_time.frame(10.0, 1.0, LONGEST_FRAME, 0.0);
         for _ in 0..2 {
-            second(&mut pace, 1.0, 1.0);
+            second(&mut real_time, 1.0, 1.0);
         }
-        assert!(!pace.slowed());
+        assert!(!real_time.slowed());
     }
 }

@@ -1,47 +1,53 @@
-//! The engine as JavaScript has it: messages and frames in, messages and pictures
-//! out.
+//! The engine as JavaScript has it: calls and frames in, events and pictures out.
 //!
-//! Its surroundings (`web/engine/loop.js`) ask for the browser's frames and hear
-//! of its context; each call here says whether another frame is wanted, so no loop
-//! runs while no fire has anything to do.
+//! `web/engine/loop.js` asks the browser for frames and listens to the context of the
+//! canvas. Each method here returns whether another frame is wanted, so no loop runs
+//! while every fire rests.
 
-use js_sys::Function;
+use hearth_bindings::{Untrusted, ValidationError, settings};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::WebGl2RenderingContext;
 
 use crate::budget::{STEPS_BUDGET_MS, share};
+use crate::commands::Command;
+use crate::events::{ErrorKind, Events, Post};
 use crate::fire::Fire;
-use crate::host::Host;
-use crate::message::{Message, Order, Refused, RefusedMessage};
-use crate::outbox::{Outbox, Trouble};
-use crate::raw::Raw;
-use crate::scene;
+use crate::pointer::PointerForce;
+use crate::requested::Requested;
 use crate::shared_canvas::{Canvas, SharedCanvas, Show};
-use crate::wanted::Wanted;
+use crate::wall_clock::WallClock;
 
 /// Draws any number of fires.
 #[wasm_bindgen]
 pub struct Engine {
-    /// Few, so that looking for one is quick, and a map’s code not worth its size.
-    fires: Vec<Fire>,
+    /// Few, so a search is quick and a map is not worth its code.
+    #[expect(clippy::vec_box, reason = "less code moves a pointer than a fire")]
+    fires: Vec<Box<Fire>>,
     canvas: SharedCanvas,
-    host: Host,
-    post: Function,
+    clock: WallClock,
+    events: Events,
+}
+
+/// When a call is answered.
+enum Answer {
+    /// Now.
+    Done,
+    /// By the command itself, now or later.
+    Given,
 }
 
 #[wasm_bindgen]
 impl Engine {
     /// An engine without a fire, which draws on `canvas` in its WebGL2 `context`, where
-    /// the browser gives one. It answers through
-    /// `post(message)` and shows what it drew through `show(fire)`, which says whether
-    /// the picture is shown already.
+    /// the browser gives one. Events go through `post(event)`. Pictures go through
+    /// `show(fire)`, which returns whether the picture is shown already.
     ///
     /// # Errors
     /// There is no WebGL2, or the driver refuses.
     #[wasm_bindgen(constructor)]
     pub fn new(
-        post: Function,
+        post: Post,
         canvas: Canvas,
         context: Option<WebGl2RenderingContext>,
         show: Show,
@@ -51,157 +57,195 @@ impl Engine {
         Ok(Engine {
             fires: Vec::new(),
             canvas,
-            host: Host,
-            post,
+            clock: WallClock,
+            events: Events::new(post),
         })
     }
 
-    /// Takes a message. Whatever it is, the answer is a message too. Returns
-    /// whether a frame is wanted.
-    pub fn receive(&mut self, message: &JsValue) -> bool {
-        let mut out = Outbox::default();
-        match Message::parse(&Raw::of(message)) {
-            Ok(message) => self.obey(message, &mut out),
-            Err(refused) => out.refused(refused),
+    /// Carries out a call, `[fire, request, command, …arguments]`, and answers with an
+    /// event. Returns whether a frame is wanted.
+    pub fn call(&mut self, call: &JsValue) -> bool {
+        let call = Untrusted::of(call);
+        let [fire, request, name, arguments @ ..] = call.list() else {
+            return self.wants_frame();
+        };
+        let (fire, request) = (fire.number() as u32, request.number() as u32);
+        let answer = Command::parse(name, arguments)
+            .map_err(|error| vec![error])
+            .and_then(|command| self.run(fire, request, command));
+        match answer {
+            Ok(Answer::Done) => self.events.done(fire, request),
+            Ok(Answer::Given) => {}
+            Err(errors) => self.events.refused(fire, request, &errors),
         }
-        self.end(out)
+        self.wants_frame()
     }
 
     /// A picture of that fire that was on its way is shown. Returns whether a frame is
-    /// wanted. It comes for each picture, and so is no message to be taken apart.
+    /// wanted. This comes for each picture, so it makes no object as a call does.
     pub fn shown(&mut self, fire: u32) -> bool {
         if let Some(fire) = self.fires.iter_mut().find(|known| known.id() == fire) {
             fire.shown();
         }
-        self.fires.iter().any(Fire::wants_frame)
+        self.wants_frame()
     }
 
-    /// A frame of the display, at `now` \[ms\]. Returns whether another one is
-    /// wanted.
+    /// A frame of the display, at `now` \[ms\]. Returns whether another one is wanted.
     pub fn frame(&mut self, now: f64) -> bool {
-        let mut out = Outbox::default();
         let fires = self.fires.iter().filter(|f| f.wants_frame()).count();
-        let mut end = self.host.now() + STEPS_BUDGET_MS;
+        let mut end = self.clock.now() + STEPS_BUDGET_MS;
         let mut left = fires;
-        // Who is first gets most of a frame that is too short for all.
+        // The first fire gets most of a frame that is too short for all.
         if fires > 1 {
-            self.fires.rotate_left(1);
+            let first = self.fires.remove(0);
+            self.fires.push(first);
         }
         for fire in self.fires.iter_mut().filter(|f| f.wants_frame()) {
-            let deadline = share(self.host.now(), end, left);
+            let deadline = share(self.clock.now(), end, left);
             left -= 1;
             if fire.is_due(now) {
-                // Drawing takes nothing from the steps of others.
-                end += fire.frame(now, deadline, fires, &self.canvas, &self.host, &mut out);
+                // Drawing takes no time from the steps of other fires.
+                end += fire.frame(
+                    now,
+                    deadline,
+                    fires,
+                    &self.canvas,
+                    &self.clock,
+                    &self.events,
+                );
             }
         }
-        self.end(out)
+        self.wants_frame()
     }
 
     /// The canvas's context is lost, or back. Returns whether a frame is wanted.
     pub fn context(&mut self, back: bool) -> bool {
-        let mut out = Outbox::default();
         let trouble = if back {
             self.canvas
                 .restore()
-                .map_err(|why| (Trouble::Unsupported, why))
+                .map_err(|why| (ErrorKind::Unsupported, why))
         } else {
             self.canvas.lose();
             let words = "the graphics context was lost; the fire goes on when it is back";
-            Err((Trouble::ContextLost, words.to_owned()))
+            Err((ErrorKind::ContextLost, words.to_owned()))
         };
         let drawable = self.canvas.gpu().is_some();
         for fire in &mut self.fires {
             fire.set_drawable(drawable);
             match &trouble {
-                Ok(()) if drawable => out.restored(fire.id()),
+                Ok(()) if drawable => self.events.restored(fire.id()),
                 // Lost again in the same moment, of which the next event tells.
                 Ok(()) => {}
-                Err((trouble, words)) => out.error(fire.id(), *trouble, words),
+                Err((kind, words)) => self.events.error(fire.id(), *kind, words),
             }
         }
-        self.end(out)
+        self.wants_frame()
     }
 }
 
 impl Engine {
-    /// Posts what there is to say; whether a frame is wanted.
-    fn end(&self, out: Outbox) -> bool {
-        out.post(&self.post);
-        self.fires.iter().any(Fire::wants_frame)
+    fn wants_frame(&self) -> bool {
+        self.fires.iter().any(|fire| fire.wants_frame())
     }
 
-    fn obey(&mut self, message: Message, out: &mut Outbox) {
-        let Message {
-            fire: id,
-            request,
-            source,
-            order,
-        } = message;
-        let refuse = |errors| RefusedMessage {
-            fire: Some(id),
-            request,
-            source: source.clone(),
-            errors,
-        };
-        let Some(fire) = self.fires.iter_mut().find(|fire| fire.id() == id) else {
-            let Order::Add(start) = order else {
-                return out.refused(refuse(vec![Refused::fire(id)]));
-            };
-            let (wanted, errors) = Wanted::at_first(&start);
-            if !errors.is_empty() {
-                out.refused(refuse(errors));
-            }
-            out.ready(id, &wanted);
-            let mut fire = Fire::new(id, wanted, start);
-            fire.set_drawable(self.canvas.gpu().is_some());
-            self.fires.push(fire);
-            return out.done(id, request);
-        };
-        if let Some(wanted) = fire.wanted().after(&order) {
-            let anew = matches!(order, Order::Preset(_) | Order::Import(_));
-            match wanted {
-                Ok(wanted) => fire.want(wanted, &source, anew, out),
-                Err(errors) => return out.refused(refuse(errors)),
-            }
-        }
-        match order {
-            Order::Add(_) => return out.refused(refuse(vec![Refused::fire(id)])),
-            Order::Set(_) | Order::Restore(_) | Order::Preset(_) | Order::Import(_) => {}
-            Order::ChangeObject(..) | Order::RemoveObject(_) => {}
-            Order::AddObject(_) => {
-                let id = fire
-                    .wanted()
-                    .scene
-                    .objects()
-                    .last()
-                    .map_or(0, |last| last.0);
-                return out.answer(fire.id(), request, &id.into());
-            }
-            Order::Check(values) => {
-                if let Err(errors) = scene::set(&mut fire.wanted().scene.clone(), &values) {
-                    return out.refused(refuse(errors));
+    fn run(
+        &mut self,
+        id: u32,
+        request: u32,
+        command: Command<'_>,
+    ) -> Result<Answer, Vec<ValidationError>> {
+        let events = &self.events;
+        let found = self.fires.iter_mut().find(|fire| fire.id() == id);
+        let fire = match (found, command) {
+            (None, Command::Add { start }) => {
+                let (requested, errors) = Requested::at_first(&start);
+                if !errors.is_empty() {
+                    events.refused(id, 0, &errors);
                 }
+                events.ready(id, &requested);
+                let mut fire = Fire::new(id, requested, &start);
+                fire.set_drawable(self.canvas.gpu().is_some());
+                self.fires.push(Box::new(fire));
+                return Ok(Answer::Done);
             }
-            Order::Export => return out.config(id, request, fire.wanted()),
-            Order::Resize(width, height, side) => fire.resize((width, height), side),
-            Order::Visible(visible) => fire.set_visible(visible),
-            Order::Limit(limit) => fire.limit(limit),
-            Order::Stir(stir) => fire.stir(stir),
-            Order::Sparks(sparks) => fire.throw(sparks),
-            Order::View(camera) => fire.look(camera),
-            Order::Quality(wish) => fire.ask_quality(wish, out),
-            Order::Play => fire.set_playing(true, out),
-            Order::Pause => fire.set_playing(false, out),
-            Order::Reset => fire.reset(out),
-            Order::Warm(seconds) => return fire.warm(seconds, request),
-            Order::Step(steps) => return fire.ask_steps(steps, 0.0, request),
-            Order::Burn(seconds) => return fire.ask_steps(0, seconds, request),
-            Order::Remove => {
-                self.fires.retain(|fire| fire.id() != id);
-                return out.done(id, request);
+            (Some(fire), command) if !matches!(command, Command::Add { .. }) => (fire, command),
+            _ => {
+                let allowed = "the number of a fire, or a new one to add";
+                let id = Untrusted::Number(id.into());
+                return Err(vec![ValidationError::new("fire", &id, allowed)]);
             }
+        };
+        let (fire, command) = fire;
+        if let Some(requested) = fire.requested().after(&command) {
+            let requested = requested?;
+            if let Command::Set { source, .. }
+            | Command::Restore { source, .. }
+            | Command::AddObject { source, .. }
+            | Command::ChangeObject { source, .. }
+            | Command::RemoveObject { source, .. }
+            | Command::Preset { source, .. }
+            | Command::Import { source, .. } = &command
+            {
+                let replaced = matches!(command, Command::Preset { .. } | Command::Import { .. });
+                fire.request(requested, source, replaced, events);
+            }
+            if let Command::AddObject { .. } = command {
+                let added = fire.requested().scene.objects().last();
+                let id = added.map_or(0, |(id, ..)| id);
+                events.answer(fire.id(), request, &id.into());
+                return Ok(Answer::Given);
+            }
+            return Ok(Answer::Done);
         }
-        out.done(id, request);
+        match command {
+            Command::CheckValues { values } => {
+                settings::with_values(&fire.requested().scene, values)?;
+            }
+            Command::Export {} => {
+                events.config(id, request, fire.requested());
+                return Ok(Answer::Given);
+            }
+            Command::Resize {
+                width,
+                height,
+                side,
+            } => fire.resize((width.0, height.0), side),
+            Command::Visible { visible } => fire.set_visible(visible),
+            Command::LimitFps { fps_limit } => fire.limit_fps(fps_limit),
+            Command::LimitPixels { max_pixels } => fire.limit_pixels(max_pixels),
+            Command::Stir { x, y, u, v } => {
+                let pair = |x: f64, y: f64| [x as f32, y as f32];
+                fire.stir(PointerForce::new(pair(x.0, y.0), pair(u.0, v.0)));
+            }
+            Command::Sparks { x, y, count } => fire.throw(x.0 as f32, y.0 as f32, count.0),
+            Command::View { fit, x, y } => fire.look(fit.0, [x.0 as f32, y.0 as f32]),
+            Command::Quality { quality } => fire.ask_quality(quality.0, events),
+            Command::Play {} => fire.set_playing(true, events),
+            Command::Pause {} => fire.set_playing(false, events),
+            Command::Reset {} => fire.reset(events),
+            Command::Warm { seconds } => {
+                fire.warm(seconds.map(|seconds| seconds.0), request);
+                return Ok(Answer::Given);
+            }
+            Command::Step { steps } => {
+                fire.ask_steps(steps.0, 0.0, request);
+                return Ok(Answer::Given);
+            }
+            Command::Burn { seconds } => {
+                fire.ask_steps(0, seconds.0, request);
+                return Ok(Answer::Given);
+            }
+            Command::Remove {} => self.fires.retain(|fire| fire.id() != id),
+            // These are done above.
+            Command::Add { .. }
+            | Command::Set { .. }
+            | Command::Restore { .. }
+            | Command::AddObject { .. }
+            | Command::ChangeObject { .. }
+            | Command::RemoveObject { .. }
+            | Command::Preset { .. }
+            | Command::Import { .. } => {}
+        }
+        Ok(Answer::Done)
     }
 }

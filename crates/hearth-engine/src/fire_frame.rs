@@ -4,9 +4,9 @@ use hearth_core::params::{DisplayMode, Model};
 use hearth_core::{Instance, Parameters};
 use hearth_render::{Camera, CarriedNoise, Motion, RenderError, Renderer, ResolutionLimits, View};
 
-use crate::host::Host;
 use crate::pass_times::PassTimes;
 use crate::shared_canvas::{Gpu, SharedCanvas};
+use crate::wall_clock::WallClock;
 use crate::webgl::WebGl;
 
 /// Pictures of a fire that may be on their way at once: one is shown while the next is drawn.
@@ -74,7 +74,7 @@ impl FireFrame {
         (time, parameters): (f64, &Parameters),
         camera: Camera,
         stands: bool,
-        host: &Host,
+        host: &WallClock,
     ) -> Result<f64, String> {
         let Some(gpu) = canvas.gpu() else {
             return Ok(host.now());

@@ -1,56 +1,52 @@
-//! The engine behind `<hearth-fire>`: canvases, the frame loop and messages.
+//! The engine behind `<hearth-fire>`: calls and frames in, events and pictures out.
 //!
-//! One `Engine` draws any number of fires. It is spoken to in messages only
-//! (see [`message`]) and answers in messages only (see `outbox`), all of them
-//! postable, so that it runs on a page's main thread or in a worker without a
-//! change to anybody's API. All fires are drawn on one canvas, one after another
-//! (see `shared_canvas`); its surroundings call it for each frame and take the pictures away.
+//! One `Engine` draws any number of fires. Scripts reach it through calls (see
+//! [`commands`]), and it answers with events (see `events`). Both are plain data, so the
+//! engine runs on a page's main thread or in a worker behind the same interface. All fires
+//! are drawn on one canvas, one after another (see `shared_canvas`).
 //!
-//! A frame goes one way: the clock says how much fire is due, the simulation makes
-//! whole steps for it as far as the frame's [`budget`] allows, the renderer draws
-//! what came of it. Between two messages nothing of it allocates once it is warm.
+//! In a frame the clock tells how much fire is due, the simulation makes whole steps as
+//! far as the frame's [`budget`] allows, and the renderer draws the result. Between two
+//! calls a warm engine allocates nothing.
 
 // Plain logic, which needs no browser and is tested without one.
 pub mod budget;
+pub mod commands;
 pub mod config;
-mod fields;
 pub mod grain;
 pub mod limits;
-pub mod message;
+pub mod pointer;
 pub mod quality;
-pub mod raw;
-pub mod scene;
-pub mod view;
-pub mod wanted;
+pub mod requested;
+pub mod stats;
 pub mod warm;
 
 // What touches the page.
-#[cfg(target_arch = "wasm32")]
-mod asked;
 #[cfg(target_arch = "wasm32")]
 mod average;
 #[cfg(target_arch = "wasm32")]
 mod engine;
 #[cfg(target_arch = "wasm32")]
+pub mod events;
+#[cfg(target_arch = "wasm32")]
 mod fire;
 #[cfg(target_arch = "wasm32")]
 mod fire_frame;
 #[cfg(target_arch = "wasm32")]
-mod host;
-#[cfg(target_arch = "wasm32")]
-pub mod outbox;
-#[cfg(target_arch = "wasm32")]
 mod pass_times;
 #[cfg(target_arch = "wasm32")]
+mod pending;
+#[cfg(target_arch = "wasm32")]
 mod shared_canvas;
+#[cfg(target_arch = "wasm32")]
+mod wall_clock;
 #[cfg(target_arch = "wasm32")]
 mod webgl;
 
 #[cfg(target_arch = "wasm32")]
 pub use engine::Engine;
 
-/// wasm's memory, as it is given out: std's own way of that is 2 KB more to download, and
-/// a fire that burns asks for none.
+/// The allocator. It is 2 KB smaller than std's, and a burning fire allocates nothing.
 #[cfg(target_arch = "wasm32")]
 #[global_allocator]
 static MEMORY: rlsf::SmallGlobalTlsf = rlsf::SmallGlobalTlsf::new();

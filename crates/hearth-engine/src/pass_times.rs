@@ -7,7 +7,7 @@
 use web_sys::{WebGl2RenderingContext as Context, WebGlQuery};
 
 use crate::average::smooth;
-use crate::host::Host;
+use crate::wall_clock::WallClock;
 use crate::webgl::Calls;
 
 const TIMER: &str = "EXT_disjoint_timer_query_webgl2";
@@ -80,7 +80,7 @@ impl PassTimes {
     }
 
     /// Begins a picture.
-    pub fn begin(&mut self, context: &Context, host: &Host) {
+    pub fn begin(&mut self, context: &Context, host: &WallClock) {
         self.done = 0;
         self.last = host.now();
         if let Some(timer) = &mut self.timer {
@@ -90,7 +90,7 @@ impl PassTimes {
     }
 
     /// Ends a pass, which is submitted.
-    pub fn end(&mut self, context: &Context, host: &Host, name: &'static str) {
+    pub fn end(&mut self, context: &Context, host: &WallClock, name: &'static str) {
         let at = self.done;
         self.done += 1;
         if self.times.get(at).is_none_or(|(known, _)| *known != name) {

@@ -26,6 +26,11 @@ impl Level {
     /// All of them, the least first.
     pub const ALL: [Level; 3] = [Level::Low, Level::Medium, Level::High];
 
+    /// The level of that name.
+    pub fn of(name: &str) -> Option<Level> {
+        Level::ALL.into_iter().find(|level| level.name() == name)
+    }
+
     /// Its name in attributes and messages.
     pub fn name(self) -> &'static str {
         ["low", "medium", "high"][self as usize]

@@ -9,10 +9,7 @@ use hearth_core::burning::BurningError;
 use hearth_core::params::Model;
 use hearth_core::{Scene, Simulation};
 
-use crate::wanted::with_number;
-
-/// Longest time that a fire may burn before it is shown \[s\].
-pub const LONGEST: f64 = 30.0;
+use crate::requested::with_count;
 
 /// Seconds of fire for which all particles burn.
 const FINE: f64 = 0.9;
@@ -88,15 +85,15 @@ impl Warm {
         self.left <= 0.0
     }
 
-    /// The scene that it burns with for now where this one is wanted.
-    pub fn coarse(&self, wanted: &Scene) -> Scene {
-        let settings = wanted.settings();
+    /// The scene that it burns with for now where this one is requested.
+    pub fn coarse(&self, requested: &Scene) -> Scene {
+        let settings = requested.settings();
         let few = (settings.max_particles / FEW).max(FEWEST);
         let fewer = settings.model() == Model::Combustion && few < settings.max_particles;
         if self.left > FINE && fewer {
-            with_number(wanted, few)
+            with_count(requested, few)
         } else {
-            wanted.clone()
+            requested.clone()
         }
     }
 }

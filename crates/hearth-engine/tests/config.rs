@@ -1,53 +1,53 @@
 //! Settings: what is exported can be imported, and nothing wrong is taken.
 
+use hearth_bindings::{Untrusted, Whole};
 use hearth_core::params::{Input, Model, PARAMETERS};
 use hearth_core::preset::PRESETS;
+use hearth_engine::commands::Command;
 use hearth_engine::config::{Config, export};
-use hearth_engine::message::Order;
-use hearth_engine::raw::Raw;
-use hearth_engine::wanted::Wanted;
+use hearth_engine::requested::Requested;
 
-fn object(fields: Vec<(&str, Raw)>) -> Raw {
+fn object(fields: Vec<(&str, Untrusted)>) -> Untrusted {
     let named = fields.into_iter().map(|(id, value)| (id.to_owned(), value));
-    Raw::Object(named.collect())
+    Untrusted::Object(named.collect())
 }
 
-fn text(words: &str) -> Raw {
-    Raw::Text(words.to_owned())
+fn text(words: &str) -> Untrusted {
+    Untrusted::Text(words.to_owned())
 }
 
 /// The ids of the values that differ from the preset, and how many fields objects have.
-fn differing(wanted: &Wanted) -> (Vec<String>, usize) {
+fn differing(wanted: &Requested) -> (Vec<String>, usize) {
     let config = export(wanted);
     let ids = match config.field("values") {
-        Raw::Object(values) => values.iter().map(|(id, _)| id.clone()).collect(),
+        Untrusted::Object(values) => values.iter().map(|(id, _)| id.clone()).collect(),
         _ => vec!["no values".to_owned()],
     };
     let objects = match config.field("objects") {
-        Raw::List(objects) => objects.len(),
+        Untrusted::List(objects) => objects.len(),
         _ => 0,
     };
     (ids, objects)
 }
 
-fn imported(raw: &Raw) -> Wanted {
-    let config = Config::parse(raw);
-    match config.map(|config| config.wanted()) {
-        Ok(Ok(wanted)) => wanted,
-        other => panic!("{raw:?} gives {other:?}"),
+fn imported(config: &Untrusted) -> Requested {
+    match Config::requested_by(config) {
+        Ok(requested) => requested,
+        other => panic!("{config:?} gives {other:?}"),
     }
 }
 
-fn errors(raw: &Raw) -> Vec<String> {
-    let refused = match Config::parse(raw) {
-        Ok(config) => config.wanted().err().unwrap_or_default(),
-        Err(refused) => vec![refused],
-    };
+fn errors(config: &Untrusted) -> Vec<String> {
+    let refused = Config::requested_by(config).err().unwrap_or_default();
     refused.into_iter().map(|one| one.message).collect()
 }
 
-fn set(wanted: &Wanted, id: &str, value: Raw) -> Wanted {
-    match wanted.after(&Order::Set(vec![(id.to_owned(), value)])) {
+fn set(wanted: &Requested, id: &str, value: Untrusted) -> Requested {
+    let values = &[(id.to_owned(), value)];
+    match wanted.after(&Command::Set {
+        values,
+        source: "test",
+    }) {
         Some(Ok(wanted)) => wanted,
         other => panic!("{id} gives {other:?}"),
     }
@@ -56,7 +56,7 @@ fn set(wanted: &Wanted, id: &str, value: Raw) -> Wanted {
 #[test]
 fn a_preset_alone_has_nothing_to_tell() {
     for preset in PRESETS {
-        let wanted = Wanted::of_preset(preset.name);
+        let wanted = Requested::of_preset(preset.name);
         let changes = wanted.as_ref().map(differing);
         assert_eq!(changes, Ok((vec![], 0)), "{}", preset.name);
     }
@@ -66,7 +66,7 @@ fn a_preset_alone_has_nothing_to_tell() {
 fn whatever_is_changed_comes_back() {
     for preset in PRESETS {
         for model in [Model::Classic, Model::Combustion] {
-            let wanted = Wanted::of_preset(preset.name).unwrap_or_default();
+            let wanted = Requested::of_preset(preset.name).unwrap_or_default();
             let mut wanted = set(&wanted, "model", text(model.name()));
             for param in PARAMETERS {
                 let Some(domain) = param.domain(model) else {
@@ -99,30 +99,28 @@ fn whatever_is_changed_comes_back() {
 
 #[test]
 fn a_number_of_particles_that_somebody_set_is_kept() {
-    let wanted = Wanted::default();
+    let wanted = Requested::default();
     let default = f64::from(wanted.parameters().max_particles);
     assert_eq!(differing(&wanted), (vec![], 0));
-    let wanted = set(&wanted, "max_particles", Raw::Number(default));
+    let wanted = set(&wanted, "max_particles", Untrusted::Number(default));
     assert_eq!(differing(&wanted), (vec!["max_particles".to_owned()], 0));
-    assert!(imported(&export(&wanted)).own_number);
+    assert!(imported(&export(&wanted)).count_overridden);
 }
 
 #[test]
 fn settings_replace_all_that_was() {
-    let wanted = set(&Wanted::default(), "exposure", Raw::Number(1.0));
-    let config = Config::parse(&object(vec![("values", object(vec![]))]));
-    let order = config.map(Order::Import);
-    assert_eq!(
-        order.map(|order| wanted.after(&order)),
-        Ok(Some(Ok(Wanted::default())))
-    );
+    let wanted = set(&Requested::default(), "exposure", Untrusted::Number(1.0));
+    let config = &object(vec![("values", object(vec![]))]);
+    let source = "test";
+    let after = wanted.after(&Command::Import { config, source });
+    assert_eq!(after, Some(Ok(Requested::default())));
 }
 
 #[test]
 fn the_words_of_a_scene_change_nothing() {
-    let values = || ("values", object(vec![("wind", Raw::Number(1.0))]));
+    let values = || ("values", object(vec![("wind", Untrusted::Number(1.0))]));
     let scene = object(vec![
-        ("hearth", Raw::Number(1.0)),
+        ("hearth", Untrusted::Number(1.0)),
         ("label", text("Gale")),
         ("description", text("A fire in the wind.")),
         values(),
@@ -134,34 +132,46 @@ fn the_words_of_a_scene_change_nothing() {
 fn what_is_wrong_is_named_and_nothing_is_taken() {
     let values = |fields| object(vec![("values", object(fields))]);
     for (wrong, named) in [
-        (Raw::Missing, "config"),
-        (Raw::Number(1.0), "config"),
-        (Raw::List(vec![]), "config"),
-        (object(vec![("exposure", Raw::Number(1.0))]), "exposure"),
+        (Untrusted::Missing, "config"),
+        (Untrusted::Number(1.0), "config"),
+        (Untrusted::List(vec![]), "config"),
+        (
+            object(vec![("exposure", Untrusted::Number(1.0))]),
+            "exposure",
+        ),
         (object(vec![("__proto__", object(vec![]))]), "__proto__"),
-        (object(vec![("hearth", Raw::Number(3.0))]), "hearth = 3"),
+        (
+            object(vec![("hearth", Untrusted::Number(3.0))]),
+            "hearth = 3",
+        ),
         (object(vec![("preset", text("sead"))]), "seed"),
-        (object(vec![("preset", Raw::Number(1.0))]), "preset = 1"),
-        (object(vec![("label", Raw::Number(1.0))]), "label = 1"),
+        (
+            object(vec![("preset", Untrusted::Number(1.0))]),
+            "preset = 1",
+        ),
+        (object(vec![("label", Untrusted::Number(1.0))]), "label = 1"),
         (object(vec![("description", object(vec![]))]), "description"),
         (object(vec![("values", text("many"))]), "values = \"many\""),
         (
-            values(vec![("exposurr", Raw::Number(1.0))]),
+            values(vec![("exposurr", Untrusted::Number(1.0))]),
             "did you mean \"exposure\"?",
         ),
         (
-            values(vec![("exposure", Raw::Number(99.0))]),
+            values(vec![("exposure", Untrusted::Number(99.0))]),
             "from -4 to 4",
         ),
         (
-            values(vec![("exposure", Raw::Number(f64::NAN))]),
+            values(vec![("exposure", Untrusted::Number(f64::NAN))]),
             "exposure = NaN",
         ),
         (
             values(vec![("exposure", object(vec![]))]),
             "exposure = \"an object\"",
         ),
-        (values(vec![("__proto__", Raw::Number(1.0))]), "__proto__"),
+        (
+            values(vec![("__proto__", Untrusted::Number(1.0))]),
+            "__proto__",
+        ),
     ] {
         let said = errors(&wrong);
         assert!(
@@ -170,21 +180,21 @@ fn what_is_wrong_is_named_and_nothing_is_taken() {
         );
     }
     let two = values(vec![
-        ("exposure", Raw::Number(99.0)),
-        ("bloom", Raw::Number(-1.0)),
+        ("exposure", Untrusted::Number(99.0)),
+        ("bloom", Untrusted::Number(-1.0)),
     ]);
     assert_eq!(errors(&two).len(), 2, "each of them is named");
 }
 
 /// A list of sources with these properties.
-fn sources(all: &[&[(&str, f64)]]) -> Raw {
+fn sources(all: &[&[(&str, f64)]]) -> Untrusted {
     let of_one = |properties: &&[(&str, f64)]| {
         let mut fields = vec![("kind", text("source"))];
         let numbers = properties.iter();
-        fields.extend(numbers.map(|&(name, x)| (name, Raw::Number(x))));
+        fields.extend(numbers.map(|&(name, x)| (name, Untrusted::Number(x))));
         object(fields)
     };
-    Raw::List(all.iter().map(of_one).collect())
+    Untrusted::List(all.iter().map(of_one).collect())
 }
 
 #[test]
@@ -193,14 +203,14 @@ fn version_1_is_read_as_it_was_and_writes_back_as_version_2() {
         // A scene of version 1 as its file has it: all that differs from the defaults.
         let values = preset.values.iter().map(|&(id, input)| {
             let raw = match input {
-                Input::Number(x) => Raw::Number(x),
+                Input::Number(x) => Untrusted::Number(x),
                 Input::Text(words) => text(words),
-                Input::Flag(on) => Raw::Flag(on),
+                Input::Flag(on) => Untrusted::Flag(on),
             };
             (id, raw)
         });
         let file = object(vec![
-            ("hearth", Raw::Number(1.0)),
+            ("hearth", Untrusted::Number(1.0)),
             ("values", object(values.collect())),
         ]);
         let read = imported(&file);
@@ -216,13 +226,13 @@ fn version_1_is_read_as_it_was_and_writes_back_as_version_2() {
 
 #[test]
 fn what_belongs_to_the_first_source_is_written_once() {
-    let wanted = set(&Wanted::default(), "source_x", Raw::Number(0.2));
-    let wanted = set(&wanted, "wind", Raw::Number(1.0));
+    let wanted = set(&Requested::default(), "source_x", Untrusted::Number(0.2));
+    let wanted = set(&wanted, "wind", Untrusted::Number(1.0));
     assert_eq!(
         export(&wanted),
         object(vec![
-            ("hearth", Raw::Number(2.0)),
-            ("values", object(vec![("wind", Raw::Number(1.0))])),
+            ("hearth", Untrusted::Number(2.0)),
+            ("values", object(vec![("wind", Untrusted::Number(1.0))])),
             ("objects", sources(&[&[("x", 0.2)]])),
         ])
     );
@@ -231,22 +241,29 @@ fn what_belongs_to_the_first_source_is_written_once() {
 #[test]
 fn objects_come_back_with_their_ids_and_without_them_the_settings_keep_theirs() {
     let two = set(
-        &Wanted::default(),
+        &Requested::default(),
         "objects",
         sources(&[&[("x", -0.3)], &[("power", 50.0)]]),
     );
-    let order = Order::AddObject(vec![
+    let object = &[
         ("kind".to_owned(), text("source")),
-        ("id".to_owned(), Raw::Number(7.0)),
-        ("width".to_owned(), Raw::Number(0.05)),
-    ]);
+        ("id".to_owned(), Untrusted::Number(7.0)),
+        ("width".to_owned(), Untrusted::Number(0.05)),
+    ];
+    let order = Command::AddObject {
+        object,
+        source: "test",
+    };
     let Some(Ok(three)) = two.after(&order) else {
         panic!("it was refused");
     };
-    let Some(Ok(fewer)) = three.after(&Order::RemoveObject(1)) else {
+    let Some(Ok(fewer)) = three.after(&Command::RemoveObject {
+        id: Whole(1),
+        source: "test",
+    }) else {
         panic!("it was refused");
     };
-    let none = set(&two, "objects", Raw::List(vec![]));
+    let none = set(&two, "objects", Untrusted::List(vec![]));
     for wanted in [&two, &three, &fewer, &none] {
         let back = imported(&export(wanted));
         assert_eq!(back.scene, wanted.scene, "{:?}", export(wanted));
@@ -257,10 +274,13 @@ fn objects_come_back_with_their_ids_and_without_them_the_settings_keep_theirs() 
 
 #[test]
 fn of_two_words_about_one_property_the_later_counts() {
-    let one = ("fuel_power".to_owned(), Raw::Number(100.0));
+    let one = ("fuel_power".to_owned(), Untrusted::Number(100.0));
     let other = ("objects".to_owned(), sources(&[&[("power", 50.0)]]));
     for (values, power) in [([one.clone(), other.clone()], 50.0), ([other, one], 100.0)] {
-        let set = Wanted::default().after(&Order::Set(values.to_vec()));
+        let set = Requested::default().after(&Command::Set {
+            values: &values,
+            source: "test",
+        });
         let Some(Ok(wanted)) = set else {
             panic!("{values:?} was refused");
         };
@@ -279,15 +299,15 @@ fn of_two_words_about_one_property_the_later_counts() {
 #[test]
 fn an_object_that_is_wrong_is_named_and_nothing_is_taken() {
     let far = sources(&[&[], &[("x", 9.0)]]);
-    let solid = Raw::List(vec![object(vec![("kind", text("solid"))])]);
+    let solid = Untrusted::List(vec![object(vec![("kind", text("solid"))])]);
     for (objects, named) in [
         (
-            Raw::Number(1.0),
+            Untrusted::Number(1.0),
             "objects = 1 is refused: it must be an array of objects",
         ),
         (
-            Raw::List(vec![Raw::Number(1.0)]),
-            "objects = 1 is refused: it must be an object",
+            Untrusted::List(vec![Untrusted::Number(1.0)]),
+            "objects[0].kind = \"undefined\" is refused: it must be source",
         ),
         (
             solid,
@@ -304,29 +324,44 @@ fn an_object_that_is_wrong_is_named_and_nothing_is_taken() {
     ] {
         let said = errors(&object(vec![("objects", objects.clone())]));
         assert!(said.len() == 1 && said[0].contains(named), "{said:?}");
-        let order = Order::Set(vec![
-            ("wind".to_owned(), Raw::Number(1.0)),
+        let values = &[
+            ("wind".to_owned(), Untrusted::Number(1.0)),
             ("objects".to_owned(), objects),
-        ]);
-        assert!(matches!(Wanted::default().after(&order), Some(Err(_))));
+        ];
+        let order = Command::Set {
+            values,
+            source: "test",
+        };
+        assert!(matches!(Requested::default().after(&order), Some(Err(_))));
     }
-    let order = Order::ChangeObject(1, vec![("x".to_owned(), text("far"))]);
-    let Some(Err(refused)) = Wanted::default().after(&order) else {
+    let order = Command::ChangeObject {
+        id: Whole(1),
+        values: &[("x".to_owned(), text("far"))],
+        source: "test",
+    };
+    let Some(Err(refused)) = Requested::default().after(&order) else {
         panic!("it was taken");
     };
     assert_eq!(refused[0].id, "objects[0].x");
     assert_eq!(refused[0].value, text("far"));
     assert_eq!(refused[0].range, Some((-3.0, 3.0)));
-    let order = Order::RemoveObject(9);
-    assert!(matches!(Wanted::default().after(&order), Some(Err(_))));
+    let order = Command::RemoveObject {
+        id: Whole(9),
+        source: "test",
+    };
+    assert!(matches!(Requested::default().after(&order), Some(Err(_))));
     let values = object(vec![("values", object(vec![("objects", sources(&[]))]))]);
     assert!(errors(&values)[0].contains("objects stand beside it"));
 }
 
 #[test]
 fn the_default_objects_are_one_source_with_the_values_of_the_settings() {
-    let wanted = set(&Wanted::default(), "source_x", Raw::Number(0.2));
+    let wanted = set(&Requested::default(), "source_x", Untrusted::Number(0.2));
     let two = set(&wanted, "objects", sources(&[&[], &[]]));
-    let order = Order::Restore(vec!["objects".to_owned()]);
+    let ids = &[text("objects")];
+    let order = Command::Restore {
+        ids,
+        source: "test",
+    };
     assert_eq!(two.after(&order), Some(Ok(wanted)));
 }

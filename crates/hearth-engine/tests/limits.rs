@@ -1,19 +1,21 @@
-//! How much a fire may draw, and what stirs it.
+//! Limits of what a fire draws, and the force of a pointer.
 
-use hearth_engine::limits::{Limit, Limits, PIXELS, RATES, Stir};
+use hearth_bindings::{Untrusted, Within};
+use hearth_engine::commands::Command;
+use hearth_engine::limits::Limits;
+use hearth_engine::pointer::PointerForce;
 use hearth_engine::quality::Level;
-use hearth_engine::raw::Raw;
 
-fn object(fields: &[(&str, Raw)]) -> Raw {
-    let named = fields
-        .iter()
-        .map(|(id, value)| ((*id).to_owned(), value.clone()));
-    Raw::Object(named.collect())
+const PIXELS: (f64, f64) = (1024.0, 16_777_216.0);
+
+fn fps(fps: f64) -> Limits {
+    let (fps, pixels) = (Some(fps), None);
+    Limits { fps, pixels }
 }
 
-fn limit(id: &str, value: Raw) -> Result<Limit, String> {
-    let id = ("id", Raw::Text(id.to_owned()));
-    Limit::parse(&object(&[id, ("value", value)])).map_err(|refused| refused.message)
+fn pixels(pixels: f64) -> Limits {
+    let (fps, pixels) = (None, Some(pixels));
+    Limits { fps, pixels }
 }
 
 /// Frames of a display of that rate that are drawn in ten seconds.
@@ -29,7 +31,7 @@ fn a_limited_fire_draws_about_as_often_as_it_may() {
     for display in [50.0, 60.0, 120.0, 144.0] {
         assert_eq!(drawn(Limits::default(), display), (10.0 * display) as u32);
         for fps in [10.0, 24.0, 30.0] {
-            let limits = Limits::default().with(Limit::Fps(Some(fps)));
+            let limits = self::fps(fps);
             let most = 10.0 * fps + 1.0;
             let got = f64::from(drawn(limits, display));
             assert!(
@@ -42,7 +44,7 @@ fn a_limited_fire_draws_about_as_often_as_it_may() {
 
 #[test]
 fn after_a_pause_nothing_is_made_up_for() {
-    let limits = Limits::default().with(Limit::Fps(Some(10.0)));
+    let limits = fps(10.0);
     let mut next = 0.0;
     assert!(limits.is_due(0.0, &mut next));
     assert!(limits.is_due(60_000.0, &mut next));
@@ -54,14 +56,12 @@ fn after_a_pause_nothing_is_made_up_for() {
 fn a_picture_keeps_its_shape_and_has_no_more_pixels_than_it_may() {
     for size in [(1920, 1080), (300, 4000), (1, 8192), (64, 64), (8192, 8192)] {
         for most in [PIXELS.0, 90_000.0, PIXELS.1] {
-            let (width, height) = Limits::default()
-                .with(Limit::Pixels(Some(most)))
-                .fit(size, Level::High.pixels());
-            let pixels = f64::from(width) * f64::from(height);
+            let (width, height) = pixels(most).fit(size, Level::High.pixels());
+            let drawn = f64::from(width) * f64::from(height);
             assert!(width > 0 && height > 0);
             assert!(
-                pixels <= most.max(f64::from(size.0.max(size.1))),
-                "{size:?}: {pixels}"
+                drawn <= most.max(f64::from(size.0.max(size.1))),
+                "{size:?}: {drawn}"
             );
             if f64::from(size.0) * f64::from(size.1) <= most {
                 assert_eq!((width, height), size);
@@ -81,61 +81,58 @@ fn where_nobody_limits_them_the_quality_does() {
         width * height
     });
     assert!(pixels.is_sorted_by(|a, b| a < b), "{pixels:?}");
-    let own = Limits::default().with(Limit::Pixels(Some(PIXELS.1)));
+    let own = self::pixels(PIXELS.1);
     assert_eq!(own.fit(screen, Level::Low.pixels()), screen);
 }
 
 #[test]
 fn a_limit_is_a_number_in_its_range_or_none() {
-    assert_eq!(
-        limit("fps_limit", Raw::Number(30.0)),
-        Ok(Limit::Fps(Some(30.0)))
-    );
-    assert_eq!(limit("max_pixels", Raw::Missing), Ok(Limit::Pixels(None)));
-    for (id, (min, max)) in [("fps_limit", RATES), ("max_pixels", PIXELS)] {
+    let limit = |id: &str, value: Untrusted| {
+        let arguments = [value];
+        let limit = Command::parse(&Untrusted::Text(id.to_owned()), &arguments);
+        limit.map(|limit| match limit {
+            Command::LimitFps { fps_limit } => fps_limit.map(|Within(fps)| fps),
+            Command::LimitPixels { max_pixels } => max_pixels.map(|Within(pixels)| pixels),
+            other => panic!("{other:?}"),
+        })
+    };
+    assert_eq!(limit("fps_limit", Untrusted::Number(30.0)), Ok(Some(30.0)));
+    assert_eq!(limit("max_pixels", Untrusted::Missing), Ok(None));
+    for (id, (min, max)) in [("fps_limit", (10.0, 240.0)), ("max_pixels", PIXELS)] {
+        for end in [min, max] {
+            assert_eq!(limit(id, Untrusted::Number(end)), Ok(Some(end)));
+        }
         for wrong in [
-            Raw::Number(min - 1.0),
-            Raw::Number(max + 1.0),
-            Raw::Number(f64::NAN),
-            Raw::Number(f64::INFINITY),
-            Raw::Text("fast".to_owned()),
-            Raw::Other("null"),
+            Untrusted::Number(min - 1.0),
+            Untrusted::Number(max + 1.0),
+            Untrusted::Number(f64::NAN),
+            Untrusted::Number(f64::INFINITY),
+            Untrusted::Text("fast".to_owned()),
+            Untrusted::Other("null"),
         ] {
-            let said = limit(id, wrong).err().unwrap_or_default();
-            assert!(
-                said.contains(id) && said.contains(&format!("from {min} to {max}")),
-                "{said}"
-            );
+            let error = limit(id, wrong).expect_err("it is refused");
+            let allowed = format!("must be a number from {min} to {max}");
+            assert!(error.message.ends_with(&allowed), "{error:?}");
+            assert_eq!((error.id.as_str(), error.range), (id, Some((min, max))));
         }
     }
-    assert!(limit("seed", Raw::Number(1.0)).is_err());
+    assert!(Command::parse(&Untrusted::Text("seed".to_owned()), &[]).is_err());
 }
 
 #[test]
-fn stirred_gas_is_carried_along_near_the_place_and_nowhere_else() {
-    let number = |x| Raw::Number(x);
-    let fields = [
-        ("x", number(0.1)),
-        ("y", number(0.5)),
-        ("u", number(2.0)),
-        ("v", number(0.0)),
-    ];
-    let stir = Stir::parse(&object(&fields));
-    let Ok(mut stir) = stir else {
-        panic!("{stir:?}");
-    };
-    assert!(stir.push([0.1, 0.5], [0.0; 2])[0] > 0.0);
+fn a_pointer_carries_the_gas_near_it_along_and_no_other() {
+    let mut force = PointerForce::new([0.1, 0.5], [2.0, 0.0]);
+    assert!(force.acceleration([0.1, 0.5], [0.0; 2])[0] > 0.0);
     assert_eq!(
-        stir.push([0.1, 0.5], [2.0, 0.0]),
+        force.acceleration([0.1, 0.5], [2.0, 0.0]),
         [0.0; 2],
         "as fast as the pointer"
     );
-    assert_eq!(stir.push([0.5, 0.5], [0.0; 2]), [0.0; 2], "far away");
-    assert!(stir.lasts(0.001));
-    assert!(!stir.lasts(1.0), "it ends");
-    for (at, wrong) in [f64::NAN, f64::INFINITY, 1e30].into_iter().enumerate() {
-        let mut fields = fields.clone();
-        fields[at].1 = number(wrong);
-        assert!(Stir::parse(&object(&fields)).is_err());
-    }
+    assert_eq!(
+        force.acceleration([0.5, 0.5], [0.0; 2]),
+        [0.0; 2],
+        "far away"
+    );
+    assert!(force.lasts(0.001));
+    assert!(!force.lasts(1.0), "it ends");
 }

@@ -1,17 +1,13 @@
 //! One simulation, as `web/sim.js` holds it.
 
-use hearth_core::params::{PARAMETERS, ParamError, Value};
-use hearth_core::{Parameters, Simulation};
-use js_sys::{Array, Object, RangeError};
+use hearth_bindings::{Record, Untrusted, ValidationError, settings};
+use hearth_core::params::PARAMETERS;
+use hearth_core::{Scene, Simulation};
+use js_sys::Array;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::particles;
-use crate::refusal::{self, Sent};
-use crate::start;
-
-/// The id of the model, which decides what other ids mean.
-const MODEL: &str = "model";
 
 /// A simulation. Arrays of its particles are copies, in the order of birth.
 #[wasm_bindgen]
@@ -27,11 +23,15 @@ impl Fire {
     /// An unknown preset, or a value that is refused.
     #[wasm_bindgen(constructor)]
     pub fn new(preset: Option<String>, ids: Array, values: Array) -> Result<Fire, JsValue> {
-        let parameters = start::of_preset(preset.as_deref())
-            .map_err(|message| refusal::of_field("preset", preset.as_deref().into(), &message))?;
-        let parameters = with_values(&parameters, &ids, &values)?;
+        let scene = match preset {
+            Some(name) => settings::preset(&name)
+                .map_err(|error| thrown(vec![error]))?
+                .scene(),
+            None => Scene::default(),
+        };
+        let scene = settings::with_values(&scene, &columns(&ids, &values)).map_err(thrown)?;
         Ok(Fire {
-            simulation: Simulation::new(parameters),
+            simulation: Simulation::new(scene),
         })
     }
 
@@ -71,52 +71,54 @@ impl Fire {
         self.simulation.step_length()
     }
 
-    /// The value of one parameter.
-    ///
-    /// # Errors
-    /// An unknown id.
-    pub fn get(&self, id: String) -> Result<JsValue, JsValue> {
+    /// Puts the value of the parameter of that id into an object; without an id, all. An
+    /// unknown id puts nothing.
+    pub fn get(&self, into: &Record, id: Option<String>) {
         let parameters = self.simulation.parameters();
-        if let Some(value) = parameters.get(&id) {
-            return Ok(plain(value));
-        }
-        // What is unknown cannot be restored either, and that says it in words.
-        with_defaults(parameters, &Array::of1(&id.into())).map(|_| JsValue::UNDEFINED)
-    }
-
-    /// All values, by id.
-    #[wasm_bindgen(getter)]
-    pub fn params(&self) -> Object {
-        let object = Object::new();
         for param in PARAMETERS {
-            let value = param.get(self.simulation.parameters());
-            refusal::put(&object, param.id, &plain(value));
+            if id.as_ref().is_none_or(|id| param.id == id) {
+                into.set_value(param.id, param.get(parameters));
+            }
         }
-        object
     }
 
-    /// Sets these, all or none.
+    /// Sets these, all or none. Without values, puts them back to their defaults, or all
+    /// where there are no ids.
     ///
     /// # Errors
-    /// Every value that is refused.
-    pub fn set(&mut self, ids: Array, values: Array) -> Result<(), JsValue> {
-        let parameters = with_values(self.simulation.parameters(), &ids, &values)?;
-        self.simulation.set_parameters(parameters);
-        Ok(())
-    }
-
-    /// Puts these back to their defaults, all or none; without ids, all values.
-    ///
-    /// # Errors
-    /// Every id that is unknown.
-    pub fn restore(&mut self, ids: Array) -> Result<(), JsValue> {
-        let parameters = if ids.length() == 0 {
-            Parameters::default()
-        } else {
-            with_defaults(self.simulation.parameters(), &ids)?
+    /// Every value that is refused and every id that is unknown.
+    pub fn set(&mut self, ids: Array, values: Option<Array>) -> Result<(), JsValue> {
+        let old = self.simulation.scene();
+        let changed = match values {
+            Some(values) => settings::with_values(old, &columns(&ids, &values)),
+            None if ids.length() == 0 => Ok(Scene::default()),
+            None => settings::with_defaults(old, &columns(&ids, &Array::new())),
         };
-        self.simulation.set_parameters(parameters);
+        self.simulation.set_scene(changed.map_err(thrown)?);
         Ok(())
+    }
+
+    /// The objects, each with its kind, its id and its properties.
+    #[wasm_bindgen(getter)]
+    pub fn objects(&self) -> JsValue {
+        settings::objects(self.simulation.scene(), None).to_js()
+    }
+
+    /// Changes the object of that id or, without an id, adds one and returns its id;
+    /// without properties, removes it.
+    ///
+    /// # Errors
+    /// There is no such object, or every property that is refused.
+    #[wasm_bindgen(js_name = setObject)]
+    pub fn set_object(&mut self, id: Option<u32>, object: JsValue) -> Result<u32, JsValue> {
+        let object = Untrusted::of(&object);
+        let fields = (!object.is_missing()).then(|| object.fields());
+        let scene = self.simulation.scene();
+        let scene = settings::with_object(scene, id, fields).map_err(thrown)?;
+        let last = scene.objects().last();
+        let last = last.map_or(0, |(id, ..)| id);
+        self.simulation.set_scene(scene);
+        Ok(last)
     }
 
     /// The numbers by which particles are known from step to step.
@@ -129,23 +131,6 @@ impl Fire {
         particles::property(&self.simulation, name)
     }
 
-    /// All numbers of each ember; see [`particles::embers`].
-    pub fn embers(&self) -> Vec<f32> {
-        particles::embers(self.simulation.embers())
-    }
-
-    /// Refuses what is far too many particles, before they are copied.
-    ///
-    /// # Errors
-    /// More than [`particles::MOST`].
-    #[wasm_bindgen(js_name = checkCount)]
-    pub fn check_count(&self, count: f64) -> Result<(), JsValue> {
-        if count > particles::MOST as f64 {
-            return Err(RangeError::new(particles::TOO_MANY).into());
-        }
-        Ok(())
-    }
-
     /// Puts these particles, [`particles::NUMBERS`] each, in the place of all.
     ///
     /// # Errors
@@ -154,58 +139,30 @@ impl Fire {
     pub fn set_particles(&mut self, numbers: &[f32]) -> Result<(), JsValue> {
         let particles = particles::particles(numbers);
         let set = self.simulation.set_particles(&particles);
-        set.map_err(|error| refusal::of_particles(&error))
-    }
-}
-
-fn with_values(
-    parameters: &Parameters,
-    ids: &Array,
-    values: &Array,
-) -> Result<Parameters, JsValue> {
-    let mut new = parameters.clone();
-    let ids = texts(ids);
-    let sent: Vec<Sent> = values.iter().map(|value| Sent::of(&value)).collect();
-    let inputs = ids.iter().zip(&sent);
-    new.set_all(inputs.map(|(id, sent)| (id.as_str(), sent.input())))
-        .map(|()| new)
-        .map_err(|errors| {
-            refusal::of_values(&errors, &|id| {
-                // The error shortens the name of an unknown id.
-                let at = ids.iter().position(|sent| sent == id);
-                at.map_or(JsValue::UNDEFINED, |at| values.get(at as u32))
-            })
+        set.map_err(|refused| {
+            let error = Record::new();
+            error.set_text("message", &refused.to_string());
+            if let Some(index) = refused.index {
+                error.set_number("index", index as f64);
+            }
+            Array::of1(&error).into()
         })
-}
-
-fn texts(ids: &Array) -> Vec<String> {
-    ids.iter().filter_map(|id| id.as_string()).collect()
-}
-
-/// The model comes first, wherever it stands: it decides about the other defaults.
-fn with_defaults(parameters: &Parameters, ids: &Array) -> Result<Parameters, JsValue> {
-    let ids = texts(ids);
-    let mut new = parameters.clone();
-    let mut refused: Vec<ParamError> = Vec::new();
-    for models in [true, false] {
-        for id in ids.iter().filter(|&id| (id == MODEL) == models) {
-            refused.extend(new.restore(id).err());
-        }
-    }
-    if refused.is_empty() {
-        Ok(new)
-    } else {
-        Err(refusal::of_values(&refused, &|_| JsValue::UNDEFINED))
     }
 }
 
-/// A value as JavaScript has it.
-fn plain(value: Value) -> JsValue {
-    match value {
-        Value::Flag(on) => on.into(),
-        _ => match value.as_number() {
-            Some(number) => number.into(),
-            None => value.to_string().into(),
-        },
+/// Values by their ids, from two arrays. A value that is not there is missing.
+fn columns(ids: &Array, values: &Array) -> Vec<(String, Untrusted)> {
+    let mut pairs = Vec::new();
+    for at in 0..ids.length() {
+        let id = ids.get(at).as_string().unwrap_or_default();
+        pairs.push((id, Untrusted::of(&values.get(at))));
     }
+    pairs
+}
+
+/// Errors as `web/sim.js` takes them, which makes a `RangeError` of them.
+// Its callers would each free the errors.
+#[inline(never)]
+fn thrown(errors: Vec<ValidationError>) -> JsValue {
+    ValidationError::to_array(&errors).into()
 }

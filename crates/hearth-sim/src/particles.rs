@@ -7,11 +7,11 @@ use hearth_core::{Ember, Particle, Simulation, Vec2};
 /// oxygen, soot. `web/sim.js` puts them in this order.
 pub const NUMBERS: usize = 10;
 
-/// Most particles that the core takes in either model: more are refused before
-/// anybody copies them.
+/// Most particles that the core takes in either model. `web/sim.js` refuses more before it
+/// copies them, in the same words.
 pub const MOST: usize = 400_000;
 
-/// What is said of more of them.
+/// The error of more of them.
 pub const TOO_MANY: &str = "the particles are refused: there may be 400000 of them at most";
 
 /// The particles that these numbers are, unchecked; an incomplete last one is not
@@ -35,8 +35,9 @@ pub fn particles(numbers: &[f32]) -> Vec<Particle> {
         .collect()
 }
 
-/// One property of all particles, in the order of birth, by its name in
-/// JavaScript; vectors are x and y of each. Nothing where there is none of that name.
+/// One property of all particles, in the order of birth, by its name in JavaScript;
+/// vectors are x and y of each. `embers` gives all numbers of each ember. Any other name
+/// gives nothing.
 pub fn property(simulation: &Simulation, name: &str) -> Vec<f32> {
     match name {
         "positions" => pairs(simulation.positions()),
@@ -50,6 +51,7 @@ pub fn property(simulation: &Simulation, name: &str) -> Vec<f32> {
         "oxygen" => simulation.oxygens(),
         "soot" => simulation.soots(),
         "burnRates" => simulation.burn_rates(),
+        "embers" => embers(simulation.embers()),
         _ => Vec::new(),
     }
 }
@@ -70,7 +72,7 @@ fn lifetimes(simulation: &Simulation) -> Vec<f32> {
 }
 
 /// Numbers of every ember: position, velocity, temperature, size, age, lifetime.
-pub fn embers(embers: &[Ember]) -> Vec<f32> {
+fn embers(embers: &[Ember]) -> Vec<f32> {
     embers
         .iter()
         .flat_map(|ember| {

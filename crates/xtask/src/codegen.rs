@@ -15,6 +15,7 @@ mod json;
 mod markdown;
 mod rust;
 mod scene;
+mod stats;
 mod typescript;
 
 use std::path::Path;
@@ -51,6 +52,7 @@ pub fn generate() -> Result<Vec<Generated>> {
         ("web/generated/between.js", javascript::between()),
         ("web/generated/objects.js", javascript::objects()),
         ("web/parameters.d.ts", typescript::declarations(&scenes)),
+        ("docs/element.md", stats::page()?),
         ("docs/parameters.md", markdown::reference()),
         ("docs/scenes.md", gallery::page(&scenes)),
     ];

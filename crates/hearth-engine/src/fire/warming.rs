@@ -1,28 +1,28 @@
-//! A new fire that burns before it is shown, and how many particles it burns with.
+//! A new fire that burns before it is shown, and its number of particles.
 
 use hearth_core::Scene;
 
 use super::Fire;
-use crate::outbox::Outbox;
+use crate::events::Events;
 use crate::quality::Level;
 
 impl Fire {
-    /// How long a new fire burns before it is shown; the answer to `request` follows when
-    /// it is, or nobody looks.
-    pub fn warm(&mut self, seconds: Option<f64>, request: Option<f64>) {
+    /// Sets how long a new fire burns before it is shown. The answer to `request` follows
+    /// when it is shown, or when nobody looks.
+    pub fn warm(&mut self, seconds: Option<f64>, request: u32) {
         if let Some(seconds) = seconds {
             self.warm.set(seconds);
         }
-        self.asked.add(0, 0.0, request);
+        self.pending.add(0, 0.0, request);
     }
 
-    /// A new fire is to begin, which burns before it is shown.
-    pub(super) fn begin(&mut self, out: &mut Outbox) {
+    /// Begins a new fire, which burns before it is shown.
+    pub(super) fn begin(&mut self, events: &Events) {
         self.begins = true;
         self.stale = true;
         self.restart_clock();
         if self.begun {
-            out.warming(self.id);
+            events.warming(self.id);
         }
     }
 
@@ -31,16 +31,16 @@ impl Fire {
         self.begins || self.warm.is_on()
     }
 
-    /// The values that it is to burn with at its level and size.
+    /// The scene at its level and size.
     pub(super) fn scene(&self) -> Scene {
-        self.wanted.at(self.particles(self.quality.level()))
+        self.requested.at(self.particles(self.quality.level()))
     }
 
-    /// Its particles at that level, where nobody set their number.
+    /// Its number of particles at that level, where a page did not set it.
     pub(super) fn particles(&self, level: Level) -> u32 {
         let exact = self.quality.wish().is_some();
-        if self.wanted.follows_scene() {
-            let number = self.wanted.parameters().max_particles;
+        if self.requested.follows_scene() {
+            let number = self.requested.parameters().max_particles;
             if exact {
                 number
             } else {
@@ -53,17 +53,17 @@ impl Fire {
         }
     }
 
-    /// What its number of particles follows from, in words; empty: somebody set it.
-    pub(super) fn follows(&self) -> &'static str {
+    /// What its number of particles follows from, in words; empty: a page set it.
+    pub(crate) fn limited_by(&self) -> &'static str {
         let level = self.quality.level();
-        if self.wanted.follows_scene() {
-            let number = self.wanted.parameters().max_particles;
+        if self.requested.follows_scene() {
+            let number = self.requested.parameters().max_particles;
             if self.particles(level) < number {
                 "size"
             } else {
                 ""
             }
-        } else if !self.wanted.follows_level() {
+        } else if !self.requested.follows_level() {
             ""
         } else if self.particles(level) < level.particles() {
             "size"

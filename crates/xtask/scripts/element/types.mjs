@@ -13,9 +13,9 @@ const HEADER = `\
 const NAMES = {
   './element/types.js': [
     'HearthChangeDetail', 'HearthConfig', 'HearthErrorDetail', 'HearthObjectsDetail', 'HearthPoint', 'HearthQuality', 'HearthQualityDetail',
-    'HearthStats', 'HearthTransition',
+    'HearthTransition',
   ],
-  './parameters.js': ['HearthObject', 'HearthParameters', 'HearthProperties', 'ParameterId', 'PresetName'],
+  './parameters.js': ['HearthObject', 'HearthParameters', 'HearthProperties', 'HearthStats', 'ParameterId', 'PresetName'],
 };
 
 /** @param {Element} element */

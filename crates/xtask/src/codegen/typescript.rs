@@ -9,7 +9,7 @@ use hearth_core::params::{Choice, Domain, Kind, Model, PARAMETERS, Param};
 use hearth_core::scene::KINDS;
 
 use super::scene::Scene;
-use super::{domains, json_string, json_value, property};
+use super::{domains, json_string, json_value, property, stats};
 
 const HEADER: &str = "\
 // Generated from the parameter table of hearth-core by `cargo xtask codegen`;
@@ -108,6 +108,7 @@ pub(super) fn declarations(scenes: &[Scene]) -> String {
     interface(&mut text, "HearthProperties", |param| property(param.id));
     objects(&mut text);
     text.push_str(TABLE);
+    text.push_str(&stats::interface());
     text
 }
 

@@ -7,7 +7,8 @@ use crate::{process, tools};
 /// Crates that are libraries for other people.
 const LIBRARIES: [&str; 2] = ["hearth-core", "hearth-render"];
 /// Crates with code that only a browser runs.
-const FOR_THE_BROWSER: [&str; 5] = [
+const FOR_THE_BROWSER: [&str; 6] = [
+    "hearth-bindings",
     "hearth-engine",
     "hearth-sim",
     "hearth-panel",

@@ -1,0 +1,198 @@
+//! Untrusted values and objects applied to a scene.
+
+use hearth_core::params::{Input, ParamError, Parameters};
+use hearth_core::preset::{PRESETS, Preset};
+use hearth_core::scene::{Fields, Scene};
+
+use crate::check::one_of;
+use crate::{Untrusted, ValidationError, Values};
+
+/// The id of the model.
+const MODEL: &str = "model";
+
+/// The name of the list of objects among values.
+pub const OBJECTS: &str = "objects";
+
+/// What a list of objects must be.
+const A_LIST: &str = "an array of objects, each with a kind and its properties";
+
+/// `scene` with these values, all of them or none. `objects` among them replaces the
+/// objects; of it and a parameter of the first source the later one counts.
+///
+/// # Errors
+/// Every value that is refused.
+pub fn with_values(scene: &Scene, values: Values<'_>) -> Result<Scene, Vec<ValidationError>> {
+    changed(scene, values, false)
+}
+
+/// `scene` with the default values of the ids of these values, all of them or none;
+/// `objects` stands for the objects.
+///
+/// # Errors
+/// Every id that is unknown.
+pub fn with_defaults(scene: &Scene, values: Values<'_>) -> Result<Scene, Vec<ValidationError>> {
+    changed(scene, values, true)
+}
+
+#[inline(never)]
+fn changed(
+    scene: &Scene,
+    values: Values<'_>,
+    to_defaults: bool,
+) -> Result<Scene, Vec<ValidationError>> {
+    let mut new = scene.clone();
+    let mut errors = Vec::new();
+    change(&mut new, values, to_defaults, &mut errors);
+    if errors.is_empty() {
+        Ok(new)
+    } else {
+        Err(errors)
+    }
+}
+
+/// Sets those of these values that are good and adds an error for each other one.
+pub fn set_good(scene: &mut Scene, values: Values<'_>, errors: &mut Vec<ValidationError>) {
+    change(scene, values, false, errors);
+}
+
+/// Changes the model first, because it decides which values and defaults the others have.
+#[inline(never)]
+fn change(
+    scene: &mut Scene,
+    values: Values<'_>,
+    to_defaults: bool,
+    errors: &mut Vec<ValidationError>,
+) {
+    let mut settings = scene.settings().clone();
+    for of_model in [true, false] {
+        for (id, value) in values {
+            if (id == MODEL) != of_model {
+                continue;
+            }
+            if id == OBJECTS {
+                scene.set_settings(settings);
+                if to_defaults {
+                    *scene = Scene::new(scene.settings().clone());
+                } else {
+                    replace(scene, value, errors);
+                }
+                settings = scene.settings().clone();
+                continue;
+            }
+            let changed = if to_defaults {
+                settings.restore(id)
+            } else {
+                settings.set(id, value.input())
+            };
+            if let Err(error) = changed {
+                errors.push(ValidationError::of_parameter(&error, value));
+            }
+        }
+    }
+    scene.set_settings(settings);
+}
+
+/// Replaces all objects, or none.
+fn replace(scene: &mut Scene, list: &Untrusted, errors: &mut Vec<ValidationError>) {
+    let Untrusted::List(list) = list else {
+        return errors.push(ValidationError::new(OBJECTS, list, A_LIST));
+    };
+    let sent: Vec<_> = list.iter().map(|one| fields(one.fields())).collect();
+    let sent: Vec<&Fields<'_>> = sent.iter().map(Vec::as_slice).collect();
+    if let Err(refused) = scene.replace(&sent) {
+        errors.extend(refused.iter().map(|error| {
+            let fields = list.iter().flat_map(Untrusted::fields);
+            of_object(error, &mut fields.into_iter())
+        }));
+    }
+}
+
+/// `scene` with other properties of the object of that id or, without an id, with another
+/// object; without fields, it is removed.
+///
+/// # Errors
+/// There is no such object, or every field that is refused.
+pub fn with_object(
+    scene: &Scene,
+    id: Option<u32>,
+    sent: Option<Values<'_>>,
+) -> Result<Scene, Vec<ValidationError>> {
+    let mut new = scene.clone();
+    let values = sent.unwrap_or_default();
+    let fields = fields(values);
+    let done = match (id, sent) {
+        (None, _) => new.add(&fields).map(|_| ()),
+        (Some(id), Some(_)) => new.change(id, &fields),
+        (Some(id), None) => new.remove(id),
+    };
+    match done {
+        Ok(()) => Ok(new),
+        Err(refused) => {
+            let errors = refused.iter();
+            Err(errors
+                .map(|error| of_object(error, &mut values.iter()))
+                .collect())
+        }
+    }
+}
+
+/// The objects of a scene as data. `from`, where it is given, is the settings that the
+/// first one starts from: then only what differs from these or, of others, from the
+/// defaults is there, and ids only where they would be other ones without.
+pub fn objects(scene: &Scene, from: Option<&Parameters>) -> Untrusted {
+    let counted = |(index, (id, ..)): (usize, (u32, _, _))| id as usize == index + 1;
+    let with_ids = from.is_none() || !scene.objects().enumerate().all(counted);
+    let mut defaults = None;
+    let list = scene.objects().enumerate();
+    let list = list.map(|(index, (id, kind, values))| {
+        let mut fields = vec![Untrusted::named("kind", Untrusted::Text(kind.name.into()))];
+        if with_ids {
+            fields.push(Untrusted::named("id", Untrusted::Number(id.into())));
+        }
+        let model = values.model();
+        let from = match index {
+            0 => from,
+            _ => from.map(|_| &*defaults.get_or_insert_with(|| Parameters::new(model))),
+        };
+        for property in kind.properties {
+            if let Some(param) = property.param(model) {
+                let value = param.get(values);
+                if from.is_none_or(|from| param.get(from) != value) {
+                    fields.push(Untrusted::named(property.name, Untrusted::of_value(value)));
+                }
+            }
+        }
+        Untrusted::Object(fields)
+    });
+    Untrusted::List(list.collect())
+}
+
+#[inline(never)]
+fn fields<'a>(values: Values<'a>) -> Vec<(&'a str, Input<'a>)> {
+    let fields = values.iter();
+    fields
+        .map(|(name, value)| (name.as_str(), value.input()))
+        .collect()
+}
+
+/// The error of an object's field, with the value that was sent for it.
+#[inline(never)]
+fn of_object(
+    error: &ParamError,
+    sent: &mut dyn Iterator<Item = &(String, Untrusted)>,
+) -> ValidationError {
+    let mut named = sent.filter(|(field, _)| error.id.ends_with(field.as_str()));
+    let value = named.find(|(_, value)| value.input().to_string() == error.value);
+    ValidationError::of_parameter(error, value.map_or(&Untrusted::Missing, |(_, value)| value))
+}
+
+/// The preset of that name.
+///
+/// # Errors
+/// There is no preset of that name; the message names all that there are.
+pub fn preset(name: &str) -> Result<&'static Preset, ValidationError> {
+    Preset::find(name).ok_or_else(|| {
+        let mut names = PRESETS.iter().map(|preset| preset.name);
+        one_of("preset", &Untrusted::Text(name.into()), &mut names)
+    })
+}

@@ -1,0 +1,273 @@
+//! Values from JavaScript, copied before anything is believed.
+//!
+//! Scripts copy what a page gives them into plain data first (`postable` in
+//! `web/requests.js`, `columns` in `web/sim.js`), so no getter of a page runs while wasm
+//! does. Here the plain data becomes a tree in Rust, which needs no browser to be checked.
+
+use hearth_core::params::{Input, Value};
+use js_sys::{Array, Object, Uint8Array};
+use wasm_bindgen::{JsCast, JsValue};
+
+use crate::Record;
+
+/// Deepest nesting of lists and objects.
+const DEEPEST: u32 = 6;
+
+/// Most elements of a list and fields of an object; far more than there are parameters.
+const LONGEST: u32 = 1000;
+
+/// Longest text in bytes.
+const LONGEST_TEXT: usize = 1000;
+
+/// Most bytes of a saved fire.
+const LONGEST_BYTES: u32 = 65_536;
+
+/// Values by their ids, in the order in which they were sent.
+pub type Values<'a> = &'a [(String, Untrusted)];
+
+/// Ids: texts, once they are checked.
+pub type Ids<'a> = &'a [Untrusted];
+
+/// A value as JavaScript sent it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Untrusted {
+    /// `undefined`.
+    Missing,
+    /// A number, not necessarily a finite one.
+    Number(f64),
+    /// A text.
+    Text(String),
+    /// True or false.
+    Flag(bool),
+    /// An array.
+    List(Vec<Untrusted>),
+    /// Bytes.
+    Bytes(Vec<u8>),
+    /// An object's own fields.
+    Object(Vec<(String, Untrusted)>),
+    /// Anything else, in words.
+    Other(&'static str),
+}
+
+impl Untrusted {
+    /// Copies a number, a text or a flag. Everything else is missing.
+    pub fn scalar(value: &JsValue) -> Untrusted {
+        if let Some(number) = value.as_f64() {
+            return Untrusted::Number(number);
+        }
+        if let Some(text) = value.as_string() {
+            return if text.len() > LONGEST_TEXT {
+                Untrusted::Other("a text of more than a thousand letters")
+            } else {
+                Untrusted::Text(text)
+            };
+        }
+        value.as_bool().map_or(Untrusted::Missing, Untrusted::Flag)
+    }
+
+    /// Copies plain data with its lists and objects.
+    pub fn of(value: &JsValue) -> Untrusted {
+        Untrusted::at_depth(value, 0)
+    }
+
+    fn at_depth(value: &JsValue, depth: u32) -> Untrusted {
+        let scalar = Untrusted::scalar(value);
+        if !scalar.is_missing() || value.is_undefined() {
+            return scalar;
+        }
+        if value.is_null() {
+            return Untrusted::Other("null");
+        }
+        if !value.is_object() || depth == DEEPEST {
+            return Untrusted::Other("an object");
+        }
+        if let Some(bytes) = value.dyn_ref::<Uint8Array>() {
+            return if bytes.length() > LONGEST_BYTES {
+                Untrusted::Other("more than 64 KiB")
+            } else {
+                Untrusted::Bytes(bytes.to_vec())
+            };
+        }
+        let is_list = Array::is_array(value);
+        let elements = if is_list {
+            value.unchecked_ref::<Array>()
+        } else {
+            &Object::entries(value.unchecked_ref())
+        };
+        let length = elements.length();
+        if length > LONGEST {
+            return Untrusted::Other("more than a thousand elements");
+        }
+        let copy = |of: &Array, at| Untrusted::at_depth(&of.get(at), depth + 1);
+        if is_list {
+            return Untrusted::List((0..length).map(|at| copy(elements, at)).collect());
+        }
+        let fields = (0..length).map(|at| {
+            let field: Array = elements.get(at).unchecked_into();
+            (
+                field.get(0).as_string().unwrap_or_default(),
+                copy(&field, 1),
+            )
+        });
+        Untrusted::Object(fields.collect())
+    }
+
+    /// A field of that name.
+    #[inline(never)]
+    pub fn named(name: &str, value: Untrusted) -> (String, Untrusted) {
+        (name.to_owned(), value)
+    }
+
+    /// A checked value.
+    #[inline(never)]
+    pub fn of_value(value: Value) -> Untrusted {
+        match value {
+            Value::Flag(on) => Untrusted::Flag(on),
+            _ => match value.as_number() {
+                Some(number) => Untrusted::Number(number),
+                None => Untrusted::Text(value.to_string()),
+            },
+        }
+    }
+
+    /// The same value in JavaScript.
+    pub fn to_js(&self) -> JsValue {
+        match self {
+            Untrusted::Missing => JsValue::UNDEFINED,
+            Untrusted::Number(number) => (*number).into(),
+            Untrusted::Text(text) => text.as_str().into(),
+            Untrusted::Flag(on) => (*on).into(),
+            Untrusted::List(list) => list.iter().map(Untrusted::to_js).collect::<Array>().into(),
+            Untrusted::Object(fields) => {
+                let record = Record::new();
+                for (name, value) in fields {
+                    record.set_any(name, &value.to_js());
+                }
+                record.into()
+            }
+            Untrusted::Bytes(_) => "an array".into(),
+            Untrusted::Other(words) => (*words).into(),
+        }
+    }
+
+    /// Whether there is no value.
+    pub fn is_missing(&self) -> bool {
+        matches!(self, Untrusted::Missing)
+    }
+
+    /// The fields of an object; none of everything else.
+    #[inline(never)]
+    pub fn fields(&self) -> Values<'_> {
+        match self {
+            Untrusted::Object(fields) => fields,
+            _ => &[],
+        }
+    }
+
+    /// The elements of a list; none of everything else.
+    pub fn list(&self) -> &[Untrusted] {
+        match self {
+            Untrusted::List(elements) => elements,
+            _ => &[],
+        }
+    }
+
+    /// The field of that name; [`Untrusted::Missing`] where there is none.
+    #[inline(never)]
+    pub fn field(&self, name: &str) -> &Untrusted {
+        self.fields()
+            .iter()
+            .find(|(known, _)| known == name)
+            .map_or(&Untrusted::Missing, |(_, value)| value)
+    }
+
+    /// The bytes; none of everything else.
+    pub fn bytes(&self) -> &[u8] {
+        match self {
+            Untrusted::Bytes(bytes) => bytes,
+            _ => &[],
+        }
+    }
+
+    /// The value as an error has it: a number, a text or a flag, and words for everything
+    /// else.
+    pub fn summary(&self) -> Untrusted {
+        match self {
+            Untrusted::Missing => Untrusted::Missing,
+            Untrusted::Number(number) => Untrusted::Number(*number),
+            Untrusted::Flag(on) => Untrusted::Flag(*on),
+            Untrusted::Text(text) => Untrusted::Text(text.clone()),
+            Untrusted::List(_) | Untrusted::Bytes(_) => Untrusted::Other("an array"),
+            Untrusted::Object(_) => Untrusted::Other("an object"),
+            Untrusted::Other(words) => Untrusted::Other(words),
+        }
+    }
+
+    /// The number; NaN for everything else.
+    #[inline(never)]
+    pub fn number(&self) -> f64 {
+        match *self {
+            Untrusted::Number(number) => number,
+            _ => f64::NAN,
+        }
+    }
+
+    /// The text; empty for everything else.
+    #[inline(never)]
+    pub fn text(&self) -> &str {
+        match self {
+            Untrusted::Text(text) => text,
+            _ => "",
+        }
+    }
+
+    /// The value as the table of parameters takes it. A value that is no number, text or
+    /// flag becomes words that every parameter refuses.
+    pub fn input(&self) -> Input<'_> {
+        match self {
+            Untrusted::Number(number) => Input::Number(*number),
+            Untrusted::Flag(on) => Input::Flag(*on),
+            Untrusted::Text(text) => Input::Text(text),
+            Untrusted::Missing => Input::Text("undefined"),
+            Untrusted::List(_) | Untrusted::Bytes(_) => Input::Text("an array"),
+            Untrusted::Object(_) => Input::Text("an object"),
+            Untrusted::Other(words) => Input::Text(words),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hearth_core::Parameters;
+    use hearth_core::params::PARAMETERS;
+
+    #[test]
+    fn every_parameter_refuses_what_is_not_a_value() {
+        let strange = [
+            Untrusted::Missing,
+            Untrusted::Number(f64::NAN),
+            Untrusted::Number(f64::INFINITY),
+            Untrusted::List(vec![Untrusted::Number(1.0)]),
+            Untrusted::Object(vec![]),
+            Untrusted::Bytes(vec![1]),
+            Untrusted::Other("null"),
+        ];
+        for param in PARAMETERS {
+            for value in &strange {
+                let mut parameters = Parameters::default();
+                let set = parameters.set(param.id, value.input());
+                assert!(set.is_err(), "{} = {value:?}", param.id);
+            }
+        }
+    }
+
+    #[test]
+    fn only_objects_have_fields() {
+        let object = Untrusted::Object(vec![("fire".into(), Untrusted::Number(1.0))]);
+        assert_eq!(object.field("fire"), &Untrusted::Number(1.0));
+        assert_eq!(object.field("canvas"), &Untrusted::Missing);
+        let text = Untrusted::Text("fire".into());
+        assert_eq!(text.field("fire"), &Untrusted::Missing);
+    }
+}

@@ -1,0 +1,66 @@
+//! Steps that a script requested, apart from those that are due by the clock.
+
+/// A request for so many steps, or for as many as so much fire needs.
+pub struct StepRequest {
+    request: u32,
+    steps: u32,
+    seconds: f64,
+}
+
+impl StepRequest {
+    fn is_open(&self) -> bool {
+        self.steps > 0 || self.seconds > 0.0
+    }
+
+    /// Counts a step of `length` seconds.
+    pub fn take(&mut self, length: f64) {
+        self.steps = self.steps.saturating_sub(1);
+        self.seconds -= length;
+    }
+}
+
+/// The requests of a fire, the oldest first.
+#[derive(Default)]
+pub struct Pending {
+    open: Vec<StepRequest>,
+    /// Requests whose steps are made and not drawn yet.
+    made: Vec<u32>,
+}
+
+impl Pending {
+    /// Adds a request, which is answered when its steps are made and drawn.
+    pub fn add(&mut self, steps: u32, seconds: f64, request: u32) {
+        self.open.push(StepRequest {
+            request,
+            steps,
+            seconds,
+        });
+    }
+
+    /// Whether no steps remain to be made. Some may still have to be drawn.
+    pub fn is_empty(&self) -> bool {
+        self.open.is_empty()
+    }
+
+    /// Whether steps are made and not drawn yet.
+    pub fn waits(&self) -> bool {
+        !self.made.is_empty()
+    }
+
+    /// The request that the next step is for.
+    pub fn next_open(&mut self) -> Option<&mut StepRequest> {
+        self.open.iter_mut().find(|request| request.is_open())
+    }
+
+    /// Closes the requests whose steps are made.
+    pub fn close(&mut self) {
+        while self.open.first().is_some_and(|first| !first.is_open()) {
+            self.made.push(self.open.remove(0).request);
+        }
+    }
+
+    /// The requests to answer now.
+    pub fn answers(&mut self) -> Vec<u32> {
+        std::mem::take(&mut self.made)
+    }
+}

@@ -1,0 +1,201 @@
+//! What a fire burns with: the requested settings, and the level's number of particles.
+
+use hearth_bindings::{Argument, Untrusted};
+use hearth_core::Simulation;
+use hearth_core::params::Model;
+use hearth_engine::commands::{Command, Start};
+use hearth_engine::quality::Level;
+use hearth_engine::requested::{Requested, adapt};
+
+type Sent = Vec<(String, Untrusted)>;
+
+/// A change of settings.
+enum Change {
+    Set(Sent),
+    Restore(&'static str),
+    Preset(&'static str),
+}
+
+fn at_first(start: &Start<'_>) -> Requested {
+    let (requested, errors) = Requested::at_first(start);
+    assert_eq!(errors, []);
+    requested
+}
+
+fn sent<const N: usize>(values: [(&str, Untrusted); N]) -> Sent {
+    values.map(|(id, value)| (id.to_owned(), value)).into()
+}
+
+fn number(particles: u32) -> (&'static str, Untrusted) {
+    ("max_particles", Untrusted::Number(particles.into()))
+}
+
+fn model(name: &str) -> (&'static str, Untrusted) {
+    ("model", Untrusted::Text(name.to_owned()))
+}
+
+fn result(requested: &Requested, change: &Change) -> Option<Requested> {
+    let source = "test";
+    let after = match change {
+        Change::Set(values) => requested.after(&Command::Set { values, source }),
+        Change::Restore(id) => {
+            let ids = &[Untrusted::Text((*id).to_owned())];
+            requested.after(&Command::Restore { ids, source })
+        }
+        Change::Preset(name) => requested.after(&Command::Preset { name, source }),
+    };
+    after.and_then(Result::ok)
+}
+
+/// What is requested after a good change.
+fn then(requested: &Requested, change: &Change) -> Requested {
+    match result(requested, change) {
+        Some(requested) => requested,
+        None => panic!("a good change is refused"),
+    }
+}
+
+/// What is requested after these changes.
+fn after<const N: usize>(changes: [Change; N]) -> Requested {
+    let first = Requested::default();
+    changes
+        .iter()
+        .fold(first, |requested, change| then(&requested, change))
+}
+
+/// The particles that it has at each level.
+fn particles(requested: &Requested) -> [u32; 3] {
+    Level::ALL.map(|level| requested.at(level.particles()).settings().max_particles)
+}
+
+const FOLLOWS: [u32; 3] = [1200, 3000, 6700];
+
+#[test]
+fn the_number_is_the_levels_until_somebody_sets_it_to_whatever() {
+    assert_eq!(particles(&Requested::default()), FOLLOWS);
+    // The default among them.
+    for own in [2000, 2999, 3000, 3001] {
+        let requested = after([Change::Set(sent([number(own)]))]);
+        assert_eq!(particles(&requested), [own; 3]);
+        // Until it is put back, by itself or with all others.
+        for back in [Change::Restore("max_particles"), Change::Preset("default")] {
+            let requested = then(&requested, &back);
+            assert_eq!(particles(&requested), FOLLOWS);
+        }
+        // And not by what is about something else.
+        for other in [
+            Change::Restore("seed"),
+            Change::Set(sent([("seed", Untrusted::Number(7.0))])),
+        ] {
+            let requested = then(&requested, &other);
+            assert_eq!(particles(&requested), [own; 3]);
+        }
+        assert_eq!(requested.after(&Command::Play {}), None);
+    }
+}
+
+#[test]
+fn what_is_refused_sets_no_number() {
+    let requested = Requested::default();
+    let bad = Change::Set(sent([number(3000), ("bloom", Untrusted::Number(99.0))]));
+    assert_eq!(result(&requested, &bad), None);
+    let alone = Change::Set(sent([number(0)]));
+    assert_eq!(result(&requested, &alone), None);
+}
+
+#[test]
+fn the_classic_models_number_is_its_own() {
+    let classic = after([Change::Set(sent([model("classic"), number(500)]))]);
+    assert_eq!(particles(&classic), [500; 3]);
+    let back = then(&classic, &Change::Set(sent([model("combustion")])));
+    assert_eq!(particles(&back), FOLLOWS);
+    // And the other way round.
+    let requested = after([
+        Change::Set(sent([number(3000)])),
+        Change::Set(sent([model("classic")])),
+        Change::Restore("max_particles"),
+        Change::Set(sent([model("combustion")])),
+    ]);
+    assert_eq!(particles(&requested), [3000; 3]);
+}
+
+#[test]
+fn a_fire_that_comes_back_knows_whose_number_it_has() {
+    for (overridden, expected) in [(true, [3000; 3]), (false, FOLLOWS)] {
+        let values = sent([model("combustion"), number(3000)]);
+        let start = Untrusted::Object(sent([
+            ("values", Untrusted::Object(values)),
+            ("ownNumber", Untrusted::Flag(overridden)),
+        ]));
+        assert_eq!(particles(&at_first(&Start::read(&start))), expected);
+    }
+}
+
+#[test]
+fn what_makes_other_work_is_known() {
+    let requested = Requested::default();
+    for other in [
+        model("classic"),
+        number(2000),
+        // As many at this level, but for ever.
+        number(3000),
+        ("time_scale", Untrusted::Number(0.5)),
+    ] {
+        assert!(!then(&requested, &Change::Set(sent([other]))).works_like(&requested));
+    }
+    for same in [
+        ("bloom", Untrusted::Number(0.5)),
+        ("wind", Untrusted::Number(0.2)),
+    ] {
+        assert!(then(&requested, &Change::Set(sent([same]))).works_like(&requested));
+    }
+}
+
+#[test]
+fn what_a_fire_starts_with_does_not_depend_on_the_guess_for_the_machine() {
+    let requested = Requested::default();
+    let set = |values| then(&requested, &Change::Set(values));
+    let cases = [
+        (requested.clone(), Level::Medium),
+        (set(sent([number(2000)])), Level::Low),
+        (
+            set(sent([("domain_height", Untrusted::Number(1.2))])),
+            Level::Low,
+        ),
+    ];
+    for (asked, level) in cases {
+        let burnt = |guess: Level| {
+            let mut fire = Simulation::new(requested.at(guess.particles()));
+            adapt(&mut fire, asked.at(level.particles()));
+            for _ in 0..20 {
+                fire.step();
+            }
+            fire.positions()
+        };
+        let (low, high) = (burnt(Level::Low), burnt(Level::High));
+        assert_eq!(low, high);
+        // It is the one that starts again from nothing, too.
+        let mut again = Simulation::new(requested.at(Level::High.particles()));
+        again.step();
+        adapt(&mut again, asked.at(level.particles()));
+        again.reset();
+        for _ in 0..20 {
+            again.step();
+        }
+        assert_eq!(again.positions(), low);
+    }
+}
+
+#[test]
+fn a_burning_fire_is_taken_over() {
+    let requested = Requested::default();
+    assert_eq!(requested.parameters().model(), Model::Combustion);
+    let mut fire = Simulation::new(requested.at(Level::Medium.particles()));
+    for _ in 0..20 {
+        fire.step();
+    }
+    let time = fire.time();
+    adapt(&mut fire, requested.at(Level::Low.particles()));
+    assert_eq!(fire.time(), time);
+    assert!(fire.count() < 1500);
+}

@@ -3,7 +3,7 @@
  * a click throws sparks; a drag that begins on the source moves that.
  *
  * @typedef {object} Ways
- * @property {(message: {type: string, [field: string]: any}) => unknown} send to the engine
+ * @property {(...call: import('../engine/engine.js').Call) => unknown} send calls the engine
  * @property {(x: number) => unknown} move puts the source there [m]
  * @typedef {import('../hearth-fire.js').HearthPoint} Point
  * @typedef {{x: number, y: number, held: number | undefined, clicks: boolean}} Press

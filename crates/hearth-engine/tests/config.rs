@@ -351,7 +351,7 @@ fn an_object_that_is_wrong_is_named_and_nothing_is_taken() {
     };
     assert!(matches!(Requested::default().after(&order), Some(Err(_))));
     let values = object(vec![("values", object(vec![("objects", sources(&[]))]))]);
-    assert!(errors(&values)[0].contains("objects stand beside it"));
+    assert!(errors(&values)[0].contains("beside the values"));
 }
 
 #[test]

@@ -32,11 +32,11 @@ export interface HearthFireEventMap extends Omit<HTMLElementEventMap, 'error'> {
   /** It stands still. */
   pause: CustomEvent<null>;
   /** A value changed, whoever changed it. */
-  "params-change": CustomEvent<HearthChangeDetail>;
+  'params-change': CustomEvent<HearthChangeDetail>;
   /** An object was added, changed or removed. */
-  "objects-change": CustomEvent<HearthObjectsDetail>;
+  'objects-change': CustomEvent<HearthObjectsDetail>;
   /** The fire makes itself more or less work than before. */
-  "quality-change": CustomEvent<HearthQualityDetail>;
+  'quality-change': CustomEvent<HearthQualityDetail>;
   /** What the fire says about itself, about four times a second. */
   stats: CustomEvent<HearthStats>;
   /** Something is wrong: a value that was refused, a file that did not arrive, a browser that cannot. */

@@ -53,9 +53,9 @@ export interface HearthFireAttributes {
   /** What a screen reader says of the fire; without it the fire is decoration. */
   alt?: string | undefined;
   /** Most pixels that the picture may have, from 1024 to 16777216; empty: those of a 720p, 1080p or 1440p screen, by quality. */
-  "max-pixels"?: number | string | undefined;
+  'max-pixels'?: number | string | undefined;
   /** Most pictures a second, from 10 to 240; empty: as many as the display shows. */
-  "fps-limit"?: number | string | undefined;
+  'fps-limit'?: number | string | undefined;
   /** Seconds of fire, 0 to 30, that a new fire burns before it is shown: 3 where the attribute has no value. The poster or the picture before stays meanwhile. */
   warm?: number | boolean | string | undefined;
   /** The fire takes pointers: they stir it, a click throws sparks, a drag moves its source. Without this clicks go through it. */
@@ -65,21 +65,21 @@ export interface HearthFireAttributes {
   /** Where the domain stands in the picture, as CSS's `object-position`: `left`, `center` or `right`, `top`, `center` or `bottom`; without it `center bottom`. */
   align?: string | undefined;
   /** What fingers do on an interactive fire, as CSS's `touch-action`; without it `pan-y`. */
-  "touch-action"?: string | undefined;
+  'touch-action'?: string | undefined;
   /** Shows the panel of sliders inside the element, or those of a list of parameters; its code is loaded only then. */
   controls?: boolean | string | undefined;
   /** `auto`: a still fire with a play button where the visitor wants less motion. */
-  "reduced-motion"?: 'auto' | 'ignore' | undefined;
+  'reduced-motion'?: 'auto' | 'ignore' | undefined;
   /** Another kind of fire. Classic: the paper's equations, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
   model?: "classic" | "combustion" | undefined;
   /** A taller, brighter flame. Power of the burner: the heat of the fuel that it feeds, for each metre of depth, on top of what its gas carries by being hot; 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
-  "fuel-power"?: number | `${number}` | undefined;
+  'fuel-power'?: number | `${number}` | undefined;
   /** A denser, brighter flame. Particles born each second, as long as the source has room and the number of particles allows it. [1/s] Default in classic: 1500, from 50 to 100000. */
-  "emission-rate"?: number | `${number}` | undefined;
+  'emission-rate'?: number | `${number}` | undefined;
   /** A wider fire. Width of the source; combustion: of the burner, which is at least four particles wide. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
-  "source-width"?: number | `${number}` | undefined;
+  'source-width'?: number | `${number}` | undefined;
   /** A taller flame. Longest life of a particle; one below the shortest life counts as that. [s] Default in classic: 1.2, from 0.1 to 3. */
-  "lifetime-max"?: number | `${number}` | undefined;
+  'lifetime-max'?: number | `${number}` | undefined;
   /** A livelier, wilder flame. Acceleration by a random field of drifting eddies, which stirs the gas and compresses it nowhere. [m/s²] Default 0, from 0 to 10. */
   turbulence?: number | `${number}` | undefined;
   /** A flame that leans to the right, or below 0 to the left. Speed of the fresh air from left to right. [m/s] Default in combustion: 0, from -3 to 3. */
@@ -91,95 +91,95 @@ export interface HearthFireAttributes {
   /** A wider shine around bright places. Share of the light that a lens would spread. Default 0.15, from 0 to 0.6. */
   bloom?: number | `${number}` | undefined;
   /** Thicker smoke. How strongly smoke hides what is behind it. Default 0.3, from 0 to 2. */
-  "smoke-opacity"?: number | `${number}` | undefined;
+  'smoke-opacity'?: number | `${number}` | undefined;
   /** More sparks. Embers thrown each second, which the flow carries off. [1/s] Default in combustion: 40, from 0 to 1000. */
-  "ember-rate"?: number | `${number}` | undefined;
+  'ember-rate'?: number | `${number}` | undefined;
   /** A wall behind the fire, or none. What the fire burns in front of, in place of the background: the fire lights it. Default "none". */
   backdrop?: "none" | "bricks" | undefined;
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
-  "time-scale"?: number | `${number}` | undefined;
+  'time-scale'?: number | `${number}` | undefined;
   /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model fuel is what is left of a particle's life, and soot what makes smoke of it. Default "fire". */
-  "display-mode"?: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites" | undefined;
+  'display-mode'?: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites" | undefined;
   /** A fire farther to the right, or below 0 to the left. Place of the middle of the source, all of which stays inside the domain. [m] Default 0, from -3 to 3. */
-  "source-x"?: number | `${number}` | undefined;
+  'source-x'?: number | `${number}` | undefined;
   /** A flame that starts higher above the floor. Height of the source; combustion: of the burner, which stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
-  "source-height"?: number | `${number}` | undefined;
+  'source-height'?: number | `${number}` | undefined;
   /** A flame that shoots up from its source. Upward speed of what leaves the source: of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
-  "emission-speed"?: number | `${number}` | undefined;
+  'emission-speed'?: number | `${number}` | undefined;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
-  "emission-spread"?: number | `${number}` | undefined;
+  'emission-spread'?: number | `${number}` | undefined;
   /** An uneven flame that flares up here and there. How unevenly the source burns: Perlin noise in place and time. Default in combustion: 0.2, from 0 to 1. Default in classic: 0.5, from 0 to 1. */
-  "emission-noise"?: number | `${number}` | undefined;
+  'emission-noise'?: number | `${number}` | undefined;
   /** A flame that ends in a point. How much shorter the lives of particles from the rim of the source are, within the shortest and the longest life. Default in classic: 0.8, from 0 to 1. */
   taper?: number | `${number}` | undefined;
   /** A fuller flame, up to its top. Shortest life of a particle. [s] Default in classic: 0.3, from 0.1 to 3. */
-  "lifetime-min"?: number | `${number}` | undefined;
+  'lifetime-min'?: number | `${number}` | undefined;
   /** A whiter flame. Temperature of a particle at birth. [K] Default in classic: 1900, from 1000 to 2500. */
-  "maximum-temperature"?: number | `${number}` | undefined;
+  'maximum-temperature'?: number | `${number}` | undefined;
   /** A shorter flame with a redder top. How fast a particle cools towards the air. [K/s] Default in classic: 900, from 0 to 5000. */
-  "cooling-rate"?: number | `${number}` | undefined;
+  'cooling-rate'?: number | `${number}` | undefined;
   /** A hotter, whiter flame. Rise of the temperature where fuel and air burn up without a remainder. [K] Default in combustion: 1500, from 600 to 2500. */
-  "flame-rise"?: number | `${number}` | undefined;
+  'flame-rise'?: number | `${number}` | undefined;
   /** A slower fire, whose flame begins higher. Time in which hot fuel with enough oxygen burns down to about a third. [s] Default in combustion: 0.08, from 0.02 to 0.5. */
-  "burn-time"?: number | `${number}` | undefined;
+  'burn-time'?: number | `${number}` | undefined;
   /** A taller flame: its fuel has to rise farther to find air. Parts of air that one part of fuel needs to burn. Default in combustion: 1.5, from 0.5 to 6. */
-  "air-demand"?: number | `${number}` | undefined;
+  'air-demand'?: number | `${number}` | undefined;
   /** A longer glow above the flame. Time in which hot soot, which makes a flame glow, burns away to about a third. [s] Default in combustion: 0.25, from 0.05 to 2. */
-  "soot-life"?: number | `${number}` | undefined;
+  'soot-life'?: number | `${number}` | undefined;
   /** A shorter flame that fades to red sooner. How fast gas and embers of 1500 K cool by what they radiate; that grows with the fourth power of the temperature. [K/s] Default in combustion: 500, from 0 to 2000. */
-  "radiative-cooling"?: number | `${number}` | undefined;
+  'radiative-cooling'?: number | `${number}` | undefined;
   /** A flame that burns evenly down to its root; with 0 it is brightest at its rim. Oxygen that the fuel brings along; 1 is as much as the air has. Default in combustion: 0.5, from 0 to 1. */
-  "source-oxygen"?: number | `${number}` | undefined;
+  'source-oxygen'?: number | `${number}` | undefined;
   /** A brighter root of the flame. Temperature of the gas in the burner, which is always hot enough to burn. [K] Default in combustion: 700, from 500 to 1200. */
-  "source-temperature"?: number | `${number}` | undefined;
+  'source-temperature'?: number | `${number}` | undefined;
   /** A flame that tears off and goes out more easily. Temperature above which fuel burns where there is oxygen. [K] Default in combustion: 450, from 400 to 900. */
-  "ignition-temperature"?: number | `${number}` | undefined;
+  'ignition-temperature'?: number | `${number}` | undefined;
   /** Fire and smoke, the fire alone, or the smoke alone. What of them is drawn. Default "both". */
   layers?: "both" | "fire" | "smoke" | undefined;
   /** Finer tongues and wisps. Strength of the fine structure that the gas carries along. Default 1, from 0 to 2. */
   detail?: number | `${number}` | undefined;
   /** More contrast between bright and dim parts of the fire. How much of a black body's enormous range of brightness is kept. Default 0.35, from 0.15 to 1. */
-  "luminance-exponent"?: number | `${number}` | undefined;
+  'luminance-exponent'?: number | `${number}` | undefined;
   /** Larger, softer particles. Size at which a particle is drawn. [m] Default in classic: 0.04, from 0.01 to 0.1. */
-  "particle-size"?: number | `${number}` | undefined;
+  'particle-size'?: number | `${number}` | undefined;
   /** Colour of the coolest fire, where the palette is the custom one; transparent is black. Default "#8a12ff". */
-  "cool-colour"?: string | undefined;
+  'cool-colour'?: string | undefined;
   /** Colour of the hottest fire, where the palette is the custom one; transparent is black. Default "#38e8ff". */
-  "hot-colour"?: string | undefined;
+  'hot-colour'?: string | undefined;
   /** Colour behind the fire: `transparent`, so that the page shows through, or a colour. Default "transparent". */
   background?: string | undefined;
   /** A backdrop that shimmers behind the flame. How strongly hot gas bends the view of the backdrop; a page cannot be bent. Default 0.3, from 0 to 1. */
-  "heat-haze"?: number | `${number}` | undefined;
+  'heat-haze'?: number | `${number}` | undefined;
   /** Larger, slower swings of the flame. Size of the eddies that turbulence stirs. [m] Default 0.15, from 0.03 to 0.6. */
-  "turbulence-scale"?: number | `${number}` | undefined;
+  'turbulence-scale'?: number | `${number}` | undefined;
   /** More curls at the edges of the flame. How strongly small eddies are kept spinning that the computation would smear out. Default in combustion: 0, from 0 to 1. */
-  "vorticity-confinement"?: number | `${number}` | undefined;
+  'vorticity-confinement'?: number | `${number}` | undefined;
   /** A flame that rises faster. Classic: lift β of gas that is thinner than the air; more of it narrows the fire. Combustion: lift of gas that is hotter than the air; 1 is nature's. Default in combustion: 1, from 0 to 2. Default in classic: 0.12, from 0 to 1. */
   buoyancy?: number | `${number}` | undefined;
   /** A flame whose hot parts rise faster. Lift of gas that is hotter than the air. Default in classic: 0.2, from 0 to 1. */
-  "thermal-buoyancy"?: number | `${number}` | undefined;
+  'thermal-buoyancy'?: number | `${number}` | undefined;
   /** A taller, quicker flame. Speed at which lift and the resistance of the air, which this model leaves out otherwise, balance. [m/s] Default in classic: 2.5, from 0.5 to 3. */
-  "terminal-speed"?: number | `${number}` | undefined;
+  'terminal-speed'?: number | `${number}` | undefined;
   /** A lazier flame. Weight added to every particle, as if gravity counted a second time. [m/s²] Default in classic: 0, from 0 to 20. */
-  "extra-weight"?: number | `${number}` | undefined;
+  'extra-weight'?: number | `${number}` | undefined;
   /** A flame that rises faster and flickers more. Acceleration of gravity, as buoyancy feels it; 0 is a fire in free fall. [m/s²] Default 9.81, from 0 to 20. */
   gravity?: number | `${number}` | undefined;
   /** A fire that rises a little more slowly. Temperature of the air around the fire. [K] Default 293, from 250 to 350. */
-  "ambient-temperature"?: number | `${number}` | undefined;
+  'ambient-temperature'?: number | `${number}` | undefined;
   /** Classic: a fire that rises a little faster; combustion: a smaller one, for there is more to heat. Density of the air around the fire. [kg/m³] Default 1.2, from 0.5 to 2. */
-  "ambient-density"?: number | `${number}` | undefined;
+  'ambient-density'?: number | `${number}` | undefined;
   /** Larger sparks. Size of an ember. [m] Default in combustion: 0.004, from 0.001 to 0.02. */
-  "ember-size"?: number | `${number}` | undefined;
+  'ember-size'?: number | `${number}` | undefined;
   /** Sparks that all fly far. Shortest life of an ember. [s] Default in combustion: 0.5, from 0.1 to 5. */
-  "ember-life-min"?: number | `${number}` | undefined;
+  'ember-life-min'?: number | `${number}` | undefined;
   /** Sparks of which some fly far. Longest life of an ember; one below the shortest life counts as that. [s] Default in combustion: 2, from 0.1 to 5. */
-  "ember-life-max"?: number | `${number}` | undefined;
+  'ember-life-max'?: number | `${number}` | undefined;
   /** Smoke that reaches higher. Time in which smoke, soot that has cooled, thins out to about a third. [s] Default in combustion: 1.5, from 0.1 to 10. */
-  "smoke-life"?: number | `${number}` | undefined;
+  'smoke-life'?: number | `${number}` | undefined;
   /** More room beside the fire, seen from farther away. Width of the simulated domain. In the combustion model what leaves on one side comes back in on the other. [m] Default 1.2, from 0.1 to 6. */
-  "domain-width"?: number | `${number}` | undefined;
+  'domain-width'?: number | `${number}` | undefined;
   /** More room above the fire, seen from farther away. Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
-  "domain-height"?: number | `${number}` | undefined;
+  'domain-height'?: number | `${number}` | undefined;
   /** Open sides, walls, or sides that lead into each other. What happens at the left and the right edge: particles leave, are held back, or come back in on the other side. The floor holds them back, unless the edges are open; the top is always open. Default in classic: "open". */
   walls?: "open" | "solid" | "periodic" | undefined;
   /** A fire that fades at the top and the bottom of the picture. How much of the height, at either end, turns gas into fresh air again. 0 closes the domain upon itself; then no wind blows and no gas is lifted, since nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
@@ -187,47 +187,47 @@ export interface HearthFireAttributes {
   /** Another course of the same fire. Start of the random generator: the same seed gives the same fire. Default 1. */
   seed?: number | `${number}` | 'auto' | undefined;
   /** The same fire, computed less exactly and at less cost. Length of one step; it is divided further where stability asks for it. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
-  "time-step"?: number | `${number}` | undefined;
+  'time-step'?: number | `${number}` | undefined;
   /** A finer fire that takes more work. Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
-  "max-particles"?: number | `${number}` | undefined;
+  'max-particles'?: number | `${number}` | undefined;
   /** A smoother, wider fire that takes more work. Smoothing length h: particles feel each other up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
-  "smoothing-radius"?: number | `${number}` | undefined;
+  'smoothing-radius'?: number | `${number}` | undefined;
   /** A smoother fire that takes more work. Smoothing length h in spacings of the particles: they feel each other up to twice this distance. Default in combustion: 1.5, from 1.3 to 2. */
-  "smoothing-ratio"?: number | `${number}` | undefined;
+  'smoothing-ratio'?: number | `${number}` | undefined;
   /** A wider, coarser fire. Mass of one particle, for each metre of depth. [kg/m] Default in classic: 0.00025, from 0.0001 to 0.002. */
-  "particle-mass"?: number | `${number}` | undefined;
+  'particle-mass'?: number | `${number}` | undefined;
   /** A narrower fire. Density at which the gas has no pressure. [kg/m³] Default in classic: 1, from 0.5 to 2. */
-  "rest-density"?: number | `${number}` | undefined;
+  'rest-density'?: number | `${number}` | undefined;
   /** A wider fire. Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound: how hard compressed gas pushes apart. [m²/s²] Default in classic: 0.6, from 0.05 to 6. */
-  "gas-constant"?: number | `${number}` | undefined;
+  'gas-constant'?: number | `${number}` | undefined;
   /** A more even fire that takes more work. Speed of sound in the simulated gas, far below the real one: more of it keeps the density more even and makes the steps shorter. It grows by itself for fires above 220 kW/m. [m/s] Default in combustion: 6, from 4 to 15. */
   stiffness?: number | `${number}` | undefined;
   /** A calmer flame. Dynamic viscosity: how strongly neighbours share their motion. [Pa·s] Default in classic: 0.005, from 0 to 0.1. */
   viscosity?: number | `${number}` | undefined;
   /** A calmer, smoother flame. Viscosity divided by density: how fast neighbours share their motion. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
-  "kinematic-viscosity"?: number | `${number}` | undefined;
+  'kinematic-viscosity'?: number | `${number}` | undefined;
   /** A calmer flame with fewer small curls. Viscosity between particles that approach each other and no others: it damps the noise of the particles. Default in combustion: 0.1, from 0.02 to 0.5. */
-  "artificial-viscosity"?: number | `${number}` | undefined;
+  'artificial-viscosity'?: number | `${number}` | undefined;
   /** A softer flame without small curls. How strongly eddies that are too small to be resolved mix motion, heat and gases: Smagorinsky's constant. Default in combustion: 0.2, from 0 to 0.4. */
-  "eddy-viscosity"?: number | `${number}` | undefined;
+  'eddy-viscosity'?: number | `${number}` | undefined;
   /** A softer, blurred flame. How fast heat, fuel, oxygen and soot spread by themselves, without any flow. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
   diffusion?: number | `${number}` | undefined;
   /** A wider, fuller flame. How far hot gas takes more room: 1 is the ideal gas, 0 the paper's equation of state, in which only density makes pressure. Default in combustion: 0.5, from 0 to 1. */
-  "gas-expansion"?: number | `${number}` | undefined;
+  'gas-expansion'?: number | `${number}` | undefined;
   /** A picture without gaps and clots. How strongly particles are moved from where they cluster to where they are sparse, so that they stay evenly spread. Default in combustion: 1, from 0.2 to 1. */
   shifting?: number | `${number}` | undefined;
   /** Room for faster particles, which only a wild fire needs. Highest speed of a particle: a safety net, not a law. [m/s] Default in classic: 4, from 4 to 8. */
-  "speed-limit"?: number | `${number}` | undefined;
+  'speed-limit'?: number | `${number}` | undefined;
   /** The paper's fire, as its equation 1 stands: the kernel with the factor of three dimensions. Default in classic: false. */
-  "printed-kernel"?: boolean | undefined;
+  'printed-kernel'?: boolean | undefined;
   /** The paper's fire, as its equation 3 stands: half the pressure force, not divided by the particle's own density. Default in classic: false. */
-  "printed-pressure"?: boolean | undefined;
+  'printed-pressure'?: boolean | undefined;
   /** The paper's fire, as its equation 4 stands: viscosity by the kernel's own Laplacian, which changes sign. Default in classic: false. */
-  "printed-viscosity"?: boolean | undefined;
+  'printed-viscosity'?: boolean | undefined;
   /** The paper's fire, as its equations 5 and 7 stand: densities of force divided by the mass instead of the density, and no lift by temperature. Default in classic: false. */
-  "printed-divisor"?: boolean | undefined;
+  'printed-divisor'?: boolean | undefined;
   /** The paper's fire, as its equation 6 stands: forward Euler, the position moves with the old velocity. Default in classic: false. */
-  "printed-euler"?: boolean | undefined;
+  'printed-euler'?: boolean | undefined;
 }
 
 /** The events of `<hearth-fire>`. */
@@ -239,11 +239,11 @@ export interface HearthFireListeners {
   /** It stands still. */
   onpause?: ((event: CustomEvent<null>) => void) | undefined;
   /** A value changed, whoever changed it. */
-  "onparams-change"?: ((event: CustomEvent<HearthChangeDetail>) => void) | undefined;
+  'onparams-change'?: ((event: CustomEvent<HearthChangeDetail>) => void) | undefined;
   /** An object was added, changed or removed. */
-  "onobjects-change"?: ((event: CustomEvent<HearthObjectsDetail>) => void) | undefined;
+  'onobjects-change'?: ((event: CustomEvent<HearthObjectsDetail>) => void) | undefined;
   /** The fire makes itself more or less work than before. */
-  "onquality-change"?: ((event: CustomEvent<HearthQualityDetail>) => void) | undefined;
+  'onquality-change'?: ((event: CustomEvent<HearthQualityDetail>) => void) | undefined;
   /** What the fire says about itself, about four times a second. */
   onstats?: ((event: CustomEvent<HearthStats>) => void) | undefined;
   /** Something is wrong: a value that was refused, a file that did not arrive, a browser that cannot. */

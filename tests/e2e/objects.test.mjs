@@ -161,10 +161,10 @@ test('an address carries objects, and the page writes them into its own', async 
   const tab = await browser.open(`index.html?scene=default&objects=${encodeURIComponent(JSON.stringify(TWO))}`);
   await tab.ready();
   assert.deepEqual(await places(tab), { 1: -0.3, 7: 0.3 });
-  await tab.fire((fire) => fire.changeObject(7, { x: 0.2 }));
+  await tab.fire((fire) => fire.changeObject(7, { x: 0.25 }));
   const objects = await tab.until('the address has the objects', () => {
     const text = new URLSearchParams(location.search).get('objects');
-    return text?.includes('0.2') && text;
+    return text?.includes('0.25') && text;
   });
-  assert.deepEqual(JSON.parse(objects), [TWO[0], { ...TWO[1], x: 0.2 }]);
+  assert.deepEqual(JSON.parse(objects), [TWO[0], { ...TWO[1], x: 0.25 }]);
 });

@@ -149,7 +149,7 @@ function entry(doc, name, type) {
 
 /** @param {string} name */
 function quoted(name) {
-  return name.includes('-') ? `"${name}"` : name;
+  return name.includes('-') ? `'${name}'` : name;
 }
 
 /** @type {(names: string[], file: string) => string} */

@@ -1,12 +1,12 @@
-//! Which values take much work, and what keeps a number of particles down, in words.
+//! Texts about costly values, speed and the number of particles.
 
 use hearth_core::params::{Model, Param};
 
-use crate::fire::Fire;
 use crate::format::{count_text, significant};
+use crate::state::Fire;
 
-/// Values that take much work from some value on, which is far above every default.
-const DEAR: &[(&str, f64)] = &[
+/// The start of the costly values, which is far above every default.
+const COSTLY: &[(&str, f64)] = &[
     ("max_particles", 10_000.0),
     ("emission_rate", 15_000.0),
     ("smoothing_ratio", 1.7),
@@ -14,36 +14,37 @@ const DEAR: &[(&str, f64)] = &[
     ("stiffness", 9.0),
 ];
 
-/// A number of particles that misses the one asked for by less is that one.
+/// From this fraction of the requested number on, the number of particles counts as it.
 const NEARLY: f64 = 0.95;
 
-/// From where on the values of a parameter take much work, where they do.
-pub fn dear_from(param: &Param) -> Option<f64> {
-    DEAR.iter()
+/// The start of a parameter's costly values, if it has any.
+pub fn costly_from(param: &Param) -> Option<f64> {
+    COSTLY
+        .iter()
         .find(|(id, _)| *id == param.id)
         .map(|&(_, from)| from)
 }
 
-/// What the number of particles is, and what it was to be where it is another one.
+/// The number of particles, and the requested one if that is another.
 pub fn particles(fire: &Fire) -> String {
     let now = fire.stats.particles;
-    let wanted = f64::from(fire.parameters.max_particles);
+    let requested = f64::from(fire.parameters.max_particles);
     let quality = &*fire.stats.quality;
-    if now >= NEARLY * wanted || now == 0.0 {
+    if now >= NEARLY * requested || now == 0.0 {
         return format!("{} particles", count_text(now));
     }
-    let of = format!("{} of {}", count_text(now), count_text(wanted));
+    let of = format!("{} of {}", count_text(now), count_text(requested));
     match (fire.parameters.model(), quality) {
         (Model::Combustion, "low" | "medium" | "high") => format!("{of} (quality {quality})"),
         _ => format!("{of} particles"),
     }
 }
 
-/// How fast the fire goes, where the machine is too slow for it.
+/// The real-time factor, if the machine is too slow for the fire.
 pub fn speed(fire: &Fire) -> Option<String> {
     let stats = &fire.stats;
-    let wanted = f64::from(fire.parameters.time_scale);
-    if !stats.slowed || stats.time_scale <= 0.0 || wanted <= 0.0 {
+    let requested = f64::from(fire.parameters.time_scale);
+    if !stats.slowed || stats.time_scale <= 0.0 || requested <= 0.0 {
         return stats.slowed.then(|| "slower than real time".to_owned());
     }
     Some(format!(
@@ -52,7 +53,7 @@ pub fn speed(fire: &Fire) -> Option<String> {
     ))
 }
 
-/// What there is to know about the value of a parameter at present.
+/// A note on the value of a parameter, if there is one.
 pub fn note(fire: &Fire, param: &Param, value: f64) -> Option<String> {
     if param.id == "max_particles"
         && fire.parameters.model() == Model::Classic
@@ -64,8 +65,8 @@ pub fn note(fire: &Fire, param: &Param, value: f64) -> Option<String> {
             count_text(fire.stats.particles)
         ));
     }
-    let dear = dear_from(param).is_some_and(|from| value >= from);
-    match (dear, speed(fire)) {
+    let costly = costly_from(param).is_some_and(|from| value >= from);
+    match (costly, speed(fire)) {
         (true, Some(speed)) => Some(format!("Takes much work: the fire goes at {speed}")),
         _ => None,
     }

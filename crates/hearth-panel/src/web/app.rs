@@ -1,38 +1,46 @@
-//! The panel as an eframe app: paints, then sends what was asked for.
+//! The panel as an eframe app: it paints, then sends the commands.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use web_sys::{Event, HtmlCanvasElement};
 
-use super::Manners;
-use super::element::Element;
-use crate::Panel;
+use crate::panel::Panel;
 use crate::theme;
+use crate::web::element::Element;
 
 /// The event on the canvas after each frame: rectangles may have moved.
 const PAINTED: &str = "panel-painted";
 
-/// What eframe runs.
+/// What eframe's event handlers need, which run outside of a frame.
+#[derive(Debug, Default)]
+pub struct InputPolicy {
+    /// Whether a text field has the focus.
+    pub typing: Cell<bool>,
+    /// Whether the panel takes a wheel, up and down.
+    pub scrolls: Cell<(bool, bool)>,
+}
+
+/// The eframe app.
 pub struct App {
     panel: Rc<RefCell<Panel>>,
     element: Rc<Element>,
-    manners: Rc<Manners>,
+    policy: Rc<InputPolicy>,
     canvas: HtmlCanvasElement,
 }
 
 impl App {
-    /// An app that shows `panel` and sends to `element`.
+    /// An app that shows `panel` and sends its commands to `element`.
     pub fn new(
         panel: Rc<RefCell<Panel>>,
         element: Rc<Element>,
-        manners: Rc<Manners>,
+        policy: Rc<InputPolicy>,
         canvas: HtmlCanvasElement,
     ) -> App {
         App {
             panel,
             element,
-            manners,
+            policy,
             canvas,
         }
     }
@@ -45,12 +53,11 @@ impl eframe::App for App {
                 return;
             };
             panel.ui(ui);
-            self.manners.typing.set(panel.is_typing(ui.ctx()));
-            self.manners.scrolls.set(panel.scrolls);
+            self.policy.typing.set(panel.is_typing(ui.ctx()));
+            self.policy.scrolls.set(panel.scrolls);
             panel.take_commands()
         };
-        // The element may answer with events at once; the panel is free to
-        // hear them by now.
+        // The element may answer with events at once, which borrow the panel.
         for command in commands {
             self.element.send(command);
         }
@@ -59,8 +66,7 @@ impl eframe::App for App {
         }
     }
 
-    /// eframe takes distances in the window for distances on the canvas, which they are
-    /// not where the page scales it.
+    /// eframe does not know that the page may scale the canvas.
     fn raw_input_hook(&mut self, _ctx: &egui::Context, input: &mut egui::RawInput) {
         let shown = self.canvas.get_bounding_client_rect().width();
         let scale = f64::from(self.canvas.offset_width()) / shown;

@@ -1,39 +1,39 @@
-//! The `<hearth-fire>` element, read through its public API alone, and the desk of
-//! the page's script (`web/panel/controller.js`), which does what is wished and can undo it.
+//! The `<hearth-fire>` element, read through its public API, and the panel controller
+//! (`web/panel/controller.js`), which executes commands and can undo them.
 //!
-//! The desk's methods return promises, the element's events say what changed. A page may use a
-//! stand-in with the same API, so nothing here asks for a class, and whatever
-//! is missing or of the wrong type counts as nothing.
+//! The controller's methods return promises; the element's events report changes. A page
+//! may pass another object with the same API, so no class is checked, and a missing
+//! property or one of the wrong type counts as empty.
 
 use std::cell::RefCell;
 use std::rc::{Rc, Weak};
 use std::time::Duration;
 
-use hearth_core::params::{Input, PARAMETERS, Param, Value};
+use hearth_core::params::{PARAMETERS, Param, Value};
 use js_sys::{Array, Function, Object, Promise, Reflect};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{CustomEvent, Event, EventTarget};
 
-use super::listener::Listener;
-use crate::Panel;
-use crate::desk::Desk;
-use crate::fire::{Command, MODEL, Stats};
+use crate::panel::Panel;
+use crate::state::fire::{Entry, Stats};
+use crate::state::{Command, ControllerState, MODEL};
+use crate::web::listener::Listener;
 
-/// The fire, as seen from the panel.
+/// The fire and the panel controller, as objects of JavaScript.
 pub struct Element {
     fire: JsValue,
-    desk: JsValue,
+    controller: JsValue,
     panel: Rc<RefCell<Panel>>,
     ctx: egui::Context,
     _listeners: Vec<Listener>,
 }
 
 impl Element {
-    /// Reads everything once and listens from then on.
+    /// Reads all properties and listens to the events.
     pub fn new(
         fire: JsValue,
-        desk: JsValue,
+        controller: JsValue,
         panel: Rc<RefCell<Panel>>,
         ctx: egui::Context,
     ) -> Result<Element, String> {
@@ -52,39 +52,38 @@ impl Element {
         ];
         for name in names {
             let (fire, panel, ctx) = (fire.clone(), Rc::downgrade(&panel), ctx.clone());
-            let heard = move |event: Event| {
+            let on_event = move |event: Event| {
                 if let Some(panel) = panel.upgrade()
                     && let Ok(mut panel) = panel.try_borrow_mut()
                 {
-                    hear(&mut panel, &fire, name, &event);
+                    receive(&mut panel, &fire, name, &event);
                     paint_soon(&ctx);
                 }
             };
-            listeners.push(Listener::new(target, name, false, heard).map_err(words)?);
+            listeners.push(Listener::new(target, name, false, on_event).map_err(words)?);
         }
         let element = Element {
             fire,
-            desk,
+            controller,
             panel,
             ctx,
             _listeners: listeners,
         };
         if let Ok(mut panel) = element.panel.try_borrow_mut() {
-            read_desk(&mut panel, &element.desk);
+            read_controller(&mut panel, &element.controller);
             read_all(&mut panel, &element.fire);
         }
         Ok(element)
     }
 
-    /// Sends a wish; what becomes of it is heard by events, and a refusal is
-    /// shown at the parameter's row.
+    /// Sends a command. Events report its effect; a refusal is shown in the parameter's row.
     pub fn send(&self, command: Command) {
         let id = match &command {
             Command::Set(id, _) => Some(*id),
             _ => None,
         };
         if let (Some(id), Ok(mut panel)) = (id, self.panel.try_borrow_mut()) {
-            panel.fire.sent(id);
+            panel.state.fire.sent(id);
         }
         let answer = self.call(command);
         let (fire, panel) = (self.fire.clone(), Rc::downgrade(&self.panel));
@@ -138,12 +137,12 @@ impl Element {
             Command::Fullscreen => "fullscreen",
             Command::Help => "help",
         };
-        let function: Function = Reflect::get(&self.desk, &method.into())?.dyn_into()?;
-        function.apply(&self.desk, &arguments)
+        let function: Function = Reflect::get(&self.controller, &method.into())?.dyn_into()?;
+        function.apply(&self.controller, &arguments)
     }
 }
 
-/// A wish was answered: says why if it was refused, and reads what is so now.
+/// Handles the answer to a command: shows its error and reads the present values.
 fn settle(
     panel: &Weak<RefCell<Panel>>,
     fire: &JsValue,
@@ -157,46 +156,46 @@ fn settle(
     let refusal = refusal.map(|error| text(&error, "message").unwrap_or_default());
     match id {
         Some(id) => {
-            if panel.fire.answered(id) {
+            if panel.state.fire.answered(id) {
                 let value = property(&property(fire, "params"), id);
-                hear_value(&mut panel, fire, id, &value);
+                receive_value(&mut panel, fire, id, &value);
             }
             if let Some(refusal) = refusal {
-                panel.fire.refusals.insert(id, refusal);
+                panel.state.fire.refusals.insert(id, refusal);
             }
         }
         None => {
             read_all(&mut panel, fire);
             if let Some(refusal) = refusal {
-                panel.fire.notice = Some(refusal);
+                panel.state.fire.notice = Some(refusal);
             }
         }
     }
 }
 
-fn hear(panel: &mut Panel, fire: &JsValue, name: &str, event: &Event) {
+fn receive(panel: &mut Panel, fire: &JsValue, name: &str, event: &Event) {
     let detail = event
         .dyn_ref::<CustomEvent>()
         .map_or(JsValue::UNDEFINED, CustomEvent::detail);
     match name {
         "stats" => {
             let stats = stats(&property(fire, "stats"));
-            panel.fire.measure(stats);
-            panel.fire.quality = text(fire, "quality").unwrap_or_default();
-            panel.fire.paused = property(fire, "paused").is_truthy();
+            panel.state.fire.measure(stats);
+            panel.state.fire.quality = text(fire, "quality").unwrap_or_default();
+            panel.state.fire.paused = property(fire, "paused").is_truthy();
         }
         "params-change" => {
             if let Some(id) = text(&detail, "id") {
-                hear_value(panel, fire, &id, &property(&detail, "value"));
+                receive_value(panel, fire, &id, &property(&detail, "value"));
             }
         }
         "quality-change" => {
-            panel.fire.quality = text(fire, "quality").unwrap_or_default();
-            panel.fire.stats.quality = text(&detail, "quality").unwrap_or_default();
-            panel.fire.stats.reason = text(&detail, "reason").unwrap_or_default();
+            panel.state.fire.quality = text(fire, "quality").unwrap_or_default();
+            panel.state.fire.stats.quality = text(&detail, "quality").unwrap_or_default();
+            panel.state.fire.stats.reason = text(&detail, "reason").unwrap_or_default();
         }
-        "play" => panel.fire.paused = false,
-        "pause" => panel.fire.paused = true,
+        "play" => panel.state.fire.paused = false,
+        "pause" => panel.state.fire.paused = true,
         "error" => {
             let message = text(&detail, "message").unwrap_or_default();
             let id = text(&detail, "id");
@@ -205,92 +204,78 @@ fn hear(panel: &mut Panel, fire: &JsValue, name: &str, event: &Event) {
                 .find(|param| Some(param.id) == id.as_deref());
             match known {
                 Some(param) => {
-                    panel.fire.refusals.insert(param.id, message);
+                    panel.state.fire.refusals.insert(param.id, message);
                 }
-                None => panel.fire.notice = Some(message),
+                None => panel.state.fire.notice = Some(message),
             }
         }
         _ => {
-            panel.fire.notice = None;
+            panel.state.fire.notice = None;
             read_all(panel, fire);
         }
     }
 }
 
-/// The fire has this value now. Another model has other values as well, also
-/// where they are the same as the last one's, of which no event tells.
-fn hear_value(panel: &mut Panel, fire: &JsValue, id: &str, value: &JsValue) {
+/// Takes a value of the fire. A change of the model changes other values too, without
+/// events for them.
+fn receive_value(panel: &mut Panel, fire: &JsValue, id: &str, value: &JsValue) {
     if id == MODEL {
         read_values(panel, fire);
     } else {
-        learn(panel, id, value);
+        receive_entry(panel, id, value);
     }
 }
 
-/// What the page wants to be shown, and what was kept of the last visit.
-fn read_desk(panel: &mut Panel, desk: &JsValue) {
-    let only = property(desk, "only");
+/// Reads the selected parameters and what persists from the last visit.
+fn read_controller(panel: &mut Panel, controller: &JsValue) {
+    let only = property(controller, "only");
     if let Some(ids) = only.dyn_ref::<Array>() {
         let ids = ids.iter().filter_map(|id| id.as_string());
-        panel.only = Some(ids.filter_map(|id| Param::find(&id)).collect());
+        panel.state.only = Some(ids.filter_map(|id| Param::find(&id)).collect());
     }
-    let memory = property(desk, "folds");
+    let memory = property(controller, "folds");
     if let Some(folded) = property(&memory, "folded").dyn_ref::<Array>() {
         let names: Vec<String> = folded.iter().filter_map(|name| name.as_string()).collect();
-        panel.memory.fold(names.iter().map(String::as_str));
+        panel.state.memory.fold(names.iter().map(String::as_str));
     }
-    panel.memory.times = property(&memory, "times").is_truthy();
+    panel.state.memory.times = property(&memory, "times").is_truthy();
 }
 
-/// The fire started from a scene of these values.
+/// Takes the values of the scene that the fire started from.
 pub(super) fn read_scene(panel: &mut Panel, values: &JsValue) {
     let of = |param: &'static Param| Some((param.id, value_of(&property(values, param.id))?));
     let values: Vec<_> = PARAMETERS.iter().filter_map(of).collect();
     panel
+        .state
         .fire
         .start_from(values.iter().map(|(id, value)| (*id, value.input())));
 }
 
-/// A value as JavaScript has it.
-enum Own {
-    Number(f64),
-    Flag(bool),
-    Text(String),
-}
-
-impl Own {
-    fn input(&self) -> Input<'_> {
-        match self {
-            Own::Number(number) => Input::Number(*number),
-            Own::Flag(on) => Input::Flag(*on),
-            Own::Text(text) => Input::Text(text),
-        }
-    }
-}
-
-fn value_of(value: &JsValue) -> Option<Own> {
-    let number = value.as_f64().map(Own::Number);
-    let flag = value.as_bool().map(Own::Flag);
-    number.or(flag).or_else(|| value.as_string().map(Own::Text))
+fn value_of(value: &JsValue) -> Option<Entry> {
+    let number = value.as_f64().map(Entry::Number);
+    let flag = value.as_bool().map(Entry::Flag);
+    number
+        .or(flag)
+        .or_else(|| value.as_string().map(Entry::Text))
 }
 
 fn read_values(panel: &mut Panel, fire: &JsValue) {
     let values = property(fire, "params");
     for param in PARAMETERS {
-        learn(panel, param.id, &property(&values, param.id));
+        receive_entry(panel, param.id, &property(&values, param.id));
     }
 }
 
 fn read_all(panel: &mut Panel, fire: &JsValue) {
     read_values(panel, fire);
-    panel.fire.paused = property(fire, "paused").is_truthy();
-    panel.fire.quality = text(fire, "quality").unwrap_or_default();
-    panel.fire.stats = stats(&property(fire, "stats"));
+    panel.state.fire.paused = property(fire, "paused").is_truthy();
+    panel.state.fire.quality = text(fire, "quality").unwrap_or_default();
+    panel.state.fire.stats = stats(&property(fire, "stats"));
 }
 
-fn learn(panel: &mut Panel, id: &str, value: &JsValue) {
-    if let Some(own) = value_of(value) {
-        panel.fire.learn(id, own.input());
+fn receive_entry(panel: &mut Panel, id: &str, value: &JsValue) {
+    if let Some(entry) = value_of(value) {
+        panel.state.fire.receive(id, entry.input());
     }
 }
 
@@ -312,7 +297,7 @@ fn stats(value: &JsValue) -> Stats {
     }
 }
 
-/// Times by their names.
+/// Durations by name.
 fn times(value: &JsValue) -> Vec<(String, f64)> {
     let Some(object) = value.dyn_ref::<Object>() else {
         return Vec::new();
@@ -328,10 +313,10 @@ fn times(value: &JsValue) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// What the page's script says about its desk.
-pub(super) fn desk(state: &JsValue) -> Desk {
+/// The state of the panel controller.
+pub(super) fn controller_state(state: &JsValue) -> ControllerState {
     let flag = |name| property(state, name).is_truthy();
-    Desk {
+    ControllerState {
         scene: text(state, "scene").unwrap_or_default(),
         preset: text(state, "preset").unwrap_or_default(),
         undo: flag("undo"),
@@ -344,12 +329,12 @@ pub(super) fn desk(state: &JsValue) -> Desk {
     }
 }
 
-/// One frame: `request_repaint` would cost two.
+/// Repaints once: `request_repaint` paints two frames.
 pub(super) fn paint_soon(ctx: &egui::Context) {
     ctx.request_repaint_after(Duration::from_millis(1));
 }
 
-/// A property, or `undefined` where there is none.
+/// A property, or `undefined`.
 pub(super) fn property(of: &JsValue, name: &str) -> JsValue {
     if of.dyn_ref::<Object>().is_none() {
         return JsValue::UNDEFINED;

@@ -1,9 +1,9 @@
-//! An event listener that goes when it is dropped.
+//! An event listener that is removed on drop.
 
 use wasm_bindgen::prelude::*;
 use web_sys::{Event, EventTarget};
 
-/// A listener; it is removed on drop.
+/// A listener, removed on drop.
 #[derive(Debug)]
 pub struct Listener {
     target: EventTarget,
@@ -18,9 +18,9 @@ impl Listener {
         target: &EventTarget,
         name: &'static str,
         capture: bool,
-        heard: impl FnMut(Event) + 'static,
+        on_event: impl FnMut(Event) + 'static,
     ) -> Result<Listener, JsValue> {
-        let closure = Closure::<dyn FnMut(Event)>::new(heard);
+        let closure = Closure::<dyn FnMut(Event)>::new(on_event);
         target.add_event_listener_with_callback_and_bool(
             name,
             closure.as_ref().unchecked_ref(),
@@ -37,7 +37,7 @@ impl Listener {
 
 impl Drop for Listener {
     fn drop(&mut self) {
-        // A target that refuses has forgotten the listener already.
+        // An error means that the target has no such listener any more.
         let _ = self.target.remove_event_listener_with_callback_and_bool(
             self.name,
             self.closure.as_ref().unchecked_ref(),

@@ -1,40 +1,30 @@
 //! The panel on a page: a canvas, an element, and eframe between them.
 //!
-//! [`Panel`] is all that JavaScript sees. eframe on the web has habits that
-//! disturb a page, and they are undone here: it keeps the wheel and the Tab key
-//! to itself, and it makes canvas and text field stops of the Tab key although
-//! the page's own controls (see `web/panel/accessible-controls.js`) serve the keyboard. It also
-//! takes the focus when it starts, which only the page's script can prevent.
+//! [`Panel`] is the whole interface to JavaScript. This module also undoes what eframe does
+//! to a page: eframe consumes the wheel and the Tab key, and adds canvas and text field to
+//! the Tab order, although `web/panel/accessible-controls.js` serves the keyboard. eframe
+//! also takes the focus when it starts, which only the page's script can prevent.
 
 mod app;
 mod element;
 mod listener;
 
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 use std::rc::Rc;
 
 use wasm_bindgen::prelude::*;
 use web_sys::{HtmlCanvasElement, HtmlElement, KeyboardEvent, PointerEvent};
 
-use self::app::App;
-use self::element::{Element, desk, paint_soon, property, read_scene};
+use self::app::{App, InputPolicy};
+use self::element::{Element, controller_state, paint_soon, property, read_scene};
 use self::listener::Listener;
 use crate::theme::{self, Measures};
-
-/// What eframe's event handlers ask about, which run outside of a frame.
-#[derive(Debug, Default)]
-struct Manners {
-    /// Whether somebody types in the panel.
-    typing: Cell<bool>,
-    /// Whether a wheel would still move it, up and down.
-    scrolls: Cell<(bool, bool)>,
-}
 
 /// The panel, as a page sees it.
 #[wasm_bindgen]
 pub struct Panel {
     runner: eframe::WebRunner,
-    panel: Rc<RefCell<crate::Panel>>,
+    panel: Rc<RefCell<crate::panel::Panel>>,
     ctx: egui::Context,
     _element: Rc<Element>,
     _listeners: Vec<Listener>,
@@ -42,45 +32,45 @@ pub struct Panel {
 
 #[wasm_bindgen]
 impl Panel {
-    /// Starts the panel on `canvas`, which stands in the document, for `fire`,
-    /// a `<hearth-fire>` element or anything with its API, and with `desk`, which
-    /// does what is wished.
+    /// Starts the panel on `canvas`, an element of the document, for `fire`, a
+    /// `<hearth-fire>` element or an object with its API. `controller` is the panel
+    /// controller, which executes the commands.
     ///
     /// # Errors
-    /// Says in words why it cannot start: no WebGL, mostly.
+    /// Returns the reason why the panel cannot start, usually missing WebGL.
     pub async fn start(
         canvas: HtmlCanvasElement,
         fire: JsValue,
-        desk: JsValue,
+        controller: JsValue,
     ) -> Result<Panel, JsValue> {
         let measures = if matches("(pointer: coarse)") {
             Measures::COARSE
         } else {
             Measures::FINE
         };
-        let mut state = crate::Panel::new(measures);
-        state.finger = measures == Measures::COARSE;
-        let panel = Rc::new(RefCell::new(state));
-        let manners = Rc::new(Manners::default());
-        // Before eframe's own, so that these are asked first.
+        let mut panel = crate::panel::Panel::new(measures);
+        panel.state.device.finger = measures == Measures::COARSE;
+        let panel = Rc::new(RefCell::new(panel));
+        let policy = Rc::new(InputPolicy::default());
+        // Added before eframe's listeners, so that these run first.
         let mut listeners = vec![press_listener(&canvas, &panel)?];
 
         let runner = eframe::WebRunner::new();
         let started = Rc::new(RefCell::new(None));
         let create: eframe::AppCreator<'static> = {
-            let (panel, manners, started) = (panel.clone(), manners.clone(), started.clone());
+            let (panel, policy, started) = (panel.clone(), policy.clone(), started.clone());
             let canvas = canvas.clone();
             Box::new(move |creation| {
                 let ctx = creation.egui_ctx.clone();
                 theme::prefer_contrast(matches("(prefers-contrast: more)"));
                 theme::apply(&ctx);
-                let element = Rc::new(Element::new(fire, desk, panel.clone(), ctx.clone())?);
+                let element = Rc::new(Element::new(fire, controller, panel.clone(), ctx.clone())?);
                 started.replace(Some((element.clone(), ctx)));
-                Ok(Box::new(App::new(panel, element, manners, canvas)))
+                Ok(Box::new(App::new(panel, element, policy, canvas)))
             })
         };
         runner
-            .start(canvas.clone(), options(&manners), create)
+            .start(canvas.clone(), options(&policy), create)
             .await?;
         let (element, ctx) = started
             .take()
@@ -95,12 +85,12 @@ impl Panel {
         })
     }
 
-    /// Where each visible control stands: name → `[x, y, width, height]` in CSS
-    /// pixels from the canvas's upper left corner. A parameter's id names what
-    /// is dragged or pressed to change it; `action:pause`, `action:reset`,
-    /// `action:step`, `action:undo`, `action:copy:<what>`, `action:scenes`,
-    /// `action:restore:<id>` and others name buttons; `value:<id>` is what is clicked to
-    /// type, `label:<id>` the name, `choice:<id>:<name>` one of the choices.
+    /// The place of each visible control: name → `[x, y, width, height]` in CSS pixels from
+    /// the upper left corner of the canvas. A parameter's id names its control;
+    /// `action:pause`, `action:reset`, `action:step`, `action:undo`, `action:copy:<what>`,
+    /// `action:scenes`, `action:restore:<id>` and others name buttons; `value:<id>` is the
+    /// value that a click turns into a field, `label:<id>` the name, `choice:<id>:<name>`
+    /// one of the choices.
     pub fn rectangles(&self) -> js_sys::Object {
         let result = js_sys::Object::new();
         if let Ok(panel) = self.panel.try_borrow() {
@@ -116,28 +106,28 @@ impl Panel {
         result
     }
 
-    /// Brings a parameter's row into sight and marks it, or what can be shared
-    /// (`share`), the tools (`tools`), the quality (`quality`) or the search (`search`),
-    /// which gets the focus; an empty id takes the mark away.
+    /// Scrolls to a parameter's row and marks it, or scrolls to copy and paste (`share`),
+    /// the tools (`tools`), the quality (`quality`) or the search (`search`), which takes
+    /// the focus; an empty id removes the mark.
     pub fn reveal(&self, id: &str) {
         if let Ok(mut panel) = self.panel.try_borrow_mut() {
-            panel.reveal(id);
+            panel.state.reveal(id);
         }
         paint_soon(&self.ctx);
     }
 
-    /// The page's desk is in this state now: an object with the fields of
-    /// [`crate::desk::Desk`].
+    /// Takes the state of the panel controller: an object with the fields of
+    /// [`crate::state::ControllerState`].
     pub fn tell(&self, state: JsValue) {
         if let Ok(mut panel) = self.panel.try_borrow_mut() {
-            panel.desk = desk(&state);
+            panel.state.controller = controller_state(&state);
             read_scene(&mut panel, &property(&state, "values"));
         }
         paint_soon(&self.ctx);
     }
 
-    /// The value of the row under the pointer and its label, to be copied; nothing where
-    /// there is none, or somebody types.
+    /// The value of the row under the pointer and its label, for the clipboard; undefined
+    /// without a row under the pointer or while a text field has the focus.
     pub fn hovered(&self) -> Option<Vec<String>> {
         let panel = self.panel.try_borrow().ok()?;
         if panel.is_typing(&self.ctx) {
@@ -147,23 +137,23 @@ impl Panel {
         Some(vec![value, label.to_owned()])
     }
 
-    /// Paints soon: the canvas's resolution was changed from outside.
+    /// Repaints soon, after the page has changed the canvas's resolution.
     pub fn repaint(&self) {
         paint_soon(&self.ctx);
     }
 
-    /// Stops it and lets go of the canvas and the element.
+    /// Stops the panel and releases the canvas and the element.
     pub fn destroy(self) {
         self.runner.destroy();
     }
 }
 
-fn options(manners: &Rc<Manners>) -> eframe::WebOptions {
-    let (prevent, stop) = (manners.clone(), manners.clone());
+fn options(policy: &Rc<InputPolicy>) -> eframe::WebOptions {
+    let (prevent, stop) = (policy.clone(), policy.clone());
     eframe::WebOptions {
         should_prevent_default: Box::new(move |event| match event {
-            // The page scrolls on where the panel cannot; with the control key
-            // the browser zooms.
+            // The page scrolls where the panel cannot; with the control key the browser
+            // zooms.
             egui::Event::MouseWheel {
                 delta, modifiers, ..
             } => {
@@ -173,7 +163,7 @@ fn options(manners: &Rc<Manners>) -> eframe::WebOptions {
             egui::Event::Zoom(_) | egui::Event::PointerMoved(_) => false,
             _ => true,
         }),
-        // A page has keys of its own; they rest while somebody types here.
+        // The page's own keys rest while a text field has the focus.
         should_stop_propagation: Box::new(move |event| {
             matches!(event, egui::Event::Key { .. } | egui::Event::Text(_)) && stop.typing.get()
         }),
@@ -188,10 +178,10 @@ fn matches(query: &str) -> bool {
         .is_some_and(|query| query.matches())
 }
 
-/// A finger and a mouse mean different things by a press.
+/// Records whether a press comes from a finger, which drags and scrolls differently.
 fn press_listener(
     canvas: &HtmlCanvasElement,
-    panel: &Rc<RefCell<crate::Panel>>,
+    panel: &Rc<RefCell<crate::panel::Panel>>,
 ) -> Result<Listener, JsValue> {
     let panel = panel.clone();
     Listener::new(canvas, "pointerdown", true, move |event| {
@@ -199,13 +189,13 @@ fn press_listener(
             .dyn_ref::<PointerEvent>()
             .is_some_and(|event| event.pointer_type() == "touch");
         if let Ok(mut panel) = panel.try_borrow_mut() {
-            panel.finger = finger;
+            panel.state.device.finger = finger;
         }
     })
 }
 
-/// Keeps the Tab key from eframe, so that the browser moves the focus on, and
-/// takes canvas and text field out of the Tab order.
+/// Hides the Tab key from eframe, so that the browser moves the focus, and removes canvas
+/// and text field from the Tab order.
 fn tab_listeners(canvas: &HtmlCanvasElement) -> Result<Vec<Listener>, JsValue> {
     canvas.set_tab_index(-1);
     let mut listeners = Vec::new();
@@ -219,8 +209,7 @@ fn tab_listeners(canvas: &HtmlCanvasElement) -> Result<Vec<Listener>, JsValue> {
     Ok(listeners)
 }
 
-/// eframe listens on the element itself, and for those a capturing listener
-/// comes first whenever it was added.
+/// eframe listens on the element itself, where capturing listeners run first.
 fn leave_tab(target: &HtmlElement) -> Result<Listener, JsValue> {
     Listener::new(target, "keydown", true, |event| {
         if event
@@ -232,7 +221,7 @@ fn leave_tab(target: &HtmlElement) -> Result<Listener, JsValue> {
     })
 }
 
-/// eframe's hidden field, through which text comes; it stands after the canvas.
+/// eframe's hidden text field, the sibling of the canvas.
 fn text_agent(canvas: &HtmlCanvasElement) -> Option<HtmlElement> {
     canvas.next_sibling()?.dyn_into().ok()
 }

@@ -3,17 +3,18 @@
 
 use egui::{Event, Key};
 use hearth_core::params::{Input, Model, Param, Value};
-use hearth_panel::fire::{Command, Stats};
+use hearth_panel::state::Command;
+use hearth_panel::state::fire::Stats;
+use hearth_panel::state::{QUALITY, SEARCH};
 use hearth_panel::theme::Measures;
-use hearth_panel::{QUALITY, SEARCH};
 
-use crate::hands::{Hands, PHONE, TALL, models};
+use crate::harness::{Harness, PHONE, TALL, models};
 
 #[test]
 fn the_header_leaves_most_of_the_height_to_the_sliders() {
     for model in models() {
-        let hands = Hands::of_model(model, (340.0, 800.0, Measures::FINE));
-        let first = hands.place("group:Basics").top();
+        let harness = Harness::of_model(model, (340.0, 800.0, Measures::FINE));
+        let first = harness.place("group:Basics").top();
         assert!(first <= 184.0, "the rows of {model:?} begin at {first}");
         for id in [
             "source_width",
@@ -22,7 +23,7 @@ fn the_header_leaves_most_of_the_height_to_the_sliders() {
             "smoke_opacity",
             "time_scale",
         ] {
-            hands.place(id);
+            harness.place(id);
         }
     }
 }
@@ -32,12 +33,12 @@ fn a_slider_is_in_sight_on_every_phone() {
     // The sheet of 320 × 568 and of 390 × 844, and the column of 844 × 390.
     for size in [(320.0, 234.0), (390.0, 355.0), (340.0, 390.0)] {
         for model in models() {
-            let hands = Hands::of_model(model, (size.0, size.1, Measures::COARSE));
+            let harness = Harness::of_model(model, (size.0, size.1, Measures::COARSE));
             let first = match model {
                 Model::Classic => "emission_rate",
                 Model::Combustion => "fuel_power",
             };
-            hands.place(first);
+            harness.place(first);
         }
     }
 }
@@ -45,8 +46,8 @@ fn a_slider_is_in_sight_on_every_phone() {
 #[test]
 fn simple_controls_come_first_and_physics_is_folded() {
     for model in models() {
-        let hands = Hands::of_model(model, (340.0, 9000.0, Measures::FINE));
-        let used = hands.used();
+        let harness = Harness::of_model(model, (340.0, 9000.0, Measures::FINE));
+        let used = harness.used();
         let basics = used.iter().filter(|param| param.group == "Basics").count();
         assert!(
             (10..=12).contains(&basics),
@@ -68,7 +69,7 @@ fn simple_controls_come_first_and_physics_is_folded() {
         assert_eq!(groups, there.collect::<Vec<_>>());
         for param in used {
             assert_eq!(
-                hands.in_sight(param.id),
+                harness.in_sight(param.id),
                 param.group != "Physics",
                 "{}",
                 param.id
@@ -79,31 +80,43 @@ fn simple_controls_come_first_and_physics_is_folded() {
 
 #[test]
 fn the_way_back_leads_to_the_scene() {
-    let mut hands = Hands::of_model(Model::Combustion, TALL);
-    hands
+    let mut harness = Harness::of_model(Model::Combustion, TALL);
+    harness
         .panel
+        .state
         .fire
         .start_from([("fuel_power", Input::Number(90.0))]);
-    hands.panel.fire.learn("fuel_power", Input::Number(90.0));
-    hands.wait();
-    assert!(!hands.in_sight("action:restore:fuel_power"));
-    hands.click("action:reset-all");
-    assert!(hands.panel.take_commands().is_empty(), "nothing is changed");
+    harness
+        .panel
+        .state
+        .fire
+        .receive("fuel_power", Input::Number(90.0));
+    harness.wait();
+    assert!(!harness.in_sight("action:restore:fuel_power"));
+    harness.click("action:reset-all");
+    assert!(
+        harness.panel.take_commands().is_empty(),
+        "nothing is changed"
+    );
 
-    hands.panel.fire.learn("fuel_power", Input::Number(220.0));
-    hands.wait();
-    hands.place("action:restore:fuel_power");
-    hands.click("action:reset-all");
-    assert_eq!(hands.panel.take_commands(), [Command::RestoreAll]);
+    harness
+        .panel
+        .state
+        .fire
+        .receive("fuel_power", Input::Number(220.0));
+    harness.wait();
+    harness.place("action:restore:fuel_power");
+    harness.click("action:reset-all");
+    assert_eq!(harness.panel.take_commands(), [Command::RestoreAll]);
 }
 
 #[test]
 fn only_what_the_page_wants_is_shown_in_its_order() {
-    let mut hands = Hands::of_model(Model::Combustion, TALL);
+    let mut harness = Harness::of_model(Model::Combustion, TALL);
     let ids = ["wind", "palette", "fuel_power", "walls"];
-    hands.panel.only = Some(ids.into_iter().filter_map(Param::find).collect());
-    hands.wait();
-    let tops = ids[..3].iter().map(|id| hands.place(id).top());
+    harness.panel.state.only = Some(ids.into_iter().filter_map(Param::find).collect());
+    harness.wait();
+    let tops = ids[..3].iter().map(|id| harness.place(id).top());
     assert!(tops.collect::<Vec<_>>().is_sorted());
     for absent in [
         "walls",
@@ -113,79 +126,79 @@ fn only_what_the_page_wants_is_shown_in_its_order() {
         "choice:model:classic",
         QUALITY,
     ] {
-        assert!(!hands.in_sight(absent), "{absent}");
+        assert!(!harness.in_sight(absent), "{absent}");
     }
-    hands.click("action:pause");
-    assert_eq!(hands.panel.take_commands(), [Command::Pause]);
+    harness.click("action:pause");
+    assert_eq!(harness.panel.take_commands(), [Command::Pause]);
 }
 
 #[test]
 fn a_phone_unfolds_the_tools_that_it_has_no_room_for() {
-    let mut hands = Hands::new(PHONE);
-    assert!(!hands.in_sight("action:reset"));
-    hands.click("action:more");
-    hands.click("action:reset");
-    assert_eq!(hands.panel.take_commands(), [Command::Reset]);
-    hands.click("action:more");
-    assert!(!hands.in_sight("action:reset"));
+    let mut harness = Harness::new(PHONE);
+    assert!(!harness.in_sight("action:reset"));
+    harness.click("action:more");
+    harness.click("action:reset");
+    assert_eq!(harness.panel.take_commands(), [Command::Reset]);
+    harness.click("action:more");
+    assert!(!harness.in_sight("action:reset"));
 }
 
 #[test]
 fn the_quality_is_brought_into_sight() {
     for size in [TALL, PHONE] {
-        let mut hands = Hands::new(size);
-        hands.reveal(QUALITY);
-        hands.click("quality:low");
-        assert_eq!(hands.panel.take_commands(), [Command::Quality("low")]);
+        let mut harness = Harness::new(size);
+        harness.reveal(QUALITY);
+        harness.click("quality:low");
+        assert_eq!(harness.panel.take_commands(), [Command::Quality("low")]);
     }
 }
 
 #[test]
 fn a_search_shows_the_best_first_and_escape_clears_it_then_leaves() {
     for size in [TALL, PHONE] {
-        let mut hands = Hands::of_model(Model::Combustion, size);
-        hands.reveal(SEARCH);
-        hands.frame(vec![Event::Text("wind".to_owned())]);
-        hands.wait();
-        assert!(hands.panel.is_typing(&hands.ctx));
+        let mut harness = Harness::of_model(Model::Combustion, size);
+        harness.reveal(SEARCH);
+        harness.frame(vec![Event::Text("wind".to_owned())]);
+        harness.wait();
+        assert!(harness.panel.is_typing(&harness.ctx));
         if size == TALL {
             let others = ["turbulence", "seam"]
                 .into_iter()
-                .filter(|id| hands.in_sight(id));
+                .filter(|id| harness.in_sight(id));
             for other in others {
                 assert!(
-                    hands.place("wind").top() < hands.place(other).top(),
+                    harness.place("wind").top() < harness.place(other).top(),
                     "{other}"
                 );
             }
-            hands.place("wind");
+            harness.place("wind");
         }
-        hands.key(Key::Escape);
-        assert!(hands.panel.is_typing(&hands.ctx), "it is cleared first");
+        harness.key(Key::Escape);
+        assert!(harness.panel.is_typing(&harness.ctx), "it is cleared first");
         if size == TALL {
-            hands.place("fuel_power");
+            harness.place("fuel_power");
         }
-        hands.key(Key::Escape);
-        assert!(!hands.panel.is_typing(&hands.ctx));
+        harness.key(Key::Escape);
+        assert!(!harness.panel.is_typing(&harness.ctx));
     }
 }
 
-fn told(hands: &mut Hands, stats: Stats) -> Vec<String> {
-    hands.panel.fire.measure(stats);
-    hands.wait();
-    hands.texts()
+fn told(harness: &mut Harness, stats: Stats) -> Vec<String> {
+    harness.panel.state.fire.measure(stats);
+    harness.wait();
+    harness.texts()
 }
 
 #[test]
 fn numbers_are_honest() {
-    let mut hands = Hands::of_model(Model::Combustion, TALL);
+    let mut harness = Harness::of_model(Model::Combustion, TALL);
     let stats = Stats {
         fps: 60.0,
         particles: 1176.0,
         quality: "low".to_owned(),
         ..Stats::default()
     };
-    let texts = told(&mut hands, stats.clone());
+    let texts = told(&mut harness, stats.clone());
     let words = "1\u{a0}176 of 3\u{a0}000 (quality low)";
     assert!(texts.iter().any(|text| text == words), "{texts:?}");
     let slow = Stats {
@@ -193,30 +206,31 @@ fn numbers_are_honest() {
         time_scale: 0.3,
         ..stats
     };
-    let texts = told(&mut hands, slow);
+    let texts = told(&mut harness, slow);
     assert!(
         texts.iter().any(|text| text == "0.3 × real time"),
         "{texts:?}"
     );
-    hands
+    harness
         .panel
+        .state
         .fire
-        .learn("max_particles", Input::Number(50_000.0));
-    hands.reveal("max_particles");
-    let texts = hands.texts();
+        .receive("max_particles", Input::Number(50_000.0));
+    harness.reveal("max_particles");
+    let texts = harness.texts();
     let dear = "Takes much work: the fire goes at 0.3 × real time";
     assert!(texts.iter().any(|text| text == dear), "{texts:?}");
 }
 
 #[test]
 fn the_classic_model_says_what_keeps_its_number_down() {
-    let mut hands = Hands::new(TALL);
-    hands.reveal("max_particles");
+    let mut harness = Harness::new(TALL);
+    harness.reveal("max_particles");
     let stats = Stats {
         particles: 742.0,
         ..Stats::default()
     };
-    let texts = told(&mut hands, stats);
+    let texts = told(&mut harness, stats);
     assert!(
         texts.iter().any(|text| text.starts_with("742 are alive")),
         "{texts:?}"
@@ -225,12 +239,12 @@ fn the_classic_model_says_what_keeps_its_number_down() {
 
 #[test]
 fn the_value_under_the_pointer_can_be_copied() {
-    let mut hands = Hands::of_model(Model::Combustion, TALL);
-    assert_eq!(hands.panel.hovered_value(), None);
-    let pos = hands.place("fuel_power").center();
-    hands.frame(vec![Event::PointerMoved(pos)]);
-    hands.wait();
-    let copied = hands.panel.hovered_value();
+    let mut harness = Harness::of_model(Model::Combustion, TALL);
+    assert_eq!(harness.panel.hovered_value(), None);
+    let pos = harness.place("fuel_power").center();
+    harness.frame(vec![Event::PointerMoved(pos)]);
+    harness.wait();
+    let copied = harness.panel.hovered_value();
     assert_eq!(copied, Some(("220".to_owned(), "Strength")));
-    assert_eq!(hands.value("fuel_power"), Value::Number(220.0));
+    assert_eq!(harness.value("fuel_power"), Value::Number(220.0));
 }

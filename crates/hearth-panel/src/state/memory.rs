@@ -1,19 +1,18 @@
-//! What a panel keeps from one visit to the next: which groups are folded, and
-//! whether the times are shown. Where it is kept is the page's affair.
+//! What persists between visits. The page stores it.
 
 use std::collections::BTreeSet;
 
 use hearth_core::params::PARAMETERS;
 
-/// The group that is folded until somebody unfolds it.
+/// The group that is folded at the first visit.
 const FOLDED: &str = "Physics";
 
-/// What is folded and what is not.
+/// The folded parts of the panel.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Memory {
-    /// The groups that are folded.
+    /// The folded groups.
     pub folded: BTreeSet<&'static str>,
-    /// Whether it is shown what takes how long.
+    /// Whether the times of a frame are shown.
     pub times: bool,
 }
 
@@ -27,8 +26,7 @@ impl Default for Memory {
 }
 
 impl Memory {
-    /// Folds the groups of these names and unfolds all others; a name that is none is
-    /// left out.
+    /// Folds the groups of these names and unfolds all others. Unknown names are ignored.
     pub fn fold<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) {
         let group = |name: &str| {
             let mut groups = PARAMETERS.iter().map(|param| param.group);

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use egui::{Align2, Mesh, Rect, Shape, Stroke, Ui, pos2};
 
-use crate::fire::HISTORY;
+use crate::state::fire::HISTORY;
 use crate::theme;
 
 /// Paints the history in `rect`, the newest sample at the right.
@@ -14,8 +14,8 @@ pub fn show(ui: &Ui, rect: Rect, history: &VecDeque<f32>) {
     }
     let painter = ui.painter();
     painter.rect_filled(rect, 4.0, egui::Color32::from_rgb(14, 11, 10));
-    let most = history.iter().copied().fold(60.0_f32, f32::max) * 1.15;
-    let y = |fps: f32| rect.bottom() - 2.0 - (rect.height() - 4.0) * (fps / most).clamp(0.0, 1.0);
+    let max = history.iter().copied().fold(60.0_f32, f32::max) * 1.15;
+    let y = |fps: f32| rect.bottom() - 2.0 - (rect.height() - 4.0) * (fps / max).clamp(0.0, 1.0);
     painter.hline(rect.x_range(), y(60.0), Stroke::new(1.0, theme::line()));
     painter.text(
         pos2(rect.left() + 5.0, y(60.0) + 1.0),
@@ -24,12 +24,12 @@ pub fn show(ui: &Ui, rect: Rect, history: &VecDeque<f32>) {
         egui::FontId::proportional(11.0),
         theme::weak(),
     );
-    let pace = rect.width() / (HISTORY - 1) as f32;
+    let step = rect.width() / (HISTORY - 1) as f32;
     let points: Vec<_> = history
         .iter()
         .rev()
         .enumerate()
-        .map(|(age, &fps)| pos2(rect.right() - age as f32 * pace, y(fps)))
+        .map(|(age, &fps)| pos2(rect.right() - age as f32 * step, y(fps)))
         .collect();
     if points.len() < 2 {
         return;

@@ -1,17 +1,15 @@
-//! The line of tools: play and pause, back and again, picture, full screen, what can
-//! be shared, and the keys.
+//! The line of tools, and below it copy and paste.
 
-use egui::{Align2, Id, Rect, Ui};
+use egui::{Id, Rect, Ui};
 
-use crate::button::{self, Face};
-use crate::fire::Command;
-use crate::header::LABEL;
-use crate::icons::{self, Icon};
-use crate::panel::{Panel, in_sight, strip};
-use crate::theme::Measures;
-use crate::{row, theme};
+use crate::state::{Action, Command, ControllerState, State};
+use crate::theme::{self, Measures};
+use crate::view::button::{self, Face};
+use crate::view::icons::{self, Icon};
+use crate::view::layout::{labelled, paragraph, scroll_into_view, strip};
+use crate::view::output::Output;
 
-/// What can be copied: its name, its button's face, and what that means.
+/// What can be copied: name, label of the button, tooltip.
 const COPIES: [(&str, &str, &str); 4] = [
     ("link", "Link", "An address that shows this fire"),
     ("element", "HTML", "HTML that shows this fire on any page"),
@@ -26,30 +24,30 @@ const COPIES: [(&str, &str, &str); 4] = [
 /// A button of the line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tool {
-    /// Let time pass, or hold it.
+    /// Pause or resume.
     Pause,
     /// One step.
     Step,
-    /// Start again.
+    /// Restart the fire.
     Restart,
-    /// A step back.
+    /// Undo.
     Undo,
-    /// And again.
+    /// Redo.
     Redo,
-    /// Save a picture.
+    /// Save an image.
     Picture,
-    /// Take all of the screen.
+    /// Toggle full screen.
     Fullscreen,
-    /// Unfold what can be shared.
+    /// Unfold copy and paste.
     Share,
-    /// Show the keys.
+    /// Show the keyboard shortcuts.
     Help,
-    /// Unfold all others, where there is little height.
+    /// Unfold all others, where the panel is low.
     More,
 }
 
 impl Tool {
-    /// All that stand side by side, where there is room.
+    /// The line of a high panel.
     const LINE: [Tool; 9] = [
         Tool::Pause,
         Tool::Step,
@@ -62,7 +60,7 @@ impl Tool {
         Tool::Help,
     ];
 
-    /// Those that are unfolded, where there is little height.
+    /// The unfolded line of a low panel.
     const FOLDED: [Tool; 7] = [
         Tool::Step,
         Tool::Restart,
@@ -73,11 +71,11 @@ impl Tool {
         Tool::Help,
     ];
 
-    fn is_there(self, panel: &Panel) -> bool {
+    fn is_available(self, state: &State) -> bool {
         match self {
-            Tool::Fullscreen => panel.desk.fullscreen,
-            // Where there is no mouse there is hardly a keyboard.
-            Tool::Help => panel.measures != Measures::COARSE,
+            Tool::Fullscreen => state.controller.fullscreen,
+            // A device without a mouse rarely has a keyboard.
+            Tool::Help => state.device.measures != Measures::COARSE,
             _ => true,
         }
     }
@@ -112,10 +110,10 @@ impl Tool {
         }
     }
 
-    fn face(self, panel: &Panel) -> Face<'static> {
+    fn face(self, state: &State) -> Face<'static> {
         let icon = |icon| Face::new(icon, "");
         match self {
-            Tool::Pause if panel.fire.paused => Face {
+            Tool::Pause if state.fire.paused => Face {
                 lit: true,
                 ..icon(Icon::Play)
             },
@@ -123,136 +121,132 @@ impl Tool {
             Tool::Step => icon(Icon::Step),
             Tool::Restart => icon(Icon::Restart),
             Tool::Undo => Face {
-                enabled: panel.desk.undo,
+                enabled: state.controller.undo,
                 ..icon(Icon::Undo)
             },
             Tool::Redo => Face {
-                enabled: panel.desk.redo,
+                enabled: state.controller.redo,
                 ..icon(Icon::Redo)
             },
-            Tool::Picture if panel.desk.done == "picture" => icon(Icon::Tick),
+            Tool::Picture if state.controller.done == "picture" => icon(Icon::Tick),
             Tool::Picture => icon(Icon::Camera),
             Tool::Fullscreen => icon(Icon::Corners),
             Tool::Share => Face {
-                lit: panel.sharing,
+                lit: state.open.sharing,
                 ..icon(Icon::Share)
             },
             Tool::Help => Face::text("?"),
             Tool::More => Face {
-                lit: panel.more,
+                lit: state.open.tools,
                 ..Face::text("")
             },
         }
     }
 
-    fn press(self, panel: &mut Panel) {
-        let paused = panel.fire.paused;
+    fn press(self, paused: bool, out: &mut Output) {
         match self {
-            Tool::Pause if paused => panel.ask(Command::Play),
-            Tool::Pause => panel.ask(Command::Pause),
+            Tool::Pause if paused => out.send(Command::Play),
+            Tool::Pause => out.send(Command::Pause),
             Tool::Step => {
                 if !paused {
-                    panel.ask(Command::Pause);
+                    out.send(Command::Pause);
                 }
-                panel.ask(Command::Step);
+                out.send(Command::Step);
             }
-            Tool::Restart => panel.ask(Command::Reset),
-            Tool::Undo => panel.ask(Command::Undo),
-            Tool::Redo => panel.ask(Command::Redo),
-            Tool::Picture => panel.ask(Command::Picture),
-            Tool::Fullscreen => panel.ask(Command::Fullscreen),
-            Tool::Help => panel.ask(Command::Help),
-            Tool::Share => panel.sharing ^= true,
-            Tool::More => {
-                panel.more ^= true;
-                // It is unfolded above the rows.
-                panel.rewinding = panel.more;
-            }
+            Tool::Restart => out.send(Command::Reset),
+            Tool::Undo => out.send(Command::Undo),
+            Tool::Redo => out.send(Command::Redo),
+            Tool::Picture => out.send(Command::Picture),
+            Tool::Fullscreen => out.send(Command::Fullscreen),
+            Tool::Help => out.send(Command::Help),
+            Tool::Share => out.push(Action::ToggleSharing),
+            Tool::More => out.push(Action::ToggleTools),
         }
     }
 }
 
 /// These tools side by side.
-pub fn line(panel: &mut Panel, ui: &Ui, rect: Rect, tools: &[Tool]) {
+pub fn line(state: &State, out: &mut Output, ui: &Ui, rect: Rect, tools: &[Tool]) {
     let tools: Vec<Tool> = tools
         .iter()
         .copied()
-        .filter(|tool| tool.is_there(panel))
+        .filter(|tool| tool.is_available(state))
         .collect();
     for (rect, tool) in button::split(rect, tools.len(), 4.0).zip(tools) {
         let name = tool.name();
         let response =
-            button::show(ui, rect, Id::unique(name), tool.face(panel)).on_hover_text(tool.hint());
+            button::show(ui, rect, Id::unique(name), tool.face(state)).on_hover_text(tool.hint());
         if tool == Tool::More {
             let ink = if response.hovered() {
                 theme::ACCENT
             } else {
                 theme::TEXT
             };
-            icons::chevron(ui.painter(), rect.center(), panel.more, ink);
+            icons::chevron(ui.painter(), rect.center(), state.open.tools, ink);
         }
-        panel.place(ui, name, rect);
+        out.place(ui, name, rect);
         if response.clicked() {
-            tool.press(panel);
+            tool.press(state.fire.paused, out);
         }
     }
 }
 
-/// Shows the tools, and below them what can be shared, where somebody asked.
-/// `scrolls`: there is little height, and they can be brought into sight.
-pub fn show(panel: &mut Panel, ui: &mut Ui, scrolls: bool) {
-    let rect = strip(ui, panel.measures.control);
+/// Shows the tools and, unfolded below them, copy and paste. `scrolls`: the panel is low,
+/// and the tools scroll with the rows.
+pub fn show(state: &State, out: &mut Output, ui: &mut Ui, scrolls: bool) {
+    let control = state.device.measures.control;
+    let rect = strip(ui, control);
     let tools: &[Tool] = if scrolls { &Tool::FOLDED } else { &Tool::LINE };
-    line(panel, ui, rect, tools);
-    if panel.sharing {
+    line(state, out, ui, rect, tools);
+    if state.open.sharing {
         ui.add_space(6.0);
-        copies(panel, ui);
+        copies(&state.controller, out, ui, control);
         ui.add_space(6.0);
-        paste(panel, ui);
+        paste(&state.controller, out, ui, control);
     }
-    if panel.bringing_tools && scrolls {
-        in_sight(ui, rect.with_max_y(ui.cursor().top()));
+    if state.reveal.tools && scrolls {
+        scroll_into_view(ui, rect.with_max_y(ui.cursor().top()));
     }
-    complaint(panel, ui);
+    error(&state.controller, ui);
 }
 
-/// What went wrong, if anything did.
-pub fn complaint(panel: &Panel, ui: &mut Ui) {
-    if let Some(complaint) = panel.desk.complaint() {
+/// Shows the error of the panel controller, if there is one.
+pub fn error(controller: &ControllerState, ui: &mut Ui) {
+    if let Some(error) = controller.error() {
         ui.add_space(6.0);
-        row::paragraph(ui, complaint, theme::ERROR);
+        paragraph(ui, error, theme::ERROR);
     }
 }
 
-fn copies(panel: &mut Panel, ui: &mut Ui) {
-    let rect = labelled(panel, ui, "Copy");
+fn copies(controller: &ControllerState, out: &mut Output, ui: &mut Ui, control: f32) {
+    let rect = labelled(ui, control, "Copy");
     let copies: Vec<_> = COPIES
         .into_iter()
         .filter(|&(what, ..)| match what {
-            "link" => panel.desk.link,
-            "iframe" => panel.desk.iframe,
+            "link" => controller.link,
+            "iframe" => controller.iframe,
             _ => true,
         })
         .collect();
     for (rect, (what, text, hint)) in button::split(rect, copies.len(), 6.0).zip(copies) {
         let key = format!("copy:{what}");
-        let done = panel.desk.done == key;
+        let done = controller.done == key;
         let face = Face {
             lit: done,
             ..Face::text(if done { "Copied" } else { text })
         };
         let name = format!("action:{key}");
         let response = button::show(ui, rect, Id::unique(&name), face).on_hover_text(hint);
-        panel.place(ui, name, rect);
+        out.place(ui, name, rect);
         if response.clicked() {
-            panel.ask(Command::Copy(what));
+            out.send(Command::Copy(what));
         }
     }
 }
 
-fn paste(panel: &mut Panel, ui: &mut Ui) {
-    let rect = labelled(panel, ui, "Paste");
-    let done = panel.desk.done == "paste";
+fn paste(controller: &ControllerState, out: &mut Output, ui: &mut Ui, control: f32) {
+    let rect = labelled(ui, control, "Paste");
+    let done = controller.done == "paste";
     let text = if done {
         "Taken"
     } else {
@@ -264,22 +258,8 @@ fn paste(panel: &mut Panel, ui: &mut Ui) {
     };
     let name = "action:paste";
     let response = button::show(ui, rect, Id::unique(name), face);
-    panel.place(ui, name, rect);
+    out.place(ui, name, rect);
     if response.clicked() {
-        panel.ask(Command::Paste);
+        out.send(Command::Paste);
     }
-}
-
-/// A line with its name at the left; what is left of it.
-fn labelled(panel: &Panel, ui: &mut Ui, text: &str) -> egui::Rect {
-    let mut rect = strip(ui, panel.measures.control);
-    ui.painter().text(
-        rect.left_center(),
-        Align2::LEFT_CENTER,
-        text,
-        theme::small(),
-        theme::weak(),
-    );
-    rect.min.x += LABEL;
-    rect
 }

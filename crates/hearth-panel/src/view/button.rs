@@ -1,27 +1,27 @@
-//! Buttons: an icon, a text, or both, in a rectangle that is given.
+//! Buttons with an icon, a text or both, and check boxes, in a given rectangle.
 
 use egui::{Align2, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
 
-use crate::icons::{self, Icon};
 use crate::theme;
+use crate::view::icons::{self, Icon};
 
-/// What stands on a button.
+/// The face of a button.
 #[derive(Clone, Copy, Debug)]
 pub struct Face<'a> {
-    /// A picture.
+    /// The icon.
     pub icon: Option<Icon>,
-    /// A word.
+    /// The text.
     pub text: &'a str,
-    /// Lit: what it says is so at present.
+    /// Whether its option is on.
     pub lit: bool,
-    /// Whether it has a ground of its own.
+    /// Whether it has a background.
     pub framed: bool,
-    /// Whether it does anything at present.
+    /// Whether it can be pressed.
     pub enabled: bool,
 }
 
 impl<'a> Face<'a> {
-    /// A picture and a word.
+    /// An icon and a text.
     pub fn new(icon: Icon, text: &'a str) -> Face<'a> {
         Face {
             icon: Some(icon),
@@ -29,7 +29,7 @@ impl<'a> Face<'a> {
         }
     }
 
-    /// A word alone.
+    /// A text alone.
     pub fn text(text: &'a str) -> Face<'a> {
         Face {
             icon: None,
@@ -40,7 +40,7 @@ impl<'a> Face<'a> {
         }
     }
 
-    /// A bare picture, without a ground.
+    /// An icon without a background.
     pub fn bare(icon: Icon) -> Face<'a> {
         Face {
             framed: false,
@@ -100,7 +100,7 @@ pub fn show(ui: &Ui, rect: Rect, id: Id, face: Face<'_>) -> Response {
     response
 }
 
-/// Shows a button that opens a list, with what is chosen of it at present.
+/// Shows a button that opens a list, with its present choice.
 pub fn unfolder(ui: &Ui, rect: Rect, id: Id, text: &str, open: bool) -> Response {
     let face = Face {
         lit: open,
@@ -112,7 +112,7 @@ pub fn unfolder(ui: &Ui, rect: Rect, id: Id, text: &str, open: bool) -> Response
     } else {
         theme::weak()
     };
-    // A text that is too long ends at the mark.
+    // A text that is too long is cut at the mark.
     let room = rect
         .shrink2(vec2(10.0, 0.0))
         .with_max_x(rect.right() - 24.0);
@@ -133,6 +133,30 @@ pub fn unfolder(ui: &Ui, rect: Rect, id: Id, text: &str, open: bool) -> Response
     response
 }
 
+/// Shows a check box. Returns whether it was clicked.
+pub fn check_box(ui: &Ui, hit: Rect, id: Id, on: bool) -> bool {
+    let response = ui
+        .interact(hit, id, Sense::click())
+        .on_hover_cursor(CursorIcon::PointingHand);
+    let painter = ui.painter();
+    let rect = Rect::from_center_size(hit.center(), vec2(18.0, 18.0));
+    let fill = match (on, response.hovered()) {
+        (true, _) => theme::ACCENT,
+        (false, true) => theme::HOVERED,
+        (false, false) => theme::RAISED,
+    };
+    painter.rect_filled(rect, 4.0, fill);
+    if on {
+        let at = |x: f32, y: f32| pos2(rect.left() + x * 18.0, rect.top() + y * 18.0);
+        let stroke = Stroke::new(2.2, theme::GROUND);
+        painter.line(vec![at(0.22, 0.52), at(0.42, 0.72), at(0.78, 0.3)], stroke);
+    } else {
+        let stroke = Stroke::new(1.0, theme::weak());
+        painter.rect_stroke(rect, 4.0, stroke, StrokeKind::Inside);
+    }
+    response.clicked()
+}
+
 /// Splits `rect` into parts of equal width.
 pub fn split(rect: Rect, parts: usize, gap: f32) -> impl Iterator<Item = Rect> {
     let width = (rect.width() - gap * (parts.max(1) - 1) as f32) / parts.max(1) as f32;
@@ -142,8 +166,8 @@ pub fn split(rect: Rect, parts: usize, gap: f32) -> impl Iterator<Item = Rect> {
     })
 }
 
-/// Splits `rect` among buttons with these words: each has the room of its word, and
-/// what is left is shared.
+/// Splits `rect` among buttons with these labels: each has the width of its label and an
+/// equal share of the rest.
 pub fn split_by_words(ui: &Ui, rect: Rect, words: &[&str], gap: f32) -> Vec<Rect> {
     let widths: Vec<f32> = words
         .iter()

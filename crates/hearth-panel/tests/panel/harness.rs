@@ -1,57 +1,61 @@
-//! Hands that use a panel without a browser: it is painted, and pointer and keys go
-//! where it says its controls are.
+//! A harness that uses a panel without a browser: it paints frames, and sends pointer and
+//! keys to the places of the controls.
 //!
-//! A character that the font lacks panics, so everything that is painted here
-//! is painted without boxes.
+//! A character that the font lacks panics, so no test paints a replacement box.
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, Shape, vec2};
 use hearth_core::params::{Choice, Input, Model, Param, Value};
 use hearth_panel::Panel;
-use hearth_panel::fire::MODEL;
+use hearth_panel::state::MODEL;
 use hearth_panel::theme::{self, Measures};
 
-pub struct Hands {
+pub struct Harness {
     pub ctx: egui::Context,
     pub panel: Panel,
     pub size: egui::Vec2,
     pub time: f64,
 }
 
-impl Hands {
+impl Harness {
     /// A panel of the classic model.
-    pub fn new(size: Size) -> Hands {
-        Hands::of_model(Model::Classic, size)
+    pub fn new(size: Size) -> Harness {
+        Harness::of_model(Model::Classic, size)
     }
 
-    pub fn of_model(model: Model, (width, height, measures): Size) -> Hands {
+    pub fn of_model(model: Model, (width, height, measures): Size) -> Harness {
         let ctx = egui::Context::default();
         theme::apply(&ctx);
         ctx.set_missing_glyph_policy(egui::MissingGlyphPolicy::Panic);
-        let mut hands = Hands {
+        let mut harness = Harness {
             ctx,
             panel: Panel::new(measures),
             size: vec2(width, height),
             time: 0.0,
         };
-        hands.panel.fire.learn(MODEL, Input::Text(model.name()));
-        hands
+        harness
             .panel
+            .state
+            .fire
+            .receive(MODEL, Input::Text(model.name()));
+        harness
+            .panel
+            .state
             .fire
             .start_from([(MODEL, Input::Text(model.name()))]);
-        hands.wait();
-        hands
+        harness.wait();
+        harness
     }
 
-    /// What the panel shows of the table.
+    /// The parameters of the present model.
     pub fn used(&self) -> Vec<&'static Param> {
-        self.panel.fire.used().collect()
+        self.panel.state.fire.used().collect()
     }
 
     pub fn frame(&mut self, events: Vec<Event>) {
         self.frame_with(Modifiers::NONE, events);
     }
 
-    /// A frame in which keys such as Shift are held.
+    /// A frame with modifier keys.
     pub fn frame_with(&mut self, modifiers: Modifiers, events: Vec<Event>) {
         self.time += 0.1;
         let held = Event::ModifiersChanged(modifiers);
@@ -111,7 +115,7 @@ impl Hands {
     }
 
     pub fn reveal(&mut self, id: &str) {
-        self.panel.reveal(id);
+        self.panel.state.reveal(id);
         self.wait();
     }
 
@@ -160,12 +164,12 @@ impl Hands {
     }
 
     pub fn value(&self, id: &str) -> Value {
-        let value = self.panel.fire.parameters.get(id);
+        let value = self.panel.state.fire.parameters.get(id);
         value.unwrap_or_else(|| panic!("there is no {id}"))
     }
 }
 
-/// Width, height, and for whose hand.
+/// Width, height, and sizes for mouse or finger.
 pub type Size = (f32, f32, Measures);
 
 pub const TALL: Size = (340.0, 900.0, Measures::FINE);

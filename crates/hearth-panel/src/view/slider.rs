@@ -1,54 +1,41 @@
 //! The slider: a rail with a knob, for a mouse and for a finger.
 //!
-//! A mouse takes hold at once, wherever it presses. A finger may mean two
-//! things, so the first few points of its way decide: sideways moves the knob,
-//! up or down scrolls the panel and leaves the value alone; a tap sets. egui's
-//! own slider takes every touch as a drag, and a swipe over a panel full of
-//! sliders would change one of them each time.
+//! A press of a mouse moves the knob at once. For a finger the first few points of its
+//! path decide: sideways moves the knob, up or down scrolls the panel, and a tap sets the
+//! value. egui's own slider takes every touch as a drag, so that each swipe over the panel
+//! would change a value.
 
-use egui::{Id, Key, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
+use egui::{Id, Key, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
 
+use crate::state::Gesture;
 use crate::theme;
 
-/// How far a finger goes before its direction counts [points].
+/// Length of a finger's path that decides its direction [points].
 const DECIDED: f32 = 7.0;
 
-/// How far the knob goes where the hand goes 1, with the shift key.
+/// Motion of the knob relative to the pointer, with the shift key.
 const FINE: f32 = 0.1;
 
-/// How many steps a page is.
+/// Steps per page key.
 const PAGE: f32 = 10.0;
 
-/// What the finger or the mouse on a slider means, from press to release.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Gesture {
-    /// Not known yet.
-    Undecided(Pos2),
-    /// It moves the knob.
-    Slide,
-    /// It moves the knob a tenth as far: from this place of the hand and of the knob.
-    Fine(f32, f32),
-    /// It scrolls the panel.
-    Scroll,
-}
-
-/// What somebody did to a slider.
+/// A move of the knob.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Moved {
-    /// The knob goes to this fraction of the rail.
+    /// To this fraction of the rail.
     To(f32),
-    /// So many steps up or down, by keys or by the wheel.
+    /// By steps, from keys or a wheel.
     Steps(f32),
 }
 
-/// How a slider looks.
+/// The look of a slider.
 pub struct Rail<'a> {
-    /// Where the knob stands, 0 to 1.
+    /// Position of the knob, 0 to 1.
     pub fraction: f32,
-    /// Where the default stands, if that is worth a mark.
+    /// Position of the default, if it is marked.
     pub mark: Option<f32>,
-    /// From where on its values take much work, if they do.
-    pub dear: Option<f32>,
+    /// Start of the costly values, if there are any.
+    pub costly: Option<f32>,
     /// Colours along the rail instead of the ordinary fill.
     pub colours: Option<&'a dyn Fn(f32) -> egui::Color32>,
 }
@@ -61,7 +48,7 @@ pub fn show(
     rail: &Rail<'_>,
     finger: bool,
     gesture: &mut Option<(Id, Gesture)>,
-) -> (Response, Option<Moved>) {
+) -> Option<Moved> {
     let response = ui
         .interact(rect, id, Sense::click_and_drag())
         .on_hover_and_drag_cursor(egui::CursorIcon::ResizeHorizontal);
@@ -77,7 +64,7 @@ pub fn show(
     if ui.is_rect_visible(rect) {
         paint(ui, rect, rail, fraction, (left, right, knob), &response);
     }
-    (response, moved)
+    moved
 }
 
 fn follow(
@@ -123,10 +110,10 @@ fn follow(
             response.request_focus();
             Some(to(pos.x))
         }
-        Gesture::Fine(hand, from) => {
+        Gesture::Fine(start, from) => {
             response.request_focus();
-            // Where the hand rests the knob does, whatever its value is rounded to.
-            (pos.x != hand).then(|| to(from + (pos.x - hand) * FINE))
+            // The knob rests while the pointer does, even if the value is rounded.
+            (pos.x != start).then(|| to(from + (pos.x - start) * FINE))
         }
         Gesture::Undecided(_) => response.clicked().then(|| to(pos.x)),
         Gesture::Scroll => {
@@ -137,8 +124,7 @@ fn follow(
     }
 }
 
-/// The arrow keys move the slider that was touched last, the keys for pages farther,
-/// Home and End to its ends.
+/// The arrow and page keys move the focused slider by steps, Home and End to its ends.
 fn keys(ui: &Ui, response: &Response) -> Option<Moved> {
     if !response.has_focus() {
         return None;
@@ -214,8 +200,8 @@ fn paint(
             painter.rect_filled(line(left - 2.0, at(fraction)), 2.0, theme::ACCENT);
         }
     }
-    if let Some(dear) = rail.dear {
-        let above = pos2(at(dear), y - 6.0)..=pos2(right, y - 6.0);
+    if let Some(costly) = rail.costly {
+        let above = pos2(at(costly), y - 6.0)..=pos2(right, y - 6.0);
         painter.line_segment([*above.start(), *above.end()], (1.5, theme::ERROR));
     }
     if let Some(mark) = rail.mark {

@@ -1,0 +1,44 @@
+//! What the panel asks of its host.
+
+use hearth_core::params::Value;
+
+use crate::state::memory::Memory;
+
+/// A request to the panel controller of the page.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// Set a parameter.
+    Set(&'static str, Value),
+    /// Reset a parameter to the scene's value.
+    Restore(&'static str),
+    /// Reset all parameters, the model included.
+    RestoreAll,
+    /// Keep this for the next visit.
+    Remember(Memory),
+    /// Toggle the list of scenes.
+    Scenes,
+    /// Set the quality, by name.
+    Quality(&'static str),
+    /// Resume the simulation.
+    Play,
+    /// Pause the simulation.
+    Pause,
+    /// Restart the fire with the same values.
+    Reset,
+    /// Advance a paused simulation by one step.
+    Step,
+    /// Undo the last change.
+    Undo,
+    /// Redo the last undone change.
+    Redo,
+    /// Copy to the clipboard, by name.
+    Copy(&'static str),
+    /// Paste settings.
+    Paste,
+    /// Save an image.
+    Picture,
+    /// Toggle full screen.
+    Fullscreen,
+    /// Show the keyboard shortcuts.
+    Help,
+}

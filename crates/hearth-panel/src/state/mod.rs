@@ -1,0 +1,181 @@
+//! What the panel knows. No view is imported here.
+//!
+//! Views read [`State`] and return [`Action`]s; [`crate::Panel`] applies the actions
+//! after the frame, so all views of a frame show the same state.
+
+mod action;
+mod command;
+mod controller;
+pub mod fire;
+mod memory;
+mod open;
+mod pointer;
+
+use hearth_core::params::{Model, Param};
+
+pub use self::action::Action;
+pub use self::command::Command;
+pub use self::controller::ControllerState;
+pub use self::fire::{Fire, MODEL};
+pub use self::memory::Memory;
+pub use self::open::{Field, Open, OpenColour};
+pub use self::pointer::{Gesture, Pointer};
+use crate::search;
+use crate::theme::Measures;
+
+/// The name of copy and paste, for [`State::reveal`].
+pub const SHARE: &str = "share";
+
+/// The name of the tools, for [`State::reveal`].
+pub const TOOLS: &str = "tools";
+
+/// The name of the search field, for [`State::reveal`].
+pub const SEARCH: &str = "search";
+
+/// The name of the quality, for [`State::reveal`].
+pub const QUALITY: &str = "quality";
+
+/// The group of the simplest controls, which includes the quality.
+pub const BASICS: &str = "Basics";
+
+/// The input device that the panel is laid out for.
+#[derive(Clone, Copy, Debug)]
+pub struct Device {
+    /// Whether the last press came from a finger.
+    pub finger: bool,
+    /// Sizes for a finger or a mouse.
+    pub measures: Measures,
+}
+
+/// The search.
+#[derive(Clone, Debug, Default)]
+pub struct Search {
+    /// The query.
+    pub text: String,
+    /// Whether the field takes the focus in the next frame.
+    pub focus: bool,
+}
+
+/// What the next frame scrolls to.
+#[derive(Clone, Debug, Default)]
+pub struct Reveal {
+    /// The marked parameter, which the page's own controls point at.
+    pub marked: Option<&'static str>,
+    /// Whether the marked row scrolls into view.
+    pub row: bool,
+    /// Whether the tools scroll into view.
+    pub tools: bool,
+    /// Whether the quality scrolls into view.
+    pub quality: bool,
+    /// Whether the rows scroll to their start.
+    pub start: bool,
+}
+
+/// Where the rows of the last frame stood, so that a change above a row does not move it.
+#[derive(Clone, Debug, Default)]
+pub struct Anchor {
+    /// The model of those rows.
+    pub model: Model,
+    /// The top of each visible row, the uppermost first.
+    pub tops: Vec<(&'static str, f32)>,
+    /// The choice that has just changed.
+    pub chosen: Option<&'static str>,
+}
+
+/// The panel's state.
+#[derive(Debug)]
+pub struct State {
+    /// The fire's values.
+    pub fire: Fire,
+    /// The panel controller's state.
+    pub controller: ControllerState,
+    /// What persists between visits.
+    pub memory: Memory,
+    /// The parameters to show, in this order and without groups; `None` shows all.
+    pub only: Option<Vec<&'static Param>>,
+    /// The input device.
+    pub device: Device,
+    /// The search.
+    pub search: Search,
+    /// What is open.
+    pub open: Open,
+    /// What the next frame scrolls to.
+    pub reveal: Reveal,
+    /// The rows of the last frame.
+    pub anchor: Anchor,
+}
+
+impl State {
+    /// The state of a panel that has heard nothing from its fire.
+    pub fn new(measures: Measures) -> State {
+        State {
+            fire: Fire::default(),
+            controller: ControllerState::default(),
+            memory: Memory::default(),
+            only: None,
+            device: Device {
+                finger: false,
+                measures,
+            },
+            search: Search::default(),
+            open: Open::default(),
+            reveal: Reveal::default(),
+            anchor: Anchor::default(),
+        }
+    }
+
+    /// Scrolls to the row of a parameter and marks it; or scrolls to [`SHARE`],
+    /// [`TOOLS`], [`QUALITY`] or [`SEARCH`], which takes the focus. Any other id removes
+    /// the mark.
+    pub fn reveal(&mut self, id: &str) {
+        let model = self.fire.parameters.model();
+        let param = Param::find(id).filter(|param| param.domain(model).is_some());
+        self.reveal.marked = param.map(|param| param.id);
+        match id {
+            SHARE | TOOLS | SEARCH | MODEL => {
+                self.open.sharing |= id == SHARE;
+                self.search.focus |= id == SEARCH;
+                self.open.tools = true;
+                self.reveal.tools = id != MODEL;
+                self.reveal.row = true;
+            }
+            QUALITY => {
+                self.reveal.quality = true;
+                self.memory.folded.remove(BASICS);
+                self.search.text.clear();
+            }
+            _ => {}
+        }
+        if let Some(param) = param.filter(|param| param.id != MODEL) {
+            self.reveal.row = true;
+            self.memory.folded.remove(param.group);
+            if !search::matches(&self.search.text, param) {
+                self.search.text.clear();
+            }
+        }
+    }
+
+    /// Closes a field whose parameter the present model does not use.
+    pub fn close_stale_field(&mut self) {
+        let used = |id: &str| self.fire.used().any(|param| param.id == id);
+        if self
+            .open
+            .field
+            .as_ref()
+            .is_some_and(|field| !used(field.id))
+        {
+            self.open.field = None;
+        }
+    }
+
+    /// The row that keeps its height on the screen, and that height. Another model has
+    /// other rows: the uppermost visible row that both models have stays. A choice may
+    /// add a line to other rows: its own row stays.
+    pub fn anchor(&self) -> Option<(&'static str, f32)> {
+        let mut tops = self.anchor.tops.iter().copied();
+        if self.fire.parameters.model() == self.anchor.model {
+            return tops.find(|&(id, _)| Some(id) == self.anchor.chosen);
+        }
+        tops.find(|&(id, _)| self.fire.used().any(|param| param.id == id))
+    }
+}

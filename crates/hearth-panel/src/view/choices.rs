@@ -1,0 +1,127 @@
+//! The control of a choice: a few names stand side by side, a longer list unfolds from a
+//! button with the present name.
+//!
+//! The list unfolds in the row, because the sheet on a phone is too low for a window above
+//! it. It stays unfolded, so that names can be tried in turn.
+
+use egui::style::ScrollAnimation;
+use egui::{EventFilter, Id, Key, PointerButton, Rect, Ui};
+use hearth_core::params::{Param, Value};
+
+use crate::state::{Action, Fire, State};
+use crate::view::button::{self, Face};
+use crate::view::layout::strip;
+use crate::view::output::Output;
+use crate::view::title;
+
+/// The longest list that is never folded.
+const FEW: usize = 4;
+
+/// Names per line of an unfolded list.
+const PER_LINE: usize = 3;
+
+/// Maximum height of a line of the list: the longest list fits into a sheet.
+const LINE: f32 = 36.0;
+
+/// Width of the button that unfolds a list.
+const BUTTON: f32 = 150.0;
+
+/// The names of a choice.
+type Names = &'static [&'static str];
+
+/// Shows the row of a choice.
+pub fn show(state: &State, out: &mut Output, ui: &mut Ui, param: &'static Param, names: Names) {
+    let measures = state.device.measures;
+    if names.len() <= FEW {
+        title::line(state, out, ui, param, measures.line);
+        let rect = strip(ui, measures.control);
+        buttons(&state.fire, out, ui, param, names, rect, names.len());
+        out.place(ui, param.id, rect);
+        ui.add_space(4.0);
+        return;
+    }
+    let room = title::line(state, out, ui, param, measures.control);
+    let rect = room.with_min_x(room.left().max(room.right() - BUTTON));
+    let before = state.open.choice == Some(param.id);
+    let open = before ^ unfolder(&state.fire, out, ui, param, names, (rect, before));
+    out.place(ui, param.id, rect);
+    if open != before {
+        out.push(Action::OpenChoice(open.then_some(param.id)));
+    }
+    if !open {
+        return;
+    }
+    for names in names.chunks(PER_LINE) {
+        ui.add_space(4.0);
+        let rect = strip(ui, measures.control.min(LINE));
+        buttons(&state.fire, out, ui, param, names, rect, PER_LINE);
+    }
+    if !before {
+        let whole = rect.with_max_y(ui.cursor().top() + 6.0);
+        ui.scroll_to_rect_animation(whole, None, ScrollAnimation::none());
+    }
+}
+
+/// The button that unfolds the list and shows the present name. Returns whether it was
+/// clicked. The arrow keys go through the names while it has the focus.
+fn unfolder(
+    fire: &Fire,
+    out: &mut Output,
+    ui: &Ui,
+    param: &'static Param,
+    names: Names,
+    (rect, open): (Rect, bool),
+) -> bool {
+    let Value::Choice(now) = param.get(&fire.parameters) else {
+        return false;
+    };
+    let response = button::unfolder(ui, rect, Id::unique(("list", param.id)), now, open);
+    // egui counts Space as a click, but Space pauses the fire.
+    let clicked = response.clicked_by(PointerButton::Primary);
+    if clicked {
+        response.request_focus();
+    }
+    if !response.has_focus() {
+        return clicked;
+    }
+    let filter = EventFilter {
+        vertical_arrows: true,
+        ..EventFilter::default()
+    };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+    let (down, up) = ui.input(|input| {
+        let presses = |key| input.num_presses(key);
+        (presses(Key::ArrowDown), presses(Key::ArrowUp))
+    });
+    let at = names.iter().position(|&name| name == now).unwrap_or(0);
+    let next = (at + down).saturating_sub(up).min(names.len() - 1);
+    if next != at {
+        out.push(Action::Choose(param, names[next]));
+    }
+    clicked
+}
+
+/// Shows the names side by side in `rect`, each as wide as one of `parts`.
+pub fn buttons(
+    fire: &Fire,
+    out: &mut Output,
+    ui: &Ui,
+    param: &'static Param,
+    names: Names,
+    rect: Rect,
+    parts: usize,
+) {
+    let now = param.get(&fire.parameters);
+    for (rect, &name) in button::split(rect, parts, 4.0).zip(names) {
+        let face = Face {
+            lit: now == Value::Choice(name),
+            ..Face::text(name)
+        };
+        let key = format!("choice:{}:{name}", param.id);
+        let clicked = button::show(ui, rect, Id::unique(&key), face).clicked();
+        out.place(ui, key, rect);
+        if clicked {
+            out.push(Action::Choose(param, name));
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! Exact input: a click on a value turns it into a text field.
+//!
+//! Enter and a click elsewhere take the text, Escape discards it. A refused value is
+//! explained in a red line below the field and never clamped silently. A wheel over the
+//! value turns it.
+
+use egui::style::ScrollAnimation;
+use egui::text::{CCursor, CCursorRange};
+use egui::{
+    Align2, CursorIcon, Event, Id, Key, Margin, MouseWheelUnit, Rect, Sense, TextEdit, Ui,
+    UiBuilder, pos2,
+};
+use hearth_core::params::{Kind, Param};
+
+use crate::format::typed_text;
+use crate::state::fire::Entry;
+use crate::state::{Action, Field, Fire, Pointer, State};
+use crate::theme;
+use crate::view::layout;
+use crate::view::output::Output;
+
+/// Scroll distance of one notch of most wheels, which is one step [points].
+const NOTCH: f32 = 50.0;
+
+/// Shows a value that can be typed, at the right of `room`.
+pub fn show(
+    state: &State,
+    out: &mut Output,
+    ui: &mut Ui,
+    param: &'static Param,
+    room: Rect,
+    shown: &str,
+) {
+    if let Some(field) = state.open.field_of(param.id) {
+        edit(&state.fire, field.clone(), out, ui, param, room);
+        return;
+    }
+    let place = layout::value(ui, room, shown, param.unit, theme::TEXT);
+    let hit = Rect::from_min_max(
+        pos2((place.left() - 6.0).max(room.left()), room.top()),
+        pos2(room.right(), room.bottom()),
+    );
+    let response = ui
+        .interact(hit, Id::unique(("value", param.id)), Sense::click())
+        .on_hover_cursor(CursorIcon::Text);
+    let wheel = &mut out.pointer.wheel;
+    if response.hovered() {
+        // A value that scrolls under a resting pointer does not take the wheel.
+        if ui.input(|input| {
+            let mut events = input.events.iter();
+            events.any(|event| matches!(event, Event::PointerMoved(_)))
+        }) {
+            *wheel = Some(param.id);
+        }
+        let y = place.bottom();
+        ui.painter().hline(place.x_range(), y, (1.0, theme::ACCENT));
+    }
+    if !response.contains_pointer() {
+        wheel.take_if(|id| *id == param.id);
+    }
+    out.place(ui, format!("value:{}", param.id), hit);
+    if response.clicked() {
+        let text = param.get(&state.fire.parameters).to_string();
+        out.push(Action::OpenField(Field {
+            id: param.id,
+            before: text.clone(),
+            text,
+            fresh: true,
+        }));
+    }
+}
+
+/// The steps by which a wheel turns the value under the pointer.
+pub fn wheel_steps(pointer: &mut Pointer, ui: &Ui, param: &Param) -> Option<f32> {
+    if pointer.wheel != Some(param.id) {
+        return None;
+    }
+    let turned: f32 = ui.input_mut(|input| {
+        input.smooth_scroll_delta.y = 0.0;
+        let turns = input.events.iter().map(|event| match event {
+            Event::MouseWheel {
+                unit,
+                delta,
+                modifiers,
+                ..
+            } if !modifiers.command => match unit {
+                MouseWheelUnit::Point => delta.y / NOTCH,
+                MouseWheelUnit::Line | MouseWheelUnit::Page => delta.y,
+            },
+            _ => 0.0,
+        });
+        turns.sum()
+    });
+    pointer.turned += turned;
+    let steps = pointer.turned.trunc();
+    pointer.turned -= steps;
+    (steps != 0.0).then_some(steps)
+}
+
+fn edit(
+    fire: &Fire,
+    mut field: Field,
+    out: &mut Output,
+    ui: &mut Ui,
+    param: &'static Param,
+    room: Rect,
+) {
+    let id = Id::unique(("typing", param.id));
+    let rect = room.with_min_x(room.left().max(room.right() - 130.0));
+    let text = TextEdit::singleline(&mut field.text)
+        .id(id)
+        .char_limit(40)
+        .desired_width(rect.width())
+        .min_size(rect.size())
+        .margin(Margin::symmetric(6, 1))
+        .align(Align2::RIGHT_CENTER);
+    let mut output = ui
+        .scope_builder(UiBuilder::new().max_rect(rect), |ui| text.show(ui))
+        .inner;
+    out.place(ui, format!("value:{}", param.id), rect);
+    if std::mem::take(&mut field.fresh) {
+        let length = field.text.chars().count();
+        ui.memory_mut(|memory| memory.request_focus(id));
+        let all = CCursorRange::two(CCursor::new(0), CCursor::new(length));
+        output.state.cursor.set_char_range(Some(all));
+        output.state.store(ui.ctx(), id);
+        // A keyboard on the screen may have made the panel lower.
+        ui.scroll_to_rect_animation(rect.expand(24.0), None, ScrollAnimation::none());
+        out.push(Action::Type(field));
+        return;
+    }
+    let (enter, escape, awake) = ui.input(|input| {
+        (
+            input.key_pressed(Key::Enter),
+            input.key_pressed(Key::Escape),
+            input.focused,
+        )
+    });
+    if escape {
+        out.push(Action::Refuse(param.id, None));
+        out.push(Action::CloseField(param.id));
+    } else if enter || output.response.lost_focus() || !awake {
+        let taken = field.text == field.before || take(fire, out, param, &field.text);
+        if taken || !enter {
+            out.push(Action::CloseField(param.id));
+        } else {
+            // Enter keeps the field of a refused value, so that it can be corrected.
+            ui.memory_mut(|memory| memory.request_focus(id));
+            out.push(Action::Type(field));
+        }
+    } else if output.response.changed() {
+        out.push(Action::Type(field));
+    }
+}
+
+/// Sets a parameter to the typed text. Returns whether the table accepts it.
+fn take(fire: &Fire, out: &mut Output, param: &'static Param, text: &str) -> bool {
+    let typed = typed_text(text, param);
+    // The refusal of a number does not quote it.
+    let entry = match (param.kind, typed.parse::<f64>()) {
+        (Kind::Number(_) | Kind::Integer(_) | Kind::Seed, Ok(x)) if x.is_finite() => {
+            Entry::Number(x)
+        }
+        _ => Entry::Text(typed),
+    };
+    match fire.check(param, entry.input()) {
+        Ok(()) => {
+            out.push(Action::Set(param, entry));
+            true
+        }
+        Err(refusal) => {
+            out.push(Action::Refuse(param.id, Some(refusal.to_string())));
+            false
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! The header: measurements, tools, scene, model and search.
+
+use egui::{Id, Rect, Ui, pos2, vec2};
+use hearth_core::params::{Kind, Param};
+
+use crate::state::{Action, MODEL, State};
+use crate::theme;
+use crate::view::button::{self, Face};
+use crate::view::icons::Icon;
+use crate::view::layout::{beside_label, labelled, paragraph, strip};
+use crate::view::output::Output;
+use crate::view::tools::{self, Tool};
+use crate::view::{choices, row, search_field, telemetry, title};
+
+/// Width of the button that resets all.
+const RESET: f32 = 100.0;
+
+/// The part that never scrolls: one line where the panel is low, or where the page
+/// selects the parameters.
+pub fn fixed(state: &State, out: &mut Output, ui: &mut Ui, low: bool) {
+    let gap = 6.0;
+    let control = state.device.measures.control;
+    if state.only.is_some() {
+        let line = strip(ui, control);
+        let (tools, reset) = line.split_left_right_at_x(line.right() - RESET);
+        let tools = tools.with_max_x(tools.right() - gap);
+        let few = [Tool::Pause, Tool::Restart, Tool::Undo, Tool::Redo];
+        tools::line(state, out, ui, tools, &few);
+        reset_all(state, out, ui, reset);
+    } else if low {
+        let line = strip(ui, control);
+        let at = |x: f32| Rect::from_min_size(pos2(x, line.top()), vec2(control, control));
+        tools::line(state, out, ui, at(line.left()), &[Tool::Pause]);
+        let right = line.right() - 2.0 * control - gap;
+        let scene =
+            Rect::from_x_y_ranges(line.left() + control + gap..=right - gap, line.y_range());
+        scene_button(&state.controller.scene, out, ui, scene);
+        tools::line(state, out, ui, at(right), &[Tool::Undo]);
+        tools::line(state, out, ui, at(line.right() - control), &[Tool::More]);
+    } else {
+        measurements(state, out, ui);
+        ui.add_space(gap);
+        tools::show(state, out, ui, false);
+        ui.add_space(gap);
+        let rect = labelled(ui, control, "Scene");
+        scene_button(&state.controller.scene, out, ui, rect);
+        ui.add_space(gap);
+        model(state, out, ui, false);
+        ui.add_space(gap);
+        search(state, out, ui);
+    }
+    if let Some(notice) = &state.fire.notice {
+        ui.add_space(gap);
+        paragraph(ui, notice, theme::ERROR);
+    }
+}
+
+/// The rest of the header where the panel is low: it unfolds, and scrolls with the rows.
+pub fn movable(state: &State, out: &mut Output, ui: &mut Ui) {
+    if state.only.is_some() {
+        return;
+    }
+    if state.open.tools {
+        ui.add_space(4.0);
+        tools::show(state, out, ui, true);
+        ui.add_space(8.0);
+        model(state, out, ui, true);
+        ui.add_space(8.0);
+        search(state, out, ui);
+        ui.add_space(6.0);
+        measurements(state, out, ui);
+    } else {
+        tools::error(&state.controller, ui);
+    }
+}
+
+fn measurements(state: &State, out: &mut Output, ui: &mut Ui) {
+    let control = state.device.measures.control;
+    telemetry::show(&state.fire, state.memory.times, out, ui, control);
+}
+
+/// The model comes first because it decides which parameters there are.
+fn model(state: &State, out: &mut Output, ui: &mut Ui, scrolls: bool) {
+    let Some(param) = Param::find(MODEL) else {
+        return;
+    };
+    let Kind::Choice(names) = param.kind else {
+        return;
+    };
+    row::framed(state, out, ui, param, scrolls, |out, ui| {
+        let line = strip(ui, state.device.measures.control);
+        title::name(state, out, ui, param, line);
+        let rect = beside_label(line);
+        choices::buttons(&state.fire, out, ui, param, names, rect, names.len());
+        out.place(ui, param.id, rect);
+    });
+}
+
+/// The button of the scene that the fire started from, which shows all scenes.
+fn scene_button(scene: &str, out: &mut Output, ui: &Ui, rect: Rect) {
+    let name = "action:scenes";
+    let scene = if scene.is_empty() {
+        "All scenes"
+    } else {
+        scene
+    };
+    let response = button::unfolder(ui, rect, Id::unique(name), scene, false);
+    out.place(ui, name, rect);
+    if response
+        .on_hover_text("Other fires to start from")
+        .clicked()
+    {
+        out.push(Action::Scenes);
+    }
+}
+
+fn search(state: &State, out: &mut Output, ui: &mut Ui) {
+    let rect = strip(ui, state.device.measures.control);
+    let (field, reset) = rect.split_left_right_at_x(rect.right() - RESET);
+    let field = field.with_max_x(field.right() - 6.0);
+    search_field::show(&state.search, out, ui, field);
+    reset_all(state, out, ui, reset);
+}
+
+fn reset_all(state: &State, out: &mut Output, ui: &Ui, rect: Rect) {
+    let face = Face {
+        enabled: match &state.only {
+            Some(few) => few.iter().any(|param| state.fire.differs(param)),
+            None => state.fire.is_changed(),
+        },
+        ..Face::new(Icon::Reset, "Reset all")
+    };
+    let name = "action:reset-all";
+    let response = button::show(ui, rect, Id::unique(name), face)
+        .on_hover_text("Every parameter of this model as the scene has it");
+    out.place(ui, name, rect);
+    if response.clicked() {
+        out.push(Action::RestoreAll);
+    }
+}

@@ -1,0 +1,83 @@
+//! Parts of a layout: strips, labels, paragraphs, and scrolling into view.
+
+use egui::style::ScrollAnimation;
+use egui::{Align, Align2, Color32, Rect, Ui, pos2, vec2};
+
+use crate::theme;
+
+/// Empty space below the last row, so that a row can scroll above what the page lays over
+/// the lower edge of the panel (the focused accessible control).
+pub const END: i8 = 84;
+
+/// Width of the label before a line of buttons.
+const LABEL: f32 = 56.0;
+
+/// Takes a strip of the whole width.
+pub fn strip(ui: &mut Ui, height: f32) -> Rect {
+    let size = vec2(ui.available_width(), height);
+    let (_, rect) = ui.allocate_space(size);
+    rect
+}
+
+/// Scrolls `rect` into view, above what may cover the lower edge.
+pub fn scroll_into_view(ui: &Ui, mut rect: Rect) {
+    rect.max.y += f32::from(END);
+    // The middle, unless that pushes the row out at the top.
+    let align = if rect.height() > ui.clip_rect().height() {
+        Align::Min
+    } else {
+        Align::Center
+    };
+    ui.scroll_to_rect_animation(rect, Some(align), ScrollAnimation::none());
+}
+
+/// The part of a line beside its label.
+pub fn beside_label(rect: Rect) -> Rect {
+    rect.with_min_x(rect.left() + LABEL)
+}
+
+/// Takes a strip, paints a label at its left, and returns the rest.
+pub fn labelled(ui: &mut Ui, height: f32, text: &str) -> Rect {
+    let rect = strip(ui, height);
+    label(ui, rect, text);
+    beside_label(rect)
+}
+
+/// Paints a label at the left of `rect`.
+pub fn label(ui: &Ui, rect: Rect, text: &str) {
+    ui.painter().text(
+        rect.left_center(),
+        Align2::LEFT_CENTER,
+        text,
+        theme::small(),
+        theme::weak(),
+    );
+}
+
+/// A text over as many lines as it needs.
+pub fn paragraph(ui: &mut Ui, text: &str, ink: Color32) {
+    let width = ui.available_width();
+    let galley = ui
+        .painter()
+        .layout(text.to_owned(), theme::small(), ink, width);
+    let rect = strip(ui, galley.size().y + 4.0);
+    ui.painter().galley(rect.min, galley, ink);
+}
+
+/// A value with its unit at the right of `room`. Returns where it stands.
+pub fn value(ui: &Ui, room: Rect, text: &str, unit: &str, ink: Color32) -> Rect {
+    let painter = ui.painter();
+    let mut place = Rect::from_min_max(room.right_center(), room.right_center());
+    if !unit.is_empty() {
+        place = painter.text(
+            room.right_center(),
+            Align2::RIGHT_CENTER,
+            unit,
+            theme::small(),
+            theme::weak(),
+        );
+    }
+    let gap = if unit.is_empty() { 0.0 } else { 4.0 };
+    let at = pos2(place.left() - gap, room.center().y);
+    place.union(painter.text(at, Align2::RIGHT_CENTER, text, theme::body(), ink))
+}

@@ -1,0 +1,147 @@
+//! The row of a parameter: its control, and below it what to know about its value.
+
+use egui::{Id, Rect, Sense, Shape, Ui, vec2};
+use hearth_core::params::{Kind, Param};
+
+use crate::cost;
+use crate::format::{bound_text, value_text, with_unit};
+use crate::state::State;
+use crate::theme;
+use crate::view::layout::{paragraph, scroll_into_view};
+use crate::view::output::Output;
+use crate::view::{choices, colour, control, title};
+
+/// Opacity of a control without effect. It can still be set, so its text keeps a contrast
+/// of 4.5:1 on every ground.
+const IDLE: f32 = 0.8;
+
+/// Shows the row of `param`.
+pub fn show(state: &State, out: &mut Output, ui: &mut Ui, param: &'static Param) {
+    framed(state, out, ui, param, true, |out, ui| match param.kind {
+        Kind::Number(scale) => control::number(state, out, ui, param, scale, false),
+        Kind::Integer(scale) => control::number(state, out, ui, param, scale, true),
+        Kind::Seed => control::seed(state, out, ui, param),
+        Kind::Flag => control::flag(state, out, ui, param),
+        Kind::Choice(names) => choices::show(state, out, ui, param, names),
+        Kind::Colour => colour::show(state, out, ui, param),
+    });
+    ui.add_space(state.device.measures.gap);
+}
+
+/// Shows the control that `content` paints, below it the texts about its value, and behind
+/// it the mark of a revealed row. `scrolls`: whether the row can scroll into view.
+pub fn framed(
+    state: &State,
+    out: &mut Output,
+    ui: &mut Ui,
+    param: &'static Param,
+    scrolls: bool,
+    content: impl FnOnce(&mut Output, &mut Ui),
+) {
+    let ground = ui.painter().add(Shape::Noop);
+    let top = ui.cursor().top();
+    let idle = title::idle(&state.fire, param);
+    ui.scope(|ui| {
+        if idle.is_some() {
+            ui.multiply_opacity(IDLE);
+        }
+        content(out, ui);
+    });
+    if let Some(reason) = idle {
+        paragraph(ui, &reason, theme::weak());
+    }
+    if let Some(refusal) = state.fire.refusals.get(param.id) {
+        paragraph(ui, refusal, theme::ERROR);
+    }
+    if state.open.description == Some(param.id) {
+        paragraph(ui, &description(state, param), theme::weak());
+    }
+    let space = ui.max_rect();
+    let rect = Rect::from_x_y_ranges(space.x_range(), top..=ui.cursor().top());
+    hover(state, out, ui, param, rect);
+    if state.reveal.marked == Some(param.id) {
+        let fill = Shape::rect_filled(rect.expand2(vec2(8.0, 2.0)), 6.0, theme::RAISED);
+        ui.painter().set(ground, fill);
+        if state.reveal.row && scrolls {
+            scroll_into_view(ui, rect);
+        }
+    }
+}
+
+/// The tooltip of the whole row.
+fn hover(state: &State, out: &mut Output, ui: &Ui, param: &'static Param, rect: Rect) {
+    let row = ui.interact(rect, Id::unique(("row", param.id)), Sense::hover());
+    if row.contains_pointer() {
+        out.hovered = Some(param.id);
+    }
+    let quiet = std::mem::take(&mut out.quiet);
+    // A tooltip would cover the field or the list.
+    let busy = state.open.field.is_some() || state.open.choice == Some(param.id);
+    if !state.device.finger && !quiet && !busy {
+        row.on_hover_text(description(state, param));
+    }
+}
+
+/// What a parameter does, its value in the scene, its range and its attribute.
+fn description(state: &State, param: &Param) -> String {
+    let scene = match &*state.controller.preset {
+        "" => "Default",
+        preset => preset,
+    };
+    let default = with_unit(&value_text(&state.fire.default_of(param)), param.unit);
+    let mut text = format!("{}\n{scene} {default}", param.description().doc);
+    if let Kind::Number(_) | Kind::Integer(_) | Kind::Seed = param.kind {
+        let (min, max) = state.fire.range_of(param);
+        text += &format!(
+            " · from {} to {}",
+            bound_text(min, ""),
+            bound_text(max, param.unit)
+        );
+    }
+    if cost::costly_from(param).is_some() {
+        text += "\nTakes much work towards the end of its slider";
+    }
+    text + "\nAttribute " + &param.id.replace('_', "-")
+}
+
+#[cfg(test)]
+mod tests {
+    use egui::Color32;
+
+    use super::*;
+
+    /// Relative luminance, as WCAG 2 defines it.
+    fn luminance(colour: Color32) -> f64 {
+        let [r, g, b, _] = colour.to_array().map(|byte| {
+            let part = f64::from(byte) / 255.0;
+            if part <= 0.04045 {
+                part / 12.92
+            } else {
+                ((part + 0.055) / 1.055).powf(2.4)
+            }
+        });
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    }
+
+    #[test]
+    fn dimmed_text_keeps_its_contrast() {
+        let on = |ground: Color32, ink: Color32| ground.lerp_to_gamma(ink, IDLE);
+        // The panel, a marked row, and buttons on both, lit ones included.
+        for behind in [theme::GROUND, theme::RAISED] {
+            let words = [
+                (behind, theme::TEXT),
+                (behind, theme::weak()),
+                (behind, theme::ACCENT),
+                (on(behind, theme::RAISED), theme::TEXT),
+                (on(behind, theme::HOVERED), theme::TEXT),
+                (on(behind, theme::EMBER), theme::TEXT),
+            ];
+            for (ground, ink) in words {
+                let [ground, ink] =
+                    [ground, on(ground, ink)].map(|colour| luminance(colour) + 0.05);
+                let contrast = ink / ground;
+                assert!(contrast >= 4.5, "{contrast} in {ink:?} on {ground:?}");
+            }
+        }
+    }
+}

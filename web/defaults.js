@@ -84,5 +84,5 @@ export const DEFAULTS = {
   printed_euler: false,
 };
 
-/** The attributes that are no parameters. */
-export const OWN_ATTRIBUTES = ["preset", "src", "quality", "paused", "autoplay", "loading", "poster", "alt", "max-pixels", "fps-limit", "warm", "interactive", "fit", "align", "touch-action", "controls", "reduced-motion"];
+/** The attributes that are not parameters. */
+export const OWN_ATTRIBUTES = ["preset","src","quality","paused","autoplay","loading","poster","alt","max-pixels","fps-limit","warm","interactive","fit","align","touch-action","controls","reduced-motion"];

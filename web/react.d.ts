@@ -1,6 +1,6 @@
 // Generated from the parameter table of hearth-core and the table of the element
 // by `cargo xtask codegen`; edit crates/hearth-core/src/params.rs or
-// crates/xtask/src/codegen/element.rs instead.
+// crates/xtask/src/codegen/element.json instead.
 
 /**
  * `<hearth-fire>` in JSX, for React 19 and newer: `import 'hearth-fire/react'`

@@ -1,2 +1,2 @@
 /** esbuild, which is pinned in this folder, for the scripts of others. */
-export { build } from 'esbuild';
+export { build, context } from 'esbuild';

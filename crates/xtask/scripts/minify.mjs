@@ -1,8 +1,7 @@
 /**
  * Makes the scripts and style sheets of the site small, each in its place:
  * `node minify.mjs FOLDER`, the folder with `package.json`. A visitor downloads code;
- * comments, long names and blanks are for those who read it in the checkout, and
- * the names between wasm and its script are nobody's.
+ * comments, long names and blanks are for those who read it in the checkout.
  *
  * A script that only one other needs goes into that one: fewer files to fetch, and
  * they compress better together. What the package exports, a page or a worker begins
@@ -14,16 +13,11 @@ import { readFile, readdir, rm } from 'node:fs/promises';
 import path from 'node:path';
 import { beginningsOf } from '../packaging/manifest.mjs';
 import { build } from './esbuild.mjs';
-import { shortenImports } from './imports.mjs';
 
 const folder = path.resolve(process.argv[2] ?? '');
 const manifest = JSON.parse(await readFile(path.join(folder, 'package.json'), 'utf8'));
 const all = await filesOf('');
 const scripts = all.filter((file) => file.endsWith('.js'));
-for (const script of scripts) {
-  const wasm = script.replace(/\.js$/, '_bg.wasm');
-  if (all.includes(wasm)) await shortenImports(path.join(folder, script), path.join(folder, wasm));
-}
 
 const COMMON = { absWorkingDir: folder, format: 'esm', bundle: true, logLevel: 'warning' };
 

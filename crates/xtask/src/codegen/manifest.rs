@@ -1,237 +1,121 @@
-//! `web/custom-elements.json`: the element for editors, catalogues and the
-//! generators of wrappers, in the format that these share, the Custom Elements
-//! Manifest.
+//! `web/custom-elements.json`: the element for editors, catalogues and generators of
+//! wrappers, in the format that these share, the [Custom Elements
+//! Manifest](https://github.com/webcomponents/custom-elements-manifest).
+//!
+//! What the element has beyond its parameters is stated in `element.json`, a manifest
+//! without them. Tests compare it with the element's class and its types.
 
-use std::fmt::Write as _;
+use anyhow::{Context, Result};
+use hearth_core::params::{Kind, Model, PARAMETERS};
+use serde_json::{Value, json};
 
-use hearth_core::params::{Kind, Model, PARAMETERS, Param};
+use super::{attribute, property, typescript};
 
-use super::element::{self, Attribute, Field, Method, Named};
-use super::{attribute, json_string, json_value, property, typescript};
+/// The manifest without the parameters.
+pub(super) struct Element(Value);
 
-/// The version of the format.
-const SCHEMA: &str = "2.1.0";
-/// The module that defines the element, and its class.
-const MODULE: &str = "hearth-fire.js";
-const CLASS: &str = "HearthFire";
-
-/// The whole manifest.
-pub(super) fn manifest() -> String {
-    let attributes = element::ATTRIBUTES.iter().map(own_attribute);
-    let attributes = attributes.chain(PARAMETERS.iter().map(parameter_attribute));
-    let members = element::ATTRIBUTES.iter().map(own_property);
-    let members = members.chain(element::FIELDS.iter().map(field));
-    let members = members.chain(element::METHODS.iter().map(method));
-    let members = members.chain(PARAMETERS.iter().map(parameter_property));
-    let declaration = [
-        ("attributes", list(attributes)),
-        ("members", list(members)),
-        ("events", list(element::EVENTS.iter().map(event))),
-        ("slots", list(element::SLOTS.iter().map(named))),
-        ("cssParts", list(element::PARTS.iter().map(named))),
-        (
-            "cssProperties",
-            list(element::CSS_PROPERTIES.iter().map(named)),
-        ),
-        ("cssStates", list(element::CSS_STATES.iter().map(named))),
-    ];
-    let mut text = format!(
-        "{{\n  \"schemaVersion\": \"{SCHEMA}\",\n  \"readme\": \"README.md\",\n  \"modules\": [{{\n    \
-         \"kind\": \"javascript-module\",\n    \"path\": \"{MODULE}\",\n    \
-         \"declarations\": [{{\n      \
-         \"kind\": \"class\",\n      \"customElement\": true,\n      \"tagName\": \"hearth-fire\",\n      \
-         \"name\": \"{CLASS}\",\n      \"superclass\": {{ \"name\": \"HTMLElement\" }},\n      \
-         \"description\": \"A fire, simulated by smoothed particle hydrodynamics.\""
-    );
-    for (name, list) in declaration {
-        let _ = write!(text, ",\n      \"{name}\": {list}");
+impl Element {
+    pub(super) fn read() -> Result<Element> {
+        let manifest = serde_json::from_str(include_str!("element.json"));
+        Ok(Element(manifest.context("element.json")?))
     }
-    let declared = format!("{{ \"name\": \"{CLASS}\", \"module\": \"{MODULE}\" }}");
-    let _ = write!(
-        text,
-        "\n    }}],\n    \"exports\": [\n      \
-         {{ \"kind\": \"js\", \"name\": \"{CLASS}\", \"declaration\": {declared} }},\n      \
-         {{ \"kind\": \"custom-element-definition\", \"name\": \"hearth-fire\", \"declaration\": {declared} }}\n    \
-         ]\n  }}]\n}}\n"
-    );
-    text
+
+    /// The entries of one list of the element, as `events`.
+    pub(super) fn list(&self, name: &str) -> &[Value] {
+        let list = self.0["modules"][0]["declarations"][0][name].as_array();
+        list.map(Vec::as_slice).unwrap_or_default()
+    }
 }
 
-fn own_attribute(own: &Attribute) -> String {
-    object(&[
-        ("name", json_string(own.name)),
-        ("fieldName", json_string(&camel_case(own.name))),
-        ("type", kind(own.kind)),
-        ("default", optional(own.default)),
-        ("description", json_string(own.doc)),
-    ])
+/// Name, type and description of an entry.
+pub(super) fn parts(entry: &Value) -> (&str, &str, &str) {
+    let texts = [
+        &entry["name"],
+        &entry["type"]["text"],
+        &entry["description"],
+    ];
+    let [name, kind, description] = texts.map(|text| text.as_str().unwrap_or_default());
+    (name, kind, description)
 }
 
-fn own_property(own: &Attribute) -> String {
-    object(&[
-        ("kind", json_string("field")),
-        ("name", json_string(&camel_case(own.name))),
-        ("attribute", json_string(own.name)),
-        ("reflects", optional_flag(own.reflects)),
-        ("type", kind(own.kind)),
-        ("default", optional(own.default)),
-        ("description", json_string(own.doc)),
-    ])
+/// The whole manifest, with an entry on each line.
+pub(super) fn manifest(element: &Element) -> String {
+    let mut attributes = Vec::new();
+    let mut members = Vec::new();
+    for own in element.list("attributes") {
+        let (name, kind, description) = parts(own);
+        let field = property(name);
+        let mut entry = json!({ "name": name, "fieldName": field, "type": { "text": kind } });
+        let mut member = json!({
+            "kind": "field", "name": field, "attribute": name, "reflects": true,
+            "type": { "text": kind },
+        });
+        for entry in [&mut entry, &mut member] {
+            if let Some(default) = own.get("default") {
+                entry["default"] = default.clone();
+            }
+            entry["description"] = description.into();
+        }
+        attributes.push(entry);
+        members.push(member);
+    }
+    members.extend_from_slice(element.list("members"));
+    for param in PARAMETERS {
+        let (name, field) = (attribute(param.id), property(param.id));
+        // The manifest holds defaults as texts.
+        let default = super::json(param.any_domain(Model::DEFAULT).default);
+        let default = default
+            .as_str()
+            .map_or_else(|| default.to_string(), str::to_owned);
+        let kind = json!({ "text": value_type(param.kind) });
+        attributes.push(json!({
+            "name": name, "fieldName": field, "type": kind, "default": default,
+            "description": typescript::comment(param),
+        }));
+        members.push(json!({
+            "kind": "field", "name": field, "attribute": name, "type": kind,
+            "default": default, "description": param.description().doc,
+        }));
+    }
+    let mut whole = element.0.clone();
+    let declaration = &mut whole["modules"][0]["declarations"][0];
+    declaration["attributes"] = attributes.into();
+    declaration["members"] = members.into();
+    let text = whole.to_string();
+    text.replace("},{", "},\n{").replace(":[{", ":[\n{") + "\n"
 }
 
-fn parameter_attribute(param: &Param) -> String {
-    object(&[
-        ("name", json_string(&attribute(param.id))),
-        ("fieldName", json_string(&property(param.id))),
-        ("type", kind(&value_type(param.kind))),
-        ("default", default(param)),
-        ("description", json_string(&typescript::comment(param))),
-    ])
-}
-
-fn parameter_property(param: &Param) -> String {
-    object(&[
-        ("kind", json_string("field")),
-        ("name", json_string(&property(param.id))),
-        ("attribute", json_string(&attribute(param.id))),
-        ("type", kind(&value_type(param.kind))),
-        ("default", default(param)),
-        ("description", json_string(param.description().doc)),
-    ])
-}
-
-/// The type in the quotes that people write in TypeScript, which need no escape in JSON.
+/// The type in the quotes that people write in TypeScript.
 fn value_type(kind: Kind) -> String {
     typescript::value_type(kind).replace('"', "'")
-}
-
-/// The default as the attribute would have it; the manifest holds it as a text.
-fn default(param: &Param) -> String {
-    let value = json_value(param.any_domain(Model::DEFAULT).default);
-    json_string(value.trim_matches('"'))
-}
-
-fn field(field: &Field) -> String {
-    object(&[
-        ("kind", json_string("field")),
-        ("name", json_string(field.name)),
-        ("static", optional_flag(field.of_class)),
-        ("readonly", optional_flag(!field.of_class)),
-        ("type", kind(field.kind)),
-        ("description", json_string(field.doc)),
-    ])
-}
-
-fn method(method: &Method) -> String {
-    let parameters = method.parameters.iter().map(|&(name, ty)| {
-        let plain = name.trim_start_matches("...").trim_end_matches('?');
-        object(&[
-            ("name", json_string(plain)),
-            ("optional", optional_flag(name.ends_with('?'))),
-            ("rest", optional_flag(name.starts_with("..."))),
-            ("type", kind(ty)),
-        ])
-    });
-    let parameters: Vec<_> = parameters.collect();
-    object(&[
-        ("kind", json_string("method")),
-        ("name", json_string(method.name)),
-        ("parameters", format!("[{}]", parameters.join(", "))),
-        (
-            "return",
-            format!("{{ \"type\": {} }}", kind(method.returns)),
-        ),
-        ("description", json_string(method.doc)),
-    ])
-}
-
-fn event(event: &Named) -> String {
-    object(&[
-        ("name", json_string(event.name)),
-        ("type", kind(&format!("CustomEvent<{}>", event.kind))),
-        ("description", json_string(event.doc)),
-    ])
-}
-
-fn named(named: &Named) -> String {
-    object(&[
-        ("name", json_string(named.name)),
-        ("description", json_string(named.doc)),
-    ])
-}
-
-fn kind(text: &str) -> String {
-    format!("{{ \"text\": {} }}", json_string(text))
-}
-
-/// `text`, or nothing where it is empty.
-fn optional(text: &str) -> String {
-    if text.is_empty() {
-        String::new()
-    } else {
-        json_string(text)
-    }
-}
-
-/// What is not so is not said.
-fn optional_flag(on: bool) -> String {
-    if on { "true".to_owned() } else { String::new() }
-}
-
-/// `reduced-motion` → `reducedMotion`.
-pub(super) fn camel_case(name: &str) -> String {
-    property(&name.replace('-', "_"))
-}
-
-/// An object on one line, without the fields that have no value.
-fn object(fields: &[(&str, String)]) -> String {
-    let fields: Vec<_> = fields
-        .iter()
-        .filter(|(_, value)| !value.is_empty())
-        .map(|(name, value)| format!("\"{name}\": {value}"))
-        .collect();
-    format!("{{ {} }}", fields.join(", "))
-}
-
-/// One entry a line.
-fn list(entries: impl Iterator<Item = String>) -> String {
-    let lines: Vec<_> = entries.map(|entry| format!("\n        {entry}")).collect();
-    format!("[{}\n      ]", lines.join(","))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::Value;
 
-    fn read() -> Result<Value, serde_json::Error> {
-        serde_json::from_str(&manifest())
-    }
-
-    fn names<'a>(of: &'a Value, list: &str) -> Vec<&'a str> {
-        let entries = of["modules"][0]["declarations"][0][list].as_array();
-        entries
-            .into_iter()
-            .flatten()
-            .filter_map(|entry| entry["name"].as_str())
-            .collect()
+    fn names(list: &str) -> Result<Vec<String>> {
+        let whole = Element(serde_json::from_str(&manifest(&Element::read()?))?);
+        let names = whole
+            .list(list)
+            .iter()
+            .map(|entry| parts(entry).0.to_owned());
+        Ok(names.collect())
     }
 
     #[test]
-    fn every_parameter_is_an_attribute_and_a_property() -> Result<(), serde_json::Error> {
-        let manifest = read()?;
-        let (attributes, members) = (names(&manifest, "attributes"), names(&manifest, "members"));
+    fn every_parameter_is_an_attribute_and_a_property() -> Result<()> {
+        let (attributes, members) = (names("attributes")?, names("members")?);
         for param in PARAMETERS {
-            assert!(attributes.contains(&attribute(param.id).as_str()));
-            assert!(members.contains(&property(param.id).as_str()));
+            assert!(attributes.contains(&attribute(param.id)));
+            assert!(members.contains(&property(param.id)));
         }
         Ok(())
     }
 
     #[test]
-    fn nothing_is_said_twice() -> Result<(), serde_json::Error> {
-        let manifest = read()?;
-        for list in [
+    fn every_list_has_entries_and_no_name_twice() -> Result<()> {
+        let declarations = [
             "attributes",
             "members",
             "events",
@@ -239,11 +123,12 @@ mod tests {
             "cssParts",
             "cssProperties",
             "cssStates",
-        ] {
-            let mut names = names(&manifest, list);
+        ];
+        for list in declarations {
+            let mut names = names(list)?;
             assert!(!names.is_empty(), "{list}");
-            names.sort_unstable();
             let all = names.len();
+            names.sort_unstable();
             names.dedup();
             assert_eq!(names.len(), all, "{list}");
         }

@@ -1,4 +1,4 @@
-//! The figures as tables.
+//! The figures as tables of Markdown.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -8,8 +8,8 @@ use serde_json::Value;
 use super::figures::{BROWSER, Figures, Row, Time};
 use super::targets;
 
-/// What was measured, and criterion's times of a step, as Markdown.
-pub(super) fn tables(figures: &Figures, native: &BTreeMap<String, f64>) -> String {
+/// What was measured, and criterion's times of a step.
+pub(super) fn all(figures: &Figures, native: &BTreeMap<String, f64>) -> String {
     let mut text = introduction(figures);
     targets_table(&mut text, figures);
     blocks_table(&mut text, figures);
@@ -54,26 +54,19 @@ fn targets_table(text: &mut String, figures: &Figures) {
          | target | | median | best round | |\n|---|--:|--:|--:|---|\n",
     );
     for target in targets::all(figures) {
-        let shown = |figure: fn(Time) -> f64| {
-            let found = target.found.map(|found| target.wanted.show(figure(found)));
-            found.unwrap_or_default()
+        let (what, bound) = (&target.what, &target.bound);
+        let Some(Time { median, best }) = target.measured else {
+            let _ = writeln!(text, "| {what} | {} |  |  | not measured |", bound.words());
+            continue;
         };
-        let verdict = match target.found {
-            // By both: a round in which the other program was disturbed flatters.
-            Some(found) if target.wanted.holds(found.median) && target.wanted.holds(found.best) => {
-                "reached"
-            }
-            Some(_) => "not reached",
-            None => "not measured",
+        // By both: a round in which the other program was disturbed flatters.
+        let reached = if bound.holds(median) && bound.holds(best) {
+            "reached"
+        } else {
+            "not reached"
         };
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} | {verdict} |",
-            target.what,
-            target.wanted.words(),
-            shown(|found| found.median),
-            shown(|found| found.best),
-        );
+        let [limit, median, best] = [bound.words(), bound.show(median), bound.show(best)];
+        let _ = writeln!(text, "| {what} | {limit} | {median} | {best} | {reached} |");
     }
     text.push_str("| allocations a step | 0 | | | held by `tests/tests/allocation.rs` |\n");
 }
@@ -130,7 +123,7 @@ fn fires_table(text: &mut String, figures: &Figures) {
             row.step.median,
             row.step.best,
             row.nanoseconds().median,
-            row.steps_a_frame.unwrap_or_default(),
+            row.steps_per_frame.unwrap_or_default(),
             cell(row.frame().map(|frame| format!("{:.2}", frame.median))),
         );
     }
@@ -209,7 +202,7 @@ fn cell(shown: Option<String>) -> String {
     shown.unwrap_or_default()
 }
 
-/// A value as a word of a cell; nothing where there is none.
+/// A value as the text of a cell.
 fn word(value: &Value) -> String {
     match value {
         Value::Null => String::new(),

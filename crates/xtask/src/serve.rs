@@ -6,7 +6,7 @@
 
 use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Child, ChildStdout, Command, Stdio};
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::thread;
 
 use anyhow::{Context, Result, ensure};
@@ -26,12 +26,12 @@ pub(crate) fn serve(folder: &Path, port: Option<u16>, open: bool) -> Result<()> 
     Ok(())
 }
 
-/// A running server. It ends when its standard input does: with this process, however that
-/// ends.
+/// A running server. It ends when its input does: with this process, however that ends.
 struct Server {
     process: Child,
     address: String,
-    /// Kept open, or the server could not write.
+    /// Apart from `process`, which closes it when it waits.
+    input: Option<ChildStdin>,
     _output: BufReader<ChildStdout>,
 }
 
@@ -56,10 +56,18 @@ impl Server {
             "the server did not start; another --port may be free"
         );
         Ok(Server {
+            input: process.stdin.take(),
             process,
             address,
             _output: output,
         })
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        drop(self.input.take());
+        let _ = self.process.wait();
     }
 }
 
@@ -107,7 +115,7 @@ mod tests {
         fs::write(site.join("index.html"), "<p>fire</p>")?;
         fs::write(site.join("web").join("engine_bg.wasm"), b"\0asm")?;
         fs::write(folder.path().join("secret"), "secret")?;
-        let mut server = Server::start(&site, None)?;
+        let server = Server::start(&site, None)?;
         let host = server.address.replace("http://", "").replace('/', "");
         let answers = requests.iter().map(|request| -> Result<String> {
             let mut visitor = TcpStream::connect(&host)?;
@@ -120,8 +128,6 @@ mod tests {
             Ok(String::from_utf8_lossy(&answer).into_owned())
         });
         let answers = answers.collect();
-        drop(server.process.stdin.take());
-        assert!(server.process.wait()?.success());
         answers
     }
 
@@ -171,10 +177,6 @@ mod tests {
         let taken = first.address.trim_end_matches('/').rsplit(':').next();
         let taken = taken.unwrap_or_default().parse()?;
         assert!(Server::start(folder.path(), Some(taken)).is_err());
-        for mut server in [first, second] {
-            drop(server.process.stdin.take());
-            server.process.wait()?;
-        }
         Ok(())
     }
 }

@@ -4,7 +4,7 @@
 //! program: `Cargo.lock` gives it the version of the bindings, and nobody has to install
 //! it. Every URL of the site is relative, so the folder works wherever it is put.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 use std::thread;
@@ -136,20 +136,21 @@ pub(crate) fn shorten_imports(sh: &Shell, web: &Path) -> Result<()> {
         let mut module = config.parse_file(&wasm)?;
         let script = wasm.with_file_name(format!("{name}.js"));
         let mut code = sh.read_file(&script)?;
-        let mut taken = Vec::new();
+        let mut taken = BTreeSet::new();
         for import in module.imports.iter_mut() {
-            let Some((plain, hash)) = import.name.rsplit_once('_') else {
-                continue;
+            let hash = |text: &str| text.len() == 16 && u64::from_str_radix(text, 16).is_ok();
+            let plain = match import.name.rsplit_once('_') {
+                Some((plain, end)) if hash(end) => plain,
+                _ => &import.name,
             };
-            if hash.len() == 16 && hash.bytes().all(|byte| byte.is_ascii_hexdigit()) {
-                let plain = plain.to_owned();
-                let number = taken.iter().filter(|&name| *name == plain).count();
-                taken.push(plain.clone());
-                let short = match number {
-                    0 => plain,
-                    // No other name ends in a bar and a number.
-                    _ => format!("{plain}_{number}"),
-                };
+            let mut short = plain.to_owned();
+            for number in 1.. {
+                if taken.insert(short.clone()) {
+                    break;
+                }
+                short = format!("{plain}{number}");
+            }
+            if short != import.name {
                 code = code.replace(&import.name, &short);
                 import.name = short;
             }

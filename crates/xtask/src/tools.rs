@@ -90,64 +90,60 @@ fn crate_tool(program: &str, package: &str, version: &str, locked: Option<&str>)
 
 /// A program that Debian has.
 pub(crate) struct Program {
-    names: &'static [&'static str],
-    packages: &'static [&'static str],
     /// The environment variable that names another program; empty: none.
     variable: &'static str,
+    names: Names,
+    packages: Names,
 }
 
-pub(crate) const CHROMIUM: Program = Program {
-    names: &[
+type Names = &'static [&'static str];
+
+pub(crate) const CHROMIUM: Program = Program::new(
+    "HEARTH_CHROMIUM",
+    &[
         "chromium",
         "chromium-browser",
         "google-chrome-stable",
         "google-chrome",
     ],
-    packages: &["chromium"],
-    variable: "HEARTH_CHROMIUM",
-};
-pub(crate) const CHROMEDRIVER: Program = Program {
-    names: &["chromedriver"],
-    packages: &["chromium-driver"],
-    variable: "CHROMEDRIVER",
-};
-const FIREFOX: Program = Program {
-    names: &["firefox-esr", "firefox"],
-    packages: &["firefox-esr"],
-    variable: "HEARTH_FIREFOX",
-};
+    &["chromium"],
+);
+pub(crate) const CHROMEDRIVER: Program =
+    Program::new("CHROMEDRIVER", &["chromedriver"], &["chromium-driver"]);
+const FIREFOX: Program = Program::new(
+    "HEARTH_FIREFOX",
+    &["firefox-esr", "firefox"],
+    &["firefox-esr"],
+);
 /// It comes with WebKitGTK's small browser.
-const WEBKIT: Program = Program {
-    names: &["WebKitWebDriver"],
-    packages: &["webkit2gtk-driver"],
-    variable: "HEARTH_WEBKIT_DRIVER",
-};
-/// Firefox and WebKit draw into windows only, and where there is no graphics card with
-/// these libraries.
-const XVFB: Program = Program {
-    names: &["Xvfb"],
-    packages: &["xvfb", "libgl1", "libegl1", "libgl1-mesa-dri"],
-    variable: "HEARTH_XVFB",
-};
-pub(crate) const VALGRIND: Program = Program {
-    names: &["valgrind"],
-    packages: &["valgrind", "libc6-dbg"],
-    variable: "",
-};
+const WEBKIT: Program = Program::new(
+    "HEARTH_WEBKIT_DRIVER",
+    &["WebKitWebDriver"],
+    &["webkit2gtk-driver"],
+);
+/// Firefox and WebKit draw into windows only, and with these libraries where there is no
+/// graphics card.
+const XVFB: Program = Program::new(
+    "HEARTH_XVFB",
+    &["Xvfb"],
+    &["xvfb", "libgl1", "libegl1", "libgl1-mesa-dri"],
+);
+pub(crate) const VALGRIND: Program = Program::new("", &["valgrind"], &["valgrind", "libc6-dbg"]);
 /// The reference compiler of GLSL.
-pub(crate) const GLSLANG: Program = Program {
-    names: &["glslangValidator"],
-    packages: &["glslang-tools"],
-    variable: "HEARTH_GLSLANG",
-};
+pub(crate) const GLSLANG: Program =
+    Program::new("HEARTH_GLSLANG", &["glslangValidator"], &["glslang-tools"]);
 /// Makes an animation of pictures.
-pub(crate) const IMG2WEBP: Program = Program {
-    names: &["img2webp"],
-    packages: &["webp"],
-    variable: "",
-};
+pub(crate) const IMG2WEBP: Program = Program::new("", &["img2webp"], &["webp"]);
 
 impl Program {
+    const fn new(variable: &'static str, names: Names, packages: Names) -> Program {
+        Program {
+            variable,
+            names,
+            packages,
+        }
+    }
+
     /// The program, installed if it is missing.
     pub(crate) fn get(&self) -> Result<PathBuf> {
         let Program {

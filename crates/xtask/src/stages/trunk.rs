@@ -121,27 +121,14 @@ mod tests {
     fn only_differences_that_matter_are_named() -> Result<()> {
         let sh = Shell::new()?;
         let folder = sh.create_temp_dir()?;
-        let ours = [
-            ("index.html", "<p>a</p>\n\n<p>b</p>\n"),
-            ("web/a.wasm", "1"),
-            ("web/a.js", "1"),
-            ("web/b.js", "1"),
-        ];
-        let same = [
-            ("index.html", "<p>a</p>\n<p>b</p>"),
-            ("web/a.wasm", "2"),
-            ("web/a.js", "1"),
-            ("web/b.js", "1"),
-        ];
-        let other = [
-            ("index.html", "<p>a</p>"),
-            ("web/a.wasm", "1"),
-            ("web/a.js", "2"),
-            ("web/c.js", "1"),
-        ];
-        for (site, files) in [("ours", ours), ("same", same), ("other", other)] {
-            for (path, content) in files {
-                sh.write_file(folder.path().join(site).join(path), content)?;
+        for (site, files) in [
+            ("ours", "index.html:a\n\nb a.wasm:1 a.js:1 b.js:1"),
+            ("same", "index.html:a\nb\n a.wasm:2 a.js:1 b.js:1"),
+            ("other", "index.html:a a.wasm:1 a.js:2 web/c.js:1"),
+        ] {
+            let site = folder.path().join(site);
+            for (path, content) in files.split(' ').filter_map(|file| file.split_once(':')) {
+                sh.write_file(site.join(path), content)?;
             }
         }
         let [ours, same, other] = ["ours", "same", "other"].map(|site| folder.path().join(site));
@@ -149,8 +136,8 @@ mod tests {
         let error = compare(&sh, &ours, &other)
             .err()
             .map(|error| error.to_string());
-        let named = "Trunk's index.html differs\nTrunk's web/a.js differs\n\
-                     Trunk omits web/b.js\nTrunk adds web/c.js";
+        let named = "Trunk's a.js differs\nTrunk omits b.js\nTrunk's index.html differs\n\
+                     Trunk adds web/c.js";
         assert_eq!(error.as_deref(), Some(named));
         Ok(())
     }

@@ -52,7 +52,9 @@ async function entryPointsAreThere() {
 /** npm's own list of what it would publish, and its warnings. */
 async function packsExactly() {
   const { stdout, stderr } = await run(npm(), ['pack', '--dry-run', '--json'], { cwd: folder, shell: process.platform === 'win32' });
-  assert.doesNotMatch(stderr, /npm (warn|error)/i);
+  // Warnings about the settings of this user or this environment are not the package's.
+  const warnings = stderr.split('\n').filter((line) => /^npm (warn|error)/i.test(line) && !/Unknown \w+ config/.test(line));
+  assert.deepEqual(warnings, []);
   const packed = JSON.parse(stdout)[0].files.map((file) => file.path).sort();
   const wanted = [
     ...PAPERS,

@@ -127,8 +127,7 @@ mod tests {
             visitor.read_to_end(&mut answer)?;
             Ok(String::from_utf8_lossy(&answer).into_owned())
         });
-        let answers = answers.collect();
-        answers
+        answers.collect()
     }
 
     #[test]

@@ -83,19 +83,16 @@ fn blocks_table(text: &mut String, figures: &Figures) {
     for row in rows {
         let own = figures.own("block", BROWSER, row.count);
         let ratio = own.map(|own| row.nanoseconds().over(own.nanoseconds()).median);
+        let ratio = cell(ratio.map(|ratio| format!("{ratio:.2}")));
         let share = figures.share_of_peak(row);
+        let share = cell(share.map(|share| format!("{:.1} %", 100.0 * share.median)));
+        let (Time { median, best }, each) = (row.step, row.nanoseconds().median);
+        let (count, place, neighbours) = (row.count, &row.place, row.neighbours);
+        let label = row.label().replace('|', "\\|");
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {:.1} | {:.3} | {:.3} | {:.1} | {} | {} |",
-            row.count,
-            row.label().replace('|', "\\|"),
-            row.place,
-            row.neighbours,
-            row.step.median,
-            row.step.best,
-            row.nanoseconds().median,
-            cell(share.map(|share| format!("{:.1} %", 100.0 * share.median))),
-            cell(ratio.map(|ratio| format!("{ratio:.2}"))),
+            "| {count} | {label} | {place} | {neighbours:.1} | {median:.3} | {best:.3} | \
+             {each:.1} | {share} | {ratio} |"
         );
     }
 }
@@ -113,18 +110,14 @@ fn fires_table(text: &mut String, figures: &Figures) {
             ("plume", count) => format!("classic plume of up to {count}"),
             _ => continue,
         };
+        let (Time { median, best }, each) = (row.step, row.nanoseconds().median);
+        let (place, particles, neighbours) = (&row.place, row.particles, row.neighbours);
+        let (substeps, steps) = (row.substeps, row.steps_per_frame.unwrap_or_default());
+        let frame = cell(row.frame().map(|frame| format!("{:.2}", frame.median)));
         let _ = writeln!(
             text,
-            "| {name} | {} | {} | {:.1} | {} | {:.3} | {:.3} | {:.0} | {:.1} | {} |",
-            row.place,
-            row.particles,
-            row.neighbours,
-            row.substeps,
-            row.step.median,
-            row.step.best,
-            row.nanoseconds().median,
-            row.steps_per_frame.unwrap_or_default(),
-            cell(row.frame().map(|frame| format!("{:.2}", frame.median))),
+            "| {name} | {place} | {particles} | {neighbours:.1} | {substeps} | {median:.3} | \
+             {best:.3} | {each:.0} | {steps:.1} | {frame} |"
         );
     }
     let throttled = &figures.all["throttled"];
@@ -160,17 +153,9 @@ fn memory_table(text: &mut String, figures: &Figures) {
     };
     text.push_str("\n### Memory\n\n| block | bytes | a particle |\n|--:|--:|--:|\n");
     for one in listed {
-        let (particles, bytes) = (one["particles"].as_f64(), one["bytes"].as_f64());
-        let each = particles
-            .zip(bytes)
-            .map(|(n, bytes)| format!("{:.0}", bytes / n));
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} |",
-            word(&one["particles"]),
-            word(&one["bytes"]),
-            cell(each)
-        );
+        if let (Some(n), Some(bytes)) = (one["particles"].as_f64(), one["bytes"].as_f64()) {
+            let _ = writeln!(text, "| {n} | {bytes} | {:.0} |", bytes / n);
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 /**
- * Whether the package is whole, and no more than that: `node check.mjs PACKAGE
- * SCRATCH`. Everything that it promises is there, npm would pack exactly that, and
- * a strict compiler reads its types.
+ * Checks the package: `node check.mjs PACKAGE SCRATCH`. Every entry point exists, npm packs
+ * exactly the files that they reach, without a warning, and a strict compiler accepts the
+ * types.
  */
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
@@ -15,7 +15,7 @@ import { DOCS, beginningsOf, entries, typesOf } from './manifest.mjs';
 const HERE = path.dirname(fileURLToPath(import.meta.url));
 const run = promisify(execFile);
 
-/** What is no code. */
+/** The files that are not code. */
 const PAPERS = [
   'LICENSE-APACHE',
   'LICENSE-FONT',
@@ -49,9 +49,12 @@ async function entryPointsAreThere() {
   for (const name of manifest.sideEffects) await stat(path.join(folder, name));
 }
 
-/** npm's own list of what it would publish. */
+/** npm's own list of what it would publish, and its warnings. */
 async function packsExactly() {
-  const { stdout } = await run(npm(), ['pack', '--dry-run', '--json'], { cwd: folder, shell: process.platform === 'win32' });
+  const { stdout, stderr } = await run(npm(), ['pack', '--dry-run', '--json'], { cwd: folder, shell: process.platform === 'win32' });
+  // Warnings about the settings of this user or this environment are not the package's.
+  const warnings = stderr.split('\n').filter((line) => /^npm (warn|error)/i.test(line) && !/Unknown \w+ config/.test(line));
+  assert.deepEqual(warnings, []);
   const packed = JSON.parse(stdout)[0].files.map((file) => file.path).sort();
   const wanted = [
     ...PAPERS,
@@ -63,7 +66,7 @@ async function packsExactly() {
   assert.deepEqual(packed, [...new Set(wanted)].sort());
 }
 
-/** What the papers link to inside the package is in it. */
+/** Every relative link of the documents leads to a file of the package. */
 async function linksEnd() {
   for (const paper of PAPERS.filter((name) => name.endsWith('.md'))) {
     const text = await readFile(path.join(folder, paper), 'utf8');
@@ -74,7 +77,7 @@ async function linksEnd() {
   }
 }
 
-/** Programs of users, and the manifest of the element, in the compiler's strictest mode. */
+/** Compiles programs as users write them, and the element's manifest, in the strictest mode. */
 async function typesCompile() {
   const modules = path.join(scratch, 'node_modules');
   await rm(scratch, { recursive: true, force: true });
@@ -127,7 +130,7 @@ function manifestProgram(elements) {
   const whole = JSON.parse(elements);
   const [declaration] = whole.modules[0].declarations;
   const { members, events } = declaration;
-  // The format's own types take a class's members for a plain class's.
+  // The types of the format give a custom element the members of a plain class.
   declaration.members = [];
   const table = (/** @type {{name: string}[]} */ list) => (
     `{ ${list.map(({ name }) => `'${name}': true`).join(', ')} }`

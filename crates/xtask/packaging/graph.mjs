@@ -1,7 +1,7 @@
 /**
- * Which files of the package need which: what a script imports, at once or when
- * asked, and what it names beside itself as `new URL('./file', import.meta.url)`,
- * as wasm, workers and style sheets are named; and what a page names.
+ * The import graph of the package: what a script imports, statically or on request; what it
+ * names beside itself as `new URL('./file', import.meta.url)`, as wasm, workers and style
+ * sheets are named; and what a page names.
  */
 import { readFile, readdir } from 'node:fs/promises';
 import path from 'node:path';
@@ -12,11 +12,11 @@ const IN_PAGE = /(?:src|href|content)=(['"])(\.\/[^'"]+)\1/g;
 const TYPES = /(?:from|import\()\s*(['"])(\.\.?\/[^'"]+)\.js\1/g;
 
 /**
- * The files that these scripts and pages reach, they among them, as paths below `folder`.
+ * The files that these scripts and pages reach, including themselves, as paths below `folder`.
  * @param {string} folder
  * @param {string[]} beginnings
- * @param {(file: string) => boolean} [later]  Files that are left out where they are
- *   only imported when asked.
+ * @param {(file: string) => boolean} [later]  Files to leave out where they are imported on
+ *   request only.
  * @returns {Promise<string[]>}
  */
 export async function reached(folder, beginnings, later = () => false) {
@@ -63,7 +63,7 @@ export async function typesReached(folder, files) {
   return [...found].sort();
 }
 
-/** What scripts import, by folder and file: esbuild tells it of all that it reads at once. */
+/** What scripts import, by folder and file: esbuild reports it for all that it bundles. */
 const known = new Map();
 
 /** What one script imports from the package. @type {(folder: string, file: string) => Promise<{to: string, asked: boolean}[]>} */

@@ -1,8 +1,9 @@
 /**
- * What a visitor of somebody who uses the package downloads, as it is and as
- * brotli of quality 11 makes it: `node sizes.mjs PACKAGE`. Too much is a failure.
+ * What a visitor downloads, as it is and as brotli of quality 11 makes it: `node sizes.mjs
+ * FOLDER`, the npm package or the folder `web` of the site. A download over its ceiling is a
+ * failure.
  */
-import { readFile } from 'node:fs/promises';
+import { readFile, stat } from 'node:fs/promises';
 import path from 'node:path';
 import { brotliCompressSync } from 'node:zlib';
 import { reached } from './graph.mjs';
@@ -12,37 +13,50 @@ const [folder] = process.argv.slice(2);
 const manifest = JSON.parse(await readFile(path.join(folder, 'package.json'), 'utf8'));
 const entryFiles = beginningsOf(manifest).map((script) => path.posix.normalize(script));
 
-/** What the element loads only where somebody asks for it. */
-const ASKED_FOR = ['element/scale.js', 'engine/main-thread.js', 'element/settings-file.js', 'element/pointer.js', 'element/spelling.js', 'element/transition.js'];
+/** Other entry points, which nothing loads by itself. */
+const isEntry = (file) => entryFiles.includes(file);
+/** Scripts that are imported only on request; the scripts of wasm always follow. */
+const onRequest = (file) => isEntry(file) || !file.startsWith('wasm/');
+/** The files that `entry` always loads. */
+const loaded = (entry) => reached(folder, [entry], onRequest);
 
-/** Files that one need makes a browser load together; without a ceiling they are only told. */
+const ELEMENT = 'hearth-fire.js';
+const always = await loaded(ELEMENT);
+const requested = (await reached(folder, [ELEMENT], isEntry)).filter((file) => !always.includes(file));
+
+/** Files that a browser loads for one purpose; without a ceiling they are only printed. */
 const DOWNLOADS = [
-  { name: 'element and engine', entry: 'hearth-fire.js', ceiling: 107_500 },
-  { name: 'bar of colours, on request', entry: 'element/scale.js', ceiling: 3_000 },
-  { name: 'pointer, on request', entry: 'element/pointer.js', ceiling: 2_000 },
-  { name: 'headless library', entry: 'sim.js', ceiling: 60_000 },
-  { name: 'panel, on request', entry: 'panel.js', ceiling: 850_000 },
-  { name: 'all of the element in one file', entry: 'hearth-fire.inline.js', ceiling: Infinity },
+  { name: 'element and engine', files: always, ceiling: 107_500 },
+  { name: "element's rest, each on request", files: requested, ceiling: 7_000 },
+  { name: 'headless library', files: await loaded('sim.js'), ceiling: 60_000 },
+  { name: 'panel, on request', files: await loaded('panel.js'), ceiling: 850_000 },
+  { name: 'all of the element in one file', files: await present('hearth-fire.inline.js'), ceiling: Infinity },
 ];
 
-for (const { name, entry, ceiling } of DOWNLOADS) {
-  const isLater = (file) => entryFiles.includes(file) || ASKED_FOR.includes(file);
-  const found = entry.endsWith('.inline.js') ? [entry] : await reached(folder, [entry], isLater);
-  // A kept fire comes with its scene alone.
-  const files = found.filter((file) => !file.startsWith('burning/'));
+for (const { name, files, ceiling } of DOWNLOADS) {
   console.log(name);
   const sum = { raw: 0, small: 0 };
-  for (const file of files) {
+  // A stored fire is loaded with its scene only.
+  for (const file of files.filter((one) => !one.endsWith('.fire'))) {
     const bytes = await readFile(path.join(folder, file));
     const small = brotliCompressSync(bytes).length;
-    console.log(`  ${file.padEnd(32)}${String(bytes.length).padStart(12)}${String(small).padStart(12)}`);
+    console.log(row(file, bytes.length, small));
     sum.raw += bytes.length;
     sum.small += small;
   }
-  const limit = ceiling < Infinity ? ` of at most ${ceiling}` : '';
-  console.log(`  ${'bytes, and compressed'.padEnd(32)}${String(sum.raw).padStart(12)}${String(sum.small).padStart(12)}${limit}`);
+  console.log(row('bytes, and compressed', sum.raw, sum.small) + (ceiling < Infinity ? ` of at most ${ceiling}` : ''));
   if (sum.small > ceiling) {
     console.error(`too large to download: ${name}`);
     process.exitCode = 1;
   }
+}
+
+/** @type {(name: string, raw: number, small: number) => string} */
+function row(name, raw, small) {
+  return `  ${name.padEnd(32)}${String(raw).padStart(12)}${String(small).padStart(12)}`;
+}
+
+/** The file, where this folder has it. @param {string} file */
+async function present(file) {
+  return stat(path.join(folder, file)).then(() => [file], () => []);
 }

@@ -14,16 +14,11 @@ import { readFile, readdir, rm } from 'node:fs/promises';
 import path from 'node:path';
 import { beginningsOf } from '../packaging/manifest.mjs';
 import { build, transform } from './esbuild.mjs';
-import { shortenImports } from './imports.mjs';
 
 const folder = path.resolve(process.argv[2] ?? '');
 const manifest = JSON.parse(await readFile(path.join(folder, 'package.json'), 'utf8'));
 const all = await filesOf('');
 const scripts = all.filter((file) => file.endsWith('.js'));
-for (const script of scripts) {
-  const wasm = script.replace(/\.js$/, '_bg.wasm');
-  if (all.includes(wasm)) await shortenImports(path.join(folder, script), path.join(folder, wasm));
-}
 
 const COMMON = /** @type {const} */ ({ absWorkingDir: folder, format: 'esm', bundle: true, logLevel: 'warning' });
 

@@ -1,17 +1,15 @@
-//! Files generated from the table of parameters and from the scenes.
+//! Files generated from the table of parameters, the class of the element and the scenes.
 //!
-//! A parameter is stated once, in `hearth-core`. What needs it before any wasm
-//! is loaded (the element's attributes), what a compiler reads (types) and what
-//! a person reads (the reference) is written from there and committed. A test
-//! rewrites a file that is behind the table and fails, so a stale one cannot be
-//! merged and needs no work to correct.
+//! A parameter is stated once, in `hearth-core`. What needs it before any wasm is loaded
+//! (the element's attributes), what a compiler reads (types) and what a person reads (the
+//! reference) is generated and committed. A test writes a file that is out of date and
+//! fails, so a stale one cannot be merged.
 //!
-//! A scene is a file of `scenes/`, and what comes from one is written from there,
-//! not from the table in `hearth-core`, which this program was compiled with.
+//! A scene is a file of `scenes/`. What follows from one is generated from the file, and
+//! not from the table in `hearth-core` that this program was compiled with.
 
 mod gallery;
 mod javascript;
-mod json;
 mod markdown;
 mod rust;
 mod scene;
@@ -24,27 +22,20 @@ use std::{fs, io};
 use anyhow::{Context, Result};
 use hearth_core::Parameters;
 use hearth_core::params::{Choice, Domain, Model, Param, Value};
+use serde_json::Value as Json;
 
-/// A generated file: where it lies in the checkout, and what it must hold.
-#[derive(Debug)]
-pub struct Generated {
-    /// Path relative to the checkout.
-    pub path: &'static str,
-    /// The text that the table gives.
-    pub text: String,
-}
+/// A generated file: its path in the checkout, and its text.
+type Generated = (&'static str, String);
 
-/// Every generated file, fresh from the table and the scenes.
-///
-/// # Errors
-/// A scene that is none, with what is wrong in its file.
-pub fn generate() -> Result<Vec<Generated>> {
+/// Every generated file.
+fn generate() -> Result<Vec<Generated>> {
     let scenes = scene::read_all(&crate::paths::root().join("scenes"))?;
-    let files = [
+    Ok(vec![
         (
             "crates/hearth-core/src/preset/scenes.rs",
             rust::table(&scenes),
         ),
+        ("crates/hearth-fire/src/picture.md", gallery::picture()?),
         ("web/generated/defaults.js", javascript::defaults()),
         ("web/parameters.js", javascript::module(&scenes)),
         ("web/generated/quantities.js", javascript::quantities()),
@@ -55,15 +46,10 @@ pub fn generate() -> Result<Vec<Generated>> {
         ("docs/element.md", stats::page()?),
         ("docs/parameters.md", markdown::reference()),
         ("docs/scenes.md", gallery::page(&scenes)),
-    ];
-    let generated = |(path, text)| Generated { path, text };
-    Ok(files.into_iter().map(generated).collect())
+    ])
 }
 
-/// The values of the scene of that name, as its file has them.
-///
-/// # Errors
-/// There is no such scene, or a file that is none.
+/// The values of the scene of that name, from its file.
 pub(crate) fn values_of_scene(name: &str) -> Result<Parameters> {
     let scenes = scene::read_all(&crate::paths::root().join("scenes"))?;
     let scene = scenes.iter().find(|scene| scene.name == name);
@@ -72,45 +58,32 @@ pub(crate) fn values_of_scene(name: &str) -> Result<Parameters> {
         .parameters()
 }
 
-/// Writes each generated file under `root` that is missing or differs, and
-/// names those.
-///
-/// # Errors
-/// A wrong scene, or a file that can be neither read nor written.
-pub fn refresh(root: &Path) -> Result<Vec<&'static str>> {
+/// Writes each generated file under `root` that is missing or differs; returns those.
+pub(crate) fn refresh(root: &Path) -> Result<Vec<String>> {
     let mut written = Vec::new();
-    for file in generate()? {
-        let path = root.join(file.path);
-        if ensure_contents(&path, &file.text).with_context(|| path.display().to_string())? {
-            written.push(file.path);
+    for (file, text) in generate()? {
+        if ensure_contents(&root.join(file), &text).context(file)? {
+            written.push(file.to_owned());
         }
     }
     Ok(written)
 }
 
-/// Writes every generated file of the checkout that is missing or differs, and names those:
-/// first the files of the table, then those of the element's class, which name parameters.
-///
-/// # Errors
-/// As [`refresh`]; no Node; a class whose JSDoc lacks something.
-pub fn refresh_checkout() -> Result<Vec<String>> {
-    let mut written: Vec<_> = refresh(&crate::paths::root())?
-        .into_iter()
-        .map(str::to_owned)
-        .collect();
+/// Writes every generated file of the checkout that is missing or differs; returns those.
+/// The files of the element's class come last, because they name parameters.
+pub(crate) fn refresh_checkout() -> Result<Vec<String>> {
+    let mut written = refresh(&crate::paths::root())?;
     written.extend(crate::script::element_files()?.lines().map(str::to_owned));
     Ok(written)
 }
 
-/// Makes `path` hold `text`; whether it had to be written.
+/// Makes `path` hold `text`; returns whether it had to be written.
 fn ensure_contents(path: &Path, text: &str) -> io::Result<bool> {
     match fs::read_to_string(path) {
-        // A checkout on Windows may have turned line ends.
+        // A checkout on Windows may have other line ends.
         Ok(present) if present.replace("\r\n", "\n") == text => return Ok(false),
-        Ok(_) => {}
-        Err(error) if error.kind() == io::ErrorKind::NotFound => {}
-        Err(error) if error.kind() == io::ErrorKind::InvalidData => {}
-        Err(error) => return Err(error),
+        Err(error) if error.kind() == io::ErrorKind::PermissionDenied => return Err(error),
+        _ => {}
     }
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder)?;
@@ -121,19 +94,16 @@ fn ensure_contents(path: &Path, text: &str) -> io::Result<bool> {
 
 /// Every model, the default one first.
 fn models() -> Vec<Model> {
-    let mut models: Vec<_> = Model::NAMES
-        .iter()
-        .filter_map(|name| Model::from_name(name))
-        .collect();
+    let names = Model::NAMES.iter();
+    let mut models: Vec<_> = names.filter_map(|name| Model::from_name(name)).collect();
     models.sort_by_key(|&model| model != Model::DEFAULT);
     models
 }
 
 /// The models that use `param`, each with its default and range.
-fn domains(param: &Param) -> impl Iterator<Item = (Model, &'static Domain)> {
-    models()
-        .into_iter()
-        .filter_map(|model| Some((model, param.domain(model)?)))
+fn domains(param: &Param) -> Vec<(Model, &'static Domain)> {
+    let domain = |model| Some((model, param.domain(model)?));
+    models().into_iter().filter_map(domain).collect()
 }
 
 /// `viscosity_limit` → `viscosity-limit`.
@@ -141,9 +111,9 @@ fn attribute(id: &str) -> String {
     id.replace('_', "-")
 }
 
-/// `viscosity_limit` → `viscosityLimit`.
+/// `viscosity_limit`, or `viscosity-limit` → `viscosityLimit`.
 fn property(id: &str) -> String {
-    let mut words = id.split('_');
+    let mut words = id.split(['_', '-']);
     let mut name = words.next().unwrap_or_default().to_owned();
     for word in words {
         let (first, rest) = word.split_at(word.len().min(1));
@@ -153,84 +123,67 @@ fn property(id: &str) -> String {
     name
 }
 
-/// `text` as a string of JSON, which is one of JavaScript as well.
-fn json_string(text: &str) -> String {
-    let mut json = String::with_capacity(text.len() + 2);
-    json.push('"');
-    for c in text.chars() {
-        match c {
-            '"' => json.push_str("\\\""),
-            '\\' => json.push_str("\\\\"),
-            '\n' => json.push_str("\\n"),
-            '\r' => json.push_str("\\r"),
-            '\t' => json.push_str("\\t"),
-            // The two line separators end a line in older JavaScript.
-            c if c.is_control() || matches!(c, '\u{2028}' | '\u{2029}') => {
-                json.push_str(&format!("\\u{:04x}", u32::from(c)));
-            }
-            c => json.push(c),
-        }
+/// `value` as JSON, which is JavaScript and TypeScript as well.
+fn json(value: Value) -> Json {
+    match (value, value.as_number()) {
+        (Value::Flag(on), _) => on.into(),
+        (_, Some(x)) => number(x),
+        (text, None) => text.to_string().into(),
     }
-    json.push('"');
-    json
 }
 
-/// `value` as JSON.
-fn json_value(value: Value) -> String {
-    match value {
-        Value::Flag(on) => on.to_string(),
-        Value::Number(_) | Value::Integer(_) | Value::Seed(_) => value
-            .as_number()
-            .map_or_else(|| value.to_string(), |x| x.to_string()),
-        Value::Choice(_) | Value::Colour(_) => json_string(&value.to_string()),
+/// A number without `.0`.
+fn number(x: f64) -> Json {
+    match x as i64 {
+        whole if whole as f64 == x => whole.into(),
+        _ => x.into(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::shell::Shell;
 
     #[test]
     fn generated_files_are_up_to_date() {
         let written = refresh(&crate::paths::root());
         assert!(
             written.as_ref().is_ok_and(Vec::is_empty),
-            "files that are generated from the parameter table and the scenes were behind them and \
-             have been written anew; commit them: {written:?}"
+            "generated files were out of date and have been written; commit them: {written:?}"
         );
     }
 
     #[test]
-    fn a_stale_file_is_noticed_and_written_once() -> Result<()> {
-        let root = std::env::temp_dir().join(format!("hearth-codegen-{}", std::process::id()));
-        let all: Vec<_> = generate()?.iter().map(|file| file.path).collect();
-        assert_eq!(refresh(&root)?, all);
-        assert!(refresh(&root)?.is_empty());
+    fn a_stale_file_is_written_once() -> Result<()> {
+        let folder = Shell::new()?.create_temp_dir()?;
+        let root = folder.path();
+        let all: Vec<_> = generate()?.into_iter().map(|(path, _)| path).collect();
+        assert_eq!(refresh(root)?, all);
+        assert!(refresh(root)?.is_empty());
         fs::write(root.join(all[0]), "stale")?;
-        assert_eq!(refresh(&root)?, all[..1]);
-        assert!(refresh(&root)?.is_empty());
-        Ok(fs::remove_dir_all(root)?)
+        assert_eq!(refresh(root)?, all[..1]);
+        assert!(refresh(root)?.is_empty());
+        Ok(())
     }
 
     #[test]
     fn names_follow_the_platform() {
         assert_eq!(attribute("max_particles"), "max-particles");
         assert_eq!(property("max_particles"), "maxParticles");
+        assert_eq!(property("reduced-motion"), "reducedMotion");
         assert_eq!(property("seed"), "seed");
     }
 
     #[test]
-    fn strings_survive_hostile_characters() {
-        assert_eq!(
-            json_string("a\"b\\c\nd\u{1}e\u{2028}f²"),
-            r#""a\"b\\c\nd\u0001e\u2028f²""#
-        );
-    }
-
-    #[test]
     fn numbers_are_the_shortest_decimals() {
-        assert_eq!(json_value(Value::Number(0.05)), "0.05");
-        assert_eq!(json_value(Value::Number(6e-4)), "0.0006");
-        assert_eq!(json_value(Value::Integer(100_000)), "100000");
+        for (value, shown) in [
+            (Value::Number(0.05), "0.05"),
+            (Value::Number(6e-4), "0.0006"),
+            (Value::Number(-3.0), "-3"),
+            (Value::Integer(100_000), "100000"),
+        ] {
+            assert_eq!(json(value).to_string(), shown);
+        }
     }
 }

@@ -1,50 +1,27 @@
-//! `cargo xtask look`: watches every scene for a minute, for flashes and for what else
-//! its pixels say, and writes the table into `docs/evaluation.md`.
+//! `cargo xtask look`: checks a minute of every scene for flashes, and for what else its
+//! pixels tell, and writes the table into `docs/evaluation.md`.
 
-use std::fs;
+use std::{fs, iter};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 
-use crate::{goldens, marks, paths, process, site};
+use crate::shell::Shell;
+use crate::{evaluation, goldens, paths};
 
-/// Watches the scenes whose names begin with one of `names`, or all of them. Only a
-/// look at all is written down.
-///
-/// # Errors
-/// A figure that misses its bar; no browser, or no scene of a name.
-pub fn run(names: &[String]) -> Result<()> {
-    let mut watch = goldens::script("watch.mjs")?;
-    let table = site::target_folder()?.join("hearth-look").join("table.md");
-    if table.exists() {
-        fs::remove_file(&table)?;
+/// Checks the scenes whose names begin with one of `names`, or all of them. Only a run of
+/// all is recorded, passed or failed.
+pub(crate) fn run(names: &[String]) -> Result<()> {
+    evaluation::check("looked")?;
+    let table = paths::target()?.join("hearth-look/table.md");
+    Shell::new()?.remove_path(&table)?;
+    let arguments = iter::once(table.clone()).chain(names.iter().map(Into::into));
+    let passed = goldens::run_script("watch.mjs", arguments);
+    if names.is_empty() {
+        match fs::read_to_string(table) {
+            Ok(table) => evaluation::write("looked", &table)?,
+            Err(_) if passed.is_ok() => bail!("the scenes were not recorded"),
+            Err(_) => {}
+        }
     }
-    watch.arg(&table).args(names);
-    if !names.is_empty() {
-        return process::run(&mut watch);
-    }
-
-    // A minute of every scene is long: it is to be known before that it can be written down.
-    write(None)?;
-    let held = process::run(&mut watch);
-    // What was seen is written down whether or not it holds.
-    let Ok(table) = fs::read_to_string(table) else {
-        held?;
-        bail!("nobody looked");
-    };
-    write(Some(&table))?;
-    held
-}
-
-/// Writes that table into the page; without one it only sees that it could.
-fn write(table: Option<&str>) -> Result<()> {
-    let page = paths::root().join("docs").join("evaluation.md");
-    let present = fs::read_to_string(&page)
-        .with_context(|| format!("cannot read {}", paths::shown(&page)))?;
-    let updated = marks::with(&present, "looked", table.unwrap_or_default())
-        .with_context(|| format!("{} lacks the marks `looked`", paths::shown(&page)))?;
-    if table.is_some() {
-        fs::write(&page, updated)?;
-        println!("wrote {}", paths::shown(&page));
-    }
-    Ok(())
+    passed
 }

@@ -1,31 +1,26 @@
-//! What npm installs, in the folders that pin it.
+//! The npm packages that a folder's lock file pins.
 
 use std::fs;
 use std::path::Path;
 
 use anyhow::Result;
 
-use crate::{process, tools};
+use crate::shell::Shell;
+use crate::tools;
 
-/// Installs what the lock file in `folder` says, if that was not done since it was
-/// written.
-///
-/// # Errors
-/// No Node, or npm cannot install.
+/// Installs what the lock file in `folder` pins, unless that is done.
 pub(crate) fn install(folder: &Path) -> Result<()> {
     tools::node()?;
     let written = |file: &str| fs::metadata(folder.join(file)).and_then(|about| about.modified());
-    let fresh = match (
-        written("node_modules/.package-lock.json"),
-        written("package-lock.json"),
-    ) {
-        (Ok(installed), Ok(locked)) => installed >= locked,
-        _ => false,
-    };
-    if fresh {
+    let installed = written("node_modules/.package-lock.json");
+    if let (Ok(installed), Ok(locked)) = (installed, written("package-lock.json"))
+        && installed >= locked
+    {
         return Ok(());
     }
+    let sh = Shell::new()?;
+    sh.change_dir(folder);
     // On Windows npm is a script, which only its full path starts.
-    let npm = process::find("npm").unwrap_or_else(|| "npm".into());
-    process::run(process::command(npm).current_dir(folder).arg("ci"))
+    let npm = tools::find("npm").unwrap_or_else(|| "npm".into());
+    Ok(sh.cmd(npm).arg("ci").run()?)
 }

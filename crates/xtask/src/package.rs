@@ -1,54 +1,53 @@
 //! `cargo xtask package`: the npm package, in `dist/npm`.
 //!
-//! What goes into it, what is made of it and whether it is whole is said by the
-//! scripts of `packaging/`, which need npm's tools; here they get what they need.
-//! Nothing is ever published from here.
+//! The scripts of `packaging/` decide what goes into it and whether it is whole. Nothing
+//! here publishes.
 
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
+use xshell::cmd;
 
-use crate::{npm, paths, process, site};
+use crate::shell::Shell;
+use crate::{npm, paths, script, site};
 
 /// Builds the site and makes the package of it.
-///
-/// # Errors
-/// A site that does not build, no Node, or a package that is not whole.
-pub fn build() -> Result<()> {
+pub(crate) fn build() -> Result<()> {
     site::build()?;
     make()?;
     println!(
-        "The package is in {}; `npm pack` there makes the file that others install.",
+        "The package is in {}; `npm pack` there makes the file to install or publish.",
         paths::shown(&folder())
     );
     Ok(())
 }
 
-/// Makes the package of the site that is built.
+/// Makes the package of the built site, and checks it.
 pub(crate) fn make() -> Result<()> {
     npm::install(&packaging())?;
-    let (package, web) = (folder(), paths::site().join("web"));
-    let scratch = site::target_folder()?.join("package-check");
-    // The crates of the workspace share their version with the package.
-    let version = Path::new(env!("CARGO_PKG_VERSION"));
-    script("build.mjs", &[&web, &package, version])?;
-    script("check.mjs", &[&package, &scratch])?;
-    script("sizes.mjs", &[&package])
+    let (package, web, scripts) = (folder(), paths::site().join("web"), packaging());
+    let scratch = paths::target()?.join("package-check");
+    // The crates of the workspace have the version of the package.
+    let version = env!("CARGO_PKG_VERSION");
+    let sh = Shell::new()?;
+    cmd!(sh, "node {scripts}/build.mjs {web} {package} {version}").run()?;
+    cmd!(sh, "node {scripts}/check.mjs {package} {scratch}").run()?;
+    sizes(&package)
+}
+
+/// Prints the download sizes of a package or a site's `web` folder; fails where one is
+/// over its ceiling.
+pub(crate) fn sizes(folder: &Path) -> Result<()> {
+    script::tools()?;
+    let (sh, scripts) = (Shell::new()?, packaging());
+    Ok(cmd!(sh, "node {scripts}/sizes.mjs {folder}").run()?)
 }
 
 /// Where the package is made.
 pub(crate) fn folder() -> PathBuf {
-    paths::root().join("dist").join("npm")
+    paths::root().join("dist/npm")
 }
 
 fn packaging() -> PathBuf {
-    paths::root().join("crates").join("xtask").join("packaging")
-}
-
-fn script(name: &str, arguments: &[&Path]) -> Result<()> {
-    process::run(
-        process::command("node")
-            .arg(packaging().join(name))
-            .args(arguments),
-    )
+    paths::root().join("crates/xtask/packaging")
 }

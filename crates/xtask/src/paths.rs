@@ -1,13 +1,17 @@
-//! Where things lie: in the checkout, and outside it.
+//! Folders, in the checkout and outside it.
 
 use std::env;
 use std::path::{Path, PathBuf};
 
+use anyhow::{Context, Result};
+use xshell::cmd;
+
+use crate::shell::Shell;
+
 /// The checkout: the folder of the workspace's `Cargo.toml`.
-pub fn root() -> PathBuf {
-    // cargo says where this crate lies: when it runs it, which is right even
-    // where two checkouts share a target folder, and when it compiled it. The
-    // checkout is two folders above.
+pub(crate) fn root() -> PathBuf {
+    // The variable is right even where two checkouts share a target folder. The checkout
+    // is two folders above this package.
     env::var_os("CARGO_MANIFEST_DIR")
         .map_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")), PathBuf::from)
         .ancestors()
@@ -16,33 +20,39 @@ pub fn root() -> PathBuf {
         .unwrap_or_default()
 }
 
-/// The site that `cargo xtask build` lays out.
-pub fn site() -> PathBuf {
-    root().join("dist").join("site")
+/// The site that `cargo xtask build` makes.
+pub(crate) fn site() -> PathBuf {
+    root().join("dist/site")
 }
 
-/// The same site as Trunk lays it out: the `dist` of `Trunk.toml`.
-pub fn trunk_site() -> PathBuf {
-    root().join("dist").join("trunk")
+/// The site that Trunk makes: the `dist` of `Trunk.toml`.
+pub(crate) fn trunk_site() -> PathBuf {
+    root().join("dist/trunk")
 }
 
-/// Tools that take minutes to compile are kept here, outside the checkout, so
-/// that only a new machine builds them.
-pub fn tools() -> PathBuf {
+/// cargo's target folder, which the environment may have moved.
+pub(crate) fn target() -> Result<PathBuf> {
+    let sh = Shell::new()?;
+    let described = cmd!(sh, "cargo metadata --format-version 1 --no-deps").read()?;
+    let described: serde_json::Value = serde_json::from_str(&described)?;
+    let target = described["target_directory"].as_str().map(PathBuf::from);
+    target.context("cargo does not name its target folder")
+}
+
+/// Tools that take minutes to compile, outside the checkout, so that all checkouts of a
+/// machine share them.
+pub(crate) fn tools() -> PathBuf {
     let home = || env::var_os("HOME").or_else(|| env::var_os("USERPROFILE"));
     env::var_os("XDG_CACHE_HOME")
         .filter(|folder| !folder.is_empty())
         .map(PathBuf::from)
         .or_else(|| home().map(|home| PathBuf::from(home).join(".cache")))
         .unwrap_or_else(env::temp_dir)
-        .join("hearth")
-        .join("tools")
+        .join("hearth/tools")
 }
 
-/// `path` as a person in the checkout would write it.
-pub fn shown(path: &Path) -> String {
-    path.strip_prefix(root())
-        .unwrap_or(path)
-        .display()
-        .to_string()
+/// `path` relative to the checkout.
+pub(crate) fn shown(path: &Path) -> String {
+    let path = path.strip_prefix(root()).unwrap_or(path);
+    path.display().to_string()
 }

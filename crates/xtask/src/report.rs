@@ -1,12 +1,13 @@
-//! What `cargo xtask test` says: a headline and the time of each stage, and at
-//! the end one table and one plain line.
+//! The report of `cargo xtask test`: a headline and the time of each stage, and at the end
+//! a table and a line of totals.
 
+use std::fmt::Write as _;
 use std::time::{Duration, Instant};
 
 use anyhow::{Result, anyhow};
 
 /// How a stage ended.
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 enum Outcome {
     Passed,
     Failed(String),
@@ -15,90 +16,80 @@ enum Outcome {
 
 /// The stages so far.
 #[derive(Debug, Default)]
-pub struct Report {
+pub(crate) struct Report {
     stages: Vec<(&'static str, Outcome, Duration)>,
 }
 
 impl Report {
-    /// A report of nothing yet.
-    pub fn new() -> Report {
-        Report::default()
-    }
-
-    /// Runs a stage and notes how it ended. It is not run, and counts as
-    /// failed, where one of the stages that it `needs` failed.
-    pub fn stage(
+    /// Runs a stage and records how it ended. The stage fails without running where the
+    /// one that it `needs` failed.
+    pub(crate) fn stage(
         &mut self,
         name: &'static str,
         about: &str,
-        needs: &[&str],
+        needs: Option<&str>,
         work: impl FnOnce() -> Result<()>,
     ) {
         println!("\n=== {name}: {about}");
         let start = Instant::now();
-        let worked = match needs.iter().find(|need| self.failed(need)) {
-            Some(need) => Err(anyhow!("not run, because \"{need}\" failed")),
-            None => work(),
+        let result = match needs {
+            Some(need) if self.failed().any(|failed| failed == need) => {
+                Err(anyhow!("not run, because \"{need}\" failed"))
+            }
+            _ => work(),
         };
-        let took = start.elapsed();
-        let outcome = match worked {
+        let time = start.elapsed();
+        let outcome = match result {
             Ok(()) => Outcome::Passed,
             Err(error) => Outcome::Failed(format!("{error:#}")),
         };
         match &outcome {
-            Outcome::Failed(why) => println!("=== {name} FAILED after {}: {why}", shown(took)),
-            _ => println!("=== {name} passed in {}", shown(took)),
+            Outcome::Failed(why) => println!("=== {name} FAILED after {}: {why}", shown(time)),
+            _ => println!("=== {name} passed in {}", shown(time)),
         }
-        self.stages.push((name, outcome, took));
+        self.stages.push((name, outcome, time));
     }
 
-    /// Notes a stage that a person asked to leave out.
-    pub fn skip(&mut self, name: &'static str) {
-        println!("\n=== {name}: left out, as asked");
+    /// Records a stage that is skipped on request.
+    pub(crate) fn skip(&mut self, name: &'static str) {
+        println!("\n=== {name}: skipped on request");
         self.stages.push((name, Outcome::Skipped, Duration::ZERO));
     }
 
-    fn failed(&self, name: &str) -> bool {
-        self.stages
-            .iter()
-            .any(|(stage, outcome, _)| *stage == name && matches!(outcome, Outcome::Failed(_)))
+    fn failed(&self) -> impl Iterator<Item = &str> {
+        let failed = |outcome: &Outcome| matches!(outcome, Outcome::Failed(_));
+        let stages = self.stages.iter();
+        stages.filter_map(move |(name, outcome, _)| failed(outcome).then_some(*name))
     }
 
     /// Whether everything that ran passed.
-    pub fn passed(&self) -> bool {
-        !self
-            .stages
-            .iter()
-            .any(|(_, outcome, _)| matches!(outcome, Outcome::Failed(_)))
+    pub(crate) fn passed(&self) -> bool {
+        self.failed().next().is_none()
     }
 
     /// The table of all stages; its last line is `N passed, M failed`.
-    pub fn summary(&self) -> String {
+    pub(crate) fn summary(&self) -> String {
         let mut text = String::new();
-        let (mut passed, mut failed) = (0, 0);
-        let total: Duration = self.stages.iter().map(|(_, _, took)| *took).sum();
-        for (name, outcome, took) in &self.stages {
+        for (name, outcome, time) in &self.stages {
             let word = match outcome {
-                Outcome::Passed => {
-                    passed += 1;
-                    "passed"
-                }
-                Outcome::Failed(_) => {
-                    failed += 1;
-                    "FAILED"
-                }
-                Outcome::Skipped => "left out",
+                Outcome::Passed => "passed",
+                Outcome::Failed(_) => "FAILED",
+                Outcome::Skipped => "skipped",
             };
-            text.push_str(&format!("{name:<12}{word:<10}{:>10}\n", shown(*took)));
+            let _ = writeln!(text, "{name:<12}{word:<10}{:>10}", shown(*time));
             if let Outcome::Failed(why) = outcome {
-                text.push_str(&format!(
-                    "            {}\n",
-                    why.replace('\n', "\n            ")
-                ));
+                let indented = why.replace('\n', "\n            ");
+                let _ = writeln!(text, "            {indented}");
             }
         }
-        text.push_str(&format!("{:<22}{:>10}\n", "", shown(total)));
-        text.push_str(&format!("{passed} passed, {failed} failed\n"));
+        let total = self.stages.iter().map(|(_, _, time)| *time).sum();
+        let passed = self
+            .stages
+            .iter()
+            .filter(|stage| stage.1 == Outcome::Passed);
+        let (passed, failed) = (passed.count(), self.failed().count());
+        let _ = writeln!(text, "{:<22}{:>10}", "", shown(total));
+        let _ = writeln!(text, "{passed} passed, {failed} failed");
         text
     }
 }
@@ -106,11 +97,10 @@ impl Report {
 fn shown(time: Duration) -> String {
     let seconds = time.as_secs_f64();
     if seconds < 60.0 {
-        format!("{seconds:.1} s")
-    } else {
-        let whole = seconds.round() as u64;
-        format!("{} min {:02} s", whole / 60, whole % 60)
+        return format!("{seconds:.1} s");
     }
+    let whole = seconds.round() as u64;
+    format!("{} min {:02} s", whole / 60, whole % 60)
 }
 
 #[cfg(test)]
@@ -120,9 +110,9 @@ mod tests {
 
     #[test]
     fn the_last_line_counts() {
-        let mut report = Report::new();
-        report.stage("good", "", &[], || Ok(()));
-        report.stage("next", "", &["good"], || Ok(()));
+        let mut report = Report::default();
+        report.stage("good", "", None, || Ok(()));
+        report.stage("next", "", Some("good"), || Ok(()));
         report.skip("browser");
         assert!(report.passed());
         assert_eq!(report.summary().lines().last(), Some("2 passed, 0 failed"));
@@ -130,14 +120,14 @@ mod tests {
 
     #[test]
     fn a_failure_stops_what_needs_it_and_nothing_else() {
-        let mut report = Report::new();
+        let mut report = Report::default();
         let mut ran = Vec::new();
-        report.stage("site", "", &[], || bail!("no disk"));
-        report.stage("e2e", "", &["site"], || {
+        report.stage("site", "", None, || bail!("no disk"));
+        report.stage("e2e", "", Some("site"), || {
             ran.push("e2e");
             Ok(())
         });
-        report.stage("lint", "", &[], || {
+        report.stage("lint", "", None, || {
             ran.push("lint");
             Ok(())
         });

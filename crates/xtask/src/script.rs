@@ -1,48 +1,34 @@
-//! Scripts and style sheets as they are shipped: a visitor downloads code, and half
-//! of these files, compressed, would be what only their readers need.
+//! Scripts and style sheets as visitors download them: `scripts/` minifies them. Comments
+//! and long names would be half of the download.
 
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
+use xshell::cmd;
 
-use crate::{npm, paths, process};
+use crate::shell::Shell;
+use crate::{npm, paths};
 
-/// Makes sure that what makes them small is installed: the esbuild that `scripts/` pins.
-///
-/// # Errors
-/// No Node, or npm cannot install.
+/// Installs esbuild, which `scripts/` pins.
 pub(crate) fn tools() -> Result<()> {
     npm::install(&folder())
 }
 
-/// Makes every script and style sheet of the site small, each in its place, by one run
-/// of esbuild; `web` is the folder with `package.json`. A script that only one other
-/// needs goes into that one.
-///
-/// # Errors
-/// No Node, npm cannot install, or a script that is none.
+/// Minifies every script and style sheet of the site in place; `web` is the folder with
+/// `package.json`. A script that only one other imports is merged into that one.
 pub(crate) fn minify(web: &Path) -> Result<()> {
     tools()?;
-    process::run(
-        process::command("node")
-            .arg(folder().join("minify.mjs"))
-            .arg(web),
-    )
+    let (sh, scripts) = (Shell::new()?, folder());
+    Ok(cmd!(sh, "node {scripts}/minify.mjs {web}").run()?)
 }
 
 /// Lints scripts and style sheets, by `biome.json`.
-///
-/// # Errors
-/// No Node, npm cannot install, or a finding.
 pub(crate) fn lint() -> Result<()> {
     node_program("@biomejs/biome/bin/biome", &["lint", "--error-on-warnings"])
 }
 
 /// Checks the types of scripts: strictly those of `web/` (`tsconfig.json`), then those that
 /// build and test it. The types of the wasm modules are those of the built site.
-///
-/// # Errors
-/// No Node, npm cannot install, or a type that is wrong.
 pub(crate) fn check_types() -> Result<()> {
     for packages in ["crates/xtask/packaging", "tests/e2e"] {
         npm::install(&paths::root().join(packages))?;
@@ -53,28 +39,22 @@ pub(crate) fn check_types() -> Result<()> {
     Ok(())
 }
 
-/// Derives the files about the element from its class; names those that it writes.
-///
-/// # Errors
-/// No Node, npm cannot install, or a class whose JSDoc lacks something.
+/// Derives the files about the element from its class; returns those that it writes.
 pub(crate) fn element_files() -> Result<String> {
     tools()?;
-    process::output(process::command("node").arg(folder().join("element.mjs")))
+    let (sh, scripts) = (Shell::new()?, folder());
+    Ok(cmd!(sh, "node {scripts}/element.mjs").read()?)
 }
 
-/// Runs a program that `scripts/` pins, in the checkout's root.
+/// Runs a program that `scripts/` pins.
 fn node_program(name: &str, arguments: &[&str]) -> Result<()> {
     tools()?;
-    process::run(
-        process::command("node")
-            .current_dir(paths::root())
-            .arg(folder().join("node_modules").join(name))
-            .args(arguments),
-    )
+    let (sh, modules) = (Shell::new()?, folder().join("node_modules"));
+    Ok(cmd!(sh, "node {modules}/{name} {arguments...}").run()?)
 }
 
-fn folder() -> PathBuf {
-    paths::root().join("crates").join("xtask").join("scripts")
+pub(crate) fn folder() -> PathBuf {
+    paths::root().join("crates/xtask/scripts")
 }
 
 #[cfg(test)]
@@ -115,13 +95,15 @@ mod tests {
     ];
 
     #[test]
-    fn what_is_for_readers_goes_and_what_others_name_stays() -> Result<()> {
-        let web = std::env::temp_dir().join(format!("hearth-script-{}", std::process::id()));
-        fs::create_dir_all(web.join("in"))?;
+    fn minifying_keeps_every_name_that_another_file_uses() -> Result<()> {
+        let folder = Shell::new()?.create_temp_dir()?;
+        let web = folder.path();
         for (name, text) in FILES {
-            fs::write(web.join(name), text)?;
+            let file = web.join(name);
+            fs::create_dir_all(file.parent().unwrap_or(web))?;
+            fs::write(file, text)?;
         }
-        minify(&web)?;
+        minify(web)?;
         let script = fs::read_to_string(web.join("a.js"))?;
         for kept in [
             "/*! A licence. */",
@@ -137,8 +119,8 @@ mod tests {
         }
         assert!(!script.contains("Much") && !script.contains("@type"));
         assert_eq!(fs::read_to_string(web.join("a.css"))?, "a{color:red}\n");
-        // Each of these was needed by one file alone.
+        // One file alone imported each of these.
         assert!(!web.join("one.js").exists() && !web.join("in/two.js").exists());
-        Ok(fs::remove_dir_all(web)?)
+        Ok(())
     }
 }

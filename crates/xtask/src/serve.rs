@@ -1,172 +1,77 @@
-//! A static web server for this machine alone.
+//! Serves the site on this machine.
 //!
-//! It listens on loopback, sends files of one folder and nothing else, and
-//! tells the browser to keep nothing, so that a reload shows the last build.
-//! Types matter: a browser compiles wasm while it loads only where the type is
-//! `application/wasm`, and refuses a module script of a wrong type.
+//! The server is esbuild's, which `scripts/` pins for minifying: it knows the type of
+//! wasm, listens on loopback only, leaves its folder for no request and lets the browser
+//! store nothing, so that a reload shows the last build.
 
-mod request;
-
-use std::fs::File;
-use std::io::{self, BufReader, BufWriter, Write};
-use std::net::{Ipv4Addr, TcpListener, TcpStream};
+use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::thread;
-use std::time::Duration;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 
-use crate::process;
-use request::{Request, Verb};
-
-/// The port where one was not asked for, if it is free.
-const USUAL_PORT: u16 = 8080;
-
-/// A browser that opens a connection and says nothing does not keep a thread for ever.
-const PATIENCE: Duration = Duration::from_secs(30);
+use crate::shell::Shell;
+use crate::{script, tools};
 
 /// Serves `folder` until the process is ended.
-///
-/// # Errors
-/// The port that was asked for is taken.
-pub fn serve(folder: &Path, port: Option<u16>, open: bool) -> Result<()> {
-    let listener = listen(port)?;
-    let address = format!("http://{}/", listener.local_addr()?);
-    println!("Hearth burns at {address} (Ctrl+C ends it)");
+pub(crate) fn serve(folder: &Path, port: Option<u16>, open: bool) -> Result<()> {
+    let mut server = Server::start(folder, port)?;
+    println!("Hearth burns at {} (Ctrl+C ends it)", server.address);
     if open {
-        open_browser(&address);
+        open_browser(&server.address);
     }
-    answer_all(&listener, folder);
+    let status = server.process.wait()?;
+    ensure!(status.success(), "the server ended ({status})");
     Ok(())
 }
 
-fn listen(port: Option<u16>) -> Result<TcpListener> {
-    let bind = |port| TcpListener::bind((Ipv4Addr::LOCALHOST, port));
-    match port {
-        Some(port) => bind(port)
-            .with_context(|| format!("cannot listen on port {port}; another --port may be free")),
-        None => bind(USUAL_PORT)
-            .or_else(|_| bind(0))
-            .context("cannot listen on any port of this machine"),
+/// A running server. It ends when its input does: with this process, however that ends.
+struct Server {
+    process: Child,
+    address: String,
+    /// Apart from `process`, which closes it when it waits.
+    input: Option<ChildStdin>,
+    _output: BufReader<ChildStdout>,
+}
+
+impl Server {
+    fn start(folder: &Path, port: Option<u16>) -> Result<Server> {
+        script::tools()?;
+        let sh = Shell::new()?;
+        let mut command: Command = sh.cmd("node").into();
+        command.arg(script::folder().join("serve.mjs")).arg(folder);
+        command.args(port.map(|port| port.to_string()));
+        let mut process = command
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .context("cannot start `node`")?;
+        let mut output = BufReader::new(process.stdout.take().context("no output")?);
+        let mut address = String::new();
+        output.read_line(&mut address)?;
+        let address = address.trim().to_owned();
+        ensure!(
+            !address.is_empty(),
+            "the server did not start; another --port may be free"
+        );
+        Ok(Server {
+            input: process.stdin.take(),
+            process,
+            address,
+            _output: output,
+        })
     }
 }
 
-fn answer_all(listener: &TcpListener, folder: &Path) {
-    thread::scope(|scope| {
-        for connection in listener.incoming() {
-            // A visitor that went away again is nobody's error.
-            let Ok(connection) = connection else { continue };
-            scope.spawn(move || answer(connection, folder));
-        }
-    });
-}
-
-/// Answers one request; a connection that breaks off needs no answer.
-fn answer(connection: TcpStream, folder: &Path) -> io::Result<()> {
-    connection.set_read_timeout(Some(PATIENCE))?;
-    connection.set_write_timeout(Some(PATIENCE))?;
-    let mut reader = BufReader::new(&connection);
-    let mut writer = BufWriter::new(&connection);
-    match Request::read(&mut reader)? {
-        Some(request) => respond(&request, folder, &mut writer)?,
-        None => refuse("400 Bad Request", true, &mut writer)?,
-    }
-    writer.flush()
-}
-
-fn respond(request: &Request, folder: &Path, writer: &mut impl Write) -> io::Result<()> {
-    let with_body = match request.verb {
-        Verb::Get => true,
-        Verb::Head => false,
-        Verb::Other => return refuse("405 Method Not Allowed", true, writer),
-    };
-    let Some(mut path) = request.file().map(|file| folder.join(file)) else {
-        return refuse("404 Not Found", with_body, writer);
-    };
-    if path.is_dir() {
-        // Relative URLs of the page count from the folder, so it must end in one.
-        if !request.path.ends_with('/') {
-            let place = format!("{}/", request.path);
-            return head(
-                "301 Moved Permanently",
-                "text/plain",
-                0,
-                &[("Location", &place)],
-                writer,
-            );
-        }
-        path.push("index.html");
-    }
-    let opened = File::open(&path).and_then(|file| Ok((file.metadata()?, file)));
-    match opened {
-        Ok((about, mut file)) if about.is_file() => {
-            head("200 OK", mime_type(&path), about.len(), &[], writer)?;
-            if with_body {
-                io::copy(&mut file, writer)?;
-            }
-            Ok(())
-        }
-        _ => refuse("404 Not Found", with_body, writer),
+impl Drop for Server {
+    fn drop(&mut self) {
+        drop(self.input.take());
+        let _ = self.process.wait();
     }
 }
 
-fn refuse(status: &str, with_body: bool, writer: &mut impl Write) -> io::Result<()> {
-    let text = format!("{status}\n");
-    head(
-        status,
-        "text/plain; charset=utf-8",
-        text.len() as u64,
-        &[],
-        writer,
-    )?;
-    if with_body {
-        writer.write_all(text.as_bytes())?;
-    }
-    Ok(())
-}
-
-fn head(
-    status: &str,
-    mime_type: &str,
-    length: u64,
-    more: &[(&str, &str)],
-    writer: &mut impl Write,
-) -> io::Result<()> {
-    write!(
-        writer,
-        "HTTP/1.1 {status}\r\nContent-Type: {mime_type}\r\nContent-Length: {length}\r\n\
-         Cache-Control: no-cache, no-store\r\nX-Content-Type-Options: nosniff\r\n\
-         Connection: close\r\n"
-    )?;
-    for (name, value) in more {
-        write!(writer, "{name}: {value}\r\n")?;
-    }
-    writer.write_all(b"\r\n")
-}
-
-fn mime_type(path: &Path) -> &'static str {
-    let extension = path
-        .extension()
-        .map(|extension| extension.to_string_lossy().to_ascii_lowercase());
-    match extension.as_deref().unwrap_or_default() {
-        "html" => "text/html; charset=utf-8",
-        "js" | "mjs" => "text/javascript; charset=utf-8",
-        "css" => "text/css; charset=utf-8",
-        "json" | "map" => "application/json",
-        "wasm" => "application/wasm",
-        "md" | "ts" | "txt" => "text/plain; charset=utf-8",
-        "svg" => "image/svg+xml",
-        "png" => "image/png",
-        "jpg" | "jpeg" => "image/jpeg",
-        "webp" => "image/webp",
-        "ico" => "image/x-icon",
-        "woff2" => "font/woff2",
-        _ => "application/octet-stream",
-    }
-}
-
-/// Opens the system's browser, where there is one; the address is printed anyway.
+/// Opens the system's browser, where there is one.
 fn open_browser(address: &str) {
     let openers: &[&[&str]] = if cfg!(target_os = "windows") {
         &[&["cmd", "/c", "start", ""]]
@@ -176,21 +81,18 @@ fn open_browser(address: &str) {
         &[&["xdg-open"], &["wslview"]]
     };
     for opener in openers {
-        let Some((program, arguments)) = opener.split_first() else {
+        let Some(program) = tools::find(opener[0]) else {
             continue;
         };
-        if process::find(program).is_none() {
-            continue;
-        }
         let started = Command::new(program)
-            .args(arguments)
+            .args(&opener[1..])
             .arg(address)
             .stdin(Stdio::null())
             .stdout(Stdio::null())
             .stderr(Stdio::null())
             .spawn();
         if let Ok(mut browser) = started {
-            // It may run as long as the server; somebody has to wait for it.
+            // The browser may run as long as the server; its exit status is collected here.
             thread::spawn(move || browser.wait());
             return;
         }
@@ -198,4 +100,82 @@ fn open_browser(address: &str) {
 }
 
 #[cfg(test)]
-mod tests;
+mod tests {
+    use std::fs;
+    use std::io::{Read, Write};
+    use std::net::TcpStream;
+
+    use super::*;
+
+    /// What the server of a folder with a page and a module answers.
+    fn answers(requests: &[&str]) -> Result<Vec<String>> {
+        let folder = Shell::new()?.create_temp_dir()?;
+        let site = folder.path().join("site");
+        fs::create_dir_all(site.join("web"))?;
+        fs::write(site.join("index.html"), "<p>fire</p>")?;
+        fs::write(site.join("web").join("engine_bg.wasm"), b"\0asm")?;
+        fs::write(folder.path().join("secret"), "secret")?;
+        let server = Server::start(&site, None)?;
+        let host = server.address.replace("http://", "").replace('/', "");
+        let answers = requests.iter().map(|request| -> Result<String> {
+            let mut visitor = TcpStream::connect(&host)?;
+            write!(
+                visitor,
+                "{request} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n"
+            )?;
+            let mut answer = Vec::new();
+            visitor.read_to_end(&mut answer)?;
+            Ok(String::from_utf8_lossy(&answer).into_owned())
+        });
+        answers.collect()
+    }
+
+    #[test]
+    fn files_have_their_type_and_are_not_stored() -> Result<()> {
+        let answers = answers(&["GET /", "GET /web/engine_bg.wasm?v=1", "HEAD /index.html"])?;
+        for answer in &answers {
+            assert!(answer.starts_with("HTTP/1.1 200 OK\r\n"));
+            // Without these a browser asks for the file each time.
+            for kept in ["Last-Modified", "ETag", "Expires"] {
+                assert!(!answer.contains(kept), "{answer}");
+            }
+        }
+        assert!(answers[0].contains("\r\nContent-Type: text/html"));
+        assert!(answers[0].ends_with("\r\n\r\n<p>fire</p>"));
+        assert!(answers[1].contains("\r\nContent-Type: application/wasm\r\n"));
+        assert!(answers[1].ends_with("\r\n\r\n\0asm"));
+        assert!(answers[2].contains("\r\nContent-Length: 11\r\n"));
+        assert!(answers[2].ends_with("\r\n\r\n"));
+        Ok(())
+    }
+
+    #[test]
+    fn nothing_outside_the_folder_is_served() -> Result<()> {
+        let outside = [
+            "GET /no.js",
+            "GET /../secret",
+            "GET /web/../../secret",
+            "GET /%2e%2e/secret",
+            "GET /..%2fsecret",
+            "GET /..%5csecret",
+            "POST /",
+        ];
+        for (request, answer) in outside.iter().zip(answers(&outside)?) {
+            assert!(answer.starts_with("HTTP/1.1 4"), "{request}: {answer}");
+        }
+        assert!(answers(&["GET /web"])?[0].contains("\r\nLocation: /web/\r\n"));
+        Ok(())
+    }
+
+    #[test]
+    fn only_a_requested_port_must_be_free() -> Result<()> {
+        let folder = Shell::new()?.create_temp_dir()?;
+        let first = Server::start(folder.path(), None)?;
+        let second = Server::start(folder.path(), None)?;
+        assert_ne!(first.address, second.address);
+        let taken = first.address.trim_end_matches('/').rsplit(':').next();
+        let taken = taken.unwrap_or_default().parse()?;
+        assert!(Server::start(folder.path(), Some(taken)).is_err());
+        Ok(())
+    }
+}

@@ -1,92 +1,77 @@
 //! The static site: the wasm modules, the files of `web/`, the page and examples.
 //!
-//! cargo compiles, wasm-bindgen's command line makes the modules as a library
-//! of this program: its version is that of the bindings by `Cargo.lock`, and
-//! nobody has to install it. Every URL of the site is relative, so the folder
-//! works wherever it is put.
+//! cargo compiles, and wasm-bindgen's command line binds the modules as a library of this
+//! program: `Cargo.lock` gives it the version of the bindings, and nobody has to install
+//! it. Every URL of the site is relative, so the folder works wherever it is put.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::thread;
 use std::time::Instant;
 
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Context, Result, anyhow, ensure};
 use wasm_bindgen_cli_support::Bindgen;
+use xshell::cmd;
 
-use crate::{paths, process, script, tools};
+use crate::shell::Shell;
+use crate::{paths, script, tools};
 
-/// A crate that becomes a wasm module.
+/// A crate that becomes a wasm module of the same name.
 pub(crate) struct Module {
-    /// Its name, and that of the module.
     pub package: &'static str,
     /// The profile that it is compiled with.
     pub profile: &'static str,
 }
 
-const MODULES: [Module; 3] = [
-    Module {
-        package: "hearth-engine",
-        profile: "engine",
-    },
-    Module {
-        package: "hearth-sim",
-        profile: "engine",
-    },
-    Module {
-        package: "hearth-panel",
-        profile: "panel",
-    },
-];
+const ENGINE: Module = Module {
+    package: "hearth-engine",
+    profile: "engine",
+};
+const SIM: Module = Module {
+    package: "hearth-sim",
+    profile: "engine",
+};
+const PANEL: Module = Module {
+    package: "hearth-panel",
+    profile: "panel",
+};
 
 /// Builds the whole site in `dist/site`.
-///
-/// # Errors
-/// A tool that is missing, code that does not compile, a disk that is full.
-pub fn build() -> Result<()> {
+pub(crate) fn build() -> Result<()> {
     tools::wasm_target()?;
     script::tools()?;
     let start = Instant::now();
     println!("Building the site (the first time takes some minutes) …");
-    // The last part of each is one long link on one core, and profiles do not
-    // share a folder: so all at once, those of one profile by one cargo.
-    let profiles: BTreeSet<_> = MODULES.iter().map(|module| module.profile).collect();
+    // Each build ends in one long link on one core, and profiles share no folder: so both
+    // profiles are built at once.
     thread::scope(|scope| {
-        let builds = profiles.into_iter().map(|profile| {
-            let modules = MODULES
-                .iter()
-                .filter(move |module| module.profile == profile);
-            scope.spawn(move || compile_together(modules))
-        });
-        // Started before the first is waited for.
-        let builds: Vec<_> = builds.collect();
-        let mut first_error = Ok(());
-        for build in builds {
-            let built = build
-                .join()
-                .unwrap_or_else(|_| Err(anyhow!("a build ended unexpectedly")));
-            first_error = first_error.and(built);
-        }
-        first_error
+        let panel = scope.spawn(|| compile(&[&PANEL]));
+        let others = compile(&[&ENGINE, &SIM]);
+        let panel = panel.join();
+        others.and(panel.unwrap_or_else(|_| Err(anyhow!("the build of the panel panicked"))))
     })?;
 
-    let site = paths::site();
-    if site.exists() {
-        fs::remove_dir_all(&site)
-            .with_context(|| format!("cannot clear {}", paths::shown(&site)))?;
-    }
-    copy_folder(&paths::root().join("web"), &site.join("web"))?;
-    for module in &MODULES {
-        let wasm = site.join("web").join("wasm");
+    let (root, site) = (paths::root(), paths::site());
+    let (sh, web) = (Shell::new()?, site.join("web"));
+    sh.remove_path(&site)?;
+    copy_folder(&sh, &root.join("web"), &web)?;
+    for module in [&ENGINE, &SIM, &PANEL] {
+        let wasm = web.join("wasm");
         bind(module, module.package, &wasm)?;
-        keep_types(module.package, &wasm)?;
+        keep_types(&sh, module.package, &wasm)?;
     }
-    script::minify(&site.join("web"))?;
-    copy_pages(&paths::root().join("examples"), &site.join("examples"))?;
-    let page = paths::root().join("index.html");
-    let html = fs::read_to_string(&page)
-        .with_context(|| format!("cannot read {}", paths::shown(&page)))?;
-    fs::write(site.join("index.html"), without_trunk_links(&html))?;
+    shorten_imports(&sh, &web)?;
+    script::minify(&web)?;
+    // Examples in folders of their own need packages.
+    let examples = sh.create_dir(site.join("examples"))?;
+    for example in sh.read_dir("examples")? {
+        if example.extension() == Some("html".as_ref()) {
+            sh.copy_file(example, &examples)?;
+        }
+    }
+    let html = sh.read_file("index.html")?;
+    sh.write_file(site.join("index.html"), without_trunk_links(&html))?;
     println!(
         "Built {} in {:.0} s.",
         paths::shown(&site),
@@ -95,49 +80,33 @@ pub fn build() -> Result<()> {
     Ok(())
 }
 
-/// Compiles `module` to wasm.
-pub(crate) fn compile(module: &Module) -> Result<()> {
-    compile_together([module])
-}
-
 /// Compiles modules of one profile to wasm.
-fn compile_together<'a>(modules: impl IntoIterator<Item = &'a Module>) -> Result<()> {
-    let mut cargo = process::cargo();
-    cargo.args(["build", "--target", tools::WASM, "--lib"]);
-    for (at, module) in modules.into_iter().enumerate() {
-        if at == 0 {
-            cargo.args(["--profile", module.profile]);
-        }
-        cargo.args(["--package", module.package]);
+pub(crate) fn compile(modules: &[&Module]) -> Result<()> {
+    let sh = Shell::new()?;
+    let wasm = tools::WASM;
+    let mut cargo = cmd!(sh, "cargo build --lib --target {wasm}");
+    for module in modules {
+        cargo = cargo.arg("--package").arg(module.package);
     }
-    process::run(&mut cargo)
-}
-
-/// Where cargo leaves what it builds, which a person may have moved.
-pub(crate) fn target_folder() -> Result<PathBuf> {
-    let described =
-        process::output(process::cargo().args(["metadata", "--format-version", "1", "--no-deps"]))?;
-    let described: serde_json::Value = serde_json::from_str(&described)?;
-    described["target_directory"]
-        .as_str()
-        .map(PathBuf::from)
-        .context("cargo does not say where its target folder is")
+    let profile = modules.first().map(|module| ["--profile", module.profile]);
+    Ok(cargo.args(profile.into_iter().flatten()).run()?)
 }
 
 /// Makes `name.js` and `name_bg.wasm` of the compiled `module`.
 pub(crate) fn bind(module: &Module, name: &str, into: &Path) -> Result<()> {
-    // cargo's own profile has a folder of another name.
+    // The folder of cargo's own profile has another name.
     let profile = match module.profile {
         "dev" => "debug",
         other => other,
     };
-    let wasm = target_folder()?
-        .join(tools::WASM)
-        .join(profile)
-        .join(format!("{}.wasm", module.package.replace('-', "_")));
-    if !wasm.is_file() {
-        bail!("{} gave no {}", module.package, wasm.display());
-    }
+    let file = format!("{}.wasm", module.package.replace('-', "_"));
+    let wasm = paths::target()?.join(tools::WASM).join(profile).join(file);
+    ensure!(
+        wasm.is_file(),
+        "cargo made no {} of {}",
+        wasm.display(),
+        module.package
+    );
     Bindgen::new()
         .input_path(wasm)
         .out_name(name)
@@ -150,52 +119,73 @@ pub(crate) fn bind(module: &Module, name: &str, into: &Path) -> Result<()> {
                 .remove_producers_section(true)
                 .generate(into)
         })
-        .with_context(|| format!("cannot make the bindings of {}", module.package))
+        .with_context(|| format!("cannot bind {} to JavaScript", module.package))
 }
 
-/// Moves the types of a module from `wasm` to `dist/types/wasm`: the `types` stage reads them,
-/// visitors do not.
-fn keep_types(name: &str, wasm: &Path) -> Result<()> {
-    let types = paths::site().with_file_name("types").join("wasm");
-    fs::create_dir_all(&types)?;
-    let file = format!("{name}.d.ts");
-    fs::rename(wasm.join(&file), types.join(file))?;
-    Ok(fs::remove_file(wasm.join(format!("{name}_bg.wasm.d.ts")))?)
+/// Moves the types of a module from `wasm` to `dist/types/wasm`: the stage `types` reads
+/// them, visitors do not.
+fn keep_types(sh: &Shell, name: &str, wasm: &Path) -> Result<()> {
+    let types = sh.create_dir(paths::site().with_file_name("types").join("wasm"))?;
+    sh.copy_file(wasm.join(format!("{name}.d.ts")), types)?;
+    sh.remove_path(wasm.join(format!("{name}.d.ts")))?;
+    Ok(sh.remove_path(wasm.join(format!("{name}_bg.wasm.d.ts")))?)
 }
 
-/// Copies a folder with all that lies in it.
-pub(crate) fn copy_folder(from: &Path, to: &Path) -> Result<()> {
-    fs::create_dir_all(to)?;
-    let listed =
-        fs::read_dir(from).with_context(|| format!("cannot read {}", paths::shown(from)))?;
-    for entry in listed {
-        let entry = entry?;
-        let target = to.join(entry.file_name());
-        if entry.file_type()?.is_dir() {
-            copy_folder(&entry.path(), &target)?;
+/// Shortens the names between each wasm module and its script, in both files.
+/// wasm-bindgen ends each in a hash, so that several versions of a crate may meet in one
+/// module; sixteen random letters cannot be compressed.
+pub(crate) fn shorten_imports(sh: &Shell, web: &Path) -> Result<()> {
+    for wasm in sh.read_dir(web.join("wasm"))? {
+        let name = wasm.file_name().unwrap_or_default().to_string_lossy();
+        let Some(name) = name.strip_suffix("_bg.wasm") else {
+            continue;
+        };
+        let mut config = walrus::ModuleConfig::new();
+        config
+            .generate_producers_section(false)
+            .generate_name_section(false);
+        let mut module = config.parse_file(&wasm)?;
+        let script = wasm.with_file_name(format!("{name}.js"));
+        let mut code = sh.read_file(&script)?;
+        let mut taken = BTreeSet::new();
+        for import in module.imports.iter_mut() {
+            let hash = |text: &str| text.len() == 16 && u64::from_str_radix(text, 16).is_ok();
+            let plain = match import.name.rsplit_once('_') {
+                Some((plain, end)) if hash(end) => plain,
+                _ => &import.name,
+            };
+            let mut short = plain.to_owned();
+            for number in 1.. {
+                if taken.insert(short.clone()) {
+                    break;
+                }
+                short = format!("{plain}{number}");
+            }
+            if short != import.name {
+                code = code.replace(&import.name, &short);
+                import.name = short;
+            }
+        }
+        module.emit_wasm_file(&wasm)?;
+        sh.write_file(script, code)?;
+    }
+    Ok(())
+}
+
+/// Copies a folder with everything in it.
+pub(crate) fn copy_folder(sh: &Shell, from: &Path, to: &Path) -> Result<()> {
+    sh.create_dir(to)?;
+    for path in sh.read_dir(from)? {
+        if path.is_dir() {
+            copy_folder(sh, &path, &to.join(path.file_name().unwrap_or_default()))?;
         } else {
-            fs::copy(entry.path(), target)?;
+            sh.copy_file(path, to)?;
         }
     }
     Ok(())
 }
 
-/// Copies the pages that stand in the folder itself: what lies deeper needs packages.
-fn copy_pages(from: &Path, to: &Path) -> Result<()> {
-    fs::create_dir_all(to)?;
-    let listed =
-        fs::read_dir(from).with_context(|| format!("cannot read {}", paths::shown(from)))?;
-    for entry in listed {
-        let path = entry?.path();
-        if path.extension().is_some_and(|ending| ending == "html") {
-            fs::copy(&path, to.join(path.file_name().unwrap_or_default()))?;
-        }
-    }
-    Ok(())
-}
-
-/// `html` without the `<link data-trunk …>` lines, which tell Trunk what to
-/// build and mean nothing to a browser.
+/// `html` without the `<link data-trunk …>` tags, which name to Trunk what to build.
 fn without_trunk_links(html: &str) -> String {
     let mut kept = String::with_capacity(html.len());
     let mut rest = html;
@@ -204,7 +194,7 @@ fn without_trunk_links(html: &str) -> String {
             .find('>')
             .map_or(rest.len(), |length| start + length + 1);
         if rest[start..end].contains("data-trunk") {
-            // The line's indentation and end go as well.
+            // The indentation and the end of the line go as well.
             kept.push_str(rest[..start].trim_end_matches([' ', '\t']));
             rest = rest[end..].trim_start_matches([' ', '\t', '\r']);
             rest = rest.strip_prefix('\n').unwrap_or(rest);
@@ -217,12 +207,27 @@ fn without_trunk_links(html: &str) -> String {
     kept
 }
 
+/// Every file under `folder`, by its path there with `/` between, and its content.
+pub(crate) fn files(sh: &Shell, folder: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
+    let mut found = BTreeMap::new();
+    for path in sh.read_dir(folder)? {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if path.is_dir() {
+            let below = files(sh, &path)?.into_iter();
+            found.extend(below.map(|(file, content)| (format!("{name}/{file}"), content)));
+        } else {
+            found.insert(name.into_owned(), fs::read(&path)?);
+        }
+    }
+    Ok(found)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn lines_for_trunk_are_left_out() {
+    fn links_for_trunk_are_removed() {
         let html = "<head>\n  <link rel=\"stylesheet\" href=\"a.css\">\n  \
                     <link data-trunk rel=\"rust\"\n    href=\"crates/x\" />\n\
                     <link data-trunk rel=\"copy-dir\" href=\"web\">\r\n  <title>t</title>\n";
@@ -230,22 +235,8 @@ mod tests {
             without_trunk_links(html),
             "<head>\n  <link rel=\"stylesheet\" href=\"a.css\">\n  <title>t</title>\n"
         );
-    }
-
-    #[test]
-    fn html_that_breaks_off_is_kept_whole() {
+        // HTML that ends within a tag is kept whole.
         assert_eq!(without_trunk_links("<p>é<link rel="), "<p>é<link rel=");
         assert_eq!(without_trunk_links(""), "");
-    }
-
-    #[test]
-    fn every_module_is_a_crate_of_the_workspace() {
-        for module in &MODULES {
-            let manifest = paths::root()
-                .join("crates")
-                .join(module.package)
-                .join("Cargo.toml");
-            assert!(manifest.is_file(), "{} is missing", manifest.display());
-        }
     }
 }

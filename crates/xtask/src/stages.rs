@@ -1,249 +1,199 @@
 //! `cargo xtask test`: every check of the project, one after another.
 //!
-//! A stage that fails does not stop the others, so that one run tells
-//! everything; what needs its result is not run. Quick and strict stages come
-//! first. One target folder and one set of flags serve all of them, so nothing
-//! is compiled twice that need not be.
+//! A stage that fails stops only the stages that need its result, so one run reports
+//! everything. Quick and strict stages come first. All stages share one target folder and
+//! one set of flags, so that little is compiled twice.
 
 pub(crate) mod browser;
 mod code;
 mod library;
-mod package;
 mod trunk;
 
-use anyhow::{Result, bail};
+use anyhow::{Result, bail, ensure};
 
 use crate::report::Report;
-use crate::{bench, codegen, goldens, script, site, size};
+use crate::{bench, codegen, goldens, package, paths, script, site};
 
 /// One check.
 struct Stage {
     name: &'static str,
     about: &'static str,
-    /// Stages whose result this one uses.
-    needs: &'static [&'static str],
-    /// Whether it is left out with the browser.
+    run: fn() -> Result<()>,
+    /// The stage whose result this one uses.
+    needs: Option<&'static str>,
     in_browser: bool,
-    run: fn(&Options) -> Result<()>,
 }
 
-/// What a person asked for.
-pub(crate) struct Options {
-    /// Leave out what needs a browser.
-    pub skip_browser: bool,
+impl Stage {
+    const fn new(name: &'static str, about: &'static str, run: fn() -> Result<()>) -> Stage {
+        Stage {
+            name,
+            about,
+            run,
+            needs: None,
+            in_browser: false,
+        }
+    }
+
+    const fn needs(mut self, stage: &'static str) -> Stage {
+        self.needs = Some(stage);
+        self
+    }
+
+    const fn in_browser(mut self) -> Stage {
+        self.in_browser = true;
+        self
+    }
 }
 
 const STAGES: &[Stage] = &[
-    Stage {
-        name: "format",
-        about: "the code is formatted",
-        needs: &[],
-        in_browser: false,
-        run: |_| code::format(),
-    },
-    Stage {
-        name: "generated",
-        about: "generated files are those of the parameter table",
-        needs: &[],
-        in_browser: false,
-        run: |_| generated(),
-    },
-    Stage {
-        name: "lint",
-        about: "clippy has nothing to say about native code",
-        needs: &[],
-        in_browser: false,
-        run: |_| code::lint(),
-    },
-    Stage {
-        name: "lint-wasm",
-        about: "nor about code for the browser",
-        needs: &[],
-        in_browser: false,
-        run: |_| code::lint_wasm(),
-    },
-    Stage {
-        name: "lint-web",
-        about: "biome has nothing to say about scripts and style sheets",
-        needs: &[],
-        in_browser: false,
-        run: |_| script::lint(),
-    },
-    Stage {
-        name: "docs",
-        about: "documentation of the libraries builds without a warning",
-        needs: &[],
-        in_browser: false,
-        run: |_| code::docs(),
-    },
-    Stage {
-        name: "native",
-        about: "laws of the physics, and every unit test",
-        needs: &[],
-        in_browser: false,
-        run: |_| code::native(),
-    },
-    Stage {
-        name: "shaders",
-        about: "the reference compiler has nothing to say about any shader",
-        needs: &[],
-        in_browser: false,
-        run: |_| code::shaders(),
-    },
-    Stage {
-        name: "web",
-        about: "what is pure in the scripts, in Node",
-        needs: &[],
-        in_browser: false,
-        run: |_| library::scripts_in_node(),
-    },
-    Stage {
-        name: "site",
-        about: "the static site builds",
-        needs: &[],
-        in_browser: false,
-        run: |_| site::build(),
-    },
-    Stage {
-        name: "types",
-        about: "the compiler finds no error in the types of scripts",
-        needs: &["site"],
-        in_browser: false,
-        run: |_| script::check_types(),
-    },
-    Stage {
-        name: "size",
-        about: "downloads stay small",
-        needs: &["site"],
-        in_browser: false,
-        run: |_| size::check(),
-    },
-    Stage {
-        name: "library",
-        about: "the simulation as a library in Node keeps its laws, and gives the native bits",
-        needs: &["site"],
-        in_browser: false,
-        run: |_| library::laws_in_node(),
-    },
-    Stage {
-        name: "publish",
-        about: "the physics could be published as a crate",
-        needs: &[],
-        in_browser: false,
-        run: |_| library::publishable(),
-    },
-    Stage {
-        name: "baselines",
-        about: "what benchmarks compare with computes the same gas",
-        needs: &[],
-        in_browser: false,
-        run: |_| bench::baselines(),
-    },
-    Stage {
-        name: "cost",
-        about: "a step takes no more instructions than it did",
-        needs: &[],
-        in_browser: false,
-        run: |_| bench::instructions(),
-    },
-    Stage {
-        name: "wasm",
-        about: "the same bits in wasm as natively",
-        needs: &[],
-        in_browser: false,
-        run: |_| browser::wasm_in_node(),
-    },
-    Stage {
-        name: "browser",
-        about: "shaders and canvases in headless Chromium",
-        needs: &[],
-        in_browser: true,
-        run: |_| browser::wasm_in_chromium(),
-    },
-    Stage {
-        name: "goldens",
-        about: "fires look as they did, and as they should",
-        needs: &[],
-        in_browser: true,
-        run: |_| goldens::check(),
-    },
-    Stage {
-        name: "e2e",
-        about: "the page as a visitor uses it, and its element in every browser",
-        needs: &["site"],
-        in_browser: true,
-        run: |_| browser::end_to_end(),
-    },
-    Stage {
-        name: "consumers",
-        about: "the npm package serves its users: pages, bundlers, React, servers",
-        needs: &["site"],
-        in_browser: true,
-        run: |_| package::consumers(),
-    },
-    Stage {
-        name: "trunk",
-        about: "Trunk gives the same page",
-        needs: &["site"],
-        in_browser: false,
-        run: |options| trunk::same_page(options.skip_browser),
-    },
+    Stage::new("format", "the code is formatted", code::format),
+    Stage::new(
+        "generated",
+        "generated files match the parameter table",
+        generated,
+    ),
+    Stage::new("lint", "clippy accepts the native code", code::lint),
+    Stage::new(
+        "lint-wasm",
+        "clippy accepts the code for the browser",
+        code::lint_wasm,
+    ),
+    Stage::new(
+        "lint-web",
+        "biome accepts the scripts and style sheets",
+        script::lint,
+    ),
+    Stage::new(
+        "docs",
+        "the libraries' documentation builds without a warning",
+        code::docs,
+    ),
+    Stage::new(
+        "native",
+        "laws of the physics, and every unit test",
+        code::native,
+    ),
+    Stage::new(
+        "shaders",
+        "the reference compiler accepts every shader",
+        code::shaders,
+    ),
+    Stage::new(
+        "web",
+        "scripts that need no browser, in Node",
+        library::scripts_in_node,
+    ),
+    Stage::new("site", "the static site builds", site::build),
+    Stage::new(
+        "types",
+        "the compiler accepts the types of the scripts",
+        script::check_types,
+    )
+    .needs("site"),
+    Stage::new("size", "downloads stay small", size).needs("site"),
+    Stage::new(
+        "library",
+        "the headless library keeps its laws in Node, and the native bits",
+        library::laws_in_node,
+    )
+    .needs("site"),
+    Stage::new(
+        "publish",
+        "the crates could be published",
+        library::publishable,
+    ),
+    Stage::new(
+        "baselines",
+        "the benchmarks' baselines compute the same gas",
+        bench::baselines,
+    ),
+    Stage::new(
+        "cost",
+        "a step takes no more instructions than recorded",
+        bench::instructions,
+    ),
+    Stage::new("wasm", "wasm gives the native bits", browser::wasm_in_node),
+    Stage::new(
+        "browser",
+        "shaders and canvases in headless Chromium",
+        browser::wasm_in_chromium,
+    )
+    .in_browser(),
+    Stage::new("goldens", "fires match the golden pictures", goldens::check).in_browser(),
+    Stage::new(
+        "e2e",
+        "the page in Chromium, and its element in every browser",
+        browser::end_to_end,
+    )
+    .needs("site")
+    .in_browser(),
+    Stage::new(
+        "consumers",
+        "the npm package works in pages, bundlers, React and on servers",
+        browser::consumers,
+    )
+    .needs("site")
+    .in_browser(),
+    Stage::new("trunk", "Trunk builds the same site", trunk::same_site).needs("site"),
+    Stage::new(
+        "trunk-page",
+        "the page that Trunk builds and serves burns",
+        trunk::page_burns,
+    )
+    .needs("trunk")
+    .in_browser(),
 ];
 
-/// Runs the named stages, or all of them, and prints how they went; whether
-/// all passed.
-///
-/// # Errors
-/// A name that no stage has.
-pub fn run(skip_browser: bool, names: &[String]) -> Result<bool> {
-    let options = Options { skip_browser };
-    let mut report = Report::new();
+/// Runs the named stages, or all of them, and prints a report; returns whether all passed.
+pub(crate) fn run(skip_browser: bool, names: &[String]) -> Result<bool> {
+    let mut report = Report::default();
     for stage in chosen(names)? {
         if stage.in_browser && skip_browser {
             report.skip(stage.name);
         } else {
-            report.stage(stage.name, stage.about, stage.needs, || {
-                (stage.run)(&options)
-            });
+            report.stage(stage.name, stage.about, stage.needs, stage.run);
         }
     }
     print!("\n{}", report.summary());
     Ok(report.passed())
 }
 
-/// The stages of these names and what they need, in order; none: all.
+/// The stages of these names and what they need, in order; without a name, all.
 fn chosen(names: &[String]) -> Result<Vec<&'static Stage>> {
-    if let Some(name) = names
-        .iter()
-        .find(|name| STAGES.iter().all(|stage| stage.name != name.as_str()))
-    {
-        let all: Vec<_> = STAGES.iter().map(|stage| stage.name).collect();
-        bail!(
-            "there is no stage \"{name}\"; there are: {}",
-            all.join(", ")
+    let mut wanted: Vec<&str> = names.iter().map(String::as_str).collect();
+    for name in &wanted {
+        let known: Vec<_> = STAGES.iter().map(|stage| stage.name).collect();
+        ensure!(
+            known.contains(name),
+            "unknown stage \"{name}\"; the stages are {}",
+            known.join(", ")
         );
     }
-    let asked = |stage: &Stage| names.is_empty() || names.iter().any(|name| name == stage.name);
-    let needed = |stage: &Stage| {
-        STAGES
-            .iter()
-            .any(|other| asked(other) && other.needs.contains(&stage.name))
-    };
-    Ok(STAGES
-        .iter()
-        .filter(|stage| asked(stage) || needed(stage))
-        .collect())
+    // Backwards, so that what a needed stage needs is wanted too.
+    let mut chosen = Vec::new();
+    for stage in STAGES.iter().rev() {
+        if names.is_empty() || wanted.contains(&stage.name) {
+            wanted.extend(stage.needs);
+            chosen.insert(0, stage);
+        }
+    }
+    Ok(chosen)
 }
 
 fn generated() -> Result<()> {
     let written = codegen::refresh_checkout()?;
     if !written.is_empty() {
         bail!(
-            "these were behind the parameter table and have been written anew; commit them: {}",
+            "these files were out of date and have been written; commit them: {}",
             written.join(", ")
         );
     }
     Ok(())
+}
+
+fn size() -> Result<()> {
+    package::sizes(&paths::site().join("web"))
 }
 
 #[cfg(test)]
@@ -258,6 +208,7 @@ mod tests {
     #[test]
     fn a_stage_brings_what_it_needs() -> Result<()> {
         assert_eq!(names(&["e2e"])?, ["site", "e2e"]);
+        assert_eq!(names(&["trunk-page"])?, ["site", "trunk", "trunk-page"]);
         assert_eq!(names(&["native", "format"])?, ["format", "native"]);
         assert_eq!(names(&[])?.len(), STAGES.len());
         Ok(())
@@ -265,16 +216,15 @@ mod tests {
 
     #[test]
     fn an_unknown_stage_is_refused_with_the_known_ones() {
-        let said = names(&["everything"]).err().map(|error| error.to_string());
-        assert!(said.is_some_and(|said| said.contains("native")));
+        let error = names(&["everything"]).err().map(|error| error.to_string());
+        assert!(error.is_some_and(|error| error.contains("native")));
     }
 
     #[test]
-    fn what_a_stage_needs_comes_before_it() {
+    fn a_stage_comes_after_what_it_needs() {
         for (at, stage) in STAGES.iter().enumerate() {
-            for need in stage.needs {
-                assert!(STAGES[..at].iter().any(|earlier| earlier.name == *need));
-            }
+            let before = |need| STAGES[..at].iter().any(|earlier| earlier.name == need);
+            assert!(stage.needs.is_none_or(before), "{}", stage.name);
         }
     }
 }

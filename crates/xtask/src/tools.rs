@@ -1,358 +1,258 @@
-//! The tools that Hearth's commands need beyond cargo: found where they are,
-//! installed where they are not and that is allowed, and otherwise named with
-//! the line that installs them.
+//! The tools that Hearth's commands need beyond cargo. A missing tool is installed where
+//! that needs no password; otherwise the error names the command that installs it.
 //!
-//! `serve` and `build` need the wasm target and Node. Tests also need
-//! Chromium with its driver, Firefox, WebKit's driver, a screen for these two,
-//! wasm-bindgen's test runner, valgrind, the reference compiler of GLSL and Trunk.
+//! `serve` and `build` need the wasm target and Node. Tests also need browsers with their
+//! drivers, wasm-bindgen's test runner, valgrind, the reference compiler of GLSL and Trunk.
 
 use std::env;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail, ensure};
+use xshell::cmd;
 
-use crate::{paths, process};
+use crate::paths;
+use crate::shell::Shell;
 
-/// The version of wasm-bindgen of this workspace; its command line tools must
-/// be of the same. A test compares it with `Cargo.lock`.
+/// The version of wasm-bindgen of this workspace, which its command line tools must have
+/// too. A test compares it with `Cargo.lock`.
 const WASM_BINDGEN: &str = "0.2.130";
 /// The version of Trunk that is known to work.
 const TRUNK: &str = "0.21.14";
 /// The target of everything that runs in a browser.
-pub const WASM: &str = "wasm32-unknown-unknown";
-/// Oldest Node that the tools run in which npm installs.
+pub(crate) const WASM: &str = "wasm32-unknown-unknown";
+/// The oldest Node that runs what npm installs here.
 const NODE_MAJOR: u32 = 20;
 
-/// The PATH of this process with the tools' folder before it.
-pub fn path() -> Option<OsString> {
+/// The PATH of this process, with the folder of Hearth's own tools first.
+pub(crate) fn path() -> Option<OsString> {
     let present = env::var_os("PATH").unwrap_or_default();
     let folders = std::iter::once(paths::tools().join("bin")).chain(env::split_paths(&present));
     env::join_paths(folders).ok()
 }
 
-/// Makes sure that rustc can compile to wasm.
-///
-/// # Errors
-/// The target is missing and cannot be added.
-pub fn wasm_target() -> Result<()> {
-    let folder = process::output(process::command("rustc").args([
-        "--print",
-        "target-libdir",
-        "--target",
-        WASM,
-    ]))?;
-    if Path::new(folder.trim()).is_dir() {
+/// The program of that name on [`path`].
+pub(crate) fn find(program: &str) -> Option<PathBuf> {
+    env::split_paths(&path()?)
+        .map(|folder| folder.join(format!("{program}{}", env::consts::EXE_SUFFIX)))
+        .find(|file| file.is_file())
+}
+
+/// Installs Rust's wasm target if it is missing.
+pub(crate) fn wasm_target() -> Result<()> {
+    let sh = Shell::new()?;
+    let folder = cmd!(sh, "rustc --print target-libdir --target {WASM}").read()?;
+    if Path::new(&folder).is_dir() {
         return Ok(());
     }
-    if process::find("rustup").is_none() {
-        bail!(
-            "this Rust cannot compile to {WASM}, and there is no rustup to add that target; \
-             install Rust with rustup (https://rustup.rs), or your distribution's \
-             package of Rust's standard library for {WASM}"
-        );
-    }
-    println!("Adding Rust's {WASM} target …");
-    process::run(process::command("rustup").args(["target", "add", WASM]))
+    ensure!(
+        find("rustup").is_some(),
+        "this Rust cannot compile to {WASM}: install Rust with rustup (https://rustup.rs), \
+         or your distribution's package of Rust's standard library for {WASM}"
+    );
+    Ok(cmd!(sh, "rustup target add {WASM}").run()?)
 }
 
-/// Makes sure that the tools for tests of wasm are there.
-///
-/// # Errors
-/// They could not be installed.
-pub fn wasm_bindgen_cli() -> Result<()> {
-    // Its published lock file names versions that no longer build, so without.
-    crate_tool(
-        "wasm-bindgen-test-runner",
-        "wasm-bindgen-cli",
-        WASM_BINDGEN,
-        false,
-    )
+/// Installs wasm-bindgen's test runner if it is missing or of another version.
+pub(crate) fn wasm_bindgen_cli() -> Result<()> {
+    // The published lock file names versions that no longer build.
+    let runner = "wasm-bindgen-test-runner";
+    crate_tool(runner, "wasm-bindgen-cli", WASM_BINDGEN, None)
 }
 
-/// Makes sure that Trunk is there.
-///
-/// # Errors
-/// It could not be installed.
-pub fn trunk() -> Result<()> {
-    // Its newer dependencies do not fit together, so with its lock file.
-    crate_tool("trunk", "trunk", TRUNK, true)
+/// Installs Trunk if it is missing or of another version.
+pub(crate) fn trunk() -> Result<()> {
+    // The newest versions of its dependencies do not fit together.
+    crate_tool("trunk", "trunk", TRUNK, Some("--locked"))
 }
 
-fn crate_tool(program: &str, package: &str, version: &str, locked: bool) -> Result<()> {
-    if let Some(file) = process::find(program) {
-        let said = process::output(process::command(file).arg("--version")).unwrap_or_default();
-        if said.split_whitespace().nth(1) == Some(version) {
+fn crate_tool(program: &str, package: &str, version: &str, locked: Option<&str>) -> Result<()> {
+    let sh = Shell::new()?;
+    if let Some(file) = find(program) {
+        let printed = cmd!(sh, "{file} --version").read().unwrap_or_default();
+        if printed.split_whitespace().nth(1) == Some(version) {
             return Ok(());
         }
     }
     println!("Installing {package} {version} (a few minutes, once on a machine) …");
-    let mut install = process::cargo();
-    install
-        .args([
-            "install",
-            package,
-            "--version",
-            version,
-            "--force",
-            "--root",
-        ])
-        .arg(paths::tools());
-    if locked {
-        install.arg("--locked");
-    }
-    // It runs for seconds and compiles for minutes: do not optimise it much.
-    install
+    let tools = paths::tools();
+    let install = cmd!(
+        sh,
+        "cargo install {package} --version {version} --force --root {tools} {locked...}"
+    );
+    // It compiles for minutes and runs for seconds.
+    Ok(install
         .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1")
         .env("CARGO_PROFILE_RELEASE_LTO", "off")
-        .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16");
-    process::run(&mut install)
+        .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16")
+        .run()?)
 }
 
-/// Chromium and the driver that steers it.
-#[derive(Debug)]
-pub struct Browser {
-    /// Chromium, or Chrome.
-    pub chromium: PathBuf,
-    /// Its WebDriver.
-    pub driver: PathBuf,
-}
-
-/// Finds Chromium and its driver, and installs Debian's where they are missing.
-///
-/// # Errors
-/// They are missing and cannot be installed; the error says what to do.
-pub fn browser() -> Result<Browser> {
-    if let Some(browser) = find_browser() {
-        return Ok(browser);
-    }
-    apt_install(&["chromium", "chromium-driver"]).context(
-        "no Chromium with its chromedriver: install Debian's packages chromium and \
-         chromium-driver, or name the programs in HEARTH_CHROMIUM and CHROMEDRIVER, \
-         or leave the browser out with --skip-browser",
-    )?;
-    find_browser().context("chromium and chromium-driver are installed, but not on the PATH")
-}
-
-/// A program that tests of all browsers need beside Chromium.
-struct Program {
-    /// The variable that names it, for a person and for the tests.
+/// A program that Debian has.
+pub(crate) struct Program {
+    /// The environment variable that names another program; empty: none.
     variable: &'static str,
-    names: &'static [&'static str],
-    package: &'static str,
-    /// The browsers that need it, as `HEARTH_BROWSERS` calls them.
-    browsers: &'static [&'static str],
+    names: Names,
+    packages: Names,
 }
 
-/// What draws without a graphics card, where the browsers do not bring it themselves.
-const SOFTWARE_GL: [&str; 3] = ["libgl1", "libegl1", "libgl1-mesa-dri"];
+type Names = &'static [&'static str];
 
-const PROGRAMS: &[Program] = &[
-    Program {
-        variable: "HEARTH_FIREFOX",
-        names: &["firefox-esr", "firefox"],
-        package: "firefox-esr",
-        browsers: &["firefox"],
-    },
-    // It comes with WebKitGTK's small browser.
-    Program {
-        variable: "HEARTH_WEBKIT_DRIVER",
-        names: &["WebKitWebDriver"],
-        package: "webkit2gtk-driver",
-        browsers: &["webkit"],
-    },
-    // Neither draws without a window.
-    Program {
-        variable: "HEARTH_XVFB",
-        names: &["Xvfb"],
-        package: "xvfb",
-        browsers: &["firefox", "webkit"],
-    },
-];
+pub(crate) const CHROMIUM: Program = Program::new(
+    "HEARTH_CHROMIUM",
+    &[
+        "chromium",
+        "chromium-browser",
+        "google-chrome-stable",
+        "google-chrome",
+    ],
+    &["chromium"],
+);
+pub(crate) const CHROMEDRIVER: Program =
+    Program::new("CHROMEDRIVER", &["chromedriver"], &["chromium-driver"]);
+const FIREFOX: Program = Program::new(
+    "HEARTH_FIREFOX",
+    &["firefox-esr", "firefox"],
+    &["firefox-esr"],
+);
+/// It comes with WebKitGTK's small browser.
+const WEBKIT: Program = Program::new(
+    "HEARTH_WEBKIT_DRIVER",
+    &["WebKitWebDriver"],
+    &["webkit2gtk-driver"],
+);
+/// Firefox and WebKit draw into windows only, and with these libraries where there is no
+/// graphics card.
+const XVFB: Program = Program::new(
+    "HEARTH_XVFB",
+    &["Xvfb"],
+    &["xvfb", "libgl1", "libegl1", "libgl1-mesa-dri"],
+);
+pub(crate) const VALGRIND: Program = Program::new("", &["valgrind"], &["valgrind", "libc6-dbg"]);
+/// The reference compiler of GLSL.
+pub(crate) const GLSLANG: Program =
+    Program::new("HEARTH_GLSLANG", &["glslangValidator"], &["glslang-tools"]);
+/// Makes an animation of pictures.
+pub(crate) const IMG2WEBP: Program = Program::new("", &["img2webp"], &["webp"]);
 
 impl Program {
-    fn find(&self) -> Option<PathBuf> {
-        named(self.variable).or_else(|| self.names.iter().copied().find_map(process::find))
+    const fn new(variable: &'static str, names: Names, packages: Names) -> Program {
+        Program {
+            variable,
+            names,
+            packages,
+        }
     }
 
-    /// Whether one of the browsers in this list needs it; an empty one names all.
-    fn is_wanted(&self, browsers: &str) -> bool {
-        browsers.is_empty()
-            || browsers
-                .split(',')
-                .any(|name| self.browsers.contains(&name.trim()))
+    /// The program, installed if it is missing.
+    pub(crate) fn get(&self) -> Result<PathBuf> {
+        let Program {
+            names,
+            packages,
+            variable,
+        } = self;
+        if let Some(found) = self.found() {
+            return Ok(found);
+        }
+        apt_install(packages).with_context(|| match *variable {
+            "" => format!("{} is missing", names[0]),
+            _ => format!("{} is missing; {variable} may name it", names[0]),
+        })?;
+        let not_found = || anyhow!("{} is installed, but not on the PATH", names[0]);
+        self.found().with_context(not_found)
+    }
+
+    fn found(&self) -> Option<PathBuf> {
+        let named = env::var_os(self.variable).map(PathBuf::from);
+        named
+            .filter(|file| file.is_file())
+            .or_else(|| self.names.iter().copied().find_map(find))
     }
 }
 
-/// Finds what drives Firefox and WebKit, and installs Debian's where it is missing;
-/// with each program the variable that tests look for. `HEARTH_BROWSERS` leaves some
-/// out.
-///
-/// # Errors
-/// One is missing and cannot be installed; the error says what to do.
-pub fn other_browsers() -> Result<Vec<(&'static str, PathBuf)>> {
+/// Chromium, with its driver beside it.
+pub(crate) fn chromium() -> Result<PathBuf> {
+    let hint = "this stage needs a browser (`--skip-browser` leaves such stages out)";
+    CHROMEDRIVER.get().context(hint)?;
+    CHROMIUM.get().context(hint)
+}
+
+/// What drives Firefox and WebKit, each with the variable in which tests look for it.
+/// `HEARTH_BROWSERS` leaves browsers out.
+pub(crate) fn other_browsers() -> Result<Vec<(&'static str, PathBuf)>> {
     let browsers = env::var("HEARTH_BROWSERS").unwrap_or_default();
-    let needed = || {
-        PROGRAMS
-            .iter()
-            .filter(|program| program.is_wanted(&browsers))
-    };
-    if needed().any(|program| program.find().is_none()) {
-        let packages: Vec<_> = needed()
-            .map(|program| program.package)
-            .chain(SOFTWARE_GL)
-            .collect();
-        apt_install(&packages).context(
-            "no Firefox, WebKit or screen for them: install Debian's packages firefox-esr, \
-             webkit2gtk-driver and xvfb, or name the programs in HEARTH_FIREFOX, \
-             HEARTH_WEBKIT_DRIVER and HEARTH_XVFB, or leave browsers out, as with \
-             HEARTH_BROWSERS=chromium or --skip-browser",
-        )?;
-    }
-    needed()
-        .map(|program| {
-            let found = program.find().with_context(|| {
-                let Program { package, names, .. } = program;
-                format!(
-                    "{package} is installed, but {} is not on the PATH",
-                    names[0]
-                )
-            })?;
-            Ok((program.variable, found))
-        })
-        .collect()
+    let program = |program: &Program| Ok((program.variable, program.get()?));
+    needed_by(&browsers).into_iter().map(program).collect()
 }
 
-/// Makes sure that valgrind is there.
-///
-/// # Errors
-/// It is missing and cannot be installed.
-pub fn valgrind() -> Result<()> {
-    if process::find("valgrind").is_none() {
-        apt_install(&["valgrind", "libc6-dbg"])
-            .context("no valgrind: install Debian's packages valgrind and libc6-dbg")?;
-    }
-    Ok(())
+/// What the browsers in this list need; an empty list names all.
+fn needed_by(browsers: &str) -> Vec<&'static Program> {
+    let wanted =
+        |name: &str| browsers.is_empty() || browsers.split(',').any(|it| it.trim() == name);
+    let (firefox, webkit) = (wanted("firefox"), wanted("webkit"));
+    [
+        (firefox, &FIREFOX),
+        (webkit, &WEBKIT),
+        (firefox || webkit, &XVFB),
+    ]
+    .into_iter()
+    .filter_map(|(wanted, program)| wanted.then_some(program))
+    .collect()
 }
 
-/// Makes sure that the reference compiler of GLSL is there.
-///
-/// # Errors
-/// It is missing and cannot be installed.
-pub fn glslang() -> Result<PathBuf> {
-    const NAME: &str = "glslangValidator";
-    let find = || named("HEARTH_GLSLANG").or_else(|| process::find(NAME));
-    if find().is_none() {
-        apt_install(&["glslang-tools"]).context(
-            "no glslangValidator: install Debian's package glslang-tools, or name the \
-             program in HEARTH_GLSLANG",
-        )?;
-    }
-    find().with_context(|| format!("glslang-tools is installed, but {NAME} is not on the PATH"))
-}
-
-/// Makes sure that `img2webp` is there, which makes an animation of pictures.
-///
-/// # Errors
-/// It is missing and cannot be installed.
-pub fn webp() -> Result<()> {
-    if process::find("img2webp").is_none() {
-        apt_install(&["webp"]).context("no img2webp: install Debian's package webp")?;
-    }
-    Ok(())
-}
-
-/// The program that a variable names.
-fn named(variable: &str) -> Option<PathBuf> {
-    env::var_os(variable)
-        .map(PathBuf::from)
-        .filter(|file| file.is_file())
-}
-
-fn find_browser() -> Option<Browser> {
-    let chromium = named("HEARTH_CHROMIUM").or_else(|| {
-        [
-            "chromium",
-            "chromium-browser",
-            "google-chrome-stable",
-            "google-chrome",
-        ]
-        .into_iter()
-        .find_map(process::find)
-    })?;
-    let driver = named("CHROMEDRIVER").or_else(|| process::find("chromedriver"))?;
-    Some(Browser { chromium, driver })
-}
-
-/// Makes sure that Node and npm are there, and Node is not too old.
-///
-/// # Errors
-/// They are missing or too old and cannot be installed.
-pub fn node() -> Result<()> {
-    let say = || {
+/// Installs Node and npm if they are missing.
+pub(crate) fn node() -> Result<()> {
+    let hint = || {
         format!(
-            "Hearth is built with Node {NODE_MAJOR} or newer and npm: install it \
-             from https://nodejs.org or as Debian's packages nodejs and npm"
+            "Hearth is built with Node {NODE_MAJOR} or newer and npm: install it from \
+             https://nodejs.org or as Debian's packages nodejs and npm"
         )
     };
-    if process::find("node").is_none() || process::find("npm").is_none() {
-        apt_install(&["nodejs", "npm"]).with_context(say)?;
+    if find("node").is_none() || find("npm").is_none() {
+        apt_install(&["nodejs", "npm"]).with_context(hint)?;
     }
-    let said = process::output(process::command("node").arg("--version")).with_context(say)?;
-    match major(&said) {
+    let sh = Shell::new()?;
+    let version = cmd!(sh, "node --version").read().with_context(hint)?;
+    match major(&version) {
         Some(major) if major >= NODE_MAJOR => Ok(()),
-        _ => bail!("Node {} is too old: {}", said.trim(), say()),
+        _ => bail!("Node {version} is too old. {}", hint()),
     }
 }
 
 /// `v20.1.2` → 20.
 fn major(version: &str) -> Option<u32> {
-    version
-        .trim()
-        .strip_prefix('v')?
-        .split('.')
-        .next()?
-        .parse()
-        .ok()
+    version.strip_prefix('v')?.split('.').next()?.parse().ok()
 }
 
 /// Installs Debian packages where that needs no password.
 fn apt_install(packages: &[&str]) -> Result<()> {
+    ensure!(
+        find("apt-get").is_some(),
+        "this is not Debian: install the equivalents of its packages {}",
+        packages.join(", ")
+    );
     let by_hand = || format!("run: sudo apt-get install {}", packages.join(" "));
-    if process::find("apt-get").is_none() {
-        bail!(
-            "this is no Debian; look for the like of: {}",
-            packages.join(", ")
-        );
-    }
-    let apt_get = |arguments: &[&str]| {
-        let mut apt_get = if is_root() {
-            process::command("apt-get")
-        } else {
-            let mut sudo = process::command("sudo");
-            sudo.args(["-n", "apt-get"]);
-            sudo
-        };
-        apt_get.env("DEBIAN_FRONTEND", "noninteractive");
-        process::run(apt_get.args(arguments))
-    };
-    if !is_root() {
-        process::output(process::command("sudo").args(["-n", "true"])).with_context(by_hand)?;
-    }
-    println!("Installing Debian's {} …", packages.join(" and "));
-    let mut install = vec!["install", "-y", "--no-install-recommends"];
-    install.extend(packages);
-    // A fresh machine often has no list of packages, or an old one.
-    if apt_get(&install).is_err() {
-        apt_get(&["update"])
-            .and_then(|()| apt_get(&install))
+    let sh = Shell::new()?;
+    sh.set_var("DEBIAN_FRONTEND", "noninteractive");
+    let is_root = cmd!(sh, "id -u").read().is_ok_and(|id| id == "0");
+    let sudo: &[&str] = if is_root { &[] } else { &["sudo", "-n"] };
+    if !is_root {
+        cmd!(sh, "sudo -n true")
+            .quiet()
+            .run()
             .with_context(by_hand)?;
     }
+    // `env` runs the rest of its line, with or without sudo in front.
+    let install = cmd!(
+        sh,
+        "env {sudo...} apt-get install -y --no-install-recommends {packages...}"
+    );
+    // A new machine often has an old list of packages, or none.
+    if install.run().is_err() {
+        let update = cmd!(sh, "env {sudo...} apt-get update").run();
+        update.and_then(|()| install.run()).with_context(by_hand)?;
+    }
     Ok(())
-}
-
-fn is_root() -> bool {
-    process::output(process::command("id").arg("-u")).is_ok_and(|id| id.trim() == "0")
 }
 
 #[cfg(test)]
@@ -360,7 +260,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_tools_are_of_the_version_of_the_bindings() -> Result<()> {
+    fn the_tools_have_the_version_of_the_bindings() -> Result<()> {
         let lock = std::fs::read_to_string(paths::root().join("Cargo.lock"))?;
         let entry = format!("name = \"wasm-bindgen\"\nversion = \"{WASM_BINDGEN}\"");
         assert!(lock.replace("\r\n", "\n").contains(&entry));
@@ -368,22 +268,19 @@ mod tests {
     }
 
     #[test]
-    fn only_what_the_wanted_browsers_need_is_looked_for() {
-        let wanted = |browsers: &str| -> Vec<_> {
-            PROGRAMS
-                .iter()
-                .filter(|program| program.is_wanted(browsers))
-                .map(|program| program.package)
-                .collect()
+    fn only_the_programs_of_the_wanted_browsers_are_needed() {
+        let packages = |browsers: &str| -> Vec<_> {
+            let needed = needed_by(browsers);
+            needed.iter().map(|program| program.packages[0]).collect()
         };
-        assert_eq!(wanted(""), ["firefox-esr", "webkit2gtk-driver", "xvfb"]);
-        assert_eq!(wanted("chromium, webkit"), ["webkit2gtk-driver", "xvfb"]);
-        assert!(wanted("chromium").is_empty());
+        assert_eq!(packages(""), ["firefox-esr", "webkit2gtk-driver", "xvfb"]);
+        assert_eq!(packages("chromium, webkit"), ["webkit2gtk-driver", "xvfb"]);
+        assert!(packages("chromium").is_empty());
     }
 
     #[test]
-    fn versions_of_node_are_read() {
-        assert_eq!(major("v20.11.1\n"), Some(20));
+    fn the_version_of_node_is_parsed() {
+        assert_eq!(major("v20.11.1"), Some(20));
         assert_eq!(major("20"), None);
         assert_eq!(major(""), None);
     }
@@ -392,5 +289,6 @@ mod tests {
     fn own_tools_come_first() {
         let first = path().and_then(|path| env::split_paths(&path).next());
         assert_eq!(first, Some(paths::tools().join("bin")));
+        assert_eq!(find("hearth-no-such-program"), None);
     }
 }

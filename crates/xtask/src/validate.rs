@@ -1,64 +1,57 @@
-//! `cargo xtask validate`: runs the physics against theory, and writes the
-//! table and its plots into `docs/evaluation.md` and `docs/validation`.
+//! Long runs of the physics: `cargo xtask validate` compares it with theory and writes
+//! the table and its plots into `docs/evaluation.md` and `docs/validation`; `cargo xtask
+//! soak` drives fires to random corners of all ranges and back.
 
-use std::fs;
+use anyhow::Result;
+use xshell::{Cmd, cmd};
 
-use anyhow::{Context, Result, bail};
+use crate::shell::Shell;
+use crate::{evaluation, paths};
 
-use crate::{marks, paths, process, site};
-
-/// Runs the cases whose names begin with one of `names`, or all of them. Only
-/// a run of all is written down.
-///
-/// # Errors
-/// A row outside its tolerance that is not known to be; no case of a name.
-pub fn run(names: &[String]) -> Result<()> {
-    let mut validate = process::cargo();
-    validate.args([
-        "run",
-        "--quiet",
-        "--release",
-        "--package",
-        "hearth-tests",
-        "--example",
-        "validate",
-        "--",
-    ]);
+/// Runs the cases whose names begin with one of `names`, or all of them. Only a run of
+/// all is recorded, passed or failed.
+pub(crate) fn run(names: &[String]) -> Result<()> {
+    let sh = Shell::new()?;
     if !names.is_empty() {
-        return process::run(validate.args(names));
+        return Ok(example(&sh, "validate").args(names).run()?);
     }
-    let folder = site::target_folder()?.join("hearth-validation");
-    if folder.exists() {
-        fs::remove_dir_all(&folder)?;
-    }
-    let held = process::run(validate.arg("--write").arg(&folder));
-
-    // What was measured is written down whether or not it holds.
-    let Ok(table) = fs::read_to_string(folder.join("table.md")) else {
-        held?;
-        bail!("the validation left no table");
+    evaluation::check("validated")?;
+    let folder = paths::target()?.join("hearth-validation");
+    sh.remove_path(&folder)?;
+    let passed = example(&sh, "validate").arg("--write").arg(&folder).run();
+    let Ok(table) = sh.read_file(folder.join("table.md")) else {
+        return Ok(passed?);
     };
-    let docs = paths::root().join("docs");
-    let plots = docs.join("validation");
-    if plots.exists() {
-        fs::remove_dir_all(&plots)?;
+    let plots = paths::root().join("docs/validation");
+    sh.remove_path(&plots)?;
+    sh.create_dir(&plots)?;
+    let written = sh.read_dir(&folder)?;
+    for plot in written
+        .iter()
+        .filter(|file| file.extension() == Some("svg".as_ref()))
+    {
+        sh.copy_file(plot, &plots)?;
     }
-    fs::create_dir_all(&plots)?;
-    for file in fs::read_dir(&folder)? {
-        let file = file?.path();
-        if let Some(name) = file
-            .file_name()
-            .filter(|_| file.extension() == Some("svg".as_ref()))
-        {
-            fs::copy(&file, plots.join(name))?;
+    evaluation::write("validated", &table)?;
+    Ok(passed?)
+}
+
+/// Runs that many corners of each model.
+pub(crate) fn soak(corners: Option<u32>, seed: Option<u32>) -> Result<()> {
+    let sh = Shell::new()?;
+    let mut soak = example(&sh, "soak");
+    for (option, value) in [("--corners", corners), ("--seed", seed)] {
+        if let Some(value) = value {
+            soak = soak.arg(option).arg(value.to_string());
         }
     }
-    let page = docs.join("evaluation.md");
-    let present = fs::read_to_string(&page)
-        .with_context(|| format!("cannot read {}", paths::shown(&page)))?;
-    let updated = marks::with(&present, "validated", &table)
-        .with_context(|| format!("{} lacks its marks", paths::shown(&page)))?;
-    fs::write(&page, updated)?;
-    println!("wrote {} and {}", paths::shown(&page), paths::shown(&plots));
-    held
+    Ok(soak.run()?)
+}
+
+/// A program of the tests' package.
+fn example<'a>(sh: &'a Shell, name: &str) -> Cmd<'a> {
+    cmd!(
+        sh,
+        "cargo run --quiet --release --package hearth-tests --example {name} --"
+    )
 }

@@ -1,7 +1,7 @@
 //! Burns a fire and writes it as a sequence of PNG pictures, without a browser:
 //!
 //! ```sh
-//! cargo run -p hearth-core --release --example fire -- --frames 60 --out DIR
+//! cargo run -p hearth-fire-core --release --example fire -- --frames 60 --out DIR
 //! ```
 //!
 //! Any parameter may follow as `id=value`. The pictures are drawn on the processor

@@ -1,13 +1,14 @@
 //! What `benches/browser/run.mjs` measured.
 
 use anyhow::{Context, Result};
+use serde::Deserialize;
 use serde_json::Value;
 
-/// The headline's place: a browser, one thread.
+/// The place of the headline: a browser, one thread.
 pub(super) const BROWSER: &str = "chromium";
 
-/// Floating-point operations of a pair of particles in a step of the classic
-/// model, roughly.
+/// Floating-point operations of a pair of particles in a step of the classic model,
+/// roughly.
 const OPERATIONS_A_PAIR: f64 = 55.0;
 
 /// Everything that was measured.
@@ -17,33 +18,51 @@ pub(super) struct Figures {
 }
 
 /// One case in one place.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
 pub(super) struct Row {
     /// The program.
     pub name: String,
     pub scene: String,
+    #[serde(rename = "where")]
     pub place: String,
-    /// Particles that were asked for.
+    /// The requested number of particles.
     pub count: u64,
     pub particles: f64,
+    #[serde(default)]
     pub neighbours: f64,
+    #[serde(default = "one")]
     pub substeps: u64,
+    #[serde(flatten)]
     pub step: Time,
-    pub steps_a_frame: Option<f64>,
-    pub is_yardstick: bool,
+    pub steps_per_frame: Option<f64>,
+    #[serde(default)]
+    pub yardstick: bool,
+}
+
+fn one() -> u64 {
+    1
 }
 
 /// A time in milliseconds.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Deserialize)]
 pub(super) struct Time {
     /// The median of all rounds.
+    #[serde(rename = "stepMs", alias = "median")]
     pub median: f64,
     /// The best round's.
+    #[serde(rename = "bestStepMs", alias = "best")]
     pub best: f64,
 }
 
 impl Time {
-    /// What a function makes of both.
+    /// The same in every round.
+    pub fn always(time: f64) -> Time {
+        let (median, best) = (time, time);
+        Time { median, best }
+    }
+
+    /// Applies a function to both.
     pub fn map(self, f: impl Fn(f64) -> f64) -> Time {
         Time {
             median: f(self.median),
@@ -51,46 +70,23 @@ impl Time {
         }
     }
 
-    /// How many times as long as `other`.
+    /// The ratio to `other`.
     pub fn over(self, other: Time) -> Time {
         Time {
             median: self.median / other.median,
             best: self.best / other.best,
         }
     }
-
-    fn read(value: &Value) -> Option<Time> {
-        Some(Time {
-            median: value["stepMs"].as_f64()?,
-            best: value["bestStepMs"].as_f64()?,
-        })
-    }
 }
 
 impl Row {
-    fn read(value: &Value) -> Option<Row> {
-        let text = |key: &str| value[key].as_str().map(str::to_owned);
-        Some(Row {
-            name: text("name")?,
-            scene: text("scene")?,
-            place: text("where")?,
-            count: value["count"].as_u64()?,
-            particles: value["particles"].as_f64()?,
-            neighbours: value["neighbours"].as_f64().unwrap_or_default(),
-            substeps: value["substeps"].as_u64().unwrap_or(1),
-            step: Time::read(value)?,
-            steps_a_frame: value["stepsPerFrame"].as_f64(),
-            is_yardstick: value["yardstick"] == true,
-        })
-    }
-
-    /// What it is called in a table.
-    pub fn label(&self) -> String {
+    /// Its name in a table.
+    pub fn label(&self) -> &str {
         match self.scene.as_str() {
-            "typed" => "JavaScript, typed arrays, list of pairs".to_owned(),
-            "scan" => "JavaScript, typed arrays, 3 × 3 cells".to_owned(),
-            "paper" => "JavaScript, the paper's loop".to_owned(),
-            _ => self.name.clone(),
+            "typed" => "JavaScript, typed arrays, list of pairs",
+            "scan" => "JavaScript, typed arrays, 3 × 3 cells",
+            "paper" => "JavaScript, the paper's loop",
+            _ => &self.name,
         }
     }
 
@@ -99,20 +95,20 @@ impl Row {
         self.step.map(|ms| 1e6 * ms / self.particles)
     }
 
-    /// Milliseconds that the steps of a 60 Hz frame take.
+    /// Milliseconds of the steps of a 60 Hz frame.
     pub fn frame(&self) -> Option<Time> {
-        let steps = self.steps_a_frame?;
+        let steps = self.steps_per_frame?;
         Some(self.step.map(|ms| ms * steps))
     }
 }
 
 impl Figures {
-    /// # Errors
-    /// No JSON, or one without results.
     pub fn read(text: &str) -> Result<Figures> {
         let all: Value = serde_json::from_str(text).context("the figures cannot be read")?;
-        let listed = all["results"].as_array().context("there are no figures")?;
-        let rows = listed.iter().filter_map(Row::read).collect();
+        let results = all["results"].as_array().context("there are no results")?;
+        // A case that a program could not measure lacks figures.
+        let rows = results.iter().filter_map(|row| Row::deserialize(row).ok());
+        let rows = rows.collect();
         Ok(Figures { all, rows })
     }
 
@@ -124,14 +120,12 @@ impl Figures {
     pub fn row(&self, name: &str, scene: &str, place: &str, count: u64) -> Option<&Row> {
         self.rows.iter().find(|row| {
             row.name.starts_with(name)
-                && row.scene == scene
-                && row.place == place
-                && row.count == count
+                && (&*row.scene, &*row.place, row.count) == (scene, place, count)
         })
     }
 
-    /// The share of the place's peak that Hearth's steps reach; nothing for other
-    /// programs and other models, whose pairs take other operations.
+    /// The share of the place's peak that Hearth's steps reach; `None` for other programs
+    /// and models, whose pairs need other operations.
     pub fn share_of_peak(&self, row: &Row) -> Option<Time> {
         let peak = self.all["peaks"][&row.place].as_f64()?;
         let counted = row.name == "Hearth" && row.scene == "block";
@@ -139,37 +133,28 @@ impl Figures {
         counted.then(|| row.nanoseconds().map(|ns| operations / ns / peak))
     }
 
-    /// Times of a step on a slowed-down page.
+    /// The time of a step on a slowed-down page, and the steps of a frame.
     pub fn throttled(&self) -> Option<(Time, f64)> {
         let throttled = &self.all["throttled"];
-        Some((Time::read(throttled)?, throttled["stepsPerFrame"].as_f64()?))
+        let steps = throttled["stepsPerFrame"].as_f64()?;
+        Some((Time::deserialize(throttled).ok()?, steps))
     }
 
     /// When a page shows its first picture.
     pub fn first_picture(&self) -> Option<Time> {
-        let first = &self.all["page"]["firstPicture"];
-        let time = |name: &str| first[name].as_f64();
-        Some(Time {
-            median: time("median")?,
-            best: time("best")?,
-        })
+        Time::deserialize(&self.all["page"]["firstPicture"]).ok()
     }
 
     /// The longest task of a page's own thread.
     pub fn longest_task(&self) -> Option<Time> {
-        let longest = self.all["page"]["longestTask"].as_f64()?;
-        Some(Time {
-            median: longest,
-            best: longest,
-        })
+        self.all["page"]["longestTask"].as_f64().map(Time::always)
     }
 
     /// Bytes a particle of the block that took most.
-    pub fn memory(&self) -> Option<f64> {
-        let listed = self.all["memory"].as_array()?;
-        let each = listed
-            .iter()
-            .filter_map(|one| Some(one["bytes"].as_f64()? / one["particles"].as_f64()?));
-        each.max_by(f64::total_cmp)
+    pub fn memory(&self) -> Option<Time> {
+        let blocks = self.all["memory"].as_array()?.iter();
+        let each =
+            blocks.filter_map(|one| Some(one["bytes"].as_f64()? / one["particles"].as_f64()?));
+        each.max_by(f64::total_cmp).map(Time::always)
     }
 }

@@ -1,150 +1,136 @@
-//! How many instructions a step takes: unlike its time, that does not depend on
-//! what else a machine does, so growth can be told from noise.
+//! How many instructions a step takes. Unlike its time, the number does not depend on what
+//! else the machine does, so growth can be told from noise.
 
 use std::collections::BTreeMap;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use anyhow::{Context, Result, bail};
-use serde_json::{Value, json};
+use anyhow::{Context, Result, bail, ensure};
+use serde::{Deserialize, Serialize};
+use xshell::cmd;
 
-use crate::{paths, process, site, tools};
+use crate::shell::Shell;
+use crate::{paths, tools};
 
 /// The cases of `benches/examples/counted.rs`.
 const CASES: [&str; 3] = ["classic block", "classic plume", "combustion"];
 
-/// Growth that fails, and fall that is to be written down, as shares.
+/// The share of growth that fails, and of decrease that should be recorded.
 const TOLERANCE: f64 = 0.10;
 
-/// The machine that the counts hold for, and the least processor of its kind:
-/// what is compiled must not depend on whose processor compiles it.
+/// The target of the recorded counts.
 const TARGET: &str = "x86_64-unknown-linux-gnu";
-const PROCESSOR: &str = "x86-64";
 
 /// Instructions a particle and step, by case.
 type Counts = BTreeMap<String, u64>;
 
-/// Counts, and holds the counts to those written down, or writes them down.
-///
-/// # Errors
-/// A case that takes far more than it did; no way to count.
+/// The recorded counts.
+const FILE: &str = "benches/instructions.json";
+
+/// What the file holds.
+#[derive(Deserialize, Serialize)]
+struct Recorded {
+    compiler: String,
+    instructions: Counts,
+}
+
+/// Counts, and compares the counts with the recorded ones, or records them.
 pub(super) fn run(write: bool) -> Result<()> {
     if !cfg!(all(
         target_arch = "x86_64",
         target_os = "linux",
         target_env = "gnu"
     )) {
-        println!("left out: the counts that are written down hold for {TARGET} alone");
+        println!("skipped: the counts were recorded on {TARGET}");
         return Ok(());
     }
-    tools::valgrind()?;
-    let counts = count()?;
-    let compiler = process::output(process::command("rustc").arg("--version"))?;
-    let compiler = compiler.trim();
+    tools::VALGRIND.get()?;
+    let sh = Shell::new()?;
+    let counts = count(&sh)?;
+    let compiler = cmd!(sh, "rustc --version").read()?;
     if write {
-        let noted = json!({ "compiler": compiler, "instructions": counts });
-        fs::write(file(), serde_json::to_string_pretty(&noted)? + "\n")?;
-        println!("wrote {}", paths::shown(&file()));
+        let recorded = Recorded {
+            compiler,
+            instructions: counts,
+        };
+        sh.write_file(FILE, serde_json::to_string_pretty(&recorded)? + "\n")?;
+        println!("wrote {FILE}");
         return Ok(());
     }
-    let text = fs::read_to_string(file())
-        .with_context(|| format!("cannot read {}", paths::shown(&file())))?;
-    let noted: Value = serde_json::from_str(&text)?;
-    let before: Counts = serde_json::from_value(noted["instructions"].clone())
-        .with_context(|| format!("{} holds no counts", paths::shown(&file())))?;
-    let verdict = compare(&before, &counts);
-    print!("{}", verdict.table);
-    if noted["compiler"] != compiler {
-        println!(
-            "they were written down with {}, this is {compiler}",
-            noted["compiler"]
-        );
+    let recorded: Recorded = serde_json::from_str(&sh.read_file(FILE)?).context(FILE)?;
+    let comparison = compare(&recorded.instructions, &counts);
+    print!("{}", comparison.table);
+    if recorded.compiler != compiler {
+        println!("recorded with {}, now {compiler}", recorded.compiler);
     }
-    if verdict.fallen {
+    if comparison.fallen {
         println!("some have fallen; run `cargo xtask bench --instructions --write`");
     }
-    if !verdict.grown.is_empty() {
+    if !comparison.grown.is_empty() {
         bail!(
-            "a step takes over {:.0} % more instructions than written down: {}",
+            "a step takes over {:.0} % more instructions than recorded: {}",
             100.0 * TOLERANCE,
-            verdict.grown.join(", ")
+            comparison.grown.join(", ")
         );
     }
     Ok(())
 }
 
-fn file() -> PathBuf {
-    paths::root().join("benches").join("instructions.json")
-}
-
 /// Compiles the cases and counts each under callgrind.
-fn count() -> Result<Counts> {
-    process::run(
-        process::cargo()
-            .args([
-                "build",
-                "--quiet",
-                "--profile",
-                "engine",
-                "--target",
-                TARGET,
-            ])
-            .args(["--package", "hearth-benches", "--example", "counted"])
-            .env_remove("CARGO_ENCODED_RUSTFLAGS")
-            .env("RUSTFLAGS", format!("-C target-cpu={PROCESSOR}")),
-    )?;
-    let folder = site::target_folder()?.join(TARGET).join("engine");
-    let program = folder.join("examples").join("counted");
-    let noted = folder.join("callgrind.out");
-    let mut counts = Counts::new();
-    for case in CASES {
-        counts.insert(case.to_owned(), count_case(&program, case, &noted)?);
-    }
-    Ok(counts)
+fn count(sh: &Shell) -> Result<Counts> {
+    // For the least processor: the code must not depend on the machine that compiles it.
+    cmd!(
+        sh,
+        "cargo build --quiet --profile engine --target {TARGET} --package hearth-benches
+         --example counted"
+    )
+    .env_remove("CARGO_ENCODED_RUSTFLAGS")
+    .env("RUSTFLAGS", "-C target-cpu=x86-64")
+    .run()?;
+    let folder = paths::target()?.join(TARGET).join("engine");
+    let (program, notes) = (
+        folder.join("examples/counted"),
+        folder.join("callgrind.out"),
+    );
+    let case = |case: &str| Ok((case.to_owned(), count_case(sh, &program, case, &notes)?));
+    CASES.into_iter().map(case).collect()
 }
 
-fn count_case(program: &Path, case: &str, noted: &Path) -> Result<u64> {
-    let particles = process::output(
-        process::command("valgrind")
-            .args(["--quiet", "--tool=callgrind", "--toggle-collect=*measured*"])
-            .arg(format!("--callgrind-out-file={}", noted.display()))
-            .arg(program)
-            .arg(case),
-    )?;
-    let particles: u64 = particles.trim().parse().context("no number of particles")?;
-    let total = total(&fs::read_to_string(noted)?).context("callgrind gave no total")?;
-    if total == 0 || particles == 0 {
-        bail!("nothing was counted of {case}");
-    }
+fn count_case(sh: &Shell, program: &Path, case: &str, notes: &Path) -> Result<u64> {
+    let options = ["--quiet", "--tool=callgrind", "--toggle-collect=*measured*"];
+    let particles = cmd!(
+        sh,
+        "valgrind {options...} --callgrind-out-file={notes} {program} {case}"
+    )
+    .read()?;
+    let particles: u64 = particles.parse().context("the case prints no number")?;
+    let total = total(&sh.read_file(notes)?).context("callgrind gave no total")?;
+    ensure!(total > 0 && particles > 0, "nothing was counted of {case}");
     Ok(total.div_ceil(particles))
 }
 
 /// The sum of all instructions in callgrind's notes.
 fn total(notes: &str) -> Option<u64> {
-    let line = notes
-        .lines()
-        .rev()
-        .find_map(|line| line.strip_prefix("totals:"))?;
-    line.trim().parse().ok()
+    let mut lines = notes.lines().rev();
+    let total = lines.find_map(|line| line.strip_prefix("totals:"))?;
+    total.trim().parse().ok()
 }
 
-/// How the counts compare with those before.
-struct Verdict {
+struct Comparison {
     table: String,
     grown: Vec<String>,
     fallen: bool,
 }
 
-fn compare(before: &Counts, now: &Counts) -> Verdict {
+fn compare(before: &Counts, now: &Counts) -> Comparison {
     let mut table = format!(
         "{:<16}{:>14}{:>14}{:>10}\n",
-        "instructions", "written down", "now", "change"
+        "instructions", "recorded", "now", "change"
     );
     let (mut grown, mut fallen) = (Vec::new(), false);
     for (case, &count) in now {
         let Some(&before) = before.get(case) else {
             table += &format!("{case:<16}{:>14}{count:>14}\n", "");
-            grown.push(format!("{case} (not written down at all)"));
+            grown.push(format!("{case} (not recorded)"));
             continue;
         };
         let change = count as f64 / before as f64 - 1.0;
@@ -155,7 +141,7 @@ fn compare(before: &Counts, now: &Counts) -> Verdict {
         }
         fallen |= change < -TOLERANCE;
     }
-    Verdict {
+    Comparison {
         table,
         grown,
         fallen,
@@ -172,32 +158,32 @@ mod tests {
     }
 
     #[test]
-    fn growth_beyond_a_tenth_is_blamed_and_the_like_fall_told() {
+    fn growth_of_more_than_a_tenth_fails() {
         let before = counts(&[("a", 1000), ("b", 1000), ("c", 1000)]);
-        let verdict = compare(&before, &counts(&[("a", 1101), ("b", 1099), ("c", 901)]));
-        assert_eq!(verdict.grown, ["a +10.1 %"]);
-        assert!(!verdict.fallen);
+        let comparison = compare(&before, &counts(&[("a", 1101), ("b", 1099), ("c", 901)]));
+        assert_eq!(comparison.grown, ["a +10.1 %"]);
+        assert!(!comparison.fallen);
         assert!(compare(&before, &counts(&[("c", 899)])).fallen);
-        assert!(verdict.table.contains("901    -9.9 %"));
+        assert!(comparison.table.contains("901    -9.9 %"));
     }
 
     #[test]
-    fn a_case_without_a_count_is_blamed() {
-        let verdict = compare(&Counts::new(), &counts(&[("new", 5)]));
-        assert_eq!(verdict.grown, ["new (not written down at all)"]);
+    fn a_case_without_a_recorded_count_fails() {
+        let comparison = compare(&Counts::new(), &counts(&[("new", 5)]));
+        assert_eq!(comparison.grown, ["new (not recorded)"]);
     }
 
     #[test]
-    fn the_total_is_the_last_line_of_that_name() {
+    fn the_total_is_read_from_the_last_line_of_that_name() {
         assert_eq!(total("events: Ir\nsummary: 7\n\ntotals: 12\n"), Some(12));
         assert_eq!(total("events: Ir\n"), None);
     }
 
     #[test]
-    fn every_case_is_written_down() -> Result<()> {
-        let noted: Value = serde_json::from_str(&fs::read_to_string(file())?)?;
+    fn every_case_has_a_recorded_count() -> Result<()> {
+        let recorded: Recorded = serde_json::from_str(&Shell::new()?.read_file(FILE)?)?;
         for case in CASES {
-            assert!(noted["instructions"][case].is_u64(), "{case}");
+            assert!(recorded.instructions.contains_key(case), "{case}");
         }
         Ok(())
     }

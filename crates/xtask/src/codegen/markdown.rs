@@ -10,64 +10,38 @@ use hearth_core::scene::KINDS;
 
 use super::{attribute, models};
 
-const INTRODUCTION: &str = "\
-<!-- Generated from the parameter table of hearth-core by `cargo xtask codegen`;
-     edit crates/hearth-core/src/params.rs instead. -->
-
-# Parameters
-
-The **id** names a parameter in JavaScript (`fire.set('id', value)`) and in the
-panel; the **attribute** names it in HTML (`<hearth-fire attribute=\"value\">`). A
-value outside its range is refused aloud and the last good one stays. Sliders of
-a range marked *log* spread it by ratios.
-
-There are two models, and `model` says by which of them the fire burns. Below
-the name of each stand a parameter's default and, in brackets, its range; a dash
-where the model does not use it. A parameter whose default and range are the
-same in both has one value for both; any other keeps one for each model. What the
-model does not use can be set all the same: it waits until the model changes.
-";
-
 /// The whole page.
 pub(super) fn reference() -> String {
-    let mut text = String::from(INTRODUCTION);
+    let mut tables = String::new();
     let mut group = "";
     for param in PARAMETERS {
         if param.group != group {
             group = param.group;
             let models: Vec<_> = models().into_iter().map(Model::name).collect();
             let _ = write!(
-                text,
+                tables,
                 "\n## {group}\n\n\
                  | id | attribute | unit | {} | |\n\
                  |---|---|---|---|---|---|\n",
                 models.join(" | ")
             );
         }
-        let _ = writeln!(text, "{}", row(param));
+        let _ = writeln!(tables, "{}", row(param));
     }
-    text.push_str(
-        "\n## Objects\n\n\
-         A scene has a list of objects. Parameters that are a property here hold for the first \
-         source:\nsetting one sets the property, and the other way round. Every other source has \
-         values of its own,\nwith the same units, ranges and defaults.\n\n\
-         | kind | property | parameter | |\n|---|---|---|---|\n",
-    );
+    let mut objects = String::new();
     for kind in KINDS {
         for property in kind.properties {
             let label = Param::find(property.id).map_or("", |param| param.description().label);
             let _ = writeln!(
-                text,
+                objects,
                 "| `{}` | `{}` | `{}` | {label} |",
                 kind.name, property.name, property.id
             );
         }
     }
-    text.push_str(
-        "\n## Presets\n\n\
-         Named sets of values, each a scene, are shown in [scenes.md](scenes.md).\n",
-    );
-    text
+    include_str!("templates/parameters.md")
+        .replace("{{parameters}}", &tables)
+        .replace("{{objects}}", &objects)
 }
 
 fn row(param: &Param) -> String {
@@ -94,18 +68,16 @@ fn row(param: &Param) -> String {
     )
 }
 
-/// When its value counts, where that is not always.
+/// The choices with which the value has an effect, unless it always has.
 fn condition(description: &Description) -> String {
     let quoted = |word: &str| format!("`{word}`");
-    let each = [("Only", description.when), ("Not", description.unless)].map(|(how, chosen)| {
-        if chosen.is_empty() {
-            return String::new();
-        }
-        format!(
-            " {how} with {}.",
-            selections_in_words(chosen, quoted, quoted)
-        )
-    });
+    let each = [("Only", description.when), ("Not", description.unless)];
+    let each = each.map(
+        |(how, chosen)| match selections_in_words(chosen, quoted, quoted) {
+            words if words.is_empty() => words,
+            words => format!(" {how} with {words}."),
+        },
+    );
     each.concat()
 }
 

@@ -1,9 +1,10 @@
-//! `crates/hearth-core/src/preset/scenes.rs`: the scenes as the physics carries them,
-//! which is published by itself and reads no file.
+//! `crates/hearth-core/src/preset/scenes.rs`: the scenes as a part of the physics, which is
+//! published by itself and reads no file.
 
 use std::fmt::Write as _;
 
-use super::json::Json;
+use serde_json::Value;
+
 use super::scene::Scene;
 
 const HEADER: &str = "\
@@ -26,11 +27,9 @@ pub(super) fn table(scenes: &[Scene]) -> String {
         text.push_str("        values: &[\n");
         for (id, value) in &scene.values {
             let input = match value {
-                Json::Number(x) => format!("Number({x:?})"),
-                Json::Text(text) => format!("Text({text:?})"),
-                Json::Flag(on) => format!("Flag({on})"),
-                // Which no parameter takes, so no scene has one.
-                Json::Object(_) => continue,
+                Value::String(text) => format!("Text({text:?})"),
+                Value::Bool(on) => format!("Flag({on})"),
+                number => format!("Number({:?})", number.as_f64().unwrap_or_default()),
             };
             let _ = writeln!(text, "            ({id:?}, Input::{input}),");
         }

@@ -1,22 +1,21 @@
-//! The scenes: a file of `scenes/` each, checked before anything is written.
+//! The scenes: a file of `scenes/` each, checked before anything is generated.
 //!
 //! `{"hearth": 1, "label": "Candle", "description": "One sentence.", "values": {…}}`,
 //! and the file's name is the scene's. Such a file is also one of settings, as the
 //! element's `src` takes them.
 
-use std::fs;
+use std::fmt;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
 use hearth_core::params::{Input, Model, PARAMETERS, Parameters};
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
+use serde_json::Value;
 
-use super::json::Json;
+use crate::shell::Shell;
 
-/// The scene that a new fire is.
+/// The scene of a new fire.
 const DEFAULT: &str = "default";
-
-/// The fields that there are.
-const FIELDS: [&str; 4] = ["hearth", "label", "description", "values"];
 
 /// Longest name and label; they stand on buttons.
 const LONGEST_NAME: usize = 24;
@@ -28,44 +27,95 @@ const LONGEST_DESCRIPTION: usize = 140;
 pub(super) struct Scene {
     /// Its name in attributes and URLs.
     pub(super) name: String,
-    /// What a person reads.
+    /// Its name for people.
     pub(super) label: String,
     /// What there is to see, in a sentence.
     pub(super) description: String,
-    /// Its model.
     pub(super) model: Model,
     /// What differs from the defaults, the model first.
-    pub(super) values: Vec<(String, Json)>,
+    pub(super) values: Vec<(String, Value)>,
+}
+
+/// A scene's file.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    hearth: u32,
+    label: String,
+    description: String,
+    values: Fields,
+}
+
+/// The fields of an object in the order of the file. A map would keep the last of two
+/// fields of one name and report nothing.
+struct Fields(Vec<(String, Value)>);
+
+impl<'de> Deserialize<'de> for Fields {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Fields, D::Error> {
+        struct Object;
+        impl<'de> Visitor<'de> for Object {
+            type Value = Fields;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("an object of parameters")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Fields, A::Error> {
+                let mut fields: Vec<(String, Value)> = Vec::new();
+                while let Some((name, value)) = map.next_entry::<String, Value>()? {
+                    if fields.iter().any(|(known, _)| *known == name) {
+                        return Err(A::Error::custom(format!("duplicate field `{name}`")));
+                    }
+                    let value = value.as_f64().map_or(value, super::number);
+                    fields.push((name, value));
+                }
+                Ok(Fields(fields))
+            }
+        }
+        deserializer.deserialize_map(Object)
+    }
 }
 
 impl Scene {
-    /// All values of its fire.
-    ///
-    /// # Errors
-    /// A value that the table does not take.
+    /// All values of its fire. Fails where the table refuses one, or the model does not use
+    /// it.
     pub(super) fn parameters(&self) -> Result<Parameters> {
         let mut parameters = Parameters::default();
         for (id, value) in &self.values {
-            parameters.set(id, input(value))?;
+            let input = match value {
+                Value::Number(number) => Input::Number(number.as_f64().unwrap_or(f64::NAN)),
+                Value::String(text) => Input::Text(text),
+                Value::Bool(on) => Input::Flag(*on),
+                // Which no parameter accepts.
+                Value::Object(_) => Input::Text("an object"),
+                Value::Array(_) => Input::Text("a list"),
+                Value::Null => Input::Text("null"),
+            };
+            parameters.set(id, input)?;
+        }
+        let model = parameters.model();
+        for param in PARAMETERS {
+            let given = self.values.iter().any(|(id, _)| id == param.id);
+            ensure!(
+                !given || param.domain(model).is_some(),
+                "the model {} does not use {}",
+                model.name(),
+                param.id
+            );
         }
         Ok(parameters)
     }
 }
 
-/// Every scene under `folder`: the default one first, then those of each model by
-/// their names, the default model's first.
-///
-/// # Errors
-/// A file that is no scene, named with what is wrong in it.
+/// Every scene under `folder`: the default one first, then those of each model by their
+/// names, the default model's first. Fails at the first wrong file, with its name.
 pub(super) fn read_all(folder: &Path) -> Result<Vec<Scene>> {
-    let shown = || format!("cannot read {}", crate::paths::shown(folder));
+    let sh = Shell::new()?;
     let mut scenes = Vec::new();
-    for entry in fs::read_dir(folder).with_context(shown)? {
-        let path = entry?.path();
+    for path in sh.read_dir(folder)? {
         let file = path.file_name().unwrap_or_default().to_string_lossy();
-        let text = fs::read_to_string(&path).with_context(shown)?;
-        let scene = parse(&file, &text).with_context(|| format!("scenes/{file}"))?;
-        scenes.push(scene);
+        let text = sh.read_file(&path)?;
+        scenes.push(parse(&file, &text).with_context(|| format!("scenes/{file}"))?);
     }
     scenes.sort_by_key(|scene| {
         let place = (scene.name != DEFAULT, scene.model != Model::DEFAULT);
@@ -76,12 +126,10 @@ pub(super) fn read_all(folder: &Path) -> Result<Vec<Scene>> {
         "scenes/{DEFAULT}.json is missing"
     );
     for (at, scene) in scenes.iter().enumerate() {
-        let twin = scenes[..at].iter().find(|other| other.label == scene.label);
-        if let Some(twin) = twin {
+        let (name, label) = (&scene.name, &scene.label);
+        if let Some(twin) = scenes[..at].iter().find(|other| other.label == *label) {
             bail!(
-                "scenes/{}.json: \"{}\" is the label of {}",
-                scene.name,
-                scene.label,
+                "scenes/{name}.json: {} has the label \"{label}\" too",
                 twin.name
             );
         }
@@ -90,90 +138,48 @@ pub(super) fn read_all(folder: &Path) -> Result<Vec<Scene>> {
 }
 
 /// The scene in a file of that name with that text.
-///
-/// # Errors
-/// The first thing that is wrong with it.
-pub(super) fn parse(file: &str, text: &str) -> Result<Scene> {
-    let name = file
-        .strip_suffix(".json")
-        .filter(|name| is_name(name))
-        .with_context(|| {
-            format!(
-                "a scene's file is called as the scene, in at most {LONGEST_NAME} small letters, \
-                 digits and hyphens, and .json"
-            )
-        })?;
-    let Json::Object(fields) = serde_json::from_str(text)? else {
-        bail!("it must be an object with the fields {}", FIELDS.join(", "));
-    };
-    for (field, _) in &fields {
+fn parse(file: &str, text: &str) -> Result<Scene> {
+    let name = file.strip_suffix(".json").filter(|name| is_name(name));
+    let name = name.with_context(|| {
+        format!(
+            "the name of the file must be the scene's, of at most {LONGEST_NAME} lower-case \
+             letters, digits and hyphens, and .json"
+        )
+    })?;
+    let file: File = serde_json::from_str(text)?;
+    ensure!(
+        file.hearth == 1,
+        "\"hearth\" must be 1, the version of the format"
+    );
+    for (field, text, longest) in [
+        ("label", &file.label, LONGEST_NAME),
+        ("description", &file.description, LONGEST_DESCRIPTION),
+    ] {
         ensure!(
-            FIELDS.contains(&field.as_str()),
-            "\"{field}\" is refused: it must be one of {} (parameters stand in values)",
-            FIELDS.join(", ")
+            is_line(text, longest),
+            "\"{field}\" must be one line of at most {longest} characters"
         );
     }
-    let field = |name: &str| {
-        let found = fields.iter().find(|(field, _)| field == name);
-        found.map(|(_, value)| value)
-    };
     ensure!(
-        field("hearth") == Some(&Json::Number(1.0)),
-        "\"hearth\" must be 1, the version of the form"
-    );
-    let words = |name: &str, longest: usize| match field(name) {
-        Some(Json::Text(words)) if is_line(words, longest) => Ok(words.clone()),
-        _ => bail!("\"{name}\" must be one line of at most {longest} characters"),
-    };
-    let label = words("label", LONGEST_NAME)?;
-    let description = words("description", LONGEST_DESCRIPTION)?;
-    ensure!(
-        description.ends_with('.'),
+        file.description.ends_with('.'),
         "\"description\" must be a sentence, with its full stop"
     );
-    let Some(Json::Object(values)) = field("values") else {
-        bail!("\"values\" must be an object of parameters");
-    };
-    let mut values = values.clone();
-    // Other models have other ranges.
+    let Fields(mut values) = file.values;
+    // The model decides the ranges of the others.
     values.sort_by_key(|(id, _)| id != "model");
-    let model = accepted(&values)?;
     ensure!(
         name != DEFAULT || values.is_empty(),
         "the default scene has no values: change the defaults in the table"
     );
-    Ok(Scene {
+    let mut scene = Scene {
         name: name.to_owned(),
-        label,
-        description,
-        model,
+        label: file.label,
+        description: file.description,
+        model: Model::DEFAULT,
         values,
-    })
-}
-
-/// The model of these values, where the table takes each of them and that model uses it.
-fn accepted(values: &[(String, Json)]) -> Result<Model> {
-    let mut parameters = Parameters::default();
-    for (id, value) in values {
-        parameters.set(id, input(value))?;
-    }
-    let model = parameters.model();
-    for param in PARAMETERS {
-        if param.domain(model).is_none() && values.iter().any(|(id, _)| id == param.id) {
-            bail!("{} is of no use in the model {}", param.id, model.name());
-        }
-    }
-    Ok(model)
-}
-
-/// A value as the table takes it; an object becomes words that no parameter takes.
-pub(super) fn input(value: &Json) -> Input<'_> {
-    match value {
-        Json::Number(x) => Input::Number(*x),
-        Json::Text(text) => Input::Text(text),
-        Json::Flag(on) => Input::Flag(*on),
-        Json::Object(_) => Input::Text("an object"),
-    }
+    };
+    scene.model = scene.parameters()?.model();
+    Ok(scene)
 }
 
 fn is_name(name: &str) -> bool {
@@ -194,9 +200,10 @@ fn is_line(text: &str, longest: usize) -> bool {
 mod tests {
     use super::*;
 
-    fn said(file: &str, text: &str) -> String {
+    /// Why the file is refused; else the scene.
+    fn outcome(file: &str, text: &str) -> String {
         match parse(file, text) {
-            Ok(scene) => format!("taken: {scene:?}"),
+            Ok(scene) => format!("accepted: {scene:?}"),
             Err(error) => format!("{error:#}"),
         }
     }
@@ -209,25 +216,25 @@ mod tests {
     }
 
     #[test]
-    fn a_scene_is_what_its_file_says() {
-        let text = with(r#"{"wind": 1.5, "palette": "gas", "model": "combustion"}"#);
-        let scene = parse("a-2.json", &text);
+    fn a_scene_has_the_values_of_its_file_and_the_model_first() {
+        let text = with(r#"{"wind": 1.0, "palette": "gas", "model": "combustion"}"#);
+        let values = [
+            ("model".to_owned(), "combustion".into()),
+            ("wind".to_owned(), 1.into()),
+            ("palette".to_owned(), "gas".into()),
+        ];
         let expected = Scene {
             name: "a-2".to_owned(),
             label: "A".to_owned(),
             description: "A fire.".to_owned(),
             model: Model::Combustion,
-            values: vec![
-                ("model".to_owned(), Json::Text("combustion".to_owned())),
-                ("wind".to_owned(), Json::Number(1.5)),
-                ("palette".to_owned(), Json::Text("gas".to_owned())),
-            ],
+            values: values.to_vec(),
         };
-        assert_eq!(scene.ok(), Some(expected));
+        assert_eq!(parse("a-2.json", &text).ok(), Some(expected));
     }
 
     #[test]
-    fn a_wrong_scene_is_refused_and_what_is_wrong_is_named() {
+    fn a_wrong_scene_is_refused_with_the_reason() {
         for (values, named) in [
             (r#"{"wimd": 1}"#, "did you mean \"wind\"?"),
             (
@@ -235,50 +242,50 @@ mod tests {
                 "wind = 9 is refused: it must be a number from -3 to 3",
             ),
             (r#"{"wind": {}}"#, "wind = \"an object\""),
-            (r#"{"wind": [1]}"#, "invalid type: sequence"),
-            (r#"{"wind": null}"#, "invalid type: null"),
-            (
-                r#"{"wind": 1, "wind": 1}"#,
-                "\"wind\" stands there twice at line 1",
-            ),
+            (r#"{"wind": [1]}"#, "wind = \"a list\""),
+            (r#"{"wind": null}"#, "wind = \"null\""),
+            (r#"{"wind": 1, "wind": 1}"#, "duplicate field `wind`"),
             (r#"{"palette": "soot"}"#, "one of blackbody"),
             (
                 r#"{"lifetime_min": 1}"#,
-                "lifetime_min is of no use in the model combustion",
+                "the model combustion does not use lifetime_min",
             ),
             // In the range of the other model.
             (r#"{"max_particles": 100}"#, "from 200 to 100000"),
-            (r#"{"max_particles": 100, "model": "classic"}"#, "taken"),
-            ("3", "\"values\" must be"),
+            (r#"{"max_particles": 100, "model": "classic"}"#, "accepted"),
+            ("3", "expected an object of parameters"),
         ] {
-            let said = said("a.json", &with(values));
-            assert!(said.contains(named), "{values}: {said}");
+            let outcome = outcome("a.json", &with(values));
+            assert!(outcome.contains(named), "{values}: {outcome}");
         }
+        let whole = with("{}");
         for (text, named) in [
-            ("", "EOF"),
-            ("3", "it must be an object"),
+            (String::new(), "EOF"),
+            ("3".to_owned(), "invalid type: integer"),
             (
-                r#"{"label": "A", "label": "B"}"#,
-                "\"label\" stands there twice",
+                r#"{"label": "A", "label": "B"}"#.to_owned(),
+                "duplicate field `label`",
             ),
-            (r#"{"wind": 1}"#, "\"wind\" is refused"),
-            (r#"{"preset": "default"}"#, "\"preset\" is refused"),
-            (r#"{"hearth": 2}"#, "\"hearth\" must be 1"),
+            (whole.replace("label", "wind"), "unknown field `wind`"),
+            (whole.replace("hearth", "preset"), "unknown field `preset`"),
+            (whole.replace(": 1", ": 2"), "\"hearth\" must be 1"),
             (
-                r#"{"hearth": 1, "label": " "}"#,
+                whole.replace("\"A\"", "\" \""),
                 "\"label\" must be one line",
             ),
             (
-                r#"{"hearth": 1, "label": "A"}"#,
+                whole.replace("A fire.", ""),
                 "\"description\" must be one line",
             ),
+            (whole.replace("fire.", "fire"), "with its full stop"),
+            (whole.replace("\"A\"", "1"), "expected a string"),
             (
-                r#"{"hearth": 1, "label": "A", "description": "B", "values": {}}"#,
-                "with its full stop",
+                whole.replace(", \"values\": {}", ""),
+                "missing field `values`",
             ),
         ] {
-            let said = said("a.json", text);
-            assert!(said.contains(named), "{text}: {said}");
+            let outcome = outcome("a.json", &text);
+            assert!(outcome.contains(named), "{text}: {outcome}");
         }
         for file in [
             "a",
@@ -289,33 +296,27 @@ mod tests {
             ".json",
             "é.json",
         ] {
-            assert!(
-                said(file, &with("{}")).contains("called as the scene"),
-                "{file}"
-            );
+            let outcome = outcome(file, &whole);
+            assert!(outcome.contains("name of the file"), "{file}: {outcome}");
         }
-        assert!(said("default.json", &with(r#"{"wind": 1}"#)).contains("no values"));
+        assert!(outcome("default.json", &with(r#"{"wind": 1}"#)).contains("no values"));
     }
 
     #[test]
-    fn of_many_files_the_wrong_one_is_named() -> Result<()> {
-        let folder = std::env::temp_dir().join(format!("hearth-scenes-{}", std::process::id()));
-        fs::create_dir_all(&folder)?;
-        let missing = read_all(&folder).map_err(|error| format!("{error:#}"));
-        assert_eq!(missing, Err("scenes/default.json is missing".to_owned()));
-        fs::write(folder.join("default.json"), with("{}"))?;
-        assert_eq!(read_all(&folder)?.len(), 1);
-        fs::write(folder.join("b.json"), with(r#"{"wind": 4}"#))?;
-        let wrong = read_all(&folder).map_err(|error| format!("{error:#}"));
-        let wrong = wrong.err().unwrap_or_default();
-        assert!(wrong.contains("scenes/b.json: wind = 4"), "{wrong}");
-        fs::write(folder.join("b.json"), with(r#"{"wind": 1}"#))?;
-        let twins = read_all(&folder).map_err(|error| format!("{error:#}"));
-        let twins = twins.err().unwrap_or_default();
-        assert!(
-            twins.contains("scenes/b.json: \"A\" is the label of default"),
-            "{twins}"
-        );
-        Ok(fs::remove_dir_all(folder)?)
+    fn the_wrong_file_of_a_folder_is_named() -> Result<()> {
+        let sh = Shell::new()?;
+        let folder = sh.create_temp_dir()?;
+        let folder = folder.path();
+        let outcome = || {
+            read_all(folder).map_or_else(|error| format!("{error:#}"), |all| all.len().to_string())
+        };
+        assert_eq!(outcome(), "scenes/default.json is missing");
+        sh.write_file(folder.join("default.json"), with("{}"))?;
+        assert_eq!(outcome(), "1");
+        sh.write_file(folder.join("b.json"), with(r#"{"wind": 4}"#))?;
+        assert!(outcome().contains("scenes/b.json: wind = 4"));
+        sh.write_file(folder.join("b.json"), with(r#"{"wind": 1}"#))?;
+        assert_eq!(outcome(), "scenes/b.json: default has the label \"A\" too");
+        Ok(())
     }
 }

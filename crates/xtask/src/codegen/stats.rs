@@ -7,7 +7,7 @@ use anyhow::{Context, Result};
 use hearth_engine::stats::{STATS, Stat};
 
 use super::markdown::cell;
-use crate::{marks, paths};
+use crate::{evaluation, paths};
 
 /// What the element adds to the engine's statistics.
 const ENGINE: Stat = Stat {
@@ -43,5 +43,5 @@ pub(super) fn page() -> Result<String> {
     for Stat { name, doc, .. } in all() {
         let _ = writeln!(table, "| `{name}` | {} |", cell(doc));
     }
-    marks::with(&page, "stats", &table).context("docs/element.md has no marks for stats")
+    evaluation::replaced(&page, "stats", &table).context("docs/element.md has no marks for stats")
 }

@@ -1,102 +1,91 @@
 //! Stages that run wasm, in Node and in browsers.
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use anyhow::Result;
+use xshell::{Cmd, cmd};
 
-use crate::{npm, paths, process, site, tools};
-
-/// Longest time for one wasm test program, in seconds: a browser that draws
-/// without a GPU on two cores is slow.
-const PATIENCE: &str = "600";
+use crate::shell::Shell;
+use crate::{npm, package, paths, site, tools};
 
 pub(super) fn wasm_in_node() -> Result<()> {
-    tools::wasm_target()?;
     tools::node()?;
-    tools::wasm_bindgen_cli()?;
-    process::run(&mut wasm_test("determinism"))
+    wasm_test("determinism", None)
 }
 
 pub(super) fn wasm_in_chromium() -> Result<()> {
+    wasm_test("browser", Some(tools::CHROMEDRIVER.get()?))
+}
+
+/// `.cargo/config.toml` names the runner of wasm tests, and `tests/webdriver.json` holds
+/// the browser's flags.
+fn wasm_test(name: &str, driver: Option<PathBuf>) -> Result<()> {
     tools::wasm_target()?;
-    let browser = tools::browser()?;
     tools::wasm_bindgen_cli()?;
-    process::run(wasm_test("browser").env("CHROMEDRIVER", browser.driver))
+    let wasm = tools::WASM;
+    let sh = Shell::new()?;
+    Ok(cmd!(
+        sh,
+        "cargo test --target {wasm} --package hearth-tests --test {name}"
+    )
+    .envs(driver.map(|driver| ("CHROMEDRIVER", driver)))
+    // Seconds for one program: a browser draws slowly without a graphics card.
+    .env("WASM_BINDGEN_TEST_TIMEOUT", "600")
+    .run()?)
 }
 
-/// `.cargo/config.toml` names the runner of wasm tests, and
-/// `tests/webdriver.json` holds the browser's flags.
-fn wasm_test(name: &str) -> Command {
-    let mut test = process::cargo();
-    test.args(["test", "--target", tools::WASM, "--package", "hearth-tests"])
-        .args(["--test", name])
-        .env("WASM_BINDGEN_TEST_TIMEOUT", PATIENCE);
-    test
-}
-
-/// Everything end to end: in Chromium, and what holds in every browser in Firefox and
-/// WebKit as well.
+/// Every test end to end: in Chromium, and what holds in every browser in Firefox and
+/// WebKit too.
 pub(super) fn end_to_end() -> Result<()> {
-    let mut test = in_e2e("node");
-    test.arg("run.mjs").envs(tools::other_browsers()?);
-    drive(&mut test, &paths::site())
+    let sh = Shell::new()?;
+    let test = script(&sh, "run.mjs", &paths::site())?;
+    Ok(test.envs(tools::other_browsers()?).run()?)
 }
 
-/// The smallest of the tests end to end, against the site in `folder`, or
-/// against the one that somebody else serves at `address`.
+/// The smallest test end to end, of the site in `folder`, or of a page that somebody
+/// serves at `address`.
 pub(super) fn smoke(folder: &Path, address: Option<&str>) -> Result<()> {
-    let mut test = in_e2e("node");
-    test.args(["run.mjs", "smoke"]);
-    if let Some(address) = address {
-        test.env("HEARTH_PAGE", address);
-    }
-    drive(&mut test, folder)
+    let sh = Shell::new()?;
+    let test = script(&sh, "run.mjs", folder)?.arg("smoke");
+    Ok(test
+        .envs(address.map(|address| ("HEARTH_PAGE", address)))
+        .run()?)
 }
 
-/// Runs a test that drives Chromium against the site in `folder`.
-fn drive(test: &mut Command, folder: &Path) -> Result<()> {
-    equip(test, folder)?;
-    process::run(test)
-}
-
-/// Builds the site; returns the script of that name beside the tests, with what it needs
-/// to look at it.
-///
-/// # Errors
-/// No browser, no Node, or a site that does not build.
-pub(crate) fn script(name: &str) -> Result<Command> {
-    let mut script = in_e2e("node");
-    script.arg(name);
-    equip(&mut script, &paths::site())?;
-    site::build()?;
-    Ok(script)
-}
-
-/// Gives a script the browser, and the site in `folder`.
-fn equip(script: &mut Command, folder: &Path) -> Result<()> {
-    let browser = tools::browser()?;
+/// Makes the npm package of the built site, and lets every project of `tests/consumers`
+/// use it, in headless Chromium and in Node.
+pub(super) fn consumers() -> Result<()> {
+    let chromium = tools::chromium()?;
     packages()?;
-    script
-        .env("HEARTH_CHROMIUM", browser.chromium)
-        .env("HEARTH_SITE", folder);
-    Ok(())
+    package::make()?;
+    let sh = Shell::new()?;
+    sh.change_dir("tests/consumers");
+    Ok(cmd!(sh, "node run.mjs")
+        .env("HEARTH_CHROMIUM", chromium)
+        .env("HEARTH_PACKAGE", package::folder())
+        .env("HEARTH_YARD", paths::target()?.join("consumers"))
+        .run()?)
 }
 
-/// Makes sure that what drives the browser is installed.
-///
-/// # Errors
-/// No Node, or npm cannot install.
+/// Builds the site and runs the script of that name in `tests/e2e`.
+pub(crate) fn run_script(name: &str, arguments: impl IntoIterator<Item = PathBuf>) -> Result<()> {
+    let sh = Shell::new()?;
+    let script = script(&sh, name, &paths::site())?;
+    site::build()?;
+    Ok(script.args(arguments).run()?)
+}
+
+/// A script of `tests/e2e` with the browser and the site in `folder`.
+fn script<'a>(sh: &'a Shell, name: &str, folder: &Path) -> Result<Cmd<'a>> {
+    let chromium = tools::chromium()?;
+    packages()?;
+    sh.change_dir("tests/e2e");
+    Ok(cmd!(sh, "node {name}")
+        .env("HEARTH_CHROMIUM", chromium)
+        .env("HEARTH_SITE", folder))
+}
+
+/// Installs what drives browsers.
 pub(crate) fn packages() -> Result<()> {
-    npm::install(&e2e())
-}
-
-fn e2e() -> PathBuf {
-    paths::root().join("tests").join("e2e")
-}
-
-fn in_e2e(program: &str) -> Command {
-    let mut command = process::command(program);
-    command.current_dir(e2e());
-    command
+    npm::install(&paths::root().join("tests/e2e"))
 }

@@ -1,68 +1,67 @@
-//! Stages that read and run the code without a browser.
+//! Stages that check and run the code without a browser.
 
 use anyhow::Result;
+use xshell::cmd;
 
-use crate::{process, tools};
+use crate::shell::Shell;
+use crate::tools;
 
-/// Crates that are libraries for other people.
-const LIBRARIES: [&str; 2] = ["hearth-core", "hearth-render"];
-/// Crates with code that only a browser runs.
-const FOR_THE_BROWSER: [&str; 6] = [
-    "hearth-bindings",
-    "hearth-engine",
-    "hearth-sim",
-    "hearth-panel",
-    "hearth-tests",
-    "hearth-painter",
-];
-
-/// A package outside the workspace.
+/// The package outside the workspace.
 const PEERS: &str = "benches/peers/Cargo.toml";
 
 pub(super) fn format() -> Result<()> {
-    process::run(process::cargo().args(["fmt", "--all", "--check"]))?;
-    process::run(process::cargo().args(["fmt", "--check", "--manifest-path", PEERS]))
+    let sh = Shell::new()?;
+    cmd!(sh, "cargo fmt --all --check").run()?;
+    Ok(cmd!(sh, "cargo fmt --check --manifest-path {PEERS}").run()?)
 }
 
 pub(super) fn lint() -> Result<()> {
-    process::run(process::cargo().args([
-        "clippy",
-        "--workspace",
-        "--all-targets",
-        "--",
-        "--deny",
-        "warnings",
-    ]))
+    let sh = Shell::new()?;
+    Ok(cmd!(
+        sh,
+        "cargo clippy --workspace --all-targets -- --deny warnings"
+    )
+    .run()?)
 }
 
+/// The crates with code that only a browser runs.
 pub(super) fn lint_wasm() -> Result<()> {
     tools::wasm_target()?;
-    let mut clippy = process::cargo();
-    clippy.args(["clippy", "--target", tools::WASM, "--all-targets"]);
-    for package in FOR_THE_BROWSER {
-        clippy.args(["--package", package]);
-    }
-    process::run(clippy.args(["--", "--deny", "warnings"]))
+    let sh = Shell::new()?;
+    let (wasm, crates) = (
+        tools::WASM,
+        "-p hearth-bindings -p hearth-engine -p hearth-sim -p hearth-panel -p hearth-tests -p hearth-painter",
+    );
+    let crates = crates.split(' ');
+    Ok(cmd!(
+        sh,
+        "cargo clippy --target {wasm} --all-targets {crates...} -- --deny warnings"
+    )
+    .run()?)
 }
 
+/// The libraries for other people.
 pub(super) fn docs() -> Result<()> {
-    let mut doc = process::cargo();
-    doc.args(["doc", "--no-deps"]);
-    for package in LIBRARIES {
-        doc.args(["--package", package]);
-    }
-    process::run(doc.env("RUSTDOCFLAGS", "--deny warnings"))
+    let sh = Shell::new()?;
+    let doc = cmd!(
+        sh,
+        "cargo doc --no-deps -p hearth-fire -p hearth-fire-core -p hearth-render"
+    );
+    Ok(doc.env("RUSTDOCFLAGS", "--deny warnings").run()?)
 }
 
 pub(super) fn native() -> Result<()> {
-    process::run(process::cargo().args(["test", "--workspace"]))
+    let sh = Shell::new()?;
+    Ok(cmd!(sh, "cargo test --workspace").run()?)
 }
 
-/// The sources as drivers get them, by the compiler that their makers agreed on.
+/// The sources as drivers get them, by the reference compiler.
 pub(super) fn shaders() -> Result<()> {
-    let validator = tools::glslang()?;
-    let mut test = process::cargo();
-    test.args(["test", "--package", "hearth-render", "--lib", "--"])
-        .args(["--include-ignored", "shaders::"]);
-    process::run(test.env("HEARTH_GLSLANG", validator))
+    let validator = tools::GLSLANG.get()?;
+    let sh = Shell::new()?;
+    let test = cmd!(
+        sh,
+        "cargo test -p hearth-render --lib -- --include-ignored shaders::"
+    );
+    Ok(test.env("HEARTH_GLSLANG", validator).run()?)
 }

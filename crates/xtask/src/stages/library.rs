@@ -1,66 +1,52 @@
-//! Stages about the libraries: the simulation for JavaScript, in Node, and the core
-//! as a crate of its own.
+//! Stages about the libraries: the simulation for JavaScript, and the crates for Rust.
 
-use std::ffi::OsStr;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, ensure};
+use xshell::cmd;
 
-use crate::{paths, process, tools};
+use crate::shell::Shell;
+use crate::{paths, tools};
 
-/// The laws of `hearth-fire/sim`, in Node, by the built site.
+/// The laws of `hearth-fire/sim` in the built site, in Node.
 pub(super) fn laws_in_node() -> Result<()> {
     tools::node()?;
-    let folder = paths::root().join("tests").join("sim");
-    let mut node = process::command("node");
-    node.args(["--test", "--test-reporter", "spec"])
-        .args(tests(&folder)?);
-    // The native program that they compare with is built by the same cargo.
-    node.env("CARGO", process::cargo().get_program());
-    process::run(node.env("HEARTH_SITE", paths::site()))
+    let sh = Shell::new()?;
+    let tests = tests(&sh, "tests/sim")?;
+    let node = cmd!(sh, "node --test --test-reporter spec {tests...}");
+    Ok(node.env("HEARTH_SITE", paths::site()).run()?)
 }
 
 /// The tests of scripts that need neither a browser nor a built site.
 pub(super) fn scripts_in_node() -> Result<()> {
     tools::node()?;
-    let folder = paths::root().join("tests").join("web");
-    let mut node = process::command("node");
-    process::run(
-        node.args(["--test", "--test-reporter", "spec"])
-            .args(tests(&folder)?),
-    )
+    let sh = Shell::new()?;
+    let tests = tests(&sh, "tests/web")?;
+    Ok(cmd!(sh, "node --test --test-reporter spec {tests...}").run()?)
 }
 
-/// Every test file, by name: what Node makes of a folder depends on its version.
-fn tests(folder: &Path) -> Result<Vec<PathBuf>> {
-    let listed =
-        fs::read_dir(folder).with_context(|| format!("cannot read {}", paths::shown(folder)))?;
-    let mut found = Vec::new();
-    for entry in listed {
-        let path = entry?.path();
-        let name = path.file_name().and_then(OsStr::to_str);
-        if name.is_some_and(|name| name.ends_with(".test.mjs")) {
-            found.push(path);
-        }
-    }
-    if found.is_empty() {
-        bail!("there are no tests in {}", paths::shown(folder));
-    }
-    found.sort();
-    Ok(found)
+/// Every test file, by name: versions of Node search a folder differently.
+fn tests(sh: &Shell, folder: &str) -> Result<Vec<PathBuf>> {
+    let mut tests = sh.read_dir(folder)?;
+    tests.retain(|path| path.to_string_lossy().ends_with(".test.mjs"));
+    ensure!(!tests.is_empty(), "{folder} contains no test");
+    Ok(tests)
 }
 
-/// The core could be published as it stands: its package holds all that it needs.
+/// Every crate that may be published, without a warning. Uncommitted changes are allowed:
+/// nobody commits before a test.
 pub(super) fn publishable() -> Result<()> {
-    let mut publish = process::cargo();
-    // Nobody commits before a test.
-    publish.args([
-        "publish",
-        "--dry-run",
-        "--allow-dirty",
-        "--package",
-        "hearth-core",
-    ]);
-    process::run(&mut publish)
+    let sh = Shell::new()?;
+    let publish = cmd!(sh, "cargo publish --workspace --dry-run --allow-dirty").ignore_status();
+    eprintln!("$ {publish}");
+    let output = publish.output()?;
+    let printed = String::from_utf8_lossy(&output.stderr);
+    eprint!("{printed}");
+    ensure!(output.status.success(), "`{publish}` failed");
+    let warnings = printed.lines().filter(|line| line.starts_with("warning"));
+    let warnings: Vec<_> = warnings
+        .filter(|line| !line.contains("due to dry run"))
+        .collect();
+    ensure!(warnings.is_empty(), "{}", warnings.join("\n"));
+    Ok(())
 }

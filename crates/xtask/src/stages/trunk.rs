@@ -1,52 +1,46 @@
-//! The stage that builds and serves the page with Trunk, as those do who have
-//! it, and compares it with ours.
+//! Stages that build and serve the page with [Trunk](https://trunkrs.dev), and compare it
+//! with the site.
 
-use std::collections::BTreeMap;
-use std::fs;
 use std::net::{Ipv4Addr, TcpListener, TcpStream};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::Duration;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
+use xshell::Cmd;
 
 use super::browser;
-use crate::{paths, process, script, site, tools};
+use crate::shell::Shell;
+use crate::{paths, script, site, tools};
 
-/// `trunk build --release` gives the same files, and the page burns; so does the
-/// one that `trunk serve` serves.
-pub(super) fn same_page(skip_browser: bool) -> Result<()> {
+/// `trunk build --release` gives the files of the site.
+pub(super) fn same_site() -> Result<()> {
     tools::wasm_target()?;
     tools::wasm_bindgen_cli()?;
     tools::trunk()?;
-    process::run(trunk().args(["build", "--release"]))?;
-    compare(&paths::site(), &minified(&paths::trunk_site())?)?;
-    if skip_browser {
-        return Ok(());
-    }
+    let sh = Shell::new()?;
+    trunk(&sh).args(["build", "--release"]).run()?;
+    // Trunk leaves scripts as they are written: they are minified in a copy.
+    let copy = paths::target()?.join("trunk-minified");
+    sh.remove_path(&copy)?;
+    site::copy_folder(&sh, &paths::trunk_site(), &copy)?;
+    site::shorten_imports(&sh, &copy.join("web"))?;
+    script::minify(&copy.join("web"))?;
+    compare(&sh, &paths::site(), &copy)
+}
+
+/// The pages of `trunk build` and of `trunk serve` burn.
+pub(super) fn page_burns() -> Result<()> {
     browser::smoke(&paths::trunk_site(), None)?;
     let served = Served::start()?;
     browser::smoke(&paths::trunk_site(), Some(&served.address))
 }
 
-/// A copy of the site in `folder` with its scripts made small, which Trunk leaves as they
-/// are written.
-fn minified(folder: &Path) -> Result<PathBuf> {
-    let copy = site::target_folder()?.join("trunk-minified");
-    if copy.exists() {
-        fs::remove_dir_all(&copy).with_context(|| format!("cannot clear {}", copy.display()))?;
-    }
-    site::copy_folder(folder, &copy)?;
-    script::minify(&copy.join("web"))?;
-    Ok(copy)
-}
-
-fn trunk() -> Command {
-    let mut trunk = process::command("trunk");
-    // Trunk takes the usual value of this one, 1, for a mistake.
-    trunk.env_remove("NO_COLOR").env("TRUNK_OFFLINE", "true");
-    trunk
+fn trunk(sh: &Shell) -> Cmd<'_> {
+    // Trunk rejects the usual value of NO_COLOR, 1.
+    let trunk = sh.cmd("trunk").env_remove("NO_COLOR");
+    trunk.env("TRUNK_OFFLINE", "true")
 }
 
 /// A `trunk serve` that ends when this is dropped.
@@ -56,13 +50,14 @@ struct Served {
 }
 
 impl Served {
-    /// Starts it and waits until it answers. It does so when it has built.
+    /// Starts it and waits until it answers, which it does once it has built the page.
     fn start() -> Result<Served> {
-        // Nobody else is given this port at once, so it is still free for Trunk.
+        // The system gives this port to nobody else at once, so it is free for Trunk.
         let port = TcpListener::bind((Ipv4Addr::LOCALHOST, 0))?
             .local_addr()?
             .port();
-        let trunk = trunk()
+        let sh = Shell::new()?;
+        let trunk = Command::from(trunk(&sh))
             .args(["serve", "--port", &port.to_string()])
             .stdin(Stdio::null())
             .spawn()
@@ -83,122 +78,67 @@ impl Served {
 
 impl Drop for Served {
     fn drop(&mut self) {
-        // It may have ended by itself; either way it is gone afterwards.
+        // Both fail where Trunk has ended by itself.
         let _ = self.trunk.kill();
         let _ = self.trunk.wait();
     }
 }
 
-/// Fails unless both folders hold the same files. A page may differ in blank
-/// space, and wasm in the names of functions, which our build leaves out.
-fn compare(ours: &Path, theirs: &Path) -> Result<()> {
-    let (ours, theirs) = (files(ours)?, files(theirs)?);
-    let mut complaints = Vec::new();
+/// Fails unless both folders hold the same files. White space of pages may differ, and
+/// wasm, whose function names our build removes.
+fn compare(sh: &Shell, ours: &Path, theirs: &Path) -> Result<()> {
+    let (ours, theirs) = (site::files(sh, ours)?, site::files(sh, theirs)?);
+    let words = |html: &[u8]| -> Vec<String> {
+        let html = String::from_utf8_lossy(html);
+        html.split_whitespace().map(str::to_owned).collect()
+    };
+    let mut differences = Vec::new();
     for (name, content) in &ours {
-        match theirs.get(name) {
-            None => complaints.push(format!("Trunk leaves out {name}")),
-            Some(_) if name.ends_with(".wasm") => {}
-            Some(other) if name.ends_with(".html") => {
-                if words(content) != words(other) {
-                    complaints.push(format!("Trunk's {name} is another"));
-                }
+        let same = match theirs.get(name) {
+            None => {
+                differences.push(format!("Trunk omits {name}"));
+                continue;
             }
-            Some(other) if content != other => {
-                complaints.push(format!("Trunk's {name} is another"));
-            }
-            Some(_) => {}
+            Some(_) if name.ends_with(".wasm") => true,
+            Some(other) if name.ends_with(".html") => words(content) == words(other),
+            Some(other) => content == other,
+        };
+        if !same {
+            differences.push(format!("Trunk's {name} differs"));
         }
     }
     let added = theirs.keys().filter(|name| !ours.contains_key(*name));
-    complaints.extend(added.map(|name| format!("Trunk adds {name}")));
-    if !complaints.is_empty() {
-        bail!("{}", complaints.join("\n"));
-    }
+    differences.extend(added.map(|name| format!("Trunk adds {name}")));
+    ensure!(differences.is_empty(), "{}", differences.join("\n"));
     Ok(())
-}
-
-/// Every file under `folder`: its path there, with `/` between, and its content.
-fn files(folder: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
-    let mut found = BTreeMap::new();
-    let mut open = vec![(String::new(), folder.to_path_buf())];
-    while let Some((prefix, folder)) = open.pop() {
-        let listed =
-            fs::read_dir(&folder).with_context(|| format!("cannot read {}", folder.display()))?;
-        for entry in listed {
-            let entry = entry?;
-            let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
-            if entry.file_type()?.is_dir() {
-                open.push((format!("{name}/"), entry.path()));
-            } else {
-                found.insert(name, fs::read(entry.path())?);
-            }
-        }
-    }
-    Ok(found)
-}
-
-fn words(html: &[u8]) -> Vec<String> {
-    String::from_utf8_lossy(html)
-        .split_whitespace()
-        .map(str::to_owned)
-        .collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn site(name: &str, files: &[(&str, &str)]) -> Result<PathBuf> {
-        let folder =
-            std::env::temp_dir().join(format!("hearth-trunk-{}-{name}", std::process::id()));
-        fs::create_dir_all(folder.join("web"))?;
-        for (path, content) in files {
-            fs::write(folder.join(path), content)?;
-        }
-        Ok(folder)
-    }
-
     #[test]
-    fn differences_that_matter_are_named() -> Result<()> {
-        let ours = site(
-            "ours",
-            &[
-                ("index.html", "<p>a</p>\n\n<p>b</p>\n"),
-                ("web/a.wasm", "1"),
-                ("web/a.js", "1"),
-                ("web/b.js", "1"),
-            ],
-        )?;
-        let same = site(
-            "same",
-            &[
-                ("index.html", "<p>a</p>\n<p>b</p>"),
-                ("web/a.wasm", "2"),
-                ("web/a.js", "1"),
-                ("web/b.js", "1"),
-            ],
-        )?;
-        let other = site(
-            "other",
-            &[
-                ("index.html", "<p>a</p>"),
-                ("web/a.wasm", "1"),
-                ("web/a.js", "2"),
-                ("web/c.js", "1"),
-            ],
-        )?;
-        compare(&ours, &same)?;
-        let said = compare(&ours, &other).err().map(|error| error.to_string());
-        assert_eq!(
-            said.as_deref(),
-            Some(
-                "Trunk's index.html is another\nTrunk's web/a.js is another\n\
-                 Trunk leaves out web/b.js\nTrunk adds web/c.js"
-            )
-        );
-        for folder in [ours, same, other] {
-            fs::remove_dir_all(folder)?;
+    fn only_differences_that_matter_are_named() -> Result<()> {
+        let sh = Shell::new()?;
+        let folder = sh.create_temp_dir()?;
+        for (site, files) in [
+            ("ours", "index.html:a\n\nb a.wasm:1 a.js:1 b.js:1"),
+            ("same", "index.html:a\nb\n a.wasm:2 a.js:1 b.js:1"),
+            ("other", "index.html:a a.wasm:1 a.js:2 web/c.js:1"),
+        ] {
+            let site = folder.path().join(site);
+            for (path, content) in files.split(' ').filter_map(|file| file.split_once(':')) {
+                sh.write_file(site.join(path), content)?;
+            }
         }
+        let [ours, same, other] = ["ours", "same", "other"].map(|site| folder.path().join(site));
+        compare(&sh, &ours, &same)?;
+        let error = compare(&sh, &ours, &other)
+            .err()
+            .map(|error| error.to_string());
+        let named = "Trunk's a.js differs\nTrunk omits b.js\nTrunk's index.html differs\n\
+                     Trunk adds web/c.js";
+        assert_eq!(error.as_deref(), Some(named));
         Ok(())
     }
 }

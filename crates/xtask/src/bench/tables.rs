@@ -1,4 +1,4 @@
-//! The figures as tables.
+//! The figures as tables of Markdown.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -8,8 +8,8 @@ use serde_json::Value;
 use super::figures::{BROWSER, Figures, Row, Time};
 use super::targets;
 
-/// What was measured, and criterion's times of a step, as Markdown.
-pub(super) fn tables(figures: &Figures, native: &BTreeMap<String, f64>) -> String {
+/// What was measured, and criterion's times of a step.
+pub(super) fn all(figures: &Figures, native: &BTreeMap<String, f64>) -> String {
     let mut text = introduction(figures);
     targets_table(&mut text, figures);
     blocks_table(&mut text, figures);
@@ -54,26 +54,19 @@ fn targets_table(text: &mut String, figures: &Figures) {
          | target | | median | best round | |\n|---|--:|--:|--:|---|\n",
     );
     for target in targets::all(figures) {
-        let shown = |figure: fn(Time) -> f64| {
-            let found = target.found.map(|found| target.wanted.show(figure(found)));
-            found.unwrap_or_default()
+        let (what, bound) = (&target.what, &target.bound);
+        let Some(Time { median, best }) = target.measured else {
+            let _ = writeln!(text, "| {what} | {} |  |  | not measured |", bound.words());
+            continue;
         };
-        let verdict = match target.found {
-            // By both: a round in which the other program was disturbed flatters.
-            Some(found) if target.wanted.holds(found.median) && target.wanted.holds(found.best) => {
-                "reached"
-            }
-            Some(_) => "not reached",
-            None => "not measured",
+        // By both: a round in which the other program was disturbed flatters.
+        let reached = if bound.holds(median) && bound.holds(best) {
+            "reached"
+        } else {
+            "not reached"
         };
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} | {verdict} |",
-            target.what,
-            target.wanted.words(),
-            shown(|found| found.median),
-            shown(|found| found.best),
-        );
+        let [limit, median, best] = [bound.words(), bound.show(median), bound.show(best)];
+        let _ = writeln!(text, "| {what} | {limit} | {median} | {best} | {reached} |");
     }
     text.push_str("| allocations a step | 0 | | | held by `tests/tests/allocation.rs` |\n");
 }
@@ -90,19 +83,16 @@ fn blocks_table(text: &mut String, figures: &Figures) {
     for row in rows {
         let own = figures.own("block", BROWSER, row.count);
         let ratio = own.map(|own| row.nanoseconds().over(own.nanoseconds()).median);
+        let ratio = cell(ratio.map(|ratio| format!("{ratio:.2}")));
         let share = figures.share_of_peak(row);
+        let share = cell(share.map(|share| format!("{:.1} %", 100.0 * share.median)));
+        let (Time { median, best }, each) = (row.step, row.nanoseconds().median);
+        let (count, place, neighbours) = (row.count, &row.place, row.neighbours);
+        let label = row.label().replace('|', "\\|");
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {:.1} | {:.3} | {:.3} | {:.1} | {} | {} |",
-            row.count,
-            row.label().replace('|', "\\|"),
-            row.place,
-            row.neighbours,
-            row.step.median,
-            row.step.best,
-            row.nanoseconds().median,
-            cell(share.map(|share| format!("{:.1} %", 100.0 * share.median))),
-            cell(ratio.map(|ratio| format!("{ratio:.2}"))),
+            "| {count} | {label} | {place} | {neighbours:.1} | {median:.3} | {best:.3} | \
+             {each:.1} | {share} | {ratio} |"
         );
     }
 }
@@ -120,18 +110,14 @@ fn fires_table(text: &mut String, figures: &Figures) {
             ("plume", count) => format!("classic plume of up to {count}"),
             _ => continue,
         };
+        let (Time { median, best }, each) = (row.step, row.nanoseconds().median);
+        let (place, particles, neighbours) = (&row.place, row.particles, row.neighbours);
+        let (substeps, steps) = (row.substeps, row.steps_per_frame.unwrap_or_default());
+        let frame = cell(row.frame().map(|frame| format!("{:.2}", frame.median)));
         let _ = writeln!(
             text,
-            "| {name} | {} | {} | {:.1} | {} | {:.3} | {:.3} | {:.0} | {:.1} | {} |",
-            row.place,
-            row.particles,
-            row.neighbours,
-            row.substeps,
-            row.step.median,
-            row.step.best,
-            row.nanoseconds().median,
-            row.steps_a_frame.unwrap_or_default(),
-            cell(row.frame().map(|frame| format!("{:.2}", frame.median))),
+            "| {name} | {place} | {particles} | {neighbours:.1} | {substeps} | {median:.3} | \
+             {best:.3} | {each:.0} | {steps:.1} | {frame} |"
         );
     }
     let throttled = &figures.all["throttled"];
@@ -167,17 +153,9 @@ fn memory_table(text: &mut String, figures: &Figures) {
     };
     text.push_str("\n### Memory\n\n| block | bytes | a particle |\n|--:|--:|--:|\n");
     for one in listed {
-        let (particles, bytes) = (one["particles"].as_f64(), one["bytes"].as_f64());
-        let each = particles
-            .zip(bytes)
-            .map(|(n, bytes)| format!("{:.0}", bytes / n));
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} |",
-            word(&one["particles"]),
-            word(&one["bytes"]),
-            cell(each)
-        );
+        if let (Some(n), Some(bytes)) = (one["particles"].as_f64(), one["bytes"].as_f64()) {
+            let _ = writeln!(text, "| {n} | {bytes} | {:.0} |", bytes / n);
+        }
     }
 }
 
@@ -209,7 +187,7 @@ fn cell(shown: Option<String>) -> String {
     shown.unwrap_or_default()
 }
 
-/// A value as a word of a cell; nothing where there is none.
+/// A value as the text of a cell.
 fn word(value: &Value) -> String {
     match value {
         Value::Null => String::new(),

@@ -31,7 +31,7 @@ fn figures(results: Vec<Value>) -> Result<Figures> {
 
 fn text(results: Vec<Value>) -> Result<String> {
     let native = BTreeMap::from([("fire default".to_owned(), 0.0625)]);
-    Ok(tables(&figures(results)?, &native))
+    Ok(all(&figures(results)?, &native))
 }
 
 #[test]
@@ -43,7 +43,7 @@ fn every_figure_has_its_cell() -> Result<()> {
     ])?;
     for line in [
         "Some \\| CPU (2 cores, Linux x64), with Node 20.1.0 and Chrome/1, in 7 rounds.",
-        "chromium 27.5, native 30.0.",
+        "native 30.0, chromium 27.5.",
         "| 20000 | Hearth | chromium | 20.0 | 1.000 | 0.500 | 50.0 | 40.0 % | 1.00 |",
         "| 20000 | Other | native | 20.0 | 4.000 | 2.000 | 200.0 |  | 4.00 |",
         "| default | node | 3000 | 20.0 | 1 | 0.500 | 0.250 | 167 | 8.0 | 4.00 |",

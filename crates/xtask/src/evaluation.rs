@@ -1,0 +1,56 @@
+//! `docs/evaluation.md`: measured tables between marks, `<!-- name: begin -->` and
+//! `<!-- name: end -->`.
+
+use std::fs;
+
+use anyhow::{Context, Result};
+
+use crate::paths;
+
+const PAGE: &str = "docs/evaluation.md";
+
+/// Fails unless the page has the marks of that name: known before hours are measured.
+pub(crate) fn check(name: &str) -> Result<()> {
+    with_section(name, "").map(drop)
+}
+
+/// Replaces the section of that name.
+pub(crate) fn write(name: &str, section: &str) -> Result<()> {
+    fs::write(paths::root().join(PAGE), with_section(name, section)?)?;
+    println!("wrote {PAGE}");
+    Ok(())
+}
+
+fn with_section(name: &str, section: &str) -> Result<String> {
+    let page = fs::read_to_string(paths::root().join(PAGE)).context(PAGE)?;
+    replaced(&page, name, section).with_context(|| format!("{PAGE} lacks the marks `{name}`"))
+}
+
+/// `page` with another section between the marks of that name.
+pub(crate) fn replaced(page: &str, name: &str, section: &str) -> Option<String> {
+    let (begin, end) = (
+        format!("<!-- {name}: begin -->"),
+        format!("<!-- {name}: end -->"),
+    );
+    let (before, rest) = page.split_once(&begin)?;
+    let (_, after) = rest.split_once(&end)?;
+    Some(format!("{before}{begin}\n\n{section}\n{end}{after}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_text_between_the_marks_is_replaced() {
+        let page = "a\n<!-- b: begin -->\nold\n<!-- b: end -->\nc <!-- d: begin --> d";
+        let once = replaced(page, "b", "new\n").unwrap_or_default();
+        assert_eq!(
+            once,
+            "a\n<!-- b: begin -->\n\nnew\n\n<!-- b: end -->\nc <!-- d: begin --> d"
+        );
+        assert_eq!(replaced(&once, "b", "new\n"), Some(once));
+        assert_eq!(replaced(page, "d", "new"), None);
+        assert_eq!(replaced("no marks", "b", "new"), None);
+    }
+}

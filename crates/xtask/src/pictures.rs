@@ -1,0 +1,95 @@
+//! Pictures of fires, taken in headless Chromium by scripts of `tests/e2e`: `cargo xtask
+//! poster`, `thumbnails` and `showcase`. The same scene gives the same picture; a changed
+//! scene or renderer needs new ones.
+
+use std::fs;
+
+use anyhow::{Result, ensure};
+use xshell::cmd;
+
+use crate::shell::Shell;
+use crate::stages::browser;
+use crate::{paths, tools};
+
+/// Largest animation \[bytes\].
+const LARGEST: u64 = 2_000_000;
+/// Frames a second of the animation.
+const RATE: u32 = 20;
+
+/// Takes `web/poster.jpg`, which a link to the page shows, and the page while its fire
+/// loads: a moment of the scene that the page opens with.
+pub(crate) fn poster() -> Result<()> {
+    let poster = paths::root().join("web/poster.jpg");
+    browser::run_script("poster.mjs", [poster])
+}
+
+/// Takes `web/scenes/NAME.jpg` of these scenes, or of all of them. One is also the picture of
+/// the crate `hearth-fire`.
+pub(crate) fn thumbnails(names: &[String]) -> Result<()> {
+    let folder = paths::root().join("web/scenes");
+    let names = names.iter().map(Into::into);
+    browser::run_script("thumbnails.mjs", std::iter::once(folder).chain(names))?;
+    Ok(Shell::new()?.copy_file("web/scenes/fireside.jpg", "crates/hearth-fire/fire.jpg")?)
+}
+
+/// Takes `docs/fire.webp`, five seconds of the scene that the page opens with.
+pub(crate) fn showcase() -> Result<()> {
+    let img2webp = tools::IMG2WEBP.get()?;
+    let frames = paths::target()?.join("hearth-showcase");
+    let sh = Shell::new()?;
+    sh.remove_path(&frames)?;
+    sh.create_dir(&frames)?;
+    browser::run_script("showcase.mjs", [frames.clone(), RATE.to_string().into()])?;
+
+    // The animation replaces the committed one only if it is small enough.
+    let (pictures, animation) = (sh.read_dir(&frames)?, frames.join("fire.webp"));
+    let frames_made = pictures.len();
+    let milliseconds = (1000 / RATE).to_string();
+    // Every frame is a key frame: differences between frames show as blocks.
+    let options = [
+        "-loop", "0", "-kmin", "0", "-kmax", "1", "-lossy", "-q", "50", "-m", "6",
+    ];
+    cmd!(
+        sh,
+        "{img2webp} {options...} -d {milliseconds} {pictures...} -o {animation}"
+    )
+    .run()?;
+    let size = fs::metadata(&animation)?.len();
+    ensure!(
+        size <= LARGEST,
+        "the animation has {size} bytes, more than {LARGEST}"
+    );
+    sh.copy_file(&animation, "docs/fire.webp")?;
+    println!("docs/fire.webp: {frames_made} frames, {size} bytes");
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use anyhow::Context;
+    use hearth_core::preset::PRESETS;
+
+    use super::*;
+
+    #[test]
+    fn every_scene_has_a_thumbnail_and_every_thumbnail_a_scene() -> Result<()> {
+        let folder = paths::root().join("web/scenes");
+        let mut expected = BTreeSet::new();
+        for preset in PRESETS {
+            let path = folder.join(format!("{}.jpg", preset.name));
+            let missing = "run `cargo xtask thumbnails` and commit the picture";
+            let jpeg = fs::read(&path).with_context(|| format!("{}: {missing}", preset.name))?;
+            let size = imagesize::blob_size(&jpeg)?;
+            assert_eq!((size.width, size.height), (120, 160), "{}", preset.name);
+            assert!(jpeg.len() <= 6000, "{}: {} bytes", preset.name, jpeg.len());
+            expected.insert(path);
+        }
+        let present: BTreeSet<_> = Shell::new()?.read_dir(&folder)?.into_iter().collect();
+        assert_eq!(present, expected);
+        let shown = fs::read(paths::root().join("crates/hearth-fire/fire.jpg"))?;
+        assert_eq!(shown, fs::read(folder.join("fireside.jpg"))?);
+        Ok(())
+    }
+}

@@ -1,0 +1,61 @@
+//! Other programs, run in the checkout with Hearth's own tools on the PATH.
+
+use std::env;
+use std::ops::Deref;
+use std::path::Path;
+
+use anyhow::Result;
+use xshell::Cmd;
+
+use crate::{paths, tools};
+
+/// An [`xshell::Shell`] in the checkout; `cmd!` takes it as one.
+pub(crate) struct Shell(xshell::Shell);
+
+impl Shell {
+    pub(crate) fn new() -> Result<Shell> {
+        let shell = xshell::Shell::new()?;
+        shell.change_dir(paths::root());
+        if let Some(path) = tools::path() {
+            shell.set_var("PATH", path);
+        }
+        Ok(Shell(shell))
+    }
+
+    /// A command without the variables in which `cargo run` describes xtask: build
+    /// scripts of other packages would take them for their own.
+    pub(crate) fn cmd(&self, program: impl AsRef<Path>) -> Cmd<'_> {
+        let foreign = env::vars_os().map(|(name, _)| name).filter(|name| {
+            name.to_str().is_some_and(|name| {
+                name.starts_with("CARGO_PKG_") || name.starts_with("CARGO_MANIFEST_")
+            })
+        });
+        foreign.fold(self.0.cmd(program), |command, name| {
+            command.env_remove(name)
+        })
+    }
+}
+
+impl Deref for Shell {
+    type Target = xshell::Shell;
+
+    fn deref(&self) -> &xshell::Shell {
+        &self.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_names_the_command_that_failed() -> Result<()> {
+        let sh = Shell::new()?;
+        for (program, argument) in [("hearth-no-such", "now"), ("cargo", "hearth-no-such")] {
+            let command = sh.cmd(program).arg(argument);
+            let error = command.ignore_stderr().quiet().run().err();
+            assert!(error.is_some_and(|error| error.to_string().contains("hearth-no-such")));
+        }
+        Ok(())
+    }
+}

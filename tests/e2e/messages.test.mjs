@@ -52,6 +52,11 @@ describe('messages from an allowed origin', () => {
     assert.equal(await value('get', 'seed'), 7);
     assert.deepEqual(await value('exportConfig'), config);
 
+    const added = await value('addObject', { kind: 'source', x: 0.1 });
+    await value('changeObject', added, { x: -0.1 });
+    assert.deepEqual((await value('objects')).map(({ id, x }) => [id, x]), [[1, 0], [added, -0.1]]);
+    await value('removeObject', added);
+
     assert.equal(await value('option', 'quality', 'low'), 'low');
     assert.equal(await value('option', 'quality'), 'low');
     assert.equal(await value('option', 'quality', null), null);

@@ -2,7 +2,7 @@
 
 use hearth_core::params::{Input, ParamError, Parameters};
 use hearth_core::preset::{PRESETS, Preset};
-use hearth_core::scene::{Fields, Scene};
+use hearth_core::scene::Scene;
 
 use crate::check::one_of;
 use crate::{Untrusted, ValidationError, Values};
@@ -12,6 +12,9 @@ const MODEL: &str = "model";
 
 /// The name of the list of objects among values.
 pub const OBJECTS: &str = "objects";
+
+/// The name of the values in settings.
+const VALUES: &str = "values";
 
 /// What a list of objects must be.
 const A_LIST: &str = "an array of objects, each with a kind and its properties";
@@ -48,6 +51,30 @@ fn changed(
     } else {
         Err(errors)
     }
+}
+
+/// `scene` with the `values` and `objects` of settings, all of them or none. Where both
+/// name a property of the first source, the later one counts.
+///
+/// # Errors
+/// Everything that is refused.
+pub fn with_settings(scene: &Scene, config: Values<'_>) -> Result<Scene, Vec<ValidationError>> {
+    let mut new = scene.clone();
+    let mut errors = Vec::new();
+    // Values come first in any case, because the model decides what objects may have; those
+    // that stand behind the objects are set again.
+    let is_values = |(field, _): &&(String, Untrusted)| field == VALUES;
+    for (field, value) in config.iter().filter(is_values).chain(config) {
+        if field == VALUES {
+            change(&mut new, value.fields(), false, &mut errors);
+        } else if field == OBJECTS {
+            replace(&mut new, value, &mut errors);
+        }
+        if !errors.is_empty() {
+            return Err(errors);
+        }
+    }
+    Ok(new)
 }
 
 /// Sets those of these values that are good and adds an error for each other one.
@@ -97,14 +124,15 @@ fn replace(scene: &mut Scene, list: &Untrusted, errors: &mut Vec<ValidationError
     let Untrusted::List(list) = list else {
         return errors.push(ValidationError::new(OBJECTS, list, A_LIST));
     };
-    let sent: Vec<_> = list.iter().map(|one| fields(one.fields())).collect();
-    let sent: Vec<&Fields<'_>> = sent.iter().map(Vec::as_slice).collect();
-    if let Err(refused) = scene.replace(&sent) {
-        errors.extend(refused.iter().map(|error| {
-            let fields = list.iter().flat_map(Untrusted::fields);
-            of_object(error, &mut fields.into_iter())
-        }));
+    let mut new = scene.clone();
+    new.clear();
+    for object in list {
+        let sent = object.fields();
+        if let Err(refused) = new.add(&fields(sent)) {
+            return errors.extend(refused.iter().map(|error| of_object(error, sent)));
+        }
     }
+    *scene = new;
 }
 
 /// `scene` with other properties of the object of that id or, without an id, with another
@@ -128,10 +156,8 @@ pub fn with_object(
     match done {
         Ok(()) => Ok(new),
         Err(refused) => {
-            let errors = refused.iter();
-            Err(errors
-                .map(|error| of_object(error, &mut values.iter()))
-                .collect())
+            let errors = refused.iter().map(|error| of_object(error, values));
+            Err(errors.collect())
         }
     }
 }
@@ -177,12 +203,9 @@ fn fields<'a>(values: Values<'a>) -> Vec<(&'a str, Input<'a>)> {
 
 /// The error of an object's field, with the value that was sent for it.
 #[inline(never)]
-fn of_object(
-    error: &ParamError,
-    sent: &mut dyn Iterator<Item = &(String, Untrusted)>,
-) -> ValidationError {
-    let mut named = sent.filter(|(field, _)| error.id.ends_with(field.as_str()));
-    let value = named.find(|(_, value)| value.input().to_string() == error.value);
+fn of_object(error: &ParamError, sent: Values<'_>) -> ValidationError {
+    let mut named = sent.iter();
+    let value = named.find(|(field, _)| error.id.ends_with(field.as_str()));
     ValidationError::of_parameter(error, value.map_or(&Untrusted::Missing, |(_, value)| value))
 }
 

@@ -148,19 +148,9 @@ impl Scene {
         })
     }
 
-    /// Replaces all objects by these. Properties that the first does not name keep the
-    /// settings' values.
-    ///
-    /// # Errors
-    /// Every field that is refused. Nothing changes then.
-    pub fn replace(&mut self, objects: &[&Fields<'_>]) -> Result<(), Vec<ParamError>> {
-        self.try_to(&mut |new, refused| {
-            new.sources.clear();
-            // One more than there may be is refused, and no further one is looked at.
-            for fields in objects.iter().take(MAX_OBJECTS + 1) {
-                new.insert(fields, refused);
-            }
-        })
+    /// Removes all objects. The settings keep the values of the first source for the next.
+    pub fn clear(&mut self) {
+        self.sources.clear();
     }
 
     /// Lets `act` change a copy and takes it over where nothing was refused.

@@ -39,10 +39,8 @@ pub struct Config<'a> {
     pub preset: Option<&'a str>,
     /// The values that differ from it.
     pub values: Values<'a>,
-    /// The objects, where they differ from it.
-    pub objects: &'a Untrusted,
-    /// Whether the values stand behind the objects.
-    values_last: bool,
+    /// All fields, in their order.
+    fields: Values<'a>,
 }
 
 impl<'a> Config<'a> {
@@ -71,12 +69,10 @@ impl<'a> Config<'a> {
             let allowed = "beside the values, not among them";
             return Err(ValidationError::new(id, value, allowed));
         }
-        let at = |name| fields.iter().position(|(known, _)| known == name);
         Ok(Config {
             preset: Argument::read(config.field("preset")),
             values,
-            objects: config.field(OBJECTS),
-            values_last: at("values") > at(OBJECTS),
+            fields,
         })
     }
 
@@ -99,14 +95,7 @@ impl<'a> Config<'a> {
             Some(name) => Requested::of_preset(name)?,
             None => Requested::default(),
         };
-        let mut scene = settings::with_values(&base.scene, self.values)?;
-        if !self.objects.is_missing() {
-            let objects = [Untrusted::named(OBJECTS, self.objects.clone())];
-            scene = settings::with_values(&scene, &objects)?;
-            if self.values_last {
-                scene = settings::with_values(&scene, self.values)?;
-            }
-        }
+        let scene = settings::with_settings(&base.scene, self.fields)?;
         let named = self.values.iter().any(|(id, _)| id == COUNT);
         Ok(Requested {
             count_overridden: named && scene.settings().model() == Model::Combustion,

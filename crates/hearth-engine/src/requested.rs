@@ -90,7 +90,16 @@ impl Requested {
     /// # Errors
     /// What is refused of it.
     pub fn after(&self, command: &Command<'_>) -> Option<Result<Requested, Vec<ValidationError>>> {
+        let object = match command {
+            Command::AddObject { object, .. } => Some((None, Some(*object))),
+            Command::ChangeObject { id, values, .. } => Some((Some(id.0), Some(*values))),
+            Command::RemoveObject { id, .. } => Some((Some(id.0), None)),
+            _ => None,
+        };
         let (scene, overridden) = match command {
+            _ if let Some((id, sent)) = object => {
+                (settings::with_object(&self.scene, id, sent), None)
+            }
             Command::Set { values, .. } => {
                 let named = values.iter().any(|(id, _)| id == COUNT);
                 let set = settings::with_values(&self.scene, values);
@@ -104,17 +113,6 @@ impl Requested {
                     .collect();
                 let restored = settings::with_defaults(&self.scene, &ids);
                 (restored, named.then_some(false))
-            }
-            Command::AddObject { object, .. } => {
-                (settings::with_object(&self.scene, None, Some(object)), None)
-            }
-            Command::ChangeObject { id, values, .. } => {
-                let id = Some(id.0 as u32);
-                (settings::with_object(&self.scene, id, Some(values)), None)
-            }
-            Command::RemoveObject { id, .. } => {
-                let id = Some(id.0 as u32);
-                (settings::with_object(&self.scene, id, None), None)
             }
             Command::Preset { name, .. } => return Some(Requested::of_preset(name)),
             Command::Import { config, .. } => return Some(Config::requested_by(config)),

@@ -98,29 +98,6 @@ impl Fire {
         Ok(())
     }
 
-    /// The objects, each with its kind, its id and its properties.
-    #[wasm_bindgen(getter)]
-    pub fn objects(&self) -> JsValue {
-        settings::objects(self.simulation.scene(), None).to_js()
-    }
-
-    /// Changes the object of that id or, without an id, adds one and returns its id;
-    /// without properties, removes it.
-    ///
-    /// # Errors
-    /// There is no such object, or every property that is refused.
-    #[wasm_bindgen(js_name = setObject)]
-    pub fn set_object(&mut self, id: Option<u32>, object: JsValue) -> Result<u32, JsValue> {
-        let object = Untrusted::of(&object);
-        let fields = (!object.is_missing()).then(|| object.fields());
-        let scene = self.simulation.scene();
-        let scene = settings::with_object(scene, id, fields).map_err(thrown)?;
-        let last = scene.objects().last();
-        let last = last.map_or(0, |(id, ..)| id);
-        self.simulation.set_scene(scene);
-        Ok(last)
-    }
-
     /// The numbers by which particles are known from step to step.
     pub fn ids(&self) -> Vec<f64> {
         particles::ids(&self.simulation)
@@ -155,7 +132,7 @@ fn columns(ids: &Array, values: &Array) -> Vec<(String, Untrusted)> {
     let mut pairs = Vec::new();
     for at in 0..ids.length() {
         let id = ids.get(at).as_string().unwrap_or_default();
-        pairs.push((id, Untrusted::of(&values.get(at))));
+        pairs.push((id, Untrusted::scalar(&values.get(at))));
     }
     pairs
 }

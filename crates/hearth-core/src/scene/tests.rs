@@ -145,12 +145,6 @@ fn a_refusal_names_object_property_value_and_range_and_changes_nothing() {
         "id = 7 is refused: it must be the id of an object that there is"
     );
     assert_eq!(scene, before);
-    let two: [&Fields<'_>; 2] = [&[SOURCE], &[SOURCE, ("x", text("a"))]];
-    let said = words(scene.replace(&two));
-    assert!(
-        said.starts_with("objects[1].x = \"a\" is refused"),
-        "{said}"
-    );
     assert_eq!(scene, before);
 }
 
@@ -170,18 +164,15 @@ fn there_are_so_many_objects_and_no_more() {
 }
 
 #[test]
-fn objects_are_replaced_all_or_none() {
+fn a_cleared_scene_keeps_the_values_of_its_source() {
     let mut scene = Scene::default();
-    let candles: [&Fields<'_>; 2] = [
-        &[SOURCE, ("id", number(7.0)), ("x", number(-0.3))],
-        &[("power", number(20.0)), SOURCE],
-    ];
-    assert_eq!(scene.replace(&candles), Ok(()));
-    assert_eq!(ids(&scene), [7, 1]);
-    assert_eq!(scene.settings().source_x, -0.3);
-    assert_eq!(scene.replace(&[]), Ok(()));
+    assert_eq!(scene.change(1, &[("x", number(-0.3))]), Ok(()));
+    assert_eq!(scene.add(&[SOURCE, ("id", number(7.0))]), Ok(7));
+    scene.clear();
     assert_eq!(scene.objects().len(), 0);
     assert_eq!(scene.settings().source_x, -0.3);
+    assert_eq!(scene.add(&[("power", number(20.0)), SOURCE]), Ok(1));
+    assert_eq!(scene.settings().fuel_power, 20.0);
 }
 
 fn burnt(scene: &Scene, seconds: f64) -> Simulation {

@@ -11,9 +11,11 @@ import type {
   HearthChangeDetail,
   HearthErrorDetail,
   HearthFire,
+  HearthObject,
   HearthObjectsDetail,
   HearthQuality,
   HearthQualityDetail,
+  HearthStats,
   PresetName,
 } from './hearth-fire.js';
 

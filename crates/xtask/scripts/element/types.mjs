@@ -64,7 +64,7 @@ export function reactTypes({ properties, parameters, events }) {
     ...parameters.map((one) => entry(one.about, one.attribute, asText(one))),
   ].join('');
   const listens = events.map((one) => entry(one.doc, `on${one.name}`, `((event: CustomEvent<${one.type}>) => void)`)).join('');
-  const names = [...NAMES['./element/types.js'], 'HearthFire', 'PresetName'].sort();
+  const names = [...Object.values(NAMES).flat(), 'HearthFire'].sort();
   return `${HEADER}
 /**
  * \`<hearth-fire>\` in JSX, for React 19 and newer: \`import 'hearth-fire/react'\`

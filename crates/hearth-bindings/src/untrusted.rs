@@ -1,7 +1,7 @@
 //! Values from JavaScript, copied before anything is believed.
 //!
 //! Scripts copy what a page gives them into plain data first (`postable` in
-//! `web/requests.js`, `columns` in `web/sim.js`), so no getter of a page runs while wasm
+//! `web/element/requests.js`, `columns` in `web/sim.js`), so no getter of a page runs while wasm
 //! does. Here the plain data becomes a tree in Rust, which needs no browser to be checked.
 
 use hearth_core::params::{Input, Value};

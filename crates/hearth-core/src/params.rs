@@ -23,8 +23,8 @@ use table::{Place, parameters};
 
 pub use choices::{Backdrop, Choice, DisplayMode, Layers, Model, Palette, Walls};
 pub use quantity::Quantity;
-pub use table::{Description, Domain, Kind, Param, Role, Scale, Selection, selections_in_words};
-pub use value::{Colour, Input, ParamError, Refusal, Value};
+pub use table::{Condition, Description, Domain, Kind, Param, Role, Scale, conditions_in_words};
+pub use value::{Colour, Input, ParamError, ParamErrorKind, Value};
 
 /// The displays that show light, so that its brightness and its colours count.
 const LIGHT: &[&str] = &["fire", "paper", "sprites"];
@@ -287,7 +287,7 @@ parameters! {
 const MODEL: &str = "model";
 
 /// Whether one of these names is chosen.
-fn is_chosen(parameters: &Parameters, &(id, names): &Selection) -> bool {
+fn is_chosen(parameters: &Parameters, &(id, names): &Condition) -> bool {
     match parameters.get(id) {
         Some(Value::Choice(name)) => names.contains(&name),
         _ => true,
@@ -467,7 +467,7 @@ fn unknown(id: &str, input: Input<'_>) -> ParamError {
     ParamError {
         id: Input::Text(id).to_string().trim_matches('"').to_owned(),
         value: input.to_string(),
-        reason: Refusal::UnknownId {
+        kind: ParamErrorKind::UnknownId {
             nearest: table::nearest_id(id),
         },
     }
@@ -490,14 +490,17 @@ impl Param {
 
     /// The choices that would have to be other ones for its value to count, with the
     /// names that would do.
-    pub fn waits_for(&self, parameters: &Parameters) -> impl Iterator<Item = &'static Selection> {
+    pub fn unmet_conditions(
+        &self,
+        parameters: &Parameters,
+    ) -> impl Iterator<Item = &'static Condition> {
         let when = self.description().when.iter();
         when.filter(|chosen| !is_chosen(parameters, chosen))
     }
 
     /// The choices that together leave its value without an effect; empty: it has one,
     /// if it does not wait for others.
-    pub fn ruled_out_by(&self, parameters: &Parameters) -> &'static [Selection] {
+    pub fn met_exclusions(&self, parameters: &Parameters) -> &'static [Condition] {
         let unless = self.description().unless;
         if unless.iter().all(|chosen| is_chosen(parameters, chosen)) {
             unless

@@ -3,7 +3,7 @@
 //! its one validator.
 
 use super::choices::{Choice, Model};
-use super::value::{Colour, Input, ParamError, Refusal, Value};
+use super::value::{Colour, Input, ParamError, ParamErrorKind, Value};
 use super::{Field, Parameters};
 
 /// How a slider spreads a range.
@@ -83,19 +83,19 @@ pub struct Description {
     pub doc: &'static str,
     /// The choices that each must have one of these names, or its value shows nowhere;
     /// empty: none has to. It can be set all the same.
-    pub when: &'static [Selection],
+    pub when: &'static [Condition],
     /// The choices with whose names, all of them chosen together, it shows nowhere
     /// either; empty: there are none.
-    pub unless: &'static [Selection],
+    pub unless: &'static [Condition],
 }
 
 /// A choice, by its id, and some of its names.
-pub type Selection = (&'static str, &'static [&'static str]);
+pub type Condition = (&'static str, &'static [&'static str]);
 
 /// Choices as words, "layers both or fire and display fire", each id and each name as
 /// these say it.
-pub fn selections_in_words<'a>(
-    all: impl IntoIterator<Item = &'a Selection>,
+pub fn conditions_in_words<'a>(
+    all: impl IntoIterator<Item = &'a Condition>,
     id_in_words: impl Fn(&str) -> String,
     name_in_words: impl Fn(&str) -> String,
 ) -> String {
@@ -139,10 +139,10 @@ impl Param {
     /// Checks `input` against the kind and the range: **the** validator.
     pub(super) fn check(&self, model: Model, input: Input<'_>) -> Result<Value, ParamError> {
         let (min, max) = self.any_domain(model).range;
-        let refuse = |reason| ParamError {
+        let refuse = |kind| ParamError {
             id: self.id.to_owned(),
             value: input.to_string(),
-            reason,
+            kind,
         };
         let in_range = |whole: bool| {
             input
@@ -154,7 +154,7 @@ impl Param {
                         || !whole && [min, max].iter().any(|&end| x as f32 == end as f32)
                 })
                 .ok_or_else(|| {
-                    refuse(Refusal::OutOfRange {
+                    refuse(ParamErrorKind::OutOfRange {
                         min,
                         max,
                         unit: self.unit,
@@ -172,17 +172,17 @@ impl Param {
                 Input::Number(_) | Input::Flag(_) => None,
             }
             .map(|name| Value::Choice(name))
-            .ok_or_else(|| refuse(Refusal::NotAChoice { choices })),
+            .ok_or_else(|| refuse(ParamErrorKind::NotAChoice { choices })),
             Kind::Flag => input
                 .flag()
                 .map(Value::Flag)
-                .ok_or_else(|| refuse(Refusal::NotAFlag)),
+                .ok_or_else(|| refuse(ParamErrorKind::NotAFlag)),
             Kind::Colour => match input {
                 Input::Text(text) => Colour::parse(text),
                 Input::Number(_) | Input::Flag(_) => None,
             }
             .map(Value::Colour)
-            .ok_or_else(|| refuse(Refusal::NotAColour)),
+            .ok_or_else(|| refuse(ParamErrorKind::NotAColour)),
         }
     }
 }

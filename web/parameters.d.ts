@@ -1,5 +1,5 @@
 // Generated from the parameter table of hearth-core by `cargo xtask codegen`;
-// edit crates/hearth-core/src/params.rs instead.
+// edit crates/hearth-core/src/params/table.rs instead.
 
 /** Which equations move the particles. */
 export type ModelName = "classic" | "combustion";

@@ -1,5 +1,5 @@
 // Generated from the parameter table of hearth-core by `cargo xtask codegen`;
-// edit crates/hearth-core/src/params.rs instead.
+// edit crates/hearth-core/src/params/table.rs instead.
 
 /** Every parameter, in the order in which a panel shows them. */
 export const PARAMETERS = [

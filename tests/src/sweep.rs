@@ -159,7 +159,7 @@ pub fn burn(fire: &mut Simulation, seconds: f64) -> Fared {
         fire.step();
         steps += 1;
         let report = fire.report();
-        held += f64::from(report.at_guard);
+        held += f64::from(report.clamped);
         held_back += f64::from(report.speed_limited);
         moved += fire.count() as f64;
         // The classic model divides a step.
@@ -232,7 +232,7 @@ fn recovers(fire: &mut Simulation) -> Option<String> {
         let length = fire.time() - before;
         energy += f64::from(fire.report().power) * length;
         particle_seconds += fire.count() as f64 * length;
-        held += fire.report().at_guard;
+        held += fire.report().clamped;
     }
     if let Some(fault) = fault(fire) {
         return Some(fault);

@@ -159,7 +159,7 @@ fn a_burner_that_is_off_leaves_the_air_alone() {
     assert!(fire.oxygens().iter().all(|&oxygen| oxygen == 1.0));
     fire.write_instances(&mut instances);
     assert_eq!((instances.len(), fire.report().power), (0, 0.0));
-    assert!(fire.report().fastest < 0.3, "{}", fire.report().fastest);
+    assert!(fire.report().max_speed < 0.3, "{}", fire.report().max_speed);
 }
 
 #[test]

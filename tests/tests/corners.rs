@@ -95,8 +95,8 @@ fn a_fire_that_broke_the_speed_limit_recovers() {
             ("printed_divisor", Input::Flag(true)),
         ],
     );
-    assert!(fire.report().at_guard > 0, "it was not wild");
+    assert!(fire.report().clamped > 0, "it was not wild");
     assert_eq!(sweep::burn(&mut fire, SECONDS).fault(), None);
-    assert_eq!(fire.report().at_guard, 0);
+    assert_eq!(fire.report().clamped, 0);
     assert!((700..=1000).contains(&fire.count()), "{}", fire.count());
 }

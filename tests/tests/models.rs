@@ -168,7 +168,7 @@ fn live_changes_bring_no_heat_however_many_there_are() {
         // Nor do they bang.
         let mut fastest: f32 = 0.0;
         watch(&mut fire, 0.1, |fire| {
-            fastest = fastest.max(fire.report().fastest)
+            fastest = fastest.max(fire.report().max_speed)
         });
         assert!(fastest < 5.0, "{id}: {fastest} m/s");
     }

@@ -1,7 +1,7 @@
 //! Every parameter does something, and whatever cannot be is refused in words.
 #![cfg(not(target_arch = "wasm32"))]
 
-use hearth_core::params::{Input, Kind, Model, PARAMETERS, Param, Refusal};
+use hearth_core::params::{Input, Kind, Model, PARAMETERS, Param, ParamErrorKind};
 use hearth_core::{Parameters, Simulation};
 use hearth_tests::fires::{self, with};
 use hearth_tests::sweep::is_shown_only;
@@ -130,9 +130,9 @@ fn an_unknown_id_names_the_nearest_known_one() {
     let nearest = |id| match Parameters::new(Model::Classic)
         .set(id, Input::Number(0.0))
         .expect_err("unknown")
-        .reason
+        .kind
     {
-        Refusal::UnknownId { nearest } => nearest,
+        ParamErrorKind::UnknownId { nearest } => nearest,
         other => panic!("{other:?}"),
     };
     assert_eq!(nearest("viscosty"), Some("viscosity"));

@@ -71,7 +71,7 @@ fn a_fire_that_is_moved_goes_on_without_a_burst_or_a_hole() {
     // From side to side at once is the hardest.
     let mut fire = burn(combustion(&[("source_x", -0.25)]), 2.0);
     let (before, _) = means(&mut fire, 1.0);
-    let fastest = fire.report().fastest;
+    let fastest = fire.report().max_speed;
     put(&mut fire, 0.25);
     for _ in 0..10 {
         let (power, _) = means(&mut fire, 0.1);
@@ -79,7 +79,7 @@ fn a_fire_that_is_moved_goes_on_without_a_burst_or_a_hole() {
             (0.6..1.4).contains(&(power / before)),
             "{power} after {before} kW/m"
         );
-        let now = fire.report().fastest;
+        let now = fire.report().max_speed;
         assert!(now < 2.0 * fastest, "{now} after {fastest} m/s");
     }
     assert!((middle(&fire) - 0.25).abs() < 0.1, "{}", middle(&fire));
@@ -103,7 +103,7 @@ fn a_fire_that_is_put_outside_burns_at_the_side() {
         combustion(&[("source_x", 3.0)]),
         with_numbers(&[("source_x", 3.0)]),
     ] {
-        let source = Source::of(&parameters).foot.x;
+        let source = Source::of(&parameters).base.x;
         assert!(source > 0.2 && source < 0.5 * parameters.domain_width);
         let mut fire = burn(parameters, 1.0);
         burn_on(&mut fire, 0.5);

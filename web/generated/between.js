@@ -1,5 +1,5 @@
 // Generated from the parameter table of hearth-core by `cargo xtask codegen`;
-// edit crates/hearth-core/src/params.rs instead.
+// edit crates/hearth-core/src/params/table.rs instead.
 
 /** The parameters whose equal steps are equal ratios. */
 export const LOGARITHMIC = ["emission_rate","time_scale","burn_time","soot_life","particle_size","turbulence_scale","ember_size","smoke_life","domain_width","domain_height","time_step","smoothing_radius","particle_mass","gas_constant","stiffness"];

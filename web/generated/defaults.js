@@ -1,5 +1,5 @@
 // Generated from the parameter table of hearth-core by `cargo xtask codegen`;
-// edit crates/hearth-core/src/params.rs instead.
+// edit crates/hearth-core/src/params/table.rs instead.
 
 /** What a new fire burns with: every parameter, the model first. */
 export const DEFAULTS = {

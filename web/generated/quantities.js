@@ -1,5 +1,5 @@
 // Generated from the parameter table of hearth-core by `cargo xtask codegen`;
-// edit crates/hearth-core/src/params.rs instead.
+// edit crates/hearth-core/src/params/table.rs instead.
 
 /** What the colours of a display mode measure; modes that show a fire are absent. */
 export const QUANTITIES = {

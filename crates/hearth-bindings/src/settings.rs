@@ -78,7 +78,7 @@ pub fn with_settings(scene: &Scene, config: Values<'_>) -> Result<Scene, Vec<Val
 }
 
 /// Sets those of these values that are good and adds an error for each other one.
-pub fn set_good(scene: &mut Scene, values: Values<'_>, errors: &mut Vec<ValidationError>) {
+pub fn set_valid(scene: &mut Scene, values: Values<'_>, errors: &mut Vec<ValidationError>) {
     change(scene, values, false, errors);
 }
 

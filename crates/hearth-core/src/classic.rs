@@ -135,8 +135,8 @@ impl Solver for Classic {
             mean_neighbours,
             max_neighbours,
             speed_limited: self.motion.limited,
-            at_guard: self.motion.limited,
-            fastest: self.motion.fastest,
+            clamped: self.motion.limited,
+            max_speed: self.motion.fastest,
             length: values.time_step,
             ..StepReport::default()
         }

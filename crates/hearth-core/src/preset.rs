@@ -3,51 +3,18 @@
 //! Each is a file of `scenes/` in Hearth's repository, and `cargo xtask codegen` writes
 //! the table of all of them: this crate reads no file, and carries none.
 
+mod definition;
 // Written by a program, in a form of its own.
 #[rustfmt::skip]
 mod scenes;
 
-use crate::params::{Input, Parameters};
-use crate::scene::Scene;
-
+pub use definition::{Caption, Preset};
 pub use scenes::{CAPTIONS, PRESETS};
-
-/// A named set of values: the defaults, with these changed.
-#[derive(Debug)]
-pub struct Preset {
-    /// Its name in attributes and URLs.
-    pub name: &'static str,
-    /// What differs from the defaults.
-    pub values: &'static [(&'static str, Input<'static>)],
-}
-
-/// What a person reads about a preset. It stands apart, so that an engine that
-/// shows none of it carries none.
-#[derive(Debug)]
-pub struct Caption {
-    /// Its name.
-    pub label: &'static str,
-    /// What there is to see, in a sentence.
-    pub description: &'static str,
-}
 
 impl Preset {
     /// The preset of that name.
     pub fn find(name: &str) -> Option<&'static Preset> {
         PRESETS.iter().find(|preset| preset.name == name)
-    }
-
-    /// Its values.
-    pub fn parameters(&self) -> Parameters {
-        let mut parameters = Parameters::default();
-        let set = parameters.set_all(self.values.iter().copied());
-        debug_assert!(set.is_ok(), "preset {}: {set:?}", self.name);
-        parameters
-    }
-
-    /// Its scene: these values, with one source.
-    pub fn scene(&self) -> Scene {
-        Scene::new(self.parameters())
     }
 
     /// What a person reads about it.
@@ -63,6 +30,7 @@ impl Preset {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::params::{Input, Parameters};
 
     #[test]
     fn every_value_of_every_preset_is_accepted_and_read_back() {

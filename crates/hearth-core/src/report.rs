@@ -12,11 +12,11 @@ pub struct StepReport {
     pub max_neighbours: u32,
     /// Particles that the speed limit slowed down in the last substep.
     pub speed_limited: u32,
-    /// Particles that any safety net held: the speed limit or, in the combustion model,
-    /// the farthest that shifting may move one.
-    pub at_guard: u32,
-    /// Speed of the fastest particle [m/s].
-    pub fastest: f32,
+    /// Particles whose motion a limit clamped: the speed limit or, in the combustion model,
+    /// the largest displacement by shifting.
+    pub clamped: u32,
+    /// Largest speed of a particle [m/s].
+    pub max_speed: f32,
     /// Length of the step \[s\].
     pub length: f32,
     /// Power of the burning [kW/m]; zero in the classic model.

@@ -9,7 +9,7 @@ mod kinds;
 #[cfg(test)]
 mod tests;
 
-use crate::params::{Input, ParamError, Parameters, Refusal};
+use crate::params::{Input, ParamError, ParamErrorKind, Parameters};
 
 pub use kinds::{KINDS, Kind, Property};
 
@@ -280,7 +280,7 @@ fn must_be(id: String, input: Input<'_>, words: &'static str) -> ParamError {
     ParamError {
         id,
         value: input.to_string(),
-        reason: Refusal::Other(words),
+        kind: ParamErrorKind::Other(words),
     }
 }
 

@@ -9,7 +9,7 @@ use crate::params::Physics;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Source {
     /// Middle of its lower edge \[m\].
-    pub foot: Vec2,
+    pub base: Vec2,
     /// Its width \[m\].
     pub width: f32,
 }
@@ -44,7 +44,7 @@ mod tests {
                     ("source_width", 0.3),
                 ];
                 let source = Source {
-                    foot: Vec2::new(x as f32, 0.5),
+                    base: Vec2::new(x as f32, 0.5),
                     width: 0.3,
                 };
                 assert_eq!(of(model, &values).0, source);
@@ -56,7 +56,7 @@ mod tests {
     fn a_burner_is_not_below_the_seam_and_not_narrower_than_the_gas_can_tell() {
         let values = [("source_height", 0.0), ("source_width", 0.01)];
         let (source, parameters) = of(Model::Combustion, &values);
-        assert_eq!(source.foot.y, parameters.seam * parameters.domain_height);
+        assert_eq!(source.base.y, parameters.seam * parameters.domain_height);
         assert_eq!(source.width, 4.0 * parameters.spacing());
     }
 
@@ -80,12 +80,12 @@ mod tests {
                         Model::Combustion => side - parameters.seam * parameters.domain_width,
                     };
                     assert!(
-                        source.foot.x.abs() <= free.max(0.0) + 1e-6,
+                        source.base.x.abs() <= free.max(0.0) + 1e-6,
                         "{source:?} of {x} in {domain}"
                     );
                     let wanted = x.abs() as f32;
                     assert!(
-                        source.foot.x.abs() >= wanted.min(free) - 1e-6,
+                        source.base.x.abs() >= wanted.min(free) - 1e-6,
                         "{source:?} of {x} in {domain}"
                     );
                 }

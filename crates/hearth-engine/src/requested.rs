@@ -79,7 +79,7 @@ impl Requested {
         }
         requested.count_overridden |= start.count_overridden;
         for values in [start.kept, start.values] {
-            settings::set_good(&mut requested.scene, values, &mut errors);
+            settings::set_valid(&mut requested.scene, values, &mut errors);
         }
         (requested, errors)
     }

@@ -63,7 +63,7 @@ impl Warm {
         if !self.kept.is_empty() {
             match simulation.restore_burning(&self.kept) {
                 Ok(()) => return None,
-                Err(BurningError::Other) => {}
+                Err(BurningError::OtherValues) => {}
                 Err(BurningError::Damaged(words)) => {
                     self.kept.clear();
                     wrong = Some(words);

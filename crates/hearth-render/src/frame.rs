@@ -206,7 +206,7 @@ impl<'a> Frame<'a> {
     /// Where the wall of the backdrop meets the floor, in heights of the domain: the fire stands
     /// on the floor, a little in front of the wall.
     pub fn wall_foot(&self) -> f32 {
-        (self.source.foot.y / self.parameters.domain_height).min(HIGHEST) + BEHIND
+        (self.source.base.y / self.parameters.domain_height).min(HIGHEST) + BEHIND
     }
 }
 

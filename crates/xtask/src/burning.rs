@@ -103,7 +103,10 @@ mod tests {
             assert_eq!(own.restore_burning(&bytes), Ok(()), "{name}");
             values.set("fuel_power", Input::Number(123.0))?;
             let refused = Simulation::new(values).restore_burning(&bytes);
-            assert_eq!(refused, Err(hearth_core::burning::BurningError::Other));
+            assert_eq!(
+                refused,
+                Err(hearth_core::burning::BurningError::OtherValues)
+            );
         }
         Ok(())
     }

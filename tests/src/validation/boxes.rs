@@ -111,7 +111,7 @@ pub(super) fn run(
             return true;
         }
         step(simulation);
-        if !simulation.report().fastest.is_finite() {
+        if !simulation.report().max_speed.is_finite() {
             return false;
         }
     }

@@ -151,7 +151,7 @@ pub(crate) fn place(values: &Physics) -> source::Source {
     let top = (values.domain_height - rise).max(0.0);
     let width = values.source_width.min(values.domain_width);
     source::Source {
-        foot: Vec2::new(
+        base: Vec2::new(
             source::middle(values, width, 0.0),
             values.source_height.min(top),
         ),
@@ -175,7 +175,7 @@ impl Source {
     fn new(values: &Physics, time: f64) -> Source {
         let place = place(values);
         Source {
-            middle: place.foot,
+            middle: place.base,
             half_width: 0.5 * place.width,
             rise: values.emission_speed * values.time_step,
             room: ROOM * (values.particle_mass / values.rest_density).sqrt(),

@@ -1,6 +1,6 @@
 //! What a display mode measures.
 
-use super::DisplayMode;
+use super::choices::DisplayMode;
 
 /// A quantity of the gas that a picture shows by colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -249,7 +249,7 @@ fn what_counts_for_nothing_says_what_it_waits_for_and_is_set_all_the_same() {
     let mut parameters = Parameters::default();
     let waits = |parameters: &Parameters, id| {
         let param = Param::find(id).expect("it is of the table");
-        let ids = param.waits_for(parameters).map(|&(id, _)| id);
+        let ids = param.unmet_conditions(parameters).map(|&(id, _)| id);
         ids.collect::<Vec<_>>()
     };
     assert_eq!(waits(&parameters, "cool_colour"), ["palette"]);

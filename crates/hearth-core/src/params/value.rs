@@ -171,12 +171,12 @@ pub struct ParamError {
     /// The value as it was sent.
     pub value: String,
     /// What was wrong with it.
-    pub reason: Refusal,
+    pub kind: ParamErrorKind,
 }
 
 /// What is wrong with a refused value.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Refusal {
+pub enum ParamErrorKind {
     /// No parameter has this id; the nearest known one, where there is one.
     UnknownId {
         /// The known id that differs least.
@@ -208,16 +208,16 @@ pub enum Refusal {
 
 impl fmt::Display for ParamError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let ParamError { id, value, reason } = self;
-        match reason {
-            Refusal::UnknownId { nearest } => {
+        let ParamError { id, value, kind } = self;
+        match kind {
+            ParamErrorKind::UnknownId { nearest } => {
                 write!(f, "there is no parameter \"{id}\"")?;
                 match nearest {
                     Some(nearest) => write!(f, "; did you mean \"{nearest}\"?"),
                     None => Ok(()),
                 }
             }
-            Refusal::OutOfRange {
+            ParamErrorKind::OutOfRange {
                 min,
                 max,
                 unit,
@@ -231,19 +231,23 @@ impl fmt::Display for ParamError {
                     "{id} = {value} is refused: it must be {kind} from {min} to {max}{space}{unit}"
                 )
             }
-            Refusal::NotAChoice { choices } => {
+            ParamErrorKind::NotAChoice { choices } => {
                 write!(
                     f,
                     "{id} = {value} is refused: it must be one of {}",
                     choices.join(", ")
                 )
             }
-            Refusal::NotAFlag => write!(f, "{id} = {value} is refused: it must be true or false"),
-            Refusal::NotAColour => write!(
+            ParamErrorKind::NotAFlag => {
+                write!(f, "{id} = {value} is refused: it must be true or false")
+            }
+            ParamErrorKind::NotAColour => write!(
                 f,
                 "{id} = {value} is refused: it must be transparent, #rgb, #rrggbb or #rrggbbaa"
             ),
-            Refusal::Other(allowed) => write!(f, "{id} = {value} is refused: it must be {allowed}"),
+            ParamErrorKind::Other(allowed) => {
+                write!(f, "{id} = {value} is refused: it must be {allowed}")
+            }
         }
     }
 }
@@ -253,8 +257,8 @@ impl std::error::Error for ParamError {}
 impl ParamError {
     /// Smallest and largest allowed value, where the parameter has them.
     pub fn range(&self) -> Option<(f64, f64)> {
-        match self.reason {
-            Refusal::OutOfRange { min, max, .. } => Some((min, max)),
+        match self.kind {
+            ParamErrorKind::OutOfRange { min, max, .. } => Some((min, max)),
             _ => None,
         }
     }

@@ -1,6 +1,6 @@
 // Generated from the files of scenes/ by `cargo xtask codegen`; edit those instead.
 
-use super::{Caption, Preset};
+use super::definition::{Caption, Preset};
 use crate::params::Input;
 
 /// Every preset: the default one, then those of each model by their names.

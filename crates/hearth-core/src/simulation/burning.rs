@@ -41,7 +41,7 @@ const HOTTEST_EMBER: f32 = 2500.0;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BurningError {
     /// They burnt with other values, or in another model: nothing is wrong with them.
-    Other,
+    OtherValues,
     /// They are damaged, in words.
     Damaged(&'static str),
 }
@@ -49,7 +49,7 @@ pub enum BurningError {
 impl fmt::Display for BurningError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            BurningError::Other => "the burning fire is one of other values",
+            BurningError::OtherValues => "the burning fire is one of other values",
             BurningError::Damaged(words) => words,
         })
     }
@@ -135,10 +135,10 @@ impl Simulation {
         let head = Head::read(&mut bytes).ok_or(BurningError::Damaged(NO_FIRE))?;
         head.check(bytes.0.len()).map_err(BurningError::Damaged)?;
         let Some(gas) = self.solver.combustion_mut() else {
-            return Err(BurningError::Other);
+            return Err(BurningError::OtherValues);
         };
         if head.digest != digest(&self.scene) {
-            return Err(BurningError::Other);
+            return Err(BurningError::OtherValues);
         }
         let parameters = self.scene.settings();
         let [velocity, hot, sooty, flight, size, life] = head.scales;
@@ -287,9 +287,12 @@ mod tests {
         let bytes = burnt(values.clone(), 0.1).burning().unwrap_or_default();
         let mut fire = burnt(with(&[("max_particles", 1000.0), ("wind", 1.0)]), 0.05);
         let before = fire.particles();
-        assert_eq!(fire.restore_burning(&bytes), Err(BurningError::Other));
+        assert_eq!(fire.restore_burning(&bytes), Err(BurningError::OtherValues));
         let mut classic = Simulation::new(Parameters::new(Model::Classic));
-        assert_eq!(classic.restore_burning(&bytes), Err(BurningError::Other));
+        assert_eq!(
+            classic.restore_burning(&bytes),
+            Err(BurningError::OtherValues)
+        );
         assert_eq!(classic.burning(), None);
 
         let mut damaged: Vec<Vec<u8>> = [0, 3, HEADER - 1, HEADER, bytes.len() - 1]

@@ -15,7 +15,7 @@ impl Source {
             Model::Combustion => {
                 let burner = Burner::of(parameters);
                 Source {
-                    foot: Vec2::new(burner.middle, burner.bottom),
+                    base: Vec2::new(burner.middle, burner.bottom),
                     width: 2.0 * burner.half_width,
                 }
             }

@@ -1,7 +1,7 @@
 //! The first line of a row: the parameter's name, and the button that resets it.
 
 use egui::{CursorIcon, Id, Rect, Sense, Ui, pos2, vec2};
-use hearth_core::params::{Param, Selection, selections_in_words};
+use hearth_core::params::{Condition, Param, conditions_in_words};
 
 use crate::state::{Action, Fire, State};
 use crate::theme;
@@ -75,12 +75,12 @@ pub fn idle(fire: &Fire, param: &Param) -> Option<String> {
             choice.description().label.to_lowercase()
         })
     };
-    let in_words = |all: &[Selection]| selections_in_words(all, label, str::to_owned);
+    let in_words = |all: &[Condition]| conditions_in_words(all, label, str::to_owned);
     let now = &fire.parameters;
-    let waits: Vec<_> = param.waits_for(now).copied().collect();
+    let waits: Vec<_> = param.unmet_conditions(now).copied().collect();
     if !waits.is_empty() {
         return Some(format!("Only with {}", in_words(&waits)));
     }
-    let ruled_out = param.ruled_out_by(now);
+    let ruled_out = param.met_exclusions(now);
     (!ruled_out.is_empty()).then(|| format!("Not with {}", in_words(ruled_out)))
 }

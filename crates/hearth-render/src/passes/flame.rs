@@ -41,14 +41,14 @@ impl Pass for Flame {
         };
         // Where the floor is seen, what is at it ends softly, and below the source.
         let [_, below] = frame.viewport.shows_beyond();
-        let soft = (source.foot.y / frame.parameters.domain_height).clamp(1e-3, SOFT);
+        let soft = (source.base.y / frame.parameters.domain_height).clamp(1e-3, SOFT);
         uniforms::Flame {
             field_used: frame.field_used(),
             field_edge: frame.field_edge(),
             field_range: frame.field_range(),
             picture_size: frame.viewport.metres,
             floor_middle: frame.viewport.floor,
-            source: source.foot.to_array(),
+            source: source.base.to_array(),
             zoom: frame.viewport.zoom,
             source_width: source.width,
             per_domain_width: 1.0 / frame.parameters.domain_width,

@@ -27,7 +27,7 @@ impl Pass for Shade {
 
     fn uniforms(frame: &Frame, _: usize) -> uniforms::Shade {
         let (source, kernel, rise) = (frame.source, frame.kernel, &frame.motion.rise);
-        let flame = rise.flame_height(source.foot.y).max(2.0 * kernel.grain);
+        let flame = rise.flame_height(source.base.y).max(2.0 * kernel.grain);
         let tiles = 1.0 / (noise::CELLS as f32 * kernel.grain);
         // Gas leaves at the top; where that is seen, it ends softly.
         let [above, _] = frame.viewport.shows_beyond();
@@ -37,7 +37,7 @@ impl Pass for Shade {
             field_range: frame.field_range(),
             picture_size: frame.viewport.metres,
             floor_middle: frame.viewport.floor,
-            source: source.foot.to_array(),
+            source: source.base.to_array(),
             zoom: frame.viewport.zoom,
             per_flame_height: 1.0 / flame,
             per_half_source: 2.0 / source.width,

@@ -14,7 +14,7 @@ use super::{attribute, domains, number, property};
 
 const HEADER: &str = "\
 // Generated from the parameter table of hearth-core by `cargo xtask codegen`;
-// edit crates/hearth-core/src/params.rs instead.
+// edit crates/hearth-core/src/params/table.rs instead.
 ";
 
 /// The module of ids and defaults, and of the other attributes.

@@ -10,7 +10,7 @@ use super::scene::Scene;
 const HEADER: &str = "\
 // Generated from the files of scenes/ by `cargo xtask codegen`; edit those instead.
 
-use super::{Caption, Preset};
+use super::definition::{Caption, Preset};
 use crate::params::Input;
 
 ";

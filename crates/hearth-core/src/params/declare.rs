@@ -1,0 +1,178 @@
+//! The macro behind the parameter table.
+
+/// Turns the table into [`Values`], its defaults, [`PARAMETERS`] and
+/// [`DESCRIPTIONS`].
+///
+/// An entry is
+/// `id: kind "Label" ["unit"] Scale { Model(default, min..=max) … }`,
+/// after its doc; a choice names its type as `(choice Type)`; unit, scale and
+/// range stand only where the kind has them; `Every` stands for every model.
+/// `[Look]` or `[View]` before the id is its [`Role`]; an entry without one is physics
+/// and stands in [`Physics`](super::Physics).
+/// `when { id: names, … }` behind it says when it is of use, `unless { id: names, … }`
+/// when not: see [`Description::when`] and [`Description::unless`].
+///
+/// [`PARAMETERS`]: super::PARAMETERS
+/// [`DESCRIPTIONS`]: super::DESCRIPTIONS
+macro_rules! parameters {
+    ($( $group:literal { $(
+        $(#[doc = $doc:literal])+
+        $([$role:ident] $shown:ident)? $($id:ident)? : $kind:tt $label:literal $([$unit:literal])? $($scale:ident)?
+            { $( $model:ident $domain:tt )+ } $(when { $( $choice:ident : $names:expr ),+ })?
+            $(unless { $( $other:ident : $excluded:expr ),+ })?
+    )+ } )+) => {
+        // A macro cannot stand where a field does, so each struct states all fields and
+        // `cfg(any())`, which is never true, takes out those of the other.
+
+        /// The values that move the gas: all that the solver receives.
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct Physics { $($(
+            $(#[doc = $doc])+
+            $( #[cfg(any())] #[doc = stringify!($shown)] )?
+            pub $($shown)? $($id)?: parameters!(@type $kind),
+        )+)+ }
+
+        /// The value of every parameter: those of the look and the view, and through
+        /// `Deref` those of the [`Physics`]. Only the validator writes them.
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct Values {
+            physics: Physics,
+            $($(
+                $(#[doc = $doc])+
+                $( #[cfg(any())] #[doc = stringify!($id)] )?
+                pub $($shown)? $($id)?: parameters!(@type $kind),
+            )+)+
+        }
+
+        impl Deref for Values {
+            type Target = Physics;
+            fn deref(&self) -> &Physics {
+                &self.physics
+            }
+        }
+
+        /// Names each field of [`Values`]: with two functions that know them all
+        /// an engine is smaller than with two functions for each.
+        #[expect(non_camel_case_types, reason = "named as the fields are")]
+        #[derive(Clone, Copy, Debug)]
+        pub(super) enum Field { $($( $($shown)? $($id)?, )+)+ }
+
+        impl Values {
+            #[inline(never)]
+            pub(super) fn slot(&mut self, field: Field) -> Slot<'_> {
+                match field { $($(
+                    Field::$($shown)? $($id)? =>
+                        parameters!(@slot $kind, self.$($shown)? $(physics.$id)?),
+                )+)+ }
+            }
+
+            // Of a copy: one table of slots is half the code of one to read and one
+            // to write.
+            #[inline(never)]
+            pub(super) fn get(&self, field: Field) -> Value {
+                self.clone().slot(field).value()
+            }
+
+            /// These values, for a set whose present model is this one.
+            pub(super) fn belonging_to(mut self, model: Model) -> Values {
+                self.physics.model = model;
+                self
+            }
+
+            pub(super) fn of_model(model: Model) -> Values {
+                let mut values = Values {
+                    physics: Physics { $($(
+                        $( #[cfg(any())] #[doc = stringify!($shown)] )?
+                        $($shown)? $($id)?: parameters!(@first $kind, $($domain)+),
+                    )+)+ },
+                    $($(
+                        $( #[cfg(any())] #[doc = stringify!($id)] )?
+                        $($shown)? $($id)?: parameters!(@first $kind, $($domain)+),
+                    )+)+
+                };
+                for param in PARAMETERS {
+                    if let Some(domain) = param.domain(model) {
+                        values.slot(param.field).put(domain.default);
+                    }
+                }
+                values.belonging_to(model)
+            }
+        }
+
+        /// Every parameter, in the order in which a panel shows them.
+        pub static PARAMETERS: &[Param] = &[ $($(
+            Param {
+                id: stringify!($($shown)? $($id)?),
+                group: $group,
+                unit: concat!($($unit)?),
+                kind: parameters!(@kind $kind $($scale)?),
+                domains: &[ $(
+                    Domain {
+                        model: parameters!(@model $model),
+                        default: parameters!(@value $kind, parameters!(@default $kind, $domain)),
+                        range: parameters!(@range $kind, $domain),
+                    },
+                )+ ],
+                role: parameters!(@role $($role)?),
+                field: Field::$($shown)? $($id)?,
+            },
+        )+)+ ];
+
+        /// What a person reads about each parameter, in the order of
+        /// [`PARAMETERS`].
+        pub static DESCRIPTIONS: &[Description] = &[ $($(
+            Description {
+                label: $label,
+                doc: concat!($($doc),+).trim_ascii(),
+                when: &[ $($( (stringify!($choice), $names) ),+)? ],
+                unless: &[ $($( (stringify!($other), $excluded) ),+)? ],
+            },
+        )+)+ ];
+    };
+
+    (@type number) => { f32 };
+    (@type integer) => { u32 };
+    (@type seed) => { u32 };
+    (@type flag) => { bool };
+    (@type colour) => { Colour };
+    (@type (choice $type:ident)) => { $type };
+
+    (@kind number $scale:ident) => { Kind::Number(Scale::$scale) };
+    (@kind integer $scale:ident) => { Kind::Integer(Scale::$scale) };
+    (@kind seed) => { Kind::Seed };
+    (@kind flag) => { Kind::Flag };
+    (@kind colour) => { Kind::Colour };
+    (@kind (choice $type:ident)) => { Kind::Choice(<$type as Choice>::NAMES) };
+
+    (@role) => { Role::Physics };
+    (@role $role:ident) => { Role::$role };
+
+    (@model Every) => { None };
+    (@model $model:ident) => { Some(Model::$model) };
+
+    (@default (choice $type:ident), ($default:ident)) => { $type::$default };
+    (@default $kind:tt, ($default:expr $(, $range:expr)?)) => { $default };
+    (@first $kind:tt, $domain:tt $($rest:tt)*) => {
+        parameters!(@default $kind, $domain)
+    };
+
+    (@range seed, $domain:tt) => { (0.0, u32::MAX as f64) };
+    (@range $kind:tt, ($default:expr, $range:expr)) => { (*$range.start(), *$range.end()) };
+    (@range $kind:tt, $domain:tt) => { (0.0, 0.0) };
+
+    (@value number, $x:expr) => { Value::Number($x) };
+    (@value integer, $x:expr) => { Value::Integer($x) };
+    (@value seed, $x:expr) => { Value::Seed($x) };
+    (@value flag, $x:expr) => { Value::Flag($x) };
+    (@value colour, $x:expr) => { Value::Colour($x) };
+    (@value (choice $type:ident), $x:expr) => { Value::Choice($x.name()) };
+
+    (@slot number, $x:expr) => { Slot::Number(&mut $x) };
+    (@slot integer, $x:expr) => { Slot::Whole(&mut $x) };
+    (@slot seed, $x:expr) => { Slot::Seed(&mut $x) };
+    (@slot flag, $x:expr) => { Slot::Flag(&mut $x) };
+    (@slot colour, $x:expr) => { Slot::Colour(&mut $x) };
+    (@slot (choice $type:ident), $x:expr) => { Slot::Choice(&mut $x) };
+}
+
+pub(super) use parameters;

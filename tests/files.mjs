@@ -8,6 +8,9 @@ import { Readable } from 'node:stream';
 import { run } from 'node:test';
 import { spec as Spec } from 'node:test/reporters';
 
+/** The longest that a file may take [ms]: several times what the longest takes. */
+const FILE_TIMEOUT = 20 * 60_000;
+
 /** Names of all test files of a folder, and of those that are asked for. */
 export function testsIn(folder) {
   const wanted = process.argv.slice(2).filter((argument) => !argument.startsWith('-'));
@@ -35,7 +38,7 @@ async function* events(folder, turns) {
     const files = names.map((name) => path.join(folder, `${name}.test.mjs`));
     // Without files, all that Node finds would be run.
     if (files.length === 0) continue;
-    for await (const event of run({ files, concurrency })) {
+    for await (const event of run({ files, concurrency, timeout: FILE_TIMEOUT })) {
       if (event.type === 'test:fail') process.exitCode = 1;
       yield event;
     }

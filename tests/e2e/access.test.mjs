@@ -59,7 +59,7 @@ for (const [about, size, act] of [
   )],
 ]) {
   test(`the page ${about}`, async () => {
-    const tab = await browser.open('index.html', size);
+    const tab = await browser.open('index.html?paused', size);
     await tab.ready();
     await strip(tab);
     await act(tab);

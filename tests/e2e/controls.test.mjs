@@ -7,7 +7,7 @@ import { after, before, test } from 'node:test';
 import { isDeepStrictEqual } from 'node:util';
 import { Browser } from './driver.mjs';
 import { assertBurns } from './laws.mjs';
-import { Panel, along, entriesOf, fractionOf } from './panel.mjs';
+import { Panel, along, entriesOf, fractionOf, sharedPage } from './panel.mjs';
 import { table } from './site.mjs';
 
 const { PARAMETERS, PRESETS, DEFAULTS: PAGE, defaultsOf } = await table();
@@ -24,11 +24,13 @@ before(async () => {
 });
 after(() => browser?.close());
 
-/** The page with its panel, in a window that is wide enough for both. */
+const shared = sharedPage(() => browser);
+
+/** The page with its panel, and a fire of that model that has burnt for a second. */
 async function openPage(model = 'classic') {
-  const tab = await browser.open(`index.html?model=${model}`, { width: 760, height: 600 });
-  await tab.burnt(1);
-  return { tab, panel: await new Panel(tab).mounted() };
+  const page = await shared(model);
+  await page.tab.burnt(1);
+  return page;
 }
 
 const stat = (tab, name) => tab.fire((fire, wanted) => fire.stats[wanted], name);

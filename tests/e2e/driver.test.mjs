@@ -58,6 +58,18 @@ test('the server gives what a test wants instead of a file', async () => {
     assert.equal((await get('laws.mjs')).status, 503);
     server.replace({});
     assert.equal((await get('run.mjs')).text, whole.text);
+    const ask = async (headers = {}) => {
+      const response = await fetch(`${server.origin}/run.mjs`, { headers });
+      return { status: response.status, etag: response.headers.get('etag') ?? '', text: await response.text() };
+    };
+    const { etag } = await ask();
+    const kept = { 'if-none-match': etag };
+    assert.deepEqual(await ask(kept), { status: 304, etag, text: '' });
+    server.replace({ 'run.mjs': { body: 'other' } });
+    assert.deepEqual(await ask(kept), { status: 200, etag: '', text: 'other' });
+    server.replace({});
+    server.cached = false;
+    assert.deepEqual(await ask(kept), { status: 200, etag: '', text: whole.text });
     const page = server.publish('<!doctype html><html lang="en">', { 'x-of': 'a page' });
     assert.equal((await get(new URL(page).pathname.slice(1))).of, 'a page');
   } finally {

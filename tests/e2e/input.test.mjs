@@ -233,8 +233,7 @@ test('a fire that gets no context says so once, and goes in silence', async () =
   await tab.until('an error event', () => /** @type {any} */ (window).events.length > 0);
   await tab.fire(async (fire) => {
     fire.remove();
-    await new Promise((resolve) => setTimeout(resolve, 200));
-    await new Promise(requestAnimationFrame);
+    for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
   });
   const errors = await events(tab, 'error');
   assert.deepEqual(errors.map(({ kind }) => kind), ['unsupported']);

@@ -6,7 +6,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { Panel, along, entriesOf, mirrorOf } from './panel.mjs';
+import { Panel, along, entriesOf, mirrorOf, sharedPage } from './panel.mjs';
 import { table } from './site.mjs';
 
 const { PARAMETERS, defaultsOf } = await table();
@@ -34,8 +34,10 @@ function shown(tab, id) {
   });
 }
 
+const sharePage = sharedPage(() => browser);
+
 test('every parameter of the model has a native control with a name', async () => {
-  const { tab, panel } = await openPage();
+  const { tab, panel } = await sharePage();
   const names = await tab.page.$$eval('[data-parameter]', (found) => found.map((control) => {
     const { labels, ariaLabel } = /** @type {HTMLInputElement} */ (control);
     return ariaLabel || labels?.[0]?.textContent?.trim();
@@ -51,7 +53,7 @@ test('every parameter of the model has a native control with a name', async () =
 });
 
 test('the mirror’s sliders have the ranges of the model, and its keys keep to them', async () => {
-  const { tab, panel } = await openPage();
+  const { tab, panel } = await sharePage();
   const range = (id) => tab.page.$eval(mirrorOf(id), (control) => {
     const { min, max, value } = /** @type {HTMLInputElement} */ (control);
     return [min, max, value].map(Number);
@@ -74,7 +76,7 @@ test('the mirror’s sliders have the ranges of the model, and its keys keep to 
 });
 
 test('an arrow key on the mirror’s slider moves the value, and egui shows it', async () => {
-  const { tab, panel } = await openPage();
+  const { tab, panel } = await sharePage();
   const rectangle = await panel.reveal('buoyancy');
   const picture = await tab.picture(rectangle);
   await tab.page.focus(mirrorOf('buoyancy'));
@@ -87,7 +89,7 @@ test('an arrow key on the mirror’s slider moves the value, and egui shows it',
 });
 
 test('native choices, flags, colours and seeds set the fire', async () => {
-  const { tab, panel } = await openPage();
+  const { tab, panel } = await sharePage();
   for (const [id, value] of [
     ['walls', 'solid'],
     ['printed_kernel', true],
@@ -106,7 +108,7 @@ test('native choices, flags, colours and seeds set the fire', async () => {
 });
 
 test('the mirror follows attributes of the fire', async () => {
-  const { tab } = await openPage();
+  const { tab } = await sharePage();
   await tab.fire((fire) => {
     fire.setAttribute('walls', 'periodic');
     fire.setAttribute('printed-euler', '');
@@ -121,7 +123,7 @@ test('the mirror follows attributes of the fire', async () => {
 });
 
 test('the mirror follows the mouse on egui', async () => {
-  const { tab, panel } = await openPage();
+  const { tab, panel } = await sharePage();
   const before = await shown(tab, 'viscosity');
   await panel.dragSlider('viscosity', 0.1, 0.9);
   await tab.until(
@@ -169,7 +171,7 @@ test('the panel takes no focus at the start', async () => {
 });
 
 test('the Tab key leaves the panel, forwards and backwards', async () => {
-  const { tab, panel } = await openPage();
+  const { tab, panel } = await sharePage();
   const inPanel = () => tab.evaluate(
     () => document.activeElement?.closest('#panel') !== null,
   );
@@ -187,7 +189,7 @@ test('the Tab key leaves the panel, forwards and backwards', async () => {
 });
 
 test('the H key hides the panel and shows it again', async () => {
-  const { tab } = await openPage();
+  const { tab } = await sharePage();
   const visible = () => tab.page.$eval('#panel', (panel) => panel.checkVisibility());
   assert.equal(await visible(), true);
   await tab.key('h');

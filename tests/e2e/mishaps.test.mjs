@@ -115,7 +115,8 @@ test('an engine that ends while a fire waits for its file is followed by another
     before: () => {
       const original = window.fetch;
       window.fetch = async (input, ...rest) => {
-        if (String(input).endsWith('slow.json')) await new Promise((resolve) => setTimeout(resolve, 7000));
+        const { driver } = /** @type {any} */ (window);
+        while (String(input).endsWith('slow.json') && driver.workers() > 0) await new Promise(requestAnimationFrame);
         return original(input, ...rest);
       };
     },
@@ -164,7 +165,7 @@ test('a still for less motion is one again when it is put back, and what plays c
   assert.equal(await tab.fire((fire) => fire.hasAttribute('paused')), false, 'the page has not said so');
   await tab.fire(async (fire) => {
     fire.remove();
-    await new Promise((resolve) => setTimeout(resolve, 100));
+    for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
     document.body.append(fire);
     await fire.ready;
   });

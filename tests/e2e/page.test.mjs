@@ -47,29 +47,6 @@ test('the fire still burns after ten seconds, with a whole fire of particles', a
   assert.deepEqual(tab.problems, []);
 });
 
-test('the fire burns at the speed of the clock unless it says that it is slowed', async () => {
-  const tab = await browser.open('<hearth-fire></hearth-fire>', { width: 260, height: 260 });
-  await tab.burnt(0.5);
-  const { ratio, slowed } = await tab.fire(async (fire) => {
-    const next = () => new Promise((resolve) => {
-      fire.addEventListener('stats', () => resolve([fire.stats.time, performance.now() / 1000]), {
-        once: true,
-      });
-    });
-    const [fireStart, clockStart] = await next();
-    let slow = false;
-    let [fireNow, clockNow] = [fireStart, clockStart];
-    while (clockNow - clockStart < 4) {
-      [fireNow, clockNow] = await next();
-      // Below ten frames a second the clock itself stops to make up for it.
-      slow ||= fire.stats.slowed === true || fire.stats.fps < 12;
-    }
-    return { ratio: (fireNow - fireStart) / (clockNow - clockStart), slowed: slow };
-  });
-  assert.ok(ratio < 1.15, `${ratio} seconds of fire a second`);
-  assert.ok(slowed || ratio > 0.85, `${ratio} seconds of fire a second`);
-});
-
 test('values in the address set the fire, and bad ones are refused aloud', async () => {
   const values = 'model=classic&viscosity=0.02&buoyancy=99&seed=7';
   const tab = await browser.open(`index.html?${values}`);
@@ -118,14 +95,20 @@ test('the address follows the fire: its scene and what was changed, and nothing 
 });
 
 test('the address of the landing scene stays empty', async () => {
-  const tab = await browser.open('index.html');
-  await tab.burnt(0.3);
+  const tab = await browser.open('index.html', {
+    // The page writes its address a second after a change; this one does so at once.
+    before: () => {
+      const wait = window.setTimeout;
+      /** @type {any} */ (window).setTimeout = (act, time, ...rest) => wait(act, time === 1000 ? 0 : time, ...rest);
+    },
+  });
+  await tab.ready();
   await tab.fire(async (fire) => {
     const { exposure } = fire.params;
     await fire.set('exposure', exposure + 1);
     await fire.set('exposure', exposure);
-    await new Promise((resolve) => setTimeout(resolve, 1500));
   });
+  await tab.frames(10);
   assert.equal(await tab.evaluate(() => location.search), '');
 });
 
@@ -193,7 +176,7 @@ for (const [width, height, ratio] of [
 ]) {
   test(`the page fits ${width} × ${height} at ${ratio} device pixels`, async () => {
     const touch = width < 720;
-    const tab = await browser.open('index.html', { width, height, ratio, touch });
+    const tab = await browser.open('index.html', { width, height, ratio, touch, pixels: Infinity });
     await tab.burnt(0.5);
     const seen = await tab.evaluate(() => {
       const root = document.documentElement;

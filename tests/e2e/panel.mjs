@@ -233,6 +233,36 @@ export class Panel {
 }
 
 /**
+ * Opens the page with its panel for tests that can share one: it is loaded once and set
+ * back for each test, since its wasm takes longer to load than most tests take.
+ * @param {() => import('./driver.mjs').Browser} browser
+ * @returns {(model?: string) => Promise<{tab: Tab, panel: Panel}>}
+ */
+export function sharedPage(browser) {
+  /** @type {{tab: Tab, panel: Panel} | undefined} */
+  let page;
+  return async (model = 'classic') => {
+    if (!page || page.tab !== browser().tab) {
+      const tab = await browser().open('index.html?model=classic', { width: 760, height: 600 });
+      await tab.ready();
+      page = { tab, panel: await new Panel(tab).mounted() };
+    }
+    const { tab } = page;
+    tab.problems.length = 0;
+    // No row is hovered, and none has the focus.
+    await tab.mouse('move', { x: 5, y: 300 });
+    await tab.evaluate(() => /** @type {HTMLElement | null} */ (document.activeElement)?.blur());
+    await tab.fire(async (fire, values) => {
+      await fire.restore();
+      await fire.importConfig({ hearth: 2, values });
+      await fire.play();
+    }, { model });
+    await tab.frames();
+    return page;
+  };
+}
+
+/**
  * The value that stands at a fraction of a slider.
  * @param {{min: number, max: number, scale: string}} entry  From the parameter table.
  * @param {number} fraction

@@ -5,6 +5,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
+import { onPageThread, simulateClock } from './clock.mjs';
 import { assertBurns, events, recording } from './laws.mjs';
 import { Panel, along, mirrorOf } from './panel.mjs';
 import { table } from './site.mjs';
@@ -81,7 +82,7 @@ test('a number of particles that somebody asked for stays, until the default is 
   await settles(tab, 'low', 3000);
   await tab.fire(async (fire) => {
     fire.remove();
-    await new Promise((resolve) => setTimeout(resolve, 200));
+    for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
     document.body.append(fire);
     await fire.ready;
   });
@@ -138,7 +139,7 @@ test('quality is kept when set early, in the address, and off the page', async (
   await settles(tab, 'low');
   await tab.fire(async (fire) => {
     fire.remove();
-    await new Promise((resolve) => setTimeout(resolve, 200));
+    for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
     document.body.append(fire);
     await fire.ready;
   });
@@ -149,21 +150,16 @@ test('quality is kept when set early, in the address, and off the page', async (
   assert.deepEqual([...tab.problems, ...page.problems], []);
 });
 
-test('left to itself, a fire that does not fit its frames makes way and says why', async () => {
+test('left to itself, a fire that does not fit its frames gets a lower quality and reports why', async () => {
   const tab = await browser.open(
-    recording('<hearth-fire style="width: 1600px; height: 1200px"></hearth-fire>'),
-    // A page that is busy by itself, so that no machine is too fast for this.
-    { width: 1600, height: 1200, before: () => {
-      // Nor the guess for it low already.
-      Object.defineProperty(navigator, 'hardwareConcurrency', { value: 8 });
-      const busy = () => {
-        const end = performance.now() + 30;
-        while (performance.now() < end);
-        requestAnimationFrame(busy);
-      };
-      requestAnimationFrame(busy);
-    } },
+    // On a machine that does not begin with the lowest quality.
+    `<script>(${eightCores})()</script>${onPageThread(recording(
+      '<hearth-fire max-pixels="10000" style="width: 1600px; height: 1200px"></hearth-fire>',
+    ))}`,
+    { width: 400, height: 300, before: simulateClock },
   );
+  await tab.ready();
+  await tab.evaluate(() => { /** @type {any} */ (window).clock.cost = 5; });
   await tab.until('it is of low quality', () => (
     /** @type {any} */ (document.querySelector('hearth-fire')).stats?.quality === 'low'
   ));
@@ -181,7 +177,7 @@ test('the parts of the steps add up, and every pass is told', async () => {
     ['classic', ['splat', 'spread', 'shade', 'bloom', 'develop', 'present']],
   ]) {
     const tab = await browser.open(`<hearth-fire quality="low" model="${model}"></hearth-fire>`, small);
-    await tab.burnt(1);
+    await tab.plays(0.5);
     const stats = await tab.fire((fire) => fire.stats);
     const { upload, ...stages } = stats.stages;
     assert.deepEqual(Object.keys(stages), ['sort', 'density', 'forces', 'integrate']);

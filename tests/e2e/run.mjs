@@ -6,17 +6,8 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { runTests, testsIn } from '../files.mjs';
 
-/** Files that want the machine for themselves, and why. @type {{[name: string]: string}} */
-const ALONE = {
-  manners: 'counts the pictures of two seconds',
-  many: 'watches for how long thirty fires hold the page up',
-  memory: 'counts the objects of so many frames',
-  mirror: 'moves the focus out of the page and back, which comes late on a busy machine',
-  model: 'holds the time that a fire tells against the clock',
-  page: 'holds the speed of a fire against the clock',
-  phone: 'draws nine times as many pixels as others',
-  quality: 'watches a fire find out what fits its frames',
-};
+/** Files that need the machine for themselves, and why. @type {{[name: string]: string}} */
+const ALONE = {};
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
 const { all, chosen } = testsIn(HERE);

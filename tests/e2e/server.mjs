@@ -44,6 +44,7 @@ const TYPES = {
  *   instead of files whose path ends so, and all others as they are.
  * @property {(start: {pages?: string[], workers?: string[]}) => void} prepend  From now on starts
  *   every page, and every worker that the driver starts, with these scripts.
+ * @property {boolean} cached  Whether browsers keep files and what they compile of them.
  * @property {((problem: string) => void) | undefined} refused  Hears what was not served.
  * @property {() => Promise<void>} close
  */
@@ -66,7 +67,7 @@ export async function serve(...folders) {
     replaced.find(([end]) => name.endsWith(end))?.[1] ?? {}
   );
 
-  const answer = async (/** @type {URL} */ url) => {
+  const answer = async (/** @type {URL} */ url, /** @type {string | undefined} */ known) => {
     const name = decodeURIComponent(url.pathname);
     const own = fromDriver(url, scripts);
     if (own !== undefined) {
@@ -80,18 +81,22 @@ export async function serve(...folders) {
     if (page === undefined && file === undefined && instead.body === undefined) {
       return { status: 404, type: 'text/plain', body: `no ${name}`, ...instead };
     }
+    const unchanged = served.cached && page === undefined && Object.keys(instead).length === 0;
+    const tag = unchanged ? await tagOf(/** @type {string} */ (file)) : undefined;
+    if (tag !== undefined && tag === known) return { status: 304, type: '', tag, body: '' };
     const body = instead.body ?? page?.html ?? await readFile(/** @type {string} */ (file));
     const type = TYPES[page ? '.html' : path.extname(file ?? name)] ?? 'application/octet-stream';
-    return { status: 200, type, headers: page?.headers, ...instead, body };
+    return { status: 200, type, headers: page?.headers, ...instead, tag, body };
   };
 
   const server = createServer(async (request, response) => {
     const url = new URL(request.url ?? '/', 'http://local');
-    const { status, type, headers, body, keep, drop } = await answer(url);
+    const { status, type, headers, tag, body, keep, drop } = await answer(url, request.headers['if-none-match']);
     if (drop) {
       request.socket.destroy();
     } else {
-      response.writeHead(status, { 'content-type': type, 'cache-control': 'no-store', ...headers });
+      const kept = tag === undefined ? { 'cache-control': 'no-store' } : { 'cache-control': 'no-cache', etag: tag };
+      response.writeHead(status, { ...(type && { 'content-type': type }), ...kept, ...headers });
       response.end(started(type, body, scripts.pages).subarray(0, keep));
     }
     if (drop || status >= 400) served.refused?.(`${drop ? 'dropped' : status}: ${url.pathname}`);
@@ -103,6 +108,7 @@ export async function serve(...folders) {
   /** @type {Server} */
   const served = {
     origin,
+    cached: true,
     refused: undefined,
     publish(html, headers = {}) {
       const name = `/page-${pages.size + 1}.html`;
@@ -121,6 +127,17 @@ export async function serve(...folders) {
     },
   };
   return served;
+}
+
+/**
+ * The version of a file, for browsers that have it already: they keep what they have
+ * compiled of it. A page may be sent with other scripts each time, so it has none.
+ * @param {string} file
+ */
+async function tagOf(file) {
+  if (file.endsWith('.html')) return undefined;
+  const { mtimeMs, size } = await stat(file);
+  return `"${mtimeMs.toString(36)}-${size.toString(36)}"`;
 }
 
 /**

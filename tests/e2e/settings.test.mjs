@@ -215,7 +215,7 @@ test('a fire that is taken off while its file is still to come starts from it wh
     await wait(2);
     renamed.src = '/other.json';
     await renamed.ready;
-    await wait(300);
+    for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
     return [gone.params, renamed.params];
   });
   assert.deepEqual(params[0], { ...defaultsOf('classic'), viscosity: 0.02 });

@@ -17,9 +17,6 @@ const KNOWN: &[&str] = &[
     "crates/hearth-engine/src/pass_times.rs",
     "crates/hearth-engine/src/requested.rs",
     "crates/hearth-engine/src/stats.rs",
-    "crates/xtask/src/paths.rs",
-    "crates/xtask/src/shell.rs",
-    "crates/xtask/src/tools.rs",
 ];
 
 /// A crate's files by module path, "" for the root.

@@ -65,7 +65,7 @@ fn measure(yardstick: Option<&Path>) -> Result<()> {
     baselines()?;
     site::build()?;
     site::compile(&[&SCENES])?;
-    let target = paths::target()?;
+    let target = tools::target()?;
     let folder = target.join("hearth-bench");
     site::bind(&SCENES, "hearth_benches", &folder)?;
     let (sh, Module { package, profile }) = (Shell::new()?, SCENES);

@@ -49,7 +49,7 @@ pub(crate) fn run_script(name: &str, arguments: impl Iterator<Item = PathBuf>) -
     browser::packages()?;
     tools::wasm_target()?;
     site::compile(&[&PAINTER])?;
-    let folder = paths::target()?.join("hearth-look");
+    let folder = tools::target()?.join("hearth-look");
     let painter = folder.join("painter");
     site::bind(&PAINTER, "painter", &painter)?;
     let sh = Shell::new()?;

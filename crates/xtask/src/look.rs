@@ -6,13 +6,13 @@ use std::{fs, iter};
 use anyhow::{Result, bail};
 
 use crate::shell::Shell;
-use crate::{evaluation, goldens, paths};
+use crate::{evaluation, goldens, tools};
 
 /// Checks the scenes whose names begin with one of `names`, or all of them. Only a run of
 /// all is recorded, passed or failed.
 pub(crate) fn run(names: &[String]) -> Result<()> {
     evaluation::check("looked")?;
-    let table = paths::target()?.join("hearth-look/table.md");
+    let table = tools::target()?.join("hearth-look/table.md");
     Shell::new()?.remove_path(&table)?;
     let arguments = iter::once(table.clone()).chain(names.iter().map(Into::into));
     let passed = goldens::run_script("watch.mjs", arguments);

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use crate::shell::Shell;
+use crate::shell::{self, Shell};
 use crate::tools;
 
 /// Installs what the lock file in `folder` pins, unless that is done.
@@ -21,6 +21,6 @@ pub(crate) fn install(folder: &Path) -> Result<()> {
     let sh = Shell::new()?;
     sh.change_dir(folder);
     // On Windows npm is a script, which only its full path starts.
-    let npm = tools::find("npm").unwrap_or_else(|| "npm".into());
+    let npm = shell::find("npm").unwrap_or_else(|| "npm".into());
     Ok(sh.cmd(npm).arg("ci").run()?)
 }

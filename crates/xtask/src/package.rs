@@ -9,7 +9,7 @@ use anyhow::Result;
 use xshell::cmd;
 
 use crate::shell::Shell;
-use crate::{npm, paths, script, site};
+use crate::{npm, paths, script, site, tools};
 
 /// Builds the site and makes the package of it.
 pub(crate) fn build() -> Result<()> {
@@ -26,7 +26,7 @@ pub(crate) fn build() -> Result<()> {
 pub(crate) fn make() -> Result<()> {
     npm::install(&packaging())?;
     let (package, web, scripts) = (folder(), paths::site().join("web"), packaging());
-    let scratch = paths::target()?.join("package-check");
+    let scratch = tools::target()?.join("package-check");
     // The crates of the workspace have the version of the package.
     let version = env!("CARGO_PKG_VERSION");
     let sh = Shell::new()?;

@@ -3,11 +3,6 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
-use xshell::cmd;
-
-use crate::shell::Shell;
-
 /// The checkout: the folder of the workspace's `Cargo.toml`.
 pub(crate) fn root() -> PathBuf {
     // The variable is right even where two checkouts share a target folder. The checkout
@@ -28,15 +23,6 @@ pub(crate) fn site() -> PathBuf {
 /// The site that Trunk makes: the `dist` of `Trunk.toml`.
 pub(crate) fn trunk_site() -> PathBuf {
     root().join("dist/trunk")
-}
-
-/// cargo's target folder, which the environment may have moved.
-pub(crate) fn target() -> Result<PathBuf> {
-    let sh = Shell::new()?;
-    let described = cmd!(sh, "cargo metadata --format-version 1 --no-deps").read()?;
-    let described: serde_json::Value = serde_json::from_str(&described)?;
-    let target = described["target_directory"].as_str().map(PathBuf::from);
-    target.context("cargo does not name its target folder")
 }
 
 /// Tools that take minutes to compile, outside the checkout, so that all checkouts of a

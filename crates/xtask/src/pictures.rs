@@ -35,7 +35,7 @@ pub(crate) fn thumbnails(names: &[String]) -> Result<()> {
 /// Takes `docs/fire.webp`, five seconds of the scene that the page opens with.
 pub(crate) fn showcase() -> Result<()> {
     let img2webp = tools::IMG2WEBP.get()?;
-    let frames = paths::target()?.join("hearth-showcase");
+    let frames = tools::target()?.join("hearth-showcase");
     let sh = Shell::new()?;
     sh.remove_path(&frames)?;
     sh.create_dir(&frames)?;

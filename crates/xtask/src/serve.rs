@@ -11,8 +11,8 @@ use std::thread;
 
 use anyhow::{Context, Result, ensure};
 
-use crate::shell::Shell;
-use crate::{script, tools};
+use crate::script;
+use crate::shell::{self, Shell};
 
 /// Serves `folder` until the process is ended.
 pub(crate) fn serve(folder: &Path, port: Option<u16>, open: bool) -> Result<()> {
@@ -81,7 +81,7 @@ fn open_browser(address: &str) {
         &[&["xdg-open"], &["wslview"]]
     };
     for opener in openers {
-        let Some(program) = tools::find(opener[0]) else {
+        let Some(program) = shell::find(opener[0]) else {
             continue;
         };
         let started = Command::new(program)

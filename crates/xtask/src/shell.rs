@@ -1,13 +1,28 @@
 //! Other programs, run in the checkout with Hearth's own tools on the PATH.
 
 use std::env;
+use std::ffi::OsString;
 use std::ops::Deref;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 use xshell::Cmd;
 
-use crate::{paths, tools};
+use crate::paths;
+
+/// The PATH of this process, with the folder of Hearth's own tools first.
+fn search_path() -> Option<OsString> {
+    let present = env::var_os("PATH").unwrap_or_default();
+    let folders = std::iter::once(paths::tools().join("bin")).chain(env::split_paths(&present));
+    env::join_paths(folders).ok()
+}
+
+/// The program of that name on that PATH.
+pub(crate) fn find(program: &str) -> Option<PathBuf> {
+    env::split_paths(&search_path()?)
+        .map(|folder| folder.join(format!("{program}{}", env::consts::EXE_SUFFIX)))
+        .find(|file| file.is_file())
+}
 
 /// An [`xshell::Shell`] in the checkout; `cmd!` takes it as one.
 pub(crate) struct Shell(xshell::Shell);
@@ -16,7 +31,7 @@ impl Shell {
     pub(crate) fn new() -> Result<Shell> {
         let shell = xshell::Shell::new()?;
         shell.change_dir(paths::root());
-        if let Some(path) = tools::path() {
+        if let Some(path) = search_path() {
             shell.set_var("PATH", path);
         }
         Ok(Shell(shell))
@@ -57,5 +72,12 @@ mod tests {
             assert!(error.is_some_and(|error| error.to_string().contains("hearth-no-such")));
         }
         Ok(())
+    }
+
+    #[test]
+    fn own_tools_come_first() {
+        let first = search_path().and_then(|path| env::split_paths(&path).next());
+        assert_eq!(first, Some(paths::tools().join("bin")));
+        assert_eq!(find("hearth-no-such-program"), None);
     }
 }

@@ -100,7 +100,7 @@ pub(crate) fn bind(module: &Module, name: &str, into: &Path) -> Result<()> {
         other => other,
     };
     let file = format!("{}.wasm", module.package.replace('-', "_"));
-    let wasm = paths::target()?.join(tools::WASM).join(profile).join(file);
+    let wasm = tools::target()?.join(tools::WASM).join(profile).join(file);
     ensure!(
         wasm.is_file(),
         "cargo made no {} of {}",

@@ -5,14 +5,13 @@
 //! drivers, wasm-bindgen's test runner, valgrind, the reference compiler of GLSL and Trunk.
 
 use std::env;
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow, bail, ensure};
 use xshell::cmd;
 
 use crate::paths;
-use crate::shell::Shell;
+use crate::shell::{Shell, find};
 
 /// The version of wasm-bindgen of this workspace, which its command line tools must have
 /// too. A test compares it with `Cargo.lock`.
@@ -24,18 +23,13 @@ pub(crate) const WASM: &str = "wasm32-unknown-unknown";
 /// The oldest Node that runs what npm installs here.
 const NODE_MAJOR: u32 = 20;
 
-/// The PATH of this process, with the folder of Hearth's own tools first.
-pub(crate) fn path() -> Option<OsString> {
-    let present = env::var_os("PATH").unwrap_or_default();
-    let folders = std::iter::once(paths::tools().join("bin")).chain(env::split_paths(&present));
-    env::join_paths(folders).ok()
-}
-
-/// The program of that name on [`path`].
-pub(crate) fn find(program: &str) -> Option<PathBuf> {
-    env::split_paths(&path()?)
-        .map(|folder| folder.join(format!("{program}{}", env::consts::EXE_SUFFIX)))
-        .find(|file| file.is_file())
+/// cargo's target folder, which the environment may have moved.
+pub(crate) fn target() -> Result<PathBuf> {
+    let sh = Shell::new()?;
+    let described = cmd!(sh, "cargo metadata --format-version 1 --no-deps").read()?;
+    let described: serde_json::Value = serde_json::from_str(&described)?;
+    let target = described["target_directory"].as_str().map(PathBuf::from);
+    target.context("cargo does not name its target folder")
 }
 
 /// Installs Rust's wasm target if it is missing.
@@ -283,12 +277,5 @@ mod tests {
         assert_eq!(major("v20.11.1"), Some(20));
         assert_eq!(major("20"), None);
         assert_eq!(major(""), None);
-    }
-
-    #[test]
-    fn own_tools_come_first() {
-        let first = path().and_then(|path| env::split_paths(&path).next());
-        assert_eq!(first, Some(paths::tools().join("bin")));
-        assert_eq!(find("hearth-no-such-program"), None);
     }
 }

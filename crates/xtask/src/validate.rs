@@ -6,7 +6,7 @@ use anyhow::Result;
 use xshell::{Cmd, cmd};
 
 use crate::shell::Shell;
-use crate::{evaluation, paths};
+use crate::{evaluation, paths, tools};
 
 /// Runs the cases whose names begin with one of `names`, or all of them. Only a run of
 /// all is recorded, passed or failed.
@@ -16,7 +16,7 @@ pub(crate) fn run(names: &[String]) -> Result<()> {
         return Ok(example(&sh, "validate").args(names).run()?);
     }
     evaluation::check("validated")?;
-    let folder = paths::target()?.join("hearth-validation");
+    let folder = tools::target()?.join("hearth-validation");
     sh.remove_path(&folder)?;
     let passed = example(&sh, "validate").arg("--write").arg(&folder).run();
     let Ok(table) = sh.read_file(folder.join("table.md")) else {

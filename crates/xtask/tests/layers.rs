@@ -18,8 +18,7 @@ const ARROWS: [(&str, &[&str]); 8] = [
     ),
     ("hearth-panel", &["hearth-fire-core"]),
     ("hearth-sim", &["hearth-bindings", "hearth-fire-core"]),
-    // For what is generated from the tables.
-    ("xtask", &["hearth-engine", "hearth-fire-core"]),
+    ("xtask", &["hearth-fire-core"]),
 ];
 
 /// The only packages that the physics uses.

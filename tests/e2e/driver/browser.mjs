@@ -31,6 +31,9 @@ import { webkit } from './webkit.mjs';
 
 const START = { chromium, firefox, webkit };
 
+/** Pixels of a fire whose sharpness no test looks at. */
+const FEW_PIXELS = 30_000;
+
 /** A running browser and the server of the site that it looks at. */
 export class Browser {
   /**
@@ -92,6 +95,8 @@ export class Browser {
    * @param {{[name: string]: import('../server.mjs').Instead}} [options.files]  What the server
    *   gives instead of files whose path ends so.
    * @param {boolean} [options.remember]  Whether it has what pages before it kept.
+   * @param {number} [options.pixels]  How many pixels a fire of one of the site's own pages draws,
+   *   few by default: a software renderer computes each of them.
    * @param {string} [options.without]  Requests for files whose path ends so fail, as a
    *   broken network would.
    * @returns {Promise<PuppeteerTab>}
@@ -99,11 +104,14 @@ export class Browser {
   async open(page, options = {}) {
     const { width = 480, height = 480, ratio = 1, touch = false } = options;
     const { reducedMotion = this.reducedMotion, headers, files = {}, without, remember = false } = options;
+    const ofSite = !page.includes('<');
+    const { pixels = ofSite ? FEW_PIXELS : Infinity } = options;
     await this.tab?.close();
     this.server.replace(without === undefined ? files : { ...files, [without]: { drop: true } });
     const { origin } = this.server;
     const before = [`(${rememberContexts})();`, `(${followWorkers})(${JSON.stringify(origin)});`];
     if (!remember) before.push(`(${forgetOnce})();`);
+    if (pixels < Infinity) before.push(`(${limitPixels})(${pixels});`);
     if (options.before) before.push(`(${options.before})();`);
     const beforeWorker = options.beforeWorker ? [`(${options.beforeWorker})();`] : [];
     this.server.prepend({ workers: beforeWorker });
@@ -111,9 +119,7 @@ export class Browser {
     const tab = await this.engine.open(opening);
     this.tab = tab;
     const document = page.startsWith('<!doctype') ? page : documentAround(page);
-    await tab.go(page.includes('<')
-      ? this.server.publish(document, headers)
-      : new URL(page, `${origin}/`).href);
+    await tab.go(ofSite ? new URL(page, `${origin}/`).href : this.server.publish(document, headers));
     return tab;
   }
 
@@ -132,6 +138,20 @@ function forgetOnce() {
   } catch {
     // Then nothing is kept.
   }
+}
+
+/**
+ * Runs in the page: limits the drawing of each fire in its HTML that has no limit.
+ * @param {number} pixels
+ */
+function limitPixels(pixels) {
+  const observer = new MutationObserver(() => {
+    for (const fire of document.querySelectorAll('hearth-fire:not([max-pixels])')) {
+      fire.setAttribute('max-pixels', String(pixels));
+    }
+  });
+  observer.observe(document, { childList: true, subtree: true });
+  addEventListener('DOMContentLoaded', () => observer.disconnect());
 }
 
 /** A whole page with `body` in it and the element loaded, black so that fire shows. */

@@ -102,12 +102,33 @@ export class Tab {
   }
 
   /**
-   * Waits until the first fire has burnt for so many seconds of its own time.
-   * @param {number} seconds
+   * Burns the first fire until it is that old, by steps that it is asked for: a second of
+   * fire takes as long as its steps take, and not a second.
+   * @param {number} seconds  Of the fire's own time.
    */
   burnt(seconds) {
+    return this.fire(async (fire, wanted) => {
+      await customElements.whenDefined('hearth-fire');
+      await fire.ready;
+      const told = () => new Promise((resolve) => fire.addEventListener('stats', resolve, { once: true }));
+      if (!fire.stats) await told();
+      for (let length = 0.002; fire.stats.time < wanted; length = fire.stats.stepLength || length) {
+        const steps = Math.ceil((wanted - fire.stats.time) / length);
+        // A fire that stands still tells its statistics with its picture.
+        const after = fire.paused ? undefined : told();
+        await fire.step(Math.min(Math.max(steps, 1), 2000));
+        await after;
+      }
+    }, seconds);
+  }
+
+  /**
+   * Waits until the first fire is that old, by itself.
+   * @param {number} seconds  Of the fire's own time.
+   */
+  plays(seconds) {
     return this.until(
-      `the fire has burnt for ${seconds} s`,
+      `the fire plays until ${seconds} s`,
       (time) => /** @type {any} */ (document.querySelector('hearth-fire')).stats?.time >= time,
       seconds,
     );
@@ -190,8 +211,9 @@ export class Tab {
   async click(at) {
     for (const what of /** @type {const} */ (['move', 'down', 'up'])) {
       await this.mouse(what, at);
-      await this.frames();
+      await this.frames(1);
     }
+    await this.frames(1);
   }
 
   /**
@@ -201,9 +223,9 @@ export class Tab {
    */
   async drag(from, to) {
     await this.mouse('move', from);
-    await this.frames();
+    await this.frames(1);
     await this.mouse('down', from);
-    await this.frames();
+    await this.frames(1);
     for (const at of between(from, to)) {
       await this.mouse('move', at);
       await this.frames(1);
@@ -229,7 +251,7 @@ export class Tab {
 }
 
 /** The points of a drag, evenly spread, the last one included. */
-function* between(/** @type {Point} */ from, /** @type {Point} */ to, steps = 6) {
+function* between(/** @type {Point} */ from, /** @type {Point} */ to, steps = 4) {
   for (let step = 1; step <= steps; step += 1) {
     const part = step / steps;
     yield { x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part };

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use xshell::cmd;
 
 use crate::shell::Shell;
-use crate::{paths, tools};
+use crate::tools;
 
 /// The cases of `benches/examples/counted.rs`.
 const CASES: [&str; 3] = ["classic block", "classic plume", "combustion"];
@@ -86,7 +86,7 @@ fn count(sh: &Shell) -> Result<Counts> {
     .env_remove("CARGO_ENCODED_RUSTFLAGS")
     .env("RUSTFLAGS", "-C target-cpu=x86-64")
     .run()?;
-    let folder = paths::target()?.join(TARGET).join("engine");
+    let folder = tools::target()?.join(TARGET).join("engine");
     let (program, notes) = (
         folder.join("examples/counted"),
         folder.join("callgrind.out"),

@@ -7,8 +7,8 @@ use anyhow::{Context, Result};
 use serde_json::{Value, json};
 use xshell::cmd;
 
-use crate::shell::Shell;
-use crate::{paths, tools};
+use crate::paths;
+use crate::shell::{self, Shell};
 
 /// Most particles for them: a step of more takes seconds.
 const MOST: u32 = 100_000;
@@ -61,7 +61,7 @@ fn splishsplash(sh: &Shell) -> Result<Value> {
     let environment = paths::tools().join("splishsplash");
     let python = environment.join("bin/python");
     if !python.is_file() {
-        let python3 = tools::find("python3").context("there is no python3")?;
+        let python3 = shell::find("python3").context("there is no python3")?;
         cmd!(sh, "{python3} -m venv {environment}")
             .read()
             .context("python3 makes no environment")?;

@@ -63,7 +63,7 @@ pub(super) fn consumers() -> Result<()> {
     Ok(cmd!(sh, "node run.mjs")
         .env("HEARTH_CHROMIUM", chromium)
         .env("HEARTH_PACKAGE", package::folder())
-        .env("HEARTH_YARD", paths::target()?.join("consumers"))
+        .env("HEARTH_YARD", tools::target()?.join("consumers"))
         .run()?)
 }
 

@@ -22,7 +22,7 @@ pub(super) fn same_site() -> Result<()> {
     let sh = Shell::new()?;
     trunk(&sh).args(["build", "--release"]).run()?;
     // Trunk leaves scripts as they are written: they are minified in a copy.
-    let copy = paths::target()?.join("trunk-minified");
+    let copy = tools::target()?.join("trunk-minified");
     sh.remove_path(&copy)?;
     site::copy_folder(&sh, &paths::trunk_site(), &copy)?;
     site::shorten_imports(&sh, &copy.join("web"))?;

@@ -1,0 +1,44 @@
+/**
+ * A clock that a test sets in place of the page's own, so that a law about time needs no
+ * fast machine: each frame lasts a sixtieth of a second, however long it really takes.
+ */
+
+/**
+ * The HTML of a page whose engine runs on the page's thread, which has that clock.
+ * @param {string} body
+ */
+export const onPageThread = (body) => `${body}<script type="module">
+  import { HearthFire } from '/web/hearth-fire.js';
+  HearthFire.engine = 'main';
+</script>`;
+
+/**
+ * Runs in the page before its scripts: frames follow each other without a pause, and the
+ * time comes from their number. `window.clock.cost` is how much time passes whenever a
+ * script reads the clock [ms]: work that reads it takes so long.
+ */
+export function simulateClock() {
+  const FRAME = 1000 / 60;
+  let [now, last] = [0, 0];
+  /** @type {Map<number, FrameRequestCallback>} */
+  let waiting = new Map();
+  const clock = { cost: 0, frames: 0 };
+  /** @type {any} */ (window).clock = clock;
+  performance.now = () => (now += clock.cost);
+  const { port1, port2 } = new MessageChannel();
+  port1.onmessage = () => {
+    const due = waiting;
+    waiting = new Map();
+    if (due.size === 0) return;
+    clock.frames += 1;
+    now = (Math.floor(now / FRAME + 1e-6) + 1) * FRAME;
+    for (const act of due.values()) act(now);
+  };
+  window.requestAnimationFrame = (act) => {
+    last += 1;
+    waiting.set(last, act);
+    if (waiting.size === 1) port2.postMessage(undefined);
+    return last;
+  };
+  window.cancelAnimationFrame = (request) => void waiting.delete(request);
+}

@@ -14,19 +14,23 @@ import type {
   ParameterId,
 } from './hearth-fire.js';
 
-/** The element's own attributes that an embedded fire has. */
+/** The element's own attributes that `option` reads and sets. */
 export type FrameOption =
+  | 'align'
   | 'alt'
   | 'autoplay'
   | 'controls'
+  | 'fit'
   | 'fps-limit'
   | 'interactive'
   | 'loading'
   | 'max-pixels'
+  | 'objects'
   | 'paused'
   | 'quality'
   | 'reduced-motion'
-  | 'touch-action';
+  | 'touch-action'
+  | 'warm';
 
 /** The events of an embedded fire. */
 export interface FrameFireEventMap {
@@ -42,26 +46,25 @@ export interface FrameFireEventMap {
 }
 
 /**
- * A fire in an iframe. What is asked before it is there is done when it is; what nobody
- * will answer rejects.
+ * A fire in an iframe. Requests wait until its page has loaded, and reject if the page does not answer.
  */
 export interface FrameFire extends EventTarget {
-  /** Resolves when it burns; rejects where it cannot. */
+  /** Resolves when the fire burns; rejects if it cannot. */
   ready(): Promise<void>;
   play(): Promise<void>;
   pause(): Promise<void>;
-  /** Starts again from nothing, with the same values. */
+  /** Restarts the simulation with the same values. */
   reset(): Promise<void>;
   step(steps?: number): Promise<void>;
   set<Id extends ParameterId>(id: Id, value: HearthParameters[Id]): Promise<void>;
-  /** Sets all of these or none. */
+  /** Sets all of these parameters or none. */
   set(values: Partial<HearthParameters> & { objects?: HearthObject[] }): Promise<void>;
   get<Id extends ParameterId>(id: Id): Promise<HearthParameters[Id]>;
   params(): Promise<HearthParameters>;
   objects(): Promise<Required<HearthObject>[]>;
-  /** Adds an object; resolves to its id. */
+  /** Adds an object and resolves to its id. */
   addObject(object: HearthObject): Promise<number>;
-  /** Sets properties of an object, all or none. */
+  /** Sets properties of an object: all of them or none. */
   changeObject(id: number, properties: Partial<HearthObject>): Promise<void>;
   removeObject(id: number): Promise<void>;
   stats(): Promise<HearthStats | null>;
@@ -71,11 +74,11 @@ export interface FrameFire extends EventTarget {
   toBlob(type?: string, quality?: number): Promise<Blob>;
   stir(x: number, y: number, u: number, v: number): Promise<void>;
   sparks(x: number, y: number, count?: number): Promise<void>;
-  /** An attribute of the element itself; sets it if there is a value; null takes it away, and `false` too but for `autoplay`. */
+  /** Resolves to an attribute of the element. A value sets it; null removes it, and so does false, except for `autoplay`. */
   option(name: FrameOption, value?: string | number | boolean | null): Promise<string | null>;
-  /** Asks by name, as the messages do. */
+  /** Calls a method by its name. */
   call(method: string, ...args: unknown[]): Promise<unknown>;
-  /** Lets the fire go; it burns on, unheard. */
+  /** Closes the connection; the fire keeps burning. */
   close(): void;
 
   addEventListener<Type extends keyof FrameFireEventMap>(

@@ -1,26 +1,26 @@
 /**
- * A fire in an iframe, as an object of the page around it:
+ * A fire in an iframe, as an object of the embedding page:
  *
  *     const fire = connectFire(document.querySelector('iframe'));
  *     await fire.set('viscosity', 0.02);
  *     fire.addEventListener('stats', ({ detail }) => console.log(detail.fps));
  *
- * The address in the iframe has to allow the origin of this page. This file uses
- * no other, so that a page that has only the iframe can have a copy of it.
+ * The URL of the iframe must allow the origin of this page. This file imports no other, so that a page can
+ * host a copy of it alone.
  */
 
-/** What can be asked of the fire; each becomes a method that gives a promise. */
+/** The methods of the fire; each returns a promise. */
 const METHODS = [
   'ready', 'play', 'pause', 'reset', 'step', 'set', 'get', 'params', 'objects', 'stats', 'restore',
   'addObject', 'changeObject', 'removeObject', 'exportConfig', 'importConfig', 'toBlob', 'stir', 'sparks', 'option',
 ];
 
-/** How long a page that has loaded may take to say that it listens [ms]. */
-const PATIENCE = 10_000;
-/** How often to look whether the iframe is still on the page while an answer is awaited [ms]. */
-const LOOK = 1000;
+/** The maximum time from the load of the iframe to its first message [ms]. */
+const GREETING_MS = 10_000;
+/** The interval of the check whether the iframe is still on the page, while a request is open [ms]. */
+const CHECK_MS = 1000;
 
-const LOST = 'the iframe is on no page';
+const LOST = 'the iframe is not on a page';
 
 /**
  * Connects to the fire in an iframe, which may still be loading.
@@ -38,22 +38,22 @@ class FrameFire extends EventTarget {
   #origin;
   #ended = new AbortController();
   #last = 0;
-  /** The window that listens. An iframe that is put somewhere else has another one. @type {unknown} */
+  /** The window that answers. An iframe that moves gets another one. @type {unknown} */
   #window;
-  /** Why there is no use in asking. @type {string | undefined} */
+  /** Why all requests are refused. @type {string | undefined} */
   #refusal;
   /** @type {Map<number, {resolve: (value: any) => void, reject: (error: unknown) => void}>} */
   #open = new Map();
   /** @type {{id: number}[]} */
   #waiting = [];
-  /** Who listens for what. @type {Map<string, Listener[]>} */
+  /** The listeners of each event. @type {Map<string, Listener[]>} */
   #listeners = new Map();
-  /** The events that the page was asked for. @type {Set<string>} */
+  /** The events that are subscribed to. @type {Set<string>} */
   #subscribed = new Set();
   /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #silence;
+  #greeting;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #look;
+  #check;
 
   /** @param {HTMLIFrameElement} iframe */
   constructor(iframe) {
@@ -61,9 +61,9 @@ class FrameFire extends EventTarget {
     this.#iframe = iframe;
     this.#origin = new URL(iframe.src, document.baseURI).origin;
     const { signal } = this.#ended;
-    window.addEventListener('message', (event) => this.#hear(event), { signal });
+    window.addEventListener('message', (event) => this.#receive(event), { signal });
     iframe.addEventListener('load', () => this.#greet(), { signal });
-    // A page that was there before this script has said hello already.
+    // A page that loaded before this script has sent its greeting already.
     if (hasLoaded(iframe)) this.#greet();
   }
 
@@ -73,12 +73,12 @@ class FrameFire extends EventTarget {
     if (!listener || signal?.aborted || this.#listenerOf(type, listener, capture)) return;
     const entry = { listener, capture, wrapped: listener };
     const forget = () => this.#forget(type, entry);
-    // Whoever listens once would go unseen.
+    // The event target removes a `once` listener by itself, unnoticed.
     if (once) entry.wrapped = after(forget, listener);
     super.addEventListener(type, entry.wrapped, options);
     signal?.addEventListener('abort', forget);
     this.#listeners.set(type, [...(this.#listeners.get(type) ?? []), entry]);
-    this.#agree(type);
+    this.#subscribe(type);
   }
 
   /** @type {EventTarget['removeEventListener']} */
@@ -94,7 +94,7 @@ class FrameFire extends EventTarget {
     const others = (this.#listeners.get(type) ?? []).filter((one) => one !== entry);
     if (others.length > 0) this.#listeners.set(type, others);
     else this.#listeners.delete(type);
-    this.#agree(type);
+    this.#subscribe(type);
   }
 
   /** @param {string} type @param {unknown} listener @param {boolean} capture */
@@ -103,7 +103,7 @@ class FrameFire extends EventTarget {
   }
 
   /**
-   * Asks for something.
+   * Sends a request.
    * @param {string} method
    * @param {...unknown} args
    * @returns {Promise<any>}
@@ -118,20 +118,20 @@ class FrameFire extends EventTarget {
     const message = { hearth: 1, id: this.#last, method, args };
     try {
       if (this.#listens) this.#post(message);
-      // As it is now: it may be changed before it can be sent.
+      // A copy: the page may change the arguments before they are sent.
       else this.#waiting.push(structuredClone(message));
     } catch (error) {
       return Promise.reject(error);
     }
     const answer = new Promise((resolve, reject) => this.#open.set(message.id, { resolve, reject }));
-    this.#look ??= setTimeout(() => this.#watch(), LOOK);
+    this.#check ??= setTimeout(() => this.#checkFrame(), CHECK_MS);
     return answer;
   }
 
-  /** Lets the fire go; it burns on, unheard. */
+  /** Closes the connection; the fire keeps burning. */
   close() {
     this.#ended.abort();
-    this.#refuse('the fire was let go');
+    this.#refuse('the connection is closed');
   }
 
   get #listens() {
@@ -143,19 +143,19 @@ class FrameFire extends EventTarget {
     this.#iframe.contentWindow?.postMessage(message, this.#origin);
   }
 
-  /** Asks a page that has loaded whether it listens; it may be another one than before. */
+  /** Sends a greeting to a page that has loaded. */
   #greet() {
     this.#window = undefined;
     this.#refusal = undefined;
     this.#post({ hearth: 1, id: 0, method: 'hello' });
-    clearTimeout(this.#silence);
-    this.#silence = setTimeout(() => {
-      this.#refuse(`the page in the iframe does not answer; its address must allow ${location.origin}`);
-    }, PATIENCE);
+    clearTimeout(this.#greeting);
+    this.#greeting = setTimeout(() => {
+      this.#refuse(`the page in the iframe does not answer; its URL must allow ${location.origin}`);
+    }, GREETING_MS);
   }
 
   /** @param {MessageEvent} event */
-  #hear({ source, origin, data }) {
+  #receive({ source, origin, data }) {
     if (!source || source !== this.#iframe.contentWindow) return;
     if (origin !== this.#origin || data?.hearth !== 1) return;
     if (data.event === 'hello') this.#begin(true);
@@ -165,17 +165,17 @@ class FrameFire extends EventTarget {
   }
 
   /**
-   * The page listens: sends what waits for it.
-   * @param {boolean} anew  Whether it has just been loaded and knows nothing yet.
+   * The page answers: sends the requests that wait for it.
+   * @param {boolean} fresh  Whether the page has just loaded.
    */
-  #begin(anew) {
-    clearTimeout(this.#silence);
+  #begin(fresh) {
+    clearTimeout(this.#greeting);
     this.#refusal = undefined;
     this.#window = this.#iframe.contentWindow;
     const waiting = this.#waiting.splice(0);
-    // Requests to the page before it stay without an answer.
-    if (anew) this.#giveUp('the page in the iframe was loaded anew', new Set(waiting.map(({ id }) => id)));
-    for (const type of new Set([...this.#subscribed, ...this.#listeners.keys()])) this.#agree(type);
+    // The page before it does not answer any more.
+    if (fresh) this.#abandon('the page in the iframe was reloaded', new Set(waiting.map(({ id }) => id)));
+    for (const type of new Set([...this.#subscribed, ...this.#listeners.keys()])) this.#subscribe(type);
     for (const message of waiting) this.#post(message);
   }
 
@@ -184,37 +184,37 @@ class FrameFire extends EventTarget {
    * own, because an unknown event refuses all events of its request.
    * @param {string} type
    */
-  #agree(type) {
+  #subscribe(type) {
     const subscribed = this.#subscribed;
     const wanted = this.#listeners.has(type);
     if (!this.#listens || subscribed.has(type) === wanted) return;
     if (wanted) subscribed.add(type);
     else subscribed.delete(type);
     this.call(wanted ? 'subscribe' : 'unsubscribe', [type]).catch((error) => {
-      // If it is not for the page that this is, that one is asked as it comes.
+      // A page that has loaded since gets its own subscriptions.
       if (subscribed !== this.#subscribed) return;
       subscribed.delete(type);
       console.warn(`Hearth: ${error.message}`);
     });
   }
 
-  /** Looks whether the iframe is still on the page, which no event tells. */
-  #watch() {
-    this.#look = undefined;
-    // It may come back; its page is a new one then.
+  /** Checks whether the iframe is still on the page; there is no event for that. */
+  #checkFrame() {
+    this.#check = undefined;
+    // If it returns, its page is a new one.
     if (!this.#iframe.contentWindow) this.#stop(LOST);
-    else if (this.#open.size > 0) this.#look = setTimeout(() => this.#watch(), LOOK);
+    else if (this.#open.size > 0) this.#check = setTimeout(() => this.#checkFrame(), CHECK_MS);
   }
 
   /** @param {string} why */
   #stop(why) {
-    clearTimeout(this.#silence);
+    clearTimeout(this.#greeting);
     this.#window = undefined;
-    this.#giveUp(why);
+    this.#abandon(why);
   }
 
   /**
-   * Refuses everything, until another page is loaded.
+   * Refuses all requests until another page loads.
    * @param {string} why
    */
   #refuse(why) {
@@ -224,18 +224,18 @@ class FrameFire extends EventTarget {
 
   /** @param {any} answer */
   #settle({ id, ok, value, error }) {
-    const asked = this.#open.get(id);
+    const request = this.#open.get(id);
     this.#open.delete(id);
-    if (ok) asked?.resolve(value);
-    else asked?.reject(Object.assign(new Error(), error));
+    if (ok) request?.resolve(value);
+    else request?.reject(Object.assign(new Error(), error));
   }
 
   /**
-   * Refuses what has not been answered.
+   * Rejects the open requests.
    * @param {string} why
    * @param {Set<number>} [except]  The numbers of requests that are kept.
    */
-  #giveUp(why, except = new Set()) {
+  #abandon(why, except = new Set()) {
     this.#waiting.length = 0;
     this.#subscribed = new Set();
     for (const [id, { reject }] of this.#open) {
@@ -255,7 +255,7 @@ for (const method of METHODS) {
 }
 
 /**
- * What may be said of a listener.
+ * The options of a listener as an object.
  * @param {boolean | AddEventListenerOptions | undefined} options
  * @returns {AddEventListenerOptions}
  */
@@ -264,7 +264,7 @@ function optionsOf(options) {
 }
 
 /**
- * A listener before which something else is done.
+ * A listener that does something else first.
  * @param {() => void} act
  * @param {EventListenerOrEventListenerObject} listener
  * @returns {EventListener}
@@ -283,6 +283,6 @@ function after(act, listener) {
  */
 function hasLoaded(iframe) {
   const inside = iframe.contentDocument;
-  // A page of another origin cannot be looked at: so there is one.
+  // A page of another origin is unreadable, so there is one.
   return inside ? inside.URL !== 'about:blank' && inside.readyState === 'complete' : iframe.isConnected;
 }

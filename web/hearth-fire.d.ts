@@ -27,21 +27,21 @@ export type * from './parameters.js';
 export interface HearthFireEventMap extends Omit<HTMLElementEventMap, 'error'> {
   /** The fire burns. */
   ready: CustomEvent<null>;
-  /** It burns again. */
+  /** The fire plays again. */
   play: CustomEvent<null>;
-  /** It stands still. */
+  /** The fire is paused. */
   pause: CustomEvent<null>;
-  /** A value changed, whoever changed it. */
+  /** A parameter has changed, from any source. */
   'params-change': CustomEvent<HearthChangeDetail>;
   /** An object was added, changed or removed. */
   'objects-change': CustomEvent<HearthObjectsDetail>;
-  /** The fire makes itself more or less work than before. */
+  /** The quality has changed, to fit the speed of the device or on request. */
   'quality-change': CustomEvent<HearthQualityDetail>;
-  /** What the fire says about itself, about four times a second. */
+  /** Measurements of the fire, about four times a second. */
   stats: CustomEvent<HearthStats>;
-  /** Something is wrong: a value that was refused, a file that did not arrive, a browser that cannot. */
+  /** A value is refused, a file could not be loaded, or the browser cannot show the fire. */
   error: CustomEvent<HearthErrorDetail>;
-  /** The graphics context was lost and is back. */
+  /** The graphics context was lost and is restored. */
   restored: CustomEvent<null>;
 }
 
@@ -50,60 +50,60 @@ export interface HearthFire extends HearthProperties {}
 
 /** The class of `<hearth-fire>`. A fire, simulated by smoothed particle hydrodynamics. */
 export class HearthFire extends HTMLElement {
-  /** Where the wasm file is, if it is not at `wasm/hearth-engine_bg.wasm` beside this module. Set it before the first fire. */
+  /** The URL of the wasm file, if it is not `wasm/hearth-engine_bg.wasm` beside this module. Set it before the first fire. */
   static wasmUrl: string | URL | undefined;
-  /** Where the engine runs; `auto`: in a worker where that can draw, else on the main thread. Set it before the first fire. */
+  /** Where the engine runs; `auto`: in a worker if workers can draw, else on the main thread. Set it before the first fire. */
   static engine: 'auto' | 'worker' | 'main';
-  /** The named set of values that the fire starts from. Changed later, it replaces every value. */
+  /** The named set of values that the fire starts from. A later change replaces every value. */
   preset: PresetName;
-  /** Every value that the fire burns with, by id. */
+  /** The values of all parameters, by id. */
   readonly params: HearthParameters;
-  /** The objects of the fire: copies, each with its kind, its id and its properties. Setting them replaces all. The attribute has them as JSON; without it the fire has one source, which the parameters describe. */
+  /** Copies of the objects of the fire, each with its kind, its id and its properties. Setting the list replaces all objects. The attribute holds them as JSON; without it the fire has one source, which the parameters describe. */
   objects: Required<HearthObject>[];
-  /** What the fire last said about itself; null before it did. */
+  /** The latest measurements of the fire; null before the first. */
   readonly stats: HearthStats | null;
-  /** How much work the fire may make itself; `auto`: as much as fits. */
+  /** The level of detail of simulation and picture; `auto` follows the speed of the device. */
   quality: 'auto' | HearthQuality;
-  /** Resolves when the fire burns; rejects where it cannot. An element that was taken off the page has a new one. */
+  /** Resolves when the fire burns; rejects if it cannot. An element that is removed from the page gets a new promise. */
   readonly ready: Promise<void>;
-  /** Whether the fire stands still. */
+  /** Whether the fire is paused. */
   paused: boolean;
-  /** `false`: the fire stands still until `play()`. */
+  /** `false`: the fire is paused until `play()`. */
   autoplay: boolean;
-  /** The address of a JSON file with settings, as `exportConfig()` gives them; empty: none. */
+  /** The URL of a JSON file with settings, as `exportConfig()` returns them; empty without one. */
   src: string;
-  /** When the fire is loaded: `auto`, in sight at once and elsewhere when the page has loaded; `lazy`, when it comes near the window; `eager`, at once. */
+  /** When the fire is loaded: `auto`, at once if it is visible, else when the page has loaded; `lazy`, when it comes near the window; `eager`, at once. */
   loading: 'auto' | 'lazy' | 'eager';
-  /** The address of a picture that is shown until the fire burns, and where it cannot. */
+  /** The URL of an image that is shown until the fire burns, and in browsers that cannot show it. */
   poster: string;
-  /** What a screen reader says of the fire; without it the fire is decoration. */
+  /** The description for screen readers; without one the fire is decoration. */
   alt: string;
-  /** Most pixels that the picture may have, from 1024 to 16777216; empty: those of a 720p, 1080p or 1440p screen, by quality. */
+  /** The maximum number of pixels of the picture, from 1024 to 16777216; if empty, that of a 720p, 1080p or 1440p screen, by quality. */
   get maxPixels(): string;
   set maxPixels(value: number | string);
-  /** Most pictures a second, from 10 to 240; empty: as many as the display shows. */
+  /** The maximum frames per second, from 10 to 240; if empty, those of the display. */
   get fpsLimit(): string;
   set fpsLimit(value: number | string);
-  /** Seconds of fire, 0 to 30, that a new fire burns before it is shown: 3 where the attribute has no value. The poster or the picture before stays meanwhile. */
+  /** Simulated seconds, 0 to 30, before the first frame of a new fire; 3 if the attribute has no value. The poster or the last frame stays meanwhile. */
   get warm(): number;
   set warm(value: number | boolean | string);
-  /** The fire takes pointers: they stir it, a click throws sparks, a drag moves its source. Without this clicks go through it. */
+  /** The fire reacts to pointers: they stir it, a click emits sparks, a drag moves its source. Otherwise clicks pass through it. */
   interactive: boolean;
-  /** How the fire's domain fits the picture: as high as it, all of it seen, nothing else seen, or as wide as it. */
+  /** How the domain fits the picture: `height` and `width` match that side, `contain` shows the whole domain, `cover` fills the picture with it. */
   fit: 'height' | 'contain' | 'cover' | 'width';
-  /** Where the domain stands in the picture, as CSS's `object-position`: `left`, `center` or `right`, `top`, `center` or `bottom`; without it `center bottom`. */
+  /** Where the domain lies in the picture, in the keywords of CSS's `object-position`: `left`, `center` or `right`, and `top`, `center` or `bottom`. The default is `center bottom`. */
   align: string;
-  /** What fingers do on an interactive fire, as CSS's `touch-action`; without it `pan-y`. */
+  /** What touches of an interactive fire do to the page, as CSS's `touch-action`. The default is `pan-y`. */
   touchAction: string;
-  /** Shows the panel of sliders inside the element, or those of a list of parameters; its code is loaded only then. */
+  /** Shows the panel of sliders inside the element, for all parameters or for a list of them. Its code is loaded on request. */
   controls: boolean | string;
-  /** `auto`: a still fire with a play button where the visitor wants less motion. */
+  /** `auto`: visitors who prefer reduced motion get a paused fire with a play button. */
   reducedMotion: 'auto' | 'ignore';
   /** The value of one parameter. */
   get<Id extends ParameterId>(id: Id): HearthParameters[Id];
-  /** Sets one parameter; rejects with a {@link HearthRangeError}. */
+  /** Sets one parameter. Rejects with a {@link HearthRangeError}. */
   set<Id extends ParameterId>(id: Id, value: HearthParameters[Id]): Promise<void>;
-  /** Sets all of these or none; rejects with a {@link HearthRangeError}. */
+  /** Sets all of these parameters or none. Rejects with a {@link HearthRangeError}. */
   set(values: Partial<HearthParameters> & {objects?: HearthObject[]}): Promise<void>;
   /** Adds an object and resolves to its id. Rejects with a {@link HearthRangeError}. */
   addObject(object: HearthObject): Promise<number>;
@@ -111,58 +111,58 @@ export class HearthFire extends HTMLElement {
   changeObject(id: number, properties: Partial<HearthObject>): Promise<void>;
   /** Removes an object. The next source becomes the first, which the parameters describe. Rejects with a {@link HearthRangeError}. */
   removeObject(id: number): Promise<void>;
-  /** Moves parameters to values, all of them or none; whether they arrived: false where something else set one meanwhile. Rejects as `set` does. */
+  /** Changes parameters gradually, all of them or none. Resolves to false if another call set one of them meanwhile. Rejects as `set` does. */
   to(values: Partial<HearthParameters>, how?: HearthTransition): Promise<boolean>;
-  /** Puts these parameters, or all, back to their defaults; all: the model as well, and without a preset. */
+  /** Restores the defaults of these parameters. Without ids it restores all parameters, the model included, and removes the preset. */
   restore(...ids: (ParameterId | 'objects')[]): Promise<void>;
-  /** Lets the fire burn. */
+  /** Plays the fire. */
   play(): Promise<void>;
-  /** Lets the fire stand still. */
+  /** Pauses the fire. */
   pause(): Promise<void>;
-  /** Starts again from nothing, with the same values. */
+  /** Restarts the simulation with the same values. */
   reset(): Promise<void>;
-  /** Makes some steps, burning or not, then draws. */
+  /** Computes simulation steps, also while paused, then draws a frame. */
   step(steps?: number): Promise<void>;
-  /** Its settings: the preset, where that is not the default one, and what differs from it. JSON of them can be kept, sent, and given to `importConfig` or `src`. */
+  /** The settings of the fire: the preset, unless it is the default one, and the values that differ from it. As JSON they can be stored, sent, and loaded by `importConfig` or `src`. */
   exportConfig(): Promise<HearthConfig>;
-  /** Burns with these settings, or with those of this JSON: all of them or none. Rejects with a {@link HearthRangeError}. */
+  /** Applies settings, as an object or as JSON: all of them or none. Rejects with a {@link HearthRangeError}. */
   importConfig(config: HearthConfig | string): Promise<void>;
   /**
-   * What is seen of the fire now, as a file of that type: PNG, `image/jpeg` or `image/webp`.
+   * The current frame as a file of type `image/png`, `image/jpeg` or `image/webp`.
    * @param quality of JPEG and WebP, from 0 to 1
    */
   toBlob(type?: string, quality?: number): Promise<Blob>;
   /**
-   * The fire as a stream of video, for a recorder, a call or a `<video>`.
-   * @param fps most pictures a second; without it, all
+   * The fire as a video stream for a recorder, a call or a `<video>`.
+   * @param fps maximum frames per second; all frames without it
    */
   captureStream(fps?: number): Promise<MediaStream>;
-  /** Puts the fire out and frees all that it holds. It burns again when the element is put on a page anew. */
+  /** Stops the fire and frees its memory. The element makes a new fire when it is inserted into a page again. */
   destroy(): Promise<void>;
   /**
-   * Carries the gas around a place along, for a twentieth of a second.
-   * @param x metres from the middle
+   * Accelerates the gas around a point for a twentieth of a second.
+   * @param x metres from the middle of the floor
    * @param y metres above the floor
-   * @param u metres a second to the right, at most 20
-   * @param v metres a second up, at most 20
+   * @param u velocity to the right in metres per second, at most 20
+   * @param v velocity upwards in metres per second, at most 20
    */
   stir(x: number, y: number, u: number, v: number): Promise<void>;
   /**
-   * Throws sparks from a place; the classic model has none.
-   * @param x metres from the middle
+   * Emits sparks from a point. The classic model has none.
+   * @param x metres from the middle of the floor
    * @param y metres above the floor
    * @param count from 1 to 200
    */
   sparks(x: number, y: number, count?: number): Promise<void>;
   /**
-   * The place of the fire's world that a point of the element shows: in metres, from the middle of the floor, y up. Null while there is no picture.
+   * Converts a point of the element to the domain: metres from the middle of the floor, y upwards. Null while there is no picture.
    * @param x CSS pixels from the element's left edge
    * @param y CSS pixels from its upper edge
    */
   toMetres(x: number, y: number): HearthPoint | null;
   /**
-   * Where a place of the fire's world is shown, in CSS pixels from the element's upper left corner: the inverse of `toMetres`.
-   * @param x metres from the middle
+   * Converts a point of the domain to CSS pixels from the element's upper left corner: the inverse of `toMetres`.
+   * @param x metres from the middle of the floor
    * @param y metres above the floor
    */
   toPixels(x: number, y: number): HearthPoint | null;

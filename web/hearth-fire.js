@@ -1,13 +1,12 @@
 /**
  * `<hearth-fire>`: a fire as an HTML element.
  *
- * The class is the element's public interface, and its JSDoc states it: types, manifest and React's
- * types are derived from here. The work is done in `element/`: attributes, properties and calls
- * become messages to the engine, and the engine's messages become promises and events. The element
- * checks no value; the engine's table of parameters does. Reading a value gives the last one that
- * the engine accepted.
+ * This class is the element's public interface. `cargo xtask codegen` derives the types, the manifest and
+ * React's types from its JSDoc. The code is in `element/`: attributes, properties and calls become
+ * messages to the engine, and the engine's messages become promises and events. The engine validates
+ * every value. Reading a value returns the last one that the engine accepted.
  *
- * The module can be imported where there is no `window`; it then defines nothing.
+ * The module can be imported without a `window`; it then defines no element.
  *
  * @typedef {import('./parameters.js').HearthParameters} HearthParameters
  * @typedef {import('./parameters.js').ParameterId} ParameterId
@@ -20,45 +19,44 @@
  * @typedef {import('./element/types.js').HearthTransition} HearthTransition
  */
 
-import { FireAttributes, ID_OF_PROPERTY, keepEarlyProperties, setOrRemove } from './element/attributes.js';
+import { FireAttributes, ID_OF_PROPERTY, defineProperty, setOrRemove, upgradeProperties } from './element/attributes.js';
 import { postable, quiet } from './element/requests.js';
 import { FireSession } from './element/session.js';
-import { settings } from './element/settings.js';
 import { seedOf } from './element/values.js';
 
 /**
  * A fire, simulated by smoothed particle hydrodynamics.
  *
  * @fires {null} ready  The fire burns.
- * @fires {null} play  It burns again.
- * @fires {null} pause  It stands still.
- * @fires {HearthChangeDetail} params-change  A value changed, whoever changed it.
+ * @fires {null} play  The fire plays again.
+ * @fires {null} pause  The fire is paused.
+ * @fires {HearthChangeDetail} params-change  A parameter has changed, from any source.
  * @fires {HearthObjectsDetail} objects-change  An object was added, changed or removed.
- * @fires {HearthQualityDetail} quality-change  The fire makes itself more or less work than before.
- * @fires {HearthStats} stats  What the fire says about itself, about four times a second.
- * @fires {HearthErrorDetail} error  Something is wrong: a value that was refused, a file that did not arrive, a browser that cannot.
- * @fires {null} restored  The graphics context was lost and is back.
- * @slot poster  What is shown until the fire burns, and where it cannot; the attribute's picture if this is empty.
+ * @fires {HearthQualityDetail} quality-change  The quality has changed, to fit the speed of the device or on request.
+ * @fires {HearthStats} stats  Measurements of the fire, about four times a second.
+ * @fires {HearthErrorDetail} error  A value is refused, a file could not be loaded, or the browser cannot show the fire.
+ * @fires {null} restored  The graphics context was lost and is restored.
+ * @slot poster  Content that is shown until the fire burns, and in browsers that cannot show it. The attribute `poster` applies if the slot is empty.
  * @csspart canvas  The canvas.
- * @csspart message  The words for a browser that cannot show the fire.
- * @csspart play  The button that plays a fire that stands still for the visitor's sake, and pauses it again.
- * @csspart panel  The panel of sliders, where there is one.
- * @csspart scale  The bar that says which colour is how much, where the picture shows a quantity.
- * @cssproperty --hearth-light  Its power now against its mean, from 0 to 1; 0.5 is the mean.
- * @cssproperty --hearth-glow  The colour of its light.
- * @cssstate burning  Its picture is shown and it plays.
+ * @csspart message  The message in a browser that cannot show the fire.
+ * @csspart play  The button that plays a fire that is paused for reduced motion, and pauses it again.
+ * @csspart panel  The panel of sliders of the attribute `controls`.
+ * @csspart scale  The colour bar of a display mode that shows a quantity.
+ * @cssproperty --hearth-light  The power relative to its mean, from 0 to 1; 0.5 is the mean.
+ * @cssproperty --hearth-glow  The colour of the light.
+ * @cssstate burning  The fire is visible and plays.
  */
 export class HearthFire extends FireAttributes {
   /**
-   * Where the wasm file is, if it is not at `wasm/hearth-engine_bg.wasm` beside
-   * this module. Set it before the first fire.
+   * The URL of the wasm file, if it is not `wasm/hearth-engine_bg.wasm` beside this module. Set it
+   * before the first fire.
    * @type {string | URL | undefined}
    */
   static wasmUrl;
 
   /**
-   * Where the engine runs; `auto`: in a worker where that can draw, else on the main thread.
-   * Set it before the first fire.
+   * Where the engine runs; `auto`: in a worker if workers can draw, else on the main thread. Set it
+   * before the first fire.
    * @type {'auto' | 'worker' | 'main'}
    */
   static engine = 'auto';
@@ -66,7 +64,7 @@ export class HearthFire extends FireAttributes {
   #session = new FireSession(this, () => [HearthFire.wasmUrl, HearthFire.engine]);
 
   /**
-   * The named set of values that the fire starts from. Changed later, it replaces every value.
+   * The named set of values that the fire starts from. A later change replaces every value.
    * @attribute
    * @default default
    * @returns {PresetName}
@@ -81,7 +79,7 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Every value that the fire burns with, by id.
+   * The values of all parameters, by id.
    * @returns {HearthParameters}
    */
   get params() {
@@ -89,9 +87,9 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * The objects of the fire: copies, each with its kind, its id and its properties. Setting them
-   * replaces all. The attribute has them as JSON; without it the fire has one source, which the
-   * parameters describe.
+   * Copies of the objects of the fire, each with its kind, its id and its properties. Setting the list
+   * replaces all objects. The attribute holds them as JSON; without it the fire has one source, which
+   * the parameters describe.
    * @attribute
    * @returns {Required<HearthObject>[]}
    */
@@ -101,13 +99,13 @@ export class HearthFire extends FireAttributes {
 
   /** @param {HearthObject[]} objects */
   set objects(objects) {
-    // Frameworks put undefined or null where there is no value any more.
+    // Frameworks set undefined or null to remove a value.
     if (objects === undefined || objects === null) this.restore('objects');
-    else this.#session.set({ objects }, 'property');
+    else this.#session.set({ objects });
   }
 
   /**
-   * What the fire last said about itself; null before it did.
+   * The latest measurements of the fire; null before the first.
    * @returns {HearthStats | null}
    */
   get stats() {
@@ -116,7 +114,7 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * How much work the fire may make itself; `auto`: as much as fits.
+   * The level of detail of simulation and picture; `auto` follows the speed of the device.
    * @attribute
    * @default auto
    * @returns {'auto' | HearthQuality}
@@ -130,8 +128,8 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Resolves when the fire burns; rejects where it cannot. An element that was taken off the page
-   * has a new one.
+   * Resolves when the fire burns; rejects if it cannot. An element that is removed from the page gets a
+   * new promise.
    * @returns {Promise<void>}
    */
   get ready() {
@@ -139,7 +137,7 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Whether the fire stands still.
+   * Whether the fire is paused.
    * @attribute
    * @default false
    * @returns {boolean}
@@ -164,7 +162,7 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Sets one parameter; rejects with a {@link HearthRangeError}.
+   * Sets one parameter. Rejects with a {@link HearthRangeError}.
    * @template {ParameterId} Id
    * @overload
    * @param {Id} id
@@ -172,19 +170,19 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   /**
-   * Sets all of these or none; rejects with a {@link HearthRangeError}.
+   * Sets all of these parameters or none. Rejects with a {@link HearthRangeError}.
    * @overload
    * @param {Partial<HearthParameters> & {objects?: HearthObject[]}} values
    * @returns {Promise<void>}
    */
   /**
-   * Sets one parameter, or several: all of them or none. Rejects with a RangeError that names what is allowed.
+   * Sets one parameter, or several: all of them or none. Rejects with a RangeError that names the allowed values.
    * @param {ParameterId | Partial<HearthParameters> & {objects?: HearthObject[]}} ids
    * @param {number | string | boolean} [value]
    * @returns {Promise<void>}
    */
   set(ids, value) {
-    return this.#session.set(typeof ids === 'object' && ids ? ids : { [String(ids)]: value }, 'property');
+    return this.#session.set(typeof ids === 'object' && ids ? ids : { [String(ids)]: value });
   }
 
   /**
@@ -193,7 +191,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<number>}
    */
   addObject(object) {
-    return this.#session.ask('addObject', postable(object, 1), 'property');
+    return this.#session.call('addObject', postable(object, 1), 'property');
   }
 
   /**
@@ -203,7 +201,7 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   changeObject(id, properties) {
-    return this.#session.ask('changeObject', postable(id), postable(properties, 1), 'property');
+    return this.#session.call('changeObject', postable(id), postable(properties, 1), 'property');
   }
 
   /**
@@ -213,12 +211,12 @@ export class HearthFire extends FireAttributes {
    * @returns {Promise<void>}
    */
   removeObject(id) {
-    return this.#session.ask('removeObject', postable(id), 'property');
+    return this.#session.call('removeObject', postable(id), 'property');
   }
 
   /**
-   * Moves parameters to values, all of them or none; whether they arrived: false where something
-   * else set one meanwhile. Rejects as `set` does.
+   * Changes parameters gradually, all of them or none. Resolves to false if another call set one of
+   * them meanwhile. Rejects as `set` does.
    * @param {Partial<HearthParameters>} values
    * @param {HearthTransition} [how]
    * @returns {Promise<boolean>}
@@ -228,19 +226,19 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Puts these parameters, or all, back to their defaults; all: the model as well, and without a
-   * preset.
+   * Restores the defaults of these parameters. Without ids it restores all parameters, the model
+   * included, and removes the preset.
    * @param {...(ParameterId | 'objects')} ids
    * @returns {Promise<void>}
    */
   restore(...ids) {
-    if (ids.length > 0) return this.#session.ask('restore', postable(ids, 1), 'property');
-    this.#session.dropPreset();
-    return this.#session.ask('preset', 'default', 'property');
+    if (ids.length > 0) return this.#session.call('restore', postable(ids, 1), 'property');
+    this.#session.reflectPreset();
+    return this.#session.call('preset', 'default', 'property');
   }
 
   /**
-   * Lets the fire burn.
+   * Plays the fire.
    * @returns {Promise<void>}
    */
   play() {
@@ -248,7 +246,7 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Lets the fire stand still.
+   * Pauses the fire.
    * @returns {Promise<void>}
    */
   pause() {
@@ -256,74 +254,67 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Starts again from nothing, with the same values.
+   * Restarts the simulation with the same values.
    * @returns {Promise<void>}
    */
   reset() {
-    return this.#session.ask('reset');
+    return this.#session.call('reset');
   }
 
   /**
-   * Makes some steps, burning or not, then draws.
+   * Computes simulation steps, also while paused, then draws a frame.
    * @param {number} [steps]
    * @returns {Promise<void>}
    */
   step(steps = 1) {
-    return this.#session.ask('step', postable(steps));
+    return this.#session.call('step', postable(steps));
   }
 
   /**
-   * Its settings: the preset, where that is not the default one, and what differs
-   * from it. JSON of them can be kept, sent, and given to `importConfig` or `src`.
+   * The settings of the fire: the preset, unless it is the default one, and the values that differ from
+   * it. As JSON they can be stored, sent, and loaded by `importConfig` or `src`.
    * @returns {Promise<HearthConfig>}
    */
   exportConfig() {
-    return this.#session.ask('export');
+    return this.#session.call('export');
   }
 
   /**
-   * Burns with these settings, or with those of this JSON: all of them or none. Rejects with a
+   * Applies settings, as an object or as JSON: all of them or none. Rejects with a
    * {@link HearthRangeError}.
    * @param {HearthConfig | string} config
    * @returns {Promise<void>}
    */
   importConfig(config) {
     try {
-      return this.#session.ask('import', settings(config), 'property');
+      return this.#session.call('import', this.#session.settings(config, 'config'), 'property');
     } catch (error) {
-      const { message } = /** @type {Error} */ (error);
-      return quiet(Promise.reject(this.#session.reports.refused([{ id: 'config', value: config, message }])));
+      return quiet(Promise.reject(error));
     }
   }
 
   /**
-   * What is seen of the fire now, as a file of that type: PNG, `image/jpeg` or `image/webp`.
+   * The current frame as a file of type `image/png`, `image/jpeg` or `image/webp`.
    * @param {string} [type]
    * @param {number} [quality] of JPEG and WebP, from 0 to 1
    * @returns {Promise<Blob>}
    */
   toBlob(type = 'image/png', quality) {
-    return this.#session.ofPicture((canvas) => new Promise((resolve, reject) => {
-      const refused = new Error(`the browser makes no file of the picture as ${type}`);
-      canvas.toBlob((blob) => (blob ? resolve(blob) : reject(refused)), type, quality);
-    }));
+    return this.#session.capture('toBlob', type, quality);
   }
 
   /**
-   * The fire as a stream of video, for a recorder, a call or a `<video>`.
-   * @param {number} [fps] most pictures a second; without it, all
+   * The fire as a video stream for a recorder, a call or a `<video>`.
+   * @param {number} [fps] maximum frames per second; all frames without it
    * @returns {Promise<MediaStream>}
    */
   captureStream(fps) {
-    return this.#session.ofPicture((canvas) => {
-      if (!canvas.captureStream) throw new Error('this browser cannot capture a canvas');
-      return fps === undefined ? canvas.captureStream() : canvas.captureStream(fps);
-    });
+    return this.#session.capture('captureStream', fps);
   }
 
   /**
-   * Puts the fire out and frees all that it holds. It burns again when the element
-   * is put on a page anew.
+   * Stops the fire and frees its memory. The element makes a new fire when it is inserted into a page
+   * again.
    * @returns {Promise<void>}
    */
   async destroy() {
@@ -331,67 +322,67 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Carries the gas around a place along, for a twentieth of a second.
-   * @param {number} x metres from the middle
+   * Accelerates the gas around a point for a twentieth of a second.
+   * @param {number} x metres from the middle of the floor
    * @param {number} y metres above the floor
-   * @param {number} u metres a second to the right, at most 20
-   * @param {number} v metres a second up, at most 20
+   * @param {number} u velocity to the right in metres per second, at most 20
+   * @param {number} v velocity upwards in metres per second, at most 20
    * @returns {Promise<void>}
    */
   stir(x, y, u, v) {
-    return this.#session.ask('stir', ...postable([x, y, u, v], 1));
+    return this.#session.call('stir', ...postable([x, y, u, v], 1));
   }
 
   /**
-   * Throws sparks from a place; the classic model has none.
-   * @param {number} x metres from the middle
+   * Emits sparks from a point. The classic model has none.
+   * @param {number} x metres from the middle of the floor
    * @param {number} y metres above the floor
    * @param {number} [count] from 1 to 200
    * @returns {Promise<void>}
    */
   sparks(x, y, count = 24) {
-    return this.#session.ask('sparks', ...postable([x, y, count], 1));
+    return this.#session.call('sparks', ...postable([x, y, count], 1));
   }
 
   /**
-   * The place of the fire's world that a point of the element shows: in metres, from the middle of
-   * the floor, y up. Null while there is no picture.
+   * Converts a point of the element to the domain: metres from the middle of the floor, y upwards. Null
+   * while there is no picture.
    * @param {number} x CSS pixels from the element's left edge
    * @param {number} y CSS pixels from its upper edge
    * @returns {HearthPoint | null}
    */
   toMetres(x, y) {
-    return this.#session.view.place(this.params)?.toMetres(x, y) ?? null;
+    return this.#session.view.viewport(this.params)?.toMetres(x, y) ?? null;
   }
 
   /**
-   * Where a place of the fire's world is shown, in CSS pixels from the element's upper left corner:
-   * the inverse of `toMetres`.
-   * @param {number} x metres from the middle
+   * Converts a point of the domain to CSS pixels from the element's upper left corner: the inverse of
+   * `toMetres`.
+   * @param {number} x metres from the middle of the floor
    * @param {number} y metres above the floor
    * @returns {HearthPoint | null}
    */
   toPixels(x, y) {
-    return this.#session.view.place(this.params)?.toPixels(x, y) ?? null;
+    return this.#session.view.viewport(this.params)?.toPixels(x, y) ?? null;
   }
 
   connectedCallback() {
-    keepEarlyProperties(this);
+    upgradeProperties(this);
     if (this.getAttribute('seed') === 'auto') seedOf(this);
     this.#session.attach();
   }
 
-  /** It was taken to another document, as a window beside the page. */
+  /** The element has moved to another document, for instance another window. */
   adoptedCallback() {
     this.#session.view.dress();
   }
 
   disconnectedCallback() {
-    // An element that is only moved is back before the microtask.
+    // An element that only moves is connected again before the microtask.
     queueMicrotask(() => this.isConnected || this.#session.close());
   }
 
-  /** A move by `moveBefore` needs nothing. */
+  /** Without this callback, `moveBefore` would disconnect the element. */
   connectedMoveCallback() {}
 
   /** @type {(name: string, old: string | null, value: string | null) => void} */
@@ -401,18 +392,10 @@ export class HearthFire extends FireAttributes {
 }
 
 for (const [property, id] of ID_OF_PROPERTY) {
-  Object.defineProperty(HearthFire.prototype, property, {
-    configurable: true,
-    enumerable: true,
-    get() {
-      return this.get(id);
-    },
-    set(value) {
-      // Frameworks put undefined or null where there is no value any more.
-      if (value === undefined || value === null) this.restore(id);
-      else this.set(id, value);
-    },
-  });
+  // Frameworks set undefined or null to remove a value.
+  defineProperty(HearthFire, property, (fire) => fire.get(/** @type {ParameterId} */ (id)), (/** @type {any} */ fire, value) => (
+    value === undefined || value === null ? fire.restore(id) : fire.set(id, value)
+  ));
 }
 
 if (globalThis.customElements && !customElements.get('hearth-fire')) {

@@ -1,41 +1,40 @@
 /**
- * The panel of sliders, for those who place it themselves; an element with the
- * attribute `controls` has it inside.
+ * The panel of sliders in any element of a page. The attribute `controls` shows it inside the fire.
  */
 
 import type { HearthFire } from './hearth-fire.js';
 
-/** Where a panel stands, and for which fire. */
+/** The options of a panel. */
 export interface HearthPanelPlace {
-  /** An element that has a size. */
+  /** The element that receives the panel; it needs a size. */
   host: HTMLElement;
-  /** The fire; anything with its methods, properties and events will do. */
+  /** The fire, or any object with its methods, properties and events. */
   fire: HearthFire;
   /**
-   * The address of the page, where it is a page for this fire and shows what its query says.
-   * The panel then copies links to it, hears its keys where the focus is nowhere too, and its full
-   * screen is the whole page.
+   * The URL of the page, if the page is about this fire and applies its URL parameters. The panel then
+   * copies links to it, handles its keys while nothing has the focus, and its full screen is the whole
+   * page.
    */
   page?: string | URL;
   /**
-   * Where other pages find `hearth-fire.js`, for the HTML that the panel copies, if that is not
-   * beside the panel's module. Behind a bundler nobody knows; the element alone is copied then.
+   * The URL of `hearth-fire.js` in the HTML that the panel copies, if it is not beside the panel's module.
+   * In a bundle the URL is unknown, and without this option the HTML is the element alone.
    */
   script?: string | URL;
-  /** The ids of the parameters that it shows, in this order; without it, all of them. */
+  /** The ids of the parameters to show, in this order; all parameters without it. */
   only?: string[];
-  /** And where they find `embed.html`. Behind a bundler no iframe is offered without it. */
+  /** The URL of `embed.html` in that HTML. In a bundle, the panel offers no iframe without it. */
   embed?: string | URL;
 }
 
-/** A panel that stands. */
+/** A panel on a page. */
 export interface HearthPanel {
-  /** Takes it away, with everything that belongs to it. */
+  /** Removes the panel. */
   destroy(): void;
 }
 
 /**
- * Shows the panel of a fire. It settles when the panel stands, or when it is clear, and said
- * in the panel's place, that it cannot.
+ * Shows the panel of a fire. Settles when the panel is shown, or when a message in its place says why it is
+ * not.
  */
 export function mountPanel(place: HearthPanelPlace): Promise<HearthPanel>;

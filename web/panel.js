@@ -14,12 +14,12 @@ import { listenToKeys } from './panel/keys.js';
 import { addSheet } from './panel/sheet.js';
 import { addStyle } from './panel/style.js';
 
-/** How often a panel whose WebGL context was lost is started again. */
+/** How often a panel restarts after it lost its WebGL context. */
 const RESTARTS = 3;
 
 /**
- * The module of the panel's wasm, loaded once for all panels of a page; a load
- * that failed is tried again by the next panel.
+ * The module of the panel's wasm, loaded once for all panels of a page. After a failure the next panel
+ * tries again.
  *
  * @type {Promise<typeof import('./wasm/hearth-panel.js')> | undefined}
  */
@@ -38,8 +38,8 @@ function load() {
 }
 
 /**
- * Keeps a panel at the bottom of the window above the keyboard on the screen,
- * which some browsers lay over the page.
+ * Keeps a panel at the bottom of the window above the on-screen keyboard, which some browsers lay over
+ * the page.
  *
  * @param {HTMLElement} host
  * @returns {() => void} ends it
@@ -51,7 +51,7 @@ function stayAboveKeyboard(host) {
     const root = /** @type {Document | ShadowRoot} */ (host.getRootNode());
     const typing = host.contains(root.activeElement);
     const hidden = window.innerHeight - viewport.height - viewport.offsetTop;
-    // A zoomed page has a small viewport too; only a keyboard is this high.
+    // A zoomed page has a small viewport as well; only a keyboard is this high.
     const keyboard = typing && viewport.scale === 1 && hidden > 100 ? hidden : 0;
     const sheet = host.offsetHeight < viewport.height;
     host.style.translate = keyboard && sheet ? `0 ${-keyboard}px` : '';
@@ -66,23 +66,22 @@ function stayAboveKeyboard(host) {
 }
 
 /**
- * Shows the panel of a fire in an element that has a size, or in the fire's own
- * shadow root.
+ * Shows the panel of a fire in an element that has a size, or in the fire's own shadow root.
  *
- * @param {object} place
- * @param {HTMLElement} place.host  Where.
- * @param {import('./hearth-fire.js').HearthFire} place.fire  For which `<hearth-fire>`; anything with its methods,
- *   properties and events will do.
- * @param {string | URL} [place.page]  The address of the page, where it is a page for
- *   this fire and shows what its query says: the panel copies links to it, hears its
- *   keys where the focus is nowhere too, and its full screen is the whole page.
- * @param {string | URL} [place.script]  Where other pages find `hearth-fire.js`, for the HTML
- *   that the panel copies, if that is not beside this module.
- * @param {string | URL} [place.embed]  And where they find `embed.html`.
- * @param {string[]} [place.only]  The ids of the parameters that it shows, in this order;
- *   without it, all of them.
- * @returns {Promise<{destroy(): void}>} settles when the panel stands, or when
- *   it is clear, and said in the panel's place, that it cannot
+ * @param {object} options
+ * @param {HTMLElement} options.host  The element that receives the panel.
+ * @param {import('./hearth-fire.js').HearthFire} options.fire  The `<hearth-fire>` that the panel controls, or any
+ *   object with its methods, properties and events.
+ * @param {string | URL} [options.page]  The URL of the page, if the page is about this fire and applies its
+ *   URL parameters. The panel then copies links to it, handles its keys while nothing has the focus, and
+ *   its full screen is the whole page.
+ * @param {string | URL} [options.script]  The URL of `hearth-fire.js` in the HTML that the panel copies, if it
+ *   is not beside this module.
+ * @param {string | URL} [options.embed]  The URL of `embed.html` in that HTML.
+ * @param {string[]} [options.only]  The ids of the parameters to show, in this order; all parameters without
+ *   it.
+ * @returns {Promise<{destroy(): void}>} settles when the panel is shown, or when a message in its place says
+ *   why it is not
  */
 export async function mountPanel({ host, fire, page, script, embed, only }) {
   let ended = false;
@@ -93,7 +92,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
   let stage;
   /** @type {HTMLCanvasElement | undefined} */
   let canvas;
-  /** What ends each part of the panel, the last one first. @type {(() => void)[]} */
+  /** Ends each part of the panel, the last one first. @type {(() => void)[]} */
   const ends = [];
 
   /** @param {() => void} end */
@@ -131,7 +130,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
   atEnd(fold?.remove ?? stayAboveKeyboard(host));
   if (inside || page !== undefined) atEnd(addSheet(host, inside ? fire : undefined));
   atEnd(listenToKeys({ own: [host, fire], page: page !== undefined, fire, controller, hide: fold?.toggle }));
-  // Nothing around the panel is closed by a key that closes things in it.
+  // Escape closes things in the panel, not the dialog around it.
   listen(host, 'keydown', (event) => {
     if (event.key !== 'Escape') return;
     event.preventDefault();
@@ -163,7 +162,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
     event.preventDefault();
     stop();
     if (!ended && restarts++ < RESTARTS) setTimeout(start, 200);
-    else if (!ended) say('its drawing context was lost');
+    else if (!ended) warn('its graphics context was lost');
   };
 
   function stop() {
@@ -171,39 +170,39 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
     canvas?.removeEventListener('panel-painted', painted);
     panel?.destroy();
     panel = undefined;
-    // A browser allows only some contexts on a page: give this one back now.
+    // The number of contexts on a page is limited: this one is released at once.
     canvas?.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
     stage?.remove();
     stage = canvas = undefined;
   }
 
-  /** @param {string} reason */
-  function say(reason) {
+  /** Shows a message and the accessible controls. @param {string} reason */
+  function warn(reason) {
     if (host.querySelector('.hearth-panel-message')) return;
     const message = document.createElement('p');
     message.className = 'hearth-panel-message';
     message.setAttribute('role', 'alert');
-    message.textContent = `The panel cannot be shown: ${reason}. Here are plain controls instead.`;
+    message.textContent = `The panel cannot be shown: ${reason}. These plain controls replace it.`;
     host.prepend(message);
     atEnd(() => message.remove());
-    accessible.stand();
+    accessible.show();
   }
 
   async function start() {
     if (ended || plain.matches) return;
     stage = document.createElement('div');
     stage.className = 'hearth-panel-stage';
-    // eframe takes the focus when it starts; in here it cannot.
+    // eframe takes the focus when it starts; an inert element cannot have it.
     stage.inert = true;
-    const place = document.createElement('canvas');
-    place.setAttribute('aria-hidden', 'true');
-    stage.append(place);
-    canvas = place;
+    const target = document.createElement('canvas');
+    target.setAttribute('aria-hidden', 'true');
+    stage.append(target);
+    canvas = target;
     host.prepend(stage);
     try {
       const wasm = await load();
       if (ended) return;
-      const started = await wasm.Panel.start(place, fire, controller);
+      const started = await wasm.Panel.start(target, fire, controller);
       if (ended) {
         started.destroy();
         return;
@@ -212,28 +211,27 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
       stage.inert = false;
       panel.tell(controller.state);
       controller.hovered = () => panel?.hovered();
-      // The accessible controls may have had the focus before there was a panel.
+      // An accessible control may have had the focus before the panel started.
       if (revealed) panel.reveal(revealed);
-      place.addEventListener('webglcontextlost', lost);
-      place.addEventListener('panel-painted', painted);
+      target.addEventListener('webglcontextlost', lost);
+      target.addEventListener('panel-painted', painted);
     } catch (error) {
       stage?.remove();
       stage = canvas = undefined;
       if (ended) return;
-      say(error instanceof Error ? error.message : String(error));
+      warn(error instanceof Error ? error.message : String(error));
     }
   }
 
-  // A canvas has the colours that it has: where the system's are wanted, the page's own
-  // controls stand in its place.
+  // Forced colours do not reach a canvas: the accessible controls replace it.
   const plain = matchMedia('(forced-colors: active)');
-  const stand = () => {
-    accessible.stand(plain.matches);
+  const replace = () => {
+    accessible.show(plain.matches);
     if (plain.matches) stop();
     else if (!panel) start();
   };
-  listen(plain, 'change', stand);
-  if (plain.matches) accessible.stand();
+  listen(plain, 'change', replace);
+  if (plain.matches) accessible.show();
   atEnd(stop);
   listen(controller, 'search', () => {
     if (plain.matches || !canvas?.checkVisibility()) return;
@@ -241,7 +239,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
     panel?.reveal('search');
   });
   listen(controller, 'change', () => panel?.tell(controller.state));
-  // A drag, however long, and a key that is held down are one step each.
+  // A drag is one step of the undo history, and so is a key that is held down.
   listen(host, 'pointerdown', () => controller.press(), { capture: true });
   listen(window, 'keydown', (event) => event.repeat || controller.press(), { capture: true });
   listen(window, 'scroll', update, { passive: true, capture: true });

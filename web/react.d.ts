@@ -36,41 +36,41 @@ export type HearthFireProps = HearthFireAttributes &
 
 /** The attributes of `<hearth-fire>`; one that is taken away is back at its default. */
 export interface HearthFireAttributes {
-  /** The named set of values that the fire starts from. Changed later, it replaces every value. */
+  /** The named set of values that the fire starts from. A later change replaces every value. */
   preset?: PresetName | undefined;
-  /** The objects of the fire: copies, each with its kind, its id and its properties. Setting them replaces all. The attribute has them as JSON; without it the fire has one source, which the parameters describe. */
+  /** Copies of the objects of the fire, each with its kind, its id and its properties. Setting the list replaces all objects. The attribute holds them as JSON; without it the fire has one source, which the parameters describe. */
   objects?: Required<HearthObject>[] | undefined;
-  /** How much work the fire may make itself; `auto`: as much as fits. */
+  /** The level of detail of simulation and picture; `auto` follows the speed of the device. */
   quality?: 'auto' | HearthQuality | undefined;
-  /** Whether the fire stands still. */
+  /** Whether the fire is paused. */
   paused?: boolean | undefined;
-  /** `false`: the fire stands still until `play()`. */
+  /** `false`: the fire is paused until `play()`. */
   autoplay?: boolean | undefined;
-  /** The address of a JSON file with settings, as `exportConfig()` gives them; empty: none. */
+  /** The URL of a JSON file with settings, as `exportConfig()` returns them; empty without one. */
   src?: string | undefined;
-  /** When the fire is loaded: `auto`, in sight at once and elsewhere when the page has loaded; `lazy`, when it comes near the window; `eager`, at once. */
+  /** When the fire is loaded: `auto`, at once if it is visible, else when the page has loaded; `lazy`, when it comes near the window; `eager`, at once. */
   loading?: 'auto' | 'lazy' | 'eager' | undefined;
-  /** The address of a picture that is shown until the fire burns, and where it cannot. */
+  /** The URL of an image that is shown until the fire burns, and in browsers that cannot show it. */
   poster?: string | undefined;
-  /** What a screen reader says of the fire; without it the fire is decoration. */
+  /** The description for screen readers; without one the fire is decoration. */
   alt?: string | undefined;
-  /** Most pixels that the picture may have, from 1024 to 16777216; empty: those of a 720p, 1080p or 1440p screen, by quality. */
+  /** The maximum number of pixels of the picture, from 1024 to 16777216; if empty, that of a 720p, 1080p or 1440p screen, by quality. */
   'max-pixels'?: number | string | undefined;
-  /** Most pictures a second, from 10 to 240; empty: as many as the display shows. */
+  /** The maximum frames per second, from 10 to 240; if empty, those of the display. */
   'fps-limit'?: number | string | undefined;
-  /** Seconds of fire, 0 to 30, that a new fire burns before it is shown: 3 where the attribute has no value. The poster or the picture before stays meanwhile. */
+  /** Simulated seconds, 0 to 30, before the first frame of a new fire; 3 if the attribute has no value. The poster or the last frame stays meanwhile. */
   warm?: number | boolean | string | undefined;
-  /** The fire takes pointers: they stir it, a click throws sparks, a drag moves its source. Without this clicks go through it. */
+  /** The fire reacts to pointers: they stir it, a click emits sparks, a drag moves its source. Otherwise clicks pass through it. */
   interactive?: boolean | undefined;
-  /** How the fire's domain fits the picture: as high as it, all of it seen, nothing else seen, or as wide as it. */
+  /** How the domain fits the picture: `height` and `width` match that side, `contain` shows the whole domain, `cover` fills the picture with it. */
   fit?: 'height' | 'contain' | 'cover' | 'width' | undefined;
-  /** Where the domain stands in the picture, as CSS's `object-position`: `left`, `center` or `right`, `top`, `center` or `bottom`; without it `center bottom`. */
+  /** Where the domain lies in the picture, in the keywords of CSS's `object-position`: `left`, `center` or `right`, and `top`, `center` or `bottom`. The default is `center bottom`. */
   align?: string | undefined;
-  /** What fingers do on an interactive fire, as CSS's `touch-action`; without it `pan-y`. */
+  /** What touches of an interactive fire do to the page, as CSS's `touch-action`. The default is `pan-y`. */
   'touch-action'?: string | undefined;
-  /** Shows the panel of sliders inside the element, or those of a list of parameters; its code is loaded only then. */
+  /** Shows the panel of sliders inside the element, for all parameters or for a list of them. Its code is loaded on request. */
   controls?: boolean | string | undefined;
-  /** `auto`: a still fire with a play button where the visitor wants less motion. */
+  /** `auto`: visitors who prefer reduced motion get a paused fire with a play button. */
   'reduced-motion'?: 'auto' | 'ignore' | undefined;
   /** Another kind of fire. Classic: the paper's equations, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
   model?: "classic" | "combustion" | undefined;
@@ -236,20 +236,20 @@ export interface HearthFireAttributes {
 export interface HearthFireListeners {
   /** The fire burns. */
   onready?: ((event: CustomEvent<null>) => void) | undefined;
-  /** It burns again. */
+  /** The fire plays again. */
   onplay?: ((event: CustomEvent<null>) => void) | undefined;
-  /** It stands still. */
+  /** The fire is paused. */
   onpause?: ((event: CustomEvent<null>) => void) | undefined;
-  /** A value changed, whoever changed it. */
+  /** A parameter has changed, from any source. */
   'onparams-change'?: ((event: CustomEvent<HearthChangeDetail>) => void) | undefined;
   /** An object was added, changed or removed. */
   'onobjects-change'?: ((event: CustomEvent<HearthObjectsDetail>) => void) | undefined;
-  /** The fire makes itself more or less work than before. */
+  /** The quality has changed, to fit the speed of the device or on request. */
   'onquality-change'?: ((event: CustomEvent<HearthQualityDetail>) => void) | undefined;
-  /** What the fire says about itself, about four times a second. */
+  /** Measurements of the fire, about four times a second. */
   onstats?: ((event: CustomEvent<HearthStats>) => void) | undefined;
-  /** Something is wrong: a value that was refused, a file that did not arrive, a browser that cannot. */
+  /** A value is refused, a file could not be loaded, or the browser cannot show the fire. */
   onerror?: ((event: CustomEvent<HearthErrorDetail>) => void) | undefined;
-  /** The graphics context was lost and is back. */
+  /** The graphics context was lost and is restored. */
   onrestored?: ((event: CustomEvent<null>) => void) | undefined;
 }

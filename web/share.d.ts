@@ -1,50 +1,45 @@
 /**
- * A fire's settings as an address, as a link and as HTML to paste: pure functions,
- * for pages and servers alike.
+ * A fire's settings as URL parameters, as a link and as HTML: pure functions for pages and servers.
  */
 
 import type { HearthConfig } from './hearth-fire.js';
 
-/** Settings whose values may still be texts, as an address holds them. */
+/** Settings whose values may be strings, as in a URL. */
 export interface HearthSharedConfig {
   hearth?: 1 | 2;
   preset?: string;
   values?: Record<string, unknown>;
   objects?: object[];
-  /** For people; neither an address nor HTML holds them. */
+  /** For people; neither a URL nor HTML contains them. */
   label?: string;
   description?: string;
 }
 
-/**
- * Where this file is, by which the panel knows whether its own files still lie beside each
- * other; what a bundler made of it is somewhere else.
- */
+/** The URL of this file, or of the bundle that contains it. */
 export const FILE: string;
 
-/** What a query asks for. */
+/** The settings in URL parameters. */
 export interface HearthQuery {
-  /** The fire's settings, to be given to `importConfig`, which checks them. */
+  /** The fire's settings for `importConfig`, which validates them. */
   config: HearthConfig;
-  /** The element's own attributes, and the names that the page reads itself. */
+  /** The element's own attributes, and the page's own parameters. */
   others: URLSearchParams;
 }
 
-/** The query that gives this fire, without its question mark; empty for the default one. */
+/** The URL parameters of a fire, without the question mark; empty for the defaults. */
 export function toQuery(config: HearthSharedConfig): string;
 
-/** What a query asks for; `names` are those that the page itself reads from its address. */
+/** The settings in URL parameters; `names` are the page's own parameters. */
 export function fromQuery(search: string | URLSearchParams, names?: Iterable<string>): HearthQuery;
 
-/** The address of a page that reads its query and shows this fire. `base` must be absolute. */
+/** The URL of a page that shows this fire. `base` is the absolute URL of a page that applies its URL parameters. */
 export function pageLink(config: HearthSharedConfig, base: string | URL): string;
 
 /**
- * HTML that shows this fire on any page: script and element, or without the script's address the
- * element alone. Throws a `RangeError` where a
- * value's name is no parameter's.
+ * HTML that shows this fire on any page: script and element, or the element alone without `scriptUrl`.
+ * Throws a `RangeError` if a name is not a parameter.
  */
 export function elementCode(config: HearthSharedConfig, scriptUrl?: string | URL): string;
 
-/** HTML that shows this fire in a frame; `embedUrl` is the whole address of `embed.html`. */
+/** HTML that shows this fire in an iframe; `embedUrl` is the absolute URL of `embed.html`. */
 export function iframeCode(config: HearthSharedConfig, embedUrl: string | URL): string;

@@ -1,37 +1,35 @@
 /**
- * A fire's settings as an address, as a link and as HTML to paste.
+ * A fire's settings as URL parameters, as a link and as HTML.
  *
- * Pure functions from text to text, for pages and servers alike. What they take
- * are the settings of `exportConfig()`; what an address holds is checked by the
- * fire that it is given to, not here.
+ * Pure functions for pages and servers. They take the settings of `exportConfig()`. They validate no
+ * values: the fire that receives a URL's values does.
  *
  * @typedef {object} Config
- * @property {number} [hearth]  The version of the form: 1 or 2.
- * @property {string} [preset]  The preset that it starts from, if not the default one.
- * @property {{[id: string]: unknown}} [values]  What differs from that.
- * @property {object[]} [objects]  Its objects, where they are not the preset's.
- * @property {string} [label]  What it is called, for people.
- * @property {string} [description]  And what it shows.
+ * @property {number} [hearth]  The version of the format: 1 or 2.
+ * @property {string} [preset]  The preset, unless it is the default one.
+ * @property {{[id: string]: unknown}} [values]  The values that differ from the preset.
+ * @property {object[]} [objects]  The objects, unless they are the preset's.
+ * @property {string} [label]  A title for people.
+ * @property {string} [description]  A description for people.
  */
 
 import { DEFAULTS, OWN_ATTRIBUTES } from './generated/defaults.js';
 import { SOURCE } from './generated/objects.js';
 
-/** Where this file is; what a bundler made of it is somewhere else. */
+/** The URL of this file, or of the bundle that contains it. */
 export const FILE = import.meta.url;
 
-/** The preset's names in an address: the first is written, both are read. */
+/** The URL parameters of the preset: the first is written, both are read. */
 const PRESET = ['scene', 'preset'];
 
 /** The element's attributes that are neither parameters nor the preset. */
 const OWN = OWN_ATTRIBUTES.filter((name) => !PRESET.includes(name));
 
-/** Room for a fire on a page that gives it none. */
+/** The size of a fire in generated HTML. */
 const SIZE = { width: 320, height: 400 };
 
 /**
- * The query of an address that gives this fire, without its question mark;
- * empty for a fire of the defaults.
+ * The URL parameters of a fire, without the question mark; empty for the defaults.
  * @param {Config} config
  * @returns {string} `scene=seed&viscosity=0.02`
  */
@@ -43,41 +41,41 @@ export function toQuery(config) {
 }
 
 /**
- * What a query asks for. Values stay texts, and names that are no parameters
- * stay among them: the fire that gets them says what is wrong with which.
- * @param {string | URLSearchParams} search  With its question mark or without.
- * @param {Iterable<string>} [names]  What the page itself reads from its address.
+ * The settings in URL parameters. Values stay strings, and unknown names stay among them: the fire that
+ * receives them reports what is invalid.
+ * @param {string | URLSearchParams} search  With or without its question mark.
+ * @param {Iterable<string>} [names]  The page's own URL parameters.
  * @returns {{config: Config & {values: {[id: string]: string}}, others: URLSearchParams}}
- *   the fire's settings; and those names, with the element's own attributes
+ *   the fire's settings; and the page's own parameters with the element's own attributes
  */
 export function fromQuery(search, names = []) {
-  const apart = new Set([...OWN, ...names]);
+  const reserved = new Set([...OWN, ...names]);
   const others = new URLSearchParams();
   /** @type {[string, string][]} */
   const values = [];
   let preset;
   for (const [name, value] of new URLSearchParams(search)) {
-    if (apart.has(name)) others.append(name, value);
+    if (reserved.has(name)) others.append(name, value);
     else if (PRESET.includes(name)) preset = value;
     else values.push([name.replaceAll('-', '_'), value]);
   }
-  // A name such as `__proto__` becomes a plain key here, which the fire refuses.
+  // A name such as `__proto__` becomes an own key, which the fire refuses.
   const config = { hearth: 1, ...(preset !== undefined && { preset }), values: Object.fromEntries(values) };
   return { config, others };
 }
 
 /**
- * The address of a page that shows this fire, and nothing else of its old query. It names
- * the scene `default` rather than nothing: an empty query shows what the page opens with.
+ * The URL of a page that shows this fire. It replaces the URL parameters of `base`. The default scene is
+ * named, because a page without URL parameters shows its own scene.
  * @param {Config} config
- * @param {string | URL} base  The whole address of a page that reads its query.
+ * @param {string | URL} base  The absolute URL of a page that applies its URL parameters.
  */
 export function pageLink(config, base) {
-  return addressOf(base, toQuery(config) || `${PRESET[0]}=default`);
+  return urlOf(base, toQuery(config) || `${PRESET[0]}=default`);
 }
 
 /** @type {(base: string | URL, query: string) => string} */
-function addressOf(base, query) {
+function urlOf(base, query) {
   const url = new URL(base);
   url.search = query;
   url.hash = '';
@@ -87,9 +85,8 @@ function addressOf(base, query) {
 /**
  * HTML that shows this fire on any page.
  * @param {Config} config
- * @param {string | URL} [scriptUrl]  Where `hearth-fire.js` is; without it, the element
- *   alone, for a page that has it.
- * @throws {RangeError} a value whose name is no parameter's
+ * @param {string | URL} [scriptUrl]  The URL of `hearth-fire.js`; without it, the HTML is the element alone.
+ * @throws {RangeError} a name is not a parameter
  */
 export function elementCode(config, scriptUrl) {
   const named = attributes(config).map(([name, value]) => {
@@ -107,27 +104,27 @@ export function elementCode(config, scriptUrl) {
 }
 
 /**
- * HTML that shows this fire on any page in a frame of its own.
+ * HTML that shows this fire in an iframe.
  * @param {Config} config
- * @param {string | URL} embedUrl  The whole address of `embed.html`.
+ * @param {string | URL} embedUrl  The absolute URL of `embed.html`.
  */
 export function iframeCode(config, embedUrl) {
   const parts = [
-    attribute('src', addressOf(embedUrl, toQuery(config))),
+    attribute('src', urlOf(embedUrl, toQuery(config))),
     attribute('width', String(SIZE.width)),
     attribute('height', String(SIZE.height)),
-    // Of another colour scheme than its page the frame would get an opaque ground.
+    // An iframe with another colour scheme than its page gets an opaque background.
     'style="border: 0; color-scheme: light" loading="lazy" title="A fire"',
   ];
   return `<iframe ${parts.join(' ')}></iframe>`;
 }
 
 /**
- * The objects by the ids of parameters, where one source is all that there is, and else as JSON.
+ * The objects as parameters if a single source is the only object, else as JSON.
  * @param {Config} config
  * @returns {{[id: string]: unknown}}
  */
-function ofObjects({ objects }) {
+function valuesOf({ objects }) {
   if (!objects) return {};
   const [first = {}, ...others] = objects;
   const { kind, ...properties } = /** @type {{[name: string]: unknown}} */ (first);
@@ -137,12 +134,12 @@ function ofObjects({ objects }) {
 }
 
 /**
- * The values by the names of their attributes, the model first.
+ * The values as attributes, the model first.
  * @param {Config} config
  * @returns {[string, string][]}
  */
 function attributes(config) {
-  const named = Object.entries({ ...config.values, ...ofObjects(config) }).map(
+  const named = Object.entries({ ...config.values, ...valuesOf(config) }).map(
     ([id, value]) => /** @type {[string, string]} */ ([id.replaceAll('_', '-'), String(value)]),
   );
   return named.sort(([a], [b]) => Number(b === 'model') - Number(a === 'model'));

@@ -210,7 +210,7 @@ describe('the client for the page around', () => {
       document.body.prepend(iframe);
       return [...gone, back, await outcome(fire.option('quality'))];
     });
-    assert.deepEqual(seen, ['the iframe is on no page', 'the iframe is on no page', 'low', 'low']);
+    assert.deepEqual(seen, ['the iframe is not on a page', 'the iframe is not on a page', 'low', 'low']);
   });
 
   test('refuses what cannot be sent, and does the rest', async () => {
@@ -312,6 +312,6 @@ describe('the client for the page around', () => {
       const closed = await fire.get('seed').catch((error) => error.message);
       return [first, second, closed];
     }, around.address({ allow: around.here, seed: '7' }));
-    assert.deepEqual(numbers, [entry.seed.default, 7, 'the fire was let go']);
+    assert.deepEqual(numbers, [entry.seed.default, 7, 'the connection is closed']);
   });
 });

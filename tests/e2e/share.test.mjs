@@ -125,7 +125,7 @@ describe('the panel', () => {
     const { tab, panel, params } = await openPage();
     const field = '[data-card="paste"] textarea';
     for (const [text, words] of [
-      ['', /nothing to use/],
+      ['', /field is empty/],
       ['{"hearth": 1, "values": {"viscosity": 99}}', /viscosity.*99.*0\.1/],
       ['{"hearth": 1, "values": {"viscosity": 0.03, "viscosty": 0.02}}', /viscosty.*viscosity/],
       ['viscosity = 0.02', /JSON/],

@@ -125,7 +125,7 @@ test('reading a value takes the id of a parameter', async () => {
   for (const id of [['wind'], [['wind']], { id: 'wind' }, null, 5, true, undefined]) {
     const { ok, error } = (await ask('get', id)) ?? {};
     assert.deepEqual([ok, error?.name], [false, 'TypeError'], JSON.stringify(id));
-    assert.match(error.message, /a text, not/);
+    assert.match(error.message, /a string, not/);
   }
   for (const id of ['vind', 'constructor', '__proto__']) {
     const { error } = (await ask('get', id)) ?? {};

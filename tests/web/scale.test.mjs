@@ -3,7 +3,7 @@
  */
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
-import { colour, ticks, words } from '../../web/element/scale.js';
+import { colour, formatNumber, ticks } from '../../web/element/scale.js';
 import { PARAMETERS, QUANTITIES } from '../../web/parameters.js';
 
 const entry = Object.fromEntries(PARAMETERS.map((parameter) => [parameter.id, parameter]));
@@ -22,7 +22,7 @@ describe('its numbers', () => {
       for (const tick of between) {
         const part = (tick - least) / (most - least);
         assert.ok(part > 0.1 && part < 0.9, `${tick} of ${least} to ${most}`);
-        assert.ok(words(tick).replace(/[^1-9]/g, '').length <= 2, `${tick} of ${least} to ${most}`);
+        assert.ok(formatNumber(tick).replace(/[^1-9]/g, '').length <= 2, `${tick} of ${least} to ${most}`);
       }
       const marks = [least, ...between, most];
       const gaps = marks.slice(1).map((mark, at) => (mark - marks[at]) / (most - least));
@@ -37,7 +37,7 @@ describe('its numbers', () => {
     for (const [value, text] of [
       [0, '0'], [-0, '0'], [2000, '2000'], [0.1 + 0.2, '0.3'], [-200, '−200'], [20_000, '20\u202f000'],
       [5e-6, '5·10⁻⁶'], [1e8, '10⁸'], [-2e7, '−2·10⁷'], [0.002, '0.002'],
-    ]) assert.equal(words(value), text);
+    ]) assert.equal(formatNumber(value), text);
   });
 
   test('come with every display that is no fire, of which the table has each', () => {

@@ -3,8 +3,8 @@
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { alike, meant, nearest, tell } from '../../web/element/spelling.js';
-import { readAddress } from '../../web/pages/url-parameters.js';
+import { alike, nearest, suggestion, warnOnce } from '../../web/element/spelling.js';
+import { readUrlParameters } from '../../web/pages/url-parameters.js';
 
 const NAMES = ['fuel-power', 'quality', 'palette', 'cool-colour', 'hot-colour', 'domain-width', 'source-width', 'wind', 'seed'];
 
@@ -25,14 +25,14 @@ test('transposed, missing, added and changed letters count as one mistake each',
 });
 
 test('the suggestion ends a sentence', () => {
-  assert.equal(meant('quailty', NAMES), '; did you mean quality?');
-  assert.equal(meant('color', NAMES), '; did you mean cool-colour or hot-colour?');
-  assert.equal(meant('frobnicate', NAMES), '.');
+  assert.equal(suggestion('quailty', NAMES), '; did you mean quality?');
+  assert.equal(suggestion('color', NAMES), '; did you mean cool-colour or hot-colour?');
+  assert.equal(suggestion('frobnicate', NAMES), '.');
 });
 
 test('an unknown attribute is told once; what HTML, frameworks and libraries write is not', (context) => {
   const warn = context.mock.method(console, 'warn', () => {});
-  for (const name of ['palete', 'palete', 'width', 'frobnicate']) tell(name);
+  for (const name of ['palete', 'palete', 'width', 'frobnicate']) warnOnce(name);
   const told = warn.mock.calls.map(({ arguments: [words] }) => words);
   assert.equal(told.length, 3);
   assert.match(told[0], /<hearth-fire>.* palete; did you mean palette\?/);
@@ -43,12 +43,12 @@ test('an unknown attribute is told once; what HTML, frameworks and libraries wri
     'popover', 'translate', 'contenteditable', 'enterkeyhint', 'inputmode', 'autofocus', 'accesskey', 'spellcheck',
     'exportparts', 'itemprop', 'data-x', 'aria-label', 'onclick', 'xml:lang', 'xmlns', ':foo', '@click', 'v-if', 'x-data',
     '_ngcontent-ng-c1', '_nghost-abc', 'ng-version', 'ng-reflect-x', 'hx-get', 'wire:model', '#ref', '[prop]', '(event)', 'b-1a2b3c',
-  ]) tell(name);
+  ]) warnOnce(name);
   assert.equal(warn.mock.callCount(), 3);
 });
 
 test('a query tells the names of others from misspelt ones', () => {
-  const { values, options, unknown, refused } = readAddress(
+  const { values, options, unknown, refused } = readUrlParameters(
     '?seed=7&fbclid=1&utm_source=a&utm_source=b&viscosty=1&quality=low&fuelpower=3&kind=x&__proto__=1&feed=2',
   );
   assert.deepEqual(values, [['seed', '7']]);

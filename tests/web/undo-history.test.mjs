@@ -14,7 +14,7 @@ const DEFAULTS = {
 const OWN = ['width', 'max_particles'];
 const PRESETS = { default: {}, windy: { wind: 7 }, old: { model: 'classic', viscosity: 9 } };
 const LARGEST = 5000;
-const ANEW = { anew: true };
+const ANEW = { replaces: true };
 
 /** A fire that answers in order, after a while, as the element does. */
 class Fire {
@@ -112,7 +112,7 @@ function deed(steps, fire, random) {
     () => steps.set(id, Math.round(random.next().value * 20)),
     () => steps.set('model', pick(['classic', 'combustion'])),
     () => steps.restore(id),
-    () => steps.all(() => fire.restore('width', 'viscosity', 'wind', 'max_particles'), { anew: false }),
+    () => steps.all(() => fire.restore('width', 'viscosity', 'wind', 'max_particles'), { replaces: false }),
     () => steps.all(() => fire.importConfig({ preset: pick(Object.keys(PRESETS)) }), ANEW),
     () => steps.all(() => fire.importConfig({ values: { max_particles: 3000, wind: 3 } }), ANEW),
   ])();

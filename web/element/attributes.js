@@ -5,25 +5,22 @@
 
 import { DEFAULTS, OWN_ATTRIBUTES } from '../generated/defaults.js';
 
+export { DEFAULTS };
+
 const IDS = Object.keys(DEFAULTS);
 
 /** The id of the parameter that an attribute sets. */
 export const ID_OF_ATTRIBUTE = new Map(IDS.map((id) => [id.replaceAll('_', '-'), id]));
 
 /** The id of the parameter that a property sets. */
-export const ID_OF_PROPERTY = new Map(
-  IDS.map((id) => [camelCase(id), id]),
-);
+export const ID_OF_PROPERTY = new Map(IDS.map((id) => [camelCase(id), id]));
 
 /** @param {string} name */
 function camelCase(name) {
   return name.replace(/[-_](.)/g, (_, letter) => letter.toUpperCase());
 }
 
-/** The element's own properties that have setters. */
-const OWN_PROPERTIES = OWN_ATTRIBUTES.map(camelCase);
-
-/** The choices of an attribute; the first one is the default. */
+/** The values of each attribute that has a list of them; the first one is the default. */
 export const CHOICES = {
   /** @type {readonly ['height', 'contain', 'cover', 'width']} */
   fit: ['height', 'contain', 'cover', 'width'],
@@ -35,12 +32,12 @@ export const CHOICES = {
 
 /**
  * An `HTMLElement` with the properties that this module and `hearth-fire.js` define on the
- * prototype. Where there is no DOM, as on servers, it is an empty class.
+ * prototype. Without a DOM, as on servers, it is an empty class.
  * @type {new () => HTMLElement & import('./types.js').HearthReflected & import('../parameters.js').HearthProperties}
  */
 const Base = /** @type {any} */ (globalThis.HTMLElement ?? class {});
 
-/** All attributes that do anything. */
+/** All attributes that have an effect. */
 export const OBSERVED = [...OWN_ATTRIBUTES, ...ID_OF_ATTRIBUTE.keys()];
 
 /** An element with a fire's attributes. */
@@ -48,7 +45,7 @@ export class FireAttributes extends Base {
   static observedAttributes = OBSERVED;
 
   /**
-   * The name of the preset that was last asked for.
+   * The preset that the page requested last.
    * @returns {import('../parameters.js').PresetName}
    */
   get preset() {
@@ -60,7 +57,7 @@ export class FireAttributes extends Base {
   }
 
   /**
-   * `false`: the fire stands still until `play()`.
+   * `false`: the fire is paused until `play()`.
    * @attribute
    * @default true
    * @returns {boolean}
@@ -75,53 +72,54 @@ export class FireAttributes extends Base {
 }
 
 /**
- * Hands over properties that were set before the element was defined, and so hide its own.
+ * Sets properties again that were set before the element was defined: they shadow the accessors of
+ * the prototype.
  * @param {HTMLElement} element
  */
-export function keepEarlyProperties(element) {
-  for (const name of [...OWN_PROPERTIES, ...ID_OF_PROPERTY.keys()]) {
+export function upgradeProperties(element) {
+  for (const name of [...OWN_ATTRIBUTES.map(camelCase), ...ID_OF_PROPERTY.keys()]) {
     if (Object.hasOwn(element, name)) {
-      const early = /** @type {{[name: string]: unknown}} */ (/** @type {unknown} */ (element));
-      const value = early[name];
-      delete early[name];
-      early[name] = value;
+      const own = /** @type {{[name: string]: unknown}} */ (/** @type {unknown} */ (element));
+      const value = own[name];
+      delete own[name];
+      own[name] = value;
     }
   }
 }
 
 /**
- * What an attribute chooses, if it can be chosen, else the usual.
+ * The value of an attribute that has a list of values; the default for any other value.
  * @param {HTMLElement} element
  * @param {keyof typeof CHOICES} name
  * @returns {string}
  */
-export function chosen(element, name) {
+function chosen(element, name) {
   const value = element.getAttribute(name) ?? '';
   /** @type {readonly string[]} */
   const choices = CHOICES[name];
   return choices.includes(value) ? value : choices[0];
 }
 
-/** Seconds of fire before the first picture where `warm` has no value; and the most. */
-const [WARM, WARMEST] = [3, 30];
+/** Simulated seconds before the first frame: of `warm` without a value, and the maximum. */
+const [WARM_DEFAULT, WARM_MAX] = [3, 30];
 
 /**
- * How long a new fire burns before it is shown [s]; NaN where that is no such number.
+ * How long a new fire burns before its first frame [s]; NaN if the attribute is invalid.
  * @param {HTMLElement} element
  */
 export function warmth(element) {
   const text = element.getAttribute('warm');
   if (text === null || text === 'false') return 0;
-  const seconds = text.trim() ? Number(text) : WARM;
-  return seconds >= 0 && seconds <= WARMEST ? seconds : NaN;
+  const seconds = text.trim() ? Number(text) : WARM_DEFAULT;
+  return seconds >= 0 && seconds <= WARM_MAX ? seconds : NaN;
 }
 
 reflect('warm', (element) => warmth(element) || 0, (element, value) => {
   setOrRemove(element, 'warm', value === true ? '' : value === false ? undefined : value);
 });
 
-// The others are kept in their attributes as HTML's own elements keep theirs: texts,
-// and flags, which are there or not.
+// The others reflect as those of HTML's own elements do: as text, and as flags, which are present or
+// absent.
 for (const name of ['src', 'poster', 'alt', 'max-pixels', 'fps-limit', 'touch-action', 'align']) {
   reflect(name, (element) => element.getAttribute(name) ?? '', (element, value) => setOrRemove(element, name, value));
 }
@@ -129,13 +127,13 @@ for (const name of /** @type {(keyof typeof CHOICES)[]} */ (Object.keys(CHOICES)
   reflect(name, (element) => chosen(element, name), (element, value) => setOrRemove(element, name, value));
 }
 reflect('interactive', (element) => element.hasAttribute('interactive'), (element, value) => element.toggleAttribute('interactive', Boolean(value)));
-// A flag that may name what it is about.
+// A flag, or a list of parameters.
 reflect('controls', (element) => element.getAttribute('controls') || element.hasAttribute('controls'), (element, value) => (
   setOrRemove(element, 'controls', value ? (value === true ? '' : value) : undefined)
 ));
 
 /**
- * Sets an attribute; without a value, takes it away.
+ * Sets an attribute, or removes it for undefined and null.
  * @param {HTMLElement} element
  * @param {string} name
  * @param {unknown} value
@@ -147,7 +145,19 @@ export function setOrRemove(element, name, value) {
 
 /** @type {(attribute: string, get: (element: FireAttributes) => unknown, set: (element: FireAttributes, value: unknown) => void) => void} */
 function reflect(attribute, get, set) {
-  Object.defineProperty(FireAttributes.prototype, camelCase(attribute), {
+  defineProperty(FireAttributes, camelCase(attribute), get, set);
+}
+
+/**
+ * Defines a property on the prototype of a class.
+ * @template {HTMLElement} Element
+ * @param {new (...args: any) => Element} type
+ * @param {string} name
+ * @param {(element: Element) => unknown} get
+ * @param {(element: Element, value: any) => unknown} set
+ */
+export function defineProperty(type, name, get, set) {
+  Object.defineProperty(type.prototype, name, {
     configurable: true,
     enumerable: true,
     get() {

@@ -1,8 +1,9 @@
 /**
- * One fire of the engine, from its first size to the last event about it.
+ * The connection of an element to its fire in the engine: from the first observed size to the last
+ * event.
  *
- * An element has a link while it is on a page. When it is taken off, the link
- * is closed and everything of it is let go: watchers, listeners, the engine's fire.
+ * An element has a connection while it is on a page. When the element is removed, the connection closes
+ * and frees its observers, its listeners and the engine's fire.
  *
  * @typedef {import('../engine/engine.js').Call} Call
  * @typedef {import('../engine/engine.js').Message} Message
@@ -11,19 +12,19 @@
  */
 
 import { connect } from '../engine/engine.js';
-import { meant } from './values.js';
-import { guess, sight, watch } from './visibility.js';
+import { resolved } from './values.js';
+import { due, guess, observe } from './visibility.js';
 
 /** The request number of a removal: the largest; the others start at 1. */
 const REMOVAL = 2 ** 32 - 1;
 
-/** A link between an element and the engine. */
-export class FireLink {
+/** A connection between an element and the engine. */
+export class EngineConnection {
   #host;
   #requests;
-  #tell;
-  #watcher;
-  #size = { width: 0, height: 0, side: 0 };
+  #on;
+  #stop;
+  #size = [0, 0, 0];
   #visible = false;
   #closed = false;
   /** @type {any} */
@@ -32,38 +33,38 @@ export class FireLink {
   /** Settles when the engine has freed the fire. */
   gone = Promise.resolve();
   #removed = () => {};
-  #looked = () => {};
-  /** Settles when it is known whether anybody sees it. */
-  looked = /** @type {Promise<void>} */ (new Promise((resolve) => (this.#looked = resolve)));
-  /** When it is made may be decided anew. */
-  lookAgain = () => {};
+  #observed = () => {};
+  /** Settles when it is known whether the element is visible. */
+  observed = /** @type {Promise<void>} */ (new Promise((resolve) => (this.#observed = resolve)));
+  /** Applies a changed `loading` attribute to a fire that is not loaded yet. */
+  reschedule = () => {};
   #shown = () => this.#port.shown(this.#fire);
 
   /**
    * @param {HTMLElement} host
    * @param {HTMLCanvasElement} canvas
    * @param {import('./requests.js').Requests} requests
-   * @param {object} tell
-   * @param {(message: Message) => void} tell.heard what the engine says
-   * @param {(picture: Drawn) => void} tell.drawn a picture of the fire
-   * @param {() => void} tell.begun the fire is there and everything asked of it before is answered
-   * @param {(reduced: boolean) => void} tell.motion whether less motion is wanted, when that changes
+   * @param {object} on
+   * @param {(message: Message) => void} on.message an event of the engine
+   * @param {(frame: Drawn) => void} on.frame a frame of the fire
+   * @param {() => void} on.start the fire exists and every earlier request is answered
+   * @param {(reduced: boolean) => void} on.motion whether the visitor prefers reduced motion, when that changes
    */
-  constructor(host, canvas, requests, tell) {
+  constructor(host, canvas, requests, on) {
     this.#host = host;
     this.#requests = requests;
-    this.#tell = tell;
-    this.#watcher = watch(host, canvas, {
-      resized: (width, height, side) => {
-        this.#size = { width, height, side };
-        this.send('resize', width, height, side);
+    this.#on = on;
+    this.#stop = observe(host, canvas, {
+      resized: (...size) => {
+        this.#size = size;
+        this.send('resize', ...size);
       },
       visible: (visible) => {
         this.#visible = visible;
-        this.#looked();
+        this.#observed();
         this.send('visible', visible);
       },
-      motion: tell.motion,
+      motion: on.motion,
     });
   }
 
@@ -72,7 +73,7 @@ export class FireLink {
     return this.#fire !== 0;
   }
 
-  /** Whether it was closed. */
+  /** Whether the connection is closed. */
   get closed() {
     return this.#closed;
   }
@@ -83,72 +84,68 @@ export class FireLink {
   }
 
   /**
-   * Gets the engine and has it make the fire.
-   * @param {() => import('./visibility.js').Loading} loading when
-   * @param {() => Parameters<typeof connect>} engine which
-   * @param {() => Promise<unknown>} prepare what has to be there before it starts
+   * Loads the engine, which makes the fire.
+   * @param {() => import('./visibility.js').Loading} loading
+   * @param {() => Parameters<typeof connect>} engine
+   * @param {() => Promise<unknown>} prepare loads what the fire starts with
    * @param {(prepared: any) => Start} start
    * @throws {import('../engine/engine.js').EngineError}
    */
   async open(loading, engine, prepare, start) {
-    // A page's own script, which may say where the wasm is, has run by then.
+    // The page's own script may set `wasmUrl` until then.
     await new Promise((resolve) => setTimeout(resolve));
-    await this.#sight(loading);
+    await this.#due(loading);
     if (this.closed) return;
-    const wanted = engine();
-    const [, prepared] = await Promise.all([connect(...wanted), prepare()]);
+    const options = engine();
+    const [, prepared] = await Promise.all([connect(...options), prepare()]);
     if (this.closed) return;
-    // It may have ended meanwhile, for want of a fire.
-    const port = await connect(...wanted);
+    // An engine without fires may have ended meanwhile.
+    const port = await connect(...options);
     if (this.closed) return;
     /** @type {Promise<unknown>} */
     let answered = Promise.resolve();
     const fire = port.open({
       heard: (message) => {
-        // A fire that could not be made is refused its removal; it is gone as well, and
-        // so is one whose engine has stopped.
+        // The fire is gone if its removal is answered, also with a refusal, or if its engine has stopped.
         if (message.request === REMOVAL || (this.closed && message.kind === 'load')) {
           port.close(fire);
           this.#requests.abandon(fire, new Error('the fire was removed'));
           this.#removed();
           return;
         }
-        this.#tell.heard(message);
-        if (message.type === 'ready') {
-          answered.then(() => this.live && this.#tell.begun());
-        }
+        this.#on.message(message);
+        if (message.type === 'ready') answered.then(() => this.live && this.#on.start());
       },
-      drawn: (picture) => {
+      drawn: (frame) => {
         if (this.closed) {
-          if ('close' in picture) picture.close();
+          if ('close' in frame) frame.close();
           return;
         }
-        this.#tell.drawn(picture);
-        // What is drawn faster than the page shows it is drawn for nobody.
+        this.#on.frame(frame);
+        // The engine draws no more frames than the page shows.
         if (port.place === 'worker') requestAnimationFrame(this.#shown);
       },
     });
     this.#port = port;
     this.#fire = fire;
-    if (port.warning) this.#tell.heard({ type: 'error', kind: 'load', message: port.warning, burns: true });
-    const { width, height, side } = this.#size;
+    if (port.warning) this.#on.message({ type: 'error', kind: 'load', message: port.warning, burns: true });
     const { view, ...started } = start(prepared);
-    this.send('add', { side, guess: guess(), ...started });
+    this.send('add', { side: this.#size[2], guess: guess(), ...started });
     this.send('view', view.fit, view.x, view.y);
-    this.send('resize', width, height, side);
+    this.send('resize', ...this.#size);
     this.send('visible', this.#visible);
     answered = this.#requests.connect(fire, (request, call) => this.#call(request, call));
   }
 
   /**
-   * Waits until the fire is to be made.
+   * Waits until the fire is to be loaded.
    * @param {() => import('./visibility.js').Loading} loading
    */
-  async #sight(loading) {
+  async #due(loading) {
     for (let again = true; again && !this.closed; ) {
       const wait = new AbortController();
-      this.lookAgain = () => wait.abort();
-      await sight(this.#host, loading(), wait.signal);
+      this.reschedule = () => wait.abort();
+      await due(this.#host, loading(), wait.signal);
       again = wait.signal.aborted;
     }
   }
@@ -156,38 +153,38 @@ export class FireLink {
   /** Frees everything. */
   close() {
     this.#closed = true;
-    this.lookAgain();
-    this.#watcher.stop();
+    this.reschedule();
+    this.#stop();
     if (this.live) {
       this.gone = new Promise((resolve) => (this.#removed = resolve));
-      this.#call(REMOVAL, ['remove']);
+      this.send('remove');
     }
     this.#requests.disconnect();
     this.#fire = 0;
   }
 
   /**
-   * There is no fire: gives up what was asked of it.
+   * There is no fire: rejects its requests.
    * @param {Error} error
    */
   abandon(error) {
     this.#requests.abandon(this.#fire, error);
     this.#requests.abandon(0, error);
     if (this.live) {
-      this.#call(REMOVAL, ['remove']);
+      this.send('remove');
       this.#port.close(this.#fire);
     }
     this.#removed();
     this.#fire = 0;
   }
 
-  /** Calls the engine, whose answer nobody waits for. @param {Call} call */
+  /** Calls the engine without waiting for an answer, except that of a removal. @param {Call} call */
   send(...call) {
-    this.#call(0, call);
+    this.#call(call[0] === 'remove' ? REMOVAL : 0, call);
   }
 
   /** @type {(request: number, call: Call) => void} */
   #call(request, call) {
-    if (this.#fire) this.#port.send([this.#fire, request, ...meant(call, this.#host)]);
+    if (this.#fire) this.#port.send([this.#fire, request, ...resolved(call, this.#host)]);
   }
 }

@@ -3,25 +3,25 @@
  * warnings about unknown attributes.
  */
 
-import { CHOICES, ID_OF_ATTRIBUTE, OBSERVED } from './attributes.js';
+import { CHOICES, OBSERVED } from './attributes.js';
 import { alignment } from './viewport.js';
 
 const LIMITS = ['fps-limit', 'max-pixels'];
 
 /** Common attributes; the code that knows the others is loaded only for those. */
-const USUAL = /^(class|id|style|slot|hidden|title|(data|aria)-.*)$/;
+const COMMON = /^(class|id|style|slot|hidden|title|(data|aria)-.*)$/;
 
-/** Reports attributes that are set on fires of the page. */
-const names = globalThis.MutationObserver && new MutationObserver((records) => {
+/** Observes the attributes that scripts set on the page's fires. */
+const attributes = globalThis.MutationObserver && new MutationObserver((records) => {
   for (const { target, attributeName } of records) {
-    if (/** @type {Element} */ (target).hasAttribute(attributeName ?? '')) spell(attributeName ?? '');
+    if (/** @type {Element} */ (target).hasAttribute(attributeName ?? '')) check(attributeName ?? '');
   }
 });
 
-/** Warns of an attribute that has no effect. @param {string} name */
-function spell(name) {
-  if (OBSERVED.includes(name) || USUAL.test(name)) return;
-  import('./spelling.js').then(({ tell }) => tell(name), () => {});
+/** Warns about an attribute without an effect. @param {string} name */
+function check(name) {
+  if (OBSERVED.includes(name) || COMMON.test(name)) return;
+  import('./spelling.js').then(({ warnOnce }) => warnOnce(name), () => {});
 }
 
 /** The page policies of one element. */
@@ -29,34 +29,34 @@ export class PagePolicies {
   #fire;
   #view;
   #session;
+  #reports;
   /** Whether there is a connection to the engine. */
   #open = false;
   /** The last accepted limits. @type {Map<string, unknown>} */
   #limits = new Map();
   /** Whether the fire burns. */
   #burns = false;
-  /** The colour bar, once it is loaded. @type {Promise<import('./scale.js').Scale | void> | undefined} */
+  /** The colour bar, once it is loaded. @type {Promise<import('./scale.js').Scale> | undefined} */
   #scale;
   /** The `controls` attribute of the mounted panel. @type {string | null} */
   #controls = null;
-  /** Removes the mounted panel. @type {(() => void) | undefined} */
-  #hidePanel;
-  /** Removes the pointer listeners. @type {(() => void) | undefined} */
-  #ignorePointer;
+  /** Removes the mounted panel. @type {AbortController | undefined} */
+  #panel;
+  /** Removes the pointer listeners. @type {AbortController | undefined} */
+  #pointer;
 
-  /**
-   * @param {import('./session.js').FireSession} session
-   */
+  /** @param {import('./session.js').FireSession} session */
   constructor(session) {
     this.#fire = session.fire;
     this.#view = session.view;
+    this.#reports = session.reports;
     this.#session = session;
   }
 
   /** The element is on a page: checks the names of its attributes. */
-  watch() {
-    this.#fire.getAttributeNames().forEach(spell);
-    names?.observe(this.#fire, { attributes: true });
+  checkNames() {
+    this.#fire.getAttributeNames().forEach(check);
+    attributes?.observe(this.#fire, { attributes: true });
   }
 
   /** There is a connection to the engine: sends the limits. */
@@ -64,7 +64,7 @@ export class PagePolicies {
     this.#open = true;
     for (const name of LIMITS) {
       // A limit that was accepted before the element was removed is still valid.
-      if (this.#limits.has(name)) this.#ask(name, this.#limits.get(name));
+      if (this.#limits.has(name)) this.#send(name, this.#limits.get(name));
       else if (this.#fire.hasAttribute(name)) this.#limit(name);
     }
     this.#listen();
@@ -85,18 +85,15 @@ export class PagePolicies {
   }
 
   /**
-   * Shows the colour bar, or hides it. Its code is loaded on demand.
-   * @param {string} [mode] the display
-   * @param {[number, number] | null} [ends] the values of its first and its last colour
+   * Shows the colour bar, or hides it. Its code is loaded on request.
+   * @param {string} [mode] the display mode
+   * @param {[number, number] | null} [range] the values of the first and the last colour
    */
-  async measure(mode, ends) {
-    if (ends) {
-      this.#scale ??= import('./scale.js').then(
-        ({ Scale }) => new Scale(this.#view.root),
-        (why) => this.#session.reports.warn('load', `The bar of colours could not be loaded: ${why}`),
-      );
+  async measure(mode, range) {
+    if (range) {
+      this.#scale ??= this.#reports.loads(import('./scale.js'), 'The colour bar').then(({ Scale }) => new Scale(this.#view));
     }
-    (await this.#scale)?.show(mode, ends);
+    (await this.#scale?.catch(() => undefined))?.show(mode, range);
   }
 
   /**
@@ -107,14 +104,14 @@ export class PagePolicies {
   change(name, value) {
     const choices = hasChoices(name) ? CHOICES[name] : undefined;
     if (choices && value !== null && !choices.some((one) => one === value)) {
-      this.#session.reports.refuse(name, value, `one of ${choices.join(', ')}`);
+      this.#reports.refuse(name, value, `one of ${choices.join(', ')}`);
     } else if (LIMITS.includes(name)) {
       if (this.#open) this.#limit(name);
       else this.#limits.delete(name);
     } else if (name === 'interactive') {
       this.#listen();
     } else if (name === 'fit' || name === 'align') {
-      this.#look();
+      this.#frame();
     } else if (name === 'touch-action') {
       this.#touch(value ?? '');
     } else if (name === 'controls') {
@@ -130,111 +127,75 @@ export class PagePolicies {
   #limit(name) {
     const text = this.#fire.getAttribute(name) ?? undefined;
     const number = text?.trim() ? Number(text) : NaN;
-    this.#ask(name, Number.isNaN(number) ? text : number);
+    this.#send(name, Number.isNaN(number) ? text : number);
   }
 
   /** @type {(name: string, value: unknown) => void} */
-  #ask(name, value) {
-    const asked = this.#session.ask(name.replace('-', '_'), value);
-    asked.then(() => this.#limits.set(name, value), () => {});
+  #send(name, value) {
+    this.#session.call(name.replace('-', '_'), value).then(() => this.#limits.set(name, value), () => {});
   }
 
-  /** Adds or removes the pointer listeners. Their code is loaded on demand. */
+  /** Adds or removes the pointer listeners. */
   #listen() {
-    this.#ignorePointer?.();
-    this.#ignorePointer = undefined;
+    this.#pointer?.abort();
     if (!this.#fire.interactive || !this.#open) return;
-    const ended = new AbortController();
-    this.#ignorePointer = () => ended.abort();
-    const ways = {
-      send: (/** @type {import('../engine/engine.js').Call} */ ...call) => this.#session.send(...call),
-      move: (/** @type {number} */ x) => this.#session.ask('set', { source_x: x }, 'pointer').catch(() => {}),
-    };
-    import('./pointer.js').then(
-      ({ listenToPointer }) => ended.signal.aborted || listenToPointer(this.#fire, this.#view.root, ways, ended.signal),
-      (why) => this.#session.reports.warn('load', `What listens to pointers could not be loaded: ${why}`),
+    this.#pointer = this.#load(
+      import('./pointer.js'),
+      'The code for pointers',
+      ({ listenToPointer }, signal) => listenToPointer(this.#session, signal),
     );
   }
 
   /** Applies `fit` and `align`. */
-  #look() {
+  #frame() {
     const { fit, align } = this.#fire;
-    const place = alignment(align || 'center bottom');
-    if (!place) {
-      this.#session.reports.refuse('align', align, 'one or two of left, center, right and top, center, bottom');
+    const position = alignment(align || 'center bottom');
+    if (!position) {
+      this.#reports.refuse('align', align, 'one or two of left, center, right and top, center, bottom');
       return;
     }
-    const [x, y] = place;
+    const [x, y] = position;
     this.#view.camera = { fit, x, y };
     this.#session.send('view', fit, x, y);
   }
 
   /** @param {string} action */
   #touch(action) {
-    if (!action || CSS.supports('touch-action', action)) this.#view.setTouchAction(action);
-    else this.#session.reports.refuse('touch-action', action, 'a value of CSS, as auto, none, pan-y or manipulation');
+    if (!action || CSS.supports('touch-action', action)) this.#view.root.style.touchAction = action;
+    else this.#reports.refuse('touch-action', action, 'a value of CSS, such as auto, none, pan-y or manipulation');
   }
 
+  /** Mounts or removes the panel. */
   #control() {
-    const wanted = this.#burns ? this.#fire.getAttribute('controls') : null;
-    if (wanted === this.#controls) return;
-    this.#controls = wanted;
-    this.#hidePanel?.();
-    const failed = (/** @type {unknown} */ why) => this.#session.reports.warn('load', `The panel could not be loaded: ${why}`);
-    this.#hidePanel = wanted === null ? undefined : showPanel(this.#fire, this.#only(wanted), failed);
+    const list = this.#burns ? this.#fire.getAttribute('controls') : null;
+    if (list === this.#controls) return;
+    this.#controls = list;
+    this.#panel?.abort();
+    if (list === null) return;
+    this.#panel = this.#load(
+      import('./controls.js'),
+      'The panel',
+      ({ mountControls }, signal) => mountControls(this.#session, list, signal),
+    );
   }
 
   /**
-   * The parameters that a list names; undefined means all of them.
-   * @param {string} list
+   * Loads code on request and runs it.
+   * @template T
+   * @param {Promise<T>} code
+   * @param {string} what its name in the warning if it does not arrive
+   * @param {(code: T, signal: AbortSignal) => unknown} run
+   * @returns {AbortController} ends it
    */
-  #only(list) {
-    const known = [];
-    for (const name of list.split(/[\s,]+/).filter((one) => one && !YES.includes(one))) {
-      const id = ID_OF_ATTRIBUTE.get(name.replaceAll('_', '-'));
-      if (id) known.push(id);
-      else this.#misspelt(name);
-    }
-    return known.length > 0 ? known : undefined;
-  }
-
-  /** @param {string} name */
-  async #misspelt(name) {
-    const { meant } = await import('./spelling.js').catch(() => ({ meant: () => '' }));
-    const ids = [...ID_OF_ATTRIBUTE.values()];
-    this.#session.reports.refuse('controls', name, `a list of parameters${meant(name, ids)}`);
+  #load(code, what, run) {
+    const running = new AbortController();
+    const { signal } = running;
+    this.#reports.loads(code, what).then((loaded) => signal.aborted || run(loaded, signal), () => {});
+    return running;
   }
 }
 
 /** @type {(name: string) => name is keyof typeof CHOICES} */
 function hasChoices(name) {
   return Object.hasOwn(CHOICES, name);
-}
-
-/** Values of `controls` that mean all parameters. */
-const YES = ['true', 'controls'];
-
-/**
- * Mounts the panel inside its fire. Its code is loaded on demand.
- * @param {import('../hearth-fire.js').HearthFire} fire
- * @param {string[] | undefined} only the parameters to show; undefined means all of them
- * @param {(why: unknown) => void} fail
- * @returns {() => void} removes the panel
- */
-function showPanel(fire, only, fail) {
-  const host = document.createElement('div');
-  host.className = 'panel';
-  host.setAttribute('part', 'panel');
-  fire.shadowRoot?.append(host);
-  let ended = false;
-  const mounted = import('../panel.js').then(({ mountPanel }) => (ended ? undefined : mountPanel({ host, fire, only })));
-  mounted.catch((error) => {
-    host.remove();
-    if (!ended) fail(error);
-  });
-  return () => {
-    ended = true;
-    mounted.then((panel) => panel?.destroy(), () => {});
-    host.remove();
-  };
 }

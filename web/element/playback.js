@@ -1,55 +1,54 @@
 /**
- * Whether a fire plays: what its page asks for, and what a visitor does who wants less motion.
+ * Whether a fire plays: what its page requests, and the visitor's preference for reduced motion.
  */
 
 import { motionIsReduced } from './visibility.js';
 
 /** The playback of one element. */
 export class Playback {
+  #session;
   #fire;
-  #view;
   #changed;
-  /** Whether it stands still because the visitor wants less motion. */
+  /** Whether the fire is paused because the visitor prefers reduced motion. */
   #still = false;
-  /** Whether it burns although the visitor wants less motion, who pressed the button. */
+  /** Whether the fire plays because the visitor pressed the button, despite that preference. */
   #stoppable = false;
+  /** The button, once it is loaded. @type {Promise<import('./playback-button.js').PlaybackButton> | undefined} */
+  #button;
   paused = false;
 
   /**
-   * @param {import('../hearth-fire.js').HearthFire} fire
-   * @param {import('./view.js').FireView} view
+   * @param {import('./session.js').FireSession} session
    * @param {(paused: boolean) => Promise<void>} changed tells the engine
    */
-  constructor(fire, view, changed) {
-    this.#fire = fire;
-    this.#view = view;
+  constructor(session, changed) {
+    this.#session = session;
+    this.#fire = session.fire;
     this.#changed = changed;
   }
 
   /** @type {(paused: boolean, still?: boolean) => Promise<void>} */
   set(paused, still = false) {
-    // A visitor who wants less motion and lets it burn can stop it again.
     this.#stoppable = !paused && motionIsReduced() && (this.#still || this.#stoppable);
     this.paused = paused;
     this.#still = still;
     this.offer();
-    // The attribute is the page's; standing still for a visitor leaves it alone.
+    // A pause for reduced motion leaves the page's attribute alone.
     if (!still && this.#fire.hasAttribute('paused') !== paused) this.#fire.toggleAttribute('paused', paused);
     return this.#changed(paused);
   }
 
-  /** The visitor presses the button in the picture. */
-  press() {
-    if (this.#still) this.set(false);
-    else this.set(true, true);
+  /** Shows the button that plays or pauses, or hides it. Its code is loaded on request. */
+  async offer(action = this.#still ? 'play' : this.#stoppable ? 'pause' : '') {
+    if (action) {
+      const press = () => void (this.#still ? this.set(false) : this.set(true, true));
+      this.#button ??= this.#session.reports.loads(import('./playback-button.js'), 'The playback button')
+        .then(({ PlaybackButton }) => new PlaybackButton(this.#session.view, press));
+    }
+    (await this.#button?.catch(() => undefined))?.show(action);
   }
 
-  /** Shows the button that plays or pauses, where the visitor needs one. */
-  offer() {
-    this.#view.offer(this.#still ? 'play' : this.#stoppable ? 'pause' : '');
-  }
-
-  /** Whether the fire moves less, because its visitor wants that. */
+  /** Whether the fire is paused, and moves at once instead of gradually, for reduced motion. */
   isCalm(reduced = motionIsReduced()) {
     return reduced && this.#fire.reducedMotion !== 'ignore';
   }
@@ -62,11 +61,10 @@ export class Playback {
   }
 
   /**
-   * A new fire is about to start; whether it stands still for its visitor.
-   * @param {boolean} waits whether its page wants it to wait for `play()`
+   * A new fire starts: whether it is paused for reduced motion.
+   * @param {boolean} waits whether the page wants it to wait for `play()`
    */
   start(waits) {
-    // One that stood still for its visitor when it was taken off does so again.
     const still = this.isCalm() && (this.#still || !this.paused);
     if (still) {
       this.set(true, true);

@@ -1,74 +1,70 @@
 /**
- * A pointer on a fire: gas near it is carried along, twice as fast while it is pressed;
- * a click throws sparks; a drag that begins on the source moves that.
+ * A pointer on a fire: it carries gas along, twice as fast while it is pressed; a click throws sparks;
+ * a drag that begins on the source moves the source.
  *
- * @typedef {object} Ways
- * @property {(...call: import('../engine/engine.js').Call) => unknown} send calls the engine
- * @property {(x: number) => unknown} move puts the source there [m]
  * @typedef {import('../hearth-fire.js').HearthPoint} Point
  * @typedef {{x: number, y: number, held: number | undefined, clicks: boolean}} Press
  */
 
-/** Longest time between two events of one movement [ms]. */
+/** Maximum time between two events of one movement [ms]. */
 const PAUSE_MS = 200;
 
-/** Fastest that gas is carried along [m/s]. */
-const FASTEST = 20;
+/** Maximum speed of the gas that a pointer carries along [m/s]. */
+const MAX_SPEED = 20;
 
-/** How far a pointer may go and still have clicked, and how far a source reaches at least [px]. */
-const STILL = 6;
-const HAND = 16;
+/** Maximum movement of a click, and minimum half-width of a source's grip area [px]. */
+const CLICK_PX = 6;
+const GRIP_PX = 16;
 
 /** Sparks of a click. */
 const SPARKS = 24;
 
-/** What inside a fire has pointers of its own. */
+/** Children of a fire that handle pointers themselves. */
 const OTHERS = '.panel, .message, a, button, input, select, textarea, label';
 
 /**
  * Starts to listen.
- * @param {import('../hearth-fire.js').HearthFire} fire the element
- * @param {HTMLElement} root what stands inside it
- * @param {Ways} ways
+ * @param {import('./session.js').FireSession} session
  * @param {AbortSignal} signal ends it
  */
-export function listenToPointer(fire, root, { send, move }, signal) {
-  /** The last place of each pointer: fingers may be many. @type {Map<number, Point & {time: number}>} */
+export function listenToPointer(session, signal) {
+  const { fire, view: { root } } = session;
+  /** The last position of each pointer; there are several with several fingers. @type {Map<number, Point & {time: number}>} */
   const last = new Map();
-  /** Where each was pressed, and what it holds: how far from the source's middle [m]. @type {Map<number, Press>} */
+  /** Where each was pressed, and its distance from the middle of the source that it holds [m]. @type {Map<number, Press>} */
   const pressed = new Map();
 
-  /** Where on the fire it is [px], and in its world; nothing where it is not. */
+  /** Its position in the element [px] and in the domain [m]. */
   const locate = (/** @type {MouseEvent} */ { clientX, clientY }) => {
     const { left, top, width, height } = fire.getBoundingClientRect();
     const [x, y] = [clientX - left, clientY - top];
     const inside = x >= 0 && y >= 0 && x <= width && y <= height;
     return { x, y, width, inside, metres: fire.toMetres(x, y) };
   };
-  const isOurs = (/** @type {Event} */ event) => !event.composedPath().some((node) => (
+  const isForFire = (/** @type {Event} */ event) => !event.composedPath().some((node) => (
     // Not `instanceof`: the fire may have moved to another window's document.
     node !== fire && /** @type {Partial<Element>} */ (node).matches?.(OTHERS) && fire.shadowRoot?.contains(/** @type {Node} */ (node))
   ));
-  /** How far from the middle of the source it grips that [m]; nothing where it does not. */
+  /** Its distance from the middle of the source [m]; undefined if it is not on the source. */
   const grip = (/** @type {MouseEvent} */ event) => {
     const { x, y, inside, metres } = locate(event);
     const source = sourceOf(fire.params);
-    const foot = fire.toPixels(source.x, source.y);
-    if (!inside || !foot || !metres || !isOurs(event)) return undefined;
-    const half = (fire.toPixels(source.x + source.half, source.y)?.x ?? foot.x) - foot.x;
-    const near = Math.abs(x - foot.x) <= Math.max(half, HAND) && Math.abs(y - foot.y) <= HAND;
+    const base = fire.toPixels(source.x, source.y);
+    if (!inside || !base || !metres || !isForFire(event)) return undefined;
+    const half = (fire.toPixels(source.x + source.half, source.y)?.x ?? base.x) - base.x;
+    const near = Math.abs(x - base.x) <= Math.max(half, GRIP_PX) && Math.abs(y - base.y) <= GRIP_PX;
     return near ? metres.x - source.x : undefined;
   };
 
   const leave = (/** @type {PointerEvent} */ event) => last.delete(event.pointerId);
   const press = (/** @type {PointerEvent} */ event) => {
-    if (event.button !== 0 || !isOurs(event)) return;
+    if (event.button !== 0 || !isForFire(event)) return;
     const { x, y, inside } = locate(event);
     if (!inside) return;
     const held = grip(event);
     pressed.set(event.pointerId, { x, y, held, clicks: true });
     if (held === undefined) return;
-    // A pointer that is gone already cannot be captured.
+    // A pointer that is gone cannot be captured.
     try {
       fire.setPointerCapture(event.pointerId);
     } catch {}
@@ -76,16 +72,17 @@ export function listenToPointer(fire, root, { send, move }, signal) {
   const drag = (/** @type {number} */ held, /** @type {ReturnType<typeof locate>} */ { width, metres }) => {
     const [left, right] = [fire.toMetres(0, 0), fire.toMetres(width, 0)];
     if (!metres || !left || !right) return;
-    const { most } = sourceOf(fire.params);
-    const seen = Math.max(left.x, Math.min(right.x, metres.x - held));
-    const limit = Math.min(most, 3);
-    // As the panel shows numbers, and no more of them in an address.
-    move(Math.round(Math.max(-limit, Math.min(limit, seen)) * 1000) / 1000);
+    const { max } = sourceOf(fire.params);
+    const visible = Math.max(left.x, Math.min(right.x, metres.x - held));
+    const limit = Math.min(max, 3);
+    // The panel shows as many digits, and URLs stay short.
+    const x = Math.round(Math.max(-limit, Math.min(limit, visible)) * 1000) / 1000;
+    session.call('set', { source_x: x }, 'pointer').catch(() => {});
   };
   const follow = (/** @type {PointerEvent} */ event) => {
     const at = locate(event);
     const press = pressed.get(event.pointerId);
-    if (press && Math.hypot(at.x - press.x, at.y - press.y) > STILL) press.clicks = false;
+    if (press && Math.hypot(at.x - press.x, at.y - press.y) > CLICK_PX) press.clicks = false;
     if (press?.held !== undefined) {
       root.style.cursor = 'grabbing';
       if (!press.clicks) drag(press.held, at);
@@ -93,19 +90,19 @@ export function listenToPointer(fire, root, { send, move }, signal) {
     }
     root.style.cursor = event.pointerType === 'mouse' && grip(event) !== undefined ? 'grab' : '';
     const before = last.get(event.pointerId);
-    const place = at.inside && isOurs(event) ? at.metres : null;
-    if (!place) {
-      // A finger may go on beyond the fire.
+    const position = at.inside && isForFire(event) ? at.metres : null;
+    if (!position) {
+      // A finger may leave the element and return.
       leave(event);
       return;
     }
-    last.set(event.pointerId, { ...place, time: event.timeStamp });
+    last.set(event.pointerId, { ...position, time: event.timeStamp });
     if (!before) return;
     const seconds = (event.timeStamp - before.time) / 1000;
     if (!(seconds > 0 && seconds < PAUSE_MS / 1000)) return;
     const strength = event.buttons & 1 ? 2 : 1;
-    const speed = (/** @type {number} */ metres) => Math.max(-FASTEST, Math.min(FASTEST, (strength * metres) / seconds));
-    send('stir', place.x, place.y, speed(place.x - before.x), speed(place.y - before.y));
+    const speed = (/** @type {number} */ metres) => Math.max(-MAX_SPEED, Math.min(MAX_SPEED, (strength * metres) / seconds));
+    session.send('stir', position.x, position.y, speed(position.x - before.x), speed(position.y - before.y));
   };
   const lift = (/** @type {PointerEvent} */ event) => {
     leave(event);
@@ -114,12 +111,12 @@ export function listenToPointer(fire, root, { send, move }, signal) {
     root.style.cursor = '';
     const { inside, metres } = locate(event);
     if (event.type === 'pointerup' && press?.clicks && inside && metres) {
-      send('sparks', metres.x, metres.y, SPARKS);
+      session.send('sparks', metres.x, metres.y, SPARKS);
     }
   };
-  // A mouse that holds the source selects no text. A finger still scrolls the page up and
-  // down: `touch-action` tells its scrolling from a drag.
-  const keep = (/** @type {MouseEvent} */ event) => {
+  // A drag of the source selects no text. A finger still scrolls the page: `touch-action` tells a
+  // scroll from a drag.
+  const hold = (/** @type {MouseEvent} */ event) => {
     if (grip(event) !== undefined) event.preventDefault();
   };
 
@@ -128,26 +125,26 @@ export function listenToPointer(fire, root, { send, move }, signal) {
   fire.addEventListener('pointerleave', leave, { signal });
   fire.addEventListener('pointerup', lift, { signal });
   fire.addEventListener('pointercancel', lift, { signal });
-  fire.addEventListener('mousedown', keep, { signal });
+  fire.addEventListener('mousedown', hold, { signal });
   signal.addEventListener('abort', () => (root.style.cursor = ''));
 }
 
 /**
- * The source of a fire as the engine has it: middle and height of its foot, half of its
- * width, and how far from the middle it may stand [m].
+ * The source as the engine places it: middle and height of its base, half of its width, and its maximum
+ * distance from the middle of the domain [m].
  * @param {import('../parameters.js').HearthParameters} params
  */
 function sourceOf(params) {
   const { model, domain_width: across, domain_height: up, source_width: wide } = params;
   const seam = model === 'combustion' ? params.seam : 0;
   const half = Math.min(wide, across) / 2;
-  const most = Math.max((0.5 - seam) * across - half, 0);
-  /** @type {(value: number, min: number, max: number) => number} */
-  const between = (value, min, max) => Math.max(min, Math.min(max, value));
+  const max = Math.max((0.5 - seam) * across - half, 0);
+  /** @type {(value: number, low: number, high: number) => number} */
+  const clamp = (value, low, high) => Math.max(low, Math.min(high, value));
   return {
-    x: between(params.source_x, -most, most),
-    y: between(params.source_height, seam * up, (1 - seam) * up),
+    x: clamp(params.source_x, -max, max),
+    y: clamp(params.source_height, seam * up, (1 - seam) * up),
     half,
-    most,
+    max,
   };
 }

@@ -1,5 +1,5 @@
 /**
- * What an element tells its page: its events, and warnings of what is wrong.
+ * What an element reports to its page: events, and warnings in the console.
  *
  * @typedef {import('./requests.js').Refusal} Refusal
  */
@@ -20,23 +20,31 @@ export class Reports {
     this.#fire.dispatchEvent(new CustomEvent(type, { detail }));
   }
 
-  /** Something is wrong, and the fire burns on. @type {(kind: string, message: string) => void} */
-  warn(kind, message) {
+  /** Reports an error as a warning in the console and as an event. @type {(kind: string, message: string, more?: object) => void} */
+  warn(kind, message, more) {
     console.warn(`<hearth-fire>: ${message}`);
-    this.emit('error', { kind, message });
+    this.emit('error', { kind, message, ...more });
   }
 
-  /** Values are refused; the error that says so. @type {(errors: Refusal[]) => Error} */
+  /** Reports refused values; returns the error that names them. @type {(errors: Refusal[]) => Error} */
   refused(errors) {
-    for (const { message, ...rest } of errors) {
-      console.warn(`<hearth-fire>: ${message}`);
-      this.emit('error', { kind: 'bad-parameter', message, ...rest });
-    }
+    for (const { message, ...more } of errors) this.warn('bad-parameter', message, more);
     return refusal(errors);
   }
 
-  /** An attribute is refused. @type {(id: string, value: string, allowed: string) => Error} */
+  /** Reports a refused attribute. @type {(id: string, value: string, allowed: string) => Error} */
   refuse(id, value, allowed) {
     return this.refused([{ id, value, message: `${id} = ${value} is refused: it must be ${allowed}` }]);
+  }
+
+  /**
+   * Warns if code that is loaded on request does not arrive.
+   * @template T
+   * @param {Promise<T>} code
+   * @param {string} what its name in the warning
+   */
+  loads(code, what) {
+    code.catch((why) => this.warn('load', `${what} could not be loaded: ${why}`));
+    return code;
   }
 }

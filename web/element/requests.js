@@ -1,25 +1,24 @@
 /**
  * Promises for the calls of an element.
  *
- * Each request has a number, which the engine's `done` or `refused` event carries. Calls
- * made before there is a fire wait here and are sent in order when there is one. A
- * rejected promise that nobody handles is no "unhandled rejection": a fire is decoration,
- * and the refusal is also an event and a warning.
+ * Each request has a number, which the engine's `done` or `refused` event carries. Calls made without
+ * a fire wait here and are sent in order when there is one. A rejected promise without a handler is no
+ * "unhandled rejection": a fire is decoration, and the refusal is also an event and a warning.
  *
  * @typedef {import('../engine/engine.js').Call} Call
  * @typedef {{id: string, value: unknown, message: string, min?: number, max?: number}} Refusal
  * @typedef {{promise: Promise<any>, resolve: (value?: unknown) => void, reject: (error: Error) => void, failed: boolean}} Deferred
  */
 
-/** Most calls that wait before some are dropped for newer ones of the same kind. */
+/** The number of waiting calls from which on new calls replace older ones that set the same ids. */
 const MAX_WAITING = 500;
 
-/** Requests, waiting or on their way. */
+/** Requests, waiting for a fire or for an answer. */
 export class Requests {
   #last = 0;
   /** @type {Map<number, Deferred & {fire: number}>} */
-  #open = new Map();
-  /** Calls made before there is a fire, models first. @type {{request: number, call: Call}[]} */
+  #pending = new Map();
+  /** Calls that wait for a fire, models first. @type {{request: number, call: Call}[]} */
   #waiting = [];
   #models = 0;
   /** @type {((request: number, call: Call) => void) | undefined} */
@@ -31,123 +30,120 @@ export class Requests {
    * @param {Call} call
    * @returns {Promise<any>}
    */
-  ask(...call) {
-    this.#last += 1;
-    const request = this.#last;
+  call(...call) {
+    const request = ++this.#last;
     const entry = Object.assign(deferred(), { fire: this.#fire });
-    this.#open.set(request, entry);
+    this.#pending.set(request, entry);
     if (this.#send) {
       this.#send(request, call);
-      return entry.promise;
+    } else {
+      this.#makeRoom(call, entry);
+      // The model decides which values are valid.
+      this.#waiting.splice(idsOf(call) === 'model' ? this.#models++ : this.#waiting.length, 0, { request, call });
     }
-    this.#makeRoom(call, entry);
-    if (ids(call) === 'model') this.#waiting.splice(this.#models++, 0, { request, call });
-    else this.#waiting.push({ request, call });
     return entry.promise;
   }
 
   /**
-   * Bounds the memory of a page that sets the same values of an unseen fire again and again:
-   * where many calls wait, the oldest of the same kind is dropped and settles as `entry` does.
+   * Bounds the memory of a page that sets the same values of an unseen fire again and again: the oldest
+   * call that sets the same ids is dropped and settles as `entry` does.
    * @type {(call: Call, entry: Deferred) => void}
    */
   #makeRoom(call, entry) {
-    const kind = ids(call);
-    if (kind === undefined || this.#waiting.length < MAX_WAITING) return;
-    const at = this.#waiting.findIndex((waiting) => ids(waiting.call) === kind);
+    const ids = idsOf(call);
+    if (ids === undefined || this.#waiting.length < MAX_WAITING) return;
+    const at = this.#waiting.findIndex((waiting) => idsOf(waiting.call) === ids);
     if (at < 0) return;
-    const [old] = this.#waiting.splice(at, 1);
+    const [{ request }] = this.#waiting.splice(at, 1);
     if (at < this.#models) this.#models -= 1;
-    this.#open.get(old.request)?.resolve(entry.promise);
-    this.#open.delete(old.request);
+    this.settle(request, undefined, entry.promise);
   }
 
   /**
    * There is a fire: sends the calls that wait.
    * @param {number} fire
    * @param {(request: number, call: Call) => void} send
-   * @returns {Promise<unknown>} when all of them were answered
+   * @returns {Promise<unknown>} when all of them are answered
    */
   connect(fire, send) {
     this.#fire = fire;
     this.#send = send;
     this.#models = 0;
     const answers = this.#waiting.splice(0).map(({ request, call }) => {
-      const entry = this.#open.get(request);
+      const entry = this.#pending.get(request);
       if (entry) entry.fire = fire;
       send(request, call);
-      // Steps can take long; nothing needs to wait for them.
+      // Steps can take long, and nothing depends on them.
       return call[0] === 'step' ? undefined : entry?.promise;
     });
     return Promise.allSettled(answers);
   }
 
-  /** There is no fire any more; calls from now on wait for the next. */
+  /** There is no fire any more: new calls wait for the next one. */
   disconnect() {
     this.#fire = 0;
     this.#send = undefined;
   }
 
   /**
-   * A request was carried out, with the value that it asked for, or refused with `error`.
+   * Settles a request: with its value, or with the error that refuses it.
    * @param {number} request
    * @param {Error} [error]
    * @param {unknown} [value]
    */
   settle(request, error, value) {
-    const entry = this.#open.get(request);
-    this.#open.delete(request);
+    const entry = this.#pending.get(request);
+    this.#pending.delete(request);
     if (error) entry?.reject(error);
     else entry?.resolve(value);
   }
 
   /**
-   * Gives up the requests to one fire; 0: those that still wait for one.
+   * Rejects the requests to one fire; 0: those that wait for one.
    * @param {number} fire
    * @param {Error} error
    */
   abandon(fire, error) {
     if (fire === 0) this.#waiting.length = this.#models = 0;
-    for (const [request, entry] of this.#open) {
+    for (const [request, entry] of this.#pending) {
       if (entry.fire === fire) this.settle(request, error);
     }
   }
 }
 
-/** The ids that a call sets; the model decides what all other values may be. @param {Call} call */
-function ids([method, values]) {
+/** The ids that a call sets. @param {Call} call */
+function idsOf([method, values]) {
   return method === 'set' ? Object.keys(values).join() : undefined;
 }
 
 /**
- * What is thrown where something was refused.
+ * The error for refused values: the first one, with a list of all.
  * @param {Refusal[]} errors
  */
 export function refusal(errors) {
-  const { id, value, min, max, message } = errors[0];
-  return Object.assign(new RangeError(message), { id, value, min, max, errors });
+  const { message, ...first } = errors[0];
+  return Object.assign(new RangeError(message), first, { errors });
 }
 
 /**
- * A promise with its handles, whose rejection may go unseen.
+ * A promise with its handles, whose rejection needs no handler.
  * @returns {Deferred}
  */
 export function deferred() {
   /** @type {any} */
   const made = { failed: false };
-  made.promise = new Promise((resolve, reject) => {
+  made.promise = quiet(new Promise((resolve, reject) => {
     made.resolve = resolve;
     made.reject = (/** @type {Error} */ error) => {
       made.failed = true;
       reject(error);
     };
-  });
-  quiet(made.promise);
+  }));
   return made;
 }
 
 /**
- * The same promise, whose rejection may go unseen.
+ * The same promise, whose rejection needs no handler.
  * @template T
  * @param {Promise<T>} promise
  */
@@ -156,39 +152,35 @@ export function quiet(promise) {
   return promise;
 }
 
-/** Most fields of an object; far more than there are parameters. */
-const MOST_FIELDS = 1000;
+/** The maximum number of fields of an object and items of a list; far more than there are parameters. */
+const MAX_FIELDS = 1000;
 
 /**
- * The same value as plain data, which can be posted. A value that is no plain data becomes
- * something of its kind, which the engine refuses by that name. No code of the page runs
- * after this, and none of it breaks more than its own value.
+ * A copy of a value as plain data, which can be posted. A value that is no plain data becomes a
+ * description or an empty value, which the engine refuses with its id. No getter of the page runs after
+ * this, and one that throws affects its own value only.
  * @param {unknown} value
- * @param {number} [depth] how deep it may yet be nested
+ * @param {number} [depth] the levels of nesting that are copied
  * @returns {any}
  */
 export function postable(value, depth = 0) {
   try {
-    if (Array.isArray(value)) return depth > 0 ? value.slice(0, MOST_FIELDS).map((one) => postable(one, depth - 1)) : [];
+    if (Array.isArray(value)) return depth > 0 ? value.slice(0, MAX_FIELDS).map((item) => postable(item, depth - 1)) : [];
     if (typeof value === 'object' && value !== null) {
-      // What is no plain data has no fields of its own that anybody means.
-      if (depth === 0) return {};
-      const names = Object.keys(value);
-      if (names.length > MOST_FIELDS) return 'an object of more than a thousand fields';
-      return Object.fromEntries(names.map((name) => [name, field(/** @type {{[name: string]: unknown}} */ (value), name, depth - 1)]));
+      const names = depth > 0 ? Object.keys(value) : [];
+      if (names.length > MAX_FIELDS) return 'an object of more than 1000 fields';
+      return Object.fromEntries(names.map((name) => {
+        try {
+          return [name, postable(/** @type {{[name: string]: unknown}} */ (value)[name], depth - 1)];
+        } catch {
+          return [name, UNREADABLE];
+        }
+      }));
     }
   } catch {
-    return 'something unreadable';
+    return UNREADABLE;
   }
-  if (['function', 'symbol', 'bigint'].includes(typeof value)) return `a ${typeof value}`;
-  return value;
+  return ['function', 'symbol', 'bigint'].includes(typeof value) ? `a ${typeof value}` : value;
 }
 
-/** @type {(object: {[name: string]: unknown}, name: string, depth: number) => unknown} */
-function field(object, name, depth) {
-  try {
-    return postable(object[name], depth);
-  } catch {
-    return 'something unreadable';
-  }
-}
+const UNREADABLE = 'something unreadable';

@@ -1,9 +1,9 @@
 /**
  * The colour bar of a `<hearth-fire>` that shows a quantity instead of its fire. It is loaded with the
- * first such display.
+ * first such display mode.
  *
- * The colours are those of the picture (shaders/scale.glsl). They are computed here, because a gradient
- * in OKLCH, which would be shorter, is missing in older browsers.
+ * The colours are those of `shaders/scale.glsl`. They are computed here because older browsers lack
+ * OKLCH gradients.
  */
 
 import { QUANTITIES } from '../generated/quantities.js';
@@ -28,9 +28,9 @@ const STYLES = /* css */ `
   content: ''; position: absolute; left: 12px; top: calc(50% - 0.5px); inline-size: 5px; block-size: 1px;
   background: currentcolor; opacity: 0.7;
 }
-/* What is out of the flow gives the bar its width. */
+/* The invisible widest label sets the width of the bar: the others are positioned absolutely. */
 .scale em { display: block; block-size: 0; overflow: hidden; visibility: hidden; }
-/* Its place is where the pause button is that some visitors have. */
+/* Makes room for the pause button. */
 .root:has(> .play:not([hidden])[data-does='pause']) .scale { bottom: 60px; }
 @container (width < 280px) {
   .scale { left: 8px; bottom: 8px; padding: 6px 9px 9px; font-size: 11px; }
@@ -38,25 +38,22 @@ const STYLES = /* css */ `
 @container (width < 160px) or (height < 160px) { .scale { display: none; } }
 `;
 
-/** What the displays are called that show something else than their name says. */
-/** @type {{[mode: string]: string}} */
+/** Labels of the display modes whose name is not their quantity. @type {{[mode: string]: string}} */
 const LABELS = { particles: 'Temperature', velocity: 'Speed' };
 
-/** Colours in a gradient: enough that its straight pieces are invisible. */
+/** Colours in a gradient: enough that its linear segments are invisible. */
 const STOPS = 32;
 
-/** Nearer to an end, as a part of the bar, a tick's number would run into that of the end. */
-const APART = 0.13;
+/** Minimum distance of a tick from the ends, as a share of the bar: its number must not overlap theirs. */
+const TICK_MARGIN = 0.13;
 
 /** The bar of one element. */
 export class Scale {
-  #root;
   #bar = document.createElement('div');
   #shown = '';
 
-  /** @param {HTMLElement} root what stands inside of the element */
-  constructor(root) {
-    this.#root = root;
+  /** @param {import('./view.js').FireView} view */
+  constructor(view) {
     const room = document.createElement('div');
     room.className = 'scale-room';
     this.#bar.className = 'scale';
@@ -65,26 +62,26 @@ export class Scale {
     this.#bar.setAttribute('part', 'scale');
     this.#bar.setAttribute('role', 'img');
     room.append(this.#bar);
-    root.append(room);
+    view.style(STYLES);
+    view.root.append(room);
   }
 
   /**
-   * Shows what is measured, or nothing.
-   * @param {string} [mode] the display
-   * @param {[number, number] | null} [ends] what its first and its last colour stand for
+   * Shows the quantity of a display mode, or nothing.
+   * @param {string} [mode]
+   * @param {[number, number] | null} [range] the values of its first and its last colour
    */
-  show(mode = '', ends = null) {
+  show(mode = '', range = null) {
     const quantity = Object.hasOwn(QUANTITIES, mode) && QUANTITIES[/** @type {keyof typeof QUANTITIES} */ (mode)];
-    this.#bar.hidden = !(quantity && ends);
-    if (!quantity || !ends) return;
-    dress(this.#root);
-    const shown = `${mode} ${ends}`;
+    this.#bar.hidden = !(quantity && range);
+    if (!quantity || !range) return;
+    const shown = `${mode} ${range}`;
     if (shown === this.#shown) return;
     this.#shown = shown;
     const label = LABELS[mode] ?? mode[0].toUpperCase() + mode.slice(1);
-    const [least, most] = ends;
+    const [min, max] = range;
     const unit = quantity.unit && `\u00a0${quantity.unit}`;
-    this.#bar.setAttribute('aria-label', `${label}, ${words(least)} to ${words(most)}${unit}`);
+    this.#bar.setAttribute('aria-label', `${label}, ${formatNumber(min)} to ${formatNumber(max)}${unit}`);
 
     const heading = document.createElement('b');
     heading.textContent = label;
@@ -92,15 +89,14 @@ export class Scale {
     const band = document.createElement('i');
     band.style.background = gradient(quantity.signed);
     track.append(band);
-    const marks = [least, ...ticks(least, most, quantity.whole), most];
     let widest = '';
-    for (const value of marks) {
-      const mark = document.createElement('span');
-      const end = value === least || value === most;
-      mark.textContent = words(value) + (end ? unit : '');
-      mark.style.setProperty('--at', String((value - least) / (most - least)));
-      track.append(mark);
-      if (mark.textContent.length > widest.length) widest = mark.textContent;
+    for (const value of [min, ...ticks(min, max, quantity.whole), max]) {
+      const tick = document.createElement('span');
+      const end = value === min || value === max;
+      tick.textContent = formatNumber(value) + (end ? unit : '');
+      tick.style.setProperty('--at', String((value - min) / (max - min)));
+      track.append(tick);
+      if (tick.textContent.length > widest.length) widest = tick.textContent;
     }
     const width = document.createElement('em');
     width.textContent = widest;
@@ -108,49 +104,25 @@ export class Scale {
   }
 }
 
-/** The sheet of each document. @type {WeakMap<Document, CSSStyleSheet>} */
-const SHEETS = new WeakMap();
-
 /**
- * Gives the bar its styles, in the way that its page's policy allows; the element's own
- * are set anew where that is taken to another document.
- * @param {HTMLElement} root
+ * One or two round values that divide the bar evenly, or three if two cannot; an empty list if no round
+ * value lies between the ends.
+ * @type {(min: number, max: number, whole: boolean) => number[]}
  */
-function dress(root) {
-  const shadow = /** @type {ShadowRoot} */ (root.getRootNode());
-  const owner = root.ownerDocument;
-  const Sheet = owner.defaultView?.CSSStyleSheet;
-  if (Sheet && 'replaceSync' in Sheet.prototype && 'adoptedStyleSheets' in shadow) {
-    const sheet = SHEETS.get(owner) ?? new Sheet();
-    if (!SHEETS.has(owner)) sheet.replaceSync(STYLES);
-    SHEETS.set(owner, sheet);
-    if (!shadow.adoptedStyleSheets.includes(sheet)) shadow.adoptedStyleSheets.push(sheet);
-  } else if (!root.querySelector('style')) {
-    const style = document.createElement('style');
-    style.textContent = STYLES;
-    root.append(style);
-  }
-}
-
-/**
- * One or two round values that part the bar evenly, or three where two could not; none
- * where there are none.
- * @type {(least: number, most: number, whole: boolean) => number[]}
- */
-export function ticks(least, most, whole) {
-  const span = most - least;
+export function ticks(min, max, whole) {
+  const span = max - min;
   /** @type {number[]} */
   let best = [];
   let widest = Infinity;
   for (let power = Math.ceil(Math.log10(span)); power > Math.log10(span) - 2; power -= 1) {
     for (const part of [5, 2, 1]) {
-      // A division by a power of ten keeps more of a decimal than a product does.
+      // Dividing by a power of ten rounds less than multiplying by its inverse.
       const step = power < 0 ? part / 10 ** -power : part * 10 ** power;
-      const first = Math.ceil((least + APART * span) / step);
-      const last = Math.floor((most - APART * span) / step);
+      const first = Math.ceil((min + TICK_MARGIN * span) / step);
+      const last = Math.floor((max - TICK_MARGIN * span) / step);
       const count = last - first + 1;
       if (!(count >= 1 && count <= 3) || (whole && step < 1)) continue;
-      const gap = Math.max(first * step - least, count > 1 ? step : 0, most - last * step) * (count > 2 ? 2.1 : 1);
+      const gap = Math.max(first * step - min, count > 1 ? step : 0, max - last * step) * (count > 2 ? 2.1 : 1);
       if (gap > 0.99 * widest) continue;
       widest = gap;
       best = Array.from({ length: count }, (_, at) => Number(((first + at) * step).toPrecision(6)));
@@ -159,43 +131,43 @@ export function ticks(least, most, whole) {
   return best;
 }
 
-const RAISED = [...'⁰¹²³⁴⁵⁶⁷⁸⁹'];
+const SUPERSCRIPTS = [...'⁰¹²³⁴⁵⁶⁷⁸⁹'];
 
-/** A number as people read it: 0.05, −200, 20 000, 5·10⁻⁶. @param {number} value */
-export function words(value) {
+/** A number in the notation of tables: 0.05, −200, 20 000, 5·10⁻⁶. @param {number} value */
+export function formatNumber(value) {
   const size = Math.abs(value);
   const sign = value < 0 ? '−' : '';
   const digits = Number(size.toPrecision(4));
   if (digits !== 0 && (digits < 1e-3 || digits >= 1e7)) {
     const [part, power] = digits.toExponential().split('e');
-    const raised = power.replace('+', '').replace('-', '⁻').replace(/\d/g, (digit) => RAISED[Number(digit)]);
+    const raised = power.replace('+', '').replace('-', '⁻').replace(/\d/g, (digit) => SUPERSCRIPTS[Number(digit)]);
     return `${sign}${part === '1' ? '' : `${part}·`}10${raised}`;
   }
   const text = String(digits);
   return sign + (digits < 1e4 ? text : text.replace(/\B(?=(\d{3})+$)/g, '\u202f'));
 }
 
-/** The colours from below to above, as CSS has them. @param {boolean} signed */
+/** The colours from bottom to top as a CSS gradient. @param {boolean} signed */
 function gradient(signed) {
   const stops = Array.from({ length: STOPS + 1 }, (_, at) => `rgb(${colour(at / STOPS, signed)})`);
   return `linear-gradient(to top, ${stops})`;
 }
 
 /**
- * The colour at a part of the bar: from dark to bright where a quantity begins at its
- * least, and both ways from the dark middle where that is zero.
+ * The colour at a position of the bar: from dark to bright, or from a dark middle to two bright ends
+ * for a signed quantity.
  * @param {number} at from 0 to 1
  * @param {boolean} signed
  */
 export function colour(at, signed) {
   if (!signed) return srgb(0.18 + 0.77 * at, 0.03 + 0.6 * at * (1 - at) + 0.06 * at, 295 + 170 * at);
   const size = Math.abs(2 * at - 1);
-  const [most, hue] = at < 0.5 ? [0.34, 262 - 42 * size] : [0.46, 15 + 65 * size];
-  return srgb(0.16 + 0.74 * size, most * size * (1 - 0.74 * size), hue);
+  const [chroma, hue] = at < 0.5 ? [0.34, 262 - 42 * size] : [0.46, 15 + 65 * size];
+  return srgb(0.16 + 0.74 * size, chroma * size * (1 - 0.74 * size), hue);
 }
 
 /**
- * OKLCH in sRGB, three numbers from 0 to 255.
+ * Converts OKLCH to sRGB: three numbers from 0 to 255.
  * @type {(lightness: number, chroma: number, hue: number) => number[]}
  */
 function srgb(lightness, chroma, hue) {

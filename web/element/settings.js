@@ -1,53 +1,53 @@
 /**
- * Settings from outside, as data or as JSON text. They become plain data here; the engine checks their
- * values.
+ * Settings from outside, as data or as JSON text. They become plain data here; the engine validates
+ * their values.
  */
 
 import { postable } from './requests.js';
 
-/** Longest JSON text, in letters, and longest file, in bytes. */
-const LONGEST = 65_536;
+/** The maximum length of JSON text in characters, and of a file in bytes. */
+const MAX_LENGTH = 65_536;
 
-/** Deepest nesting of settings and of values: `{objects: [{property: value}]}`. */
-export const DEEPEST = 3;
+/** The nesting of settings and of values: `{objects: [{property: value}]}`. */
+export const DEPTH = 3;
 
 /**
  * Settings as plain data.
  * @param {unknown} config an object of them, or their JSON text
- * @param {string} [id] what they are called
+ * @param {string} [id] their name in errors
  * @returns {unknown}
- * @throws {RangeError} a text that is too long, or no JSON
+ * @throws {RangeError} the text is too long or is not JSON
  */
 export function settings(config, id = 'config') {
-  if (typeof config !== 'string') return postable(config, DEEPEST);
-  if (config.length > LONGEST) {
-    throw new RangeError(`${id} is refused: it has ${config.length} letters; at most ${LONGEST} (64 KiB) are allowed`);
+  if (typeof config === 'string') {
+    if (config.length > MAX_LENGTH) {
+      throw new RangeError(`${id} is refused: it has ${config.length} characters; at most ${MAX_LENGTH} (64 KiB) are allowed`);
+    }
+    try {
+      config = JSON.parse(config);
+    } catch (error) {
+      throw new RangeError(`${id} is refused: it is not JSON: ${/** @type {Error} */ (error).message}`);
+    }
   }
-  let parsed;
-  try {
-    parsed = JSON.parse(config);
-  } catch (error) {
-    throw new RangeError(`${id} is refused: it is no JSON: ${/** @type {Error} */ (error).message}`);
-  }
-  return postable(parsed, DEEPEST);
+  return postable(config, DEPTH);
 }
 
 /**
- * The settings in the file that `src` names. What fetches it is loaded only here.
- * @param {string} src where it is
+ * The settings in a file; undefined, with a warning, if there are none.
+ * @param {string} src its URL
+ * @param {import('./reports.js').Reports} reports
  * @returns {Promise<unknown>}
- * @throws {RangeError} it holds no settings
- * @throws {Error} it did not come
  */
-export async function settingsOfFile(src) {
+export async function settingsOfFile(src, reports) {
+  if (!src) return undefined;
   const id = `src = "${src}"`;
-  let text;
   try {
     const { textOf } = await import('./settings-file.js');
-    text = await textOf(new URL(src, document.baseURI), LONGEST);
+    return settings(await textOf(src, MAX_LENGTH, id), id);
   } catch (error) {
-    throw new Error(`${id} is refused: ${/** @type {Error} */ (error).message}`);
+    const { message } = /** @type {Error} */ (error);
+    if (error instanceof RangeError) reports.refused([{ id: 'src', value: src, message }]);
+    else reports.warn('load', message);
+    return undefined;
   }
-  if (text === undefined) throw new RangeError(`${id} is refused: it is longer than 64 KiB`);
-  return settings(text, id);
 }

@@ -1,16 +1,16 @@
 /**
- * Suggestions for unknown names, and warnings about unknown attributes: loaded with the first such
- * name.
+ * Suggestions for unknown names, and warnings about unknown attributes. This code is loaded with the
+ * first such name.
  */
 
 import { DEFAULTS, OWN_ATTRIBUTES } from '../generated/defaults.js';
 
-/** Most names that are offered. */
-const MOST = 3;
+/** Maximum number of suggestions. */
+const MAX_SUGGESTIONS = 3;
 
 /**
- * Attributes that every element may have, and those that frameworks and libraries put on
- * elements: with a prefix of one or two letters, with signs that HTML has no use for.
+ * Attributes of every element, and attributes that frameworks and libraries add: with a prefix of one
+ * or two letters, or with characters that HTML does not use.
  */
 const FOREIGN = new RegExp([
   '^(accesskey|autocapitalize|autocorrect|autofocus|class|contenteditable|dir|draggable|elementtiming|enterkeyhint',
@@ -21,33 +21,34 @@ const FOREIGN = new RegExp([
 
 const KNOWN = [...OWN_ATTRIBUTES, ...Object.keys(DEFAULTS).map((id) => id.replaceAll('_', '-'))];
 
-/** Those that were told. */
-const TOLD = new Set();
+/** The names that have been warned about. */
+const WARNED = new Set();
 
 /**
- * Warns once that an attribute has no effect, unless it is HTML's, a framework's or a library's.
+ * Warns once about an attribute without an effect. Attributes of HTML, frameworks and libraries are left
+ * out.
  * @param {string} name
  */
-export function tell(name) {
-  if (TOLD.has(name) || FOREIGN.test(name)) return;
-  TOLD.add(name);
-  const size = ['width', 'height'].includes(name) ? ' Its size is what its style says.' : '';
-  console.warn(`<hearth-fire>: it has no attribute ${name.slice(0, 40)}${meant(name, KNOWN)}${size}`);
+export function warnOnce(name) {
+  if (WARNED.has(name) || FOREIGN.test(name)) return;
+  WARNED.add(name);
+  const size = ['width', 'height'].includes(name) ? ' Its style sets its size.' : '';
+  console.warn(`<hearth-fire>: it has no attribute ${name.slice(0, 40)}${suggestion(name, KNOWN)}${size}`);
 }
 
 /**
- * The question whether one of these was meant, as the end of a sentence; a full stop where none is near.
+ * A question for the names that may be meant, as the end of a sentence; a full stop if none is similar.
  * @param {string} name
  * @param {string[]} names
  */
-export function meant(name, names) {
+export function suggestion(name, names) {
   const near = nearest(name, names);
   return near.length > 0 ? `; did you mean ${near.join(', ').replace(/, ([^,]*)$/, ' or $1')}?` : '.';
 }
 
 /**
- * The names that may be meant: the same but for its signs; with its words; one written with
- * few mistakes; one whose words are in it.
+ * The names that may be meant. In this order: equal but for case and separators; longer by words; with
+ * few spelling mistakes; shorter by words.
  * @param {string} name
  * @param {string[]} names
  * @returns {string[]}
@@ -58,19 +59,19 @@ export function nearest(name, names) {
   const longer = names.filter((one) => words.every((word) => wordsOf(one).includes(word)));
   const shorter = names.filter((one) => wordsOf(one).every((word) => words.includes(word)));
   const found = [same, longer, alike(name, names, Math.max(1, Math.floor(letters.length / 4))), shorter];
-  return (found.find(({ length }) => length > 0) ?? []).slice(0, MOST);
+  return (found.find(({ length }) => length > 0) ?? []).slice(0, MAX_SUGGESTIONS);
 }
 
 /**
- * Those that are written with the fewest mistakes, and no more than so many.
+ * The names with the fewest spelling mistakes.
  * @param {string} name
  * @param {string[]} names
- * @param {number} most
+ * @param {number} max the maximum number of mistakes
  */
-export function alike(name, names, most) {
-  const far = names.map((one) => mistakes(plain(name), plain(one)));
-  const least = Math.min(...far, most);
-  return names.filter((_, at) => far[at] === least);
+export function alike(name, names, max) {
+  const distances = names.map((one) => distance(plain(name), plain(one)));
+  const min = Math.min(...distances, max);
+  return names.filter((_, at) => distances[at] === min);
 }
 
 /** @param {string} name */
@@ -84,10 +85,10 @@ function plain(name) {
 }
 
 /**
- * How many letters are left out, added, changed, or changed places with the next one.
+ * The Damerau–Levenshtein distance: letters that are missing, added, changed or transposed.
  * @type {(a: string, b: string) => number}
  */
-function mistakes(a, b) {
+function distance(a, b) {
   /** @type {number[]} */
   let before = [];
   let row = Array.from({ length: b.length + 1 }, (_, at) => at);

@@ -1,5 +1,5 @@
 /**
- * What the engine has told an element about its fire, and what a new fire starts from.
+ * The state of a fire as the engine reported it last, and what a new fire starts from.
  *
  * @typedef {import('../engine/engine.js').Message} Message
  * @typedef {import('../parameters.js').HearthParameters} HearthParameters
@@ -8,18 +8,18 @@
  * @typedef {import('../parameters.js').HearthStats} HearthStats
  */
 
-import { DEFAULTS } from '../generated/defaults.js';
+import { DEFAULTS } from './attributes.js';
 
 /** The state of one element's fire; it outlives the fire. */
 export class FireState {
   params = /** @type {HearthParameters} */ ({ ...DEFAULTS });
   /** @type {Required<import('../parameters.js').HearthObject>[]} */
   objects = [];
-  /** The values before the model changed, for the way back. @type {Partial<HearthParameters>} */
+  /** The values before the model changed, which a change back restores. @type {Partial<HearthParameters>} */
   #kept = {};
-  /** Whether the page set the number of particles, as the engine says. */
+  /** Whether the page set the number of particles, as the engine reports it. */
   #countIsSet = false;
-  /** Whether the engine has had a fire of this element, and has told its values. */
+  /** Whether the engine has reported the values of a fire. */
   started = false;
   /** @type {PresetName} */
   preset = 'default';
@@ -40,20 +40,17 @@ export class FireState {
   }
 
   /**
-   * What the fire starts from: preset, file and model at first, what it was when it comes
-   * back.
+   * What a fire starts from: the attributes and the file of a new element, or its last state.
    * @param {HTMLElement} fire
    * @param {boolean} paused
-   * @param {unknown} config what was in the file
+   * @param {unknown} config the settings in the file
    */
   start(fire, paused, config) {
-    const { preset, params, quality } = this;
+    const { preset, params, objects, quality } = this;
     if (this.started) {
-      const values = { ...params, objects: this.objects };
-      return { preset, kept: this.#kept, values, ownNumber: this.#countIsSet, quality, paused };
+      return { preset, kept: this.#kept, values: { ...params, objects }, ownNumber: this.#countIsSet, quality, paused };
     }
     const model = fire.getAttribute('model');
-    const values = model === null ? {} : { model };
-    return { preset: fire.getAttribute('preset') ?? undefined, config, values, quality, paused };
+    return { preset: fire.getAttribute('preset') ?? undefined, config, values: model === null ? {} : { model }, quality, paused };
   }
 }

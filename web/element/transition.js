@@ -1,55 +1,55 @@
 /**
- * Transitions of values: loaded by the first `to` of an element.
+ * Transitions of values. This code is loaded by the first `to` of an element.
  *
- * An animation of the browser gives the progress, with its clock and its easings. It has no element,
- * so a page neither lists nor ends it. The fire gets values as from any script, each after it has
- * taken those before.
+ * An animation of the browser provides the progress, with its clock and its easings. It has no target
+ * element, so `getAnimations()` of the page does not list it. The engine receives values as from any
+ * script, each after it has accepted those before.
  *
  * @typedef {import('../engine/engine.js').Call} Call
  * @typedef {import('../parameters.js').ParameterId} Id
  * @typedef {{[id: string]: any}} Values
- * @typedef {[call: Call, answer: Promise<unknown>]} Order
- * @typedef {Order[] & {moves?: Moves, end?: () => void}} Orders
+ * @typedef {[call: Call, answer: Promise<unknown>]} Asked a call with its answer
+ * @typedef {Asked[] & {transitions?: Transitions, end?: () => void}} Calls
  *
  * @typedef {import('./session.js').FireSession} FireSession
  *
- * @typedef {object} Move one call of `to`
- * @property {Values} to where its values arrive
- * @property {Set<string>} ids those that it still moves
- * @property {string[]} held of them, values that another message sets; these wait for its answer
- * @property {boolean} whole whether it lost none of them
- * @property {() => void} end has all of them arrive at once
+ * @typedef {object} Transition one call of `to`
+ * @property {Values} to the final values
+ * @property {Set<string>} ids the values that it still changes
+ * @property {string[]} held those of them that another call sets; they wait for its answer
+ * @property {boolean} whole whether no other call has set one of them
+ * @property {() => void} end sets all final values at once
  */
 
 import { LOGARITHMIC, WHOLE } from '../generated/between.js';
 
 const ALLOWED = {
   duration: 'a number of milliseconds, 0 or more',
-  easing: 'an easing of CSS, as linear, ease-in-out or cubic-bezier(0.2, 0, 0, 1)',
+  easing: 'an easing of CSS, such as linear, ease-in-out or cubic-bezier(0.2, 0, 0, 1)',
 };
 
 /**
- * Moves values.
- * @param {Orders} orders what is asked of the element since
- *   its first `to`: from now on what is put there is heard at once, and `end` has all values arrive
+ * Starts a transition.
+ * @param {Calls} calls the calls of the element since its first `to`. From now on, `push` passes a call
+ *   on at once, and `end` sets all final values
  * @param {FireSession} session
- * @param {Promise<unknown>} checked the answer whether the fire takes the values
+ * @param {Promise<unknown>} checked the answer whether the values are valid
  * @param {{duration?: unknown, easing?: unknown}} how
- * @returns {Promise<boolean>} whether all arrived; false if another message set one of them
+ * @returns {Promise<boolean>} false if another call has set one of the values
  */
-export function run(orders, session, checked, how) {
-  orders.moves ??= new Moves(session);
-  const { moves } = orders;
-  for (const order of orders.splice(0)) moves.hear(order);
-  orders.push = (order) => moves.hear(order);
-  orders.end = () => moves.end();
-  return moves.run(checked, how);
+export function run(calls, session, checked, how) {
+  calls.transitions ??= new Transitions(session);
+  const { transitions } = calls;
+  for (const call of calls.splice(0)) transitions.record(call);
+  calls.push = (call) => transitions.record(call);
+  calls.end = () => transitions.end();
+  return transitions.run(checked, how);
 }
 
-/** All values of an element that are on their way. */
-class Moves {
+/** The transitions of an element. */
+class Transitions {
   #session;
-  /** By the answer to their first question, the oldest first. @type {Map<Promise<unknown>, Move>} */
+  /** By the answer to their first call, the oldest first. @type {Map<Promise<unknown>, Transition>} */
   #all = new Map();
 
   /** @param {FireSession} session */
@@ -58,26 +58,26 @@ class Moves {
   }
 
   /**
-   * Something was asked of the element: a move, or something whose values go no farther,
-   * unless it is refused.
-   * @param {Order} order
-   * @returns {number} how many orders wait to be heard, as a list's `push` has it
+   * Records a call of the element: a new transition, or a call that ends the transition of the values
+   * that it sets, unless it is refused.
+   * @param {Asked} asked
+   * @returns {number} the number of calls that wait, as the `push` of a list returns it
    */
-  hear([[method, given, source], answer]) {
+  record([[method, given, source], answer]) {
     if (method === 'check') {
-      // Its colours are as the engine has them when it is answered.
+      // The answer replaces colours by those of the engine.
       this.#all.set(answer, { to: given, ids: new Set(Object.keys(given ?? {})), held: [], whole: true, end() {} });
       return 0;
     }
     if (source === 'to' || !['set', 'restore', 'preset', 'import'].includes(method)) return 0;
     const named = method === 'restore' ? given : method === 'set' && Object.keys(given);
-    // Another model has values of its own.
+    // Another model has other values.
     const all = !named || named.includes('model');
-    for (const move of this.#all.values()) {
-      for (const id of all ? [...move.ids] : named) {
-        const free = () => move.held.splice(move.held.indexOf(id), 1);
-        move.held.push(id);
-        answer.then(() => lose(move, id), () => {}).then(free);
+    for (const transition of this.#all.values()) {
+      for (const id of all ? [...transition.ids] : named) {
+        const free = () => transition.held.splice(transition.held.indexOf(id), 1);
+        transition.held.push(id);
+        answer.then(() => release(transition, id), () => {}).then(free);
       }
     }
     return 0;
@@ -85,24 +85,24 @@ class Moves {
 
   /** @type {(checked: Promise<unknown>, how: {duration?: unknown, easing?: unknown}) => Promise<boolean>} */
   async run(checked, how) {
-    const move = /** @type {Move} */ (this.#all.get(checked));
+    const transition = /** @type {Transition} */ (this.#all.get(checked));
     try {
       const effect = this.#effect(how);
       await checked;
       for (const older of this.#all.values()) {
-        if (older === move) break;
-        for (const id of move.ids) lose(older, id);
+        if (older === transition) break;
+        for (const id of transition.ids) release(older, id);
       }
-      await this.#move(move, effect);
-      return move.whole;
+      await this.#animate(transition, effect);
+      return transition.whole;
     } finally {
       this.#all.delete(checked);
     }
   }
 
-  /** All arrive at once. */
+  /** Sets all final values at once. */
   end() {
-    for (const move of this.#all.values()) move.end();
+    for (const transition of this.#all.values()) transition.end();
   }
 
   /** @type {(how: {duration?: unknown, easing?: unknown}) => KeyframeEffect} */
@@ -118,47 +118,47 @@ class Moves {
     }
   }
 
-  /** @type {(move: Move, effect: KeyframeEffect) => Promise<void>} */
-  async #move(move, effect) {
+  /** @type {(transition: Transition, effect: KeyframeEffect) => Promise<void>} */
+  async #animate(transition, effect) {
     const { fire } = this.#session;
-    const set = (/** @type {Values} */ values) => this.#session.ask('set', values, 'to');
-    // What has nothing between two values, the model among it, is the new one at once; the
-    // others move in that model, and from where they are in it.
-    const sudden = [...move.ids].filter((id) => !isBetween(id, fire.get(/** @type {Id} */ (id))));
+    const set = (/** @type {Values} */ values) => this.#session.call('set', values, 'to');
+    // Values without intermediate values, such as the model, are set first. The others start from
+    // what they are in that model.
+    const sudden = [...transition.ids].filter((id) => !isBetween(id, fire.get(/** @type {Id} */ (id))));
     if (sudden.length > 0) {
-      for (const id of sudden) move.ids.delete(id);
-      await set(picked(move.to, sudden));
+      for (const id of sudden) transition.ids.delete(id);
+      await set(picked(transition.to, sudden));
     }
     /** @type {Values} */
     const from = fire.params;
 
-    const watched = new AbortController();
+    const ended = new AbortController();
     const animation = new Animation(effect);
     animation.play();
     /** @type {Promise<unknown>} */
     let last = Promise.resolve();
     let wake = () => {};
     const step = (/** @type {number} */ part) => {
-      const free = [...move.ids].filter((id) => !move.held.includes(id));
-      // A value that is sent for the last time is free for others.
-      if (part === 1) for (const id of free) move.ids.delete(id);
-      const values = free.map((id) => [id, part === 1 ? move.to[id] : this.#between(id, from[id], move.to[id], part)]);
+      const free = [...transition.ids].filter((id) => !transition.held.includes(id));
+      // A call that sets a value after its last step does not interrupt the transition.
+      if (part === 1) for (const id of free) transition.ids.delete(id);
+      const values = free.map((id) => [id, part === 1 ? transition.to[id] : this.#between(id, from[id], transition.to[id], part)]);
       if (free.length > 0) last = set(Object.fromEntries(values));
     };
-    move.end = () => {
+    transition.end = () => {
       step(1);
-      for (const id of [...move.ids]) lose(move, id);
+      for (const id of [...transition.ids]) release(transition, id);
       wake();
     };
-    // Nobody is to see the way, or can.
-    const jump = () => document.hidden && move.end();
-    document.addEventListener('visibilitychange', jump, watched);
-    if (document.hidden || !fire.isConnected || this.#session.playback.isCalm()) move.end();
+    // A hidden page shows no intermediate values, and reduced motion asks for none.
+    const jump = () => document.hidden && transition.end();
+    document.addEventListener('visibilitychange', jump, ended);
+    if (document.hidden || !fire.isConnected || this.#session.playback.isCalm()) transition.end();
     try {
-      while (move.ids.size > 0) {
+      while (transition.ids.size > 0) {
         step(clamped(effect.getComputedTiming().progress ?? 1));
         await last;
-        if (move.ids.size > 0) {
+        if (transition.ids.size > 0) {
           await new Promise((resolve) => {
             wake = () => resolve(undefined);
             requestAnimationFrame(wake);
@@ -168,7 +168,7 @@ class Moves {
       await last;
     } finally {
       animation.cancel();
-      watched.abort();
+      ended.abort();
     }
   }
 
@@ -179,12 +179,12 @@ class Moves {
     }
     const { hexOf, fire } = this.#session;
     const hex = hexOf(`color-mix(in oklab, ${to} ${part * 100}%, ${from})`, fire);
-    // Browsers before 2023 mix no colours.
+    // Browsers before 2023 have no `color-mix`.
     return isColour(hex) ? hex : from;
   }
 }
 
-/** Whether there is anything between a value and another one. @type {(id: string, value: unknown) => boolean} */
+/** Whether a value has intermediate values. @type {(id: string, value: unknown) => boolean} */
 function isBetween(id, value) {
   return typeof value === 'number' ? !WHOLE.includes(id) : isColour(value);
 }
@@ -194,7 +194,7 @@ function isColour(value) {
   return /^(#|transparent$)/.test(String(value));
 }
 
-/** An easing may go beyond both ends, where the fire would refuse a value. @param {number} part */
+/** An easing may overshoot; the engine would refuse values out of range. @param {number} part */
 function clamped(part) {
   return Math.min(Math.max(part, 0), 1);
 }
@@ -204,7 +204,7 @@ function picked(values, ids) {
   return Object.fromEntries(ids.map((id) => [id, values[id]]));
 }
 
-/** @type {(move: Move, id: string) => void} */
-function lose(move, id) {
-  if (move.ids.delete(id)) move.whole = false;
+/** Stops changing one value. @type {(transition: Transition, id: string) => void} */
+function release(transition, id) {
+  if (transition.ids.delete(id)) transition.whole = false;
 }

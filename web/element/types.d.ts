@@ -1,37 +1,37 @@
 /**
- * The types of what `<hearth-fire>` takes and gives. The class itself is typed by the JSDoc of
- * `hearth-fire.js`, from which `cargo xtask codegen` makes `hearth-fire.d.ts`.
+ * The types of the values of `<hearth-fire>`. `cargo xtask codegen` generates `hearth-fire.d.ts` from them
+ * and from the JSDoc of the class in `hearth-fire.js`.
  */
 
 import type { HearthObject, HearthParameters, ParameterId, PresetName } from '../parameters.js';
 
-/** How much work a fire makes itself. */
+/** The level of detail of simulation and picture. */
 export type HearthQuality = 'low' | 'medium' | 'high';
 
 /**
- * The settings of a fire, as `exportConfig` gives them and `importConfig` and `src`
- * take them: what differs from a preset, or from the defaults.
+ * The settings of a fire, which `exportConfig` returns and `importConfig` and `src` apply: the values that
+ * differ from a preset, or from the defaults.
  */
 export interface HearthConfig {
-  /** The version of this form. */
+  /** The version of the format. */
   hearth?: 1 | 2;
-  /** The preset, where it is not the default one. */
+  /** The preset, unless it is the default one. */
   preset?: PresetName;
   values: Partial<HearthParameters>;
-  /** Its objects, where they are not those of the preset: of the first source what differs. */
+  /** The objects, unless they are the preset's; the first source has only the properties that differ. */
   objects?: HearthObject[];
-  /** What it is called and what it shows, for people: the fire leaves both alone. */
+  /** A title and a description for people; the fire ignores both. */
   label?: string;
   description?: string;
 }
 
-/** A point: of the element in CSS pixels, y down, or of the fire's world in metres, y up. */
+/** A point: of the element in CSS pixels with y downwards, or of the domain in metres with y upwards. */
 export interface HearthPoint {
   x: number;
   y: number;
 }
 
-/** A value that a fire refused. Every value of the same call is refused with it. */
+/** The error for a refused value. The other values of the same call are refused as well. */
 export interface HearthRangeError extends RangeError {
   id: string;
   value: unknown;
@@ -39,7 +39,7 @@ export interface HearthRangeError extends RangeError {
   max?: number;
 }
 
-/** What an `error` event tells. */
+/** The detail of an `error` event. */
 export type HearthErrorDetail =
   | { kind: 'unsupported' | 'load' | 'context-lost'; message: string }
   | {
@@ -51,95 +51,95 @@ export type HearthErrorDetail =
       max?: number;
     };
 
-/** How `to` moves values. */
+/** The options of `to`. */
 export interface HearthTransition {
-  /** In milliseconds; 600 without it. */
+  /** In milliseconds; the default is 600. */
   duration?: number;
-  /** An easing of CSS; `ease-in-out` without it. */
+  /** An easing of CSS; the default is `ease-in-out`. */
   easing?: string;
 }
 
-/** What a `params-change` event tells. */
+/** The detail of a `params-change` event. */
 export interface HearthChangeDetail {
   id: ParameterId;
   value: number | string | boolean;
-  /** Who changed it, as `attribute`, `property`, `preset`, `src` or `to`. */
+  /** The origin of the change, such as `attribute`, `property`, `preset`, `src` or `to`. */
   source: string;
 }
 
-/** What an `objects-change` event tells. */
+/** The detail of an `objects-change` event. */
 export interface HearthObjectsDetail {
   objects: HearthObject[];
-  /** Who changed them, as `attribute`, `property`, `preset` or `src`. */
+  /** The origin of the change, such as `attribute`, `property`, `preset` or `src`. */
   source: string;
 }
 
-/** What a `quality-change` event tells. */
+/** The detail of a `quality-change` event. */
 export interface HearthQualityDetail {
   quality: HearthQuality;
-  /** Why, in words. */
+  /** The reason, for people. */
   reason: string;
 }
 
 /**
- * The properties that live in an attribute: each in the one of its name with hyphens.
- * `element/attributes.js` defines them on the prototype.
+ * The properties that reflect an attribute of the same name with hyphens. `element/attributes.js` defines
+ * them on the prototype.
  */
 export interface HearthReflected {
-  /** The address of a JSON file with settings, as `exportConfig()` gives them; empty: none. */
+  /** The URL of a JSON file with settings, as `exportConfig()` returns them; empty without one. */
   src: string;
   /**
-   * When the fire is loaded: `auto`, in sight at once and elsewhere when the page has loaded;
-   * `lazy`, when it comes near the window; `eager`, at once.
+   * When the fire is loaded: `auto`, at once if it is visible, else when the page has loaded; `lazy`, when
+   * it comes near the window; `eager`, at once.
    * @default auto
    */
   loading: 'auto' | 'lazy' | 'eager';
-  /** The address of a picture that is shown until the fire burns, and where it cannot. */
+  /** The URL of an image that is shown until the fire burns, and in browsers that cannot show it. */
   poster: string;
-  /** What a screen reader says of the fire; without it the fire is decoration. */
+  /** The description for screen readers; without one the fire is decoration. */
   alt: string;
   /**
-   * Most pixels that the picture may have, from 1024 to 16777216; empty: those of a 720p, 1080p or
+   * The maximum number of pixels of the picture, from 1024 to 16777216; if empty, that of a 720p, 1080p or
    * 1440p screen, by quality.
    */
   get maxPixels(): string;
   set maxPixels(pixels: number | string);
-  /** Most pictures a second, from 10 to 240; empty: as many as the display shows. */
+  /** The maximum frames per second, from 10 to 240; if empty, those of the display. */
   get fpsLimit(): string;
   set fpsLimit(fps: number | string);
   /**
-   * Seconds of fire, 0 to 30, that a new fire burns before it is shown: 3 where the attribute has no
-   * value. The poster or the picture before stays meanwhile.
+   * Simulated seconds, 0 to 30, before the first frame of a new fire; 3 if the attribute has no value. The
+   * poster or the last frame stays meanwhile.
    */
   get warm(): number;
   set warm(seconds: number | boolean | string);
   /**
-   * The fire takes pointers: they stir it, a click throws sparks, a drag moves its source. Without
-   * this clicks go through it.
+   * The fire reacts to pointers: they stir it, a click emits sparks, a drag moves its source. Otherwise
+   * clicks pass through it.
    * @default false
    */
   interactive: boolean;
   /**
-   * How the fire's domain fits the picture: as high as it, all of it seen, nothing else seen, or as
-   * wide as it.
+   * How the domain fits the picture: `height` and `width` match that side, `contain` shows the whole
+   * domain, `cover` fills the picture with it.
    * @default height
    */
   fit: 'height' | 'contain' | 'cover' | 'width';
   /**
-   * Where the domain stands in the picture, as CSS's `object-position`: `left`, `center` or `right`,
-   * `top`, `center` or `bottom`; without it `center bottom`.
+   * Where the domain lies in the picture, in the keywords of CSS's `object-position`: `left`, `center` or
+   * `right`, and `top`, `center` or `bottom`. The default is `center bottom`.
    */
   align: string;
-  /** What fingers do on an interactive fire, as CSS's `touch-action`; without it `pan-y`. */
+  /** What touches of an interactive fire do to the page, as CSS's `touch-action`. The default is `pan-y`. */
   touchAction: string;
   /**
-   * Shows the panel of sliders inside the element, or those of a list of parameters; its code is
-   * loaded only then.
+   * Shows the panel of sliders inside the element, for all parameters or for a list of them. Its code is
+   * loaded on request.
    * @default false
    */
   controls: boolean | string;
   /**
-   * `auto`: a still fire with a play button where the visitor wants less motion.
+   * `auto`: visitors who prefer reduced motion get a paused fire with a play button.
    * @default auto
    */
   reducedMotion: 'auto' | 'ignore';

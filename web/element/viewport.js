@@ -1,37 +1,35 @@
 /**
- * Where the fire's domain lies in its picture. These functions are pure, and `camera.rs` of the renderer
- * computes the same.
+ * Where the domain lies in its picture. `viewport.rs` of the renderer computes the same.
  */
 
 /** @type {{[word: string]: number}} */
-const ACROSS = { left: 0, center: 0.5, right: 1 };
+const HORIZONTAL = { left: 0, center: 0.5, right: 1 };
 /** @type {{[word: string]: number}} */
-const UP = { bottom: 0, center: 0.5, top: 1 };
+const VERTICAL = { bottom: 0, center: 0.5, top: 1 };
 
 /**
- * An alignment in the words of CSS's `object-position`, as shares from left and from below.
+ * An alignment in the keywords of CSS's `object-position`, as shares from the left and from below.
  * @param {string} words
- * @returns {[number, number] | undefined} nothing where they are none
+ * @returns {[number, number] | undefined} undefined if it is invalid
  */
 export function alignment(words) {
   const [one, other = 'center', ...more] = words.trim().toLowerCase().split(/\s+/);
-  if (more.length > 0) return undefined;
-  for (const [across, up] of [[one, other], [other, one]]) {
-    if (Object.hasOwn(ACROSS, across) && Object.hasOwn(UP, up)) return [ACROSS[across], UP[up]];
+  for (const [x, y] of more.length > 0 ? [] : [[one, other], [other, one]]) {
+    if (Object.hasOwn(HORIZONTAL, x) && Object.hasOwn(VERTICAL, y)) return [HORIZONTAL[x], VERTICAL[y]];
   }
   return undefined;
 }
 
 /**
- * Pixels in a metre, and where the middle of the floor is, in pixels from the lower left.
+ * Pixels per metre, and the middle of the floor in pixels from the lower left corner.
  * @param {{fit: string, x: number, y: number}} camera
  * @param {number} across width of the domain [m]
- * @param {number} up its height
+ * @param {number} up its height [m]
  * @param {number} width of the picture in pixels
  * @param {number} height
  */
 export function viewportOf({ fit, x, y }, across, up, width, height) {
   const [wide, high] = [width / across, height / up];
-  const scale = { height: high, width: wide, contain: Math.min(wide, high), cover: Math.max(wide, high) }[fit] ?? high;
+  const scale = { width: wide, contain: Math.min(wide, high), cover: Math.max(wide, high) }[fit] ?? high;
   return { scale, left: width * x + across * scale * (0.5 - x), bottom: (height - up * scale) * y };
 }

@@ -1,51 +1,48 @@
 /**
- * Observes the size of an element, whether it is visible, and whether the visitor wants reduced
- * motion. `stop` ends all observers.
+ * Observes the size of an element, whether it is visible, and whether the visitor prefers reduced
+ * motion.
  */
 
-/** Most device pixels for a CSS pixel: more is not seen in a fire and costs much. */
-const DENSEST = 2;
+/** Maximum device pixels per CSS pixel: more are invisible in a fire and expensive. */
+const MAX_DENSITY = 2;
 /** The same on phones and tablets, whose graphics are slower. */
-const DENSEST_TOUCH = 1.5;
-/** Longest side of a canvas: what nearly every graphics card can draw. */
-const LONGEST_SIDE = 8192;
+const MAX_DENSITY_TOUCH = 1.5;
+/** Maximum side of a canvas, which nearly every graphics card can draw. */
+const MAX_SIDE = 8192;
 
-const REDUCED_MOTION = '(prefers-reduced-motion: reduce)';
+/** @param {string} query */
+const media = (query) => globalThis.matchMedia?.(`(${query})`);
+const reducedMotion = () => media('prefers-reduced-motion: reduce');
 
-/** Whether the visitor asked for less motion. */
-export function motionIsReduced() {
-  return globalThis.matchMedia?.(REDUCED_MOTION).matches ?? false;
-}
+/** Whether the visitor prefers reduced motion. */
+export const motionIsReduced = () => reducedMotion()?.matches ?? false;
 
-/** How much a fire may ask of this device before it has been tried. */
-export function guess() {
-  return isTouch() || navigator.hardwareConcurrency <= 2 ? 'low' : 'medium';
-}
+/** Whether the device is a phone or a tablet. */
+const isTouch = () => media('pointer: coarse')?.matches ?? false;
 
-/** Whether it is a phone or a tablet. */
-function isTouch() {
-  return globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
-}
+/** The quality that a fire starts with, before its speed is measured. */
+export const guess = () => isTouch() || navigator.hardwareConcurrency <= 2 ? 'low' : 'medium';
 
 /**
- * The size that a canvas should have, within the caps; how many pixels that may be
- * is the engine's affair.
+ * The size of a canvas within the limits of density and side. The engine limits the number of pixels.
  * @param {number} width in device pixels
  * @param {number} height in device pixels
- * @param {number} density device pixels for a CSS pixel
+ * @param {number} density device pixels per CSS pixel
  * @param {boolean} touch
  * @returns {{width: number, height: number}}
  */
 export function cappedSize(width, height, density, touch) {
-  const densest = touch ? DENSEST_TOUCH : DENSEST;
-  const longest = Math.max(width, height, 1);
-  const scale = Math.min(1, densest / density, LONGEST_SIDE / longest);
+  const scale = Math.min(
+    1,
+    (touch ? MAX_DENSITY_TOUCH : MAX_DENSITY) / density,
+    MAX_SIDE / Math.max(width, height, 1),
+  );
   return { width: Math.round(width * scale), height: Math.round(height * scale) };
 }
 
 /**
- * Settles when a fire is to be made: `eager`, at once; `lazy`, when somebody is about
- * to see it; `auto`, at once where it is in sight, elsewhere when the page has loaded.
+ * Settles when a fire is to be loaded: `eager`, at once; `lazy`, when it comes near the window;
+ * `auto`, at once if it is visible, else when the page has loaded.
  *
  * @typedef {'auto' | 'lazy' | 'eager'} Loading
  * @param {HTMLElement} host
@@ -53,21 +50,19 @@ export function cappedSize(width, height, density, touch) {
  * @param {AbortSignal} stopped ends the wait
  * @returns {Promise<void>}
  */
-export function sight(host, loading, stopped) {
-  if (loading === 'eager' || (loading === 'auto' && document.readyState === 'complete')) {
-    return Promise.resolve();
-  }
-  return new Promise((resolve) => {
+export async function due(host, loading, stopped) {
+  if (loading === 'eager' || (loading === 'auto' && document.readyState === 'complete')) return;
+  await new Promise((resolve) => {
     const views = new IntersectionObserver(
       (entries) => entries.some((entry) => entry.isIntersecting) && end(),
-      // Half a window before it comes into sight.
+      // `lazy` begins half a window before the element is visible.
       { rootMargin: loading === 'lazy' ? '50%' : '0%' },
     );
     const end = () => {
       views.disconnect();
       removeEventListener('load', end);
       stopped.removeEventListener('abort', end);
-      resolve();
+      resolve(undefined);
     };
     views.observe(host);
     if (loading === 'auto') addEventListener('load', end);
@@ -76,39 +71,31 @@ export function sight(host, loading, stopped) {
 }
 
 /**
- * Starts watching.
+ * Starts to observe.
  * @param {HTMLElement} host
  * @param {HTMLCanvasElement} canvas
- * @param {object} tell
- * @param {(width: number, height: number, side: number) => void} tell.resized with the
- *   height, or that of a square of its area, in CSS pixels
- * @param {(visible: boolean) => void} tell.visible
- * @param {(reduced: boolean) => void} tell.motion
- * @returns {{stop: () => void}}
+ * @param {object} on
+ * @param {(width: number, height: number, side: number) => void} on.resized with the height in CSS
+ *   pixels, or that of a square of its area if it is wider than high
+ * @param {(visible: boolean) => void} on.visible
+ * @param {(reduced: boolean) => void} on.motion
+ * @returns {() => void} stops
  */
-export function watch(host, canvas, tell) {
+export function observe(host, canvas, on) {
   const stopped = new AbortController();
-  const { signal } = stopped;
-
   const touch = isTouch();
   const sizes = new ResizeObserver((entries) => {
-    const entry = entries[entries.length - 1];
+    const { contentRect: css, devicePixelContentBoxSize } = entries[entries.length - 1];
     const density = globalThis.devicePixelRatio || 1;
-    const exact = entry.devicePixelContentBoxSize?.[0];
-    const side = (/** @type {number} */ css, /** @type {number | undefined} */ counted) => {
-      const pixels = css * density;
-      // The browser's own count knows how the layout snaps to pixels; where it
-      // counts in another unit, as some emulated screens do, it is left alone.
+    const exact = devicePixelContentBoxSize?.[0];
+    const side = (/** @type {number} */ length, /** @type {number | undefined} */ counted) => {
+      const pixels = length * density;
+      // The browser's count includes how the layout snaps to pixels. Some emulated screens count in
+      // another unit.
       return counted !== undefined && Math.abs(counted - pixels) <= 1 ? counted : Math.round(pixels);
     };
-    const { width, height } = cappedSize(
-      side(entry.contentRect.width, exact?.inlineSize),
-      side(entry.contentRect.height, exact?.blockSize),
-      density,
-      touch,
-    );
-    const css = entry.contentRect;
-    tell.resized(width, height, Math.min(css.height, Math.sqrt(css.width * css.height)));
+    const { width, height } = cappedSize(side(css.width, exact?.inlineSize), side(css.height, exact?.blockSize), density, touch);
+    on.resized(width, height, Math.min(css.height, Math.sqrt(css.width * css.height)));
   });
   try {
     sizes.observe(canvas, { box: 'device-pixel-content-box' });
@@ -117,23 +104,21 @@ export function watch(host, canvas, tell) {
   }
 
   let inView = false;
-  const look = () => tell.visible(inView && document.visibilityState === 'visible');
-  // What only touches the edge of the window counts as intersecting, and is not seen.
+  const update = () => on.visible(inView && document.visibilityState === 'visible');
+  // An element that only touches the edge of the window intersects and is invisible.
   const views = new IntersectionObserver((entries) => {
     inView = entries[entries.length - 1].intersectionRatio > 0;
-    look();
+    update();
   }, { threshold: [0, 1e-6] });
   views.observe(host);
-  document.addEventListener('visibilitychange', look, { signal });
+  document.addEventListener('visibilitychange', update, stopped);
 
-  const motion = globalThis.matchMedia?.(REDUCED_MOTION);
-  motion?.addEventListener('change', () => tell.motion(motion.matches), { signal });
+  const motion = reducedMotion();
+  motion?.addEventListener('change', () => on.motion(motion.matches), stopped);
 
-  return {
-    stop() {
-      stopped.abort();
-      sizes.disconnect();
-      views.disconnect();
-    },
+  return () => {
+    stopped.abort();
+    sizes.disconnect();
+    views.disconnect();
   };
 }

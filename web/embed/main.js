@@ -1,13 +1,12 @@
 /**
- * The page that is only a fire, for iframes:
+ * The page for iframes, which shows nothing but a fire:
  * `embed.html?scene=seed&viscosity=0.02&allow=https://example.org`.
  *
- * What it burns with stands in its address, as on the full page. The page around
- * it can steer the fire by messages (message-bridge.js) if `allow` names its origin;
- * without `allow` it answers nobody.
+ * The URL parameters set the fire, as on the full page. The embedding page can control the fire by messages
+ * (message-bridge.js) if `allow` names its origin.
  */
 
-import { applyAddress, readAddress } from '../pages/url-parameters.js';
+import { applyUrlParameters, readUrlParameters } from '../pages/url-parameters.js';
 import { allowedOrigins, answer } from './message-bridge.js';
 import '../hearth-fire.js';
 
@@ -16,19 +15,18 @@ const scheme = /** @type {HTMLMetaElement} */ (document.querySelector('meta[name
 
 /**
  * @type {{[name: string]: string}}
- * The colour schemes that the page may have. It shows none of its own, but one that
- * is not the iframe's costs it its transparency; `auto` is what the iframe has if its
- * page says which ones it has, and what the visitor prefers if not.
+ * The colour schemes of the page. Its background is transparent only if its scheme is that of the iframe.
+ * `auto` follows the embedding page, or the visitor's preference if that page declares none.
  */
 const SCHEMES = { light: 'light', dark: 'dark', auto: 'light dark' };
 
-const address = readAddress(location.search, ['allow', 'color-scheme']);
-const { origins, refused } = allowedOrigins(address.others.getAll('allow'));
-for (const wanted of address.others.getAll('color-scheme')) {
-  if (Object.hasOwn(SCHEMES, wanted)) scheme.content = SCHEMES[wanted];
-  else refused.push(`“color-scheme” is light, dark or auto, not “${wanted.slice(0, 40)}”.`);
+const parameters = readUrlParameters(location.search, ['allow', 'color-scheme']);
+const { origins, refused } = allowedOrigins(parameters.others.getAll('allow'));
+for (const name of parameters.others.getAll('color-scheme')) {
+  if (Object.hasOwn(SCHEMES, name)) scheme.content = SCHEMES[name];
+  else refused.push(`“color-scheme” must be light, dark or auto, not “${name.slice(0, 40)}”.`);
 }
-for (const words of [...address.refused, ...refused]) console.warn(`Hearth: ${words}`);
+for (const message of [...parameters.refused, ...refused]) console.warn(`Hearth: ${message}`);
 
-applyAddress(fire, address);
+applyUrlParameters(fire, parameters);
 if (origins.length > 0) answer(fire, origins);

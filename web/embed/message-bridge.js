@@ -1,17 +1,17 @@
 /**
- * The message bridge of a fire in an iframe: the page around it sends requests, if the fire's address
- * allows that page's origin.
+ * The message bridge of a fire in an iframe: it answers requests of the embedding page, if the URL parameter
+ * `allow` names that page's origin.
  *
  *     → { hearth: 1, id: 7, method: 'set', args: ['viscosity', 0.02] }
  *     ← { hearth: 1, id: 7, ok: true, value: undefined }
  *     ← { hearth: 1, id: 7, ok: false, error: { name, message, id, value, min, max } }
  *     ← { hearth: 1, event: 'params-change', detail: {…} }
  *
- * The methods are a list: no name in a message is ever looked up in an object. Messages of other
- * forms and of other windows than the parent are ignored.
+ * The methods are a list: no name in a message is looked up in an object. Messages of other formats and
+ * of other windows than the parent are ignored.
  *
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
- * @typedef {{hearth: unknown, id?: unknown, method?: unknown, args?: unknown}} Request a message that nothing has checked
+ * @typedef {{hearth: unknown, id?: unknown, method?: unknown, args?: unknown}} Request a message that is not validated
  */
 
 import { OPTIONS } from '../pages/url-parameters.js';
@@ -19,14 +19,14 @@ import { OPTIONS } from '../pages/url-parameters.js';
 /** The version of these messages. */
 const VERSION = 1;
 
-/** Most of a message: characters of its texts, and as much for each other value as it takes. */
-const LARGEST = 64 * 1024;
-/** Deepest nesting; a set of values needs four. */
-const DEEPEST = 8;
-/** Most requests that are answered at one time. */
-const MOST_OPEN = 256;
-/** Most origins that an address may name. */
-const MOST_ORIGINS = 16;
+/** The maximum size of a message: the characters of its strings, and 8 for each other value. */
+const MAX_SIZE = 64 * 1024;
+/** The maximum nesting; a set of values needs four levels. */
+const MAX_DEPTH = 8;
+/** The maximum number of requests in progress. */
+const MAX_OPEN = 256;
+/** The maximum number of allowed origins. */
+const MAX_ORIGINS = 16;
 
 /** The events that are forwarded; `ready` needs no subscription. */
 const EVENTS = [
@@ -58,33 +58,33 @@ const METHODS = new Map(Object.entries({
 }));
 
 /** The methods of the bridge itself. */
-const OF_THE_BRIDGE = ['hello', 'subscribe', 'unsubscribe'];
+const BRIDGE_METHODS = ['hello', 'subscribe', 'unsubscribe'];
 
 /**
- * The origins that an address allows, and what is wrong with the others.
- * @param {string[]} lists  Origins with commas between.
+ * The allowed origins, and the reasons why others are refused.
+ * @param {string[]} lists  Comma-separated origins.
  * @returns {{origins: string[], refused: string[]}}
  */
 export function allowedOrigins(lists) {
   const named = lists.flatMap((list) => list.split(',')).map((one) => one.trim()).filter(Boolean);
   const refused = [];
   const origins = new Set();
-  for (const one of named.slice(0, MOST_ORIGINS)) {
+  for (const one of named.slice(0, MAX_ORIGINS)) {
     const origin = originOf(one);
     if (origin === one) origins.add(one);
-    else refused.push(`“allow” wants exact origins, as https://example.org; ${whyNot(one, origin)}`);
+    else refused.push(`“allow” must list exact origins, such as https://example.org; ${whyNot(one, origin)}`);
   }
-  if (named.length > MOST_ORIGINS) {
-    refused.push(`“allow” takes ${MOST_ORIGINS} origins; the others are not allowed.`);
+  if (named.length > MAX_ORIGINS) {
+    refused.push(`“allow” may list at most ${MAX_ORIGINS} origins; the others are ignored.`);
   }
   return { origins: [...origins], refused };
 }
 
-/** The origin of a web address; undefined for any other text. @param {string} text */
+/** The origin of an HTTP URL; undefined for any other text. @param {string} text */
 function originOf(text) {
   try {
     const { protocol, host, origin } = new URL(text);
-    // Some take a star for the name of a host, which it would be here as well.
+    // Some browsers accept a star in a host name.
     return ['http:', 'https:'].includes(protocol) && !host.includes('*') ? origin : undefined;
   } catch {
     return undefined;
@@ -94,11 +94,11 @@ function originOf(text) {
 /** @type {(one: string, origin: string | undefined) => string} */
 function whyNot(one, origin) {
   const shown = `“${one.slice(0, 80)}”`;
-  return origin ? `${shown} is not allowed, ${origin} would be.` : `${shown} is none.`;
+  return origin ? `use ${origin} instead of ${shown}.` : `${shown} is not an origin.`;
 }
 
 /**
- * Answers the page around this one from now on, if it is of one of these origins.
+ * Starts to answer the embedding page, if it has one of these origins.
  * @param {HearthFire} fire
  * @param {string[]} origins
  * @param {Window} [host]
@@ -113,20 +113,20 @@ export function answer(fire, origins, host = window.parent) {
   bridge.announce();
 }
 
-/** Too many requests are open. */
+/** Too many requests are in progress. */
 class BusyError extends Error {
   name = 'BusyError';
 }
 
-/** The bridge to the page around. */
+/** The bridge to the embedding page. */
 class MessageBridge {
   #fire;
   #origins;
   #host;
   #open = 0;
-  #wanted = new Set(['ready']);
+  #subscribed = new Set(['ready']);
   #warned = false;
-  /** The origins that get events: all that are allowed, until one of them sends a message. */
+  /** The origins that receive events: all allowed ones, until one of them sends a message. */
   #listeners;
 
   /** @param {HearthFire} fire @param {string[]} origins @param {Window} host */
@@ -145,7 +145,7 @@ class MessageBridge {
 
   /** @type {(type: string, detail: unknown) => void} */
   forward(type, detail) {
-    if (this.#wanted.has(type)) this.#post(type, detail);
+    if (this.#subscribed.has(type)) this.#post(type, detail);
   }
 
   /** @type {(event: string, detail: unknown) => void} */
@@ -160,7 +160,7 @@ class MessageBridge {
     if (source !== this.#host || !isOurs(data)) return;
     if (!this.#origins.includes(origin)) {
       if (!this.#warned) {
-        console.warn(`Hearth: ${origin} asked for something; the address of this fire does not allow it to.`);
+        console.warn(`Hearth: a request of ${origin} is ignored; the URL parameter “allow” must name that origin.`);
       }
       this.#warned = true;
       return;
@@ -172,11 +172,11 @@ class MessageBridge {
   /** @type {(message: Request, post: (answer: object) => void) => Promise<void>} */
   async #answer(message, post) {
     const id = isId(message.id) ? message.id : null;
-    const counts = this.#open < MOST_OPEN;
+    const counts = this.#open < MAX_OPEN;
     this.#open += Number(counts);
     try {
-      if (!counts) throw new BusyError(`too many requests: ${MOST_OPEN} are waiting for their answers`);
-      post({ id, ok: true, value: await this.#carryOut(message) });
+      if (!counts) throw new BusyError(`too many requests: ${MAX_OPEN} are in progress`);
+      post({ id, ok: true, value: await this.#execute(message) });
     } catch (error) {
       post({ id, ok: false, error: posted(error) });
     } finally {
@@ -185,21 +185,21 @@ class MessageBridge {
   }
 
   /** @param {Request} message */
-  #carryOut(message) {
+  #execute(message) {
     check(message);
     const { method, args = [] } = message;
     switch (method) {
       case 'hello':
         return this.#greeting();
       case 'subscribe':
-        for (const type of eventsOf(args[0])) this.#wanted.add(type);
-        return [...this.#wanted];
+        for (const type of eventsOf(args[0])) this.#subscribed.add(type);
+        return [...this.#subscribed];
       case 'unsubscribe':
-        for (const type of eventsOf(args[0])) this.#wanted.delete(type);
-        return [...this.#wanted];
+        for (const type of eventsOf(args[0])) this.#subscribed.delete(type);
+        return [...this.#subscribed];
       default: {
         const act = METHODS.get(method);
-        if (!act) throw new TypeError(`there is no method ${quoted(method)}; there are: ${allMethods().join(', ')}`);
+        if (!act) throw new TypeError(`there is no method ${quoted(method)}; the methods are: ${allMethods().join(', ')}`);
         return act(this.#fire, ...args);
       }
     }
@@ -211,12 +211,11 @@ class MessageBridge {
 }
 
 function allMethods() {
-  return [...METHODS.keys(), ...OF_THE_BRIDGE];
+  return [...METHODS.keys(), ...BRIDGE_METHODS];
 }
 
 /**
- * Whether data is a request. An answer is not a request: two pages that answered each other's answers
- * would never end.
+ * Whether data is a request. Answers are not: two bridges would answer each other endlessly.
  * @param {unknown} data
  * @returns {data is Request}
  */
@@ -235,24 +234,24 @@ function isId(id) {
  * @returns {asserts message is Request & {args?: any[]}}
  */
 function check(message) {
-  const left = remaining(message, LARGEST, DEEPEST);
+  const left = remaining(message, MAX_SIZE, MAX_DEPTH);
   if (left < 0) {
-    throw new RangeError(`a message is plain data, at most ${LARGEST} characters of it and at most ${DEEPEST} deep; this one is not`);
+    throw new RangeError(`a message must be plain data of at most ${MAX_SIZE} characters, nested at most ${MAX_DEPTH} deep`);
   }
   if (message.hearth !== VERSION) {
-    throw new TypeError(`this fire speaks version ${VERSION}, not ${quoted(message.hearth)}`);
+    throw new TypeError(`“hearth” must be version ${VERSION}, not ${quoted(message.hearth)}`);
   }
   if (!isId(message.id)) {
-    throw new TypeError('“id” is to be a number, or a text of at most 100 characters');
+    throw new TypeError('“id” must be a number, or a string of at most 100 characters');
   }
   if (message.args !== undefined && !Array.isArray(message.args)) {
-    throw new TypeError('“args” is to be an array');
+    throw new TypeError('“args” must be an array');
   }
 }
 
 /**
- * What a value leaves of so much room; less than nothing if it is too much, too
- * deep, or no plain data. It stops as soon as that is known.
+ * The part of a size that a value leaves; negative if the value is too large, too deep, or no plain data.
+ * The check stops as soon as that is known.
  * @param {unknown} value
  * @param {number} room
  * @param {number} depth
@@ -263,7 +262,7 @@ function remaining(value, room, depth) {
   if (typeof value !== 'object' || value === null) return typeof value === 'bigint' ? -1 : room - 8;
   const isArray = Array.isArray(value);
   if (depth === 0 || !(isArray || Object.getPrototypeOf(value) === Object.prototype)) return -1;
-  // Before anything looks at each of them.
+  // A long list is refused without a loop.
   if (isArray && value.length > room) return -1;
   let left = room - 8;
   for (const [key, field] of Object.entries(value)) {
@@ -278,39 +277,38 @@ function eventsOf(names) {
   const list = Array.isArray(names) ? names : [names];
   const unknown = list.find((name) => !EVENTS.includes(name));
   if (list.length === 0 || unknown !== undefined || list.includes(undefined)) {
-    throw new TypeError(`there is no event ${quoted(unknown)}; there are: ${EVENTS.join(', ')}`);
+    throw new TypeError(`there is no event ${quoted(unknown)}; the events are: ${EVENTS.join(', ')}`);
   }
   return list;
 }
 
 /**
- * Reads, and never does anything else.
+ * The value of a parameter.
  * @type {(fire: HearthFire, id: unknown) => unknown}
  */
 function parameter(fire, id) {
   /** @type {{[id: string]: unknown}} */
   const params = { ...fire.params };
-  if (typeof id !== 'string') throw new TypeError(`“id” is to be the id of a parameter, a text, not ${quoted(id)}`);
+  if (typeof id !== 'string') throw new TypeError(`“id” must be the id of a parameter, a string, not ${quoted(id)}`);
   if (Object.hasOwn(params, id)) return params[id];
   const all = Object.keys(params).join(', ');
-  throw Object.assign(new RangeError(`there is no parameter ${quoted(id)}; there are: ${all}`), { id });
+  throw Object.assign(new RangeError(`there is no parameter ${quoted(id)}; the parameters are: ${all}`), { id });
 }
 
 /**
- * Reads one of the element's own attributes, having set it if there is a value;
- * null takes it away. For all but `autoplay`, which is there where nothing is said,
- * false does too.
+ * Sets one of the element's own attributes if there is a value, and returns it. Null removes it, and so
+ * does false, except for `autoplay`, which is on by default.
  * @param {HearthFire} fire
  * @param {string} name
  * @param {unknown} value
  */
 function option(fire, name, value) {
   if (!OPTIONS.includes(name)) {
-    throw new TypeError(`there is no option ${quoted(name)}; there are: ${OPTIONS.join(', ')}`);
+    throw new TypeError(`there is no option ${quoted(name)}; the options are: ${OPTIONS.join(', ')}`);
   }
-  const written = value === false && name === 'autoplay' ? 'false' : value;
-  if (written === null || written === false) fire.removeAttribute(name);
-  else if (written !== undefined) fire.setAttribute(name, written === true ? '' : String(written));
+  const text = value === false && name === 'autoplay' ? 'false' : value;
+  if (text === null || text === false) fire.removeAttribute(name);
+  else if (text !== undefined) fire.setAttribute(name, text === true ? '' : String(text));
   return fire.getAttribute(name);
 }
 
@@ -320,7 +318,7 @@ function quoted(value) {
   return `“${text.length > 40 ? `${text.slice(0, 40)}…` : text}”`;
 }
 
-/** An error as it can be posted. @param {unknown} error */
+/** An error as plain data. @param {unknown} error */
 function posted(error) {
   const { name, message, id, value, min, max, kind } = Object(error);
   /** @type {{[field: string]: unknown}} */

@@ -1,14 +1,13 @@
 /**
- * The dialogs of the page, as the HTML has them: what Hearth is, and the code that puts
- * the fire onto another page.
+ * The dialogs in the HTML of the page: what Hearth is, and the code that embeds the fire in another page.
  */
 
 import { elementCode, iframeCode } from '../share.js';
 
-/** What the page itself gives its fire: the element's code gives it as well. */
-const MANNERS = 'warm interactive';
+/** The attributes of the page's fire that its code includes. */
+const ATTRIBUTES = 'warm interactive';
 
-/** The dialogs whose buttons work. @type {Set<string>} */
+/** The dialogs that have their listeners. @type {Set<string>} */
 const ready = new Set();
 
 /**
@@ -26,10 +25,10 @@ export async function openDialog(id, fire) {
 
 /** @param {HTMLDialogElement} dialog */
 function prepare(dialog) {
-  // A key in a dialog does not reach the fire.
+  // The fire's shortcuts do not work in a dialog.
   dialog.addEventListener('keydown', (event) => event.stopPropagation());
   dialog.addEventListener('click', (event) => {
-    // Its padding is its children's, so this is the ground around it.
+    // The dialog has no padding, so this is its backdrop.
     if (event.target === dialog) dialog.close();
   });
   const copied = dialog.querySelector('#copied');
@@ -43,7 +42,7 @@ function prepare(dialog) {
         if (copied) copied.textContent = 'Copied.';
       } catch {
         field.focus();
-        if (copied) copied.textContent = 'This browser lets the page copy nothing. The text is selected: copy it by hand.';
+        if (copied) copied.textContent = 'This browser does not let the page copy. Copy the selected text yourself.';
       }
     });
   }
@@ -51,13 +50,13 @@ function prepare(dialog) {
 }
 
 /**
- * Writes the code of the fire as it burns now.
+ * Fills in the code of the current fire.
  * @param {HTMLDialogElement} dialog
  * @param {import('../share.js').HearthSharedConfig} config
  */
 function write(dialog, config) {
   const beside = (/** @type {string} */ file) => new URL(`../${file}`, import.meta.url);
-  const within = (/** @type {string} */ html) => html.replace('></hearth-fire>', ` ${MANNERS}></hearth-fire>`);
+  const within = (/** @type {string} */ html) => html.replace('></hearth-fire>', ` ${ATTRIBUTES}></hearth-fire>`);
   const codes = {
     element: within(elementCode(config, beside('hearth-fire.js'))),
     iframe: iframeCode(config, beside('embed.html')),

@@ -1,25 +1,25 @@
 /**
- * A hint, once for each visitor: what a pointer can do with the fire.
+ * A hint about what a pointer does to the fire, shown once to each visitor.
  */
 
 import { recall, remember } from './memory.js';
 
-/** How long the hint stays without being followed [ms]. */
-const STAYS_MS = 8000;
+/** How long the hint stays [ms]. */
+const HINT_MS = 8000;
 
-/** A pointer that moved this far over the fire has blown into it [CSS pixels]. */
-const BLOWN = 400;
+/** The movement over the fire after which the hint disappears [CSS pixels]. */
+const MOVED = 400;
 
 const MOUSE = 'Move to blow, click for sparks, drag the fire';
 const TOUCH = 'Swipe to blow, tap for sparks, drag the fire';
 
 /**
- * Shows the hint, if this browser has not shown it before and the fire burns.
+ * Shows the hint if this browser has not shown it before and the fire plays.
  * @param {HTMLElement} place
  * @param {import('../hearth-fire.js').HearthFire} fire
  */
 export function showHint(place, fire) {
-  // A fire that stands still for a visitor who wants less motion hears no pointer.
+  // A fire that is paused for reduced motion does not react to a pointer.
   if (recall('hint') || fire.paused || !fire.interactive) return;
   remember('hint', 'shown');
   place.textContent = matchMedia('(pointer: coarse)').matches ? TOUCH : MOUSE;
@@ -29,11 +29,11 @@ export function showHint(place, fire) {
     clearTimeout(ends);
     place.replaceChildren();
   };
-  const ends = setTimeout(end, STAYS_MS);
+  const ends = setTimeout(end, HINT_MS);
   let moved = 0;
   const move = (/** @type {PointerEvent} */ event) => {
     moved += Math.hypot(event.movementX ?? 0, event.movementY ?? 0);
-    if (moved > BLOWN) end();
+    if (moved > MOVED) end();
   };
   fire.addEventListener('pointermove', move, ended);
   fire.addEventListener('pointerdown', end, ended);

@@ -1,81 +1,78 @@
 /**
- * The full page: one fire, its chrome and its panel, and an address that describes the fire.
+ * The full page: one fire, its chrome and its panel, and a URL that describes the fire.
  *
- * An address that names no scene and no value shows the scene in the HTML of the page.
- * `?scene=seed&viscosity=0.01&paused` sets what it says, by the names of the
- * element's attributes; values without a scene change the scene `default`. The console
- * and the page say what is refused. Later changes are written back, so that the
- * address, copied or loaded anew, always shows this fire.
+ * Without URL parameters the page shows the scene in its HTML. `?scene=seed&viscosity=0.01&paused` sets a
+ * scene and attributes of the element; values without a scene change the scene `default`. The page and
+ * the console report what is refused. Later changes are written back, so the URL always shows this fire.
  *
- * Scenes, panel and dialogs load after the fire burns; a page without them still has
- * a fire.
+ * Scenes, panel and dialogs load after the first frame. If one of them fails, the page still has a fire.
  */
 
-import { applyAddress, readAddress } from './url-parameters.js';
+import { applyUrlParameters, readUrlParameters } from './url-parameters.js';
 import '../hearth-fire.js';
-import { stepBack } from './chrome.js';
+import { fadeChrome } from './chrome.js';
 import { showHint } from './hint.js';
 import { PagePanel } from './panel.js';
 import { toQuery } from '../share.js';
 
-/** How long a message stays on the page [ms]. */
+/** How long a message stays [ms]. */
 const TOAST_MS = 8000;
 
-/** How many messages the page shows at a time. */
+/** The maximum number of messages at a time. */
 const TOASTS = 4;
 
-/** The address is at least this old when it is written [ms]: browsers refuse many changes in a short time. */
-const ADDRESS_MS = 1000;
+/** The delay from a change to the URL [ms]: browsers refuse frequent changes. */
+const URL_MS = 1000;
 
 const fire = /** @type {import('../hearth-fire.js').HearthFire} */ (document.getElementById('fire'));
 const toast = /** @type {HTMLElement} */ (document.getElementById('toast'));
 
-/** The scene in the HTML of the page, which an empty address shows. */
+/** The scene in the HTML of the page. */
 const LANDING = fire.getAttribute('preset') ?? 'default';
 
-/** @type {string[]} */
-const said = [];
+/** The messages on the page. @type {string[]} */
+const messages = [];
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let toastEnds;
 
-/** @param {string} words */
-function say(words) {
+/** Shows a message on the page. @param {string} message */
+function notify(message) {
   clearTimeout(toastEnds);
-  said.push(words);
-  const more = said.length - TOASTS;
-  const shown = said.slice(0, TOASTS);
-  if (more > 0) shown.push(`… and ${more} more, in the console.`);
+  messages.push(message);
+  const more = messages.length - TOASTS;
+  const shown = messages.slice(0, TOASTS);
+  if (more > 0) shown.push(`… and ${more} more in the console.`);
   toast.textContent = shown.join('\n');
   toastEnds = setTimeout(() => {
-    said.length = 0;
+    messages.length = 0;
     toast.replaceChildren();
   }, TOAST_MS);
 }
 
-/** Sets what the address asks for, and says what of it is refused. */
-function setFromAddress() {
-  const address = readAddress(location.search);
-  for (const words of address.refused) {
-    console.warn(`Hearth: ${words}`);
-    say(words);
+/** Applies the URL parameters, and shows which are refused. */
+function applyLocation() {
+  const parameters = readUrlParameters(location.search);
+  for (const message of parameters.refused) {
+    console.warn(`Hearth: ${message}`);
+    notify(message);
   }
   const refused = (/** @type {CustomEvent<import('../hearth-fire.js').HearthErrorDetail>} */ event) => {
-    if (event.detail.kind === 'bad-parameter') say(event.detail.message);
+    if (event.detail.kind === 'bad-parameter') notify(event.detail.message);
   };
   fire.addEventListener('error', refused);
   fire.ready.catch(() => {}).then(() => fire.removeEventListener('error', refused));
-  // Links from before the page had a scene of its own name values alone.
-  if (address.scene === undefined && address.values.length > 0) fire.removeAttribute('preset');
-  applyAddress(fire, address);
-  // The still picture shows the landing scene and no other.
+  // Links from before the page had its own scene contain values alone.
+  if (parameters.scene === undefined && parameters.values.length > 0) fire.removeAttribute('preset');
+  applyUrlParameters(fire, parameters);
+  // The poster shows the landing scene.
   if (fire.getAttribute('preset') !== LANDING) document.getElementById('still')?.remove();
-  // The fire tells its objects.
-  const options = address.options.filter(([name]) => name !== 'objects');
-  keepAddress([...options, ...address.unknown]);
+  // The settings contain the objects.
+  const options = parameters.options.filter(([name]) => name !== 'objects');
+  updateUrl([...options, ...parameters.unknown]);
 }
 
 /**
- * The query that shows this fire on this page.
+ * The URL parameters that show this fire on this page.
  * @param {import('../share.js').HearthSharedConfig} config
  */
 function queryOf(config) {
@@ -86,31 +83,30 @@ function queryOf(config) {
 }
 
 /**
- * Writes what the fire burns with into the address, a while after it changed: the
- * scene and what differs from it. The history gets no entry, for "back"
- * leads away from the page and not through positions of a slider.
- * @param {[string, string][]} options  What the address said besides; it stays.
+ * Writes the settings of the fire into the URL after each change. The history gets no entry: "back" leaves
+ * the page instead of stepping through positions of a slider.
+ * @param {[string, string][]} options  The other URL parameters, which stay.
  */
-function keepAddress(options) {
+function updateUrl(options) {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let planned;
   const write = async () => {
     planned = undefined;
     const query = queryOf(await fire.exportConfig());
     const others = new URLSearchParams(options).toString().replace(/=(?=&|$)/g, '');
-    const address = new URL(location.href);
-    address.search = [query, others].filter(Boolean).join('&');
-    if (address.href !== location.href) history.replaceState(history.state, '', address);
+    const url = new URL(location.href);
+    url.search = [query, others].filter(Boolean).join('&');
+    if (url.href !== location.href) history.replaceState(history.state, '', url);
   };
   const plan = () => {
     if (planned !== undefined) return;
-    planned = setTimeout(() => write().catch((error) => console.warn('Hearth:', error)), ADDRESS_MS);
+    planned = setTimeout(() => write().catch((error) => console.warn('Hearth:', error)), URL_MS);
   };
   fire.addEventListener('params-change', plan);
   fire.addEventListener('objects-change', plan);
 }
 
-/** Opens the dialog that a button names. Its code is loaded with the first one. */
+/** Opens the dialog that a button names. Its code is loaded with the first dialog. */
 function openDialogs() {
   for (const button of document.querySelectorAll('[data-opens]')) {
     const id = /** @type {HTMLElement} */ (button).dataset.opens ?? '';
@@ -120,24 +116,24 @@ function openDialogs() {
         await openDialog(id, fire);
       } catch (error) {
         console.warn('Hearth: the dialog could not be opened.', error);
-        say('The dialog could not be opened.');
+        notify('The dialog could not be opened. Reload the page and try again.');
       }
     });
   }
 }
 
-/** Shows the strip of scenes; without it the panel still has them. */
+/** Shows the strip of scenes; the panel has them as well. */
 async function showScenes() {
   try {
     const { showStrip } = await import('./scenes.js');
-    showStrip(/** @type {HTMLElement} */ (document.getElementById('scenes')), fire, LANDING, say);
+    showStrip(/** @type {HTMLElement} */ (document.getElementById('scenes')), fire, LANDING, notify);
   } catch (error) {
     console.warn('Hearth: the scenes could not be loaded.', error);
   }
 }
 
-setFromAddress();
-stepBack(document.documentElement);
+applyLocation();
+fadeChrome(document.documentElement);
 openDialogs();
 const panel = new PagePanel(fire);
 fire.ready.then(
@@ -146,6 +142,6 @@ fire.ready.then(
     showHint(/** @type {HTMLElement} */ (document.getElementById('hint')), fire);
     return showScenes();
   },
-  // Without a fire there is nothing to control; the fire itself says why.
-  () => panel.drop(),
+  // Without a fire there is nothing to control; the element shows the reason.
+  () => panel.remove(),
 );

@@ -1,6 +1,5 @@
 /**
- * What the page keeps between visits. A private window or a policy may forbid storage; every visit is
- * then the first.
+ * The page's local storage. A private window or a policy may forbid it; every visit then is the first.
  */
 
 /** @type {(key: string) => string | null} */
@@ -17,6 +16,6 @@ export function remember(key, value) {
   try {
     localStorage.setItem(`hearth-page-${key}`, value);
   } catch {
-    // The next visit begins as this one did.
+    // Storage is forbidden.
   }
 }

@@ -6,10 +6,10 @@
 import { recall, remember } from './memory.js';
 import { areSilent } from '../panel/keys.js';
 
-/** Where the panel has room beside the fire and opens by itself. */
+/** The screens on which the panel stands beside the fire and opens by itself. */
 const WIDE = '(width >= 720px) and (height >= 480px)';
 
-/** Longest wait for a moment without work, before the panel loads [ms]. */
+/** The maximum wait for an idle moment before the panel loads [ms]. */
 const IDLE_MS = 1500;
 
 /** The panel, the button that shows and hides it, and the keys that work without it. */
@@ -19,11 +19,11 @@ export class PagePanel {
   #host = /** @type {HTMLElement} */ (document.getElementById('panel'));
   #toggle = /** @type {HTMLElement} */ (document.getElementById('toggle'));
   #wide = matchMedia(WIDE);
-  /** Whether the panel is loaded, or loading. */
-  #asked = false;
-  /** Whether the panel hears keys itself. */
-  #hears = false;
-  /** What was shown before the full screen. */
+  /** Whether the panel is loaded or loading. */
+  #loading = false;
+  /** Whether the panel handles keys itself. */
+  #hasKeys = false;
+  /** Whether the panel was shown before full screen. */
   #before = false;
 
   /** @param {import('../hearth-fire.js').HearthFire} fire */
@@ -35,7 +35,7 @@ export class PagePanel {
     document.addEventListener('fullscreenchange', () => this.#fullscreen());
   }
 
-  /** The fire burns: the panel may load, where it stands open. */
+  /** The fire burns: loads the panel if it is open. */
   begin() {
     const load = () => this.#shown && this.#load();
     if ('requestIdleCallback' in window) requestIdleCallback(load, { timeout: IDLE_MS });
@@ -43,7 +43,7 @@ export class PagePanel {
   }
 
   /** There is no fire to control. */
-  drop() {
+  remove() {
     this.#set(false);
     this.#toggle.hidden = true;
   }
@@ -58,16 +58,16 @@ export class PagePanel {
     this.#toggle.setAttribute('aria-expanded', String(shown));
   }
 
-  /** Somebody shows or hides it. @param {boolean} shown */
+  /** The visitor shows or hides the panel. @param {boolean} shown */
   #choose(shown) {
     if (this.#toggle.hidden) return;
     this.#set(shown);
-    // On a small screen the fire has the screen at every visit.
+    // On a small screen the panel starts hidden at every visit.
     if (this.#wide.matches && !document.fullscreenElement) remember('panel', shown ? 'shown' : 'hidden');
     if (shown) this.#load();
   }
 
-  /** The full screen is for the fire alone; the key H brings the panel there. */
+  /** Full screen hides the panel; the key H shows it there. */
   #fullscreen() {
     if (document.fullscreenElement) {
       this.#before = this.#shown;
@@ -86,8 +86,8 @@ export class PagePanel {
       || [this.#host, this.#fire].some((place) => around.includes(place) || place === target);
     if (!near || areSilent(this.#host, this.#fire)) return;
     if (key.toLowerCase() === 'h') this.#choose(!this.#shown);
-    // The panel hears the other keys, once it is there.
-    if (this.#hears || shiftKey) return;
+    // The panel handles the other keys once it is loaded.
+    if (this.#hasKeys || shiftKey) return;
     if (key === 'f') {
       const { fullscreenElement, documentElement } = document;
       const asked = fullscreenElement ? document.exitFullscreen() : documentElement.requestFullscreen?.();
@@ -99,27 +99,27 @@ export class PagePanel {
     }
   }
 
-  /** Loads the panel once, or says why it is not there. */
+  /** Loads the panel once; shows a message if it does not load. */
   async #load() {
-    if (this.#asked) return;
-    this.#asked = true;
+    if (this.#loading) return;
+    this.#loading = true;
     try {
       const { mountPanel } = await import('../panel.js');
-      this.#hears = true;
+      this.#hasKeys = true;
       await mountPanel({ host: this.#host, fire: this.#fire, page: location.href });
     } catch (error) {
-      this.#hears = this.#asked = false;
+      this.#hasKeys = this.#loading = false;
       console.warn('Hearth: the panel could not be loaded.', error);
-      const words = document.createElement('p');
-      words.className = 'words';
-      words.textContent = 'The controls could not be loaded. The fire burns without them.';
-      this.#host.replaceChildren(words);
+      const message = document.createElement('p');
+      message.className = 'words';
+      message.textContent = 'The controls could not be loaded. The fire burns without them. Close and open the panel to try again.';
+      this.#host.replaceChildren(message);
     }
   }
 }
 
 /**
- * Whether a key belongs to what is being typed.
+ * Whether a key types text.
  * @param {KeyboardEvent} event
  */
 function isTyping(event) {

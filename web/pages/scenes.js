@@ -1,18 +1,18 @@
 /**
- * The strip of scenes: a small picture each, at the edge of the fire. Choosing one
- * starts the fire from that scene.
+ * The strip of scenes at the edge of the fire: a button with a small picture for each. A scene replaces
+ * all values of the fire.
  */
 
 import { PRESETS } from '../parameters.js';
 
 /**
  * Shows the strip.
- * @param {HTMLElement} place
+ * @param {HTMLElement} parent
  * @param {import('../hearth-fire.js').HearthFire} fire
- * @param {string} first  The scene that stands first.
- * @param {(words: string) => void} say  Tells the visitor what went wrong.
+ * @param {string} first  The name of the first scene.
+ * @param {(message: string) => void} warn  Shows an error to the visitor.
  */
-export function showStrip(place, fire, first, say) {
+export function showStrip(parent, fire, first, warn) {
   const scenes = [...PRESETS].sort((a, b) => Number(b.name === first) - Number(a.name === first));
   const list = document.createElement('div');
   list.className = 'tiles';
@@ -34,36 +34,36 @@ export function showStrip(place, fire, first, say) {
     image.src = new URL(`../scenes/${name}.jpg`, import.meta.url).href;
     tile.append(image);
     tile.addEventListener('click', () => {
-      fire.importConfig({ hearth: 1, preset: name, values: {} }).then(mark, (/** @type {Error} */ error) => say(error.message));
+      fire.importConfig({ hearth: 1, preset: name, values: {} }).then(mark, (/** @type {Error} */ error) => warn(error.message));
     });
-    tile.addEventListener('focus', () => reach(tile));
-    tile.addEventListener('pointerenter', () => tell(label));
-    tile.addEventListener('pointerleave', () => tell(''));
-    tile.addEventListener('blur', () => tell(''));
+    tile.addEventListener('focus', () => focus(tile));
+    tile.addEventListener('pointerenter', () => describe(label));
+    tile.addEventListener('pointerleave', () => describe(''));
+    tile.addEventListener('blur', () => describe(''));
     return tile;
   });
-  let reached = tiles[0];
-  const tell = (/** @type {string} */ words) => {
-    caption.textContent = words;
+  let focused = tiles[0];
+  const describe = (/** @type {string} */ label) => {
+    caption.textContent = label;
   };
 
-  /** The Tab key stops once in the strip; arrow keys go on from there. @param {HTMLButtonElement} tile */
-  const reach = (tile) => {
-    reached.tabIndex = -1;
-    reached = tile;
-    reached.tabIndex = 0;
-    tell(tile.getAttribute('aria-label') ?? '');
+  /** A roving tab index: the Tab key stops once in the strip. @param {HTMLButtonElement} tile */
+  const focus = (tile) => {
+    focused.tabIndex = -1;
+    focused = tile;
+    focused.tabIndex = 0;
+    describe(tile.getAttribute('aria-label') ?? '');
   };
   list.addEventListener('keydown', (event) => {
     const { key, ctrlKey, altKey, metaKey } = event;
     if (ctrlKey || altKey || metaKey) return;
-    const at = tiles.indexOf(reached);
+    const at = tiles.indexOf(focused);
     const next = tiles[{ ArrowLeft: at - 1, ArrowUp: at - 1, ArrowRight: at + 1, ArrowDown: at + 1, Home: 0, End: tiles.length - 1 }[key] ?? -1];
     if (!next) return;
     event.preventDefault();
     next.focus();
   });
-  // A wheel that turns up and down pushes a strip that lies.
+  // A vertical wheel scrolls the horizontal strip.
   list.addEventListener('wheel', (event) => {
     if (event.ctrlKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) return;
     list.scrollBy({ left: event.deltaY, behavior: 'instant' });
@@ -77,10 +77,10 @@ export function showStrip(place, fire, first, say) {
   };
   fire.addEventListener('params-change', mark);
   mark();
-  reach(tiles.find((tile) => tile.hasAttribute('aria-current')) ?? tiles[0]);
-  tell('');
+  focus(tiles.find((tile) => tile.hasAttribute('aria-current')) ?? tiles[0]);
+  describe('');
   list.append(...tiles);
-  place.append(caption, list);
-  place.hidden = false;
-  reached.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+  parent.append(caption, list);
+  parent.hidden = false;
+  focused.scrollIntoView({ block: 'nearest', inline: 'nearest' });
 }

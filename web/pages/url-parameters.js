@@ -1,72 +1,72 @@
 /**
  * The URL parameters of a page with a fire: `?scene=seed&viscosity=0.01&paused`.
  *
- * Anyone can write an address. A bad value affects no other value, each refusal says why, and no value
+ * They are untrusted. An invalid value affects no other value, each refusal has a reason, and no value
  * makes the page fetch anything.
  *
- * @typedef {object} Address
- * @property {string | undefined} scene  The preset that it names.
+ * @typedef {object} UrlParameters
+ * @property {string | undefined} scene  The preset.
  * @property {[string, string][]} values  Parameters, the model first.
  * @property {[string, string][]} options  The element's own attributes.
- * @property {URLSearchParams} others  What the page itself asked for.
- * @property {[string, string][]} unknown  What is not for the fire, as `fbclid` or `utm_source`.
- * @property {string[]} refused  What was not taken, in words.
+ * @property {URLSearchParams} others  The page's own parameters.
+ * @property {[string, string][]} unknown  Parameters of others, such as `fbclid` or `utm_source`.
+ * @property {string[]} refused  The reasons why parameters are refused.
  */
 
 import { DEFAULTS, OWN_ATTRIBUTES } from '../generated/defaults.js';
 import { alike } from '../element/spelling.js';
 import { fromQuery } from '../share.js';
 
-/** Longest query that is read, in characters; some servers take no longer one either. */
-const LONGEST = 8192;
+/** The maximum length of the query in characters; some servers have the same limit. */
+const MAX_LENGTH = 8192;
 
-/** Most names in it: more than twice as many as there are. */
-const MOST = 200;
+/** The maximum number of parameters: more than twice as many as there are. */
+const MAX_COUNT = 200;
 
 /**
- * What of the element's own an address may say. `src` and `poster` are left out:
- * a link must not choose what a visitor's browser fetches.
+ * The element's own attributes that a URL may set. `src` and `poster` are absent: a link must not choose
+ * what a visitor's browser fetches.
  */
 export const OPTIONS = [
   'align', 'alt', 'autoplay', 'controls', 'fit', 'fps-limit', 'interactive', 'loading', 'max-pixels', 'objects', 'paused',
   'quality', 'reduced-motion', 'touch-action', 'warm',
 ];
 
-/** All names that are about the fire. */
+/** All names of the fire. */
 const KNOWN = ['scene', ...OWN_ATTRIBUTES, ...Object.keys(DEFAULTS).map((id) => id.replaceAll('_', '-'))];
 
 /**
- * Reads an address.
+ * Reads URL parameters.
  * @param {string} search  As in `location.search`.
- * @param {string[]} [names]  What the page asks for besides.
- * @returns {Address}
+ * @param {string[]} [names]  The page's own parameters.
+ * @returns {UrlParameters}
  */
-export function readAddress(search, names = []) {
-  const query = new URLSearchParams(search.length > LONGEST ? '' : search);
+export function readUrlParameters(search, names = []) {
+  const query = new URLSearchParams(search.length > MAX_LENGTH ? '' : search);
   const refused = [];
-  if (search.length > LONGEST) {
-    refused.push(`The address is longer than ${LONGEST} characters; nothing of it was taken.`);
+  if (search.length > MAX_LENGTH) {
+    refused.push(`The URL parameters are ignored: they are longer than ${MAX_LENGTH} characters.`);
   }
   const count = [...query].length;
   const once = new URLSearchParams();
   /** @type {[string, string][]} */
   const unknown = [];
-  if (count > MOST) {
-    refused.push(`The address names ${count} values, and at most ${MOST} are read; none of them was taken.`);
+  if (count > MAX_COUNT) {
+    refused.push(`The URL parameters are ignored: they set ${count} values, and at most ${MAX_COUNT} are allowed.`);
   } else {
     const known = new Set();
     for (const [name, value] of query) {
       const same = name === 'preset' ? 'scene' : name.replaceAll('_', '-');
       if (!names.includes(name) && !KNOWN.includes(same)) {
-        // Other people’s names are short and many, or words, as `source`; a misspelt one of ours is nearly right.
+        // Names of others are short, or words such as `source`. A misspelt name of the fire is nearly right.
         const isWord = KNOWN.some((one) => one.split('-').includes(name));
         const [meant] = isWord ? [] : alike(name, KNOWN, Math.floor(name.length / 5));
         if (meant === undefined) unknown.push([name, value]);
-        else refused.push(`The address names ${shortened(name)}; did you mean ${meant}?`);
+        else refused.push(`The URL parameter ${shortened(name)} is unknown; did you mean “${meant}”?`);
         continue;
       }
       if (known.has(same) && !names.includes(name)) {
-        refused.push(`The address names ${shortened(name)} more than once; the first one counts.`);
+        refused.push(`The URL names ${shortened(name)} more than once; the first one applies.`);
       } else {
         once.append(name, value);
       }
@@ -80,29 +80,28 @@ export function readAddress(search, names = []) {
     if (names.includes(name)) continue;
     others.delete(name);
     if (OPTIONS.includes(name)) options.push([name, value]);
-    else refused.push(`The address cannot set ${shortened(name)}.`);
+    else refused.push(`The URL parameters cannot set ${shortened(name)}.`);
   }
   const values = Object.entries(config.values).map(
     ([id, value]) => /** @type {[string, string]} */ ([id, String(value)]),
   );
-  // The model decides what the others may be.
+  // The model decides which values are valid.
   values.sort(([a], [b]) => Number(b === 'model') - Number(a === 'model'));
   return { scene: config.preset, values, options, others, unknown, refused };
 }
 
 /**
- * Gives a fire that has just been made what its address says, each value by
- * itself. The fire says what it refuses, as always.
+ * Applies URL parameters to a new fire, each value by itself. The fire reports what it refuses.
  * @param {import('../hearth-fire.js').HearthFire} fire
- * @param {Address} address
+ * @param {UrlParameters} parameters
  */
-export function applyAddress(fire, { scene, values, options, unknown }) {
+export function applyUrlParameters(fire, { scene, values, options, unknown }) {
   if (unknown.length > 0) {
     const names = unknown.map(([name]) => shortened(name)).join(', ');
-    console.info(`Hearth: the address also names ${names}, of which a fire knows nothing.`);
+    console.info(`Hearth: the URL parameters ${names} are not for the fire.`);
   }
   for (const [name, value] of options) fire.setAttribute(name, value);
-  // Before the values, which it would replace.
+  // A preset replaces the values, so it is set first.
   if (scene !== undefined) fire.setAttribute('preset', scene);
   for (const [id, value] of values) fire.set(/** @type {any} */ (id), value);
 }

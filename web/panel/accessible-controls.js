@@ -1,29 +1,29 @@
 /**
  * The accessible controls: native controls for everything on the panel's canvas.
  *
- * A canvas has no content for a screen reader and no stops for the Tab key. Each parameter therefore
- * has a labelled native control here, and each button of the panel a button, in the panel's groups
- * and only for parameters of the fire's model. A control is out of sight until it has the focus, and
- * follows the fire. Its `data-rect` says where the panel shows its counterpart: `x y width height` in
- * CSS pixels of the window, absent while that is out of sight. Tests click there with a real mouse.
+ * A canvas has no content for a screen reader and no stops for the Tab key. Each parameter of the fire's
+ * model therefore has a labelled native control here, and each button of the panel a button, in the
+ * panel's groups. A control is visible only while it has the focus, and follows the fire. Its `data-rect`
+ * is the position of its counterpart on the panel: `x y width height` in CSS pixels of the window, absent
+ * while the panel does not show it. Tests click there with a real mouse.
  */
 
 import { COPIES, COPY_LABELS } from './controller.js';
 import { PARAMETERS } from '../parameters.js';
 
-/** How many presses of an arrow key cross a logarithmic range. */
+/** The number of presses of an arrow key that cross a logarithmic range. */
 const LOG_STEPS = 100;
 
-/** How many steps a key moves a slider. @type {{[key: string]: number | undefined}} */
+/** The steps of a slider per key. @type {{[key: string]: number | undefined}} */
 const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 };
 
-/** The id of the parameter that decides which others there are. */
+/** The parameter that decides which others exist. */
 const MODEL = 'model';
 
-/** The choices that decide whether others count. */
-const DECIDES = new Set(PARAMETERS.flatMap(({ when, unless }) => Object.keys({ ...when, ...unless })));
+/** The parameters that decide whether others have an effect. */
+const CONDITIONS = new Set(PARAMETERS.flatMap(({ when, unless }) => Object.keys({ ...when, ...unless })));
 
-/** The model of a fire that says nothing of it. */
+/** The model of a fire without one. */
 const DEFAULT_MODEL = /** @type {ModelName} */ (PARAMETERS.find(({ id }) => id === MODEL)?.default);
 
 /**
@@ -33,21 +33,21 @@ const DEFAULT_MODEL = /** @type {ModelName} */ (PARAMETERS.find(({ id }) => id =
  * @typedef {import('../parameters.js').ParameterId} Id
  * @typedef {import('../parameters.js').ModelName} ModelName
  * @typedef {import('../parameters.js').HearthParameters[Id]} Value
- * @typedef {(value: Value | undefined, domain: Domain) => void} Show puts a value into a control
+ * @typedef {(value: Value | undefined, domain: Domain) => void} Show shows a value in a control
  *
  * @typedef {object} AccessibleControls
  * @property {(rectangles: Record<string, number[]>, canvas: DOMRect, scale: number) => void} place
- *   says where the panel shows its controls, by name, and how large
- * @property {(alone?: boolean) => void} stand stands in for a panel that cannot be shown
+ *   updates where the panel shows its controls, by name
+ * @property {(alone?: boolean) => void} show makes the controls visible in place of the panel
  * @property {() => void} destroy
  */
 
 /**
  * @param {object} parts
  * @param {HTMLElement} parts.host
- * @param {HearthFire} parts.fire  Where values are read.
- * @param {import('./controller.js').PanelController} parts.controller  What does it all.
- * @param {(id: string) => void} parts.reveal  Brings a parameter into sight on the panel, or `share`.
+ * @param {HearthFire} parts.fire  The source of the values.
+ * @param {import('./controller.js').PanelController} parts.controller  The receiver of the commands.
+ * @param {(id: string) => void} parts.reveal  Scrolls the panel to a parameter, or opens a group of buttons.
  * @returns {AccessibleControls}
  */
 export function mountAccessibleControls({ host, fire, controller, reveal }) {
@@ -64,14 +64,14 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   const shows = new Map();
   /** @type {<I extends Id>(id: I) => import('../parameters.js').HearthParameters[I] | undefined} */
   const read = (id) => fire.params?.[id];
-  /** What a parameter has in the present model; nothing where that does not use it. */
+  /** The domain of a parameter in the current model; undefined if the model does not use it. */
   const domainOf = (/** @type {Parameter} */ parameter) => parameter.domains[read(MODEL) ?? DEFAULT_MODEL];
 
-  const quietly = (/** @type {unknown} */ answer) => {
-    // What is refused is told by the element's error event.
+  const ignoreRefusal = (/** @type {unknown} */ answer) => {
+    // The element's error event reports a refusal.
     Promise.resolve(answer).catch(() => {});
   };
-  const say = (/** @type {string} */ text) => {
+  const announce = (/** @type {string} */ text) => {
     status.textContent = text;
   };
 
@@ -79,50 +79,50 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
    * @param {string} action
    * @param {string} text
    * @param {() => unknown} press
-   * @param {HTMLElement} [place]
+   * @param {HTMLElement} [parent]
    */
-  function addButton(action, text, press, place = root) {
+  function addButton(action, text, press, parent = root) {
     const button = document.createElement('button');
     button.type = 'button';
     button.dataset.action = action;
     button.textContent = text;
-    button.addEventListener('click', () => quietly(press()));
-    place.append(button);
+    button.addEventListener('click', () => ignoreRefusal(press()));
+    parent.append(button);
     places.set(`action:${action}`, button);
     return button;
   }
-  const few = controller.only !== undefined;
+  const limited = controller.only !== undefined;
   const shownParameters = controller.only?.flatMap((id) => PARAMETERS.filter((one) => one.id === id)) ?? PARAMETERS;
 
   const pause = addButton('pause', 'Pause', () => (fire.paused ? controller.play() : controller.pause()));
   const step = addButton('step', 'One step', () => {
-    if (!fire.paused) quietly(controller.pause());
+    if (!fire.paused) ignoreRefusal(controller.pause());
     return controller.step();
   });
   const reset = addButton('reset', 'Restart', () => controller.reset());
   const undo = addButton('undo', 'Undo', () => controller.undo());
-  const redo = addButton('redo', 'Do again', () => controller.redo());
-  const picture = addButton('picture', 'Save a picture', () => controller.picture());
+  const redo = addButton('redo', 'Redo', () => controller.redo());
+  const picture = addButton('picture', 'Save an image', () => controller.picture());
   const fullscreen = addButton('fullscreen', 'Full screen', () => controller.fullscreen());
   const copies = COPIES.map((what) => addButton(`copy:${what}`, `Copy the ${COPY_LABELS[what]}`, () => (
     controller.copy(what)
   )));
   const paste = addButton('paste', 'Paste settings', () => controller.paste());
   for (const button of [...copies, paste]) button.addEventListener('focus', () => reveal('share'));
-  const help = addButton('help', 'Keys', () => controller.help());
-  // Where there is little height the panel unfolds these.
+  const help = addButton('help', 'Keyboard shortcuts', () => controller.help());
+  // A low panel hides these buttons until it is expanded.
   for (const button of [step, reset, redo, picture, fullscreen, help]) {
     button.addEventListener('focus', () => reveal('tools'));
   }
   const scenes = addButton('scenes', 'Scenes', () => controller.scenes());
   scenes.setAttribute('aria-haspopup', 'dialog');
   const resetAll = addButton('reset-all', 'Reset all to the scene', () => controller.restoreAll());
-  if (!few) resetAll.addEventListener('focus', () => reveal('tools'));
+  if (!limited) resetAll.addEventListener('focus', () => reveal('tools'));
 
   const quality = addQuality(root, (name) => controller.quality(name));
   quality.addEventListener('focus', () => reveal('quality'));
   places.set('quality', quality);
-  if (few) {
+  if (limited) {
     for (const one of [step, picture, fullscreen, ...copies, paste, help, scenes, quality.parentElement]) one?.remove();
   }
 
@@ -130,26 +130,26 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   let group;
   for (const parameter of shownParameters) {
     const id = parameter.id;
-    if (!group || (!few && group.name !== parameter.group)) {
+    if (!group || (!limited && group.name !== parameter.group)) {
       group = document.createElement('fieldset');
-      group.name = few ? 'Controls' : parameter.group;
+      group.name = limited ? 'Controls' : parameter.group;
       const legend = document.createElement('legend');
       legend.textContent = group.name;
       group.append(legend);
       root.append(group);
     }
-    const place = group;
+    const parent = group;
     const { row, control, note, show } = makeControl(parameter, (value) => {
-      quietly(controller.set(id, value).finally(shows.get(id)));
+      ignoreRefusal(controller.set(id, value).finally(shows.get(id)));
     });
     control.dataset.parameter = id;
     control.title = parameter.doc;
-    place.append(row);
+    parent.append(row);
     places.set(id, control);
     const restore = addButton(`restore:${id}`, `Reset ${parameter.label}`, () => {
       control.focus();
       return controller.restore(id);
-    }, place);
+    }, parent);
     shows.set(id, () => {
       const domain = domainOf(parameter);
       const value = read(id);
@@ -157,12 +157,12 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
       restore.hidden = !domain || id === MODEL || value === controller.defaultOf(id);
       if (domain) show(value, domain);
       const isChosen = (/** @type {[string, string[]]} */ [of, names]) => names.includes(String(read(/** @type {Id} */ (of))));
-      const waits = Object.entries(parameter.when ?? {}).filter((chosen) => !isChosen(chosen));
-      const bars = Object.entries(parameter.unless ?? {});
-      const barred = bars.length > 0 && bars.every(isChosen);
+      const missing = Object.entries(parameter.when ?? {}).filter((chosen) => !isChosen(chosen));
+      const excluded = Object.entries(parameter.unless ?? {});
+      const isExcluded = excluded.length > 0 && excluded.every(isChosen);
       const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map(inWords).join(' and ');
-      note.textContent = waits.length > 0 ? `Only with ${list(waits)}` : barred ? `Not with ${list(bars)}` : '';
-      row.classList.toggle('idle', waits.length > 0 || barred);
+      note.textContent = missing.length > 0 ? `Only with ${list(missing)}` : isExcluded ? `Not with ${list(excluded)}` : '';
+      row.classList.toggle('idle', missing.length > 0 || isExcluded);
     });
     control.addEventListener('focus', () => reveal(id));
     control.addEventListener('blur', () => reveal(''));
@@ -186,12 +186,11 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   };
   const changed = (/** @type {Event} */ event) => {
     const { id } = /** @type {CustomEvent<{id: Id}>} */ (event).detail ?? {};
-    // Another model has other controls, and its own values in those that stay; a
-    // choice makes others count or not.
-    if (id === MODEL || DECIDES.has(id)) showAll();
+    // Another model has other controls and other values. Some choices disable other parameters.
+    if (id === MODEL || CONDITIONS.has(id)) showAll();
     else shows.get(id)?.();
   };
-  const failed = (/** @type {Event} */ event) => say(/** @type {CustomEvent} */ (event).detail?.message ?? '');
+  const failed = (/** @type {Event} */ event) => announce(/** @type {CustomEvent} */ (event).detail?.message ?? '');
   const listeners = {
     ready: showAll,
     play: showPlaying,
@@ -199,33 +198,33 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     'params-change': changed,
     'quality-change': showQuality,
     error: failed,
-    restored: () => say(''),
+    restored: () => announce(''),
   };
   for (const [name, listener] of Object.entries(listeners)) fire.addEventListener(name, listener);
   let said = '';
   let preset = controller.state.preset;
-  const showDesk = () => {
+  const showState = () => {
     const state = controller.state;
-    // Another scene has other values to go back to.
+    // Another scene has other values to reset to.
     if (state.preset !== preset) showAll();
     preset = state.preset;
-    // A button that has the focus would lose it if it were disabled.
+    // A disabled button would lose the focus.
     undo.setAttribute('aria-disabled', String(!state.undo));
     redo.setAttribute('aria-disabled', String(!state.redo));
     scenes.textContent = state.scene ? `Scene: ${state.scene}` : 'Scenes';
     fullscreen.hidden = !state.fullscreen;
     copies[COPIES.indexOf('link')].hidden = !state.link;
     copies[COPIES.indexOf('iframe')].hidden = !state.iframe;
-    if (state.said !== said) say(state.said);
+    if (state.said !== said) announce(state.said);
     said = state.said;
   };
-  controller.addEventListener('change', showDesk);
-  showDesk();
+  controller.addEventListener('change', showState);
+  showState();
   showAll();
 
   return {
     place(rectangles, canvas, scale) {
-      // The control that has the focus lies over the panel's lower edge.
+      // The focused control covers the panel's lower edge.
       const focused = root.querySelector(':focus');
       const shown = focused?.closest('.row') ?? focused;
       const free = ((shown?.getBoundingClientRect().top ?? Infinity) - canvas.y) / scale;
@@ -240,12 +239,12 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
         else if (element.dataset.rect !== text) element.dataset.rect = text;
       }
     },
-    stand(alone = true) {
+    show(alone = true) {
       root.classList.toggle('alone', alone);
     },
     destroy() {
       for (const [name, listener] of Object.entries(listeners)) fire.removeEventListener(name, listener);
-      controller.removeEventListener('change', showDesk);
+      controller.removeEventListener('change', showState);
       root.remove();
     },
   };
@@ -254,7 +253,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
 let made = 0;
 
 /**
- * The labelled choice of how much work the fire may make itself.
+ * The labelled list of qualities.
  *
  * @param {HTMLElement} root
  * @param {(name: string) => void} set
@@ -285,7 +284,7 @@ function makeControl(parameter, set) {
   const row = document.createElement('div');
   row.className = 'row';
   const label = document.createElement('label');
-  // A slider tells the unit with its value.
+  // The unit is part of a slider's value.
   label.textContent = parameter.label;
   made += 1;
   label.htmlFor = `hearth-mirror-${made}`;
@@ -293,14 +292,14 @@ function makeControl(parameter, set) {
   const select = document.createElement('select');
   const control = parameter.kind === 'choice' ? select : input;
   control.id = label.htmlFor;
-  // Why it counts for nothing at present, where it does not.
+  // Says why the parameter has no effect at present.
   const note = document.createElement('small');
   note.id = `${control.id}-note`;
   control.setAttribute('aria-describedby', note.id);
   row.append(label, control, note);
   return { row, control, note, show: bind() };
 
-  /** Makes the control one of the parameter's kind. @returns {Show} */
+  /** Sets up the control for the kind of its parameter. @returns {Show} */
   function bind() {
     switch (parameter.kind) {
       case 'choice':
@@ -316,7 +315,7 @@ function makeControl(parameter, set) {
   }
 }
 
-/** A choice and some of its names. @param {[string, string[]]} chosen */
+/** A condition in words: the label of a choice and some of its names. @param {[string, string[]]} chosen */
 function inWords([id, names]) {
   const label = PARAMETERS.find((parameter) => parameter.id === id)?.label ?? id;
   const [last, ...others] = [...names].reverse();
@@ -329,23 +328,23 @@ function slider(parameter, control, set) {
   let { min = 0, max = 1 } = parameter;
   control.type = 'range';
   control.step = parameter.kind === 'integer' ? '1' : 'any';
-  // For the eye: the slider itself says its value.
+  // Screen readers read the value from the slider.
   const output = document.createElement('span');
   output.className = 'value';
   output.setAttribute('aria-hidden', 'true');
   control.after(output);
-  const say = () => {
+  const showText = () => {
     const text = `${Number(Number(control.value).toPrecision(4))} ${parameter.unit}`.trim();
     output.textContent = text;
     control.setAttribute('aria-valuetext', text);
   };
   control.addEventListener('input', () => {
-    say();
+    showText();
     set(Number(control.value));
   });
   if (parameter.scale === 'log') {
-    // Equal presses are equal ratios, as on the panel; the browser would take
-    // equal differences and leave out the lower half of the range.
+    // Each press is an equal ratio, as on the panel. The browser's equal differences would skip the
+    // lower half of the range.
     control.addEventListener('keydown', (event) => {
       const ratio = (max / min) ** (1 / LOG_STEPS);
       const up = STEPS[event.key];
@@ -366,7 +365,7 @@ function slider(parameter, control, set) {
     control.max = String(max);
     if (value === undefined) return;
     control.value = String(value);
-    say();
+    showText();
   };
 }
 

@@ -1,12 +1,12 @@
 /**
- * Cards that lie over the panel: text to be copied by hand, a field for settings,
- * the keys, the scenes (scenes.js). They are the page's own elements, since only in those can text be
- * selected, pasted and read aloud everywhere.
+ * Cards over the panel: text to copy by hand, a field for settings, the shortcuts, the scenes
+ * (scenes.js). They are elements of the page: text on a canvas can be neither selected, pasted nor read
+ * by screen readers.
  *
  * @typedef {object} Card
  * @property {() => void} close
- * @property {(name: string) => boolean} isOpen  Whether it is the one of that name, and in sight.
- * @property {() => void} [mark]  Shows what is so by now.
+ * @property {(name: string) => boolean} isOpen  Whether it has that name and is open.
+ * @property {() => void} [mark]  Marks the current item.
  */
 
 import { KEYS, areForbidden } from './keys.js';
@@ -21,7 +21,7 @@ let made = 0;
  */
 export function showText({ host, title, text }) {
   const card = openCard(host, 'copy', title);
-  card.add('p', 'This browser lets the panel copy nothing. The text is selected: copy it by hand.');
+  card.add('p', 'This browser does not let the panel copy. Copy the selected text yourself.');
   const field = card.field(title);
   field.readOnly = true;
   field.value = text;
@@ -32,12 +32,11 @@ export function showText({ host, title, text }) {
 }
 
 /**
- * Asks for settings as JSON and gives them to `take`; what that refuses is said in
- * the card, which stays open.
- * @param {{host: HTMLElement, take: (text: string) => Promise<void>}} what
+ * Asks for settings as JSON. If `apply` refuses them, the card shows the reason and stays open.
+ * @param {{host: HTMLElement, apply: (text: string) => Promise<void>}} what
  * @returns {Card}
  */
-export function askForSettings({ host, take }) {
+export function askForSettings({ host, apply }) {
   const card = openCard(host, 'paste', 'Paste settings');
   const field = card.field('Settings as JSON');
   field.placeholder = '{"hearth": 1, "preset": "seed", "values": {"viscosity": 0.02}}';
@@ -46,31 +45,31 @@ export function askForSettings({ host, take }) {
   const use = async () => {
     alert.textContent = '';
     if (field.value.trim() === '') {
-      alert.textContent = 'There is nothing to use: paste the settings into the field above.';
+      alert.textContent = 'The field is empty: paste settings as JSON.';
       field.focus({ preventScroll: true });
       return;
     }
     try {
-      await take(field.value);
+      await apply(field.value);
       card.close();
     } catch (error) {
       alert.textContent = error instanceof Error ? error.message : String(error);
       field.focus({ preventScroll: true });
     }
   };
-  card.button('use', 'Use these', use);
+  card.button('use', 'Apply', use);
   card.button('close', 'Cancel', card.close);
   field.focus({ preventScroll: true });
   return card;
 }
 
 /**
- * Lists the keys, and lets single ones be turned off.
+ * Lists the keyboard shortcuts, with a switch for single keys.
  * @param {{host: HTMLElement, fire: import('../hearth-fire.js').HearthFire}} where
  * @returns {Card}
  */
 export function showKeys({ host, fire }) {
-  const card = openCard(host, 'help', 'Keys');
+  const card = openCard(host, 'help', 'Keyboard shortcuts');
   const list = card.add('dl', '');
   for (const [keys, words] of KEYS) {
     const term = document.createElement('dt');
@@ -90,7 +89,7 @@ export function showKeys({ host, fire }) {
     box.type = 'checkbox';
     box.checked = remembered().silent !== true;
     box.addEventListener('change', () => remember({ silent: !box.checked }));
-    label.append(box, ' Single keys act');
+    label.append(box, ' Single-key shortcuts');
   }
   const close = card.button('close', 'Close', card.close);
   close.focus({ preventScroll: true });
@@ -98,7 +97,7 @@ export function showKeys({ host, fire }) {
 }
 
 /**
- * An empty card. It gives the focus back to what had it when it closes.
+ * An empty card. When it closes, the focus returns to the element that had it.
  * @param {HTMLElement} host
  * @param {string} name
  * @param {string} title
@@ -137,7 +136,7 @@ export function openCard(host, name, title) {
 
   return {
     close,
-    isOpen: (/** @type {string} */ asked) => asked === name && card.isConnected,
+    isOpen: (/** @type {string} */ other) => other === name && card.isConnected,
     /** @type {(tag: string, text: string) => HTMLElement} */
     add(tag, text) {
       const element = document.createElement(tag);

@@ -1,8 +1,8 @@
 /**
- * The panel controller: every command of the panel, for egui and for the accessible controls alike.
+ * The panel controller: the commands of the panel, for egui and for the accessible controls.
  *
- * A command goes through the undo history, whichever of the two sends it. The controller uses the
- * fire's public API. It touches the page only on request: clipboard, download, full screen.
+ * Both send their commands through the undo history. The controller uses the fire's public API. It
+ * changes the page on request only: clipboard, download, full screen.
  */
 
 import { askForSettings, showKeys, showText } from './cards.js';
@@ -13,35 +13,35 @@ import { UndoHistory } from './undo-history.js';
 import { FILE as SHARE, elementCode, iframeCode, pageLink } from '../share.js';
 
 /**
- * An address in the folder of `hearth-fire.js`. A bundler joins modules, or gives them the
- * addresses of its own disk, and drops the files that no module names; then the folder is
- * unknown. It is known where share.js is still the file that this module imports.
+ * A URL in the folder of `hearth-fire.js`. Bundlers merge modules or give them `file:` URLs, and drop
+ * files that no module names. The folder is known if share.js still is the file that this module
+ * imports.
  */
 const FOLDER = /^https?:/.test(SHARE) && SHARE.split('?')[0] === new URL('../share.js', import.meta.url).href
   ? SHARE : undefined;
 
-/** How long a button says that it has done it [ms]. */
+/** How long a button confirms its action [ms]. */
 const DONE_MS = 2000;
 
 /** @type {Map<string, Domains>} */
 const DOMAINS = new Map(PARAMETERS.map(({ id, domains }) => [id, domains]));
 
-/** Decides which parameters count. */
+/** The parameter that decides which others apply. */
 const MODEL = /** @type {import('../parameters.js').Parameter} */ (PARAMETERS.find(({ id }) => id === 'model'));
 
-/** The model of a fire that names none. */
+/** The model of a fire without one. */
 const DEFAULT_MODEL = /** @type {ModelName} */ (MODEL.default);
 
-/** The parts of a domain. */
-const PARTS = /** @type {const} */ (['default', 'min', 'max']);
+/** The fields of a domain. */
+const FIELDS = /** @type {const} */ (['default', 'min', 'max']);
 
-/** What of a fire may make it another one. */
-const NEWS = ['ready', 'params-change', 'objects-change'];
+/** The events after which the scene may have changed. */
+const CHANGES = ['ready', 'params-change', 'objects-change'];
 
-/** What can be copied, in the order of its buttons. */
+/** What the panel copies, in the order of the buttons. */
 export const COPIES = ['link', 'element', 'iframe', 'json'];
 
-/** What each of them is called. @type {{[what: string]: string}} */
+/** Their labels. @type {{[what: string]: string}} */
 export const COPY_LABELS = {
   link: 'link', element: 'HTML of the element', iframe: 'HTML of an iframe', json: 'settings as JSON',
 };
@@ -55,20 +55,20 @@ export const COPY_LABELS = {
  * @typedef {Partial<import('../parameters.js').HearthParameters>} Values
  * @typedef {import('../parameters.js').Parameter['domains']} Domains
  *
- * @typedef {object} State  What there is to press and to say.
- * @property {string} scene  The scene that the fire started from, in words.
- * @property {string} preset  What that is called, changed or not.
- * @property {Values} values  What it names.
+ * @typedef {object} State  What the panel shows of the controller.
+ * @property {string} scene  The label of the scene, with a note if the fire has changed since.
+ * @property {string} preset  The label of the scene.
+ * @property {Values} values  The values of the scene.
  * @property {boolean} undo
  * @property {boolean} redo
- * @property {boolean} link  Whether the page has an address that shows this fire.
- * @property {boolean} iframe  Whether there is a page to put into a frame.
- * @property {boolean} fullscreen  Whether the browser allows it.
- * @property {string} done  The button whose work is just done, for a while.
- * @property {string} said  What is just done, or went wrong, in words.
+ * @property {boolean} link  Whether the page has a URL that shows this fire.
+ * @property {boolean} iframe  Whether there is a page for an iframe.
+ * @property {boolean} fullscreen  Whether the browser allows full screen.
+ * @property {string} done  The button whose action has just succeeded.
+ * @property {string} said  The message about the last action, a success or a failure.
  */
 
-/** The controller of one panel. It says `change` when its state is another one. */
+/** The controller of one panel. It dispatches `change` when its state changes. */
 export class PanelController extends EventTarget {
   #fire;
   #host;
@@ -85,17 +85,16 @@ export class PanelController extends EventTarget {
   #scene = '';
   #preset = '';
 
-  /** The value under the pointer and its label; nothing: the panel shows none. @type {() => string[] | undefined} */
+  /** The value under the pointer and its label; undefined without one. @type {() => string[] | undefined} */
   hovered = () => undefined;
 
   /**
    * @param {object} parts
    * @param {HearthFire} parts.fire
-   * @param {HTMLElement} parts.host  Where the panel stands, and its cards.
-   * @param {string | URL} [parts.page]  The address of a page that reads its query; the
-   *   panel's own page, then.
-   * @param {string | URL} [parts.script]  Where others find `hearth-fire.js`.
-   * @param {string | URL} [parts.embed]  Where they find `embed.html`.
+   * @param {HTMLElement} parts.host  The element of the panel and its cards.
+   * @param {string | URL} [parts.page]  The URL of a page that applies its URL parameters.
+   * @param {string | URL} [parts.script]  The URL of `hearth-fire.js` for other pages.
+   * @param {string | URL} [parts.embed]  The URL of `embed.html` for other pages.
    * @param {string[]} [parts.only]  The parameters that the panel shows.
    */
   constructor({ fire, host, page, only, script = beside('hearth-fire.js'), embed = beside('embed.html') }) {
@@ -106,12 +105,12 @@ export class PanelController extends EventTarget {
     this.#script = script;
     this.#embed = embed;
     const known = only?.map((id) => id.replaceAll('-', '_')).filter(isParameter);
-    /** The parameters that the panel shows, in this order; nothing: all. */
+    /** The parameters that the panel shows, in this order; undefined means all. */
     this.only = known?.length ? known : undefined;
-    this.#recallQuality();
-    this.#history = new UndoHistory(fire, () => this.#changed(), usualOf, (id) => this.defaultOf(id));
-    for (const name of NEWS) fire.addEventListener(name, this.#look);
-    this.#look();
+    this.#restoreQuality();
+    this.#history = new UndoHistory(fire, () => this.#changed(), modelDefault, (id) => this.defaultOf(id));
+    for (const name of CHANGES) fire.addEventListener(name, this.#update);
+    this.#update();
   }
 
   /** @returns {State} */
@@ -130,7 +129,7 @@ export class PanelController extends EventTarget {
     };
   }
 
-  /** A new gesture begins. */
+  /** A new gesture begins: the next change is a new step. */
   press() {
     this.#history.press();
   }
@@ -141,8 +140,7 @@ export class PanelController extends EventTarget {
   }
 
   /**
-   * What a parameter has in the scene, in the present model; nothing where that does
-   * not use it.
+   * The value of a parameter in the scene; undefined if the current model does not use it.
    * @param {Id} id
    */
   defaultOf(id) {
@@ -150,34 +148,34 @@ export class PanelController extends EventTarget {
   }
 
   /**
-   * Puts a parameter back to what it has in the scene.
+   * Resets a parameter to its value in the scene.
    * @param {Id} id
    */
   restore(id) {
     return this.#history.restore(id);
   }
 
-  /** Puts all that the panel shows of the model back to what it has in the scene. */
+  /** Resets the parameters that the panel shows to their values in the scene. The model stays. */
   restoreAll() {
     const fire = this.#fire;
     const now = fire.params;
     const ids = (this.only ?? PARAMETERS.map(({ id }) => id)).filter((id) => id !== MODEL.id && DOMAINS.get(id)?.[now.model]);
-    const usual = ids.filter((id) => this.defaultOf(id) === usualOf(id, now.model));
-    const others = ids.filter((id) => !usual.includes(id) && this.defaultOf(id) !== now[id]);
+    const defaults = ids.filter((id) => this.defaultOf(id) === modelDefault(id, now.model));
+    const others = ids.filter((id) => !defaults.includes(id) && this.defaultOf(id) !== now[id]);
     return this.#history.all(async () => {
-      if (usual.length > 0) await fire.restore(...usual);
+      if (defaults.length > 0) await fire.restore(...defaults);
       if (others.length > 0) await fire.set(Object.fromEntries(others.map((id) => [id, this.defaultOf(id)])));
-    }, { anew: false });
+    }, { replaces: false });
   }
 
   /** @param {string} name */
   preset(name) {
     /** @type {HearthConfig} */
     const config = { hearth: 1, preset: /** @type {HearthConfig['preset']} */ (name), values: {} };
-    return this.#history.all(() => this.#fire.importConfig(config), { anew: true });
+    return this.#history.all(() => this.#fire.importConfig(config), { replaces: true });
   }
 
-  /** Shows the scenes to start from, or hides them. */
+  /** Shows or hides the card of scenes. */
   scenes() {
     if (this.#card?.isOpen('scenes')) {
       this.#card.close();
@@ -187,8 +185,8 @@ export class PanelController extends EventTarget {
       host: this.#host,
       scenes: PRESETS,
       pictureOf: (name) => beside(`scenes/${name}.jpg`),
-      present: () => this.#fire.preset,
-      choose: (name) => this.#try(() => this.preset(name)).then(this.#look),
+      current: () => this.#fire.preset,
+      choose: (name) => this.#try(() => this.preset(name)).then(this.#update),
     }));
   }
 
@@ -198,7 +196,7 @@ export class PanelController extends EventTarget {
     remember({ quality: name });
   }
 
-  /** What was folded at the last visit. */
+  /** The folded groups of the last visit. */
   get folds() {
     return remembered();
   }
@@ -208,19 +206,19 @@ export class PanelController extends EventTarget {
     remember({ folded, times });
   }
 
-  /** Gives the search the focus. */
+  /** Focuses the search field. */
   search() {
     this.dispatchEvent(new Event('search'));
   }
 
-  /** What copies the value under the pointer; nothing: the key is not the panel's. */
+  /** Copies the value under the pointer; undefined without one, or if text is selected. */
   get copyHovered() {
     const hovered = this.hovered();
     if (!hovered || !(getSelection()?.isCollapsed ?? true)) return undefined;
     const [value, label] = hovered;
     return () => this.#try(async () => {
       await navigator.clipboard.writeText(value);
-      this.#tell('value', `Copied: ${label} ${value}`);
+      this.#notify('value', `Copied: ${label} ${value}`);
     });
   }
 
@@ -249,18 +247,17 @@ export class PanelController extends EventTarget {
   }
 
   /**
-   * Copies the fire as it is now; where the browser refuses, shows the text so that
-   * it can be copied by hand.
+   * Copies the fire in one of several forms. If the browser refuses, a card shows the text.
    * @param {string} what  One of {@link COPIES}.
    */
   async copy(what) {
     const label = COPY_LABELS[what];
     const config = await this.#try(() => this.#fire.exportConfig());
     if (!config) return;
-    const text = this.#written(what, config);
+    const text = this.#textOf(what, config);
     try {
       await navigator.clipboard.writeText(text);
-      this.#tell(`copy:${what}`, `Copied: ${label}`);
+      this.#notify(`copy:${what}`, `Copied: ${label}`);
     } catch {
       this.#show(showText({ host: this.#host, title: `Copy the ${label}`, text }));
     }
@@ -268,14 +265,14 @@ export class PanelController extends EventTarget {
 
   /** Asks for settings as JSON. */
   paste() {
-    const take = async (/** @type {string} */ text) => {
-      await this.#history.all(() => this.#fire.importConfig(text), { anew: true });
-      this.#tell('paste', 'The settings are those that were pasted');
+    const apply = async (/** @type {string} */ text) => {
+      await this.#history.all(() => this.#fire.importConfig(text), { replaces: true });
+      this.#notify('paste', 'The pasted settings are applied');
     };
-    this.#show(askForSettings({ host: this.#host, take }));
+    this.#show(askForSettings({ host: this.#host, apply }));
   }
 
-  /** Saves the picture of the moment as a file. */
+  /** Saves the current frame as a file. */
   async picture() {
     const blob = await this.#try(() => this.#fire.toBlob('image/png'));
     if (!blob) return;
@@ -283,34 +280,34 @@ export class PanelController extends EventTarget {
     link.href = URL.createObjectURL(blob);
     link.download = 'hearth.png';
     link.click();
-    // The download has begun by then, also where it asks first.
+    // The download has begun by then, even if the browser asks first.
     setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
-    this.#tell('picture', 'Saved a picture');
+    this.#notify('picture', 'Saved an image');
   }
 
-  /** All of the screen for the fire, or its page; or the window again. */
+  /** Enters or leaves full screen: for the fire, or for a page about it. */
   async fullscreen() {
-    const whole = this.#page === undefined ? this.#fire : document.documentElement;
+    const target = this.#page === undefined ? this.#fire : document.documentElement;
     await this.#try(() => (
-      document.fullscreenElement ? document.exitFullscreen() : whole.requestFullscreen()
+      document.fullscreenElement ? document.exitFullscreen() : target.requestFullscreen()
     ));
   }
 
-  /** Shows the keys, or hides them. */
+  /** Shows or hides the list of shortcuts. */
   help() {
     if (this.#card?.isOpen('help')) this.#card.close();
     else this.#show(showKeys({ host: this.#host, fire: this.#fire }));
   }
 
-  /** Ends what is open. */
+  /** Closes the card and stops listening. */
   close() {
-    for (const name of NEWS) this.#fire.removeEventListener(name, this.#look);
+    for (const name of CHANGES) this.#fire.removeEventListener(name, this.#update);
     clearTimeout(this.#doneEnds);
     this.#card?.close();
   }
 
-  /** Another scene, or not quite the same any more? */
-  #look = () => {
+  /** Compares the fire with its scene. */
+  #update = () => {
     this.#card?.mark?.();
     const [scene, preset] = [sceneOf(this.#fire), this.#fire.preset];
     if (scene === this.#scene && preset === this.#preset) return;
@@ -318,17 +315,17 @@ export class PanelController extends EventTarget {
     this.#changed();
   };
 
-  /** The quality of the last visit, unless the page or its address names one. */
-  #recallQuality() {
+  /** Applies the quality of the last visit, unless the page or its URL sets one. */
+  #restoreQuality() {
     const fire = this.#fire;
     const { quality } = remembered();
-    const names = fire.hasAttribute?.('quality') || fire.quality !== 'auto';
-    if (names || (quality !== 'low' && quality !== 'medium' && quality !== 'high')) return;
+    const isSet = fire.hasAttribute?.('quality') || fire.quality !== 'auto';
+    if (isSet || (quality !== 'low' && quality !== 'medium' && quality !== 'high')) return;
     fire.quality = quality;
   }
 
   /** @type {(what: string, config: HearthConfig) => string} */
-  #written(what, config) {
+  #textOf(what, config) {
     switch (what) {
       case 'link':
         return pageLink(config, this.#page ?? location.href);
@@ -342,7 +339,7 @@ export class PanelController extends EventTarget {
   }
 
   /**
-   * Does something that the fire or the browser may refuse, and says so then.
+   * Does something that the fire or the browser may refuse; a refusal becomes a message.
    * @template T
    * @param {() => T | Promise<T>} act
    * @returns {Promise<T | undefined>}
@@ -351,7 +348,7 @@ export class PanelController extends EventTarget {
     try {
       return await act();
     } catch (error) {
-      this.#tell('', error instanceof Error ? error.message : String(error));
+      this.#notify('', error instanceof Error ? error.message : String(error));
       return undefined;
     }
   }
@@ -363,7 +360,7 @@ export class PanelController extends EventTarget {
   }
 
   /** @type {(done: string, said: string) => void} */
-  #tell(done, said) {
+  #notify(done, said) {
     [this.#done, this.#said] = [done, said];
     clearTimeout(this.#doneEnds);
     this.#doneEnds = setTimeout(() => {
@@ -378,8 +375,8 @@ export class PanelController extends EventTarget {
   }
 }
 
-/** What a parameter has in a model unless a scene says otherwise. @type {(id: Id, model: ModelName) => Value | undefined} */
-function usualOf(id, model) {
+/** The default of a parameter in a model. @type {(id: Id, model: ModelName) => Value | undefined} */
+function modelDefault(id, model) {
   return DOMAINS.get(id)?.[model]?.default;
 }
 
@@ -393,14 +390,14 @@ function presetOf({ preset: name = 'default' }) {
   return PRESETS.find((preset) => preset.name === name);
 }
 
-/** What that scene names, and the model. @param {Pick<HearthFire, 'preset' | 'params'>} fire @returns {Values} */
+/** The values that the scene sets, with its model. @param {Pick<HearthFire, 'preset' | 'params'>} fire @returns {Values} */
 function valuesOf(fire) {
   return { model: DEFAULT_MODEL, ...presetOf(fire)?.values };
 }
 
 /**
- * What a parameter has in the scene, in the present model: there, what the scene says
- * of another model holds for what both share.
+ * The value of a parameter in the scene and the current model. If the scene has another model, its values
+ * apply to the parameters with the same domain in both.
  * @type {(fire: Pick<HearthFire, 'preset' | 'params'>, id: Id) => Value | undefined}
  */
 function sceneValue(fire, id) {
@@ -408,13 +405,13 @@ function sceneValue(fire, id) {
   /** @type {Domains} */
   const domains = DOMAINS.get(id) ?? {};
   const domain = domains[fire.params?.model ?? DEFAULT_MODEL];
-  const there = domains[values.model ?? DEFAULT_MODEL];
-  const shared = there && PARTS.every((part) => there[part] === domain?.[part]);
-  return domain && ((domain === there || shared) ? values[id] ?? domain.default : domain.default);
+  const sceneDomain = domains[values.model ?? DEFAULT_MODEL];
+  const shared = sceneDomain && FIELDS.every((field) => sceneDomain[field] === domain?.[field]);
+  return domain && ((domain === sceneDomain || shared) ? values[id] ?? domain.default : domain.default);
 }
 
 /**
- * The scene that a fire started from, and whether it is another fire by now.
+ * The label of the scene that a fire started from, with a note if the fire has changed since.
  * @param {Pick<HearthFire, 'preset' | 'params' | 'objects'>} fire
  */
 function sceneOf(fire) {
@@ -427,7 +424,7 @@ function sceneOf(fire) {
   return same && alone ? scene.label : `${scene.label}, changed`;
 }
 
-/** @param {string} file */
+/** The URL of a file beside `hearth-fire.js`. @param {string} file */
 function beside(file) {
   return FOLDER ? new URL(file, FOLDER) : undefined;
 }

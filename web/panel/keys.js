@@ -1,44 +1,45 @@
 /**
- * The panel's keyboard shortcuts. They act while the focus is in the panel or on the fire; on a page
- * for one fire also while nothing has the focus. In a page that shows a fire among other things, a
- * key that acted does not reach the page. A key that types or presses a button never acts. Visitors
- * turn single keys off in the list of keys; pages do so with `data-shortcuts="off"` on the panel's
- * host, the fire or the root element.
+ * The panel's keyboard shortcuts. They work while the panel or the fire has the focus; on a page about
+ * one fire also while nothing has the focus. On any other page, the event of a shortcut stops at the
+ * panel. A key that types text or presses a button is no shortcut. Visitors turn single-key shortcuts off
+ * in the list of shortcuts; pages do so with `data-shortcuts="off"` on the panel's host, the fire or the
+ * root element.
  */
 
 import { remembered } from './memory.js';
 
-/** The keys, as people read them, and what each does. @type {[string[], string][]} */
+/** The names of the keys, and what they do. @type {[string[], string][]} */
 export const KEYS = [
-  [['Space'], 'hold the fire, or let it burn'],
-  [['R'], 'start it again'],
-  [['H'], 'hide the controls, or show them'],
+  [['Space'], 'pause or play'],
+  [['R'], 'restart'],
+  [['H'], 'hide or show the controls'],
   [['F'], 'full screen'],
-  [['S'], 'save a picture'],
+  [['S'], 'save an image'],
   [['Ctrl Z'], 'undo'],
-  [['Ctrl Shift Z', 'Ctrl Y'], 'do again'],
+  [['Ctrl Shift Z', 'Ctrl Y'], 'redo'],
   [['Ctrl C'], 'copy the value under the pointer'],
   [['/'], 'search'],
-  [['?'], 'these keys'],
+  [['?'], 'keyboard shortcuts'],
 ];
 
-/** Kinds of input that take no text. */
-const WORDLESS = ['range', 'checkbox', 'radio', 'button', 'submit', 'reset', 'color', 'file'];
+/** Types of `<input>` without text. */
+const TEXTLESS = ['range', 'checkbox', 'radio', 'button', 'submit', 'reset', 'color', 'file'];
 
-/** What the space key presses by itself. */
+/** Elements that the space key presses. */
 const PRESSED = 'button, summary, a[href], input[type=checkbox], input[type=radio], input[type=button]';
 
 /**
+ * Starts to listen.
  * @param {object} parts
- * @param {EventTarget[]} parts.own  Where the panel stands, and the fire.
- * @param {boolean} parts.page  Whether the page is one for this fire.
+ * @param {EventTarget[]} parts.own  The panel's host, and the fire.
+ * @param {boolean} parts.page  Whether the page is about this fire.
  * @param {import('../hearth-fire.js').HearthFire} parts.fire
  * @param {import('./controller.js').PanelController} parts.controller
- * @param {() => void} [parts.hide]  Hides the panel or shows it, where the panel itself does.
- * @returns {() => void} ends it
+ * @param {() => void} [parts.hide]  Hides or shows the panel, unless the page does.
+ * @returns {() => void} stops
  */
 export function listenToKeys({ own, page, fire, controller, hide }) {
-  const acts = new Map(Object.entries({
+  const actions = new Map(Object.entries({
     ' ': () => (fire.paused ? controller.play() : controller.pause()),
     r: () => controller.reset(),
     f: () => controller.state.fullscreen && controller.fullscreen(),
@@ -51,7 +52,7 @@ export function listenToKeys({ own, page, fire, controller, hide }) {
   const nowhere = [document.body, document.documentElement];
 
   /** @param {KeyboardEvent} event */
-  const wanted = (event) => {
+  const actionOf = (event) => {
     const key = event.key.toLowerCase();
     const command = event.ctrlKey || event.metaKey;
     if (event.altKey || event.isComposing) return undefined;
@@ -59,18 +60,18 @@ export function listenToKeys({ own, page, fire, controller, hide }) {
     if (command && key === 'y') return () => controller.redo();
     if (command && key === 'c' && !event.shiftKey) return controller.copyHovered;
     if (command || event.repeat || (event.shiftKey && !['?', '/'].includes(key))) return undefined;
-    return areSilent(...own) ? undefined : acts.get(key);
+    return areSilent(...own) ? undefined : actions.get(key);
   };
 
   const onKey = (/** @type {Event} */ event) => {
     const key = /** @type {KeyboardEvent} */ (event);
-    const act = wanted(key);
+    const act = actionOf(key);
     if (!act || isTaken(key)) return;
     const path = key.composedPath();
     if (page && !nowhere.includes(path[0]) && !own.some((one) => path.includes(one))) return;
     key.preventDefault();
     if (!page) key.stopPropagation();
-    // What is refused is told by the element's error event.
+    // The element's error event reports a refusal.
     Promise.resolve(act()).catch(() => {});
   };
   const targets = page ? [document] : own;
@@ -81,7 +82,7 @@ export function listenToKeys({ own, page, fire, controller, hide }) {
 }
 
 /**
- * Whether the page forbids single keys.
+ * Whether the page turns single-key shortcuts off.
  * @type {(...places: EventTarget[]) => boolean}
  */
 export function areForbidden(...places) {
@@ -89,7 +90,7 @@ export function areForbidden(...places) {
 }
 
 /**
- * Whether single keys do nothing.
+ * Whether single-key shortcuts are off.
  * @type {(...places: EventTarget[]) => boolean}
  */
 export function areSilent(...places) {
@@ -97,13 +98,13 @@ export function areSilent(...places) {
 }
 
 /**
- * Whether a key belongs to what has the focus.
+ * Whether the focused element handles a key itself.
  * @param {KeyboardEvent} event
  */
 function isTaken(event) {
   const focused = event.composedPath()[0];
   if (!(focused instanceof HTMLElement)) return false;
-  if (focused instanceof HTMLInputElement && !WORDLESS.includes(focused.type)) return true;
+  if (focused instanceof HTMLInputElement && !TEXTLESS.includes(focused.type)) return true;
   if (focused.isContentEditable || ['TEXTAREA', 'SELECT'].includes(focused.tagName)) return true;
   return event.key === ' ' && focused.matches(PRESSED);
 }

@@ -1,15 +1,14 @@
 /**
- * What a panel keeps from one visit to the next: what is folded and hidden, the
- * height of the sheet, the quality that somebody chose, and whether single keys act.
- * It is kept for all pages of an origin, and not at all where the browser forbids it.
+ * The panel's local storage: it survives a visit and is shared by all pages of an origin. Browsers may
+ * forbid it; then nothing is kept.
  *
  * @typedef {object} Kept
- * @property {string[]} [folded]  The groups that are folded.
- * @property {boolean} [times]  Whether it is shown what takes how long.
+ * @property {string[]} [folded]  The folded groups.
+ * @property {boolean} [times]  Whether the panel shows the time of each part of a frame.
  * @property {boolean} [hidden]  Whether the panel is hidden.
- * @property {number} [sheet]  The height of the sheet, as a share of what it lies in.
+ * @property {number} [sheet]  The height of the sheet as a share of its container.
  * @property {string} [quality]
- * @property {boolean} [silent]  Whether single keys do nothing.
+ * @property {boolean} [silent]  Whether single-key shortcuts are off.
  */
 
 const KEY = 'hearth-panel';
@@ -29,6 +28,6 @@ export function remember(changes) {
   try {
     localStorage.setItem(KEY, JSON.stringify({ ...remembered(), ...changes }));
   } catch {
-    // Then it is forgotten.
+    // The browser forbids it.
   }
 }

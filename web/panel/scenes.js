@@ -1,6 +1,6 @@
 /**
- * The scenes to start from, as a card of pictures: each is a button, and the current one is marked. The
- * card stays open, so that a visitor can try one scene after another.
+ * The card of scenes: a button with a picture for each, the current one marked. The card stays open, so
+ * that a visitor can try one scene after another.
  *
  * @typedef {{name: string, label: string, description?: string}} Scene
  */
@@ -11,56 +11,56 @@ import { openCard } from './cards.js';
  * @param {object} parts
  * @param {HTMLElement} parts.host
  * @param {Scene[]} parts.scenes
- * @param {(name: string) => URL | undefined} parts.pictureOf  Where its picture is; where
- *   nobody knows, and where none comes, its words do.
- * @param {() => string} parts.present  The name of the present one.
+ * @param {(name: string) => URL | undefined} parts.pictureOf  The URL of its picture. Without one, and if it
+ *   does not load, the label stands alone.
+ * @param {() => string} parts.current  The name of the current scene.
  * @param {(name: string) => void} parts.choose
  * @returns {import('./cards.js').Card & {mark: () => void}}
  */
-export function showScenes({ host, scenes, pictureOf, present, choose }) {
+export function showScenes({ host, scenes, pictureOf, current, choose }) {
   const card = openCard(host, 'scenes', 'Scenes');
   const list = card.add('div', '');
   list.className = 'hearth-scenes';
-  // Buttons that arrows lead to; none of them is pressed by that.
+  // Arrow keys move the focus and press nothing.
   list.setAttribute('role', 'toolbar');
   list.setAttribute('aria-label', 'Scenes');
   const about = card.add('p', '');
   about.className = 'hearth-scenes-about';
-  // Each picture has these words as its own.
+  // Each picture has the description as its alternative text.
   about.setAttribute('aria-hidden', 'true');
-  const tell = (/** @type {Scene | undefined} */ scene) => {
+  const describe = (/** @type {Scene | undefined} */ scene) => {
     about.textContent = scene?.description ?? '';
   };
 
   const tiles = scenes.map((scene) => {
     const tile = makeTile(scene, pictureOf(scene.name));
     tile.addEventListener('click', () => choose(scene.name));
-    tile.addEventListener('focus', () => reach(tile));
-    tile.addEventListener('pointerenter', () => tell(scene));
-    tile.addEventListener('pointerleave', () => tell(sceneOf(reached)));
+    tile.addEventListener('focus', () => focus(tile));
+    tile.addEventListener('pointerenter', () => describe(scene));
+    tile.addEventListener('pointerleave', () => describe(sceneOf(focused)));
     list.append(tile);
     return tile;
   });
-  let reached = tiles[0];
+  let focused = tiles[0];
   const sceneOf = (/** @type {HTMLElement} */ tile) => scenes[tiles.indexOf(/** @type {HTMLButtonElement} */ (tile))];
 
-  /** The Tab key stops once in the list; arrows go on from there. @param {HTMLButtonElement} tile */
-  const reach = (tile) => {
-    reached.tabIndex = -1;
-    reached = tile;
-    reached.tabIndex = 0;
-    tell(sceneOf(tile));
+  /** A roving tab index: the Tab key stops once in the list. @param {HTMLButtonElement} tile */
+  const focus = (tile) => {
+    focused.tabIndex = -1;
+    focused = tile;
+    focused.tabIndex = 0;
+    describe(sceneOf(tile));
   };
   list.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const next = tiles[stepFrom(tiles, tiles.indexOf(reached), event.key)];
+    const next = tiles[stepFrom(tiles, tiles.indexOf(focused), event.key)];
     if (!next) return;
     event.preventDefault();
     next.focus();
   });
 
   const mark = () => {
-    const name = present();
+    const name = current();
     scenes.forEach((scene, at) => {
       if (scene.name === name) tiles[at].setAttribute('aria-current', 'true');
       else tiles[at].removeAttribute('aria-current');
@@ -69,9 +69,9 @@ export function showScenes({ host, scenes, pictureOf, present, choose }) {
   mark();
   card.button('close', 'Close', card.close);
   const first = tiles.find((tile) => tile.hasAttribute('aria-current')) ?? tiles[0];
-  reach(first);
+  focus(first);
   first.focus({ preventScroll: true });
-  // In the list alone: the page stays where it is.
+  // `scrollIntoView` would scroll the page as well.
   list.scrollTo(
     first.offsetLeft - (list.clientWidth - first.offsetWidth) / 2,
     first.offsetTop - (list.clientHeight - first.offsetHeight) / 2,
@@ -86,9 +86,9 @@ function makeTile({ name, label, description = '' }, picture) {
   tile.className = 'hearth-scene';
   tile.dataset.scene = name;
   tile.tabIndex = -1;
-  const words = document.createElement('span');
-  words.textContent = label;
-  tile.append(words);
+  const caption = document.createElement('span');
+  caption.textContent = label;
+  tile.append(caption);
   const image = document.createElement('img');
   image.alt = description;
   image.width = 120;
@@ -99,14 +99,14 @@ function makeTile({ name, label, description = '' }, picture) {
   image.addEventListener('error', () => tile.classList.add('bare'));
   if (picture) image.src = picture.href;
   else tile.classList.add('bare');
-  const ground = document.createElement('i');
-  ground.append(image);
-  tile.append(ground);
+  const frame = document.createElement('i');
+  frame.append(image);
+  tile.append(frame);
   return tile;
 }
 
 /**
- * Where a key leads from one of the tiles, which stand in rows; nowhere for other keys.
+ * The tile that a key leads to, in rows; -1 for other keys.
  * @type {(tiles: HTMLElement[], at: number, key: string) => number}
  */
 function stepFrom(tiles, at, key) {

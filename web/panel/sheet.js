@@ -1,26 +1,26 @@
 /**
- * The handle of a panel that is a sheet at the lower end of its fire or of the window. Pointer and
- * keys drag it up and down, and its height is kept for the next visit.
+ * The handle of a panel that is a sheet at the bottom of its fire or of the window. Pointer and keys
+ * change its height, which is kept for the next visit.
  */
 
 import { remember, remembered } from './memory.js';
 
-/** Least and greatest height, as a share of what it lies in. */
+/** Minimum and maximum height as a share of the container. */
 const SHARES = [0.2, 0.85];
 
-/** What a key adds to it. @type {{[key: string]: number}} */
+/** What each key adds to the height. @type {{[key: string]: number}} */
 const STEPS = { ArrowUp: 0.05, ArrowDown: -0.05, PageUp: 0.2, PageDown: -0.2, Home: 1, End: -1 };
 
-/** A hundredth of the window, without what the browser lays over it. Servers have no `CSS`. */
-const VIEW = globalThis.CSS?.supports('height', '1dvh') ? 'dvh' : 'vh';
+/** A hundredth of the window's visible height. Servers have no `CSS`. */
+const UNIT = globalThis.CSS?.supports('height', '1dvh') ? 'dvh' : 'vh';
 
-/** What the page's and the panel's style sheets read. */
+/** The custom property that the style sheets of page and panel read. */
 const HEIGHT = '--hearth-sheet';
 
 /**
  * @param {HTMLElement} host
- * @param {HTMLElement} [fire]  In which it lies; in the window, without.
- * @returns {() => void} ends it
+ * @param {HTMLElement} [fire]  The container; the window without it.
+ * @returns {() => void} removes it
  */
 export function addSheet(host, fire) {
   const grip = document.createElement('div');
@@ -41,28 +41,28 @@ export function addSheet(host, fire) {
   /** @param {number} share */
   const resize = (share) => {
     const height = Math.min(SHARES[1], Math.max(SHARES[0], share));
-    const value = `${Math.round(height * 1000) / 10}${fire ? '%' : VIEW}`;
+    const value = `${Math.round(height * 1000) / 10}${fire ? '%' : UNIT}`;
     for (const { style } of styled()) style?.setProperty(HEIGHT, value);
   };
   const shareNow = () => host.getBoundingClientRect().height / outer().height;
-  // It is one where it lies at the lower end and is as wide as what it lies in.
-  const look = () => {
+  // The panel is a sheet if it is lower than its container and as wide.
+  const update = () => {
     const [own, all] = [host.getBoundingClientRect(), outer()];
-    const lies = own.height > 0 && own.height < 0.95 * all.height && own.width > 0.9 * all.width;
-    host.classList.toggle('hearth-sheet', lies);
+    const isSheet = own.height > 0 && own.height < 0.95 * all.height && own.width > 0.9 * all.width;
+    host.classList.toggle('hearth-sheet', isSheet);
     grip.setAttribute('aria-valuenow', String(Math.round(shareNow() * 100) || 0));
   };
   const keep = () => remember({ sheet: Math.round(shareNow() * 1000) / 1000 });
 
-  let holds = 0;
+  let offset = 0;
   grip.addEventListener('pointerdown', (event) => {
     grip.setPointerCapture(event.pointerId);
-    holds = event.clientY - host.getBoundingClientRect().top;
+    offset = event.clientY - host.getBoundingClientRect().top;
   });
   grip.addEventListener('pointermove', (event) => {
     if (!grip.hasPointerCapture(event.pointerId)) return;
     const all = outer();
-    resize((all.bottom - event.clientY + holds) / all.height);
+    resize((all.bottom - event.clientY + offset) / all.height);
   });
   grip.addEventListener('lostpointercapture', keep);
   grip.addEventListener('keydown', (event) => {
@@ -76,13 +76,13 @@ export function addSheet(host, fire) {
 
   const { sheet } = remembered();
   if (typeof sheet === 'number' && sheet > 0) resize(sheet);
-  const watch = new ResizeObserver(look);
-  watch.observe(host);
-  if (fire) watch.observe(fire);
-  look();
+  const sizes = new ResizeObserver(update);
+  sizes.observe(host);
+  if (fire) sizes.observe(fire);
+  update();
 
   return () => {
-    watch.disconnect();
+    sizes.disconnect();
     grip.remove();
     host.classList.remove('hearth-sheet');
     for (const { style } of styled()) style?.removeProperty(HEIGHT);

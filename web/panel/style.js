@@ -4,25 +4,26 @@
  */
 
 /**
- * The sheets that panels brought, and how many use each; a page's own is the page's.
+ * The style sheets that panels have added, with the number of panels that use each. A page's own link is
+ * not among them.
  * @type {WeakMap<HTMLLinkElement, {users: number, styled: Promise<void>}>}
  */
-const brought = new WeakMap();
+const added = new WeakMap();
 
 /**
- * The style sheet beside this file, once for each document or shadow root.
+ * Adds the style sheet beside this file, once for each document or shadow root.
  *
  * @param {HTMLElement} host
- * @returns {{styled: Promise<void>, removeStyle: () => void}} when it is there, or
- *   refused; and what takes it away with the last panel that uses it
+ * @returns {{styled: Promise<void>, removeStyle: () => void}} when it is loaded or refused; and what
+ *   removes it with the last panel that uses it
  */
 export function addStyle(host) {
   const root = host.getRootNode();
-  const place = root instanceof ShadowRoot ? root : document.head;
+  const parent = root instanceof ShadowRoot ? root : document.head;
   const href = new URL('./panel.css', import.meta.url).href;
-  const links = /** @type {HTMLLinkElement[]} */ ([...place.querySelectorAll('link[rel=stylesheet]')]);
-  const link = links.find((one) => one.href === href) ?? bring(place, href);
-  const sheet = brought.get(link);
+  const links = /** @type {HTMLLinkElement[]} */ ([...parent.querySelectorAll('link[rel=stylesheet]')]);
+  const link = links.find((one) => one.href === href) ?? add(parent, href);
+  const sheet = added.get(link);
   if (!sheet) return { styled: Promise.resolve(), removeStyle() {} };
   sheet.users += 1;
   return {
@@ -34,15 +35,15 @@ export function addStyle(host) {
   };
 }
 
-/** @type {(place: Node, href: string) => HTMLLinkElement} */
-function bring(place, href) {
+/** @type {(parent: Node, href: string) => HTMLLinkElement} */
+function add(parent, href) {
   const link = document.createElement('link');
   link.rel = 'stylesheet';
   link.href = href;
   const styled = /** @type {Promise<void>} */ (new Promise((resolve) => {
     link.onload = link.onerror = () => resolve();
   }));
-  brought.set(link, { users: 0, styled });
-  place.appendChild(link);
+  added.set(link, { users: 0, styled });
+  parent.appendChild(link);
   return link;
 }

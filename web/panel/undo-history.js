@@ -6,15 +6,15 @@
  * them. A command that replaces all values, such as a preset or pasted settings, is undone as a
  * whole.
  *
- * The fire answers in order, so a step knows what it changed without a further request. A step that
- * changes all values waits for the steps before it, and the steps after it wait for it.
+ * The fire answers in order, so a step knows what it changed without another request. A step that
+ * changes all values waits for the steps before it, and later steps wait for it.
  */
 
-/** Most steps that are kept. */
-const MOST = 200;
+/** The maximum number of steps. */
+const MAX_STEPS = 200;
 
-/** The number of particles: not set, it follows the quality, and set, it stays. */
-const NUMBER = 'max_particles';
+/** The number of particles: it follows the quality until it is set. */
+const COUNT = 'max_particles';
 
 const MODEL = 'model';
 
@@ -26,20 +26,20 @@ const MODEL = 'model';
  * @typedef {import('../parameters.js').HearthParameters[Id]} Value
  * @typedef {Partial<import('../parameters.js').HearthParameters>} Values
  * @typedef {Pick<HearthFire, 'params' | 'set' | 'restore' | 'exportConfig' | 'importConfig'>} Fire
- *   what an undo history uses of the element
+ *   the part of the element's API that an undo history uses
  *
  * @typedef {object} Step
- * @property {Id} [id]  The parameter, where it is one alone.
- * @property {number} gesture  The press of a key or a button that it began with.
+ * @property {Id} [id]  The parameter of a step that changes one.
+ * @property {number} gesture  The number of the press of a key or a button that began it.
  * @property {Side} before
  * @property {Side} after
  *
  * @typedef {object} Side
- * @property {Values} values  The values, or all of them.
+ * @property {Values} values  The values of the step, or all values.
  * @property {boolean} [named]  Whether the number of particles is set.
- * @property {HearthConfig} [config]  All settings, where all may have changed.
- * @property {Map<ModelName, Values>} [kept]  And what the other models had, where
- *   that was seen: settings hold the values of one model.
+ * @property {HearthConfig} [config]  The settings, if all may have changed.
+ * @property {Map<ModelName, Values>} [kept]  The last known values of the other models: settings hold those
+ *   of one model.
  */
 
 /** The steps of one panel. */
@@ -47,34 +47,34 @@ export class UndoHistory {
   #fire;
   #changed;
   #defaultOf;
-  #homeOf;
-  /** What models had when they were left. @type {Map<ModelName, Values>} */
+  #resetTo;
+  /** The values of each model when another one replaced it. @type {Map<ModelName, Values>} */
   #kept = new Map();
   /** @type {Step[]} */
   #done = [];
   /** @type {Step[]} */
   #undone = [];
   #gesture = 0;
-  /** Values that were asked for and not answered yet. @type {Map<Id, {value: Value | undefined, count: number}>} */
-  #wishes = new Map();
+  /** Values without an answer yet, with the number of calls. @type {Map<Id, {value: Value | undefined, count: number}>} */
+  #pending = new Map();
   /** @type {Set<Promise<unknown>>} */
-  #open = new Set();
-  /** What has to end before anything else begins. @type {Promise<unknown> | undefined} */
+  #running = new Set();
+  /** Settles before any other step begins. @type {Promise<unknown> | undefined} */
   #gate;
 
   /**
    * @param {Fire} fire  The element, or anything with its API.
-   * @param {() => void} changed  Whether there is anything to undo or redo may be another answer now.
-   * @param {(id: Id, model: ModelName) => Value | undefined} defaultOf  Nothing, where the model does not
-   *   use the parameter.
-   * @param {(id: Id, model: ModelName) => Value | undefined} [homeOf]  What a value goes back to, where that
-   *   is not its default.
+   * @param {() => void} changed  `canUndo` or `canRedo` may have changed.
+   * @param {(id: Id, model: ModelName) => Value | undefined} defaultOf  Undefined if the model does not use the
+   *   parameter.
+   * @param {(id: Id, model: ModelName) => Value | undefined} [resetTo]  The value that `restore` sets, if it
+   *   is not the default.
    */
-  constructor(fire, changed, defaultOf, homeOf = defaultOf) {
+  constructor(fire, changed, defaultOf, resetTo = defaultOf) {
     this.#fire = fire;
     this.#changed = changed;
     this.#defaultOf = defaultOf;
-    this.#homeOf = homeOf;
+    this.#resetTo = resetTo;
   }
 
   /** Whether there is a step to undo. */
@@ -82,12 +82,12 @@ export class UndoHistory {
     return this.#done.length > 0;
   }
 
-  /** Whether there is a step to do again. */
+  /** Whether there is a step to redo. */
   get canRedo() {
     return this.#undone.length > 0;
   }
 
-  /** A new gesture begins: the next change is another step. */
+  /** A new gesture begins: the next change is a new step. */
   press() {
     this.#gesture += 1;
   }
@@ -98,30 +98,30 @@ export class UndoHistory {
   }
 
   /**
-   * Puts one parameter back to what it has in the scene.
+   * Resets one parameter to its value in the scene.
    * @param {Id} id
    */
   restore(id) {
-    const target = () => this.#homeOf(id, this.#fire.params[MODEL]);
+    const target = () => this.#resetTo(id, this.#fire.params[MODEL]);
     // The default number of particles follows the quality again.
-    const isUsual = () => target() === this.#defaultOf(id, this.#fire.params[MODEL]);
-    const act = () => (isUsual() ? this.#fire.restore(id) : this.#fire.set(id, /** @type {Value} */ (target())));
-    return this.#one({ id, named: id !== NUMBER || !isUsual(), target, act });
+    const isDefault = () => target() === this.#defaultOf(id, this.#fire.params[MODEL]);
+    const act = () => (isDefault() ? this.#fire.restore(id) : this.#fire.set(id, /** @type {Value} */ (target())));
+    return this.#one({ id, named: id !== COUNT || !isDefault(), target, act });
   }
 
   /**
-   * Does something after which every value may be another one.
+   * Does something that may change every value.
    * @param {() => unknown} act
-   * @param {{anew: boolean}} how  Whether values that it does not name are the defaults after it.
+   * @param {{replaces: boolean}} how  Whether the values that it does not name become the defaults.
    * @returns {Promise<void>}
    */
-  all(act, { anew }) {
+  all(act, { replaces }) {
     const gesture = this.#gesture;
     return this.#alone(async () => {
-      const before = await this.#look();
+      const before = await this.#snapshot();
       await act();
-      if (anew) this.#kept.clear();
-      const after = await this.#look();
+      if (replaces) this.#kept.clear();
+      const after = await this.#snapshot();
       const same = JSON.stringify([before.values, before.config]);
       if (same !== JSON.stringify([after.values, after.config])) {
         this.#record({ gesture, before, after });
@@ -129,12 +129,12 @@ export class UndoHistory {
     });
   }
 
-  /** Takes the last step back; false where there is none. */
+  /** Undoes the last step; false without one. */
   undo() {
     return this.#alone(() => this.#go(this.#done, this.#undone, 'before'));
   }
 
-  /** Does again what was undone last; false where there is nothing. */
+  /** Redoes the step that was undone last; false without one. */
   redo() {
     return this.#alone(() => this.#go(this.#undone, this.#done, 'after'));
   }
@@ -142,8 +142,8 @@ export class UndoHistory {
   /**
    * @typedef {object} Change  Of one value.
    * @property {Id} id
-   * @property {boolean} named  Whether it counts as set from then on.
-   * @property {() => Value | undefined} target  What it will be.
+   * @property {boolean} named  Whether the value counts as set from then on.
+   * @property {() => Value | undefined} target  The new value.
    * @property {() => unknown} act
    */
 
@@ -162,35 +162,35 @@ export class UndoHistory {
     const model = now[MODEL];
     const value = target();
     if (id === MODEL) this.#kept.set(model, now);
-    const wish = this.#wishes.get(id) ?? { value: now[id], count: 0 };
-    const before = { values: { [MODEL]: model, [id]: wish.value } };
+    const pending = this.#pending.get(id) ?? { value: now[id], count: 0 };
+    const before = { values: { [MODEL]: model, [id]: pending.value } };
     const after = { values: { [MODEL]: model, [id]: value }, named };
-    this.#wishes.set(id, { value, count: wish.count + 1 });
-    // Asked before the change and answered before it.
-    const config = id === NUMBER ? this.#fire.exportConfig() : undefined;
-    const answer = this.#opened(Promise.resolve(act()));
+    this.#pending.set(id, { value, count: pending.count + 1 });
+    // The answers are in order, so these are the settings before the change.
+    const config = id === COUNT ? this.#fire.exportConfig() : undefined;
+    const answer = this.#started(Promise.resolve(act()));
     try {
       await answer;
-      const wasNamed = id !== NUMBER || (await config)?.values[NUMBER] !== undefined;
+      const wasNamed = id !== COUNT || (await config)?.values[COUNT] !== undefined;
       this.#record({ id, gesture, before: { ...before, named: wasNamed }, after });
     } finally {
-      const left = this.#wishes.get(id);
+      const left = this.#pending.get(id);
       if (left && left.count > 1) left.count -= 1;
-      else this.#wishes.delete(id);
+      else this.#pending.delete(id);
     }
   }
 
   /** @param {Step} step */
   #record(step) {
     const last = this.#done.at(-1);
-    const goesOn = last && this.#undone.length === 0 && last.gesture === step.gesture
+    const continues = last && this.#undone.length === 0 && last.gesture === step.gesture
       && step.id !== undefined && last.id === step.id;
-    if (goesOn) {
+    if (continues) {
       last.after = step.after;
       if (isSame(last)) this.#done.pop();
     } else if (!isSame(step)) {
       this.#done.push(step);
-      if (this.#done.length > MOST) this.#done.shift();
+      if (this.#done.length > MAX_STEPS) this.#done.shift();
     } else {
       return;
     }
@@ -203,42 +203,42 @@ export class UndoHistory {
     const step = from.pop();
     if (!step) return false;
     try {
-      await this.#put(step[side]);
+      await this.#apply(step[side]);
       to.push(step);
     } finally {
-      // What the fire refuses now it would refuse for ever: such a step is gone.
+      // The fire would refuse a refused step again, so the step is dropped.
       this.#changed();
     }
     return true;
   }
 
   /** @param {Side} side */
-  async #put({ values, named, config, kept }) {
+  async #apply({ values, named, config, kept }) {
     const fire = this.#fire;
     if (config) await fire.importConfig(config);
-    if (kept) await this.#putKept(kept, values[MODEL]);
+    if (kept) await this.#applyKept(kept, values[MODEL]);
     const now = fire.params;
     const moved = values[MODEL] !== now[MODEL];
-    const wanted = { ...values };
+    const changes = { ...values };
     for (const [id, value] of entries(values)) {
-      // The number counts as set or not, whatever it is; the settings have seen to it.
-      const isRight = id === NUMBER ? !named || (config && !moved) : !moved && value === now[id];
-      if (isRight) delete wanted[id];
+      // Settings restore whether the number is set.
+      const isRight = id === COUNT ? !named || (config && !moved) : !moved && value === now[id];
+      if (isRight) delete changes[id];
     }
-    if (Object.keys(wanted).length > 0) await fire.set(wanted);
-    if ((moved || !config) && !named && NUMBER in values) await fire.restore(NUMBER);
+    if (Object.keys(changes).length > 0) await fire.set(changes);
+    if ((moved || !config) && !named && COUNT in values) await fire.restore(COUNT);
   }
 
   /**
-   * Gives models that do not burn what they had, where that was not their defaults.
+   * Restores the values of the models that do not burn, unless they were the defaults.
    * @type {(kept: Map<ModelName, Values>, burning: ModelName | undefined) => Promise<void>}
    */
-  async #putKept(kept, burning) {
+  async #applyKept(kept, burning) {
     this.#kept = new Map(kept);
     for (const [model, values] of kept) {
       const own = entries(values).filter(([id, value]) => {
-        const usual = this.#defaultOf(id, model);
-        return usual !== undefined && value !== usual;
+        const standard = this.#defaultOf(id, model);
+        return standard !== undefined && value !== standard;
       });
       if (model !== burning && own.length > 0) {
         await this.#fire.set({ ...Object.fromEntries(own), [MODEL]: model });
@@ -246,21 +246,21 @@ export class UndoHistory {
     }
   }
 
-  /** All values, and the settings that give them. @returns {Promise<Side>} */
-  async #look() {
+  /** All values, with the settings that restore them. @returns {Promise<Side>} */
+  async #snapshot() {
     const config = await this.#fire.exportConfig();
     const values = this.#fire.params;
-    return { values, named: NUMBER in config.values, config, kept: new Map(this.#kept) };
+    return { values, named: COUNT in config.values, config, kept: new Map(this.#kept) };
   }
 
   /**
-   * Waits for what is under way, then does this, and lets nothing begin meanwhile.
+   * Waits for the running steps, then does something. Later steps wait for it.
    * @template T
    * @param {() => T | Promise<T>} act
    * @returns {Promise<T>}
    */
   #alone(act) {
-    const earlier = [...this.#open, this.#gate];
+    const earlier = [...this.#running, this.#gate];
     const done = Promise.allSettled(earlier).then(act);
     const gate = done.then(() => {}, () => {}).then(() => {
       if (this.#gate === gate) this.#gate = undefined;
@@ -270,13 +270,13 @@ export class UndoHistory {
   }
 
   /**
-   * Counts a promise among those that are under way.
+   * Adds a promise to the running steps.
    * @template T
    * @param {Promise<T>} promise
    */
-  #opened(promise) {
-    this.#open.add(promise);
-    const close = () => this.#open.delete(promise);
+  #started(promise) {
+    this.#running.add(promise);
+    const close = () => this.#running.delete(promise);
     promise.then(close, close);
     return promise;
   }

@@ -11,39 +11,39 @@ export type PresetName = "default" | "bonfire-in-wind" | "campfire" | "candle" |
 export interface HearthParameters {
   /** Another kind of fire. Classic: the paper's equations, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
   model: "classic" | "combustion";
-  /** A taller, brighter flame. Power of the burner: the heat of the fuel that it feeds, for each metre of depth, on top of what its gas carries by being hot; 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
+  /** A taller, brighter flame. Power of the burner per metre of depth: the heat of combustion of its fuel, without the heat of its hot gas. 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
   fuel_power: number;
-  /** A denser, brighter flame. Particles born each second, as long as the source has room and the number of particles allows it. [1/s] Default in classic: 1500, from 50 to 100000. */
+  /** A denser, brighter flame. Particles born per second, limited by the space at the source and by the number of particles. [1/s] Default in classic: 1500, from 50 to 100000. */
   emission_rate: number;
-  /** A wider fire. Width of the source; combustion: of the burner, which is at least four particles wide. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
+  /** A wider fire. Width of the source. In the combustion model it is at least four particles. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
   source_width: number;
-  /** A taller flame. Longest life of a particle; one below the shortest life counts as that. [s] Default in classic: 1.2, from 0.1 to 3. */
+  /** A taller flame. Longest life of a particle, at least the shortest life. [s] Default in classic: 1.2, from 0.1 to 3. */
   lifetime_max: number;
-  /** A livelier, wilder flame. Acceleration by a random field of drifting eddies, which stirs the gas and compresses it nowhere. [m/s²] Default 0, from 0 to 10. */
+  /** A livelier, wilder flame. Acceleration by a random field of drifting eddies, which does not compress the gas. [m/s²] Default 0, from 0 to 10. */
   turbulence: number;
   /** A flame that leans to the right, or below 0 to the left. Speed of the fresh air from left to right. [m/s] Default in combustion: 0, from -3 to 3. */
   wind: number;
   /** Other colours of the fire: those of glowing soot, of gas, of copper or lithium salts, of a ghost, or your own from a cool colour to a hot one. Default "blackbody". */
   palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
-  /** A brighter picture. Exposure in steps that each double the light. [EV] Default 0, from -4 to 4. */
+  /** A brighter picture. Exposure in stops, each of which doubles the light. [EV] Default 0, from -4 to 4. */
   exposure: number;
-  /** A wider shine around bright places. Share of the light that a lens would spread. Default 0.15, from 0 to 0.6. */
+  /** A wider shine around bright places. Share of the light that a lens scatters. Default 0.15, from 0 to 0.6. */
   bloom: number;
-  /** Thicker smoke. How strongly smoke hides what is behind it. Default 0.3, from 0 to 2. */
+  /** Thicker smoke. Opacity of the smoke. Default 0.3, from 0 to 2. */
   smoke_opacity: number;
-  /** More sparks. Embers thrown each second, which the flow carries off. [1/s] Default in combustion: 40, from 0 to 1000. */
+  /** More sparks. Embers emitted per second. The flow carries them. [1/s] Default in combustion: 40, from 0 to 1000. */
   ember_rate: number;
-  /** A wall behind the fire, or none. What the fire burns in front of, in place of the background: the fire lights it. Default "none". */
+  /** A wall behind the fire, in place of the background. The fire lights it. Default "none". */
   backdrop: "none" | "bricks";
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   time_scale: number;
-  /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model fuel is what is left of a particle's life, and soot what makes smoke of it. Default "fire". */
+  /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a colour bar; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model, fuel is the remaining life of a particle, and soot is its smoke. Default "fire". */
   display_mode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
-  /** A fire farther to the right, or below 0 to the left. Place of the middle of the source, all of which stays inside the domain. [m] Default 0, from -3 to 3. */
+  /** A fire farther to the right, or below 0 to the left. Position of the middle of the source, which stays inside the domain. [m] Default 0, from -3 to 3. */
   source_x: number;
-  /** A flame that starts higher above the floor. Height of the source; combustion: of the burner, which stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
+  /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
   source_height: number;
-  /** A flame that shoots up from its source. Upward speed of what leaves the source: of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that shoots up from its source. Upward speed of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   emission_speed: number;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   emission_spread: number;
@@ -57,105 +57,105 @@ export interface HearthParameters {
   maximum_temperature: number;
   /** A shorter flame with a redder top. How fast a particle cools towards the air. [K/s] Default in classic: 900, from 0 to 5000. */
   cooling_rate: number;
-  /** A hotter, whiter flame. Rise of the temperature where fuel and air burn up without a remainder. [K] Default in combustion: 1500, from 600 to 2500. */
+  /** A hotter, whiter flame. Rise of the temperature if all fuel and all air burn. [K] Default in combustion: 1500, from 600 to 2500. */
   flame_rise: number;
   /** A slower fire, whose flame begins higher. Time in which hot fuel with enough oxygen burns down to about a third. [s] Default in combustion: 0.08, from 0.02 to 0.5. */
   burn_time: number;
-  /** A taller flame: its fuel has to rise farther to find air. Parts of air that one part of fuel needs to burn. Default in combustion: 1.5, from 0.5 to 6. */
+  /** A taller flame, because its fuel rises farther to find air. Parts of air that burn one part of fuel. Default in combustion: 1.5, from 0.5 to 6. */
   air_demand: number;
-  /** A longer glow above the flame. Time in which hot soot, which makes a flame glow, burns away to about a third. [s] Default in combustion: 0.25, from 0.05 to 2. */
+  /** A longer glow above the flame. Time in which hot soot, the source of the glow, burns away to about a third. [s] Default in combustion: 0.25, from 0.05 to 2. */
   soot_life: number;
-  /** A shorter flame that fades to red sooner. How fast gas and embers of 1500 K cool by what they radiate; that grows with the fourth power of the temperature. [K/s] Default in combustion: 500, from 0 to 2000. */
+  /** A shorter flame that fades to red sooner. How fast gas and embers of 1500 K cool by radiation, which grows with the fourth power of the temperature. [K/s] Default in combustion: 500, from 0 to 2000. */
   radiative_cooling: number;
-  /** A flame that burns evenly down to its root; with 0 it is brightest at its rim. Oxygen that the fuel brings along; 1 is as much as the air has. Default in combustion: 0.5, from 0 to 1. */
+  /** A flame that burns evenly down to its root; with 0 it is brightest at its rim. Oxygen in the fuel, relative to air. Default in combustion: 0.5, from 0 to 1. */
   source_oxygen: number;
-  /** A brighter root of the flame. Temperature of the gas in the burner, which is always hot enough to burn. [K] Default in combustion: 700, from 500 to 1200. */
+  /** A brighter root of the flame. Temperature of the gas in the burner, which is always above the ignition temperature. [K] Default in combustion: 700, from 500 to 1200. */
   source_temperature: number;
   /** A flame that tears off and goes out more easily. Temperature above which fuel burns where there is oxygen. [K] Default in combustion: 450, from 400 to 900. */
   ignition_temperature: number;
-  /** Fire and smoke, the fire alone, or the smoke alone. What of them is drawn. Default "both". */
+  /** Fire and smoke, the fire alone, or the smoke alone. The visible layers. Default "both". */
   layers: "both" | "fire" | "smoke";
-  /** Finer tongues and wisps. Strength of the fine structure that the gas carries along. Default 1, from 0 to 2. */
+  /** Finer tongues and wisps. Strength of the fine structure that moves with the gas. Default 1, from 0 to 2. */
   detail: number;
-  /** More contrast between bright and dim parts of the fire. How much of a black body's enormous range of brightness is kept. Default 0.35, from 0.15 to 1. */
+  /** More contrast between bright and dim parts of the fire. Exponent that compresses the brightness of a black body. Default 0.35, from 0.15 to 1. */
   luminance_exponent: number;
-  /** Larger, softer particles. Size at which a particle is drawn. [m] Default in classic: 0.04, from 0.01 to 0.1. */
+  /** Larger, softer particles. Drawn size of a particle. [m] Default in classic: 0.04, from 0.01 to 0.1. */
   particle_size: number;
-  /** Colour of the coolest fire, where the palette is the custom one; transparent is black. Default "#8a12ff". */
+  /** Colour of the coolest fire in the custom palette; transparent is black. Default "#8a12ff". */
   cool_colour: string;
-  /** Colour of the hottest fire, where the palette is the custom one; transparent is black. Default "#38e8ff". */
+  /** Colour of the hottest fire in the custom palette; transparent is black. Default "#38e8ff". */
   hot_colour: string;
-  /** Colour behind the fire: `transparent`, so that the page shows through, or a colour. Default "transparent". */
+  /** Colour behind the fire; with `transparent` the page shows through. Default "transparent". */
   background: string;
-  /** A backdrop that shimmers behind the flame. How strongly hot gas bends the view of the backdrop; a page cannot be bent. Default 0.3, from 0 to 1. */
+  /** A backdrop that shimmers behind the flame. How strongly hot gas refracts the view of the backdrop. The page behind the element is not refracted. Default 0.3, from 0 to 1. */
   heat_haze: number;
-  /** Larger, slower swings of the flame. Size of the eddies that turbulence stirs. [m] Default 0.15, from 0.03 to 0.6. */
+  /** Larger, slower swings of the flame. Size of the eddies of the turbulence. [m] Default 0.15, from 0.03 to 0.6. */
   turbulence_scale: number;
-  /** More curls at the edges of the flame. How strongly small eddies are kept spinning that the computation would smear out. Default in combustion: 0, from 0 to 1. */
+  /** More curls at the edges of the flame. How strongly small eddies keep the rotation that the computation would dissipate. Default in combustion: 0, from 0 to 1. */
   vorticity_confinement: number;
-  /** A flame that rises faster. Classic: lift β of gas that is thinner than the air; more of it narrows the fire. Combustion: lift of gas that is hotter than the air; 1 is nature's. Default in combustion: 1, from 0 to 2. Default in classic: 0.12, from 0 to 1. */
+  /** A flame that rises faster. Classic: buoyancy β of gas that is thinner than the air; more of it narrows the fire. Combustion: buoyancy of hot gas; 1 is the physical value. Default in combustion: 1, from 0 to 2. Default in classic: 0.12, from 0 to 1. */
   buoyancy: number;
-  /** A flame whose hot parts rise faster. Lift of gas that is hotter than the air. Default in classic: 0.2, from 0 to 1. */
+  /** A flame whose hot parts rise faster. Buoyancy of gas that is hotter than the air. Default in classic: 0.2, from 0 to 1. */
   thermal_buoyancy: number;
-  /** A taller, quicker flame. Speed at which lift and the resistance of the air, which this model leaves out otherwise, balance. [m/s] Default in classic: 2.5, from 0.5 to 3. */
+  /** A taller, quicker flame. Speed at which buoyancy and the drag of the air balance. [m/s] Default in classic: 2.5, from 0.5 to 3. */
   terminal_speed: number;
-  /** A lazier flame. Weight added to every particle, as if gravity counted a second time. [m/s²] Default in classic: 0, from 0 to 20. */
+  /** A lazier flame. Additional downward acceleration of every particle. [m/s²] Default in classic: 0, from 0 to 20. */
   extra_weight: number;
-  /** A flame that rises faster and flickers more. Acceleration of gravity, as buoyancy feels it; 0 is a fire in free fall. [m/s²] Default 9.81, from 0 to 20. */
+  /** A flame that rises faster and flickers more. Gravitational acceleration in the buoyancy; 0 is a fire in free fall. [m/s²] Default 9.81, from 0 to 20. */
   gravity: number;
   /** A fire that rises a little more slowly. Temperature of the air around the fire. [K] Default 293, from 250 to 350. */
   ambient_temperature: number;
-  /** Classic: a fire that rises a little faster; combustion: a smaller one, for there is more to heat. Density of the air around the fire. [kg/m³] Default 1.2, from 0.5 to 2. */
+  /** Classic: a fire that rises a little faster. Combustion: a smaller fire, because it heats more air. Density of the air around the fire. [kg/m³] Default 1.2, from 0.5 to 2. */
   ambient_density: number;
   /** Larger sparks. Size of an ember. [m] Default in combustion: 0.004, from 0.001 to 0.02. */
   ember_size: number;
   /** Sparks that all fly far. Shortest life of an ember. [s] Default in combustion: 0.5, from 0.1 to 5. */
   ember_life_min: number;
-  /** Sparks of which some fly far. Longest life of an ember; one below the shortest life counts as that. [s] Default in combustion: 2, from 0.1 to 5. */
+  /** Sparks of which some fly far. Longest life of an ember, at least the shortest life. [s] Default in combustion: 2, from 0.1 to 5. */
   ember_life_max: number;
-  /** Smoke that reaches higher. Time in which smoke, soot that has cooled, thins out to about a third. [s] Default in combustion: 1.5, from 0.1 to 10. */
+  /** Smoke that reaches higher. Time in which smoke, which is cold soot, decays to about a third. [s] Default in combustion: 1.5, from 0.1 to 10. */
   smoke_life: number;
-  /** More room beside the fire, seen from farther away. Width of the simulated domain. In the combustion model what leaves on one side comes back in on the other. [m] Default 1.2, from 0.1 to 6. */
+  /** More space beside the fire, in a wider view. Width of the simulated domain. In the combustion model, gas that leaves on one side enters on the other. [m] Default 1.2, from 0.1 to 6. */
   domain_width: number;
-  /** More room above the fire, seen from farther away. Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
+  /** More space above the fire, in a wider view. Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
   domain_height: number;
-  /** Open sides, walls, or sides that lead into each other. What happens at the left and the right edge: particles leave, are held back, or come back in on the other side. The floor holds them back, unless the edges are open; the top is always open. Default in classic: "open". */
+  /** Open sides, walls, or periodic sides. Particles at the left and the right edge leave, are stopped, or enter on the other side. The floor stops them, unless the sides are open; the top is always open. Default in classic: "open". */
   walls: "open" | "solid" | "periodic";
-  /** A fire that fades at the top and the bottom of the picture. How much of the height, at either end, turns gas into fresh air again. 0 closes the domain upon itself; then no wind blows and no gas is lifted, since nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
+  /** A fire that fades at the top and the bottom of the picture. Share of the height, at either end, in which gas becomes fresh air again. With 0 the domain is periodic without fresh air, and has neither wind nor buoyancy, because nothing would stop the gas. Default in combustion: 0.07, from 0 to 0.2. */
   seam: number;
-  /** Another course of the same fire. Start of the random generator: the same seed gives the same fire. Default 1. */
+  /** Another variation of the same fire. Seed of the random generator: the same seed gives the same fire. Default 1. */
   seed: number;
-  /** The same fire, computed less exactly and at less cost. Length of one step; it is divided further where stability asks for it. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
+  /** The same fire at lower cost and accuracy. Length of one step, which is divided further for stability. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
   time_step: number;
-  /** A finer fire that takes more work. Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
+  /** A finer fire that takes more work. Classic: largest number of particles. Combustion: approximate number of particles of air and gas. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
   max_particles: number;
-  /** A smoother, wider fire that takes more work. Smoothing length h: particles feel each other up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
+  /** A smoother, wider fire that takes more work. Smoothing length h: particles interact up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
   smoothing_radius: number;
-  /** A smoother fire that takes more work. Smoothing length h in spacings of the particles: they feel each other up to twice this distance. Default in combustion: 1.5, from 1.3 to 2. */
+  /** A smoother fire that takes more work. Smoothing length h in spacings of the particles, which interact up to twice this distance. Default in combustion: 1.5, from 1.3 to 2. */
   smoothing_ratio: number;
-  /** A wider, coarser fire. Mass of one particle, for each metre of depth. [kg/m] Default in classic: 0.00025, from 0.0001 to 0.002. */
+  /** A wider, coarser fire. Mass of one particle per metre of depth. [kg/m] Default in classic: 0.00025, from 0.0001 to 0.002. */
   particle_mass: number;
   /** A narrower fire. Density at which the gas has no pressure. [kg/m³] Default in classic: 1, from 0.5 to 2. */
   rest_density: number;
-  /** A wider fire. Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound: how hard compressed gas pushes apart. [m²/s²] Default in classic: 0.6, from 0.05 to 6. */
+  /** A wider fire. Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound: how strongly compressed gas expands. [m²/s²] Default in classic: 0.6, from 0.05 to 6. */
   gas_constant: number;
-  /** A more even fire that takes more work. Speed of sound in the simulated gas, far below the real one: more of it keeps the density more even and makes the steps shorter. It grows by itself for fires above 220 kW/m. [m/s] Default in combustion: 6, from 4 to 15. */
+  /** A more even fire that takes more work. Speed of sound in the simulated gas, far below the real one. A higher speed gives a more uniform density and shorter steps. It increases automatically for fires above 220 kW/m. [m/s] Default in combustion: 6, from 4 to 15. */
   stiffness: number;
-  /** A calmer flame. Dynamic viscosity: how strongly neighbours share their motion. [Pa·s] Default in classic: 0.005, from 0 to 0.1. */
+  /** A calmer flame. Dynamic viscosity. [Pa·s] Default in classic: 0.005, from 0 to 0.1. */
   viscosity: number;
-  /** A calmer, smoother flame. Viscosity divided by density: how fast neighbours share their motion. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
+  /** A calmer, smoother flame. Kinematic viscosity: viscosity divided by density. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
   kinematic_viscosity: number;
-  /** A calmer flame with fewer small curls. Viscosity between particles that approach each other and no others: it damps the noise of the particles. Default in combustion: 0.1, from 0.02 to 0.5. */
+  /** A calmer flame with fewer small curls. Viscosity between approaching particles only, which damps the noise of the particles. Default in combustion: 0.1, from 0.02 to 0.5. */
   artificial_viscosity: number;
-  /** A softer flame without small curls. How strongly eddies that are too small to be resolved mix motion, heat and gases: Smagorinsky's constant. Default in combustion: 0.2, from 0 to 0.4. */
+  /** A softer flame without small curls. How strongly unresolved eddies mix momentum, heat and gases: Smagorinsky's constant. Default in combustion: 0.2, from 0 to 0.4. */
   eddy_viscosity: number;
-  /** A softer, blurred flame. How fast heat, fuel, oxygen and soot spread by themselves, without any flow. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
+  /** A softer, blurred flame. Diffusivity of heat, fuel, oxygen and soot. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
   diffusion: number;
-  /** A wider, fuller flame. How far hot gas takes more room: 1 is the ideal gas, 0 the paper's equation of state, in which only density makes pressure. Default in combustion: 0.5, from 0 to 1. */
+  /** A wider, fuller flame. Exponent of the thermal expansion: 1 is the ideal gas, 0 the paper's equation of state, in which pressure depends on density only. Default in combustion: 0.5, from 0 to 1. */
   gas_expansion: number;
-  /** A picture without gaps and clots. How strongly particles are moved from where they cluster to where they are sparse, so that they stay evenly spread. Default in combustion: 1, from 0.2 to 1. */
+  /** A picture without gaps and clumps. How strongly particles are shifted from dense to sparse regions, so that they stay evenly distributed. Default in combustion: 1, from 0.2 to 1. */
   shifting: number;
-  /** Room for faster particles, which only a wild fire needs. Highest speed of a particle: a safety net, not a law. [m/s] Default in classic: 4, from 4 to 8. */
+  /** Faster particles, which only an extreme fire needs. Largest speed of a particle. [m/s] Default in classic: 4, from 4 to 8. */
   speed_limit: number;
   /** The paper's fire, as its equation 1 stands: the kernel with the factor of three dimensions. Default in classic: false. */
   printed_kernel: boolean;
@@ -163,7 +163,7 @@ export interface HearthParameters {
   printed_pressure: boolean;
   /** The paper's fire, as its equation 4 stands: viscosity by the kernel's own Laplacian, which changes sign. Default in classic: false. */
   printed_viscosity: boolean;
-  /** The paper's fire, as its equations 5 and 7 stand: densities of force divided by the mass instead of the density, and no lift by temperature. Default in classic: false. */
+  /** The paper's fire, as its equations 5 and 7 stand: force densities divided by the mass instead of the density, and no thermal buoyancy. Default in classic: false. */
   printed_divisor: boolean;
   /** The paper's fire, as its equation 6 stands: forward Euler, the position moves with the old velocity. Default in classic: false. */
   printed_euler: boolean;
@@ -173,39 +173,39 @@ export interface HearthParameters {
 export interface HearthProperties {
   /** Another kind of fire. Classic: the paper's equations, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns. Default "combustion". */
   model: "classic" | "combustion";
-  /** A taller, brighter flame. Power of the burner: the heat of the fuel that it feeds, for each metre of depth, on top of what its gas carries by being hot; 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
+  /** A taller, brighter flame. Power of the burner per metre of depth: the heat of combustion of its fuel, without the heat of its hot gas. 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
   fuelPower: number;
-  /** A denser, brighter flame. Particles born each second, as long as the source has room and the number of particles allows it. [1/s] Default in classic: 1500, from 50 to 100000. */
+  /** A denser, brighter flame. Particles born per second, limited by the space at the source and by the number of particles. [1/s] Default in classic: 1500, from 50 to 100000. */
   emissionRate: number;
-  /** A wider fire. Width of the source; combustion: of the burner, which is at least four particles wide. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
+  /** A wider fire. Width of the source. In the combustion model it is at least four particles. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
   sourceWidth: number;
-  /** A taller flame. Longest life of a particle; one below the shortest life counts as that. [s] Default in classic: 1.2, from 0.1 to 3. */
+  /** A taller flame. Longest life of a particle, at least the shortest life. [s] Default in classic: 1.2, from 0.1 to 3. */
   lifetimeMax: number;
-  /** A livelier, wilder flame. Acceleration by a random field of drifting eddies, which stirs the gas and compresses it nowhere. [m/s²] Default 0, from 0 to 10. */
+  /** A livelier, wilder flame. Acceleration by a random field of drifting eddies, which does not compress the gas. [m/s²] Default 0, from 0 to 10. */
   turbulence: number;
   /** A flame that leans to the right, or below 0 to the left. Speed of the fresh air from left to right. [m/s] Default in combustion: 0, from -3 to 3. */
   wind: number;
   /** Other colours of the fire: those of glowing soot, of gas, of copper or lithium salts, of a ghost, or your own from a cool colour to a hot one. Default "blackbody". */
   palette: "blackbody" | "gas" | "copper" | "lithium" | "ghost" | "custom";
-  /** A brighter picture. Exposure in steps that each double the light. [EV] Default 0, from -4 to 4. */
+  /** A brighter picture. Exposure in stops, each of which doubles the light. [EV] Default 0, from -4 to 4. */
   exposure: number;
-  /** A wider shine around bright places. Share of the light that a lens would spread. Default 0.15, from 0 to 0.6. */
+  /** A wider shine around bright places. Share of the light that a lens scatters. Default 0.15, from 0 to 0.6. */
   bloom: number;
-  /** Thicker smoke. How strongly smoke hides what is behind it. Default 0.3, from 0 to 2. */
+  /** Thicker smoke. Opacity of the smoke. Default 0.3, from 0 to 2. */
   smokeOpacity: number;
-  /** More sparks. Embers thrown each second, which the flow carries off. [1/s] Default in combustion: 40, from 0 to 1000. */
+  /** More sparks. Embers emitted per second. The flow carries them. [1/s] Default in combustion: 40, from 0 to 1000. */
   emberRate: number;
-  /** A wall behind the fire, or none. What the fire burns in front of, in place of the background: the fire lights it. Default "none". */
+  /** A wall behind the fire, in place of the background. The fire lights it. Default "none". */
   backdrop: "none" | "bricks";
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   timeScale: number;
-  /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a bar that says which colour is how much; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model fuel is what is left of a particle's life, and soot what makes smoke of it. Default "fire". */
+  /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a colour bar; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model, fuel is the remaining life of a particle, and soot is its smoke. Default "fire". */
   displayMode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
-  /** A fire farther to the right, or below 0 to the left. Place of the middle of the source, all of which stays inside the domain. [m] Default 0, from -3 to 3. */
+  /** A fire farther to the right, or below 0 to the left. Position of the middle of the source, which stays inside the domain. [m] Default 0, from -3 to 3. */
   sourceX: number;
-  /** A flame that starts higher above the floor. Height of the source; combustion: of the burner, which stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
+  /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
   sourceHeight: number;
-  /** A flame that shoots up from its source. Upward speed of what leaves the source: of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that shoots up from its source. Upward speed of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   emissionSpeed: number;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   emissionSpread: number;
@@ -219,105 +219,105 @@ export interface HearthProperties {
   maximumTemperature: number;
   /** A shorter flame with a redder top. How fast a particle cools towards the air. [K/s] Default in classic: 900, from 0 to 5000. */
   coolingRate: number;
-  /** A hotter, whiter flame. Rise of the temperature where fuel and air burn up without a remainder. [K] Default in combustion: 1500, from 600 to 2500. */
+  /** A hotter, whiter flame. Rise of the temperature if all fuel and all air burn. [K] Default in combustion: 1500, from 600 to 2500. */
   flameRise: number;
   /** A slower fire, whose flame begins higher. Time in which hot fuel with enough oxygen burns down to about a third. [s] Default in combustion: 0.08, from 0.02 to 0.5. */
   burnTime: number;
-  /** A taller flame: its fuel has to rise farther to find air. Parts of air that one part of fuel needs to burn. Default in combustion: 1.5, from 0.5 to 6. */
+  /** A taller flame, because its fuel rises farther to find air. Parts of air that burn one part of fuel. Default in combustion: 1.5, from 0.5 to 6. */
   airDemand: number;
-  /** A longer glow above the flame. Time in which hot soot, which makes a flame glow, burns away to about a third. [s] Default in combustion: 0.25, from 0.05 to 2. */
+  /** A longer glow above the flame. Time in which hot soot, the source of the glow, burns away to about a third. [s] Default in combustion: 0.25, from 0.05 to 2. */
   sootLife: number;
-  /** A shorter flame that fades to red sooner. How fast gas and embers of 1500 K cool by what they radiate; that grows with the fourth power of the temperature. [K/s] Default in combustion: 500, from 0 to 2000. */
+  /** A shorter flame that fades to red sooner. How fast gas and embers of 1500 K cool by radiation, which grows with the fourth power of the temperature. [K/s] Default in combustion: 500, from 0 to 2000. */
   radiativeCooling: number;
-  /** A flame that burns evenly down to its root; with 0 it is brightest at its rim. Oxygen that the fuel brings along; 1 is as much as the air has. Default in combustion: 0.5, from 0 to 1. */
+  /** A flame that burns evenly down to its root; with 0 it is brightest at its rim. Oxygen in the fuel, relative to air. Default in combustion: 0.5, from 0 to 1. */
   sourceOxygen: number;
-  /** A brighter root of the flame. Temperature of the gas in the burner, which is always hot enough to burn. [K] Default in combustion: 700, from 500 to 1200. */
+  /** A brighter root of the flame. Temperature of the gas in the burner, which is always above the ignition temperature. [K] Default in combustion: 700, from 500 to 1200. */
   sourceTemperature: number;
   /** A flame that tears off and goes out more easily. Temperature above which fuel burns where there is oxygen. [K] Default in combustion: 450, from 400 to 900. */
   ignitionTemperature: number;
-  /** Fire and smoke, the fire alone, or the smoke alone. What of them is drawn. Default "both". */
+  /** Fire and smoke, the fire alone, or the smoke alone. The visible layers. Default "both". */
   layers: "both" | "fire" | "smoke";
-  /** Finer tongues and wisps. Strength of the fine structure that the gas carries along. Default 1, from 0 to 2. */
+  /** Finer tongues and wisps. Strength of the fine structure that moves with the gas. Default 1, from 0 to 2. */
   detail: number;
-  /** More contrast between bright and dim parts of the fire. How much of a black body's enormous range of brightness is kept. Default 0.35, from 0.15 to 1. */
+  /** More contrast between bright and dim parts of the fire. Exponent that compresses the brightness of a black body. Default 0.35, from 0.15 to 1. */
   luminanceExponent: number;
-  /** Larger, softer particles. Size at which a particle is drawn. [m] Default in classic: 0.04, from 0.01 to 0.1. */
+  /** Larger, softer particles. Drawn size of a particle. [m] Default in classic: 0.04, from 0.01 to 0.1. */
   particleSize: number;
-  /** Colour of the coolest fire, where the palette is the custom one; transparent is black. Default "#8a12ff". */
+  /** Colour of the coolest fire in the custom palette; transparent is black. Default "#8a12ff". */
   coolColour: string;
-  /** Colour of the hottest fire, where the palette is the custom one; transparent is black. Default "#38e8ff". */
+  /** Colour of the hottest fire in the custom palette; transparent is black. Default "#38e8ff". */
   hotColour: string;
-  /** Colour behind the fire: `transparent`, so that the page shows through, or a colour. Default "transparent". */
+  /** Colour behind the fire; with `transparent` the page shows through. Default "transparent". */
   background: string;
-  /** A backdrop that shimmers behind the flame. How strongly hot gas bends the view of the backdrop; a page cannot be bent. Default 0.3, from 0 to 1. */
+  /** A backdrop that shimmers behind the flame. How strongly hot gas refracts the view of the backdrop. The page behind the element is not refracted. Default 0.3, from 0 to 1. */
   heatHaze: number;
-  /** Larger, slower swings of the flame. Size of the eddies that turbulence stirs. [m] Default 0.15, from 0.03 to 0.6. */
+  /** Larger, slower swings of the flame. Size of the eddies of the turbulence. [m] Default 0.15, from 0.03 to 0.6. */
   turbulenceScale: number;
-  /** More curls at the edges of the flame. How strongly small eddies are kept spinning that the computation would smear out. Default in combustion: 0, from 0 to 1. */
+  /** More curls at the edges of the flame. How strongly small eddies keep the rotation that the computation would dissipate. Default in combustion: 0, from 0 to 1. */
   vorticityConfinement: number;
-  /** A flame that rises faster. Classic: lift β of gas that is thinner than the air; more of it narrows the fire. Combustion: lift of gas that is hotter than the air; 1 is nature's. Default in combustion: 1, from 0 to 2. Default in classic: 0.12, from 0 to 1. */
+  /** A flame that rises faster. Classic: buoyancy β of gas that is thinner than the air; more of it narrows the fire. Combustion: buoyancy of hot gas; 1 is the physical value. Default in combustion: 1, from 0 to 2. Default in classic: 0.12, from 0 to 1. */
   buoyancy: number;
-  /** A flame whose hot parts rise faster. Lift of gas that is hotter than the air. Default in classic: 0.2, from 0 to 1. */
+  /** A flame whose hot parts rise faster. Buoyancy of gas that is hotter than the air. Default in classic: 0.2, from 0 to 1. */
   thermalBuoyancy: number;
-  /** A taller, quicker flame. Speed at which lift and the resistance of the air, which this model leaves out otherwise, balance. [m/s] Default in classic: 2.5, from 0.5 to 3. */
+  /** A taller, quicker flame. Speed at which buoyancy and the drag of the air balance. [m/s] Default in classic: 2.5, from 0.5 to 3. */
   terminalSpeed: number;
-  /** A lazier flame. Weight added to every particle, as if gravity counted a second time. [m/s²] Default in classic: 0, from 0 to 20. */
+  /** A lazier flame. Additional downward acceleration of every particle. [m/s²] Default in classic: 0, from 0 to 20. */
   extraWeight: number;
-  /** A flame that rises faster and flickers more. Acceleration of gravity, as buoyancy feels it; 0 is a fire in free fall. [m/s²] Default 9.81, from 0 to 20. */
+  /** A flame that rises faster and flickers more. Gravitational acceleration in the buoyancy; 0 is a fire in free fall. [m/s²] Default 9.81, from 0 to 20. */
   gravity: number;
   /** A fire that rises a little more slowly. Temperature of the air around the fire. [K] Default 293, from 250 to 350. */
   ambientTemperature: number;
-  /** Classic: a fire that rises a little faster; combustion: a smaller one, for there is more to heat. Density of the air around the fire. [kg/m³] Default 1.2, from 0.5 to 2. */
+  /** Classic: a fire that rises a little faster. Combustion: a smaller fire, because it heats more air. Density of the air around the fire. [kg/m³] Default 1.2, from 0.5 to 2. */
   ambientDensity: number;
   /** Larger sparks. Size of an ember. [m] Default in combustion: 0.004, from 0.001 to 0.02. */
   emberSize: number;
   /** Sparks that all fly far. Shortest life of an ember. [s] Default in combustion: 0.5, from 0.1 to 5. */
   emberLifeMin: number;
-  /** Sparks of which some fly far. Longest life of an ember; one below the shortest life counts as that. [s] Default in combustion: 2, from 0.1 to 5. */
+  /** Sparks of which some fly far. Longest life of an ember, at least the shortest life. [s] Default in combustion: 2, from 0.1 to 5. */
   emberLifeMax: number;
-  /** Smoke that reaches higher. Time in which smoke, soot that has cooled, thins out to about a third. [s] Default in combustion: 1.5, from 0.1 to 10. */
+  /** Smoke that reaches higher. Time in which smoke, which is cold soot, decays to about a third. [s] Default in combustion: 1.5, from 0.1 to 10. */
   smokeLife: number;
-  /** More room beside the fire, seen from farther away. Width of the simulated domain. In the combustion model what leaves on one side comes back in on the other. [m] Default 1.2, from 0.1 to 6. */
+  /** More space beside the fire, in a wider view. Width of the simulated domain. In the combustion model, gas that leaves on one side enters on the other. [m] Default 1.2, from 0.1 to 6. */
   domainWidth: number;
-  /** More room above the fire, seen from farther away. Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
+  /** More space above the fire, in a wider view. Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
   domainHeight: number;
-  /** Open sides, walls, or sides that lead into each other. What happens at the left and the right edge: particles leave, are held back, or come back in on the other side. The floor holds them back, unless the edges are open; the top is always open. Default in classic: "open". */
+  /** Open sides, walls, or periodic sides. Particles at the left and the right edge leave, are stopped, or enter on the other side. The floor stops them, unless the sides are open; the top is always open. Default in classic: "open". */
   walls: "open" | "solid" | "periodic";
-  /** A fire that fades at the top and the bottom of the picture. How much of the height, at either end, turns gas into fresh air again. 0 closes the domain upon itself; then no wind blows and no gas is lifted, since nothing would ever stop it. Default in combustion: 0.07, from 0 to 0.2. */
+  /** A fire that fades at the top and the bottom of the picture. Share of the height, at either end, in which gas becomes fresh air again. With 0 the domain is periodic without fresh air, and has neither wind nor buoyancy, because nothing would stop the gas. Default in combustion: 0.07, from 0 to 0.2. */
   seam: number;
-  /** Another course of the same fire. Start of the random generator: the same seed gives the same fire. Default 1. */
+  /** Another variation of the same fire. Seed of the random generator: the same seed gives the same fire. Default 1. */
   seed: number;
-  /** The same fire, computed less exactly and at less cost. Length of one step; it is divided further where stability asks for it. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
+  /** The same fire at lower cost and accuracy. Length of one step, which is divided further for stability. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
   timeStep: number;
-  /** A finer fire that takes more work. Classic: most particles alive at one time. Combustion: into about how many particles air and gas are divided. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
+  /** A finer fire that takes more work. Classic: largest number of particles. Combustion: approximate number of particles of air and gas. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
   maxParticles: number;
-  /** A smoother, wider fire that takes more work. Smoothing length h: particles feel each other up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
+  /** A smoother, wider fire that takes more work. Smoothing length h: particles interact up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
   smoothingRadius: number;
-  /** A smoother fire that takes more work. Smoothing length h in spacings of the particles: they feel each other up to twice this distance. Default in combustion: 1.5, from 1.3 to 2. */
+  /** A smoother fire that takes more work. Smoothing length h in spacings of the particles, which interact up to twice this distance. Default in combustion: 1.5, from 1.3 to 2. */
   smoothingRatio: number;
-  /** A wider, coarser fire. Mass of one particle, for each metre of depth. [kg/m] Default in classic: 0.00025, from 0.0001 to 0.002. */
+  /** A wider, coarser fire. Mass of one particle per metre of depth. [kg/m] Default in classic: 0.00025, from 0.0001 to 0.002. */
   particleMass: number;
   /** A narrower fire. Density at which the gas has no pressure. [kg/m³] Default in classic: 1, from 0.5 to 2. */
   restDensity: number;
-  /** A wider fire. Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound: how hard compressed gas pushes apart. [m²/s²] Default in classic: 0.6, from 0.05 to 6. */
+  /** A wider fire. Gas constant k of p = k (ρ − ρ₀), the square of the speed of sound: how strongly compressed gas expands. [m²/s²] Default in classic: 0.6, from 0.05 to 6. */
   gasConstant: number;
-  /** A more even fire that takes more work. Speed of sound in the simulated gas, far below the real one: more of it keeps the density more even and makes the steps shorter. It grows by itself for fires above 220 kW/m. [m/s] Default in combustion: 6, from 4 to 15. */
+  /** A more even fire that takes more work. Speed of sound in the simulated gas, far below the real one. A higher speed gives a more uniform density and shorter steps. It increases automatically for fires above 220 kW/m. [m/s] Default in combustion: 6, from 4 to 15. */
   stiffness: number;
-  /** A calmer flame. Dynamic viscosity: how strongly neighbours share their motion. [Pa·s] Default in classic: 0.005, from 0 to 0.1. */
+  /** A calmer flame. Dynamic viscosity. [Pa·s] Default in classic: 0.005, from 0 to 0.1. */
   viscosity: number;
-  /** A calmer, smoother flame. Viscosity divided by density: how fast neighbours share their motion. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
+  /** A calmer, smoother flame. Kinematic viscosity: viscosity divided by density. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
   kinematicViscosity: number;
-  /** A calmer flame with fewer small curls. Viscosity between particles that approach each other and no others: it damps the noise of the particles. Default in combustion: 0.1, from 0.02 to 0.5. */
+  /** A calmer flame with fewer small curls. Viscosity between approaching particles only, which damps the noise of the particles. Default in combustion: 0.1, from 0.02 to 0.5. */
   artificialViscosity: number;
-  /** A softer flame without small curls. How strongly eddies that are too small to be resolved mix motion, heat and gases: Smagorinsky's constant. Default in combustion: 0.2, from 0 to 0.4. */
+  /** A softer flame without small curls. How strongly unresolved eddies mix momentum, heat and gases: Smagorinsky's constant. Default in combustion: 0.2, from 0 to 0.4. */
   eddyViscosity: number;
-  /** A softer, blurred flame. How fast heat, fuel, oxygen and soot spread by themselves, without any flow. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
+  /** A softer, blurred flame. Diffusivity of heat, fuel, oxygen and soot. [m²/s] Default in combustion: 0.0001, from 0 to 0.01. */
   diffusion: number;
-  /** A wider, fuller flame. How far hot gas takes more room: 1 is the ideal gas, 0 the paper's equation of state, in which only density makes pressure. Default in combustion: 0.5, from 0 to 1. */
+  /** A wider, fuller flame. Exponent of the thermal expansion: 1 is the ideal gas, 0 the paper's equation of state, in which pressure depends on density only. Default in combustion: 0.5, from 0 to 1. */
   gasExpansion: number;
-  /** A picture without gaps and clots. How strongly particles are moved from where they cluster to where they are sparse, so that they stay evenly spread. Default in combustion: 1, from 0.2 to 1. */
+  /** A picture without gaps and clumps. How strongly particles are shifted from dense to sparse regions, so that they stay evenly distributed. Default in combustion: 1, from 0.2 to 1. */
   shifting: number;
-  /** Room for faster particles, which only a wild fire needs. Highest speed of a particle: a safety net, not a law. [m/s] Default in classic: 4, from 4 to 8. */
+  /** Faster particles, which only an extreme fire needs. Largest speed of a particle. [m/s] Default in classic: 4, from 4 to 8. */
   speedLimit: number;
   /** The paper's fire, as its equation 1 stands: the kernel with the factor of three dimensions. Default in classic: false. */
   printedKernel: boolean;
@@ -325,7 +325,7 @@ export interface HearthProperties {
   printedPressure: boolean;
   /** The paper's fire, as its equation 4 stands: viscosity by the kernel's own Laplacian, which changes sign. Default in classic: false. */
   printedViscosity: boolean;
-  /** The paper's fire, as its equations 5 and 7 stand: densities of force divided by the mass instead of the density, and no lift by temperature. Default in classic: false. */
+  /** The paper's fire, as its equations 5 and 7 stand: force densities divided by the mass instead of the density, and no thermal buoyancy. Default in classic: false. */
   printedDivisor: boolean;
   /** The paper's fire, as its equation 6 stands: forward Euler, the position moves with the old velocity. Default in classic: false. */
   printedEuler: boolean;
@@ -336,31 +336,31 @@ export interface HearthSource {
   kind: "source";
   /** A whole number from 1, unique in its scene; without one it gets the next. */
   id?: number;
-  /** A fire farther to the right, or below 0 to the left. Place of the middle of the source, all of which stays inside the domain. [m] Default 0, from -3 to 3. */
+  /** A fire farther to the right, or below 0 to the left. Position of the middle of the source, which stays inside the domain. [m] Default 0, from -3 to 3. */
   x?: number;
-  /** A flame that starts higher above the floor. Height of the source; combustion: of the burner, which stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
+  /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
   y?: number;
-  /** A wider fire. Width of the source; combustion: of the burner, which is at least four particles wide. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
+  /** A wider fire. Width of the source. In the combustion model it is at least four particles. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
   width?: number;
-  /** A taller, brighter flame. Power of the burner: the heat of the fuel that it feeds, for each metre of depth, on top of what its gas carries by being hot; 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
+  /** A taller, brighter flame. Power of the burner per metre of depth: the heat of combustion of its fuel, without the heat of its hot gas. 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
   power?: number;
-  /** A denser, brighter flame. Particles born each second, as long as the source has room and the number of particles allows it. [1/s] Default in classic: 1500, from 50 to 100000. */
+  /** A denser, brighter flame. Particles born per second, limited by the space at the source and by the number of particles. [1/s] Default in classic: 1500, from 50 to 100000. */
   rate?: number;
-  /** A flame that shoots up from its source. Upward speed of what leaves the source: of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that shoots up from its source. Upward speed of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   speed?: number;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   spread?: number;
   /** An uneven flame that flares up here and there. How unevenly the source burns: Perlin noise in place and time. Default in combustion: 0.2, from 0 to 1. Default in classic: 0.5, from 0 to 1. */
   noise?: number;
-  /** A brighter root of the flame. Temperature of the gas in the burner, which is always hot enough to burn. [K] Default in combustion: 700, from 500 to 1200. */
+  /** A brighter root of the flame. Temperature of the gas in the burner, which is always above the ignition temperature. [K] Default in combustion: 700, from 500 to 1200. */
   temperature?: number;
-  /** A flame that burns evenly down to its root; with 0 it is brightest at its rim. Oxygen that the fuel brings along; 1 is as much as the air has. Default in combustion: 0.5, from 0 to 1. */
+  /** A flame that burns evenly down to its root; with 0 it is brightest at its rim. Oxygen in the fuel, relative to air. Default in combustion: 0.5, from 0 to 1. */
   oxygen?: number;
   /** A whiter flame. Temperature of a particle at birth. [K] Default in classic: 1900, from 1000 to 2500. */
   birth_temperature?: number;
   /** A fuller flame, up to its top. Shortest life of a particle. [s] Default in classic: 0.3, from 0.1 to 3. */
   life_min?: number;
-  /** A taller flame. Longest life of a particle; one below the shortest life counts as that. [s] Default in classic: 1.2, from 0.1 to 3. */
+  /** A taller flame. Longest life of a particle, at least the shortest life. [s] Default in classic: 1.2, from 0.1 to 3. */
   life_max?: number;
   /** A flame that ends in a point. How much shorter the lives of particles from the rim of the source are, within the shortest and the longest life. Default in classic: 0.8, from 0 to 1. */
   taper?: number;

@@ -1,15 +1,15 @@
 /**
  * The types of `hearth-fire/sim`: the simulation without a canvas, for Node and
- * browsers. Which parameters there are is generated from the table of parameters:
- * see `parameters.d.ts`.
+ * browsers. The parameters and the properties of objects are generated from the core's
+ * tables: see `parameters.d.ts`.
  */
 
-import type { HearthParameters, ModelName, ParameterId, PresetName } from './parameters.js';
+import type { HearthObject, HearthParameters, ModelName, ParameterId, PresetName } from './parameters.js';
 
-export type { HearthParameters, ModelName, ParameterId, PresetName };
+export type { HearthObject, HearthParameters, ModelName, ParameterId, PresetName };
 
 declare global {
-  /** As newer libraries of TypeScript have it; said here for those that do not. */
+  /** As in newer libraries of TypeScript. */
   interface SymbolConstructor {
     readonly dispose: unique symbol;
   }
@@ -17,17 +17,22 @@ declare global {
 
 /** What a simulation starts with. */
 export interface SimulationOptions {
-  /** Which equations move the particles; `combustion` where nothing is said. */
+  /** The equations that move the particles; by default `combustion`. */
   model?: ModelName;
   /** A named set of values to start from. */
   preset?: PresetName;
-  /** The seed of its chance: the same seed and calls give the same bits, everywhere. */
+  /** The seed of the random generator: the same seed and calls give the same bits everywhere. */
   seed?: number;
   /** Values on top of the preset's. */
   params?: Partial<HearthParameters>;
   /**
-   * Where the wasm file is, if it is not beside the module: a URL, its bytes, or the
-   * compiled module. All simulations share one; the first that loads it decides.
+   * The objects, in place of the one source that the parameters describe. Of a parameter and a
+   * property of the first source, the later one in the options wins.
+   */
+  objects?: HearthObject[];
+  /**
+   * The wasm file, if it is not beside the module: a URL, its bytes, or the compiled module.
+   * All simulations share one: that of the first call.
    */
   wasm?: string | URL | BufferSource | WebAssembly.Module;
 }
@@ -35,7 +40,7 @@ export interface SimulationOptions {
 /** Numbers in an array of any kind. */
 export type Numbers = ArrayLike<number> & (readonly number[] | ArrayBufferView);
 
-/** Every particle, a property an array, in the order of birth. */
+/** All particles, an array a property, in the order of birth. */
 export interface Particles {
   /** Positions [m]: x and y of each; the origin is the middle of the floor, y points up. */
   positions: Float32Array;
@@ -56,15 +61,16 @@ export interface Particles {
 }
 
 /**
- * Particles of your own. All but their positions may be left out, or be one number
- * for all: they are then as in air at rest.
+ * Particles to put in. Each property but the positions may be one number for all particles.
+ * A missing property has its value in air at rest.
  */
 export type OwnParticles = { positions: Numbers } & {
   [Property in Exclude<keyof Particles, 'positions'>]?: Numbers | number;
 };
 
-/** The embers that fly. */
+/** The embers. */
 export interface Embers {
+  /** How many there are. */
   count: number;
   /** Positions [m]: x and y of each. */
   positions: Float32Array;
@@ -80,20 +86,20 @@ export interface Embers {
   lifetimes: Float32Array;
 }
 
-/** A value that was refused. Every value of the same call is refused with it. */
+/** A refused value. A call with a refused value changes nothing. */
 export interface SimulationRangeError extends RangeError {
   id: string;
   value: unknown;
   min?: number;
   max?: number;
-  /** Every refused parameter of the call, this one first. */
+  /** Every refused value of the call, this one first. */
   errors?: { id: string; value: unknown; message: string; min?: number; max?: number }[];
 }
 
 /**
  * A fire, step by step. Arrays are copies, of all particles, in the order of birth.
- * After `free()` everything but `free()` throws. So it does once a simulation has stopped
- * for good, as where no memory is left; what it had then stays taken.
+ * After `free()`, every member but `free()` throws. If memory runs out, the simulation stops:
+ * its members throw, and its memory leaks.
  */
 export interface Simulation {
   /** Simulated time since the start [s]. */
@@ -102,14 +108,20 @@ export interface Simulation {
   readonly count: number;
   /** Power that the burning gave in the last step [kW/m]; 0 in the classic model. */
   readonly power: number;
-  /** Length of a step [s]: in the combustion model, of the last one, which was as long as is stable. */
+  /** Length of a step [s]; in the combustion model, of the last one, the longest stable one. */
   readonly stepLength: number;
-  /** Every value that it burns with. */
+  /** The value of every parameter. */
   readonly params: HearthParameters;
+  /**
+   * The objects: copies, each with its kind, its id and its properties. Setting them replaces
+   * all; `undefined` restores one source.
+   */
+  get objects(): Required<HearthObject>[];
+  set objects(objects: HearthObject[] | undefined | null);
 
-  /** Burns on by so many steps, one where nothing is said, at most 100,000 in a call. */
+  /** Makes this number of steps: one by default, at most 100,000 in a call. */
   step(steps?: number): void;
-  /** Starts again: time zero, the seed's first bits, the same values. */
+  /** Starts again with the same values: time zero, the generator at its seed. */
   reset(): void;
 
   /** The value of one parameter; throws a RangeError for an unknown one. */
@@ -117,13 +129,22 @@ export interface Simulation {
   /** Sets one parameter; throws a {@link SimulationRangeError}. Another seed or model starts again. */
   set<Id extends ParameterId>(id: Id, value: HearthParameters[Id]): void;
   /** Sets all of these or none, the model first; throws a {@link SimulationRangeError}. */
-  set(values: Partial<HearthParameters>): void;
-  /** Puts these, or all, back to their defaults; all: the model as well. */
-  restore(...ids: ParameterId[]): void;
+  set(values: Partial<HearthParameters> & { objects?: HearthObject[] }): void;
+  /** Restores the defaults of these or, without ids, of everything, the model too. */
+  restore(...ids: (ParameterId | 'objects')[]): void;
+  /** Adds an object and returns its id; throws a {@link SimulationRangeError}. */
+  addObject(object: HearthObject): number;
+  /** Sets properties of an object: all of them or none; throws a {@link SimulationRangeError}. */
+  changeObject(id: number, properties: Partial<HearthObject>): void;
+  /**
+   * Removes an object. The next source becomes the first, which the parameters describe; throws
+   * a {@link SimulationRangeError}.
+   */
+  removeObject(id: number): void;
 
   /**
-   * The number by which each particle is known from step to step, rising. Particles that
-   * are put in, or that take over a fire, are numbered from 0 again.
+   * The id of each particle, rising. It stays the same from step to step. The ids of particles
+   * that are put in, or that replace others at a new resolution, start at 0.
    */
   ids(): Float64Array;
   /** Positions [m]: x and y of each; the origin is the middle of the floor, y points up. */
@@ -148,22 +169,22 @@ export interface Simulation {
   soot(): Float32Array;
   /** Fuel burnt in a second [1/s] in the last step; none in the classic model. */
   burnRates(): Float32Array;
-  /** Everything that a particle can be put in with: what `setParticles` takes. */
+  /** All properties that `setParticles` takes. */
   particles(): Particles;
-  /** The embers that fly; none in the classic model. */
+  /** The embers; none in the classic model. */
   embers(): Embers;
 
   /**
-   * Puts these particles in the place of all that there are; throws, and changes
-   * nothing, if one of them cannot be. A RangeError about one has its `index`.
+   * Replaces all particles. Throws and changes nothing if one of them is out of range; the
+   * RangeError has its `index`.
    */
   setParticles(particles: OwnParticles): void;
 
-  /** Gives its memory back. */
+  /** Frees its memory. */
   free(): void;
-  /** The same, for `using`; only where there is `Symbol.dispose`. */
+  /** The same, for `using`, in engines with `Symbol.dispose`. */
   [Symbol.dispose](): void;
 }
 
-/** Makes a simulation: a source about to be lit. Rejects with what is wrong. */
+/** Makes a simulation with its sources lit. Rejects with a {@link SimulationRangeError}. */
 export function createSimulation(options?: SimulationOptions): Promise<Simulation>;

@@ -1,74 +1,63 @@
 /**
- * Hearth's simulation without a canvas, for Node and browsers: make a fire, step
- * it, read its particles, draw them yourself.
+ * Hearth's simulation without a canvas, for Node and browsers: make a fire, step it, read its
+ * particles, draw them yourself.
  *
- * The physics is the element's own, in a wasm module of its own, and the same
- * seed and inputs give the same bits in Node, in every browser and natively.
- * Nothing runs by itself: no clock, no frame, no worker. What is handed over is
- * copied first and what is read is a copy, so no code of yours runs inside of it.
+ * The physics is that of the element, in a separate wasm module. The same seed and inputs give
+ * the same bits in Node, in every browser and natively. Nothing runs by itself: no clock, no
+ * frame, no worker. Arguments and results are copies, so no code of a caller runs in a call.
  *
  * @typedef {import('./sim.js').SimulationOptions} SimulationOptions
  * @typedef {{[id: string]: unknown}} Values
  */
 
-/** Most steps of one call: minutes of work. More is a mistake. */
-const MOST_STEPS = 100_000;
-/** Most particles that wasm takes: more are refused before they are copied. */
-const MOST_PARTICLES = 400_000;
-/** Most fields of an object that is handed over, far more than there are parameters. */
-const MOST_FIELDS = 1000;
+import { PARTICLE, embersOf, numbersOf } from './sim/particles.js';
+import { columns, fields, known, refusal, text, whole, words } from './sim/values.js';
 
-const OPTIONS = ['model', 'preset', 'seed', 'params', 'wasm'];
+/** Most steps of one call: minutes of work. */
+const MAX_STEPS = 100_000;
+/** Largest id of an object. */
+const MAX_ID = 1_000_000;
 
-/**
- * What a particle is made of, in the order in which wasm takes it, and how many
- * numbers that is each.
- */
-const PARTICLE = {
-  positions: 2,
-  velocities: 2,
-  temperatures: 1,
-  ages: 1,
-  lifetimes: 1,
-  fuel: 1,
-  oxygen: 1,
-  soot: 1,
-};
-const PARTICLE_NUMBERS = 10;
-
-/** What an ember is made of, in the order in which wasm gives it. */
-const EMBER = { positions: 2, velocities: 2, temperatures: 1, sizes: 1, ages: 1, lifetimes: 1 };
-const EMBER_NUMBERS = 8;
+const OPTIONS = ['model', 'preset', 'seed', 'params', 'objects', 'wasm'];
 
 /**
- * Makes a simulation: a source about to be lit. Values that are refused reject
- * with a `RangeError`; then there is none.
+ * Makes a simulation with its sources lit. Rejects with a `RangeError` for values out of range.
  * @param {SimulationOptions} [options]
  */
 export async function createSimulation(options = {}) {
-  const { wasm, preset, params, ...own } = optionsOf(options);
-  const values = params === undefined ? [] : fields('params', params);
-  for (const [id, value] of Object.entries(own)) {
+  /** @type {[string, any][]} */
+  const values = [];
+  /** @type {any} */
+  let wasm;
+  /** @type {any} */
+  let preset;
+  for (const [name, value] of fields('options', options)) {
+    known('option', name, OPTIONS);
     if (value === undefined) continue;
-    if (values.some(([other]) => other === id)) {
-      throw new TypeError(`${id} is given twice: as an option and in params`);
-    }
-    values.push([id, value]);
+    if (name === 'wasm') wasm = value;
+    else if (name === 'preset') preset = value;
+    // Of a parameter and an object's property, the later one wins.
+    else if (name === 'params') values.push(...fields(name, value));
+    else values.push([name, value]);
   }
+  const ids = values.map(([id]) => id);
+  const twice = ids.find((id, at) => ids.indexOf(id) !== at);
+  if (twice !== undefined) throw new TypeError(`${twice} is given twice: as an option and in params`);
   if (preset !== undefined) text('preset', preset);
+  const [sent, columnsOfValues] = columns(values);
   const { Fire } = await loaded(wasm);
-  return new Simulation(() => new Fire(preset, ...columns(values)), [['preset', preset], ...values]);
+  return new Simulation(() => new Fire(preset, sent, columnsOfValues), [['preset', preset], ...values]);
 }
 
 /** A fire, step by step. */
 class Simulation {
-  /** @type {any} The simulation in wasm; nothing once it is freed or has stopped. */
+  /** @type {any} The simulation in wasm; undefined once it is freed or has trapped. */
   #fire;
   #gone = 'this simulation was freed';
 
   /**
    * @param {() => any} make
-   * @param {any[][]} values those that it starts with
+   * @param {any[][]} values the values of `make`
    */
   constructor(make, values) {
     this.#fire = this.#guard(make, values);
@@ -94,7 +83,7 @@ class Simulation {
     return this.#use((fire) => fire.stepLength);
   }
 
-  /** Every value that it burns with, by id. */
+  /** The value of every parameter, by id. */
   get params() {
     const values = {};
     this.#use((fire) => fire.get(values));
@@ -102,18 +91,28 @@ class Simulation {
   }
 
   /**
-   * Burns on by so many steps.
+   * The objects: copies, each with its kind, its id and its properties. Setting them replaces
+   * all; `undefined` restores one source.
+   */
+  get objects() {
+    return this.#use((fire) => fire.objects());
+  }
+
+  set objects(objects) {
+    if (objects === undefined || objects === null) this.restore('objects');
+    else this.set({ objects });
+  }
+
+  /**
+   * Makes this number of steps.
    * @param {number} [steps]
    */
   step(steps = 1) {
-    if (!Number.isInteger(steps) || steps < 0 || steps > MOST_STEPS) {
-      const message = `steps = ${words(steps)} is refused: it must be a whole number from 0 to ${MOST_STEPS}`;
-      throw refusal([{ id: 'steps', value: steps, min: 0, max: MOST_STEPS, message }]);
-    }
+    whole('steps', steps, 0, MAX_STEPS);
     this.#use((fire) => fire.step(steps));
   }
 
-  /** Starts again: time zero, the seed's first bits, the same values. */
+  /** Starts again with the same values: time zero, the generator at its seed. */
   reset() {
     this.#use((fire) => fire.reset());
   }
@@ -128,24 +127,53 @@ class Simulation {
     const found = {};
     this.#use((fire) => {
       fire.get(found, id);
-      // An unknown id cannot be restored either, and that error names it.
+      // The error of a restored unknown id names it.
       if (!Object.hasOwn(found, id)) fire.set([id]);
     });
     return found[id];
   }
 
   /**
-   * Sets one parameter, or several: all of them or none.
+   * Sets one parameter, or several and `objects`: all of them or none.
    * @param {string | Values} ids
    * @param {unknown} [value]
    */
   set(ids, value) {
     const values = typeof ids === 'string' ? [[ids, value]] : fields('values', ids);
-    this.#use((fire) => fire.set(...columns(values)), values);
+    const [sent, columnsOfValues] = columns(values);
+    this.#use((fire) => fire.set(sent, columnsOfValues), values);
   }
 
   /**
-   * Puts these parameters back to their defaults; without ids, all, the model too.
+   * Adds an object and returns its id.
+   * @param {Values} object
+   */
+  addObject(object) {
+    return this.#setObject(undefined, fields('object', object));
+  }
+
+  /**
+   * Sets properties of an object: all of them or none.
+   * @param {number} id
+   * @param {Values} properties
+   */
+  changeObject(id, properties) {
+    whole('id', id, 1, MAX_ID);
+    this.#setObject(id, fields('properties', properties));
+  }
+
+  /**
+   * Removes an object. The next source becomes the first, which the parameters describe.
+   * @param {number} id
+   */
+  removeObject(id) {
+    whole('id', id, 1, MAX_ID);
+    this.#setObject(id);
+  }
+
+  /**
+   * Restores the defaults of these parameters or of `objects`; without ids, of everything,
+   * the model too.
    * @param {...string} ids
    */
   restore(...ids) {
@@ -218,65 +246,35 @@ class Simulation {
     return Object.fromEntries(Object.keys(PARTICLE).map((name) => [name, this.#read(name)]));
   }
 
-  /** The embers that fly, an array a property; none in the classic model. */
+  /** The embers, an array a property; none in the classic model. */
   embers() {
-    const numbers = this.#read('embers');
-    const count = numbers.length / EMBER_NUMBERS;
-    /** @type {any} */
-    const embers = { count };
-    let from = 0;
-    for (const [name, width] of Object.entries(EMBER)) {
-      embers[name] = Float32Array.from(
-        { length: count * width },
-        (_, at) => numbers[place(at, width, EMBER_NUMBERS) + from],
-      );
-      from += width;
-    }
-    return embers;
+    return embersOf(this.#read('embers'));
   }
 
   /**
-   * Puts these particles in the place of all that there are, or refuses all of them.
+   * Replaces all particles, or throws and changes nothing.
    * @param {Values} particles
    */
   setParticles(particles) {
-    const given = fields('particles', particles);
-    for (const [name] of given) known('property of particles', name, Object.keys(PARTICLE));
-    const { positions, ...others } = Object.fromEntries(
-      given.filter(([, value]) => value !== undefined),
-    );
-    const count = list('positions', positions).length / 2;
-    if (!Number.isInteger(count)) {
-      throw new RangeError(`positions has ${2 * count} numbers: it must have two for each particle`);
-    }
-    if (count > MOST_PARTICLES) {
-      throw new RangeError(`the particles are refused: there may be ${MOST_PARTICLES} of them at most`);
-    }
-    /** @type {Values} */
-    const values = {
-      positions,
-      velocities: 0,
-      temperatures: this.get('ambient_temperature'),
-      ages: 0,
-      lifetimes: Infinity,
-      fuel: 0,
-      oxygen: 1,
-      soot: 0,
-      ...others,
-    };
-    const numbers = new Float32Array(count * PARTICLE_NUMBERS);
-    let from = 0;
-    for (const [name, width] of Object.entries(PARTICLE)) {
-      fill(numbers, from, name, width, values[name]);
-      from += width;
-    }
+    const numbers = numbersOf(particles, () => this.get('ambient_temperature'));
     this.#use((fire) => fire.setParticles(numbers));
   }
 
-  /** Gives its memory back. Every later call throws; to free it once more does not. */
+  /** Frees its memory. Every later call but `free` throws. */
   free() {
     this.#fire?.free();
     this.#fire = undefined;
+  }
+
+  /**
+   * Adds, changes or, without fields, removes an object.
+   * @param {number | undefined} id
+   * @param {[string, any][]} [values]
+   * @returns {number}
+   */
+  #setObject(id, values) {
+    const [sent, columnsOfValues] = values ? columns(values) : [];
+    return this.#use((fire) => fire.setObject(id, sent, columnsOfValues), values);
   }
 
   /** @param {string} name @returns {Float32Array} */
@@ -287,7 +285,7 @@ class Simulation {
   /**
    * @template T
    * @param {(fire: any) => T} act
-   * @param {any[][]} [values] those that it hands over
+   * @param {any[][]} [values] the values of the call
    * @returns {T}
    */
   #use(act, values) {
@@ -296,8 +294,8 @@ class Simulation {
   }
 
   /**
-   * If wasm traps, only this simulation is half changed. It is abandoned: its memory leaks,
-   * because wasm cannot unwind.
+   * If wasm traps, this simulation is abandoned. Its memory leaks, because wasm cannot unwind;
+   * the other simulations go on.
    * @template T
    * @param {() => T} act
    * @param {any[][]} [values]
@@ -324,12 +322,12 @@ if (Symbol.dispose) {
   });
 }
 
-/** @type {Promise<any>} The wasm module, once somebody has loaded it; until then nothing. */
+/** @type {Promise<any>} The loaded wasm module, or undefined. */
 let module = Promise.resolve();
 
 /**
- * The wasm module: the one that is loaded already, else from `wasm`, else from
- * beside this script. Who fails leaves it to the next to try again.
+ * The wasm module: the loaded one, or that at `wasm`, or the file beside this script. After a
+ * failure, the next call tries again.
  * @param {unknown} wasm
  */
 function loaded(wasm) {
@@ -352,7 +350,7 @@ async function load(wasm) {
     let ready = source;
     if (bytes) ready = await WebAssembly.compile(/** @type {BufferSource} */ (source));
     else if (!compiled) ready = await compiledFrom(source);
-    // The glue would keep another module once it has started it.
+    // The glue cannot replace a module that it has started.
     if (!WebAssembly.Module.exports(ready).some(({ name }) => name === 'fire_new')) {
       throw new TypeError('this is the wasm of something else');
     }
@@ -364,159 +362,22 @@ async function load(wasm) {
 }
 
 /**
- * The module at a URL. Node fetches no `file:`, and reads it instead.
+ * The module at a URL. Node cannot fetch `file:` and reads the file instead.
  * @param {string | URL} url
  */
 async function compiledFrom(url) {
   const base = globalThis.document?.baseURI ?? globalThis.location?.href;
   const { href, protocol } = new URL(url, base);
   if (protocol === 'file:' && /** @type {{process?: {versions?: {node?: string}}}} */ (globalThis).process?.versions?.node) {
-    // Not by its name in quotes: a bundler for browsers would look for it.
+    // A bundler for browsers would resolve a literal name.
     const files = 'node:fs/promises';
     const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ files);
     return WebAssembly.compile(await readFile(new URL(href)));
   }
   const response = await fetch(href);
   if (!response.ok) throw new Error(`${href} answers ${response.status}`);
-  // As it comes in where its type is right, else when it is there.
+  // Streaming needs the right content type.
   return response.headers.get('content-type') === 'application/wasm'
     ? WebAssembly.compileStreaming(response)
     : WebAssembly.compile(await response.arrayBuffer());
-}
-
-/**
- * The options, once each; a name that is none of them is refused.
- * @param {unknown} options
- * @returns {any}
- */
-function optionsOf(options) {
-  const given = fields('options', options);
-  for (const [name] of given) known('option', name, OPTIONS);
-  return Object.fromEntries(given);
-}
-
-/**
- * The fields of a plain object, each read once.
- * @param {string} name  What it is.
- * @param {any} object
- * @returns {[string, any][]}
- */
-function fields(name, object) {
-  let keys;
-  /** @type {any[]} */
-  let values = [];
-  try {
-    keys = isPlain(object) ? Object.keys(object) : undefined;
-    values = (keys ?? []).slice(0, MOST_FIELDS).map((key) => object[key]);
-  } catch (cause) {
-    throw new TypeError(`${name} cannot be read`, { cause });
-  }
-  if (!keys) throw new TypeError(`${name} must be a plain object, not ${words(object)}`);
-  if (keys.length > MOST_FIELDS) {
-    throw new RangeError(`${name} has more than ${MOST_FIELDS} fields`);
-  }
-  return keys.map((key, at) => [key, values[at]]);
-}
-
-/** Whether it is an object of no class, of this realm or another. */
-function isPlain(/** @type {any} */ object) {
-  if (typeof object !== 'object' || object === null || Array.isArray(object)) return false;
-  const prototype = Object.getPrototypeOf(object);
-  return prototype === null || Object.getPrototypeOf(prototype) === null;
-}
-
-/** Ids and values as two arrays, as wasm takes them: an object becomes words for it. */
-function columns(/** @type {any[][]} */ values) {
-  const plain = (/** @type {any} */ value) => (
-    ['string', 'number', 'boolean', 'undefined'].includes(typeof value) ? value : words(value)
-  );
-  return [values.map(([id]) => id), values.map(([, value]) => plain(value))];
-}
-
-/**
- * The error that is thrown for the errors of wasm.
- * @param {any[]} errors
- * @param {any[][]} [values] those that were handed over
- */
-function refusal(errors, values) {
-  // The value is the one that was sent, not wasm's words for it.
-  for (const error of errors) {
-    for (const [id, value] of values ?? []) if (id === error.id) error.value = value;
-  }
-  const [first] = errors;
-  return Object.assign(new RangeError(first.message), first, first.id && { errors });
-}
-
-/**
- * Refuses a name that is not among these.
- * @param {string} what @param {string} name @param {readonly string[]} names
- */
-function known(what, name, names) {
-  if (names.includes(name)) return;
-  throw new TypeError(`there is no ${what} ${words(name)}; there are ${names.join(', ')}`);
-}
-
-/** @param {string} name @param {unknown} value */
-function text(name, value) {
-  if (typeof value !== 'string') throw new TypeError(`${name} must be a text, not ${words(value)}`);
-}
-
-/**
- * The same, if it is an array or a typed array.
- * @param {string} name @param {any} given
- * @returns {any}
- */
-function list(name, given) {
-  const typed = ArrayBuffer.isView(given) && !(given instanceof DataView);
-  if (typed || Array.isArray(given)) return given;
-  throw new TypeError(`${name} must be an array of numbers, not ${words(given)}`);
-}
-
-/**
- * Copies one property of all particles to its place among their numbers.
- * @param {Float32Array} numbers  All numbers of one particle, then of the next.
- * @param {number} from  Where the property stands among those of a particle.
- * @param {string} name @param {number} width
- * @param {any} given  An array, or one number for all.
- */
-function fill(numbers, from, name, width, given) {
-  const count = numbers.length / PARTICLE_NUMBERS;
-  const all = typeof given === 'number';
-  if (!all && list(name, given).length !== count * width) {
-    const each = width === 1 ? 'one' : 'two';
-    throw new RangeError(
-      `${name} has ${given.length} numbers: it must have ${each} for each of ${count} particles`,
-    );
-  }
-  for (let at = 0; at < count * width; at += 1) {
-    const number = all ? given : given[at];
-    if (typeof number !== 'number') {
-      throw new TypeError(`${name}[${at}] must be a number, not ${words(number)}`);
-    }
-    numbers[place(at, width, PARTICLE_NUMBERS) + from] = number;
-  }
-}
-
-/** Where the number `at` of a property stands among those of all, its first one at 0. */
-function place(/** @type {number} */ at, /** @type {number} */ width, /** @type {number} */ all) {
-  return Math.floor(at / width) * all + (at % width);
-}
-
-/** A value in a few words, whatever it is; no code of its own runs. */
-function words(/** @type {unknown} */ value) {
-  switch (typeof value) {
-    case 'string':
-      return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value);
-    case 'number':
-    case 'boolean':
-    case 'undefined':
-      return String(value);
-    case 'object':
-      if (value === null) return 'null';
-      return Array.isArray(value) ? 'an array' : 'an object';
-    case 'bigint':
-      return 'a big integer';
-    default:
-      return `a ${typeof value}`;
-  }
 }

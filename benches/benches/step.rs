@@ -1,4 +1,4 @@
-//! What a step costs natively, with neighbours beside every figure.
+//! The native cost of a step, with neighbours beside every figure.
 //!
 //! `cargo bench -p hearth-benches`
 
@@ -10,8 +10,8 @@ use criterion::{
 };
 use hearth_benches::{Scene, scenes};
 
-/// Steps after which a scene goes back to its start: a block without gravity
-/// would drift apart in the thousands of steps of a run.
+/// Steps after which a scene returns to its initial state: a block without gravity expands in
+/// the thousands of steps of a run.
 const STEPS: u64 = 100;
 
 fn fires(criterion: &mut Criterion) {

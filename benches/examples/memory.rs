@@ -1,8 +1,8 @@
-//! How much memory a fire takes: `memory N` prints
+//! The memory of a fire: `memory N` prints
 //! `Hearth,where=native,N=…,bytes=…` for a block of N particles.
 //!
-//! `unsafe` stands here because counting what is allocated means being the
-//! allocator; every call goes straight on to the system's.
+//! `unsafe` is needed to count allocations in an allocator, which passes every call to the
+//! system's.
 #![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout, System};

@@ -1,8 +1,7 @@
 //! Scenes whose steps are measured, the same natively and in wasm.
 //!
-//! A cost means nothing without its neighbours: every scene can say how many
-//! particles it holds and how many neighbours each has, and both are printed
-//! beside every figure.
+//! The cost of a step depends on the numbers of particles and neighbours. Every scene reports
+//! both, and the benchmarks print them beside every figure.
 
 pub mod peak;
 pub mod scenes;
@@ -10,7 +9,7 @@ pub mod scenes;
 use hearth_core::{Simulation, Vec2};
 use wasm_bindgen::prelude::*;
 
-/// A fire to be measured, and the state that every round of it starts from.
+/// A measured fire, and the initial state of every round.
 #[wasm_bindgen]
 #[derive(Clone)]
 pub struct Scene {
@@ -23,7 +22,7 @@ impl Scene {
     /// A block of the classic model, see [`scenes::block`].
     ///
     /// # Errors
-    /// A number of particles that the model does not take.
+    /// A number of particles out of range.
     pub fn block(count: u32, neighbours: f64) -> Result<Scene, String> {
         scenes::block(count, neighbours).map(Scene::from)
     }
@@ -31,7 +30,7 @@ impl Scene {
     /// A fire of the classic model, see [`scenes::plume`].
     ///
     /// # Errors
-    /// A number of particles that the model does not take.
+    /// A number of particles out of range.
     pub fn plume(count: u32) -> Result<Scene, String> {
         scenes::plume(count).map(Scene::from)
     }
@@ -44,12 +43,12 @@ impl Scene {
         scenes::combustion(max_particles, stiffness).map(Scene::from)
     }
 
-    /// Goes back to the start, so that every round measures the same steps.
+    /// Returns to the initial state, so that every round measures the same steps.
     pub fn rewind(&mut self) {
         self.simulation.clone_from(&self.start);
     }
 
-    /// Burns on by `steps` steps.
+    /// Makes `steps` steps.
     pub fn step(&mut self, steps: u32) {
         for _ in 0..steps {
             self.simulation.step();
@@ -72,12 +71,12 @@ impl Scene {
         self.simulation.report().mean_neighbours
     }
 
-    /// Parts into which the last step was divided.
+    /// Substeps of the last step.
     pub fn substeps(&self) -> u32 {
         self.simulation.report().substeps
     }
 
-    /// Where the particles are, x and y of each \[m\].
+    /// Positions, x and y of each particle \[m\].
     pub fn positions(&self) -> Vec<f32> {
         flat(&self.simulation.positions())
     }

@@ -1,16 +1,16 @@
-//! How fast the machine could reckon if it did nothing else: independent chains
-//! of multiplications and additions on four numbers at once.
+//! Peak floating-point rate of the machine: independent chains of multiplications and additions
+//! on four numbers at once.
 //!
-//! No step of a fire comes near it, but the share of it that one reaches can be
-//! compared between machines, where milliseconds cannot.
+//! The share of the peak that a step reaches is comparable between machines; milliseconds are
+//! not.
 
 use std::hint::black_box;
 
 use glam::Vec4;
 use wasm_bindgen::prelude::*;
 
-/// Chains that do not wait for each other: enough to hide how long one
-/// operation takes, and few enough to stay in the sixteen registers of SSE.
+/// Number of independent chains: enough to hide the latency of an operation, and few enough for
+/// the sixteen registers of SSE.
 const CHAINS: usize = 12;
 
 /// Links of each chain in one round.
@@ -23,12 +23,11 @@ pub fn operations_a_round() -> u32 {
     (CHAINS * LINKS * 2 * 4) as u32
 }
 
-/// Reckons for so many rounds; what it gives keeps a compiler from leaving it out.
+/// Computes a number of rounds. The result prevents dead-code elimination.
 #[wasm_bindgen]
 #[inline(never)]
 pub fn reckon(rounds: u32) -> f32 {
-    // A chain that tends towards one: its numbers grow neither huge nor so tiny
-    // that a processor would be slow with them.
+    // A chain that converges to one, without overflow and slow denormal numbers.
     let factor = Vec4::splat(black_box(0.75));
     let term = Vec4::splat(black_box(0.25));
     let mut chains = [Vec4::ZERO; CHAINS];

@@ -1,4 +1,4 @@
-//! The fires whose steps are measured.
+//! The measured fires.
 
 use hearth_core::params::{Input, Model, Parameters};
 use hearth_core::{Particle, Simulation};
@@ -7,29 +7,27 @@ use hearth_core::{Particle, Simulation};
 /// widest domain.
 pub const SMOOTHING: f64 = 0.012;
 
-/// Density of a block [kg/m³], the greatest: its particles would be lighter than
-/// they may be otherwise.
+/// Density of a block [kg/m³], the largest one, because particles have a minimum mass.
 pub const REST_DENSITY: f64 = 2.0;
 
-/// Length of a block's step \[s\]: short enough to need no division.
+/// Length of a block's step \[s\], short enough for a single substep.
 pub const TIME_STEP: f64 = 1.0 / 480.0;
 
 /// Viscosity of a block [Pa·s].
 pub const VISCOSITY: f64 = 0.001;
 
-/// Neighbours that a particle inside a block has within 2h, as other solvers are
-/// measured.
+/// Neighbours of a particle inside a block within 2h, as in the benchmarks of other solvers.
 pub const NEIGHBOURS: f64 = 20.0;
 
-/// Room around a block, in distances between its particles: it spreads a
-/// little, and whoever left the domain would be missed.
+/// Space around a block, in distances between its particles: it expands slightly, and no
+/// particle may leave the domain.
 const MARGIN: f64 = 6.0;
 
 /// A block of `count` particles at rest, without a source and without gravity,
-/// with so many neighbours a particle: what a step of the classic model costs.
+/// with `neighbours` neighbours per particle: the cost of a step of the classic model.
 ///
 /// # Errors
-/// A number of particles that the model does not take.
+/// A number of particles out of range.
 pub fn block(count: u32, neighbours: f64) -> Result<Simulation, String> {
     let spacing = spacing(neighbours);
     let columns = f64::from(count).sqrt().ceil();
@@ -54,7 +52,7 @@ pub fn block(count: u32, neighbours: f64) -> Result<Simulation, String> {
     simulation
         .set_particles(&particles)
         .map_err(|refused| refused.to_string())?;
-    // One step, so that there is a report and every buffer has grown.
+    // One step, for a report and to grow every buffer.
     simulation.step();
     Ok(simulation)
 }
@@ -91,7 +89,7 @@ pub fn plume(count: u32) -> Result<Simulation, String> {
 }
 
 /// A fire of the combustion model that fills its domain with about so many
-/// particles, after three seconds: it has come to its steady state then.
+/// particles, after three seconds, in its steady state.
 ///
 /// # Errors
 /// A value outside its range.

@@ -16,7 +16,7 @@ use hearth_core::params::Model;
 use hearth_core::preset::PRESETS;
 use hearth_core::random::Random;
 use hearth_core::{Parameters, Simulation};
-use hearth_tests::sweep::{self, Fared};
+use hearth_tests::sweep::{self, Outcome};
 
 /// Simulated time of a scene [s].
 const MINUTE: f64 = 60.0;
@@ -28,11 +28,11 @@ const TOLD: usize = 20;
 /// So many of the corners that lean most on the guards are shown.
 const SHOWN: usize = 12;
 
-/// A corner and how its fire fared.
+/// A corner and its outcome.
 struct Finished {
     corner: u32,
     parameters: Parameters,
-    fared: Fared,
+    outcome: Outcome,
 }
 
 fn main() -> ExitCode {
@@ -48,12 +48,12 @@ fn main() -> ExitCode {
     let mut finished = run(corners, seed);
     let failed = finished
         .iter()
-        .filter(|f| f.fared.fault().is_some())
+        .filter(|f| f.outcome.fault().is_some())
         .count();
-    finished.sort_by(|a, b| b.fared.held.total_cmp(&a.fared.held));
+    finished.sort_by(|a, b| b.outcome.clamped.total_cmp(&a.outcome.clamped));
     println!("\nMost particles at a guard:");
     for f in finished.iter().take(SHOWN) {
-        let share = 100.0 * f.fared.held;
+        let share = 100.0 * f.outcome.clamped;
         println!("{share:6.2} %  {}", sweep::described(&f.parameters));
     }
     println!(
@@ -76,11 +76,11 @@ fn scenes() -> u32 {
         let parameters = preset.parameters();
         let clock = MINUTE / f64::from(parameters.time_scale);
         let start = Instant::now();
-        let fared = sweep::burn(&mut Simulation::new(parameters), MINUTE);
-        let (work, time) = (fared.work / clock, start.elapsed().as_secs_f64() / clock);
-        let (name, held) = (preset.name, 100.0 * fared.held);
-        println!("{name:20}{held:8.3} %{work:12.0}{time:8.3} s");
-        if let Some(fault) = fared.fault() {
+        let outcome = sweep::burn(&mut Simulation::new(parameters), MINUTE);
+        let (work, time) = (outcome.work / clock, start.elapsed().as_secs_f64() / clock);
+        let (name, clamped) = (preset.name, 100.0 * outcome.clamped);
+        println!("{name:20}{clamped:8.3} %{work:12.0}{time:8.3} s");
+        if let Some(fault) = outcome.fault() {
             println!("FAILED {name}: {fault}");
             failed += 1;
         }
@@ -139,11 +139,11 @@ fn visit(corner: u32, seed: u32) -> Finished {
     let mut random = Random::new(mixed);
     let mut random = Random::new(random.bits());
     let parameters = sweep::corner(MODELS[corner as usize % 2], &mut random);
-    let fared = sweep::there_and_back(&parameters, SECONDS);
+    let outcome = sweep::there_and_back(&parameters, SECONDS);
     Finished {
         corner,
         parameters,
-        fared,
+        outcome,
     }
 }
 
@@ -151,7 +151,7 @@ fn visit(corner: u32, seed: u32) -> Finished {
 fn tell(finished: &[Finished], corners: u32) {
     let mut text = String::new();
     if let Some(last) = finished.last()
-        && let Some(fault) = last.fared.fault()
+        && let Some(fault) = last.outcome.fault()
     {
         text = format!(
             "FAILED corner {}: {fault}; {}\n",
@@ -160,10 +160,13 @@ fn tell(finished: &[Finished], corners: u32) {
         );
     }
     if finished.len().is_multiple_of(TOLD) {
-        let worst = finished.iter().map(|f| f.fared.held).fold(0.0, f64::max);
+        let worst = finished
+            .iter()
+            .map(|f| f.outcome.clamped)
+            .fold(0.0, f64::max);
         let failed = finished
             .iter()
-            .filter(|f| f.fared.fault().is_some())
+            .filter(|f| f.outcome.fault().is_some())
             .count();
         text += &format!(
             "{} of {}: {failed} failed, at most {:.2} % at a guard\n",

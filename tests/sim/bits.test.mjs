@@ -1,5 +1,5 @@
 /**
- * Same seed and inputs, same bits: between simulations, and natively.
+ * The same seed and inputs give the same bits, in every simulation and natively.
  */
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -24,7 +24,7 @@ test('the library burns every preset to the same bits as the native program', as
   }
 });
 
-test('the same calls give the same bits, however the steps are divided', async () => {
+test('the same calls give the same bits for any division of the steps', async () => {
   const [first, second] = [await fires(), await fires()];
   for (const [one, other] of first.map((one, at) => [one, second[at]])) {
     one.step(150);
@@ -34,7 +34,7 @@ test('the same calls give the same bits, however the steps are divided', async (
   assert.deepEqual(await burnEverything(createSimulation), await burnEverything(createSimulation));
 });
 
-test('another seed is another fire, and a reset the same one', async () => {
+test('another seed gives another fire, and a reset the same one', async () => {
   for (const model of ['combustion', 'classic']) {
     const [one, other] = await Promise.all(
       [1, 2].map((seed) => createSimulation({ model, seed, params: { max_particles: 1000 } })),
@@ -54,7 +54,7 @@ test('another seed is another fire, and a reset the same one', async () => {
   }
 });
 
-test('many simulations know nothing of each other', async () => {
+test('simulations are independent', async () => {
   const [alone] = await fires();
   alone.step(60);
   const many = await Promise.all(Array.from({ length: 12 }, (_, seed) => (

@@ -1,14 +1,14 @@
 /**
- * A wasm module that may have only so much memory, as on a small device.
+ * A wasm module with limited memory, as on a small device.
  */
 
 const MEMORY_SECTION = 5;
 const PAGE = 65_536;
 
 /**
- * The same module with a largest size of its one memory.
+ * The same module with a maximum size of its memory.
  * @param {Uint8Array} wasm
- * @param {number} most  In bytes.
+ * @param {number} most in bytes
  */
 export function confined(wasm, most) {
   const parts = [wasm.subarray(0, 8)];
@@ -29,7 +29,7 @@ export function confined(wasm, most) {
 }
 
 /**
- * A number as wasm writes it, seven bits a byte, and where it ends.
+ * A number in LEB128, and the index after it.
  * @param {Uint8Array} wasm @param {number} at
  */
 function read(wasm, at) {

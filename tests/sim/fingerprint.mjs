@@ -1,7 +1,6 @@
 /**
- * A whole fire as one number, over every bit of its time, its particles and its
- * embers: the same that `tests/src/lib.rs` makes natively. It runs in Node and on
- * a page.
+ * A hash of every bit of a fire: time, particles and embers. `tests/src/lib.rs` computes the
+ * same hash natively. It runs in Node and on a page.
  */
 
 /**
@@ -29,7 +28,7 @@ export function fingerprint(sim) {
   return hash.toString(16).padStart(16, '0');
 }
 
-/** FNV-1a with 64 bits: any bit that differs changes it. */
+/** FNV-1a with 64 bits. */
 function fnv(/** @type {Uint8Array} */ bytes, hash = 0xcbf29ce484222325n) {
   for (const byte of bytes) {
     hash = BigInt.asUintN(64, (hash ^ BigInt(byte)) * 0x100000001b3n);
@@ -38,8 +37,7 @@ function fnv(/** @type {Uint8Array} */ bytes, hash = 0xcbf29ce484222325n) {
 }
 
 /**
- * What is burnt in Node and on a page, to be the same: everything that the library
- * can do to a fire, in both models.
+ * A run of every method of the library in both models, to compare Node with a page.
  * @param {(options?: object) => Promise<any>} createSimulation
  * @returns {Promise<string[]>} the fingerprint after each part
  */

@@ -1,6 +1,5 @@
 /**
- * The library under test, as the site ships it: `HEARTH_SITE` names the folder of
- * the site, else it is `dist/site`.
+ * The library under test, from the site in the folder `HEARTH_SITE` or `dist/site`.
  */
 import path from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
@@ -13,7 +12,7 @@ export const ROOT = path.resolve(HERE, '../..');
 /** The folder that holds the library. */
 export const WEB = path.join(process.env.HEARTH_SITE ?? path.join(ROOT, 'dist/site'), 'web');
 
-/** A module of the library by its file's name; anew with a `query` of its own. */
+/** A module of the library by its file name; a new instance for each `query`. */
 export function load(name, query = '') {
   return import(pathToFileURL(path.join(WEB, name)).href + query);
 }
@@ -21,7 +20,7 @@ export function load(name, query = '') {
 export const { createSimulation } = await load('sim.js');
 export const { PARAMETERS, PRESETS } = await load('parameters.js');
 
-/** Every array that can be read from a simulation, and how many numbers each particle has in it. */
+/** Every array of a simulation, with the count of numbers per particle. */
 export const ARRAYS = {
   positions: 2,
   velocities: 2,
@@ -37,7 +36,7 @@ export const ARRAYS = {
 };
 
 /**
- * Everything that can be read from a simulation, to be compared bit by bit.
+ * All state that can be read from a simulation, for exact comparison.
  * @param {any} sim
  */
 export function everything(sim) {
@@ -54,7 +53,7 @@ export function everything(sim) {
 }
 
 /**
- * A quick fire of each model, made with these values on top.
+ * A small fire of each model with these values.
  * @param {object} [params]
  */
 export function fires(params = {}) {

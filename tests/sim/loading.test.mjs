@@ -1,5 +1,5 @@
 /**
- * Where the wasm comes from, and where a simulation's memory goes.
+ * Loading of the wasm, and memory of simulations.
  */
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -11,7 +11,7 @@ import { ARRAYS, WEB, fires, load } from './library.mjs';
 
 const FILE = path.join(WEB, 'wasm/hearth-sim_bg.wasm');
 
-test('a simulation that was freed says so, and other ones go on', async () => {
+test('a freed simulation throws, and other ones go on', async () => {
   const [sim, other] = await fires();
   sim.free();
   sim.free();
@@ -30,6 +30,10 @@ test('a simulation that was freed says so, and other ones go on', async () => {
     () => sim.embers(),
     () => sim.particles(),
     () => sim.setParticles({ positions: [] }),
+    () => sim.objects,
+    () => sim.addObject({ kind: 'source' }),
+    () => sim.changeObject(1, {}),
+    () => sim.removeObject(1),
     ...Object.keys(ARRAYS).map((name) => () => sim[name]()),
   ];
   for (const call of calls) assert.throws(call, /this simulation was freed/);
@@ -41,8 +45,8 @@ test('a simulation that was freed says so, and other ones go on', async () => {
   }
 });
 
-test('freeing gives memory back: hundreds of simulations need no more than a few', () => {
-  // In a Node of its own, whose memory nobody else uses.
+test('free releases memory: hundreds of simulations need no more than a few', () => {
+  // A separate process, whose memory no other test uses.
   const script = `
     const { createSimulation } = await import(${JSON.stringify(pathToFileURL(path.join(WEB, 'sim.js')).href)});
     const glue = await import(${JSON.stringify(pathToFileURL(path.join(WEB, 'wasm/hearth-sim.js')).href)});
@@ -64,7 +68,7 @@ test('freeing gives memory back: hundreds of simulations need no more than a few
   assert.equal(after, before);
 });
 
-test('where there is no memory left, one simulation stops, says so, and the others go on', () => {
+test('without memory, one simulation stops with an error, and the others go on', () => {
   const script = `
     import assert from 'node:assert/strict';
     import { readFileSync } from 'node:fs';
@@ -101,13 +105,13 @@ test('where there is no memory left, one simulation stops, says so, and the othe
   assert.equal(printed.trim(), 'done');
 });
 
-test('the wasm may lie elsewhere, as a URL, as bytes or compiled', async () => {
+test('the wasm can be a URL, bytes or a compiled module', async () => {
   const url = pathToFileURL(FILE);
   const bytes = readFileSync(FILE);
   const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length);
   const compiled = await WebAssembly.compile(bytes);
   for (const [at, wasm] of [url, url.href, bytes, buffer, compiled].entries()) {
-    // A module that knows of no wasm yet, and the glue that is shared, which does.
+    // A new script, which has not loaded wasm, with the shared glue, which has.
     const { createSimulation: create } = await load('sim.js', `?${at}`);
     const sim = await create({ wasm, params: { max_particles: 1000 } });
     sim.step();
@@ -116,7 +120,7 @@ test('the wasm may lie elsewhere, as a URL, as bytes or compiled', async () => {
   }
 });
 
-test('wasm that cannot be loaded is refused in words, and the next may try again', () => {
+test('wasm that cannot be loaded is an error, and the next call can try again', () => {
   const script = `
     import assert from 'node:assert/strict';
     const { createSimulation } = await import(${JSON.stringify(pathToFileURL(path.join(WEB, 'sim.js')).href)});

@@ -1,6 +1,6 @@
 /**
- * What a page does with the library in a browser: it burns everything and keeps the
- * fingerprints as `window.prints`, or what went wrong as `window.failure`.
+ * Runs the library on a page, and stores the fingerprints as `window.prints`, or the error as
+ * `window.failure`.
  */
 import { burnEverything } from './fingerprint.mjs';
 

@@ -1,11 +1,11 @@
 /**
- * Particles of one's own: taken as they are, or refused as a whole.
+ * Particles that are put in: exactly, or not at all.
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createSimulation, everything, fires } from './library.mjs';
 
-/** Places of so many particles, evenly spread over the default domain. */
+/** Positions of particles, evenly distributed over the default domain. */
 function lattice(side) {
   return Float32Array.from({ length: 2 * side * side }, (_, at) => {
     const i = Math.floor(at / 2);
@@ -13,7 +13,7 @@ function lattice(side) {
   });
 }
 
-test('what was read is taken back to the last bit', async () => {
+test('particles that are read can be put in again to the last bit', async () => {
   for (const one of await fires()) {
     one.step(150);
     const particles = one.particles();
@@ -29,7 +29,7 @@ test('what was read is taken back to the last bit', async () => {
   }
 });
 
-test('own particles burn on, the same in every simulation', async () => {
+test('particles that are put in burn the same in every simulation', async () => {
   for (const model of ['combustion', 'classic']) {
     const positions = lattice(32);
     const sims = await Promise.all([0, 1].map(() => (
@@ -50,7 +50,7 @@ test('own particles burn on, the same in every simulation', async () => {
   }
 });
 
-test('arrays of every kind are taken, and what is left out is air at rest', async () => {
+test('arrays of every kind are accepted, and missing properties are those of air at rest', async () => {
   const floats = lattice(32);
   for (const positions of [floats, Float64Array.from(floats), Array.from(floats)]) {
     const [sim] = await fires({ ambient_temperature: 280 });
@@ -66,7 +66,7 @@ test('arrays of every kind are taken, and what is left out is air at rest', asyn
   assert.deepEqual([...classic.temperatures()], [900]);
 });
 
-test('bad particles are refused in words, and nothing changes', async () => {
+test('invalid particles are errors and change nothing', async () => {
   const positions = lattice(32);
   const some = (at, value) => Object.assign(new Float32Array(1024).fill(0.5), { [at]: value });
   const own = new Error('mine');
@@ -122,7 +122,7 @@ test('bad particles are refused in words, and nothing changes', async () => {
   }
 });
 
-test('in the combustion model their number has to go with max_particles', async () => {
+test('in the combustion model their number must match max_particles', async () => {
   const [sim] = await fires();
   for (const side of [10, 50]) {
     assert.throws(

@@ -1,11 +1,11 @@
 /**
- * What is read: copies, of every particle, in the order of birth.
+ * Readers: copies of all particles in the order of birth.
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { ARRAYS, PARAMETERS, createSimulation, everything, fires } from './library.mjs';
 
-test('every array has its numbers of every particle, and every number is one', async () => {
+test('every array has finite numbers for every particle', async () => {
   for (const sim of await fires()) {
     sim.step(200);
     assert.ok(sim.count > 100 && sim.time > 0 && sim.stepLength > 0);
@@ -23,7 +23,7 @@ test('every array has its numbers of every particle, and every number is one', a
   }
 });
 
-test('a fire is hot, burns and throws embers; the classic one burns no fuel', async () => {
+test('a fire is hot, burns and emits embers; the classic one burns no fuel', async () => {
   const [combustion, classic] = await fires();
   combustion.step(600);
   assert.ok(combustion.power > 0);
@@ -44,7 +44,7 @@ test('a fire is hot, burns and throws embers; the classic one burns no fuel', as
   assert.ok(classic.oxygen().every((share) => share === 1));
 });
 
-test('particles are in the order of birth, which no step changes', async () => {
+test('particles stay in the order of birth', async () => {
   const [combustion, classic] = await fires();
   classic.step(300);
   const ages = classic.ages();
@@ -67,7 +67,7 @@ test('particles are in the order of birth, which no step changes', async () => {
   assert.equal(jumps.length, 0, 'in a step a particle moves a little, or over an edge');
 });
 
-test('a particle keeps its number while it lives, and nobody else gets it', async () => {
+test('an id belongs to one particle for its life', async () => {
   for (const sim of await fires()) {
     /** Lifetime and number belong together; those of gas are all infinite. */
     const known = new Map();
@@ -87,7 +87,7 @@ test('a particle keeps its number while it lives, and nobody else gets it', asyn
   }
 });
 
-test('what is read is a copy that later steps and other readers leave alone', async () => {
+test('readers return copies that later steps do not change', async () => {
   for (const sim of await fires()) {
     sim.step(100);
     const [kept, changed] = [sim.positions(), sim.positions()];
@@ -104,14 +104,14 @@ test('what is read is a copy that later steps and other readers leave alone', as
   }
 });
 
-test('all parameters are there with their defaults, as the table has them', async () => {
+test('all parameters have the defaults of the table', async () => {
   const sim = await createSimulation();
   const defaults = PARAMETERS.map((one) => [one.id, one.default]);
   assert.deepEqual(sim.params, Object.fromEntries(defaults));
   for (const { id } of PARAMETERS) assert.equal(sim.get(id), sim.params[id]);
 });
 
-test('no steps are no change, and steps are counted', async () => {
+test('zero steps change nothing', async () => {
   for (const sim of await fires()) {
     sim.step(3);
     const before = everything(sim);

@@ -1,11 +1,11 @@
 /**
- * Values: set, read, put back; all or nothing, and refused in words.
+ * Values and objects: set, read and restored, all or none, with errors for invalid ones.
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { PARAMETERS, PRESETS, createSimulation, everything, fires } from './library.mjs';
 
-/** What a call throws, which must be an error of that kind. */
+/** The error of a call, of this class. */
 function thrown(kind, act) {
   try {
     act();
@@ -24,7 +24,7 @@ async function rejected(kind, promise) {
   });
 }
 
-test('values that are set are those that it burns with', async () => {
+test('set values are read back', async () => {
   for (const sim of await fires()) {
     sim.set('gravity', 5);
     sim.set({ ambient_temperature: 280, model: sim.get('model'), turbulence: '1.5' });
@@ -40,19 +40,19 @@ test('values that are set are those that it burns with', async () => {
   }
 });
 
-test('a simulation starts with its preset, the options, and params on top', async () => {
+test('a simulation starts with its preset, options and params', async () => {
   const seed = PRESETS.find((preset) => preset.name === 'seed');
   const sim = await createSimulation({ preset: 'seed', seed: 3, params: { viscosity: 0.02 } });
   const wanted = { ...seed.values, seed: 3, viscosity: 0.02 };
   for (const [id, value] of Object.entries(wanted)) assert.equal(sim.get(id), value, id);
-  // 100 particles are out of the range of the model that it would have without.
+  // 100 particles are out of the range of the default model.
   const classic = await createSimulation({ model: 'classic', params: { emission_rate: 500, max_particles: 100 } });
   assert.deepEqual([classic.get('model'), classic.get('max_particles')], ['classic', 100]);
   const none = await createSimulation({ seed: undefined, params: undefined, preset: undefined });
   assert.deepEqual(none.params, (await createSimulation()).params);
 });
 
-test('a simulation starts with each scene by its name', async () => {
+test('a simulation starts with each scene by name', async () => {
   for (const { name, values } of PRESETS) {
     const sim = await createSimulation({ preset: name });
     for (const [id, value] of Object.entries(values)) assert.equal(sim.get(id), value, `${id} of ${name}`);
@@ -64,7 +64,7 @@ test('a simulation starts with each scene by its name', async () => {
   for (const { name } of PRESETS) assert.ok(message.includes(name), message);
 });
 
-test('every number beyond its range is refused with id, value, min and max', async () => {
+test('every number out of range throws with id, value, min and max', async () => {
   for (const sim of await fires()) {
     const before = everything(sim);
     for (const { id, kind, domains, models } of PARAMETERS) {
@@ -80,7 +80,7 @@ test('every number beyond its range is refused with id, value, min and max', asy
   }
 });
 
-test('what is no value of a parameter is refused by every parameter', async () => {
+test('other values throw for every parameter', async () => {
   const [sim] = await fires();
   const before = everything(sim);
   const strange = [undefined, null, {}, [], [1], () => 1, Symbol('s'), 10n, 'nonsense', new Date(0), new Map()];
@@ -94,7 +94,7 @@ test('what is no value of a parameter is refused by every parameter', async () =
   assert.deepEqual(everything(sim), before);
 });
 
-test('one bad value refuses all, and every one of them is named', async () => {
+test('one invalid value changes nothing, and the error lists all', async () => {
   for (const sim of await fires()) {
     sim.step(50);
     const before = everything(sim);
@@ -109,7 +109,7 @@ test('one bad value refuses all, and every one of them is named', async () => {
   }
 });
 
-test('ids that there are not are refused, whatever an object inherits', async () => {
+test('unknown ids throw, inherited names included', async () => {
   const [sim] = await fires();
   const before = everything(sim);
   for (const id of ['__proto__', 'constructor', 'toString', '', 'Gravity', 'x'.repeat(1e6), '\u{1f525}', '\ud800']) {
@@ -130,7 +130,7 @@ test('ids that there are not are refused, whatever an object inherits', async ()
   assert.deepEqual(everything(sim), before);
 });
 
-test('objects that are no plain data are refused, and what they throw is the cause', async () => {
+test('arguments that are not plain data throw, with their error as the cause', async () => {
   const [sim] = await fires();
   const before = everything(sim);
   const own = new Error('mine');
@@ -143,7 +143,7 @@ test('objects that are no plain data are refused, and what they throw is the cau
   }
   const many = Object.fromEntries(Array.from({ length: 2000 }, (_, at) => [`id${at}`, 1]));
   thrown(RangeError, () => sim.set(many));
-  // A getter that steps while it is read is over before the values count.
+  // A getter runs before the values are set.
   sim.set({ get gravity() { sim.step(5); return 5; } });
   assert.ok(sim.time > before.time);
   assert.equal(sim.get('gravity'), 5);
@@ -163,7 +163,7 @@ test('options are checked as values are', async () => {
     [{ params: { gravty: 1 } }, RangeError, /did you mean "gravity"/],
     [{ params: [] }, TypeError, /params must be a plain object, not an array/],
     [{ params: { seed: 1 }, seed: 1 }, TypeError, /seed is given twice/],
-    [{ sed: 1 }, TypeError, /no option "sed"; there are model, preset, seed, params, wasm/],
+    [{ sed: 1 }, TypeError, /no option "sed"; there are model, preset, seed, params, objects, wasm/],
     [JSON.parse('{"__proto__": {}}'), TypeError, /no option "__proto__"/],
     [null, TypeError, /options must be a plain object, not null/],
     ['classic', TypeError, /options must be a plain object, not "classic"/],
@@ -174,11 +174,127 @@ test('options are checked as values are', async () => {
   }
 });
 
-test('steps are a whole number, and not a huge one', async () => {
+test('the number of steps is an integer with a limit', async () => {
   const [sim] = await fires();
   for (const steps of [-1, 0.5, NaN, Infinity, 1e5 + 1, 2 ** 32, '3', null, 5n, {}]) {
     const error = thrown(RangeError, () => sim.step(steps));
     assert.deepEqual([error.id, error.value, error.min, error.max], ['steps', steps, 0, 1e5]);
   }
   assert.equal(sim.time, 0);
+});
+
+/** A source with these properties. */
+const source = (properties = {}) => ({ kind: 'source', ...properties });
+
+/** The properties of the objects of a simulation that these objects name. */
+const named = (sim, wanted) => sim.objects.map((object, at) => (
+  Object.fromEntries(Object.keys(wanted[at] ?? {}).map((name) => [name, object[name]]))
+));
+
+test('the first source and the parameters are the same values', async () => {
+  const sim = await createSimulation({ params: { source_x: 0.2 } });
+  assert.deepEqual(named(sim, [source({ id: 1, x: 0.2 })]), [source({ id: 1, x: 0.2 })]);
+  sim.changeObject(1, { x: -0.1, power: 50 });
+  assert.deepEqual([sim.get('source_x'), sim.get('fuel_power')], [-0.1, 50]);
+  sim.set('fuel_power', 70);
+  assert.equal(sim.objects[0].power, 70);
+});
+
+test('objects are added, changed, removed, replaced and restored', async () => {
+  const sim = await createSimulation({ params: { max_particles: 1000 } });
+  assert.equal(sim.addObject(source({ x: 0.3, width: 0.1 })), 2);
+  assert.equal(sim.addObject(source({ id: 9 })), 9);
+  sim.step(20);
+  sim.removeObject(1);
+  assert.deepEqual(sim.objects.map(({ id }) => id), [2, 9]);
+  assert.equal(sim.get('source_x'), 0.3);
+  sim.objects = [source({ x: 0.1 }), source({ power: 30 })];
+  assert.deepEqual(sim.objects.map(({ id }) => id), [1, 2]);
+  sim.set({ wind: 1, objects: [source({ y: 0.4 })] });
+  assert.deepEqual([sim.objects.length, sim.get('wind'), sim.get('source_height')], [1, 1, 0.4]);
+  sim.objects = [];
+  assert.deepEqual(sim.objects, []);
+  sim.step(20);
+  sim.restore('objects');
+  assert.deepEqual(sim.objects.map(({ id, y }) => [id, y]), [[1, 0.4]]);
+  sim.objects = undefined;
+  sim.restore();
+  assert.deepEqual(sim.objects, (await createSimulation()).objects);
+});
+
+test('settings of version 1 and 2 start the same fire', async () => {
+  const one = { hearth: 1, preset: 'candle', values: { wind: 0.5, fuel_power: 30, source_x: 0.05 } };
+  const two = { hearth: 2, preset: 'candle', values: { wind: 0.5 }, objects: [source({ power: 30, x: 0.05 })] };
+  const [old, now] = await Promise.all([one, two].map(({ preset, values, objects }) => (
+    createSimulation({ preset, params: values, objects })
+  )));
+  for (const sim of [old, now]) sim.step(20);
+  assert.deepEqual(everything(now), everything(old));
+  assert.deepEqual(now.objects, old.objects);
+});
+
+test('of a parameter and a property of the first source, the later one wins', async () => {
+  const params = { fuel_power: 100 };
+  const objects = [source({ power: 50 })];
+  for (const [options, power] of [[{ params, objects }, 50], [{ objects, params }, 100]]) {
+    assert.equal((await createSimulation(options)).get('fuel_power'), power);
+    const sim = await createSimulation();
+    sim.set(Object.fromEntries(Object.entries(options).flatMap(([name, value]) => (
+      name === 'params' ? Object.entries(value) : [[name, value]]
+    ))));
+    assert.equal(sim.get('fuel_power'), power);
+  }
+});
+
+test('two sources heat the gas where they stand', async () => {
+  for (const model of ['combustion', 'classic']) {
+    const sim = await createSimulation({
+      params: { model, max_particles: 1500 },
+      objects: [source({ x: -0.3, width: 0.2 }), source({ x: 0.3, width: 0.2 })],
+    });
+    while (sim.time < 0.3) sim.step();
+    const positions = sim.positions();
+    const hot = [...sim.temperatures()].map((kelvin, i) => (kelvin > 600 ? positions[2 * i] : 0));
+    assert.ok(hot.some((x) => x < -0.1) && hot.some((x) => x > 0.1), model);
+  }
+});
+
+test('an invalid object changes nothing, and the error names its property', async () => {
+  const sim = await createSimulation();
+  sim.addObject(source({ x: 0.3 }));
+  sim.step(10);
+  const before = [everything(sim), sim.objects];
+  const cases = [
+    [() => sim.addObject({}), 'objects[2].kind', /must be source/],
+    [() => sim.addObject({ kind: 'solid' }), 'objects[2].kind', /"solid"/],
+    [() => sim.addObject(source({ id: 1 })), 'objects[2].id', /no other object/],
+    [() => sim.addObject(source({ pwer: 9 })), 'objects[2].property', /one of x, y, width, power/],
+    [() => sim.changeObject(2, { x: 9 }), 'objects[1].x', /from -3 to 3 m/],
+    [() => sim.changeObject(2, { x: {} }), 'objects[1].x', /an object/],
+    [() => sim.changeObject(7, { x: 0 }), 'id', /id of an object/],
+    [() => sim.removeObject(7), 'id', /id of an object/],
+    [() => sim.set({ wind: 1, objects: [source(), source({ power: -1 })] }), 'objects[1].power', /0 to 600/],
+    [() => sim.set('objects', 5), 'objects', /an array of objects/],
+    [() => sim.set('objects', Array.from({ length: 65 }, source)), 'objects.length', /at most 64/],
+    [() => sim.changeObject(1.5, {}), 'id', /whole number from 1 to 1000000/],
+    [() => sim.removeObject('1'), 'id', /whole number/],
+  ];
+  for (const [act, id, words] of cases) {
+    const error = thrown(RangeError, act);
+    assert.equal(error.id, id);
+    assert.match(error.message, words);
+    assert.equal(error.errors[0].id, id);
+  }
+  const loop = source();
+  loop.objects = [loop];
+  const own = new Error('mine');
+  thrown(RangeError, () => sim.set('objects', [loop]));
+  thrown(RangeError, () => sim.set('objects', Array.from({ length: 2000 }, source)));
+  for (const bad of [[5], [null], [[source()]], [new Map()], new Proxy([], { get() { throw own; } })]) {
+    thrown(TypeError, () => sim.set('objects', bad));
+  }
+  for (const bad of [undefined, null, 5, [], [source()]]) thrown(TypeError, () => sim.addObject(bad));
+  assert.deepEqual([everything(sim), sim.objects], before);
+  assert.match((await rejected(RangeError, createSimulation({ objects: [source({ x: 9 })] }))).message, /objects\[0\].x = 9/);
+  assert.match((await rejected(TypeError, createSimulation({ params: { objects: [] }, objects: [] }))).message, /given twice/);
 });

@@ -7,7 +7,7 @@ use hearth_core::{Parameters, Particle, Simulation, Vec2};
 /// The classic model's defaults with these values changed.
 ///
 /// # Panics
-/// Where the table refuses a value: the test that asks for it is wrong.
+/// If a value is invalid, because the test is wrong.
 pub fn with<'a>(values: impl IntoIterator<Item = (&'a str, Input<'a>)>) -> Parameters {
     changed(Model::Classic, values)
 }
@@ -71,13 +71,13 @@ pub fn burn_on(fire: &mut Simulation, seconds: f64) {
     watch(fire, seconds, |_| ());
 }
 
-/// Burns on for so many simulated seconds and looks after every step.
-pub fn watch(fire: &mut Simulation, seconds: f64, mut look: impl FnMut(&Simulation)) {
+/// Simulates for a time and calls `after_step` after every step.
+pub fn watch(fire: &mut Simulation, seconds: f64, mut after_step: impl FnMut(&Simulation)) {
     // Half a step early is not early: the time is a sum of rounded steps.
     let until = fire.time() + seconds;
     while fire.time() + 0.5 * fire.step_length() < until {
         fire.step();
-        look(fire);
+        after_step(fire);
     }
 }
 

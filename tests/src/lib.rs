@@ -60,7 +60,7 @@ fn fingerprint_of(mut simulation: Simulation, steps: u32) -> u64 {
 }
 
 /// The fingerprint of every preset, and of fires that take the ways that no
-/// preset takes, a line each: what one platform tells another for comparison.
+/// preset takes, a line each: for comparison between platforms.
 pub fn fingerprints() -> String {
     let presets = PRESETS
         .iter()

@@ -1,16 +1,14 @@
-//! A plain solver of both models: what the fast one is held against.
+//! A plain solver of both models, the reference for the fast one.
 //!
-//! It reckons the equations of `docs/physics.md` as they stand there, in double
-//! precision. Every particle is compared with every other one, and feels it by itself:
-//! no grid, no lanes, no pair whose force is taken for both of its ends. Of
-//! hearth-core it knows the parameters and the particles, and nothing else.
+//! It computes the equations of `docs/physics.md` literally, in double
+//! precision. It compares every particle with every other one and computes every force
+//! separately: it has no grid, no lanes and no symmetric pairs. Of hearth-core it uses only the
+//! parameters and the particles.
 //!
-//! What nobody needs for that is left out: births, embers, turbulence and the noise
-//! of the emission.
+//! It has no births, embers, turbulence and emission noise.
 //!
-//! The fast solver reckons in single precision, so the two differ by rounding. How
-//! much that may be, a [`Sum`] tells: rounding is a share of the terms that were summed,
-//! however well they cancel.
+//! The fast solver computes in single precision, so the two differ by rounding. A [`Sum`] bounds
+//! the difference: rounding is a share of the summed terms, even if they cancel.
 
 mod classic;
 mod combustion;
@@ -154,7 +152,7 @@ struct Neighbour {
 }
 
 impl Domain {
-    /// What each particle has around it within `reach` or just beyond: all others, and
+    /// What each particle has neighbours_of it within `reach` or just beyond: all others, and
     /// all images beyond a periodic edge, its own too.
     fn neighbours(&self, particles: &[Plain], reach: f64) -> Vec<Vec<Neighbour>> {
         let reach = (1.0 + RIM) * reach;
@@ -162,12 +160,12 @@ impl Domain {
             let shifts = if repeats { -1..=1 } else { 0..=0 };
             shifts.map(move |n| f64::from(n) * length)
         };
-        let around = |i: usize| {
+        let neighbours_of = |i: usize| {
             let mut found = Vec::new();
             for (j, other) in particles.iter().enumerate() {
                 let offset = particles[i].position.value - other.position.value;
                 for x in images(self.across, self.width) {
-                    // Most are too far away: no need to look at their images above.
+                    // Most are too far away, and so are their images above.
                     if (offset.x - x).abs() >= reach {
                         continue;
                     }
@@ -182,7 +180,7 @@ impl Domain {
             }
             found
         };
-        (0..particles.len()).map(around).collect()
+        (0..particles.len()).map(neighbours_of).collect()
     }
 
     /// How many there are of these.
@@ -287,7 +285,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_sum_knows_what_has_cancelled() {
+    fn a_sum_accounts_for_cancellation() {
         let mut sum = Sum::new(3.0);
         sum.add(-3.0);
         assert_eq!((sum.value, sum.size), (0.0, 6.0));
@@ -296,7 +294,7 @@ mod tests {
     }
 
     #[test]
-    fn the_fast_kernel_is_this_one() {
+    fn the_fast_kernel_is_the_same() {
         for h in [0.01, 0.05] {
             let (plain, fast) = (Kernel::new(h), hearth_core::kernel::Kernel::new(h as f32));
             let height = plain.value(0.0);
@@ -311,7 +309,7 @@ mod tests {
     }
 
     #[test]
-    fn an_image_beyond_a_corner_is_a_neighbour_and_so_is_an_image_of_oneself() {
+    fn images_beyond_corners_and_of_the_particle_itself_are_neighbours() {
         let domain = Domain {
             width: 0.3,
             height: 0.2,

@@ -1,8 +1,8 @@
-//! The ranges hold: what a fire must do at whatever corner its sliders stand.
+//! The stability of a fire at the corners of the parameter ranges.
 //!
 //! A corner has every parameter that moves particles at one end of its range.
-//! There the fire stays finite, stays inside, and is not held together by a
-//! guard; back at the defaults it recovers. `tests/tests/corners.rs` asks this of a
+//! There the fire stays finite, stays inside, and is not clamped by a
+//! guard; back at the defaults it recovers. `tests/tests/corners.rs` tests this with a
 //! sample of corners, `cargo xtask soak` of hundreds.
 
 use std::fmt::Write as _;
@@ -12,7 +12,7 @@ use hearth_core::random::Random;
 use hearth_core::{Parameters, Particle, Simulation, Vec2};
 
 /// Share of all steps of all particles that a guard may hold.
-pub const MOST_HELD: f64 = 0.05;
+pub const MAX_CLAMPED: f64 = 0.05;
 
 /// Simulated time after which a fire that was driven to a corner burns as ever
 /// again \[s\]: in the classic model the longest life there is, in the combustion
@@ -67,8 +67,8 @@ pub fn end(model: Model, param: &Param, upper: bool) -> f64 {
 /// it is quick.
 pub fn usual(model: Model) -> Parameters {
     let mut parameters = Parameters::new(model);
-    let least = Input::Number(PARTICLES.0);
-    set(&mut parameters, "max_particles", least);
+    let min = Input::Number(PARTICLES.0);
+    set(&mut parameters, "max_particles", min);
     parameters
 }
 
@@ -111,56 +111,56 @@ fn set(parameters: &mut Parameters, id: &str, input: Input<'_>) {
     }
 }
 
-/// How a fire fared.
+/// The outcome of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Fared {
-    /// Share of all steps of all particles that a guard held.
-    pub held: f64,
-    /// The part of it that the guard of the speed held.
-    pub held_back: f64,
+pub struct Outcome {
+    /// Share of particles and steps that a limit clamped.
+    pub clamped: f64,
+    /// The part of it that is due to the speed limit.
+    pub speed_limited: f64,
     /// Work that it took, in steps of particles.
     pub work: f64,
     /// What broke, if anything did.
     pub broken: Option<String>,
 }
 
-impl Fared {
+impl Outcome {
     /// What is wrong, if anything is.
     pub fn fault(&self) -> Option<String> {
-        let [all, speed] = [self.held, self.held_back].map(|share| 100.0 * share);
-        let held =
+        let [all, speed] = [self.clamped, self.speed_limited].map(|share| 100.0 * share);
+        let clamped =
             || format!("guards hold {all:.1} % of the particles, that of speed {speed:.1} %");
         self.broken
             .clone()
-            .or_else(|| (self.held >= MOST_HELD).then(held))
+            .or_else(|| (self.clamped >= MAX_CLAMPED).then(clamped))
     }
 }
 
 /// Burns `seconds` at these values, then returns to the defaults and looks
 /// whether it recovers.
-pub fn there_and_back(parameters: &Parameters, seconds: f64) -> Fared {
+pub fn there_and_back(parameters: &Parameters, seconds: f64) -> Outcome {
     let model = parameters.model();
     let mut fire = Simulation::new(parameters.clone());
-    let mut fared = burn(&mut fire, seconds);
-    if fared.broken.is_none() {
+    let mut outcome = burn(&mut fire, seconds);
+    if outcome.broken.is_none() {
         fire.set_parameters(usual(model));
-        fared.broken = recovers(&mut fire).map(|fault| format!("afterwards, {fault}"));
+        outcome.broken = recovers(&mut fire).map(|fault| format!("afterwards, {fault}"));
     }
-    fared
+    outcome
 }
 
-/// Burns so long and looks whether all is well.
-pub fn burn(fire: &mut Simulation, seconds: f64) -> Fared {
+/// Simulates for a time and checks every step.
+pub fn burn(fire: &mut Simulation, seconds: f64) -> Outcome {
     let until = fire.time() + seconds;
-    let (mut steps, mut held, mut held_back, mut moved) = (0_u32, 0.0, 0.0, 0.0);
+    let (mut steps, mut clamped, mut speed_limited, mut moved) = (0_u32, 0.0, 0.0, 0.0);
     let mut work = 0.0;
     let mut broken = None;
     while fire.time() < until && broken.is_none() {
         fire.step();
         steps += 1;
         let report = fire.report();
-        held += f64::from(report.clamped);
-        held_back += f64::from(report.speed_limited);
+        clamped += f64::from(report.clamped);
+        speed_limited += f64::from(report.speed_limited);
         moved += fire.count() as f64;
         // The classic model divides a step.
         work += fire.count() as f64 * f64::from(report.substeps);
@@ -172,9 +172,9 @@ pub fn burn(fire: &mut Simulation, seconds: f64) -> Fared {
         }
     }
     let moved = f64::max(moved, 1.0);
-    Fared {
-        held: held / moved,
-        held_back: held_back / moved,
+    Outcome {
+        clamped: clamped / moved,
+        speed_limited: speed_limited / moved,
         work,
         broken: broken.or_else(|| fault(fire)),
     }
@@ -196,26 +196,26 @@ fn fault(fire: &Simulation) -> Option<String> {
         } = particle;
         let numbers = [x, y, temperature, fuel, oxygen, soot];
         let share = -1e-6..=1.0 + 1e-6;
-        let sane = temperature > 0.0
+        let valid = temperature > 0.0
             && soot >= 0.0
             && share.contains(&fuel)
             && share.contains(&oxygen)
             && numbers.iter().all(|number| number.is_finite());
         // A position that is no number is not inside.
-        if !sane || !inside(particle.position) {
+        if !valid || !inside(particle.position) {
             return Some(format!("there is {particle:?}"));
         }
     }
     for ember in fire.embers() {
         let [x, y] = ember.velocity.to_array();
-        let sane = [x, y, ember.temperature].iter().all(|n| n.is_finite());
-        if !sane || !inside(ember.position) {
+        let valid = [x, y, ember.temperature].iter().all(|n| n.is_finite());
+        if !valid || !inside(ember.position) {
             return Some(format!("there is {ember:?}"));
         }
     }
     let report = fire.report();
-    let sane = report.power.is_finite() && report.power >= 0.0 && fire.time().is_finite();
-    (!sane).then(|| format!("there is {report:?}"))
+    let valid = report.power.is_finite() && report.power >= 0.0 && fire.time().is_finite();
+    (!valid).then(|| format!("there is {report:?}"))
 }
 
 /// What is wrong with a fire that has the defaults again, a while later.
@@ -225,20 +225,20 @@ fn recovers(fire: &mut Simulation) -> Option<String> {
         return Some(fault);
     }
     let from = fire.time();
-    let (mut energy, mut particle_seconds, mut held) = (0.0, 0.0, 0);
+    let (mut energy, mut particle_seconds, mut clamped) = (0.0, 0.0, 0);
     while fire.time() < from + LOOKED_AT {
         let before = fire.time();
         fire.step();
         let length = fire.time() - before;
         energy += f64::from(fire.report().power) * length;
         particle_seconds += fire.count() as f64 * length;
-        held += fire.report().clamped;
+        clamped += fire.report().clamped;
     }
     if let Some(fault) = fault(fire) {
         return Some(fault);
     }
-    if held > 0 {
-        return Some(format!("guards still hold particles, {held} times"));
+    if clamped > 0 {
+        return Some(format!("limits still clamp particles, {clamped} times"));
     }
     let (power, count) = (energy / LOOKED_AT, particle_seconds / LOOKED_AT);
     let asked = f64::from(fire.parameters().fuel_power);

@@ -1,12 +1,12 @@
-//! What a physicist asks of the fire, as executable cases.
+//! Physical validation of the fire, as executable cases.
 //!
 //! A [`Case`] runs the simulation through its public interface, measures, and
 //! gives [`Row`]s: what theory expects, how far off it may be, and what came
-//! out. Expected values and tolerances stand in the cases and nowhere else. The
+//! out. The cases alone state expected values and tolerances. The
 //! quick cases run in `tests/tests/validation.rs`, all of them in
 //! `cargo xtask validate`, which writes `docs/evaluation.md`.
 //!
-//! A tolerance is never loosened. A row that cannot be reached stands in
+//! A tolerance is never loosened. A row that cannot be reached is in
 //! [`not_reached`], with what was measured and why.
 
 mod boxes;

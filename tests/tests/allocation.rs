@@ -1,8 +1,7 @@
 //! A warm fire allocates nothing: neither a step nor the copies for the renderer.
 //!
-//! `unsafe` stands here because counting allocations means being the allocator;
-//! every call goes straight on to the system's. The file holds one test, since
-//! the count is the whole process's.
+//! `unsafe` is needed to count allocations in an allocator, which passes every call to the
+//! system's. The file has one test, because the count is that of the process.
 #![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout, System};

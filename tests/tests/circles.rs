@@ -1,14 +1,13 @@
-//! No circle between the files of a crate: what a file `use`s never leads back to it.
+//! The `use` declarations between the files of a crate form no circle.
 //!
-//! Parents declare their children with `mod`, which is no use. Unit tests may use
-//! whatever they like.
+//! A `mod` declaration of a parent is not a use. Unit tests may use any file.
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-/// Files that are in a circle still, to be taken off this list with their circle.
+/// Files that are still in a circle. A fix of the circle removes them.
 const KNOWN: &[&str] = &[
     "crates/hearth-engine/src/average.rs",
     "crates/hearth-engine/src/config.rs",
@@ -49,7 +48,7 @@ fn code(file: &Path) -> io::Result<String> {
     Ok(code.collect::<Vec<_>>().join("\n"))
 }
 
-/// Every path that a `use` of these sources names, and whether it is public.
+/// Every path in a `use` of these sources, and whether it is public.
 fn uses(code: &str) -> Vec<(bool, String)> {
     let mut found = Vec::new();
     for statement in code.split(';') {
@@ -78,7 +77,7 @@ fn uses(code: &str) -> Vec<(bool, String)> {
     found
 }
 
-/// The paths of a tree of uses.
+/// The paths of a use tree.
 fn expand(prefix: &str, tree: &str, paths: &mut Vec<String>) {
     let tree = tree.trim();
     let Some((head, rest)) = tree.split_once('{') else {
@@ -104,7 +103,7 @@ fn expand(prefix: &str, tree: &str, paths: &mut Vec<String>) {
     }
 }
 
-/// The module path that a use in `module` means, from the root.
+/// The absolute module path of a use in `module`.
 fn absolute(module: &str, path: &str, modules: &Modules) -> Option<String> {
     let mut base: Vec<&str> = module.split("::").filter(|part| !part.is_empty()).collect();
     let mut parts = path.split("::").peekable();
@@ -129,7 +128,7 @@ fn absolute(module: &str, path: &str, modules: &Modules) -> Option<String> {
     Some(base.join("::"))
 }
 
-/// The module whose file holds what this path names, through what the root exports.
+/// The module that defines a path, resolved through the exports of the root.
 fn target<'a>(path: &str, modules: &'a Modules, exports: &BTreeMap<String, String>) -> &'a str {
     let path = exports.get(path).map_or(path, String::as_str);
     let mut path = path.to_owned();
@@ -186,7 +185,7 @@ fn circles(source: &Path) -> io::Result<BTreeSet<PathBuf>> {
 }
 
 #[test]
-fn no_file_uses_what_leads_back_to_it() {
+fn no_file_is_in_a_circle_of_uses() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let crates = fs::read_dir(root.join("crates")).expect("the crates");
     let mut found = Vec::new();
@@ -204,7 +203,7 @@ fn no_file_uses_what_leads_back_to_it() {
 }
 
 #[test]
-fn a_circle_is_found_through_braces_parents_and_the_root() {
+fn circles_through_braces_parents_and_the_root_are_found() {
     let folder = std::env::temp_dir().join(format!("hearth-circles-{}", std::process::id()));
     let write = |name: &str, text: &str| {
         let file = folder.join(name);

@@ -33,7 +33,7 @@ fn in_and_out(gas: &Simulation, began: &[Vec2], figure: &[f32]) -> (f64, f64) {
 }
 
 #[test]
-fn hot_gas_is_thinner_as_far_as_it_expands() {
+fn hot_gas_is_thinner_by_its_expansion() {
     for (expansion, hot) in [(1.0, 1172.0), (1.0, 586.0), (0.5, 1172.0), (0.0, 1172.0)] {
         // No heat passes over, and the sound of the expansion dies down.
         let still = [
@@ -107,7 +107,7 @@ fn heat_spreads_into_the_cold() {
 }
 
 #[test]
-fn hot_gas_radiates_the_faster_the_hotter_it_is() {
+fn hotter_gas_radiates_faster() {
     let cooled = |hot: f32| {
         let values = [
             ("radiative_cooling", 500.0),
@@ -151,7 +151,7 @@ fn fuel_burns_only_where_it_is_hot_and_has_oxygen() {
 }
 
 #[test]
-fn a_burner_that_is_off_leaves_the_air_alone() {
+fn a_burner_without_power_does_not_change_the_air() {
     let mut instances = Vec::new();
     let fire = burn(combustion(&[("fuel_power", 0.0)]), 1.0);
     assert!(fire.temperatures().iter().all(|t| (t - 293.0).abs() < 1e-3));
@@ -163,7 +163,7 @@ fn a_burner_that_is_off_leaves_the_air_alone() {
 }
 
 #[test]
-fn the_renderer_gets_what_can_be_seen_and_all_of_it() {
+fn the_renderer_receives_all_visible_gas() {
     let fire = burn(combustion(&[]), 1.5);
     let mut instances = Vec::new();
     fire.write_instances(&mut instances);
@@ -224,7 +224,7 @@ fn smoke(fire: &mut Simulation, layers: &[(f32, f32)]) -> Smoke {
 }
 
 #[test]
-fn smoke_outlives_the_flame_rises_and_thins() {
+fn smoke_outlives_the_flame_rises_and_decays() {
     let Smoke { soot, rise, cold } = smoke(&mut smoking(0.5), &[(0.9, 1.1), (1.2, 1.4)]);
     assert!(cold > 0.5, "{cold}");
     assert!(rise > 0.5, "{rise} m/s");
@@ -233,7 +233,7 @@ fn smoke_outlives_the_flame_rises_and_thins() {
 }
 
 #[test]
-fn there_is_the_more_smoke_the_longer_it_lasts() {
+fn a_longer_smoke_life_gives_more_smoke() {
     let high = [(1.2, 1.4)];
     let soots = [0.1, 0.4, 1.5, 10.0].map(|life| smoke(&mut smoking(life), &high).soot[0]);
     assert!(

@@ -26,7 +26,7 @@ fn chance(at: Vec2, salt: u32) -> f32 {
 
 /// Gas of which each particle flies its own way, as hot as it happens to be,
 /// and colder than what could burn.
-fn wild(particle: &mut Particle) {
+fn randomise(particle: &mut Particle) {
     let at = particle.position;
     particle.velocity = Vec2::new(chance(at, 1), chance(at, 2));
     particle.temperature = 550.0 + 250.0 * chance(at, 3);
@@ -36,7 +36,7 @@ fn wild(particle: &mut Particle) {
 }
 
 #[test]
-fn a_closed_box_keeps_its_momentum() {
+fn a_closed_box_conserves_momentum() {
     for expansion in [0.0, 0.5, 1.0] {
         let mut gas = filled(
             closed_box(&[
@@ -50,7 +50,7 @@ fn a_closed_box_keeps_its_momentum() {
                 ("ignition_temperature", 500.0),
             ]),
             SIDE,
-            wild,
+            randomise,
         );
         let momentum = |gas: &Simulation| {
             let velocities = gas.velocities();
@@ -89,7 +89,7 @@ fn mass(fire: &Simulation) -> f64 {
 }
 
 #[test]
-fn any_fire_keeps_its_particles_and_their_mass() {
+fn any_fire_conserves_particles_and_mass() {
     for values in [
         &[][..],
         &[("gas_expansion", 1.0), ("wind", 2.0), ("turbulence", 8.0)],
@@ -111,7 +111,7 @@ fn any_fire_keeps_its_particles_and_their_mass() {
 }
 
 #[test]
-fn diffusion_keeps_heat_and_matter_and_makes_nothing_extreme() {
+fn diffusion_conserves_heat_and_matter_and_creates_no_extremes() {
     let mut gas = filled(
         closed_box(&[
             ("diffusion", 0.005),
@@ -120,12 +120,12 @@ fn diffusion_keeps_heat_and_matter_and_makes_nothing_extreme() {
             ("smoke_life", 10.0),
         ]),
         SIDE,
-        wild,
+        randomise,
     );
     let fields = |gas: &Simulation| [gas.temperatures(), gas.fuels(), gas.oxygens(), gas.soots()];
     let extremes = |field: &[f32]| {
-        let least = field.iter().copied().fold(f32::INFINITY, f32::min);
-        (least, field.iter().copied().fold(0.0, f32::max))
+        let min = field.iter().copied().fold(f32::INFINITY, f32::min);
+        (min, field.iter().copied().fold(0.0, f32::max))
     };
     let before = fields(&gas);
     // Cold soot fades; how far, the lengths of the steps tell.
@@ -155,7 +155,7 @@ fn diffusion_keeps_heat_and_matter_and_makes_nothing_extreme() {
 }
 
 #[test]
-fn a_closed_adiabatic_box_gains_the_heat_that_burns() {
+fn a_closed_adiabatic_box_gains_the_heat_of_combustion() {
     let parameters = closed_box(&[("gas_expansion", 1.0), ("burn_time", 0.05)]);
     let (rise, demand) = (
         f64::from(parameters.flame_rise),
@@ -190,7 +190,7 @@ fn a_closed_adiabatic_box_gains_the_heat_that_burns() {
 }
 
 #[test]
-fn all_the_fuel_that_is_fed_burns() {
+fn all_fuel_burns() {
     let mut fire = Simulation::new(Parameters::new(Model::Combustion));
     burn_on(&mut fire, 1.0);
     let asked = f64::from(fire.parameters().fuel_power);

@@ -1,5 +1,5 @@
-//! The ranges hold: at whatever corner the sliders stand, the fire stays finite,
-//! stays inside, and is not held together by a guard; and it recovers.
+//! Stability at the corners of the parameter ranges: the fire stays finite and inside without
+//! clamping, and recovers.
 //!
 //! This is a sample; `cargo xtask soak` goes to hundreds of corners.
 #![cfg(not(target_arch = "wasm32"))]
@@ -22,8 +22,8 @@ fn each_slider_at_either_end(model: Model, seconds: f64) {
         for upper in [false, true] {
             let parameters = sweep::at_end(model, param, upper);
             let name = sweep::described(&parameters);
-            let fared = sweep::burn(&mut Simulation::new(parameters), seconds);
-            assert_eq!(fared.fault(), None, "{name}");
+            let outcome = sweep::burn(&mut Simulation::new(parameters), seconds);
+            assert_eq!(outcome.fault(), None, "{name}");
         }
     }
 }
@@ -32,61 +32,61 @@ fn random_corners(model: Model, corners: u32, seed: u32) {
     let mut random = Random::new(seed);
     for _ in 0..corners {
         let parameters = sweep::corner(model, &mut random);
-        let fared = sweep::there_and_back(&parameters, SECONDS);
-        assert_eq!(fared.fault(), None, "{}", sweep::described(&parameters));
+        let outcome = sweep::there_and_back(&parameters, SECONDS);
+        assert_eq!(outcome.fault(), None, "{}", sweep::described(&parameters));
     }
 }
 
 #[test]
-fn the_classic_fire_stands_each_slider_at_either_end() {
+fn the_classic_fire_is_stable_at_both_ends_of_each_parameter() {
     each_slider_at_either_end(Model::Classic, SECONDS);
 }
 
 #[test]
-fn the_combustion_fire_stands_each_slider_at_either_end() {
+fn the_combustion_fire_is_stable_at_both_ends_of_each_parameter() {
     each_slider_at_either_end(Model::Combustion, LIT);
 }
 
 #[test]
-fn the_classic_fire_stands_random_corners_of_all_sliders_and_recovers() {
+fn the_classic_fire_is_stable_at_random_corners_and_recovers() {
     random_corners(Model::Classic, 40, 2026);
 }
 
 #[test]
-fn the_combustion_fire_stands_random_corners_of_all_sliders_and_recovers() {
+fn the_combustion_fire_is_stable_at_random_corners_and_recovers() {
     random_corners(Model::Combustion, 12, 2026);
 }
 
 #[test]
-fn the_printed_equations_stay_finite_each_alone_and_all_together() {
+fn the_printed_equations_stay_finite_alone_and_combined() {
     let printed = |p: &&Param| p.id.starts_with("printed_");
     let flags: Vec<&str> = PARAMETERS.iter().filter(printed).map(|p| p.id).collect();
     assert_eq!(flags.len(), 5);
     let fares = |ids: &[&'static str]| {
         let values = ids.iter().map(|&id| (id, Input::Flag(true)));
         // What the printed forms do at the speed limit is the paper's affair.
-        let fared = sweep::burn(&mut Simulation::new(fires::with(values)), SECONDS);
-        assert_eq!(fared.broken, None, "{ids:?}");
+        let outcome = sweep::burn(&mut Simulation::new(fires::with(values)), SECONDS);
+        assert_eq!(outcome.broken, None, "{ids:?}");
     };
     flags.iter().for_each(|&flag| fares(&[flag]));
     fares(&flags);
 }
 
-/// Burns at the defaults, then at `wild` values, then at the defaults again.
-fn driven_wild(usual: Parameters, wild: &[(&str, Input<'_>)]) -> Simulation {
-    let mut fire = Simulation::new(usual.clone());
+/// Burns at the defaults, then at `extreme` values, then at the defaults again.
+fn driven_to_extremes(defaults: Parameters, extreme: &[(&str, Input<'_>)]) -> Simulation {
+    let mut fire = Simulation::new(defaults.clone());
     sweep::burn(&mut fire, SECONDS);
-    let mut parameters = usual.clone();
-    assert_eq!(parameters.set_all(wild.iter().copied()), Ok(()));
+    let mut parameters = defaults.clone();
+    assert_eq!(parameters.set_all(extreme.iter().copied()), Ok(()));
     fire.set_parameters(parameters);
     sweep::burn(&mut fire, SECONDS);
-    fire.set_parameters(usual);
+    fire.set_parameters(defaults);
     fire
 }
 
 #[test]
-fn a_fire_that_broke_the_speed_limit_recovers() {
-    let mut fire = driven_wild(
+fn a_fire_beyond_the_speed_limit_recovers() {
+    let mut fire = driven_to_extremes(
         Parameters::new(Model::Classic),
         &[
             ("gas_constant", Input::Number(6.0)),
@@ -95,7 +95,7 @@ fn a_fire_that_broke_the_speed_limit_recovers() {
             ("printed_divisor", Input::Flag(true)),
         ],
     );
-    assert!(fire.report().clamped > 0, "it was not wild");
+    assert!(fire.report().clamped > 0, "nothing was clamped");
     assert_eq!(sweep::burn(&mut fire, SECONDS).fault(), None);
     assert_eq!(fire.report().clamped, 0);
     assert!((700..=1000).contains(&fire.count()), "{}", fire.count());

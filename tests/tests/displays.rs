@@ -50,7 +50,7 @@ fn fires() -> [Simulation; 4] {
 }
 
 #[test]
-fn a_rigid_rotation_has_twice_its_speed_as_vorticity() {
+fn the_vorticity_of_a_rigid_rotation_is_twice_its_angular_velocity() {
     for spin in [-3.0, 0.5, 8.0] {
         let middle = Vec2::new(0.0, 0.4);
         let turning = |particle: &mut hearth_core::Particle| {
@@ -80,7 +80,7 @@ fn a_rigid_rotation_has_twice_its_speed_as_vorticity() {
 }
 
 #[test]
-fn gas_that_moves_as_a_whole_has_no_vorticity_and_shear_has_its_own() {
+fn uniform_flow_has_no_vorticity_and_shear_has_the_right_one() {
     let moving = filled(closed_box(&[]), 32, |one| {
         one.velocity = Vec2::new(2.0, -1.0);
     });
@@ -100,7 +100,7 @@ fn gas_that_moves_as_a_whole_has_no_vorticity_and_shear_has_its_own() {
 }
 
 #[test]
-fn neighbours_are_as_many_as_there_are() {
+fn neighbour_counts_are_exact() {
     for fire in fires() {
         assert_eq!(fire.neighbour_counts(), counted(&fire));
     }
@@ -111,7 +111,7 @@ fn neighbours_are_as_many_as_there_are() {
 }
 
 #[test]
-fn every_particle_is_shown_with_what_its_reader_says() {
+fn every_instance_has_the_value_of_its_reader() {
     for fire in fires() {
         let speeds = fire.velocities().into_iter().map(|v| v.length());
         let counts = fire.neighbour_counts().into_iter().map(|n| n as f32);
@@ -149,7 +149,7 @@ fn every_particle_is_shown_with_what_its_reader_says() {
 }
 
 #[test]
-fn a_sprite_is_known_by_its_particle_whatever_the_order() {
+fn a_sprite_keeps_the_number_of_its_particle() {
     let mut fire = burn(Parameters::new(Model::Classic), 1.0);
     let numbers = |fire: &Simulation| {
         let sprites = shown(fire, DisplayMode::Sprites).into_iter();
@@ -166,7 +166,7 @@ fn a_sprite_is_known_by_its_particle_whatever_the_order() {
 }
 
 #[test]
-fn gas_fills_the_room_that_its_picture_gives_it() {
+fn the_volumes_of_the_instances_fill_the_gas() {
     // The paper's own factor makes densities of another kind, but no other room.
     for printed in [false, true] {
         let parameters = with([
@@ -182,7 +182,7 @@ fn gas_fills_the_room_that_its_picture_gives_it() {
 }
 
 #[test]
-fn what_is_shown_changes_nothing_that_burns() {
+fn displays_do_not_change_a_fire() {
     for parameters in [combustion(&[]), Parameters::new(Model::Classic)] {
         let mut left = Simulation::new(parameters.clone());
         let mut watched = Simulation::new(parameters);

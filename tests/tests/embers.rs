@@ -7,7 +7,7 @@ use hearth_core::params::Model;
 use hearth_core::{Ember, Parameters, Vec2};
 use hearth_tests::fires::{burn, burn_on, combustion, watch};
 
-/// What tells one ember from all others.
+/// The identity of an ember.
 fn name(ember: &Ember) -> (u32, u32) {
     (ember.size.to_bits(), ember.lifetime.to_bits())
 }
@@ -30,7 +30,7 @@ fn share_of_expected(rate: f64, low: f64, high: f64) -> f64 {
 }
 
 #[test]
-fn as_many_fly_as_are_thrown_in_a_life() {
+fn the_number_of_embers_is_rate_times_lifetime() {
     for (rate, low, high) in [
         (40.0, 0.2, 0.4),
         (300.0, 0.1, 0.3),
@@ -43,7 +43,7 @@ fn as_many_fly_as_are_thrown_in_a_life() {
 }
 
 #[test]
-fn each_has_the_life_and_the_size_that_it_may_have() {
+fn lifetimes_and_sizes_are_in_their_ranges() {
     let mut fire = burn(
         combustion(&[
             ("ember_rate", 200.0),
@@ -68,7 +68,7 @@ fn each_has_the_life_and_the_size_that_it_may_have() {
 }
 
 #[test]
-fn each_cools_rises_with_the_flow_and_dies() {
+fn embers_cool_rise_with_the_flow_and_die() {
     let lives = [("ember_life_min", 0.3), ("ember_life_max", 1.0)];
     let rate = [("ember_rate", 150.0)];
     let mut fire = burn(combustion(&[&lives[..], &rate].concat()), 1.0);
@@ -100,7 +100,7 @@ fn each_cools_rises_with_the_flow_and_dies() {
 }
 
 #[test]
-fn without_a_rate_none_are_thrown_and_those_that_fly_die() {
+fn without_a_rate_there_are_no_births() {
     assert_eq!(burn(combustion(&[("ember_rate", 0.0)]), 1.0).embers(), []);
 
     let mut fire = burn(combustion(&[("ember_life_max", 0.6)]), 1.0);
@@ -112,7 +112,7 @@ fn without_a_rate_none_are_thrown_and_those_that_fly_die() {
 }
 
 #[test]
-fn there_are_none_without_flames_and_none_in_the_classic_model() {
+fn there_are_no_embers_without_flames_and_in_the_classic_model() {
     let many = ("ember_rate", 1000.0);
     assert_eq!(
         burn(combustion(&[many, ("fuel_power", 0.0)]), 1.0).embers(),
@@ -126,7 +126,7 @@ fn there_are_none_without_flames_and_none_in_the_classic_model() {
 }
 
 #[test]
-fn embers_do_not_stir_the_gas() {
+fn embers_do_not_change_the_gas() {
     // They draw from the same generator, but the gas draws nothing after its start.
     let with = burn(combustion(&[("ember_rate", 1000.0)]), 0.5);
     let without = burn(combustion(&[("ember_rate", 0.0)]), 0.5);
@@ -134,7 +134,7 @@ fn embers_do_not_stir_the_gas() {
 }
 
 #[test]
-fn the_renderer_gets_every_ember() {
+fn the_renderer_receives_every_ember() {
     let fire = burn(combustion(&[("ember_rate", 300.0)]), 1.0);
     let mut instances = Vec::new();
     fire.write_embers(&mut instances);
@@ -149,7 +149,7 @@ fn the_renderer_gets_every_ember() {
 }
 
 #[test]
-fn embers_thrown_by_hand_fly_from_there_and_are_the_same_again() {
+fn thrown_embers_start_at_their_position_and_are_deterministic() {
     let place = Vec2::new(0.2, 0.7);
     let thrown = || {
         let values = [
@@ -189,7 +189,7 @@ fn embers_thrown_by_hand_fly_from_there_and_are_the_same_again() {
 }
 
 #[test]
-fn no_hand_throws_too_many_embers_or_any_from_outside() {
+fn thrown_embers_are_limited_and_start_inside() {
     let mut fire = burn(combustion(&[("ember_rate", 0.0)]), 0.1);
     for place in [
         Vec2::new(0.0, 9.0),

@@ -21,7 +21,7 @@ fn burns_well(fire: &mut Simulation) {
 }
 
 #[test]
-fn the_model_can_change_while_it_burns_and_change_back() {
+fn the_model_of_a_burning_fire_can_change_and_change_back() {
     let mut fire = burn(combustion(&[]), 0.5);
     let air = fire.count();
     for _ in 0..2 {
@@ -46,7 +46,7 @@ fn the_model_can_change_while_it_burns_and_change_back() {
 }
 
 #[test]
-fn a_fire_that_came_back_burns_as_one_that_never_left() {
+fn a_fire_after_a_change_of_model_and_back_is_a_new_fire() {
     let mut fire = burn(combustion(&[]), 0.3);
     switch(&mut fire, "classic");
     burn_on(&mut fire, 0.3);
@@ -148,7 +148,7 @@ fn heat(fire: &Simulation) -> f64 {
 }
 
 #[test]
-fn live_changes_bring_no_heat_however_many_there_are() {
+fn live_changes_add_no_heat() {
     let drags = [
         ("max_particles", 2000.0, 4000.0),
         ("domain_width", 1.2, 1.8),
@@ -175,7 +175,7 @@ fn live_changes_bring_no_heat_however_many_there_are() {
 }
 
 #[test]
-fn other_values_move_no_particle() {
+fn other_parameters_move_no_particle() {
     let mut fire = burn(combustion(&[]), 0.5);
     let before = fire.particles();
     for (id, value) in [

@@ -73,7 +73,7 @@ fn a_larger_smoothing_radius_clusters_the_fire() {
 }
 
 #[test]
-fn heat_lifts_and_extra_weight_holds_down() {
+fn heat_raises_the_fire_and_extra_weight_lowers_it() {
     let plain = mean_of(&[], height);
     assert!(mean_of(&[("thermal_buoyancy", 0.6)], height) > plain);
     assert!(mean_of(&[("extra_weight", 3.0)], height) < plain);
@@ -98,7 +98,7 @@ fn every_particle_reddens_before_it_dies() {
 
 #[test]
 fn births_come_at_the_emission_rate() {
-    // Long lives and a source with room: whoever was born is still there.
+    // Long lives and a source with room: all particles are alive.
     let quiet = [
         ("emission_rate", 400.0),
         ("emission_noise", 0.0),
@@ -132,7 +132,7 @@ fn births_come_at_the_emission_rate() {
 }
 
 #[test]
-fn births_come_at_the_emission_rate_whatever_the_time_step() {
+fn births_come_at_the_emission_rate_at_any_time_step() {
     // At 50/s and 17 ms, a step brings less than one birth, and more than half of one.
     for (rate, time_step) in [(50.0, 0.002), (50.0, 0.017), (90.0, 0.017), (400.0, 0.017)] {
         let fire = burn(
@@ -156,14 +156,14 @@ fn births_come_at_the_emission_rate_whatever_the_time_step() {
 }
 
 #[test]
-fn a_source_without_room_gives_what_can_leave_it() {
+fn a_crowded_source_emits_only_what_can_leave_it() {
     let crowded = burn(with(&[("emission_rate", 1e5), ("max_particles", 1e5)]), 2.0);
-    let most = crowded.report().max_neighbours;
-    assert!(most < 80, "{most} neighbours: the source has piled up");
+    let max = crowded.report().max_neighbours;
+    assert!(max < 80, "{max} neighbours: the source is too dense");
 }
 
 #[test]
-fn lives_are_as_long_as_they_are_said_to_be() {
+fn lifetimes_are_in_their_range() {
     let (shortest, longest) = (0.5, 0.9);
     let fire = burn(
         with(&[("lifetime_min", shortest), ("lifetime_max", longest)]),
@@ -193,7 +193,7 @@ fn lives_are_as_long_as_they_are_said_to_be() {
 }
 
 #[test]
-fn without_taper_lives_are_uniform_over_the_source() {
+fn without_taper_lifetimes_are_uniform_over_the_source() {
     let fire = burn(with(&[("taper", 0.0), ("emission_noise", 0.0)]), 3.0);
     let newborn: Vec<Particle> = fire
         .particles()
@@ -213,7 +213,7 @@ fn without_taper_lives_are_uniform_over_the_source() {
 }
 
 #[test]
-fn particles_are_born_where_the_source_is() {
+fn particles_are_born_at_the_source() {
     let fire = burn(with(&[("source_width", 0.3), ("source_height", 0.4)]), 1.0);
     let dt = fire.parameters().time_step;
     let newborn: Vec<Particle> = fire
@@ -229,14 +229,14 @@ fn particles_are_born_where_the_source_is() {
 }
 
 #[test]
-fn the_number_of_particles_keeps_the_cap() {
+fn the_number_of_particles_is_limited() {
     let mut fire = Simulation::new(with(&[("max_particles", 150.0)]));
-    let mut most = 0;
+    let mut max = 0;
     for _ in 0..960 {
         fire.step();
-        most = most.max(fire.count());
+        max = max.max(fire.count());
     }
-    assert!((140..=150).contains(&most), "{most}");
+    assert!((140..=150).contains(&max), "{max}");
 }
 
 #[test]

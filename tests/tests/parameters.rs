@@ -41,7 +41,7 @@ fn used_by(model: Model) -> impl Iterator<Item = &'static Param> {
 }
 
 #[test]
-fn every_parameter_of_the_classic_fire_changes_it_and_none_of_its_look_does() {
+fn parameters_of_the_physics_change_the_classic_fire_and_others_do_not() {
     for param in used_by(Model::Classic) {
         // Nothing reaches the speed limit but gas that is lifted as printed.
         let wild = ("printed_divisor", Input::Flag(param.id == "speed_limit"));
@@ -66,7 +66,7 @@ fn every_parameter_of_the_classic_fire_changes_it_and_none_of_its_look_does() {
 }
 
 #[test]
-fn every_parameter_of_the_combustion_fire_changes_it_and_none_of_its_look_does() {
+fn parameters_of_the_physics_change_the_combustion_fire_and_others_do_not() {
     for param in used_by(Model::Combustion) {
         let strength = if param.id == "turbulence_scale" {
             3.0
@@ -85,7 +85,7 @@ fn every_parameter_of_the_combustion_fire_changes_it_and_none_of_its_look_does()
 }
 
 #[test]
-fn whole_numbers_end_exactly_at_their_range_and_there_is_one_zero() {
+fn integers_end_exactly_at_their_range_and_zero_has_no_sign() {
     let mut parameters = Parameters::new(Model::Classic);
     let beyond = f64::from(u32::MAX) + 1.0;
     assert!(parameters.set("seed", Input::Number(beyond)).is_err());
@@ -99,7 +99,7 @@ fn whole_numbers_end_exactly_at_their_range_and_there_is_one_zero() {
 }
 
 #[test]
-fn a_refused_value_changes_nothing_and_says_what_is_allowed() {
+fn an_invalid_value_changes_nothing_and_its_error_names_the_range() {
     let mut fire = Simulation::new(Parameters::new(Model::Classic));
     let before = fire.parameters().clone();
     let error = fire
@@ -141,7 +141,7 @@ fn an_unknown_id_names_the_nearest_known_one() {
 }
 
 #[test]
-fn texts_spell_every_kind_of_value() {
+fn texts_can_be_values_of_every_kind() {
     let parameters = with([
         ("viscosity", Input::Text(" 0.02 ")),
         ("max_particles", Input::Text("500")),

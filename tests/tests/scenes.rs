@@ -1,23 +1,28 @@
-//! Every scene burns: it stays finite and inside, no guard holds it together, it
-//! glows, and it is no more work than a fire on a page may be.
+//! Every scene stays finite and inside without clamping, glows, and is cheap enough for a page.
 //!
-//! This is its beginning; `cargo xtask soak` burns each for a minute.
+//! The tests run its first seconds; `cargo xtask soak` runs each scene for a minute.
 #![cfg(not(target_arch = "wasm32"))]
 
+use std::fs;
+use std::path::Path;
+
+use hearth_bindings::{Untrusted, settings};
 use hearth_core::params::Model;
 use hearth_core::preset::{PRESETS, Preset};
-use hearth_core::{Parameters, Particle, Simulation};
+use hearth_core::scene::KINDS;
+use hearth_core::{Parameters, Particle, Scene, Simulation};
 use hearth_tests::sweep;
+use serde_json::Value;
 
-/// Time of the clock for which each burns here \[s\].
+/// Time of the clock for each scene \[s\].
 const SECONDS: f64 = 2.0;
 
-/// Most work of a second of the clock, in that of the default scene.
-const MOST_WORK: f64 = 2.0;
+/// Most work per second of the clock, relative to the default scene.
+const MAX_WORK: f64 = 2.0;
 
-/// Least particles that glow, so that there is a flame to see.
+/// Minimum number of glowing particles, for a visible flame.
 const GLOWING: usize = 20;
-/// Temperature from which on gas shines \[K\], and how much soot it takes.
+/// Minimum temperature \[K\] and soot of glowing gas.
 const SHINES: f32 = 900.0;
 const SOOT: f32 = 0.02;
 
@@ -26,32 +31,37 @@ fn scene(name: &str) -> Parameters {
 }
 
 #[test]
-fn every_scene_burns_without_a_guard_glows_and_is_no_more_than_twice_the_work() {
-    let mut usual = f64::INFINITY;
-    // Of the default one, which is the first.
+fn every_scene_glows_is_stable_and_costs_at_most_twice_the_default() {
+    let mut default_work = f64::INFINITY;
+    // The default scene is the first.
     for preset in PRESETS {
         let parameters = preset.parameters();
         let seconds = SECONDS * f64::from(parameters.time_scale);
         let has_soot = parameters.model() == Model::Combustion;
         let mut fire = Simulation::new(parameters);
-        let fared = sweep::burn(&mut fire, seconds);
-        assert_eq!(fared.fault(), None, "{}", preset.name);
-        assert!(fared.held < 0.002, "{}: {}", preset.name, fared.held);
+        let outcome = sweep::burn(&mut fire, seconds);
+        assert_eq!(outcome.fault(), None, "{}", preset.name);
+        assert!(
+            outcome.clamped < 0.002,
+            "{}: {}",
+            preset.name,
+            outcome.clamped
+        );
         let glows = |particle: &&Particle| {
             particle.temperature > SHINES && (particle.soot > SOOT || !has_soot)
         };
         let glowing = fire.particles().iter().filter(glows).count();
         assert!(glowing >= GLOWING, "{}: {glowing} glow", preset.name);
         if preset.name == "default" {
-            usual = fared.work;
+            default_work = outcome.work;
         }
-        let times = fared.work / usual;
-        assert!(times < MOST_WORK, "{}: {times:.2} times", preset.name);
+        let times = outcome.work / default_work;
+        assert!(times < MAX_WORK, "{}: {times:.2} times", preset.name);
     }
 }
 
-/// Mean distance of what glows from the middle, above and below half its height,
-/// and that height \[m\].
+/// Mean distance of the particles from the middle, and their mean height above the source
+/// \[m\].
 fn shape(parameters: Parameters) -> (f32, f32) {
     let (mut width, mut height) = (0.0, 0.0);
     let mut fire = Simulation::new(parameters);
@@ -81,7 +91,7 @@ fn gaps(parameters: Parameters) -> f32 {
 }
 
 #[test]
-fn the_papers_scenes_show_what_they_are_named_after() {
+fn the_papers_scenes_show_the_effect_of_their_parameter() {
     let (width, height) = shape(scene("paper-fire"));
     let (narrow, tall) = shape(scene("paper-buoyancy"));
     assert!(narrow < 0.9 * width, "{narrow} {width}");
@@ -90,4 +100,52 @@ fn the_papers_scenes_show_what_they_are_named_after() {
     assert!(wide > 1.1 * width, "{wide} {width}");
     let (plain, clustered) = (gaps(scene("paper-fire")), gaps(scene("paper-smoothing")));
     assert!(clustered < 0.8 * plain, "{clustered} {plain}");
+}
+
+/// Plain data as JavaScript sends it.
+fn untrusted(value: &Value) -> Untrusted {
+    match value {
+        Value::Null => Untrusted::Missing,
+        Value::Bool(on) => Untrusted::Flag(*on),
+        Value::Number(number) => Untrusted::Number(number.as_f64().expect("a number")),
+        Value::String(text) => Untrusted::Text(text.clone()),
+        Value::Array(list) => Untrusted::List(list.iter().map(untrusted).collect()),
+        Value::Object(fields) => Untrusted::Object(
+            fields
+                .iter()
+                .map(|(name, value)| (name.clone(), untrusted(value)))
+                .collect(),
+        ),
+    }
+}
+
+/// The scene of a settings file.
+fn read(file: &Value) -> Scene {
+    let file = untrusted(file);
+    let scene = settings::with_settings(&Scene::default(), file.fields());
+    scene.expect("the settings are valid")
+}
+
+/// The same settings in version 1, in which the parameters describe the source.
+fn in_version_1(file: &Value) -> Value {
+    let mut old = serde_json::json!({"hearth": 1, "values": file["values"]});
+    for (name, value) in file["objects"][0].as_object().into_iter().flatten() {
+        if let Some(property) = KINDS[0].property(name) {
+            old["values"][property.id] = value.clone();
+        }
+    }
+    old
+}
+
+#[test]
+fn every_scene_file_is_its_preset_in_versions_1_and_2() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
+    for preset in PRESETS {
+        let text = fs::read_to_string(folder.join(format!("{}.json", preset.name)));
+        let file: Value = serde_json::from_str(&text.expect("a file")).expect("JSON");
+        assert_eq!(file["hearth"], 2, "{}", preset.name);
+        assert_eq!(read(&file), preset.scene(), "{}", preset.name);
+        let old = in_version_1(&file);
+        assert_eq!(read(&old), preset.scene(), "version 1 of {}", preset.name);
+    }
 }

@@ -29,7 +29,7 @@ fn still(walls: &str) -> Parameters {
 }
 
 #[test]
-fn a_reset_fire_burns_the_same_again() {
+fn a_reset_fire_repeats_itself() {
     let mut fire = Simulation::new(Parameters::new(Model::Classic));
     burn(&mut fire, 300);
     let first = fire.particles();
@@ -40,7 +40,7 @@ fn a_reset_fire_burns_the_same_again() {
 }
 
 #[test]
-fn reading_does_not_disturb() {
+fn readers_do_not_change_a_fire() {
     let mut read = Simulation::new(Parameters::new(Model::Classic));
     let mut left = Simulation::new(Parameters::new(Model::Classic));
     for _ in 0..300 {
@@ -56,14 +56,14 @@ fn reading_does_not_disturb() {
 fn readers_keep_the_order_of_birth() {
     let mut fire = Simulation::new(Parameters::new(Model::Classic));
     burn(&mut fire, 200);
-    // Ages in the order of birth never rise: whoever is younger comes later,
+    // Ages in the order of birth never rise: younger particles come later,
     // but for those born within the same step.
     let step = fire.parameters().time_step;
     assert!(fire.ages().windows(2).all(|pair| pair[1] <= pair[0] + step));
 }
 
 #[test]
-fn particles_that_are_put_in_come_out_again() {
+fn particles_that_are_put_in_are_read_back() {
     let mut fire = Simulation::new(still("open"));
     let given: Vec<Particle> = (0..50)
         .map(|i| particle(-0.5 + 0.02 * i as f32, 0.5, 0.0, 0.1))
@@ -73,7 +73,7 @@ fn particles_that_are_put_in_come_out_again() {
 }
 
 #[test]
-fn bad_particles_are_refused_and_change_nothing() {
+fn invalid_particles_are_errors_and_change_nothing() {
     let mut fire = Simulation::new(still("open"));
     let good = particle(0.0, 0.5, 0.0, 0.0);
     fire.set_particles(&[good]).expect("it is fine");
@@ -105,7 +105,7 @@ fn bad_particles_are_refused_and_change_nothing() {
 /// Air that fills the domain of the combustion model, thinly.
 fn gas() -> Vec<Particle> {
     let place = |i: i32| Vec2::new((i % 30) as f32 * 0.04 - 0.58, (i / 30) as f32 * 0.09 + 0.04);
-    let wild = |i: i32| Particle {
+    let fast = |i: i32| Particle {
         velocity: Vec2::new(0.002 * i as f32, -0.5),
         temperature: 300.0 + 0.25 * i as f32,
         fuel: 0.0005 * i as f32,
@@ -113,11 +113,11 @@ fn gas() -> Vec<Particle> {
         soot: 0.001 * i as f32,
         ..Particle::at(place(i))
     };
-    (0..600).map(wild).collect()
+    (0..600).map(fast).collect()
 }
 
 #[test]
-fn gas_that_is_put_in_comes_out_again_and_burns() {
+fn gas_that_is_put_in_is_read_back_and_burns() {
     let mut fire = Simulation::new(fires::combustion(&[]));
     let mut given = gas();
     fire.set_particles(&given).expect("it is fine");
@@ -138,7 +138,7 @@ fn gas_that_is_put_in_comes_out_again_and_burns() {
 }
 
 #[test]
-fn bad_gas_is_refused_by_name_and_changes_nothing() {
+fn invalid_gas_is_an_error_and_changes_nothing() {
     let mut fire = fires::burn(fires::combustion(&[]), 0.3);
     let (before, embers) = (fire.particles(), fire.embers().to_vec());
     let good = gas()[70];
@@ -198,7 +198,7 @@ fn a_domain_that_leaves_all_gas_outside_is_filled_with_air() {
 }
 
 #[test]
-fn a_reset_combustion_fire_burns_the_same_again() {
+fn a_reset_combustion_fire_repeats_itself() {
     let mut fire = fires::burn(fires::everything(), 0.6);
     let (first, embers, time) = (fire.particles(), fire.embers().to_vec(), fire.time());
     assert!(!embers.is_empty());
@@ -212,7 +212,7 @@ fn a_reset_combustion_fire_burns_the_same_again() {
 }
 
 #[test]
-fn steps_add_up_to_the_time_and_are_as_long_as_they_say() {
+fn step_lengths_add_up_to_the_time() {
     let mut fire = Simulation::new(fires::combustion(&[]));
     assert!(fire.step_length() > 0.0);
     let mut sum = 0.0;
@@ -228,7 +228,7 @@ fn steps_add_up_to_the_time_and_are_as_long_as_they_say() {
 }
 
 #[test]
-fn a_force_of_ones_own_accelerates_either_fire() {
+fn a_user_force_accelerates_both_models() {
     let pushed = |parameters: &Parameters, strength: f32| {
         let mut fire = Simulation::new(parameters.clone());
         while fire.time() < 0.2 {
@@ -255,7 +255,7 @@ fn flown_at_the_wall(walls: &str) -> Option<Particle> {
 }
 
 #[test]
-fn open_walls_let_out_solid_ones_stop_and_periodic_ones_turn_round() {
+fn particles_leave_at_open_walls_stop_at_solid_ones_and_wrap_at_periodic_ones() {
     assert_eq!(flown_at_the_wall("open"), None);
 
     let stopped = flown_at_the_wall("solid").expect("it stays");
@@ -268,7 +268,7 @@ fn open_walls_let_out_solid_ones_stop_and_periodic_ones_turn_round() {
 }
 
 #[test]
-fn the_top_is_open_whatever_the_walls() {
+fn the_top_is_open_with_any_walls() {
     for walls in ["open", "solid", "periodic"] {
         let mut fire = Simulation::new(still(walls));
         fire.set_particles(&[particle(0.0, 1.4, 0.0, 2.0)])
@@ -279,7 +279,7 @@ fn the_top_is_open_whatever_the_walls() {
 }
 
 #[test]
-fn periodic_neighbours_feel_each_other_across_the_edge() {
+fn neighbours_interact_across_a_periodic_edge() {
     let pair = [
         particle(0.595, 1.0, 0.0, 0.0),
         particle(-0.595, 1.0, 0.0, 0.0),
@@ -295,7 +295,7 @@ fn periodic_neighbours_feel_each_other_across_the_edge() {
 }
 
 #[test]
-fn a_smaller_domain_takes_away_what_stands_outside() {
+fn a_smaller_domain_removes_the_particles_outside() {
     let mut fire = Simulation::new(with([("walls", Input::Text("solid"))]));
     burn(&mut fire, 300);
     fire.set("domain_width", Input::Number(0.2))

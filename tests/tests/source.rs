@@ -32,7 +32,7 @@ fn put(fire: &mut Simulation, x: f64) {
 }
 
 #[test]
-fn a_fire_is_as_strong_wherever_it_stands() {
+fn a_fire_has_the_same_power_at_any_position() {
     let power = |x: f64| {
         let mut fire = burn(combustion(&[("source_x", x)]), 1.0);
         let (power, _) = means(&mut fire, 3.0);
@@ -67,7 +67,7 @@ fn a_fire_is_as_strong_wherever_it_stands() {
 }
 
 #[test]
-fn a_fire_that_is_moved_goes_on_without_a_burst_or_a_hole() {
+fn a_fire_continues_smoothly_when_its_source_moves() {
     // From side to side at once is the hardest.
     let mut fire = burn(combustion(&[("source_x", -0.25)]), 2.0);
     let (before, _) = means(&mut fire, 1.0);
@@ -98,7 +98,7 @@ fn a_fire_that_is_moved_goes_on_without_a_burst_or_a_hole() {
 }
 
 #[test]
-fn a_fire_that_is_put_outside_burns_at_the_side() {
+fn a_source_beyond_the_side_burns_at_the_side() {
     for parameters in [
         combustion(&[("source_x", 3.0)]),
         with_numbers(&[("source_x", 3.0)]),

@@ -20,7 +20,7 @@ fn burnt(model: Model, values: &[(&str, f64)]) -> Vec<Particle> {
 }
 
 #[test]
-fn the_same_seed_stirs_alike_and_another_one_does_not() {
+fn turbulence_depends_on_the_seed() {
     for model in MODELS {
         let stirred = |seed: f64| burnt(model, &[("turbulence", 5.0), ("seed", seed)]);
         assert_eq!(stirred(1.0), stirred(1.0));
@@ -29,7 +29,7 @@ fn the_same_seed_stirs_alike_and_another_one_does_not() {
 }
 
 #[test]
-fn without_it_nothing_is_stirred_by_a_single_bit() {
+fn without_turbulence_no_bit_changes() {
     for model in MODELS {
         let plain = burnt(model, &[]);
         let sizes = [0.03, 0.6];
@@ -42,7 +42,7 @@ fn without_it_nothing_is_stirred_by_a_single_bit() {
 }
 
 #[test]
-fn still_air_gets_the_faster_the_more_it_is_stirred() {
+fn stronger_turbulence_accelerates_still_air_more() {
     let energy = |turbulence: f64| {
         let mut air = burn(
             combustion(&[("fuel_power", 0.0), ("turbulence", turbulence)]),
@@ -65,7 +65,7 @@ fn still_air_gets_the_faster_the_more_it_is_stirred() {
 }
 
 #[test]
-fn the_classic_fire_sways_the_more_it_is_stirred() {
+fn stronger_turbulence_sways_the_classic_fire_more() {
     let sway = |turbulence: f64| {
         let (mut sum, mut n) = (0.0, 0.0);
         for seed in [1.0, 2.0, 3.0] {
@@ -101,7 +101,7 @@ fn power(values: &[(&str, f64)]) -> f64 {
 }
 
 #[test]
-fn noise_moves_the_flames_about_and_feeds_no_more_fuel() {
+fn emission_noise_moves_the_flames_and_keeps_the_power() {
     let powers = [0.0, 0.2, 1.0].map(|noise| power(&[("emission_noise", noise)]));
     for power in powers {
         assert!((power / powers[0] - 1.0).abs() < 0.02, "{powers:?}");

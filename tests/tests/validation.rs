@@ -51,7 +51,7 @@ fn every_quick_case_is_tested() {
 }
 
 #[test]
-fn what_is_not_reached_has_a_reason() {
+fn rows_that_are_not_reached_have_a_reason() {
     for known in NOT_REACHED {
         assert!(known.reason.len() > 20, "{}", known.row);
     }

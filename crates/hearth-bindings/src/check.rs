@@ -1,4 +1,4 @@
-//! What arguments must be, as data.
+//! The forms of arguments, as data.
 //!
 //! One function checks every argument against its [`Check`]. The types that implement
 //! [`Argument`] read checked values.
@@ -7,10 +7,10 @@ use hearth_core::params::Input;
 
 use crate::{Ids, Untrusted, ValidationError, Values};
 
-/// What an argument must be.
+/// The required form of an argument.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Check {
-    /// Its form.
+    /// The form.
     pub form: Form,
     /// Whether it may be missing.
     pub optional: bool,
@@ -19,7 +19,7 @@ pub struct Check {
 /// The forms of arguments.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Form {
-    /// Anything: whoever uses it checks it.
+    /// Anything. Its user checks it.
     Any,
     /// A finite number.
     Finite,
@@ -66,30 +66,36 @@ impl Check {
     /// Checks the value of `id`.
     ///
     /// # Errors
-    /// What is wrong with the value.
+    /// The value has another form.
     #[inline(never)]
     pub fn test(&self, id: &str, value: &Untrusted) -> Result<(), ValidationError> {
         if self.optional && value.is_missing() {
             return Ok(());
         }
         let number = value.number();
-        let (good, allowed) = match self.form {
+        let (valid, allowed) = match self.form {
             Form::Any => return Ok(()),
             Form::Finite => (number.is_finite(), "a number"),
             Form::Within { min, max, whole } => {
                 let (min, max) = (f64::from(min), f64::from(max));
-                let good = number >= min && number <= max && !(whole && number.fract() != 0.0);
+                let valid = number >= min && number <= max && !(whole && number.fract() != 0.0);
                 let kind = if whole {
                     "a whole number from "
                 } else {
                     "a number from "
                 };
-                return in_range(id, value, good, (min, max), [kind, " to "]);
+                return in_range(id, value, valid, (min, max), [kind, " to "]);
             }
             Form::Positive(max) => {
                 let max = f64::from(max);
-                let good = number > 0.0 && number <= max;
-                return in_range(id, value, good, (0.0, max), ["a number above ", ", up to "]);
+                let valid = number > 0.0 && number <= max;
+                return in_range(
+                    id,
+                    value,
+                    valid,
+                    (0.0, max),
+                    ["a number above ", ", up to "],
+                );
             }
             Form::Flag => (matches!(value, Untrusted::Flag(_)), "true or false"),
             Form::Text => (matches!(value, Untrusted::Text(_)), "a text"),
@@ -104,15 +110,17 @@ impl Check {
                 let Untrusted::List(ids) = value else {
                     return Err(ValidationError::new(id, value, ALLOWED));
                 };
-                let bad = ids.iter().find(|id| !matches!(id, Untrusted::Text(_)));
-                return bad.map_or(Ok(()), |bad| Err(ValidationError::new(id, bad, ALLOWED)));
+                let invalid = ids.iter().find(|id| !matches!(id, Untrusted::Text(_)));
+                return invalid.map_or(Ok(()), |invalid| {
+                    Err(ValidationError::new(id, invalid, ALLOWED))
+                });
             }
             Form::Values => (
                 matches!(value, Untrusted::Object(_)),
                 "an object of values by their ids",
             ),
         };
-        if good {
+        if valid {
             Ok(())
         } else {
             Err(ValidationError::new(id, value, allowed))
@@ -120,19 +128,19 @@ impl Check {
     }
 }
 
-/// An error that names a range in these words, unless the value is good.
+/// An error with a range, unless the value is valid.
 #[inline(never)]
 fn in_range(
     id: &str,
     value: &Untrusted,
-    good: bool,
+    valid: bool,
     (min, max): (f64, f64),
     [from, to]: [&str; 2],
 ) -> Result<(), ValidationError> {
-    if good {
+    if valid {
         return Ok(());
     }
-    // As `hearth-core` writes numbers: Rust's own formatting of floats is 20 KB of code.
+    // The number format of `hearth-core`: that of the standard library is 20 KB of code.
     let allowed = format!("{from}{}{to}{}", Input::Number(min), Input::Number(max));
     Err(ValidationError {
         range: Some((min, max)),
@@ -140,7 +148,7 @@ fn in_range(
     })
 }
 
-/// An error that names what is allowed.
+/// An error that names the allowed texts.
 pub(crate) fn one_of(
     id: &str,
     value: &Untrusted,
@@ -154,12 +162,12 @@ pub(crate) fn one_of(
     ValidationError::new(id, value, &allowed)
 }
 
-/// The type of an argument: its check, and how it is read from a checked value.
+/// The type of an argument: its check, and the conversion of a checked value.
 pub trait Argument<'a> {
-    /// What a value must be.
+    /// The required form.
     const CHECK: Check;
 
-    /// Reads a checked value. Any other value gives some default.
+    /// Converts a checked value. Any other value gives a default.
     fn read(value: &'a Untrusted) -> Self;
 }
 

@@ -5,22 +5,22 @@ use js_sys::Array;
 
 use crate::{Record, Untrusted};
 
-/// A refused value, and why.
+/// An error of an invalid value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ValidationError {
-    /// The parameter, argument or field.
+    /// The id of the parameter, argument or field.
     pub id: String,
-    /// The value that was sent for it, in words where it is no number, text or flag.
+    /// The sent value; words if it is not a number, a text or a flag.
     pub value: Untrusted,
-    /// The reason: the text names the id, the value and what is allowed.
+    /// The message, which names the id, the value and the allowed values.
     pub message: String,
-    /// Smallest and largest allowed value of a number.
+    /// Smallest and largest allowed number.
     pub range: Option<(f64, f64)>,
 }
 
 impl ValidationError {
-    /// An error that says what is `allowed`.
-    // A copy in each of the many callers would cost a kilobyte.
+    /// An error that names the `allowed` values.
+    // Inlined into its many callers, it costs a kilobyte.
     #[inline(never)]
     pub fn new(id: &str, value: &Untrusted, allowed: &str) -> ValidationError {
         ValidationError {
@@ -31,7 +31,7 @@ impl ValidationError {
         }
     }
 
-    /// The error of a parameter, with the value that was sent for it.
+    /// The error of a parameter, with the sent value.
     pub fn of_parameter(error: &ParamError, value: &Untrusted) -> ValidationError {
         ValidationError {
             id: error.id.clone(),
@@ -41,7 +41,7 @@ impl ValidationError {
         }
     }
 
-    /// The error as a plain object: id, value, message and, of a number, min and max.
+    /// The error as a plain object with id, value and message, and min and max of a number.
     pub fn to_record(&self) -> Record {
         let record = Record::new();
         record.set_text("id", &self.id);

@@ -1,9 +1,9 @@
 //! The boundary between JavaScript and wasm, shared by the engine and the library.
 //!
-//! A value that a page sends becomes an [`Untrusted`] value: a copy, of which nothing is
-//! believed. A [`Check`] says what an argument must be. Whatever is refused becomes a
-//! [`ValidationError`] with the id, the value, a message and the allowed range. Values of
-//! parameters are checked by the table of `hearth-core` alone; [`settings`] applies them.
+//! A value from a page becomes an [`Untrusted`] value, a copy. A [`Check`] defines the form of an
+//! argument. An invalid value becomes a [`ValidationError`] with the id, the value, a message and
+//! the allowed range. Only the table of `hearth-core` checks values of parameters; [`settings`]
+//! applies them.
 
 mod check;
 mod error;

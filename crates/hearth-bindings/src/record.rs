@@ -1,12 +1,11 @@
-//! Plain objects of JavaScript, written field by field.
+//! Plain JavaScript objects, written field by field.
 
 use hearth_core::params::Value;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 #[wasm_bindgen]
 extern "C" {
-    /// A plain object. Each kind of value has its own setter, because a field then
-    /// costs one call and no `JsValue`.
+    /// A plain object. A setter per kind of value makes a field one call without a `JsValue`.
     #[wasm_bindgen(extends = js_sys::Object, js_name = Object)]
     #[derive(Clone, Debug)]
     pub type Record;

@@ -16,23 +16,23 @@ pub const OBJECTS: &str = "objects";
 /// The name of the values in settings.
 const VALUES: &str = "values";
 
-/// What a list of objects must be.
+/// The required form of a list of objects.
 const A_LIST: &str = "an array of objects, each with a kind and its properties";
 
-/// `scene` with these values, all of them or none. `objects` among them replaces the
-/// objects; of it and a parameter of the first source the later one counts.
+/// `scene` with these values, all of them or none. The value of `objects` replaces the objects.
+/// Of `objects` and a parameter of the first source, the later one wins.
 ///
 /// # Errors
-/// Every value that is refused.
+/// Every invalid value.
 pub fn with_values(scene: &Scene, values: Values<'_>) -> Result<Scene, Vec<ValidationError>> {
     changed(scene, values, false)
 }
 
-/// `scene` with the default values of the ids of these values, all of them or none;
-/// `objects` stands for the objects.
+/// `scene` with the defaults of the parameters with these ids, all of them or none. The id
+/// `objects` restores one source.
 ///
 /// # Errors
-/// Every id that is unknown.
+/// Every unknown id.
 pub fn with_defaults(scene: &Scene, values: Values<'_>) -> Result<Scene, Vec<ValidationError>> {
     changed(scene, values, true)
 }
@@ -53,16 +53,16 @@ fn changed(
     }
 }
 
-/// `scene` with the `values` and `objects` of settings, all of them or none. Where both
-/// name a property of the first source, the later one counts.
+/// `scene` with the `values` and `objects` of settings, all of them or none. If both set a
+/// property of the first source, the later one wins.
 ///
 /// # Errors
-/// Everything that is refused.
+/// Every invalid value.
 pub fn with_settings(scene: &Scene, config: Values<'_>) -> Result<Scene, Vec<ValidationError>> {
     let mut new = scene.clone();
     let mut errors = Vec::new();
-    // Values come first in any case, because the model decides what objects may have; those
-    // that stand behind the objects are set again.
+    // Values are applied first, because the model decides the properties of objects. Values
+    // after the objects are applied again.
     let is_values = |(field, _): &&(String, Untrusted)| field == VALUES;
     for (field, value) in config.iter().filter(is_values).chain(config) {
         if field == VALUES {
@@ -77,12 +77,12 @@ pub fn with_settings(scene: &Scene, config: Values<'_>) -> Result<Scene, Vec<Val
     Ok(new)
 }
 
-/// Sets those of these values that are good and adds an error for each other one.
+/// Sets the valid ones of these values and appends an error for each invalid one.
 pub fn set_valid(scene: &mut Scene, values: Values<'_>, errors: &mut Vec<ValidationError>) {
     change(scene, values, false, errors);
 }
 
-/// Changes the model first, because it decides which values and defaults the others have.
+/// Changes the model first, because it decides the domains of the other parameters.
 #[inline(never)]
 fn change(
     scene: &mut Scene,
@@ -135,11 +135,11 @@ fn replace(scene: &mut Scene, list: &Untrusted, errors: &mut Vec<ValidationError
     *scene = new;
 }
 
-/// `scene` with other properties of the object of that id or, without an id, with another
-/// object; without fields, it is removed.
+/// `scene` with changed properties of an object or, without an id, with another object; without
+/// fields, the object is removed.
 ///
 /// # Errors
-/// There is no such object, or every field that is refused.
+/// There is no such object, or every invalid field.
 pub fn with_object(
     scene: &Scene,
     id: Option<u32>,
@@ -162,9 +162,9 @@ pub fn with_object(
     }
 }
 
-/// The objects of a scene as data. `from`, where it is given, is the settings that the
-/// first one starts from: then only what differs from these or, of others, from the
-/// defaults is there, and ids only where they would be other ones without.
+/// The objects of a scene as data. With `from`, the first object has only the properties that
+/// differ from these settings, the others those that differ from the defaults, and ids are left
+/// out if they are 1, 2, 3 and so on.
 pub fn objects(scene: &Scene, from: Option<&Parameters>) -> Untrusted {
     let counted = |(index, (id, ..)): (usize, (u32, _, _))| id as usize == index + 1;
     let with_ids = from.is_none() || !scene.objects().enumerate().all(counted);
@@ -201,7 +201,7 @@ fn fields<'a>(values: Values<'a>) -> Vec<(&'a str, Input<'a>)> {
         .collect()
 }
 
-/// The error of an object's field, with the value that was sent for it.
+/// The error of an object's field, with the sent value.
 #[inline(never)]
 fn of_object(error: &ParamError, sent: Values<'_>) -> ValidationError {
     let mut named = sent.iter();
@@ -209,10 +209,10 @@ fn of_object(error: &ParamError, sent: Values<'_>) -> ValidationError {
     ValidationError::of_parameter(error, value.map_or(&Untrusted::Missing, |(_, value)| value))
 }
 
-/// The preset of that name.
+/// The preset with this name.
 ///
 /// # Errors
-/// There is no preset of that name; the message names all that there are.
+/// There is no preset with this name. The message lists all.
 pub fn preset(name: &str) -> Result<&'static Preset, ValidationError> {
     Preset::find(name).ok_or_else(|| {
         let mut names = PRESETS.iter().map(|preset| preset.name);

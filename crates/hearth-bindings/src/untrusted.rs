@@ -1,8 +1,8 @@
-//! Values from JavaScript, copied before anything is believed.
+//! Copies of values from JavaScript.
 //!
-//! Scripts copy what a page gives them into plain data first (`postable` in
-//! `web/element/requests.js`, `columns` in `web/sim.js`), so no getter of a page runs while wasm
-//! does. Here the plain data becomes a tree in Rust, which needs no browser to be checked.
+//! Scripts copy the values of a page into plain data (`postable` in
+//! `web/element/requests.js`, `columns` in `web/sim/values.js`), so no getter of a page runs during
+//! a call of wasm. This module makes a tree of it in Rust, which is checked without a browser.
 
 use hearth_core::params::{Input, Value};
 use js_sys::{Array, Object, Uint8Array};
@@ -25,7 +25,7 @@ const LONGEST_BYTES: u32 = 65_536;
 /// Values by their ids, in the order in which they were sent.
 pub type Values<'a> = &'a [(String, Untrusted)];
 
-/// Ids: texts, once they are checked.
+/// Ids, which are texts after the check.
 pub type Ids<'a> = &'a [Untrusted];
 
 /// A value as JavaScript sent it.
@@ -33,7 +33,7 @@ pub type Ids<'a> = &'a [Untrusted];
 pub enum Untrusted {
     /// `undefined`.
     Missing,
-    /// A number, not necessarily a finite one.
+    /// A number, finite or not.
     Number(f64),
     /// A text.
     Text(String),
@@ -45,12 +45,12 @@ pub enum Untrusted {
     Bytes(Vec<u8>),
     /// An object's own fields.
     Object(Vec<(String, Untrusted)>),
-    /// Anything else, in words.
+    /// Any other value, as words.
     Other(&'static str),
 }
 
 impl Untrusted {
-    /// Copies a number, a text or a flag. Everything else is missing.
+    /// Copies a number, a text or a flag. Any other value is missing.
     pub fn scalar(value: &JsValue) -> Untrusted {
         if let Some(number) = value.as_f64() {
             return Untrusted::Number(number);
@@ -65,7 +65,7 @@ impl Untrusted {
         value.as_bool().map_or(Untrusted::Missing, Untrusted::Flag)
     }
 
-    /// Copies plain data with its lists and objects.
+    /// Copies plain data, lists and objects included.
     pub fn of(value: &JsValue) -> Untrusted {
         Untrusted::at_depth(value, 0)
     }
@@ -112,7 +112,7 @@ impl Untrusted {
         Untrusted::Object(fields.collect())
     }
 
-    /// A field of that name.
+    /// A field with this name.
     #[inline(never)]
     pub fn named(name: &str, value: Untrusted) -> (String, Untrusted) {
         (name.to_owned(), value)
@@ -150,12 +150,12 @@ impl Untrusted {
         }
     }
 
-    /// Whether there is no value.
+    /// Whether the value is missing.
     pub fn is_missing(&self) -> bool {
         matches!(self, Untrusted::Missing)
     }
 
-    /// The fields of an object; none of everything else.
+    /// The fields of an object; empty for any other value.
     #[inline(never)]
     pub fn fields(&self) -> Values<'_> {
         match self {
@@ -164,7 +164,7 @@ impl Untrusted {
         }
     }
 
-    /// The elements of a list; none of everything else.
+    /// The elements of a list; empty for any other value.
     pub fn list(&self) -> &[Untrusted] {
         match self {
             Untrusted::List(elements) => elements,
@@ -172,7 +172,7 @@ impl Untrusted {
         }
     }
 
-    /// The field of that name; [`Untrusted::Missing`] where there is none.
+    /// The field with this name, or [`Untrusted::Missing`].
     #[inline(never)]
     pub fn field(&self, name: &str) -> &Untrusted {
         self.fields()
@@ -181,7 +181,7 @@ impl Untrusted {
             .map_or(&Untrusted::Missing, |(_, value)| value)
     }
 
-    /// The bytes; none of everything else.
+    /// The bytes; empty for any other value.
     pub fn bytes(&self) -> &[u8] {
         match self {
             Untrusted::Bytes(bytes) => bytes,
@@ -189,8 +189,7 @@ impl Untrusted {
         }
     }
 
-    /// The value as an error has it: a number, a text or a flag, and words for everything
-    /// else.
+    /// The value for an error: a number, a text or a flag, and words for any other value.
     pub fn summary(&self) -> Untrusted {
         match self {
             Untrusted::Missing => Untrusted::Missing,
@@ -203,7 +202,7 @@ impl Untrusted {
         }
     }
 
-    /// The number; NaN for everything else.
+    /// The number; NaN for any other value.
     #[inline(never)]
     pub fn number(&self) -> f64 {
         match *self {
@@ -212,7 +211,7 @@ impl Untrusted {
         }
     }
 
-    /// The text; empty for everything else.
+    /// The text; empty for any other value.
     #[inline(never)]
     pub fn text(&self) -> &str {
         match self {
@@ -221,8 +220,8 @@ impl Untrusted {
         }
     }
 
-    /// The value as the table of parameters takes it. A value that is no number, text or
-    /// flag becomes words that every parameter refuses.
+    /// The value as input of a parameter. A value that is not a number, a text or a flag becomes
+    /// words, which are invalid for every parameter.
     pub fn input(&self) -> Input<'_> {
         match self {
             Untrusted::Number(number) => Input::Number(*number),
@@ -243,7 +242,7 @@ mod tests {
     use hearth_core::params::PARAMETERS;
 
     #[test]
-    fn every_parameter_refuses_what_is_not_a_value() {
+    fn other_values_are_invalid_for_every_parameter() {
         let strange = [
             Untrusted::Missing,
             Untrusted::Number(f64::NAN),

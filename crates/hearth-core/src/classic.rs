@@ -1,7 +1,7 @@
-//! The classic model: the student paper's, with its mistakes put right.
+//! The classic model: the student paper's, with its errors corrected.
 //!
 //! Particles are born at a source, rise, repel each other, cool and die; they
-//! alone carry the fire. One step is: emitter → neighbour grid → density →
+//! alone are the fire. One step is: emitter → neighbour grid → density →
 //! pressure → forces → motion.
 
 mod block_force;
@@ -33,11 +33,11 @@ use integrate::{Motion, Substeps};
 use pairs::Pairs;
 use particles::Particles;
 
-/// How many particles a caller may put in, and what a caller reads of more.
+/// Most particles that a caller may put in, and the error for more.
 const MAX_PARTICLES: usize = 400_000;
 const TOO_MANY: &str = "there may be 400000 of them at most";
 
-/// The particles of the classic model and what moves them.
+/// The particles of the classic model and the state of its solver.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Classic {
     particles: Particles,
@@ -88,7 +88,8 @@ impl Solver for Classic {
         for (emitter, source) in self.emitters.iter_mut().zip(scene.sources()) {
             emitter.emit(&mut self.particles, source, random, time);
         }
-        let substeps = Substeps::divide(values, self.motion.fastest, self.motion.hardest);
+        let substeps =
+            Substeps::divide(values, self.motion.max_speed, self.motion.max_acceleration);
         let forces = forces::list(values, time, user);
         for _ in 0..substeps.count {
             self.substep(values, &substeps, &forces, on_stage);
@@ -97,11 +98,11 @@ impl Solver for Classic {
         f64::from(values.time_step)
     }
 
-    /// A smaller domain leaves particles outside; solid walls would sweep them onto each
-    /// other, so they are gone instead.
+    /// Removes the particles outside of a smaller domain; solid walls would move them onto each
+    /// other.
     fn adapt(&mut self, values: &Parameters, _random: &mut Random) {
         let bounds = bounds(values);
-        self.particles.retain(|one| bounds.hold(one.position()));
+        self.particles.retain(|one| bounds.contains(one.position()));
     }
 
     fn set_particles(&mut self, particles: &[Particle], _values: &Physics) {
@@ -112,7 +113,7 @@ impl Solver for Classic {
         self.motion = Motion::default();
     }
 
-    fn refuse_count(&self, count: usize, _values: &Physics) -> Option<&'static str> {
+    fn broken_count_rule(&self, count: usize, _values: &Physics) -> Option<&'static str> {
         (count > MAX_PARTICLES).then_some(TOO_MANY)
     }
 
@@ -134,9 +135,9 @@ impl Solver for Classic {
             substeps: self.substeps,
             mean_neighbours,
             max_neighbours,
-            speed_limited: self.motion.limited,
-            clamped: self.motion.limited,
-            max_speed: self.motion.fastest,
+            speed_limited: self.motion.speed_limited,
+            clamped: self.motion.speed_limited,
+            max_speed: self.motion.max_speed,
             length: values.time_step,
             ..StepReport::default()
         }
@@ -179,22 +180,22 @@ impl Solver for Classic {
         }));
     }
 
-    // Taken into a loop, it would be a loop for each mode.
+    // Inlined into a loop, it becomes a loop per mode.
     #[inline(never)]
     fn measured(&self, i: usize, values: &Physics, mode: DisplayMode) -> Measured {
         let one = &self.particles[i];
-        let lived = one.age / one.lifetime;
+        let age_share = one.age / one.lifetime;
         let value = match mode {
             DisplayMode::Particles | DisplayMode::Temperature => one.temperature,
             DisplayMode::Density => one.density,
             DisplayMode::Pressure => one.pressure,
             DisplayMode::Velocity => one.velocity().length(),
-            DisplayMode::Fuel | DisplayMode::Sprites => 1.0 - lived,
-            DisplayMode::Soot => lived * lived * lived,
+            DisplayMode::Fuel | DisplayMode::Sprites => 1.0 - age_share,
+            DisplayMode::Soot => age_share * age_share * age_share,
             _ => 0.0,
         };
-        // A particle alone has all the room of its kernel. The factor that the paper
-        // prints makes other densities, but no other volumes.
+        // The volume of a lone particle is that of its kernel. The published normalisation
+        // changes densities but not volumes.
         let w = Kernel::new(values.smoothing_radius).value(0.0);
         let share = kernel(values).value(0.0) / w;
         let volume = fast_min(share * values.particle_mass / one.density, 1.0 / w);
@@ -217,12 +218,12 @@ fn kernel(values: &Physics) -> Kernel {
     }
 }
 
-/// The domain of the classic model: its top is open.
+/// The domain of the classic model, with an open top.
 pub(crate) fn bounds(values: &Physics) -> Bounds {
     Bounds {
         width: values.domain_width,
         height: values.domain_height,
-        periodic: values.walls == Walls::Periodic,
-        endless: false,
+        periodic_x: values.walls == Walls::Periodic,
+        periodic_y: false,
     }
 }

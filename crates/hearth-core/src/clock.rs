@@ -1,63 +1,59 @@
 //! Whole simulation steps from the frames of a wall clock.
 //!
-//! A display draws at 30, 60, 120 or 144 Hz, or at no steady rate at all; the
-//! fire must burn at the same speed on each. The clock holds the fire time that
-//! is owed: frames add to it, steps take from it, however long each of them
-//! turns out to be. It never asks the time: the caller tells it.
+//! Displays draw at 30, 60, 120 or 144 Hz, or at no steady rate; the fire burns at the same
+//! speed on each. The clock accumulates fire time: frames add to it and steps subtract from it,
+//! whatever their length. It reads no system clock: the caller passes the time.
 
-/// Longest time that one frame may make up for, in seconds of the wall clock.
-/// A page that was hidden or blocked must not come back with a burst of work.
+/// Longest time that one frame adds, in seconds of the wall clock. A page that was hidden or
+/// blocked must not continue with a burst of work.
 pub const LONGEST_FRAME: f64 = 0.1;
 
 /// Turns the times of frames into whole steps.
 #[derive(Clone, Debug, Default)]
 pub struct Clock {
     last: Option<f64>,
-    owed: f64,
+    accumulated: f64,
 }
 
 impl Clock {
-    /// A clock that has seen no frame.
+    /// A clock before its first frame.
     pub fn new() -> Clock {
         Clock::default()
     }
 
-    /// A frame at the time `now` (seconds of any steady clock), where a second of
-    /// the clock is `time_scale` seconds of fire. Returns how long ago the last
-    /// frame was \[s\]: zero at the first one, and where the clock runs backwards.
-    /// What one frame adds is limited by [`LONGEST_FRAME`].
+    /// Adds a frame at the time `now` (seconds of any steady clock); a second of the clock is
+    /// `time_scale` seconds of fire. Returns the time since the last frame \[s\]: zero at the
+    /// first one, and if the clock runs backwards. [`LONGEST_FRAME`] limits the added time.
     pub fn advance(&mut self, now: f64, time_scale: f64) -> f64 {
         let passed = self.last.map_or(0.0, |last| (now - last).max(0.0));
         self.last = Some(now);
-        self.owed += passed.min(LONGEST_FRAME) * time_scale;
+        self.accumulated += passed.min(LONGEST_FRAME) * time_scale;
         passed
     }
 
-    /// Whether another whole step of about `length` seconds of fire is due. It is
-    /// when at least half of it is owed: what the frames bring and the steps take
-    /// is then the same on average, and a display whose frames are a whole number
-    /// of steps long gets that number each time, although its frames jitter.
+    /// Whether another whole step of about `length` seconds of fire is due: at least half of
+    /// it has accumulated. On average the steps then equal the frames, and a display whose
+    /// frames are a whole number of steps long gets that number each time, despite jitter.
     pub fn due(&self, length: f64) -> bool {
-        self.owed > 0.5 * length
+        self.accumulated > 0.5 * length
     }
 
-    /// A step of `length` seconds of fire was made. It may be longer than what
-    /// was owed; the next frames owe less then.
+    /// Subtracts a step of `length` seconds of fire. If it was longer than the accumulated
+    /// time, the next frames make up for the difference.
     pub fn spend(&mut self, length: f64) {
-        self.owed -= length;
+        self.accumulated -= length;
     }
 
-    /// Forgets what is still owed, because there is no time to make it, and returns
-    /// how much that is \[s\]. A fire on a slow machine burns slowly; it does not
-    /// fall ever further behind.
+    /// Drops the accumulated time that there was no time to simulate, and returns it \[s\]. A
+    /// fire on a slow machine burns slowly and does not fall further and further behind.
     pub fn drop_rest(&mut self) -> f64 {
-        let rest = self.owed.max(0.0);
-        self.owed -= rest;
+        let rest = self.accumulated.max(0.0);
+        self.accumulated -= rest;
         rest
     }
 
-    /// Forgets the last frame and what is owed: after a pause, the time that
-    /// has passed is not made up for.
+    /// Forgets the last frame and the accumulated time: after a pause, the fire does not catch
+    /// up.
     pub fn restart(&mut self) {
         *self = Clock::new();
     }
@@ -69,8 +65,8 @@ mod tests {
 
     const STEP: f64 = 1.0 / 240.0;
 
-    /// Makes all steps that are due; `length` says how long each one is. Returns
-    /// how many there were and how long all of them.
+    /// Makes all due steps, of the lengths that `length` returns. Returns their number and
+    /// their total length.
     fn make_due(clock: &mut Clock, mut length: impl FnMut() -> f64) -> (u32, f64) {
         let (mut steps, mut made) = (0, 0.0);
         let mut guess = STEP;
@@ -113,7 +109,7 @@ mod tests {
     fn steps_of_changing_length_keep_the_speed() {
         for rate in [30.0, 60.0, 144.0] {
             let mut count = 0_u32;
-            // From 0.2 to 1.4 ms, in no order that the frames would know.
+            // From 0.2 to 1.4 ms, unrelated to the frames.
             let length = || {
                 count += 1;
                 0.0002 * f64::from(1 + count * 5 % 7)
@@ -151,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn catching_up_is_clamped_and_what_really_passed_is_told() {
+    fn catching_up_is_clamped_and_the_elapsed_time_is_returned() {
         let mut clock = Clock::new();
         clock.advance(0.0, 1.0);
         assert_eq!(clock.advance(3600.0, 1.0), 3600.0);
@@ -159,14 +155,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_dropped_is_not_owed_on() {
+    fn dropped_time_stays_dropped() {
         let mut clock = Clock::new();
         clock.advance(0.0, 1.0);
         clock.advance(0.1, 1.0);
         clock.spend(STEP);
         assert!((clock.drop_rest() - (0.1 - STEP)).abs() < 1e-9);
         assert!(!clock.due(STEP));
-        // A step that was longer than what was owed stays paid in advance.
+        // A step longer than the accumulated time leaves a debt.
         clock.spend(STEP);
         assert_eq!(clock.drop_rest(), 0.0);
         clock.advance(0.1 + STEP, 1.0);
@@ -182,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pause_is_not_made_up_for() {
+    fn a_pause_adds_no_time() {
         let mut clock = Clock::new();
         clock.advance(0.0, 1.0);
         clock.restart();

@@ -1,9 +1,8 @@
 //! The combustion model: air that fills the domain, and a burner in it.
 //!
-//! Fuel flows in, mixes, burns, and the hot gas rises. Nothing is scripted: the
-//! taper of the flame, its flicker and its puffing come from the equations. One
-//! step is: neighbour grid → number density and pressure → pair interactions → vorticity
-//! confinement → body forces → time step → embers → velocity → burning → burner → seam →
+//! Fuel flows in, mixes and burns, and the hot gas rises. Nothing is scripted: the taper, flicker
+//! and puffing of the flame follow from the equations. One step is: neighbour grid → number density and pressure → pair interactions → vorticity
+//! confinement → body forces → time step → embers → velocity → combustion → burner → seam →
 //! position.
 
 mod burner;
@@ -47,15 +46,14 @@ use time_step::Motion;
 pub(crate) use time_step::sound_speed;
 use vorticity_confinement::VorticityConfinement;
 
-/// Gas that is warmer \[K\], or sootier, can be seen.
+/// Gas that is hotter \[K\] or has more soot is visible.
 const VISIBLE_TEMPERATURE: f32 = 400.0;
 const VISIBLE_SOOT: f32 = 0.002;
 
-/// What a caller reads who puts in a number of particles that does not go with the
-/// smoothing length.
-const NOT_AS_MANY: &str = "there must be from half to twice max_particles of them";
+/// The error for a number of particles that does not match the smoothing length.
+const WRONG_COUNT: &str = "there must be from half to twice max_particles of them";
 
-/// The gas of the combustion model and what moves it.
+/// The gas of the combustion model and the state of its solver.
 #[derive(Clone, Debug)]
 pub(crate) struct Combustion {
     gas: Gas,
@@ -65,16 +63,16 @@ pub(crate) struct Combustion {
     interactions: Interactions,
     vorticity_confinement: VorticityConfinement,
     embers: Embers,
-    /// What the present particles were laid out for.
+    /// The discretisation of the present particles.
     discretisation: Discretisation,
-    /// Temperature of the air that it was made of \[K\].
+    /// Temperature of the air in the gas \[K\].
     air: f32,
     motion: Motion,
-    /// Of the burning in the last step, and of what heated the source [kW/m].
+    /// Power of the combustion in the last step, and of the heating at the sources [kW/m].
     power: f32,
     preheat: f32,
-    /// Particles whose shift was cut.
-    cut: u32,
+    /// Particles whose shift was clamped.
+    clamped_shifts: u32,
     length: f32,
 }
 
@@ -89,18 +87,18 @@ impl Combustion {
             interactions: Interactions::default(),
             vorticity_confinement: VorticityConfinement::default(),
             embers: Embers::default(),
-            discretisation: Discretisation::by(parameters),
+            discretisation: Discretisation::of(parameters),
             air: parameters.ambient_temperature,
             motion: Motion::default(),
             power: 0.0,
             preheat: 0.0,
-            cut: 0,
+            clamped_shifts: 0,
             length: 0.0,
         }
     }
 
-    /// Burns on from these particles and embers, of a fire whose `max_particles` was
-    /// `made_with`: where this one's is another, as many as it has take over.
+    /// Continues from the particles and embers of a fire whose `max_particles` was `made_with`.
+    /// If this fire's is different, the gas is resampled.
     pub fn resume(
         &mut self,
         particles: &[Particle],
@@ -113,7 +111,7 @@ impl Combustion {
         self.embers = Embers::of(embers);
         self.discretisation = Discretisation {
             particles: made_with,
-            ..Discretisation::by(parameters)
+            ..Discretisation::of(parameters)
         };
         self.adapt(parameters, random);
     }
@@ -128,19 +126,19 @@ impl Combustion {
         self.embers.alive()
     }
 
-    /// Throws embers from a place; nothing where that is outside.
+    /// Throws embers from a position; none from outside of the domain.
     pub fn throw_embers(&mut self, place: Vec2, count: u32, values: &Physics, random: &mut Random) {
-        if bounds(values).hold(place) {
+        if bounds(values).contains(place) {
             self.embers.throw_from(place, count, values, random);
         }
     }
 
-    /// Power of the burning in the last step [kW/m].
+    /// Power of the combustion in the last step [kW/m].
     pub fn power(&self) -> f32 {
         self.power
     }
 
-    /// Copies out the embers.
+    /// Writes the embers for the renderer.
     pub fn write_embers(&self, out: &mut Vec<Instance>) {
         self.embers.write_instances(out);
     }
@@ -164,8 +162,8 @@ impl Solver for Combustion {
 
         let grid = &mut self.grid;
         let positions = gas.position.iter().copied();
-        let places = grid.sort(positions, &bounds, kernel.support());
-        gas.reorder(places);
+        let new_indices = grid.sort(positions, &bounds, kernel.support());
+        gas.reorder(new_indices);
         on_stage(Stage::Sort);
         let context = Context {
             kernel: &kernel,
@@ -183,7 +181,7 @@ impl Solver for Combustion {
         forces::add_all(gas, values, time, user);
         on_stage(Stage::Forces);
 
-        let dt = time_step::longest(gas, values, kernel.smoothing_length(), sound);
+        let dt = time_step::max_stable_step(gas, values, kernel.smoothing_length(), sound);
         let air = Air {
             gas,
             grid: &self.grid,
@@ -200,30 +198,29 @@ impl Solver for Combustion {
                 self.preheat += burner.feed(gas, source, time, dt) / dt;
             }
         }
-        seam::freshen(gas, values, parameters.spacing(), dt);
-        let (h, fastest) = (kernel.smoothing_length(), self.motion.fastest);
-        self.cut = time_step::advance(gas, &bounds, values.shifting, h, fastest, dt);
+        seam::relax_to_air(gas, values, parameters.spacing(), dt);
+        let (h, max_speed) = (kernel.smoothing_length(), self.motion.max_speed);
+        self.clamped_shifts = time_step::advance(gas, &bounds, values.shifting, h, max_speed, dt);
         self.length = dt;
         on_stage(Stage::Integrate);
         f64::from(dt)
     }
 
-    /// Where the domain or the number of particles
-    /// changed, new particles take over what the old ones carried.
+    /// Resamples the gas if the domain or the number of particles changed.
     fn adapt(&mut self, parameters: &Parameters, random: &mut Random) {
-        let discretisation = Discretisation::by(parameters);
-        // Air that is warmer or colder is so everywhere at once, and what it
-        // carries with it; the old air would lift or sink as a whole.
-        let warmer = parameters.ambient_temperature - self.air;
-        if warmer != 0.0 {
-            self.gas.warm(warmer);
+        let discretisation = Discretisation::of(parameters);
+        // A new air temperature changes all gas at once; otherwise all of the old air would rise
+        // or sink.
+        let difference = parameters.ambient_temperature - self.air;
+        if difference != 0.0 {
+            self.gas.add_temperature(difference);
             self.air = parameters.ambient_temperature;
         }
         if discretisation != self.discretisation {
-            self.gas = resample::take_over(&self.gas, &self.discretisation, parameters, random);
+            self.gas = resample::resample(&self.gas, &self.discretisation, parameters, random);
             self.discretisation = discretisation;
         }
-        self.gas.weigh(parameters);
+        self.gas.set_mass(parameters);
     }
 
     fn set_particles(&mut self, particles: &[Particle], values: &Physics) {
@@ -233,11 +230,11 @@ impl Solver for Combustion {
         (self.power, self.preheat, self.length) = (0.0, 0.0, 0.0);
     }
 
-    fn refuse_count(&self, count: usize, values: &Physics) -> Option<&'static str> {
-        // The smoothing length goes with `max_particles`.
-        let usual = values.max_particles as usize;
-        let few = usual.div_ceil(2)..=2 * usual;
-        (!few.contains(&count)).then_some(NOT_AS_MANY)
+    fn broken_count_rule(&self, count: usize, values: &Physics) -> Option<&'static str> {
+        // The smoothing length follows `max_particles`.
+        let expected = values.max_particles as usize;
+        let allowed = expected.div_ceil(2)..=2 * expected;
+        (!allowed.contains(&count)).then_some(WRONG_COUNT)
     }
 
     fn bounds(&self, values: &Physics) -> Bounds {
@@ -248,14 +245,14 @@ impl Solver for Combustion {
         sound_speed(scene.settings(), scene.power())
     }
 
-    /// Length of the last step, or about that of the first \[s\].
+    /// Length of the last step, or an estimate of the first \[s\].
     fn step_length(&self, scene: &Scene) -> f64 {
         f64::from(if self.length > 0.0 {
             self.length
         } else {
             let parameters = scene.settings();
             let h = parameters.smoothing_length();
-            time_step::longest(&self.gas, parameters, h, self.sound_speed(scene))
+            time_step::max_stable_step(&self.gas, parameters, h, self.sound_speed(scene))
         })
     }
 
@@ -265,9 +262,9 @@ impl Solver for Combustion {
             substeps: 1,
             mean_neighbours,
             max_neighbours,
-            speed_limited: self.motion.limited,
-            clamped: self.motion.limited + self.cut,
-            max_speed: self.motion.fastest,
+            speed_limited: self.motion.speed_limited,
+            clamped: self.motion.speed_limited + self.clamped_shifts,
+            max_speed: self.motion.max_speed,
             length: self.length,
             power: self.power,
             preheat: self.preheat,
@@ -316,7 +313,7 @@ impl Solver for Combustion {
         }));
     }
 
-    // Taken into a loop, it would be a loop for each mode.
+    // Inlined into a loop, it becomes a loop per mode.
     #[inline(never)]
     fn measured(&self, i: usize, _values: &Physics, mode: DisplayMode) -> Measured {
         let gas = &self.gas;

@@ -1,4 +1,4 @@
-//! Body forces: what accelerates each particle by itself, whatever its neighbours do.
+//! Body forces: accelerations of a particle that do not depend on its neighbours.
 //!
 //! A force is a type in a file of its own that implements [`BodyForce`]. Each model
 //! lists its forces in one place, in the order in which their accelerations add up:
@@ -17,13 +17,13 @@ pub struct LocalGas {
     pub velocity: Vec2,
     /// Temperature \[K\].
     pub temperature: f32,
-    /// Volume of a unit of mass, in that of the surrounding air.
+    /// Specific volume, relative to that of the surrounding air.
     pub expansion: f32,
 }
 
-/// A force that acts on each particle by itself.
+/// A force on each particle, independent of its neighbours.
 ///
-/// A closure of position \[m\] and velocity [m/s] is one.
+/// Closures of position \[m\] and velocity [m/s] implement it.
 pub trait BodyForce {
     /// The acceleration of a particle [m/s²].
     fn acceleration(&self, gas: &LocalGas) -> Vec2;

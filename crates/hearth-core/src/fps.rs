@@ -1,14 +1,14 @@
 //! Frames per second, smoothed.
 //!
-//! A single frame's rate jumps too much to be read, so what is shown is its
+//! The rate of single frames varies too much to read, so the counter shows the
 //! exponential moving average, `fps ← fps + α (1/Δt − fps)` with α = 0.1.
 
 /// Weight of the newest frame.
 pub const ALPHA: f64 = 0.1;
 
-/// Shortest time between two frames of a display, in seconds. Callbacks that come closer
-/// together, as they can at a page's start, belong to one frame; a single rate of
-/// a thousand would take seconds to fade from the average.
+/// Shortest time between two frames of a display, in seconds. Callbacks closer together, as at
+/// the start of a page, belong to one frame; a single rate of a thousand would take seconds to
+/// fade from the average.
 const SHORTEST_FRAME: f64 = 1.0 / 500.0;
 
 /// The exponential moving average of the frame rate.
@@ -19,7 +19,7 @@ pub struct FpsCounter {
 }
 
 impl FpsCounter {
-    /// A counter that has seen no frame.
+    /// A counter before its first frame.
     pub fn new() -> FpsCounter {
         FpsCounter::default()
     }
@@ -46,7 +46,7 @@ impl FpsCounter {
         self.average.unwrap_or(0.0)
     }
 
-    /// Forgets the last frame, not the average: a pause is no slow frame.
+    /// Forgets the last frame but not the average: a pause is not a slow frame.
     pub fn skip(&mut self) {
         self.last = None;
     }
@@ -75,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn callbacks_closer_than_any_display_draws_are_one_frame() {
+    fn callbacks_closer_than_any_frame_are_one_frame() {
         let mut counter = FpsCounter::new();
         for frame in 0..10 {
             counter.frame(f64::from(frame) / 60.0);

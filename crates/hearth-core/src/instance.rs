@@ -1,14 +1,14 @@
-//! Particles as the renderer gets them.
+//! Particles as the renderer receives them.
 //!
-//! An [`Instance`] is eight numbers, two texels of a texture. Position, velocity and
-//! temperature come first in all of them; the three numbers after these are those of one of
-//! the types below, each of which converts to an instance and back.
+//! An [`Instance`] is eight numbers, two texels of a texture: position, velocity,
+//! temperature, and the three numbers of one of the types below. Each type converts to an
+//! instance and back.
 
 use glam::Vec2;
 
 use crate::params::DisplayMode;
 
-/// A particle in the order in which the graphics card gets its numbers.
+/// The numbers of a particle in the order of the texture.
 pub type Instance = [f32; 8];
 
 macro_rules! views {
@@ -84,8 +84,7 @@ views! {
         volume
         /// Where the display shows sprites, the particle's id modulo 4096; otherwise zero.
         number
-        /// What the mode measures; of sprites how much of the particle there is to glow:
-        /// remaining life, or soot.
+        /// The quantity of the mode; of sprites the remaining life or the soot.
         value
     }
 }
@@ -103,7 +102,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_view_keeps_its_eight_numbers_in_their_order() {
+    fn every_view_keeps_its_eight_numbers_in_order() {
         let numbers = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
         assert_eq!(Instance::from(ClassicParticle::from(numbers)), numbers);
         assert_eq!(Instance::from(GasParticle::from(numbers)), numbers);

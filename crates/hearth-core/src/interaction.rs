@@ -1,9 +1,9 @@
-//! Pair interactions: what two particles within each other's kernel do to each other.
+//! Pair interactions: forces and exchange between two particles within each other's support.
 //!
 //! An interaction is a type in a file of its own that implements [`PairInteraction`].
 //! Each model lists its interactions as one tuple (`combustion/interactions.rs`,
 //! `classic/interactions.rs`), so the compiler fuses all of them into one loop, in which
-//! the model's `Pair` holds what several of them need.
+//! the model's `Pair` holds the terms that several of them share.
 
 use crate::kernel;
 use crate::lanes::Lanes;
@@ -15,7 +15,7 @@ pub(crate) struct Separation {
     pub y: Lanes,
     /// Square of the distance.
     pub square: Lanes,
-    /// The distance, and never quite zero.
+    /// The distance, never quite zero.
     pub q: Lanes,
 }
 
@@ -32,7 +32,7 @@ impl Separation {
         }
     }
 
-    /// r² + 0.01 h², which keeps quotients finite where particles touch.
+    /// r² + 0.01 h², which keeps quotients finite for coincident particles.
     #[inline(always)]
     pub fn softened(&self) -> Lanes {
         self.square + 0.01
@@ -51,8 +51,8 @@ pub(crate) struct Rates {
 }
 
 impl Rates {
-    /// The rates of no interaction. Adding to −0 changes no bit of what is added, so
-    /// the compiler leaves the first addition out.
+    /// The rates of no interaction. Adding to −0 changes no bit of the sum, so the compiler
+    /// omits the first addition.
     pub const NONE: Rates = Rates {
         radial: Lanes::splat(-0.0),
         relative: Lanes::splat(-0.0),
@@ -69,7 +69,7 @@ impl Rates {
     }
 }
 
-/// What the particles of a pair do to each other; `Pair` is how the model describes one.
+/// An interaction of two particles; `Pair` is the pair data of the model.
 pub(crate) trait PairInteraction<Pair> {
     /// Adds to the rates of a pair.
     fn add(&self, pair: &Pair, rates: &mut Rates);

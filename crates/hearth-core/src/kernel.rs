@@ -8,7 +8,7 @@
 //!            { 0                       2 ≤ q
 //! ```
 //!
-//! The paper prints σ = 1/(πh³), which makes the kernel's volume one in three
+//! The paper prints σ = 1/(πh³), which normalises the kernel in three
 //! dimensions; in two it is σ = 10/(7πh²) (Monaghan, Rep. Prog. Phys. 68, 2005).
 
 use std::f32::consts::PI;
@@ -16,35 +16,33 @@ use std::f32::consts::PI;
 use crate::extremes::fast_max;
 use crate::lanes::{Lanes, Real};
 
-/// Both pieces of the kernel as one expression without a branch, of the distance
-/// in smoothing lengths: W = σ/4 · w.
+/// The kernel as one expression without a branch, of the distance in smoothing lengths:
+/// W = σ/4 · w.
 #[inline(always)]
 pub(crate) fn w<T: Real>(q: T) -> T {
     let (outer, inner) = tails(q);
-    outer * outer * outer - T::of(4.0) * inner * inner * inner
+    outer * outer * outer - T::splat(4.0) * inner * inner * inner
 }
 
-/// Its slope: W' = −3σ/4h · minus_dw.
+/// The derivative of the kernel: W' = −3σ/4h · minus_dw.
 #[inline(always)]
 pub(crate) fn minus_dw<T: Real>(q: T) -> T {
     let (outer, inner) = tails(q);
-    outer * outer - T::of(4.0) * inner * inner
+    outer * outer - T::splat(4.0) * inner * inner
 }
 
-/// The distance with this square, in smoothing lengths. It is never quite zero, so that
-/// quotients stay finite; the offset of particles that touch is zero, and so are their
-/// interactions.
+/// The root of a squared distance. It is never quite zero, so that quotients stay finite; the
+/// offset of coincident particles is zero, and so are their interactions.
 #[inline(always)]
 pub(crate) fn distance(square: Lanes) -> Lanes {
     square.fast_max(Lanes::splat(1e-12)).sqrt()
 }
 
-/// 2 − q and 1 − q, each zero from where it would be negative.
+/// 2 − q and 1 − q, clamped to 0.
 #[inline(always)]
 fn tails<T: Real>(q: T) -> (T, T) {
-    // So written and not as the larger of 2 − q and 0: that takes compilers to
-    // wasm two instructions.
-    let (one, two) = (T::of(1.0), T::of(2.0));
+    // max(2 − q, 0) compiles to one more wasm instruction.
+    let (one, two) = (T::splat(1.0), T::splat(2.0));
     (two - q.fast_min(two), one - q.fast_min(one))
 }
 
@@ -79,7 +77,7 @@ impl Kernel {
         self.h
     }
 
-    /// Radius of the disc outside of which the kernel is zero \[m\].
+    /// Support radius, beyond which the kernel is zero \[m\].
     pub fn support(&self) -> f32 {
         2.0 * self.h
     }
@@ -94,8 +92,7 @@ impl Kernel {
     #[inline]
     pub fn gradient_over_r(&self, r: f32) -> f32 {
         let q = r * self.inverse_h;
-        // At q = 0 the offset is zero, so the force is too, and any finite value
-        // will do.
+        // At q = 0 the offset and the force are zero, and any finite value is right.
         -self.minus_dw_norm() * minus_dw(q) / fast_max(q, 1e-6)
     }
 
@@ -143,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn its_volume_is_one_in_two_dimensions() {
+    fn its_integral_is_one_in_two_dimensions() {
         for h in [0.01, 0.035, 0.1, 1.0] {
             let kernel = Kernel::new(h);
             let volume = integrate(&kernel, |r| kernel.value(r));
@@ -152,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn as_printed_its_volume_is_off_by_what_the_dimension_costs() {
+    fn as_published_its_integral_is_wrong_by_the_dimension() {
         let kernel = Kernel::as_published(0.05);
         let volume = integrate(&kernel, |r| kernel.value(r));
         assert!((volume - 0.7 / 0.05).abs() < 1e-4, "{volume}");
@@ -197,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn it_ends_at_twice_the_smoothing_length() {
+    fn its_support_is_twice_the_smoothing_length() {
         let kernel = Kernel::new(0.05);
         assert!(kernel.value(0.0999) > 0.0);
         assert_eq!(kernel.value(0.1), 0.0);
@@ -206,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn a_lattice_has_its_own_density() {
+    fn a_lattice_has_the_right_density() {
         // h/dx from 1.3: the sum over a lattice is the density within 0.5 %.
         for ratio in [1.3_f32, 1.5, 2.0] {
             let dx = 0.02;

@@ -13,7 +13,7 @@ use glam::Vec4;
 
 use crate::extremes;
 
-/// How many numbers there are.
+/// Number of lanes.
 pub(crate) const LANES: usize = 4;
 
 /// Four numbers.
@@ -40,31 +40,31 @@ impl Lanes {
         self.0.to_array()
     }
 
-    /// The number of one lane, in all of them.
+    /// The number of one lane in all lanes.
     #[inline(always)]
-    pub fn spread(self, lane: usize) -> Lanes {
+    pub fn broadcast(self, lane: usize) -> Lanes {
         Lanes::splat(self.to_array()[lane])
     }
 
-    /// The nearest whole numbers, of numbers from 0 to 2²³ that are less.
+    /// The nearest integers of numbers from 0 to below 2²³.
     #[inline(always)]
-    pub fn nearest_whole(self) -> [u32; LANES] {
-        // At 2²³ the last bit of a float is a whole one.
+    pub fn nearest_integers(self) -> [u32; LANES] {
+        // At 2²³ the last bit of a float has the weight 1.
         const WHOLE: f32 = 8_388_608.0;
         let numbers = (self + WHOLE).to_array();
         numbers.map(|number| number.to_bits() & (WHOLE as u32 - 1))
     }
 
-    /// The first so many; zero in the other lanes.
+    /// The first `count` lanes; zero in the others.
     #[inline]
-    pub fn first(self, count: usize) -> Lanes {
+    pub fn keep_first(self, count: usize) -> Lanes {
         let numbers = self.to_array();
         Lanes::new([0, 1, 2, 3].map(|lane| if lane < count { numbers[lane] } else { 0.0 }))
     }
 
     /// The largest of the four.
     #[inline(always)]
-    pub fn largest(self) -> f32 {
+    pub fn max_lane(self) -> f32 {
         let [a, b, c, d] = self.to_array();
         extremes::fast_max(extremes::fast_max(a, b), extremes::fast_max(c, d))
     }
@@ -74,29 +74,28 @@ impl Lanes {
         Lanes(register::sqrt(self.0.into()).into())
     }
 
-    /// Which numbers are less than those of the same lane of `other`: a bit each,
-    /// that of the first lane first.
+    /// A bit mask of the lanes that are less than those of `other`; bit 0 is the first lane.
     #[inline(always)]
-    pub fn less(self, other: Lanes) -> u32 {
-        register::less(self.0.into(), other.0.into())
+    pub fn less_mask(self, other: Lanes) -> u32 {
+        register::less_mask(self.0.into(), other.0.into())
     }
 }
 
-/// What both one number and four at once can do; a formula over it is written once.
+/// Operations of one number and of four at once, so that a formula is written once.
 pub(crate) trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
-    /// This number, as often as there are lanes.
-    fn of(number: f32) -> Self;
-    /// The smaller; `other` where they cannot be compared or are alike.
+    /// The number in every lane.
+    fn splat(number: f32) -> Self;
+    /// The minimum; `other` if either is NaN or both are equal.
     fn fast_min(self, other: Self) -> Self;
-    /// The larger; `other` where they cannot be compared or are alike.
+    /// The maximum; `other` if either is NaN or both are equal.
     fn fast_max(self, other: Self) -> Self;
 }
 
 impl Real for f32 {
     #[inline(always)]
-    fn of(number: f32) -> f32 {
+    fn splat(number: f32) -> f32 {
         number
     }
     #[inline(always)]
@@ -111,7 +110,7 @@ impl Real for f32 {
 
 impl Real for Lanes {
     #[inline(always)]
-    fn of(number: f32) -> Lanes {
+    fn splat(number: f32) -> Lanes {
         Lanes::splat(number)
     }
     #[inline(always)]
@@ -166,18 +165,18 @@ impl SubAssign for Lanes {
     }
 }
 
-/// The sums of four: lane i is that of the i-th.
+/// The sum of each of four: lane i is the sum of the i-th.
 #[inline(always)]
-pub(crate) fn sums(of: [Lanes; LANES]) -> Lanes {
+pub(crate) fn row_sums(of: [Lanes; LANES]) -> Lanes {
     let [a, b, c, d] = transposed(of);
     (a + b) + (c + d)
 }
 
-/// Rows as columns.
+/// The transpose.
 #[inline(always)]
 pub(crate) fn transposed(rows: [Lanes; LANES]) -> [Lanes; LANES] {
     let [a, b, c, d] = rows.map(|row| row.0.into());
-    // a₀ b₀ a₁ b₁, a₂ b₂ a₃ b₃; and so of c and d.
+    // a₀ b₀ a₁ b₁ and a₂ b₂ a₃ b₃; the same of c and d.
     let ([ab, ab_end], [cd, cd_end]) = (register::interleaved(a, b), register::interleaved(c, d));
     let ([first, second], [third, fourth]) =
         (register::halves(ab, cd), register::halves(ab_end, cd_end));
@@ -191,7 +190,7 @@ mod tests {
     const ODD: [f32; 7] = [1.5, -2.0, 0.0, -0.0, 3e38, f32::NAN, f32::INFINITY];
 
     #[test]
-    fn each_lane_does_what_one_number_does() {
+    fn each_lane_computes_what_one_number_does() {
         for a in ODD {
             for b in ODD {
                 let (left, right) = (Lanes::new([a, 1.0, 7.0, a]), Lanes::new([b, 2.0, -3.0, b]));
@@ -217,22 +216,22 @@ mod tests {
                     let same = |x: f32| x.to_bits() == one.to_bits() || x.is_nan() && one.is_nan();
                     assert!(same(four.to_array()[0]) && same(four.to_array()[3]));
                 }
-                let less = left.less(Lanes::new([b, 0.0, 8.0, a]));
+                let less = left.less_mask(Lanes::new([b, 0.0, 8.0, a]));
                 assert_eq!(less, u32::from(a < b) + 4, "{a} {b}");
             }
         }
     }
 
     #[test]
-    fn whole_numbers_are_the_nearest() {
+    fn integers_are_the_nearest() {
         let numbers = Lanes::new([0.0, 0.49, 6.51, 8_388_607.0]);
-        assert_eq!(numbers.nearest_whole(), [0, 0, 7, 8_388_607]);
+        assert_eq!(numbers.nearest_integers(), [0, 0, 7, 8_388_607]);
     }
 
     #[test]
     fn sums_are_those_of_the_rows() {
         let rows = [0, 1, 2, 3].map(|i| Lanes::splat(2.0) * Lanes::new([1.0, 2.0, 3.0, i as f32]));
-        assert_eq!(sums(rows), Lanes::new([12.0, 14.0, 16.0, 18.0]));
+        assert_eq!(row_sums(rows), Lanes::new([12.0, 14.0, 16.0, 18.0]));
         assert_eq!(transposed(transposed(rows)), rows);
     }
 }

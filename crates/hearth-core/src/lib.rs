@@ -1,6 +1,6 @@
 //! Real fire by smoothed particle hydrodynamics in two dimensions.
 //!
-//! The physics of Hearth, without a platform: no window, no clock, no thread.
+//! The physics of Hearth, independent of any platform: no window, no clock, no thread.
 //!
 //! ```
 //! use hearth_core::{Parameters, Simulation, params::Input};
@@ -16,10 +16,9 @@
 //! ```
 //!
 //! There are two [models](params::Model): *combustion*, in which air fills the
-//! domain and fuel burns in it, and *classic*, the student paper's. Everything
-//! is `f32`, the length of a step follows from parameters and state alone, and
-//! the one random generator is seeded, so the same seed gives the same bits,
-//! natively and in wasm.
+//! domain and fuel burns in it, and *classic*, the student paper's. All numbers are `f32`, the
+//! length of a step depends only on parameters and state, and the random generator is seeded, so
+//! the same seed gives the same bits, natively and in wasm.
 
 mod bounds;
 mod classic;
@@ -58,7 +57,7 @@ pub use scene::Scene;
 pub use simulation::{Simulation, burning};
 pub use source::Source;
 
-// The examples of the README run with those of the documentation.
+// Runs the examples of the README as doc tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct ReadMe;

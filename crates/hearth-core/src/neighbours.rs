@@ -1,13 +1,12 @@
 //! Passes over the pairs of particles within each other's kernel.
 //!
-//! Particles come four at a time, in blocks that hold each property of the four side by
-//! side ([`Block`]), with positions in smoothing lengths. A pass computes one particle of a
-//! block against the four of another at once. It meets each pair of blocks from one end and
-//! adds to the sums of both.
+//! Blocks of four particles hold each property of the four side by side ([`Block`]), with
+//! positions in smoothing lengths. A pass computes one particle of a block against the four
+//! of another at once. It visits each pair of blocks once and adds to the sums of both.
 //!
-//! The first pass sums the kernels and notes for each particle which particles of
-//! which blocks are within its reach; what follows goes by these lists. They keep
-//! their memory and are bounded.
+//! The first pass sums the kernels and lists for each particle its neighbours, as blocks with
+//! a bit mask. The other passes iterate over these lists. The lists keep their memory, and
+//! their size is bounded.
 
 #[cfg(test)]
 mod tests;
@@ -18,22 +17,21 @@ use crate::grid::{Grid, Run};
 use crate::kernel;
 use crate::lanes::{self, LANES, Lanes};
 
-/// Most entries that the lists may have. It is a net for a browser's memory: many
-/// particles within a large smoothing radius would have thousands of
-/// neighbours each. A hundred thousand particles reach it at some 650 neighbours.
+/// Most entries of the lists. The limit protects a browser's memory: many particles within a
+/// large smoothing radius would have thousands of neighbours each. A hundred thousand particles
+/// reach it at some 650 neighbours.
 const MAX_ENTRIES: usize = 1 << 24;
 
-/// Where the lanes of a block lie that hold no particle, in smoothing lengths: out
-/// of every reach.
-pub(crate) const NOWHERE: f32 = 1e6;
+/// Position of the lanes without a particle, in smoothing lengths: beyond every support.
+pub(crate) const FAR_AWAY: f32 = 1e6;
 
-/// Square of a kernel's reach, in smoothing lengths.
-const REACH_SQUARED: Lanes = Lanes::splat(4.0);
+/// Square of the support radius, in smoothing lengths.
+const SUPPORT_SQUARED: Lanes = Lanes::splat(4.0);
 
-/// How many subsets four particles have.
+/// Number of subsets of four particles.
 const SUBSETS: usize = 1 << LANES;
 
-/// The lanes of each subset, the rest filled up, and how many they are.
+/// The lanes of each subset, padded with zeros, and their number.
 const MEMBERS: [([u32; LANES], usize); SUBSETS] = {
     let mut members = [([0; LANES], 0); SUBSETS];
     let mut subset = 0;
@@ -52,48 +50,48 @@ const MEMBERS: [([u32; LANES], usize); SUBSETS] = {
     members
 };
 
-/// Four particles, as the passes need them.
+/// Four particles with the data that every pass reads.
 pub(crate) trait Block: Copy {
-    /// Where they are, in smoothing lengths.
-    fn place(&self) -> [Lanes; 2];
-    /// The weight of each in the sums of those around it.
+    /// Positions, in smoothing lengths.
+    fn position(&self) -> [Lanes; 2];
+    /// The weight of each in the sums of its neighbours.
     fn weight(&self) -> Lanes;
-    /// The sum of the weights around each, Σⱼ yⱼ [`kernel::w`].
+    /// The sum over the neighbours of each, Σⱼ yⱼ [`kernel::w`].
     fn sum(&mut self) -> &mut Lanes;
 }
 
 /// Sums over pairs, `N` for each particle.
 pub(crate) trait PairSum<const N: usize> {
-    /// The blocks that it is about.
+    /// The blocks of the particles.
     type Block: Block;
-    /// One particle, each property of it in all lanes.
+    /// One particle, with each property in all lanes.
     type Broadcast;
 
     /// The particle in a lane of `block`, moved by `shift` smoothing lengths.
     fn broadcast(&self, block: &Self::Block, lane: usize, shift: Vec2) -> Self::Broadcast;
 
-    /// What each of the four `others` adds to the sums of `one`, and what `one` takes
-    /// from theirs.
+    /// The terms that each of the four `others` adds to the sums of `one`, and the terms that
+    /// `one` subtracts from the sums of the others.
     fn pair(&self, one: &Self::Broadcast, others: &Self::Block) -> ([Lanes; N], [Lanes; N]);
 
-    /// Where a block keeps the sums.
+    /// The sums of a block.
     fn accumulator(block: &mut Self::Block) -> &mut [Lanes; N];
 }
 
-/// A block and its neighbours: in its own part of the domain, or, moved by
-/// `shift` smoothing lengths, beyond a periodic edge.
+/// A block and the lists of its neighbours: without a shift, or, `shift` smoothing lengths
+/// away, beyond a periodic edge.
 #[derive(Clone, Copy, Debug)]
 struct Sweep {
     block: u32,
-    /// Whether it is its own neighbour too.
+    /// Whether the pairs within the block belong to this sweep.
     own: bool,
-    /// Which of its own particles are within reach of each, from later lanes.
+    /// Of each particle, the neighbours in later lanes of the same block, as a bit mask.
     inner: [u8; LANES],
     shift: Vec2,
-    /// The list of its first particle begins here, each other one so much later.
+    /// Start of the list of its first particle, and the distance to the next list.
     begin: u32,
     stride: u32,
-    /// How many entries each list has.
+    /// Number of entries in each list.
     counts: [u32; LANES],
 }
 
@@ -105,25 +103,24 @@ impl Sweep {
     }
 }
 
-/// Which blocks have neighbours of which particles.
+/// The neighbours of every particle.
 ///
-/// An entry is the number of a block times [`SUBSETS`] and which of its particles
-/// are meant, a bit each.
+/// An entry is the index of a block times [`SUBSETS`], plus a bit mask of its particles.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Neighbours {
     sweeps: Vec<Sweep>,
-    /// The lists.
+    /// The lists of all sweeps.
     entries: Vec<u32>,
     used: usize,
-    /// How many particles the last search was for, in how many blocks.
+    /// Number of particles and of blocks in the last search.
     particles: usize,
     blocks: usize,
 }
 
 impl Neighbours {
-    /// Sums what each particle gets from its neighbours, itself included, for
-    /// blocks that lie in the order of `grid`, whose smoothing length is `h`
-    /// \[m\]; and makes the lists.
+    /// Makes the lists, and sums the weighted kernels over the neighbours of each particle,
+    /// itself included. The blocks are in the order of `grid`; `h` is the smoothing length
+    /// \[m\].
     pub fn find<B: Block>(&mut self, blocks: &mut [B], grid: &Grid, h: f32) {
         self.used = 0;
         self.sweeps.clear();
@@ -132,13 +129,13 @@ impl Neighbours {
         let mut runs = Default::default();
         for row in 0..grid.rows() {
             for block in grid.blocks(row) {
-                let (from, to) = span(blocks[block].place()[0]);
+                let (from, to) = span(blocks[block].position()[0]);
                 let count = grid.runs_after(row, block, (from * h, to * h), &mut runs);
                 let runs = &runs[..count];
-                let near = runs.iter().take_while(|run| run.shift == Vec2::ZERO);
-                let (near, beyond) = runs.split_at(near.count());
-                self.sweep(blocks, block, near, Vec2::ZERO, true);
-                for run in beyond {
+                let unshifted = runs.iter().take_while(|run| run.shift == Vec2::ZERO);
+                let (unshifted, shifted) = runs.split_at(unshifted.count());
+                self.sweep(blocks, block, unshifted, Vec2::ZERO, true);
+                for run in shifted {
                     let shift = run.shift * inverse_h;
                     self.sweep(blocks, block, std::slice::from_ref(run), shift, false);
                 }
@@ -162,7 +159,7 @@ impl Neighbours {
         }
         let end = begin + LANES * stride;
         if end > self.entries.len() {
-            // By half as much again, so that a growing fire seldom allocates.
+            // Grows by half, so that a growing fire seldom allocates.
             let room = end.max(self.entries.len() / 2 * 3);
             self.entries.resize(room, 0);
         }
@@ -173,16 +170,17 @@ impl Neighbours {
         let lists = [first, second, third, fourth];
         let mut counts = [0; LANES];
 
-        let ([x, y], weight) = (blocks[block].place(), blocks[block].weight());
-        // Lanes that hold no particle lie all in one place: here, in another.
-        let held = x.less(Lanes::splat(0.5 * NOWHERE));
+        let ([x, y], weight) = (blocks[block].position(), blocks[block].weight());
+        // Lanes without a particle must not find each other: those of this block get another
+        // position.
+        let occupied = x.less_mask(Lanes::splat(0.5 * FAR_AWAY));
         let each = [0, 1, 2, 3].map(|lane| {
-            let x = if held & (1 << lane) == 0 {
-                Lanes::splat(-NOWHERE)
+            let x = if occupied & (1 << lane) == 0 {
+                Lanes::splat(-FAR_AWAY)
             } else {
-                x.spread(lane)
+                x.broadcast(lane)
             };
-            (x, y.spread(lane), weight.spread(lane))
+            (x, y.broadcast(lane), weight.broadcast(lane))
         });
         let mut sums = [Lanes::ZERO; LANES];
         let mut inner = [0; LANES];
@@ -191,13 +189,13 @@ impl Neighbours {
                 let square = square(each[lane].0 - x, each[lane].1 - y);
                 sums[lane] = kernel::w(square.sqrt()) * weight;
                 let later = !((2 << lane) - 1);
-                inner[lane] = (square.less(REACH_SQUARED) & later) as u8;
+                inner[lane] = (square.less_mask(SUPPORT_SQUARED) & later) as u8;
             }
         }
         let each = each.map(|(x, y, weight)| (x - shift.x, y - shift.y, weight));
         for run in runs {
             for (number, others) in (run.start..).zip(&mut blocks[run.start..run.end]) {
-                let ([x, y], weight) = (others.place(), others.weight());
+                let ([x, y], weight) = (others.position(), others.weight());
                 let mut back = [Lanes::ZERO; LANES];
                 for lane in 0..LANES {
                     let (one_x, one_y, one_weight) = each[lane];
@@ -205,16 +203,16 @@ impl Neighbours {
                     let w = kernel::w(square.sqrt());
                     sums[lane] += w * weight;
                     back[lane] = w * one_weight;
-                    // Written where the next entry belongs, and that place moves on
-                    // only if it is one: a wrong guess costs more than the writing.
-                    let within = square.less(REACH_SQUARED);
-                    lists[lane][counts[lane]] = (number * SUBSETS) as u32 + within;
-                    counts[lane] += usize::from(within != 0);
+                    // The write is unconditional, and the count grows only for a neighbour: a
+                    // mispredicted branch costs more than the write.
+                    let mask = square.less_mask(SUPPORT_SQUARED);
+                    lists[lane][counts[lane]] = (number * SUBSETS) as u32 + mask;
+                    counts[lane] += usize::from(mask != 0);
                 }
                 *others.sum() += (back[0] + back[1]) + (back[2] + back[3]);
             }
         }
-        *blocks[block].sum() += lanes::sums(sums);
+        *blocks[block].sum() += lanes::row_sums(sums);
         self.sweeps.push(Sweep {
             block: block as u32,
             own,
@@ -238,28 +236,27 @@ impl Neighbours {
                 }
                 for &entry in sweep.list(&self.entries, lane) {
                     let others = &mut blocks[entry as usize / SUBSETS];
-                    let (gain, loss) = pairs.pair(&one, others);
+                    let (added, subtracted) = pairs.pair(&one, others);
                     let theirs = P::accumulator(others);
                     for k in 0..N {
-                        sum[k] += gain[k];
-                        theirs[k] -= loss[k];
+                        sum[k] += added[k];
+                        theirs[k] -= subtracted[k];
                     }
                 }
             }
             let accumulator = P::accumulator(&mut blocks[block]);
             for (k, sum) in accumulator.iter_mut().enumerate() {
-                *sum += lanes::sums(own.map(|sum| sum[k]));
+                *sum += lanes::row_sums(own.map(|sum| sum[k]));
             }
         }
     }
 
-    /// Calls `see` with each particle, the shift of its neighbours in smoothing lengths,
-    /// and these neighbours, so that it meets each pair from one end. A particle is its
-    /// place, four to a block; the place after the last block fills the neighbours up to a
-    /// multiple of four.
+    /// Calls `visit` with each particle, the shift of its neighbours in smoothing lengths, and
+    /// these neighbours. It visits each pair once. A particle is its index, four to a block;
+    /// the index after the last block pads the neighbours to a multiple of four.
     #[inline(always)]
-    pub fn each(&self, others: &mut Vec<u32>, mut see: impl FnMut(usize, Vec2, &[u32])) {
-        let nowhere = (LANES * self.blocks) as u32;
+    pub fn each(&self, others: &mut Vec<u32>, mut visit: impl FnMut(usize, Vec2, &[u32])) {
+        let padding = (LANES * self.blocks) as u32;
         for sweep in &self.sweeps {
             let first = sweep.block as usize * LANES;
             for lane in 0..LANES {
@@ -274,32 +271,32 @@ impl Neighbours {
                     let (lanes, members) = MEMBERS[entry as usize % SUBSETS];
                     let base = entry / SUBSETS as u32 * LANES as u32;
                     let written = &mut others[count..count + LANES];
-                    for (place, lane) in written.iter_mut().zip(lanes) {
-                        *place = base + lane;
+                    for (index, lane) in written.iter_mut().zip(lanes) {
+                        *index = base + lane;
                     }
                     count += members;
                 }
-                others[count..count + LANES].fill(nowhere);
+                others[count..count + LANES].fill(padding);
                 if count > 0 {
                     let padded = count.next_multiple_of(LANES);
-                    see(first + lane, sweep.shift, &others[..padded]);
+                    visit(first + lane, sweep.shift, &others[..padded]);
                 }
             }
         }
     }
 
-    /// Neighbours of a particle, on average, and the largest number of one, as the last search
-    /// found them; it counts them again.
+    /// Mean and maximum number of neighbours of a particle in the last search. It counts them
+    /// again.
     pub fn mean_and_max(&self) -> (f32, u32) {
-        let nowhere = LANES * self.blocks;
-        let mut counts = vec![0_u32; nowhere + 1];
+        let padding = LANES * self.blocks;
+        let mut counts = vec![0_u32; padding + 1];
         self.each(&mut Vec::new(), |one, _, others| {
             for &other in others {
-                counts[one] += u32::from(other as usize != nowhere);
+                counts[one] += u32::from(other as usize != padding);
                 counts[other as usize] += 1;
             }
         });
-        let counts = &counts[..nowhere];
+        let counts = &counts[..padding];
         let sum: u32 = counts.iter().sum();
         let mean = sum as f32 / self.particles.max(1) as f32;
         (mean, counts.iter().copied().max().unwrap_or(0))
@@ -311,15 +308,15 @@ fn square(x: Lanes, y: Lanes) -> Lanes {
     x * x + y * y
 }
 
-/// From where to where particles lie, those nowhere left out.
+/// Minimum and maximum of the lanes with a particle.
 #[inline]
 fn span(x: Lanes) -> (f32, f32) {
-    let (mut from, mut to) = (NOWHERE, -NOWHERE);
+    let (mut from, mut to) = (FAR_AWAY, -FAR_AWAY);
     for x in x.to_array() {
         if x < from {
             from = x;
         }
-        if x > to && x < 0.5 * NOWHERE {
+        if x > to && x < 0.5 * FAR_AWAY {
             to = x;
         }
     }

@@ -5,9 +5,8 @@
 
 use glam::Vec2;
 
-/// Smooth noise of that seed at (x, y): zero on average and at every whole
-/// (x, y), within −1 and 1, one lattice cell per unit. `y` is a time, and an `f32` would
-/// make it jump after a day.
+/// Smooth noise of a seed at (x, y): from −1 to 1, zero on average and at every lattice point,
+/// one lattice cell per unit. `y` is a time, which an `f32` would not resolve after a day.
 pub fn perlin(seed: u32, x: f32, y: f64) -> f32 {
     let (cell_x, cell_y) = (x.floor(), y.floor());
     let (fx, fy) = (x - cell_x, (y - cell_y) as f32);
@@ -22,15 +21,14 @@ pub fn perlin(seed: u32, x: f32, y: f64) -> f32 {
     lower + v * (upper - lower)
 }
 
-/// The slope of such noise at `at`, in a lattice that repeats after so many
-/// cells across and up.
-pub fn perlin_slope(seed: u32, at: Vec2, repeats: [u32; 2]) -> Vec2 {
+/// The gradient of the noise at `at`, in a lattice with these periods in cells.
+pub fn perlin_gradient(seed: u32, at: Vec2, periods: [u32; 2]) -> Vec2 {
     let cell = at.floor();
     let inside = at - cell;
-    let place = |axis: f32, repeats: u32| (axis as i32).rem_euclid(repeats.max(1) as i32);
-    let (left, lower) = (place(cell.x, repeats[0]), place(cell.y, repeats[1]));
-    let right = place(left as f32 + 1.0, repeats[0]);
-    let upper = place(lower as f32 + 1.0, repeats[1]);
+    let wrapped = |axis: f32, periods: u32| (axis as i32).rem_euclid(periods.max(1) as i32);
+    let (left, lower) = (wrapped(cell.x, periods[0]), wrapped(cell.y, periods[1]));
+    let right = wrapped(left as f32 + 1.0, periods[0]);
+    let upper = wrapped(lower as f32 + 1.0, periods[1]);
     let corner = |ix, iy, dx: f32, dy: f32| {
         let (gx, gy) = gradient(seed, ix, iy);
         let slope = Vec2::new(gx, gy);
@@ -51,12 +49,12 @@ pub fn perlin_slope(seed: u32, at: Vec2, repeats: [u32; 2]) -> Vec2 {
         )
 }
 
-/// 6t⁵ − 15t⁴ + 10t³: the noise has no crease in its slope.
+/// 6t⁵ − 15t⁴ + 10t³: the gradient of the noise is continuous.
 fn fade(t: f32) -> f32 {
     t * t * t * (t * (t * 6.0 - 15.0) + 10.0)
 }
 
-/// The slope of [`fade`].
+/// The derivative of [`fade`].
 fn fade_slope(t: f32) -> f32 {
     30.0 * t * t * (t * (t - 2.0) + 1.0)
 }
@@ -105,10 +103,10 @@ mod tests {
     }
 
     #[test]
-    fn its_slope_is_how_it_changes() {
+    fn its_gradient_is_its_rate_of_change() {
         let mut checked = 0;
         for i in 0..400 {
-            // Inside the part of the lattice in which nothing repeats yet.
+            // Within one period of the lattice.
             let at = Vec2::new((i % 20) as f32 * 0.37, (i / 20) as f32 * 0.31);
             let noise = |x: f32, y: f32| perlin(3, x, f64::from(y));
             let d = 1e-3;
@@ -116,9 +114,12 @@ mod tests {
                 noise(at.x + d, at.y) - noise(at.x - d, at.y),
                 noise(at.x, at.y + d) - noise(at.x, at.y - d),
             ) / (2.0 * d);
-            let said = perlin_slope(3, at, [64, 64]);
-            assert!(slope.distance(said) < 5e-3, "{slope} and {said} at {at}");
-            checked += i32::from(said.length() > 0.1);
+            let gradient = perlin_gradient(3, at, [64, 64]);
+            assert!(
+                slope.distance(gradient) < 5e-3,
+                "{slope} and {gradient} at {at}"
+            );
+            checked += i32::from(gradient.length() > 0.1);
         }
         assert!(checked > 300);
     }
@@ -135,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn another_seed_is_another_noise() {
+    fn seeds_give_different_noise() {
         let differs = (0..20).any(|i| {
             let x = i as f32 * 0.3 + 0.1;
             (perlin(1, x, 0.5) - perlin(2, x, 0.5)).abs() > 0.05

@@ -6,12 +6,12 @@ use glam::Vec2;
 
 use crate::bounds::Bounds;
 
-/// Fastest particle that can be put in [m/s]; what is thousands of times as
-/// fast as the gas would not move it but break it.
-const FASTEST: f32 = 1000.0;
+/// Largest speed of a particle that can be put in [m/s]. A particle thousands of times faster
+/// than the gas would destroy the simulation.
+const MAX_SPEED: f32 = 1000.0;
 
-/// A particle as callers put it in and read it out. What its model does not use stays
-/// as it is in air.
+/// A particle as callers put it in and read it out. Properties that its model does not use
+/// have their values in air.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Particle {
     /// Position \[m\]; the origin is the middle of the floor, y points up.
@@ -47,8 +47,8 @@ impl Particle {
         }
     }
 
-    /// What is wrong with it, where something is.
-    pub(crate) fn fault(&self, bounds: &Bounds) -> Option<&'static str> {
+    /// The rule that it breaks, if any.
+    pub(crate) fn broken_rule(&self, bounds: &Bounds) -> Option<&'static str> {
         let Particle {
             position,
             velocity,
@@ -60,9 +60,9 @@ impl Particle {
             soot,
         } = *self;
         let share = 0.0..=1.0;
-        if !bounds.hold(position) {
+        if !bounds.contains(position) {
             Some("position must be inside the domain")
-        } else if !(0.0..=FASTEST).contains(&velocity.length()) {
+        } else if !(0.0..=MAX_SPEED).contains(&velocity.length()) {
             Some("velocity must be at most 1000 m/s")
         } else if !(1.0..=1e5).contains(&temperature) {
             Some("temperature must be from 1 to 100000 K")
@@ -78,12 +78,12 @@ impl Particle {
     }
 }
 
-/// Why particles were refused.
+/// An error about particles to put in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ParticleError {
-    /// The first particle that cannot be taken, where it is not their number.
+    /// The first invalid particle; `None` if their number is invalid.
     pub index: Option<usize>,
-    /// What is wrong with it.
+    /// The rule.
     pub what: &'static str,
 }
 

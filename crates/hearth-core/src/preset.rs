@@ -1,10 +1,10 @@
 //! Named sets of values: the scenes.
 //!
-//! Each is a file of `scenes/` in Hearth's repository, and `cargo xtask codegen` writes
-//! the table of all of them: this crate reads no file, and carries none.
+//! Each is a file of `scenes/` in Hearth's repository. `cargo xtask codegen` generates the table
+//! of all of them, so this crate reads no file.
 
 mod definition;
-// Written by a program, in a form of its own.
+// Generated code.
 #[rustfmt::skip]
 mod scenes;
 
@@ -12,12 +12,12 @@ pub use definition::{Caption, Preset};
 pub use scenes::{CAPTIONS, PRESETS};
 
 impl Preset {
-    /// The preset of that name.
+    /// The preset with this name.
     pub fn find(name: &str) -> Option<&'static Preset> {
         PRESETS.iter().find(|preset| preset.name == name)
     }
 
-    /// What a person reads about it.
+    /// Its label and description.
     pub fn caption(&self) -> &'static Caption {
         let at = PRESETS.iter().position(|preset| preset.name == self.name);
         at.and_then(|at| CAPTIONS.get(at)).unwrap_or(&Caption {
@@ -56,7 +56,7 @@ mod tests {
     }
 
     #[test]
-    fn presets_have_names_and_words_of_their_own_and_the_default_is_the_first() {
+    fn names_labels_and_descriptions_are_unique_and_the_default_is_first() {
         assert_eq!(PRESETS[0].name, "default");
         assert_eq!(PRESETS[0].parameters(), Parameters::default());
         assert_eq!(PRESETS.len(), CAPTIONS.len());

@@ -1,7 +1,7 @@
-//! The one source of chance.
+//! The random generator.
 //!
-//! PCG32 (O'Neill 2014, the XSH-RR variant): small, fast, good enough for
-//! fire, and the same sequence on every machine.
+//! PCG32 (O'Neill 2014, the XSH-RR variant): small, fast, and the same sequence on every
+//! machine.
 
 /// A seeded generator.
 #[derive(Clone, Debug)]
@@ -13,7 +13,7 @@ const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
 const INCREMENT: u64 = 1_442_695_040_888_963_407;
 
 impl Random {
-    /// The generator of that seed.
+    /// A generator with this seed.
     pub fn new(seed: u32) -> Random {
         let mut random = Random {
             state: INCREMENT.wrapping_add(u64::from(seed)),
@@ -32,7 +32,7 @@ impl Random {
 
     /// A number from 0 up to but not including 1.
     pub fn unit(&mut self) -> f32 {
-        // 24 bits are all that an f32 holds.
+        // An f32 holds 24 bits.
         (self.bits() >> 8) as f32 / (1 << 24) as f32
     }
 
@@ -53,7 +53,7 @@ mod tests {
     }
 
     #[test]
-    fn another_seed_gives_another_sequence() {
+    fn seeds_give_different_sequences() {
         let (mut a, mut b) = (Random::new(7), Random::new(8));
         assert!((0..10).any(|_| a.bits() != b.bits()));
     }

@@ -1,12 +1,11 @@
-//! What a step did, and its stages.
+//! The report of a step, and the stages of a step.
 
-/// What the last step did.
+/// A report of the last step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepReport {
-    /// Parts the step was divided into; one in the combustion model, whose
-    /// steps are as long as they may be.
+    /// Number of substeps; one in the combustion model, whose steps are as long as is stable.
     pub substeps: u32,
-    /// Neighbours of a particle within 2h, on average.
+    /// Mean number of neighbours of a particle, within 2h.
     pub mean_neighbours: f32,
     /// Largest number of neighbours of one particle.
     pub max_neighbours: u32,
@@ -19,9 +18,9 @@ pub struct StepReport {
     pub max_speed: f32,
     /// Length of the step \[s\].
     pub length: f32,
-    /// Power of the burning [kW/m]; zero in the classic model.
+    /// Power of the combustion [kW/m]; zero in the classic model.
     pub power: f32,
-    /// Power that heated the gas of the source, on top of that of the burning [kW/m];
+    /// Power that heated the gas of the source, besides that of the combustion [kW/m];
     /// zero in the classic model.
     pub preheat: f32,
 }
@@ -29,12 +28,12 @@ pub struct StepReport {
 /// The stages of a step, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
-    /// Births, and the order of particles in memory.
+    /// Births and sorting.
     Sort,
     /// Neighbour search and density.
     Density,
     /// Pair interactions and, in the combustion model, body forces.
     Forces,
-    /// Motion and burning, what enters and what leaves.
+    /// Motion, combustion, sources and open edges.
     Integrate,
 }

@@ -1,9 +1,9 @@
 //! A scene: the settings of a fire and the objects in it.
 //!
-//! The objects are its sources. The parameters of a source (`source_x`, `fuel_power`, …)
-//! *are* the properties of the first one: setting either sets both. Every other source
-//! has properties of its own. [`KINDS`] lists what an object can be given; ranges,
-//! defaults and units are those of the parameters.
+//! The objects are sources. The parameters of a source (`source_x`, `fuel_power`, …) *are* the
+//! properties of the first one: setting either sets both. Every other source has separate
+//! properties. [`KINDS`] lists the properties of each kind; their ranges, defaults and units
+//! are those of the parameters.
 
 mod kinds;
 #[cfg(test)]
@@ -19,30 +19,29 @@ pub const MAX_OBJECTS: usize = 64;
 /// Largest id of an object.
 const MAX_ID: f64 = 1e6;
 
-/// The fields of an object that are no property.
+/// The fields of an object that are not properties.
 const KIND: &str = "kind";
 const ID: &str = "id";
 
-/// Settings and objects: all that a fire starts from. Every value is in range.
+/// Settings and objects: the input of a fire. Every value is in range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     settings: Parameters,
-    /// The first source has its values in `settings`, or will have them: they are
-    /// kept while there is no source.
+    /// The values of the first source are in `settings`, which keep them while there is no
+    /// source.
     sources: Vec<Source>,
 }
 
-/// A source by its id, with the settings as they hold for it.
+/// A source: its id and its settings.
 #[derive(Clone, Debug, PartialEq)]
 struct Source {
     id: u32,
-    /// The settings with this source's properties; `None` for the first, which is
-    /// described by the settings themselves.
+    /// The settings with this source's properties; `None` for the first source, whose properties
+    /// are in the scene's settings.
     values: Option<Box<Parameters>>,
 }
 
-/// An object as somebody sent it: its `kind`, an `id` where it shall have one of its own,
-/// and its properties.
+/// The unchecked fields of an object: its `kind`, optionally its `id`, and its properties.
 pub type Fields<'a> = [(&'a str, Input<'a>)];
 
 impl From<Parameters> for Scene {
@@ -86,21 +85,21 @@ impl Scene {
         }
     }
 
-    /// The settings as they hold for each source, in the order of the objects. Every
-    /// source has a seed of its own.
+    /// The settings of each source, in the order of the objects. Every source has a different
+    /// seed.
     pub fn sources(&self) -> impl Iterator<Item = &Parameters> {
         self.sources
             .iter()
             .map(|one| one.values.as_deref().unwrap_or(&self.settings))
     }
 
-    /// Power of all sources together [kW/m], in the combustion model.
+    /// Total power of the sources [kW/m], in the combustion model.
     pub fn power(&self) -> f32 {
         self.sources().map(|values| values.fuel_power).sum()
     }
 
-    /// The objects, in their order: the id, the kind, and the settings as they hold for
-    /// the object, whose properties are the [parameters](Property::id) of that kind.
+    /// The objects, in order: the id, the kind, and the settings of the object, in which its
+    /// properties are the [parameters](Property::id) of the kind.
     pub fn objects(&self) -> impl ExactSizeIterator<Item = (u32, &'static Kind, &Parameters)> {
         self.sources.iter().map(|one| {
             let values = one.values.as_deref().unwrap_or(&self.settings);
@@ -108,37 +107,37 @@ impl Scene {
         })
     }
 
-    /// Adds an object and returns its id. Properties that `fields` does not name have
-    /// their defaults or, in the only source, the settings' values.
+    /// Adds an object and returns its id. Missing properties have their defaults or, in the only
+    /// source, the values of the settings.
     ///
     /// # Errors
-    /// Every field that is refused. Nothing changes then.
+    /// Every invalid field. Nothing changes then.
     pub fn add(&mut self, fields: &Fields<'_>) -> Result<u32, Vec<ParamError>> {
-        self.try_to(&mut |new, refused| new.insert(fields, refused))?;
+        self.transact(&mut |new, errors| new.insert(fields, errors))?;
         Ok(self.sources.last().map_or(0, |last| last.id))
     }
 
     /// Changes properties of an object, all of them or none.
     ///
     /// # Errors
-    /// There is no object of that id; or every field that is refused.
+    /// There is no object with this id, or every invalid field.
     pub fn change(&mut self, id: u32, fields: &Fields<'_>) -> Result<(), Vec<ParamError>> {
-        self.try_to(&mut |new, refused| {
-            if let Some(index) = new.find(id, refused) {
-                new.write(index, fields, refused);
+        self.transact(&mut |new, errors| {
+            if let Some(index) = new.find(id, errors) {
+                new.write(index, fields, errors);
             }
         })
     }
 
-    /// Removes an object. The source after the first becomes the first, and the
-    /// settings take on its properties; with no source left they keep theirs for the
-    /// next one.
+    /// Removes an object. If it was the first, the next source becomes the first, and the
+    /// settings get its properties. Without a source, the settings keep the values for the next
+    /// one.
     ///
     /// # Errors
-    /// There is no object of that id.
+    /// There is no object with this id.
     pub fn remove(&mut self, id: u32) -> Result<(), Vec<ParamError>> {
-        self.try_to(&mut |new, refused| {
-            if let Some(index) = new.find(id, refused) {
+        self.transact(&mut |new, errors| {
+            if let Some(index) = new.find(id, errors) {
                 new.sources.remove(index);
                 let first = new.sources.first_mut();
                 if let Some(values) = first.and_then(|first| first.values.take()) {
@@ -148,31 +147,31 @@ impl Scene {
         })
     }
 
-    /// Removes all objects. The settings keep the values of the first source for the next.
+    /// Removes all objects. The settings keep the values of the first source for the next one.
     pub fn clear(&mut self) {
         self.sources.clear();
     }
 
-    /// Lets `act` change a copy and takes it over where nothing was refused.
+    /// Applies `act` to a copy, and keeps the copy if there is no error.
     #[inline(never)]
-    fn try_to(
+    fn transact(
         &mut self,
         act: &mut dyn FnMut(&mut Scene, &mut Vec<ParamError>),
     ) -> Result<(), Vec<ParamError>> {
         let mut new = self.clone();
-        let mut refused = Vec::new();
-        act(&mut new, &mut refused);
-        if refused.is_empty() {
+        let mut errors = Vec::new();
+        act(&mut new, &mut errors);
+        if errors.is_empty() {
             *self = new;
             Ok(())
         } else {
-            Err(refused)
+            Err(errors)
         }
     }
 
-    /// Adds an object, whatever is refused of it.
+    /// Adds an object and appends its errors.
     #[inline(never)]
-    fn insert(&mut self, fields: &Fields<'_>, refused: &mut Vec<ParamError>) {
+    fn insert(&mut self, fields: &Fields<'_>, errors: &mut Vec<ParamError>) {
         let index = self.sources.len();
         let is_free = |id: f64| self.sources.iter().all(|one| f64::from(one.id) != id);
         let free = (1..).find(|&id| is_free(f64::from(id)));
@@ -189,7 +188,7 @@ impl Scene {
             Input::Number(x) if is_free(x) && (1.0..=MAX_ID).contains(&x) => x as u32,
             _ => 0,
         };
-        let wrong = if index >= MAX_OBJECTS {
+        let problem = if index >= MAX_OBJECTS {
             let count = Input::Number(index as f64 + 1.0);
             Some(("length", count, "at most 64"))
         } else if kind != Input::Text(KINDS[0].name) {
@@ -200,12 +199,12 @@ impl Scene {
         } else {
             None
         };
-        if let Some((field, input, words)) = wrong {
+        if let Some((field, input, words)) = problem {
             let name = match field {
                 "length" => "objects.length".to_owned(),
-                _ => place(index, field),
+                _ => path(index, field),
             };
-            refused.push(must_be(name, input, words));
+            errors.push(must_be(name, input, words));
             return;
         }
         let values = (index > 0).then(|| {
@@ -213,12 +212,12 @@ impl Scene {
             Box::new(values_of_source(&self.settings, &defaults, index))
         });
         self.sources.push(Source { id: number, values });
-        self.write(index, fields, refused);
+        self.write(index, fields, errors);
     }
 
     /// Writes properties of the object at `index`.
     #[inline(never)]
-    fn write(&mut self, index: usize, fields: &Fields<'_>, refused: &mut Vec<ParamError>) {
+    fn write(&mut self, index: usize, fields: &Fields<'_>, errors: &mut Vec<ParamError>) {
         let Some(source) = self.sources.get_mut(index) else {
             return;
         };
@@ -232,12 +231,12 @@ impl Scene {
             match KINDS[0].property(field) {
                 Some(property) => {
                     if let Err(mut error) = values.set(property.id, input) {
-                        error.id = place(index, field);
-                        refused.push(error);
+                        error.id = path(index, field);
+                        errors.push(error);
                     }
                 }
-                None => refused.push(must_be(
-                    place(index, "property"),
+                None => errors.push(must_be(
+                    path(index, "property"),
                     Input::Text(field),
                     KINDS[0].allowed,
                 )),
@@ -245,18 +244,18 @@ impl Scene {
         }
     }
 
-    fn find(&self, id: u32, refused: &mut Vec<ParamError>) -> Option<usize> {
+    fn find(&self, id: u32, errors: &mut Vec<ParamError>) -> Option<usize> {
         let index = self.sources.iter().position(|one| one.id == id);
         if index.is_none() {
-            let words = "the id of an object that there is";
-            refused.push(must_be(ID.to_owned(), Input::Number(id.into()), words));
+            let words = "the id of an object";
+            errors.push(must_be(ID.to_owned(), Input::Number(id.into()), words));
         }
         index
     }
 }
 
-/// `settings` with the source properties of `source`, which is not the first, and a seed
-/// that depends on its `index`: no two sources flicker alike.
+/// `settings` with the source properties of `source`, which is not the first, and a seed that
+/// depends on its `index`, so that sources flicker independently.
 fn values_of_source(settings: &Parameters, source: &Parameters, index: usize) -> Parameters {
     let mut merged = with_properties_of(settings, source);
     let seed = settings.seed ^ (index as u32).wrapping_mul(0x9E37_79B9);
@@ -284,8 +283,8 @@ fn must_be(id: String, input: Input<'_>, words: &'static str) -> ParamError {
     }
 }
 
-/// A field of the object at `index`, as JavaScript calls it.
+/// The JavaScript path of a field of the object at `index`.
 #[inline(never)]
-fn place(index: usize, field: &str) -> String {
+fn path(index: usize, field: &str) -> String {
     format!("objects[{index}].{field}")
 }

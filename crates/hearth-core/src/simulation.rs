@@ -1,8 +1,5 @@
-//! A fire, step by step, whichever model burns it.
-//!
-//! Parameters go in by reference; nothing flows backward.
-//! [`Classic`](crate::params::Model::Classic) and
-//! [`Combustion`](crate::params::Model::Combustion) each say how they step.
+//! A fire, step by step, in either model: [`Classic`](crate::params::Model::Classic) or
+//! [`Combustion`](crate::params::Model::Combustion).
 
 pub mod burning;
 mod model;
@@ -36,8 +33,7 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// A scene whose sources are about to be lit. [`Parameters`] alone are a scene with
-    /// one source.
+    /// A fire of a scene, at time zero. [`Parameters`] alone are a scene with one source.
     pub fn new(scene: impl Into<Scene>) -> Simulation {
         Simulation::of(scene.into())
     }
@@ -53,22 +49,22 @@ impl Simulation {
         }
     }
 
-    /// Burns on by one step: one [`time_step`](crate::params::Physics::time_step)
-    /// in the classic model; in the combustion model as long as is stable, which
-    /// [`report`](Simulation::report) and [`time`](Simulation::time) tell.
+    /// Makes one step. Its length is [`time_step`](crate::params::Physics::time_step) in the
+    /// classic model, and the longest stable one in the combustion model
+    /// ([`step_length`](Simulation::step_length)).
     pub fn step(&mut self) {
         self.step_in_stages(None, &mut |_| ());
     }
 
-    /// As [`step`](Simulation::step), with a force of your own: a closure that
-    /// gives the acceleration [m/s²] at a position \[m\] and velocity [m/s].
+    /// Makes one [`step`](Simulation::step) with an additional force: a closure that returns the
+    /// acceleration [m/s²] at a position \[m\] and velocity [m/s].
     pub fn step_with(&mut self, force: impl Fn(Vec2, Vec2) -> Vec2) {
         self.step_in_stages(Some(&force), &mut |_| ());
     }
 
-    /// As [`step`](Simulation::step), with any [`BodyForce`] besides the model's own; calls
-    /// `on_stage` at the end of each stage, several times for the substeps of the classic
-    /// model. The core itself never reads a clock.
+    /// Makes one [`step`](Simulation::step) with an additional [`BodyForce`], and calls `on_stage`
+    /// at the end of each stage, in every substep of the classic model. A caller can so measure
+    /// the stages; the core reads no clock.
     pub fn step_in_stages(
         &mut self,
         force: Option<&dyn BodyForce>,
@@ -79,25 +75,25 @@ impl Simulation {
         self.time += solver.step(scene, random, self.time, force, on_stage);
     }
 
-    /// Starts again: as at first, time zero, the generator at its seed.
+    /// Starts again: time zero, the generator at its seed.
     pub fn reset(&mut self) {
         self.random = Random::new(self.scene.settings().seed);
         self.solver = AnySolver::new(self.scene.settings(), &mut self.random);
         self.time = 0.0;
     }
 
-    /// The settings that it burns by.
+    /// The settings.
     pub fn parameters(&self) -> &Parameters {
         self.scene.settings()
     }
 
-    /// The settings and the objects that it burns with.
+    /// The settings and the objects.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
-    /// Sets one parameter while it burns, or says why not and changes nothing.
-    /// A new seed or another model starts the fire again.
+    /// Sets one parameter of the burning fire, or returns an error and changes nothing. A new
+    /// seed or another model starts the fire again.
     ///
     /// # Errors
     /// An unknown id, a value of the wrong kind or one outside the range.
@@ -108,16 +104,16 @@ impl Simulation {
         Ok(())
     }
 
-    /// Sets all parameters while it burns; the objects beyond the first source stay. A
-    /// new seed or another model starts the fire again.
+    /// Sets all parameters of the burning fire. The objects after the first source stay. A new
+    /// seed or another model starts the fire again.
     pub fn set_parameters(&mut self, parameters: Parameters) {
         let mut scene = self.scene.clone();
         scene.set_settings(parameters);
         self.set_scene(scene);
     }
 
-    /// Sets all parameters and objects while it burns. A new seed or another model
-    /// starts the fire again.
+    /// Sets all parameters and objects of the burning fire. A new seed or another model starts
+    /// the fire again.
     pub fn set_scene(&mut self, scene: Scene) {
         let reseeded = scene.settings().seed != self.parameters().seed;
         self.scene = scene;
@@ -132,7 +128,7 @@ impl Simulation {
         self.time
     }
 
-    /// Length of a step \[s\]: of the last one where the state decides.
+    /// Length of a step \[s\]; in the combustion model, of the last one.
     pub fn step_length(&self) -> f64 {
         self.solver.step_length(&self.scene)
     }
@@ -142,21 +138,21 @@ impl Simulation {
         self.solver.count()
     }
 
-    /// What the last step did. It counts the neighbours again, which takes about
-    /// as long as finding them.
+    /// A report of the last step. It counts the neighbours again, which takes about as long as
+    /// the neighbour search.
     pub fn report(&self) -> StepReport {
         self.solver.report(self.scene.settings())
     }
 
-    /// Speed of sound in the gas [m/s], which is numerical and far below that
-    /// of air: the square root of the gas constant, or c₀.
+    /// Numerical speed of sound in the gas [m/s], far below that of air: the square root of the
+    /// gas constant, or c₀.
     pub fn sound_speed(&self) -> f32 {
         self.solver.sound_speed(&self.scene)
     }
 
-    /// Copies out what the renderer needs, in no particular order: of a fire in the
-    /// combustion model only what can be seen, in every other
-    /// [`DisplayMode`] all particles.
+    /// Writes the instances for the renderer, in no particular order: the visible particles for
+    /// the display of the combustion model's fire, all particles for every other
+    /// [`DisplayMode`].
     pub fn write_instances(&self, out: &mut Vec<Instance>) {
         out.clear();
         match self.scene.settings().display_mode {
@@ -176,7 +172,7 @@ impl Simulation {
         }
     }
 
-    /// Copies out the embers for the renderer; the classic model has none.
+    /// Writes the embers for the renderer; the classic model has none.
     pub fn write_embers(&self, out: &mut Vec<Instance>) {
         out.clear();
         if let Some(combustion) = self.solver.combustion() {
@@ -184,36 +180,33 @@ impl Simulation {
         }
     }
 
-    /// Throws so many embers from a place \[m\] inside the domain; no more than 4000 fly
-    /// at one time. Their sizes and lives are those of the others. Outside, and in the
-    /// classic model, which has no embers, it does nothing.
+    /// Throws this number of embers from a position \[m\] inside the domain, up to 4000 embers
+    /// in total. Their sizes and lifetimes follow the parameters. Outside of the domain, and in
+    /// the classic model, it does nothing.
     pub fn throw_embers(&mut self, place: Vec2, count: u32) {
         if let Some(combustion) = self.solver.combustion_mut() {
             combustion.throw_embers(place, count, self.scene.settings(), &mut self.random);
         }
     }
 
-    /// Puts these particles in the place of all that there are. Their order is
-    /// the order in which they are read out again. In the classic model, the
-    /// source goes on as long as their number is below `max_particles`. In the
-    /// combustion model they fill the domain, each with the same share of the
-    /// mass of its air.
+    /// Replaces all particles. Their order is the order in which readers return them. In the
+    /// classic model, the source emits while there are fewer than `max_particles`. In the
+    /// combustion model they fill the domain, each with the same share of the mass of its air.
     ///
     /// # Errors
-    /// More than 400,000 particles in the classic model, fewer than half of
-    /// `max_particles` or more than twice as many in the combustion model, whose
-    /// smoothing length goes with it; or a particle outside the domain, faster
-    /// than 1000 m/s, not from 1 to 100,000 K, without a lifetime, or with fuel or
-    /// oxygen that are not from 0 to 1 or soot that is not from 0 to 10. Nothing
-    /// changes then.
+    /// More than 400,000 particles in the classic model; in the combustion model, fewer than
+    /// half of `max_particles` or more than twice as many, because the smoothing length follows
+    /// it; or a particle outside of the domain, faster than 1000 m/s, not from 1 to 100,000 K,
+    /// without a lifetime, or with fuel or oxygen not from 0 to 1 or soot not from 0 to 10.
+    /// Nothing changes then.
     pub fn set_particles(&mut self, particles: &[Particle]) -> Result<(), ParticleError> {
         let solver = &mut self.solver;
-        if let Some(what) = solver.refuse_count(particles.len(), self.scene.settings()) {
+        if let Some(what) = solver.broken_count_rule(particles.len(), self.scene.settings()) {
             return Err(ParticleError { index: None, what });
         }
         let bounds = solver.bounds(self.scene.settings());
         for (index, particle) in particles.iter().enumerate() {
-            if let Some(what) = particle.fault(&bounds) {
+            if let Some(what) = particle.broken_rule(&bounds) {
                 return Err(ParticleError {
                     index: Some(index),
                     what,

@@ -1,4 +1,4 @@
-//! What every model of a fire can do.
+//! The trait of the models.
 
 use crate::bounds::Bounds;
 use crate::forces::BodyForce;
@@ -9,8 +9,8 @@ use crate::random::Random;
 use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
 
-/// Declares the trait, and for [`Either`] passes every method on to the solver that it
-/// holds. A `dyn Solver` would keep all methods of both models in every download.
+/// Declares the trait, and implements it for [`Either`] by delegation. A `dyn Solver` would
+/// keep all methods of both models in every download.
 macro_rules! solver {
     (
         &mut $this:ident { $(
@@ -22,7 +22,7 @@ macro_rules! solver {
             fn $read:ident($($arg:ident: $arg_type:ty),* $(,)?) $(-> $type:ty)?;
         )+ }
     ) => {
-        /// The gas of a model, and the steps by which it burns.
+        /// The gas of a model and its time step.
         pub(crate) trait Solver { $(
             $(#[$doc])+
             fn $write(&mut $this, $($in: $in_type),*) $(-> $out)?;
@@ -53,8 +53,8 @@ macro_rules! solver {
 
 solver! {
     &mut self {
-        /// Burns on by one step from `time` on, with the force `user` besides the model's
-        /// own. Returns the length of the step \[s\].
+        /// Makes one step from `time`, with the force `user` besides the model's own. Returns
+        /// the length of the step \[s\].
         fn step(
             scene: &Scene,
             random: &mut Random,
@@ -63,16 +63,16 @@ solver! {
             on_stage: &mut dyn FnMut(Stage),
         ) -> f64;
 
-        /// Takes up changed values.
+        /// Applies changed values.
         fn adapt(parameters: &Parameters, random: &mut Random);
 
-        /// Puts these particles in the place of all that there are.
+        /// Replaces all particles.
         fn set_particles(particles: &[Particle], values: &Physics);
     }
 
     &self {
-        /// What is wrong with so many particles, where something is.
-        fn refuse_count(count: usize, values: &Physics) -> Option<&'static str>;
+        /// The rule that a number of particles breaks, if any.
+        fn broken_count_rule(count: usize, values: &Physics) -> Option<&'static str>;
 
         /// The domain.
         fn bounds(values: &Physics) -> Bounds;
@@ -80,16 +80,16 @@ solver! {
         /// Speed of sound [m/s].
         fn sound_speed(scene: &Scene) -> f32;
 
-        /// Length of the next step, as far as it is known \[s\].
+        /// Estimated length of the next step \[s\].
         fn step_length(scene: &Scene) -> f64;
 
-        /// What the last step did.
+        /// A report of the last step.
         fn report(values: &Physics) -> StepReport;
 
         /// Number of particles.
         fn count() -> usize;
 
-        /// The indices of all particles in the order of their ids, which is that of birth.
+        /// The indices of all particles in the order of their ids, the order of birth.
         fn by_id() -> Vec<usize>;
 
         /// The id of a particle.
@@ -107,13 +107,13 @@ solver! {
         /// Copies out the particles that the display of the fire shows.
         fn write_fire(out: &mut Vec<Instance>);
 
-        /// A particle with what a display mode measures of it.
+        /// A particle with the quantity of a display mode.
         fn measured(i: usize, values: &Physics, mode: DisplayMode) -> Measured;
     }
 }
 
 /// One of two solvers.
-// There is one of them, so the larger one's room costs nothing.
+// There is one value of this type, so its size does not matter.
 #[allow(clippy::large_enum_variant)]
 #[derive(Clone, Debug)]
 pub(crate) enum Either<A, B> {

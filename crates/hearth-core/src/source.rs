@@ -1,11 +1,10 @@
-//! Where a fire stands, whichever model burns it.
+//! The position of a source, in either model.
 
 use glam::Vec2;
 
 use crate::params::Physics;
 
-/// The place of the source as the fire has it: inside its domain, wherever the
-/// parameters would have it.
+/// The position and width of a source, clamped to the domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Source {
     /// Middle of its lower edge \[m\].
@@ -14,8 +13,8 @@ pub struct Source {
     pub width: f32,
 }
 
-/// `source_x`, but no part of a source so wide nearer to a side than `margin` \[m\]; in
-/// the middle where there is no room.
+/// `source_x`, clamped so that a source of this width keeps `margin` \[m\] from the sides; 0 if
+/// it does not fit.
 pub(crate) fn middle(values: &Physics, width: f32, margin: f32) -> f32 {
     let farthest = (0.5 * (values.domain_width - width) - margin).max(0.0);
     values.source_x.max(-farthest).min(farthest)
@@ -35,7 +34,7 @@ mod tests {
     }
 
     #[test]
-    fn it_stands_where_it_is_put() {
+    fn it_is_at_the_position_of_the_parameters() {
         for model in [Model::Classic, Model::Combustion] {
             for x in [-0.2, 0.0, 0.15] {
                 let values = [
@@ -53,7 +52,7 @@ mod tests {
     }
 
     #[test]
-    fn a_burner_is_not_below_the_seam_and_not_narrower_than_the_gas_can_tell() {
+    fn a_burner_is_above_the_seam_and_at_least_four_particles_wide() {
         let values = [("source_height", 0.0), ("source_width", 0.01)];
         let (source, parameters) = of(Model::Combustion, &values);
         assert_eq!(source.base.y, parameters.seam * parameters.domain_height);
@@ -83,9 +82,9 @@ mod tests {
                         source.base.x.abs() <= free.max(0.0) + 1e-6,
                         "{source:?} of {x} in {domain}"
                     );
-                    let wanted = x.abs() as f32;
+                    let requested = x.abs() as f32;
                     assert!(
-                        source.base.x.abs() >= wanted.min(free) - 1e-6,
+                        source.base.x.abs() >= requested.min(free) - 1e-6,
                         "{source:?} of {x} in {domain}"
                     );
                 }

@@ -1,17 +1,17 @@
-//! How long an explicit step may be:
+//! The longest stable explicit step:
 //!
 //! ```text
 //! dt = min( C h/(c + u),  0.25 √(h/a),  0.125 h²/ν )
 //! ```
 //!
-//! Nothing crosses a kernel in one step, sound included (Courant's number C); no force
-//! moves a particle too far; diffusion damps and does not overshoot (Monaghan 1992,
-//! Morris et al. 1997).
+//! Neither particles nor sound cross a support radius in one step (Courant number C), forces
+//! move particles a short way, and diffusion does not overshoot (Monaghan 1992, Morris et al.
+//! 1997).
 
-/// What limits a step.
+/// The quantities that limit a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stability {
-    /// Courant's number.
+    /// Courant number.
     pub courant: f32,
     /// Smoothing length \[m\].
     pub h: f32,
@@ -21,10 +21,9 @@ pub(crate) struct Stability {
     pub speed: f32,
     /// Largest acceleration [m/s²].
     pub acceleration: f32,
-    /// Largest viscosity or diffusivity [m²/s], or with a `density` a dynamic
-    /// viscosity [Pa·s].
+    /// Largest kinematic viscosity or diffusivity [m²/s], or dynamic viscosity [Pa·s].
     pub viscosity: f32,
-    /// Least density [kg/m³]; 1 where the viscosity is kinematic.
+    /// Minimum density [kg/m³]; 1 if the viscosity is kinematic.
     pub density: f32,
 }
 
@@ -38,8 +37,7 @@ impl Stability {
     }
 }
 
-/// The longest step that is stable with a viscosity, or the largest viscosity that is
-/// stable in a step.
+/// The longest stable step for a viscosity, or the largest stable viscosity for a step.
 pub(crate) fn diffusion_limit(h: f32, density: f32, other: f32) -> f32 {
     0.125 * h * h * density / other
 }

@@ -1,11 +1,11 @@
-//! One simulation, as `web/sim.js` holds it.
+//! The simulation behind `web/sim.js`.
 
 use hearth_bindings::{Record, Untrusted, ValidationError, settings};
 use hearth_core::params::PARAMETERS;
 use hearth_core::{Scene, Simulation};
 use js_sys::Array;
-use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::{JsCast, JsValue};
 
 use crate::particles;
 
@@ -17,7 +17,7 @@ pub struct Fire {
 
 #[wasm_bindgen]
 impl Fire {
-    /// A source about to be lit: the preset's values, and these on top.
+    /// A fire of the preset with these values and objects.
     ///
     /// # Errors
     /// An unknown preset, or a value that is refused.
@@ -35,14 +35,14 @@ impl Fire {
         })
     }
 
-    /// Makes so many steps.
+    /// Makes this number of steps.
     pub fn step(&mut self, steps: u32) {
         for _ in 0..steps {
             self.simulation.step();
         }
     }
 
-    /// Starts again from nothing, with the same values.
+    /// Starts again with the same values.
     pub fn reset(&mut self) {
         self.simulation.reset();
     }
@@ -71,8 +71,8 @@ impl Fire {
         self.simulation.step_length()
     }
 
-    /// Puts the value of the parameter of that id into an object; without an id, all. An
-    /// unknown id puts nothing.
+    /// Writes the value of a parameter to a field of `into`; without an id, of every parameter.
+    /// An unknown id writes nothing.
     pub fn get(&self, into: &Record, id: Option<String>) {
         let parameters = self.simulation.parameters();
         for param in PARAMETERS {
@@ -82,8 +82,8 @@ impl Fire {
         }
     }
 
-    /// Sets these, all or none. Without values, puts them back to their defaults, or all
-    /// where there are no ids.
+    /// Sets these values, all or none. Without `values` restores the defaults of these ids, or
+    /// of everything if there are no ids.
     ///
     /// # Errors
     /// Every value that is refused and every id that is unknown.
@@ -98,7 +98,32 @@ impl Fire {
         Ok(())
     }
 
-    /// The numbers by which particles are known from step to step.
+    /// The objects as plain data.
+    pub fn objects(&self) -> JsValue {
+        settings::objects(self.simulation.scene(), None).to_js()
+    }
+
+    /// Sets properties of the object of that id or, without an id, adds an object; without
+    /// fields, removes the object. Returns the id of the last object.
+    ///
+    /// # Errors
+    /// There is no such object, or every field that is refused.
+    #[wasm_bindgen(js_name = setObject)]
+    pub fn set_object(
+        &mut self,
+        id: Option<u32>,
+        names: Option<Array>,
+        values: Option<Array>,
+    ) -> Result<u32, JsValue> {
+        let fields = names.zip(values);
+        let fields = fields.map(|(names, values)| columns(&names, &values));
+        let changed = settings::with_object(self.simulation.scene(), id, fields.as_deref());
+        self.simulation.set_scene(changed.map_err(thrown)?);
+        let last = self.simulation.scene().objects().last();
+        Ok(last.map_or(0, |(id, ..)| id))
+    }
+
+    /// The ids of the particles.
     pub fn ids(&self) -> Vec<f64> {
         particles::ids(&self.simulation)
     }
@@ -108,7 +133,7 @@ impl Fire {
         particles::property(&self.simulation, name)
     }
 
-    /// Puts these particles, [`particles::NUMBERS`] each, in the place of all.
+    /// Replaces all particles with these, of [`particles::NUMBERS`] numbers each.
     ///
     /// # Errors
     /// As [`Simulation::set_particles`].
@@ -127,18 +152,32 @@ impl Fire {
     }
 }
 
-/// Values by their ids, from two arrays. A value that is not there is missing.
+/// Values by their ids, from two arrays of the same length. An array among the values is a
+/// list of objects, each as two such arrays.
 fn columns(ids: &Array, values: &Array) -> Vec<(String, Untrusted)> {
     let mut pairs = Vec::new();
     for at in 0..ids.length() {
         let id = ids.get(at).as_string().unwrap_or_default();
-        pairs.push((id, Untrusted::scalar(&values.get(at))));
+        let value = values.get(at);
+        pairs.push((
+            id,
+            object_list(&value).unwrap_or_else(|| Untrusted::scalar(&value)),
+        ));
     }
     pairs
 }
 
-/// Errors as `web/sim.js` takes them, which makes a `RangeError` of them.
-// Its callers would each free the errors.
+fn object_list(value: &JsValue) -> Option<Untrusted> {
+    let list = value.dyn_ref::<Array>()?.iter().map(|object| {
+        let pair: Array = object.unchecked_into();
+        let [names, values] = [0, 1].map(|at| pair.get(at).unchecked_into());
+        Untrusted::Object(columns(&names, &values))
+    });
+    Some(Untrusted::List(list.collect()))
+}
+
+/// The errors from which `web/sim.js` makes a `RangeError`.
+// Inlined, each caller would have its own code to free the errors.
 #[inline(never)]
 fn thrown(errors: Vec<ValidationError>) -> JsValue {
     ValidationError::to_array(&errors).into()

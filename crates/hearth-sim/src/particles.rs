@@ -1,21 +1,19 @@
-//! Particles and embers as JavaScript hands them over: all numbers of one, then
-//! all of the next.
+//! Particles and embers as rows of numbers: all numbers of one, then of the next.
 
 use hearth_core::{Ember, Particle, Simulation, Vec2};
 
-/// Numbers of a particle: position, velocity, temperature, age, lifetime, fuel,
-/// oxygen, soot. `web/sim.js` puts them in this order.
+/// Number of numbers of a particle: position, velocity, temperature, age, lifetime, fuel,
+/// oxygen, soot, in the order of `web/sim/particles.js`.
 pub const NUMBERS: usize = 10;
 
-/// Most particles that the core takes in either model. `web/sim.js` refuses more before it
-/// copies them, in the same words.
-pub const MOST: usize = 400_000;
+/// Most particles in either model. `web/sim/particles.js` throws the same error for more, before
+/// it copies them.
+pub const MAX_PARTICLES: usize = 400_000;
 
-/// The error of more of them.
+/// The error for more particles.
 pub const TOO_MANY: &str = "the particles are refused: there may be 400000 of them at most";
 
-/// The particles that these numbers are, unchecked; an incomplete last one is not
-/// among them.
+/// The particles of these numbers, unchecked, without an incomplete last one.
 pub fn particles(numbers: &[f32]) -> Vec<Particle> {
     let (whole, _) = numbers.as_chunks::<NUMBERS>();
     whole
@@ -35,9 +33,8 @@ pub fn particles(numbers: &[f32]) -> Vec<Particle> {
         .collect()
 }
 
-/// One property of all particles, in the order of birth, by its name in JavaScript;
-/// vectors are x and y of each. `embers` gives all numbers of each ember. Any other name
-/// gives nothing.
+/// One property of all particles, in the order of birth, by its name in JavaScript; vectors are
+/// x and y of each. `embers` gives all numbers of each ember. An unknown name gives nothing.
 pub fn property(simulation: &Simulation, name: &str) -> Vec<f32> {
     match name {
         "positions" => pairs(simulation.positions()),
@@ -56,7 +53,7 @@ pub fn property(simulation: &Simulation, name: &str) -> Vec<f32> {
     }
 }
 
-/// The numbers of all particles; those above 2⁵³ would take longer than anybody waits.
+/// The ids of all particles. An id above 2⁵³ would be inexact, and is out of reach.
 pub fn ids(simulation: &Simulation) -> Vec<f64> {
     let ids = simulation.ids().into_iter();
     ids.map(|id| id as f64).collect()
@@ -98,7 +95,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_number_goes_to_its_place() {
+    fn each_number_is_its_property() {
         let numbers: Vec<f32> = (0..25).map(|n| n as f32).collect();
         let second = Particle {
             position: Vec2::new(10.0, 11.0),
@@ -132,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_read_makes_the_same_particles() {
+    fn properties_that_are_read_make_the_same_particles() {
         for fire in fires() {
             let column = |name: &str| property(&fire, name);
             let (at, moves) = (column("positions"), column("velocities"));
@@ -157,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn every_property_is_that_of_every_particle_and_no_other_has_a_name() {
+    fn every_property_has_a_name_and_a_value_per_particle() {
         for fire in fires() {
             for name in ["densities", "pressures", "burnRates"] {
                 assert_eq!(property(&fire, name).len(), fire.count(), "{name}");
@@ -182,18 +179,18 @@ mod tests {
     }
 
     #[test]
-    fn the_core_takes_no_more_and_says_the_same() {
+    fn the_core_has_the_same_limit_and_error() {
         let one = Particle {
             lifetime: 1.0,
             ..Particle::at(Vec2::new(0.0, 0.1))
         };
         let mut fire = Simulation::new(Parameters::new(Model::Classic));
-        let refused = fire.set_particles(&vec![one; MOST + 1]);
+        let refused = fire.set_particles(&vec![one; MAX_PARTICLES + 1]);
         assert_eq!(
             refused.map_err(|error| error.to_string()),
             Err(TOO_MANY.to_owned())
         );
-        assert_eq!(fire.set_particles(&vec![one; MOST]), Ok(()));
-        assert_eq!(property(&fire, "lifetimes"), vec![1.0; MOST]);
+        assert_eq!(fire.set_particles(&vec![one; MAX_PARTICLES]), Ok(()));
+        assert_eq!(property(&fire, "lifetimes"), vec![1.0; MAX_PARTICLES]);
     }
 }

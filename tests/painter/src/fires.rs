@@ -68,7 +68,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_preset_and_every_mode_of_each_model_is_kept() -> Result<(), String> {
+    fn every_preset_and_every_mode_of_each_model_has_a_snapshot() -> Result<(), String> {
         // As few steps as that needs: the table of what is kept, not its fires.
         assert!(modes().contains(&"fire") && modes().contains(&"paper"));
         let classic = Preset::find("classic").ok_or("no classic preset")?;

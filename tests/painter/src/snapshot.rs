@@ -277,7 +277,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_written_is_read() {
+    fn snapshots_are_read_as_written() {
         for model in [Model::Classic, Model::Combustion] {
             let fire = burning(model);
             let mut kept = Snapshot::of(&fire);
@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_kept_is_what_the_renderer_gets() {
+    fn a_snapshot_has_the_input_of_the_renderer() {
         let fire = burning(Model::Combustion);
         let mut kept = Snapshot::of(&fire);
         kept.keep("fire", &fire);
@@ -316,7 +316,7 @@ mod tests {
     }
 
     #[test]
-    fn what_modes_share_is_kept_once() {
+    fn modes_share_common_data() {
         let fire = burning(Model::Combustion);
         let mut kept = Snapshot::of(&fire);
         kept.keep("fire", &fire);
@@ -326,7 +326,7 @@ mod tests {
     }
 
     #[test]
-    fn a_broken_file_is_refused_in_words() {
+    fn a_broken_file_is_an_error() {
         let fire = burning(Model::Classic);
         let mut kept = Snapshot::of(&fire);
         kept.keep("fire", &fire);

@@ -21,8 +21,8 @@ pub struct Classic {
     /// The neighbours that each particle had in the last part.
     pub crowd: Crowd,
     /// Largest speed and largest acceleration of the last substep.
-    fastest: f64,
-    hardest: f64,
+    max_speed: f64,
+    max_acceleration: f64,
 }
 
 impl Classic {
@@ -32,8 +32,8 @@ impl Classic {
             particles: particles.iter().map(Plain::new).collect(),
             substeps: 0,
             crowd: Crowd::new(),
-            fastest: 0.0,
-            hardest: 0.0,
+            max_speed: 0.0,
+            max_acceleration: 0.0,
         }
     }
 
@@ -51,8 +51,8 @@ impl Classic {
         let viscosity = f64::from(p.viscosity);
 
         let sound = f64::from(p.gas_constant).sqrt();
-        let courant = 0.35 * h / (sound + self.fastest);
-        let force = 0.25 * (h / self.hardest.max(1e-6)).sqrt();
+        let courant = 0.35 * h / (sound + self.max_speed);
+        let force = 0.25 * (h / self.max_acceleration.max(1e-6)).sqrt();
         let diffusion = bears(viscosity.max(1e-9));
         let longest = courant.min(force).min(diffusion);
         let count = (step / longest).ceil().clamp(1.0, MOST_SUBSTEPS);
@@ -191,7 +191,7 @@ impl Classic {
 
     /// Symplectic Euler, or forward Euler as printed, below the speed limit.
     fn integrate(&mut self, p: &Parameters, accelerations: &[Sum<DVec2>], dt: f64) {
-        (self.fastest, self.hardest) = (0.0, 0.0);
+        (self.max_speed, self.max_acceleration) = (0.0, 0.0);
         let limit = f64::from(p.speed_limit);
         for (particle, acceleration) in self.particles.iter_mut().zip(accelerations) {
             let old = particle.velocity;
@@ -204,8 +204,8 @@ impl Classic {
             particle.velocity = new;
             let moved = if p.printed_euler { old } else { new };
             particle.position.add_sum(moved.times(dt));
-            self.fastest = self.fastest.max(speed.min(limit));
-            self.hardest = self.hardest.max(acceleration.value.length());
+            self.max_speed = self.max_speed.max(speed.min(limit));
+            self.max_acceleration = self.max_acceleration.max(acceleration.value.length());
         }
     }
 }

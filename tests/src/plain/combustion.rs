@@ -45,12 +45,12 @@ struct Common<'a> {
 
 /// What the others do to a particle.
 #[derive(Clone, Copy, Debug, Default)]
-struct Felt {
+struct Rates {
     acceleration: Sum<DVec2>,
     /// Change of the mixture [1/s].
     change: Mixture,
     /// ΣV∇W [1/m].
-    crowding: Sum<DVec2>,
+    concentration_gradient: Sum<DVec2>,
 }
 
 impl Combustion {
@@ -72,20 +72,20 @@ impl Combustion {
         let near = common.domain.neighbours(&self.particles, reach);
         self.crowd = Domain::crowd(&near, reach);
         self.fill(&common, &near);
-        let mut felt: Vec<Felt> = near
+        let mut rates: Vec<Rates> = near
             .iter()
             .enumerate()
             .map(|(i, near)| self.exchanged(i, &common, near))
             .collect();
-        self.confine(&common, &near, &mut felt);
-        self.lift_and_blow(parameters, &mut felt);
-        let dt = self.longest(&common, &felt);
+        self.confine(&common, &near, &mut rates);
+        self.add_body_forces(parameters, &mut rates);
+        let dt = self.max_stable_step(&common, &rates);
 
-        let fastest = self.accelerate(&common, &felt, dt);
-        self.power = self.react(&common, &felt, dt).times(1.0 / dt);
+        let max_speed = self.accelerate(&common, &rates, dt);
+        self.power = self.react(&common, &rates, dt).times(1.0 / dt);
         self.preheat = self.feed(&common, dt).times(1.0 / dt);
         self.freshen(&common, dt);
-        self.advance(&common, &felt, fastest, dt);
+        self.advance(&common, &rates, max_speed, dt);
         self.length = dt;
     }
 
@@ -115,11 +115,11 @@ impl Combustion {
         }
     }
 
-    /// Pressure, the three viscosities, diffusion and crowding.
-    fn exchanged(&self, i: usize, common: &Common, near: &[Neighbour]) -> Felt {
+    /// Pressure, the three viscosities, diffusion and concentration_gradient.
+    fn exchanged(&self, i: usize, common: &Common, near: &[Neighbour]) -> Rates {
         let (p, mass, h) = (common.p, common.mass, common.kernel.h);
         let here = &self.particles[i];
-        let mut felt = Felt::default();
+        let mut rates = Rates::default();
         for &Neighbour { j, offset } in near {
             let there = &self.particles[j];
             let (v_i, v_j) = (mass / here.density.value, mass / there.density.value);
@@ -131,34 +131,34 @@ impl Combustion {
             // m a = − Vᵢ Vⱼ (pᵢ + pⱼ) ∇W
             let mut pressures = here.pressure;
             pressures.add_sum(there.pressure);
-            felt.acceleration.add_sum(Sum {
+            rates.acceleration.add_sum(Sum {
                 value: gradient * (-v_i * v_j * pressures.value / mass),
                 size: gradient.length() * v_i * v_j * pressures.size / mass,
             });
             // m a = 2 Vᵢ Vⱼ ρ̄ (ν + ν_t) vᵢⱼ (r·∇W)/(r² + 0.01 h²)
             let spread = 2.0 * v_i * v_j * mean_density * common.kernel.brookshaw(offset) / mass;
             let viscosity = f64::from(p.kinematic_viscosity) + eddies;
-            felt.acceleration.add(apart * (spread * viscosity));
+            rates.acceleration.add(apart * (spread * viscosity));
             // m a = Vᵢ Vⱼ ρ̄ α c₀ μ ∇W, μ = h vᵢⱼ·r/(r² + 0.01 h²), where they approach
             let approach = apart.dot(offset).min(0.0);
             let mu = h * approach / (offset.length_squared() + 0.01 * h * h);
             let alpha = f64::from(p.artificial_viscosity);
             let damped = v_i * v_j * mean_density * alpha * common.sound * mu / mass;
-            felt.acceleration.add(gradient * damped);
+            rates.acceleration.add(gradient * damped);
 
             // m φ̇ = 2 Vᵢ Vⱼ ρ̄ (D₀ + ν_t/Pr) φᵢⱼ (r·∇W)/(r² + 0.01 h²)
             let diffusivity = f64::from(p.diffusion) + eddies / PRANDTL;
-            for (k, change) in felt.change.iter_mut().enumerate() {
+            for (k, change) in rates.change.iter_mut().enumerate() {
                 let difference = here.mixture[k].value - there.mixture[k].value;
                 change.add(spread * diffusivity * difference);
             }
-            felt.crowding.add(gradient * v_j);
+            rates.concentration_gradient.add(gradient * v_j);
         }
-        felt
+        rates
     }
 
     /// a = ε h (∇|ω|/|∇|ω|| × ω).
-    fn confine(&self, common: &Common, near: &[Vec<Neighbour>], felt: &mut [Felt]) {
+    fn confine(&self, common: &Common, near: &[Vec<Neighbour>], rates: &mut [Rates]) {
         let strength = f64::from(common.p.vorticity_confinement) * common.kernel.h;
         if strength == 0.0 {
             return;
@@ -177,20 +177,20 @@ impl Combustion {
                 near.iter().map(turn).sum()
             })
             .collect();
-        for (i, felt) in felt.iter_mut().enumerate() {
+        for (i, rates) in rates.iter_mut().enumerate() {
             let more = |other: &Neighbour| {
                 let gradient = common.kernel.gradient(other.offset);
                 gradient * (volume(other.j) * (curls[other.j].abs() - curls[i].abs()))
             };
             let towards = near[i].iter().map(more).sum::<DVec2>().normalize_or_zero();
             // (t, 0) × (0, 0, ω)
-            let whirl = DVec2::new(towards.y, -towards.x) * curls[i];
-            felt.acceleration.add(whirl * strength);
+            let confinement = DVec2::new(towards.y, -towards.x) * curls[i];
+            rates.acceleration.add(confinement * strength);
         }
     }
 
     /// Buoyancy, b g (1 − Tₐ/T) θ, and the push of the wind, where there is a seam.
-    fn lift_and_blow(&self, p: &Parameters, felt: &mut [Felt]) {
+    fn add_body_forces(&self, p: &Parameters, rates: &mut [Rates]) {
         if p.seam == 0.0 {
             return;
         }
@@ -202,22 +202,22 @@ impl Combustion {
             / self.particles.len() as f64;
         let wind = (f64::from(p.wind) - mean) / 0.3;
         let strength = f64::from(p.buoyancy) * f64::from(p.gravity);
-        for (particle, felt) in self.particles.iter().zip(felt) {
+        for (particle, rates) in self.particles.iter().zip(rates) {
             let temperature = particle.temperature();
             let room = expansion(p, temperature);
-            felt.acceleration.add(DVec2::new(wind, strength * room));
+            rates.acceleration.add(DVec2::new(wind, strength * room));
             let weight = -strength * room * f64::from(p.ambient_temperature) / temperature;
-            felt.acceleration.add(DVec2::new(0.0, weight));
+            rates.acceleration.add(DVec2::new(0.0, weight));
         }
     }
 
-    /// The longest step that all three limits allow.
-    fn longest(&self, common: &Common, felt: &[Felt]) -> f64 {
+    /// The max_stable_step step that all three limits allow.
+    fn max_stable_step(&self, common: &Common, rates: &[Rates]) -> f64 {
         let (p, h, sound) = (common.p, common.kernel.h, common.sound);
         let speeds = self.particles.iter().map(|q| q.velocity.value.length());
         let speed = speeds.fold(0.0, f64::max);
-        let pushes = felt.iter().map(|felt| felt.acceleration.value.length());
-        let hardest = pushes.fold(0.0, f64::max);
+        let accelerations = rates.iter().map(|rates| rates.acceleration.value.length());
+        let hardest = accelerations.fold(0.0, f64::max);
         let viscosity =
             f64::from(p.kinematic_viscosity) + f64::from(p.artificial_viscosity) * h * sound / 8.0;
         let eddies = f64::from(p.eddy_viscosity).powi(2) * h * speed;
@@ -229,23 +229,23 @@ impl Combustion {
     }
 
     /// New velocities, within 1.5 c₀. Returns the largest.
-    fn accelerate(&mut self, common: &Common, felt: &[Felt], dt: f64) -> f64 {
+    fn accelerate(&mut self, common: &Common, rates: &[Rates], dt: f64) -> f64 {
         let limit = 1.5 * common.sound;
-        let mut fastest: f64 = 0.0;
-        for (particle, felt) in self.particles.iter_mut().zip(felt) {
+        let mut max_speed: f64 = 0.0;
+        for (particle, rates) in self.particles.iter_mut().zip(rates) {
             let velocity = &mut particle.velocity;
-            velocity.add_sum(felt.acceleration.times(dt));
+            velocity.add_sum(rates.acceleration.times(dt));
             let speed = velocity.value.length();
             if speed > limit {
                 *velocity = velocity.times(limit / speed);
             }
-            fastest = fastest.max(speed.min(limit));
+            max_speed = max_speed.max(speed.min(limit));
         }
-        fastest
+        max_speed
     }
 
     /// Diffusion, burning, radiation, soot. Returns the heat of the burning [kJ/m].
-    fn react(&mut self, common: &Common, felt: &[Felt], dt: f64) -> Sum<f64> {
+    fn react(&mut self, common: &Common, rates: &[Rates], dt: f64) -> Sum<f64> {
         let p = common.p;
         let demand = f64::from(p.air_demand);
         let rise = f64::from(p.flame_rise) * (1.0 + demand);
@@ -258,8 +258,8 @@ impl Combustion {
         share.add(-(-dt / f64::from(p.burn_time)).exp());
         let left = |life: f32| 1.0 / (1.0 + dt / f64::from(life));
         let mut burnt = Sum::default();
-        for (particle, felt) in self.particles.iter_mut().zip(felt) {
-            for (amount, change) in particle.mixture.iter_mut().zip(felt.change) {
+        for (particle, rates) in self.particles.iter_mut().zip(rates) {
+            for (amount, change) in particle.mixture.iter_mut().zip(rates.change) {
                 amount.add_sum(change.times(dt));
             }
             let [t, fuel, oxygen, soot] = &mut particle.mixture;
@@ -394,19 +394,19 @@ impl Combustion {
     }
 
     /// Motion, and the shift −min(8 h u dt, 0.3 h²) ∇C, at most 0.3 h.
-    fn advance(&mut self, common: &Common, felt: &[Felt], fastest: f64, dt: f64) {
+    fn advance(&mut self, common: &Common, rates: &[Rates], max_speed: f64, dt: f64) {
         let h = common.kernel.h;
-        let strength = 8.0 * f64::from(common.p.shifting) * h * fastest * dt;
+        let strength = 8.0 * f64::from(common.p.shifting) * h * max_speed * dt;
         let shift = strength.min(0.3 * h * h);
-        for (particle, felt) in self.particles.iter_mut().zip(felt) {
-            let mut away = felt.crowding.times(-shift);
-            let far = away.value.length();
+        for (particle, rates) in self.particles.iter_mut().zip(rates) {
+            let mut displacement = rates.concentration_gradient.times(-shift);
+            let far = displacement.value.length();
             if far > 0.3 * h {
-                away = away.times(0.3 * h / far);
+                displacement = displacement.times(0.3 * h / far);
             }
             let position = &mut particle.position;
             position.add_sum(particle.velocity.times(dt));
-            position.add_sum(away);
+            position.add_sum(displacement);
             position.value = common.domain.wrap(position.value);
         }
     }

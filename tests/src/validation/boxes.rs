@@ -76,7 +76,7 @@ impl GasBox {
 /// The defaults of the combustion model with these values.
 ///
 /// # Panics
-/// Where the table refuses a value: the case that asks for it is wrong.
+/// If a value is invalid, because the case is wrong.
 pub(super) fn combustion<'a>(values: impl IntoIterator<Item = (&'a str, f64)>) -> Parameters {
     let model = [("model", Input::Text("combustion"))];
     let values = values

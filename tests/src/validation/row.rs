@@ -124,7 +124,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_tolerance_has_two_ends_and_no_hole() {
+    fn a_tolerance_is_an_interval() {
         let share = Expected::Share {
             value: -2.0,
             tolerance: 0.1,
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_a_number_is_never_allowed() {
+    fn nan_is_never_allowed() {
         for expected in [
             Expected::AtMost(1.0),
             Expected::AtLeast(1.0),

@@ -32,7 +32,7 @@ fn the_coriolis_force_turns_the_gas_and_does_no_work() {
 }
 
 #[test]
-fn both_models_hand_a_force_the_gas_as_it_is() {
+fn both_models_pass_the_state_of_the_gas_to_a_force() {
     for model in [Model::Classic, Model::Combustion] {
         let mut fire = Simulation::new(Parameters::new(model));
         while fire.time() < 0.3 {
@@ -61,7 +61,7 @@ impl<F: Fn(&LocalGas)> hearth_core::BodyForce for Listener<F> {
 }
 
 #[test]
-fn contributing_shows_this_very_file() {
+fn contributing_shows_this_file() {
     let guide = include_str!("../../../CONTRIBUTING.md");
     assert!(guide.contains(include_str!("coriolis.rs").trim_end()));
 }

@@ -101,7 +101,7 @@ fn all_light(pixels: &Pixels) -> f32 {
 }
 
 #[wasm_bindgen_test]
-fn a_block_of_gas_shows_no_particle() -> Result<(), JsValue> {
+fn single_particles_of_a_block_of_gas_are_invisible() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     for particles in [1000.0, 3000.0, 12_000.0] {
         let parameters = plain(particles)?;
@@ -118,7 +118,7 @@ fn a_block_of_gas_shows_no_particle() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn temperature_and_soot_are_what_the_gas_has_whatever_carries_them() -> Result<(), JsValue> {
+fn temperature_and_soot_do_not_depend_on_the_particles() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     for state in [[1100.0, 1.2, 0.0], [1400.0, 0.2, 0.0], [1900.0, 0.05, 0.0]] {
         let shown = |particles| -> Result<[f32; 4], JsValue> {
@@ -150,7 +150,7 @@ fn hotter_and_sootier_gas_is_brighter() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn fire_and_smoke_are_apart() -> Result<(), JsValue> {
+fn fire_and_smoke_are_separate_layers() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let shown = |state: State, layers| -> Result<[f32; 4], JsValue> {
         let mut parameters = plain(3000.0)?;
@@ -191,7 +191,7 @@ fn without_gas_and_embers_nothing_is_painted() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn no_colour_of_a_fire_with_everything_exceeds_its_alpha() -> Result<(), JsValue> {
+fn no_colour_exceeds_its_alpha() -> Result<(), JsValue> {
     for canvas in [
         Canvas::new(WIDTH, HEIGHT)?,
         Canvas::without_float_targets(WIDTH, HEIGHT)?,
@@ -240,7 +240,7 @@ fn light_stays_near_the_gas() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn fine_structure_goes_with_the_gas() -> Result<(), JsValue> {
+fn fine_structure_moves_with_the_gas() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let parameters = with(&[("bloom", Input::Number(0.0))])?;
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
@@ -268,7 +268,7 @@ fn fine_structure_goes_with_the_gas() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn an_ember_shines_where_it_is_and_glows_beyond() -> Result<(), JsValue> {
+fn an_ember_shines_and_glows_around() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let shown = |bloom| -> Result<Pixels, JsValue> {
         let parameters = with(&[("bloom", Input::Number(bloom))])?;
@@ -312,7 +312,7 @@ fn an_ember_smaller_than_a_pixel_does_not_flicker() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn the_papers_drawing_shows_the_gas_that_glows() -> Result<(), JsValue> {
+fn paper_sprites_show_the_glowing_gas() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let parameters = with(&[("display_mode", Input::Text("paper"))])?;
     let hot = canvas.paint(&block([1700.0, 0.3, 0.0], &parameters), &parameters)?;

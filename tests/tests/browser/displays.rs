@@ -121,7 +121,7 @@ fn read(fire: &Simulation, mode: DisplayMode, place: Vec2) -> f32 {
 }
 
 #[wasm_bindgen_test]
-fn a_colour_stands_for_what_the_gas_is() -> Result<(), JsValue> {
+fn colours_follow_the_quantity_of_the_gas() -> Result<(), JsValue> {
     // How far off a place on the scale may be: for half floats, and for eight bits.
     for (canvas, astray) in [
         (Canvas::new(WIDTH, HEIGHT)?, 0.0),
@@ -201,7 +201,7 @@ fn a_disc_has_the_colour_of_its_particle_and_a_smooth_rim() -> Result<(), JsValu
 }
 
 #[wasm_bindgen_test]
-fn particles_too_small_for_pixels_are_seen() -> Result<(), JsValue> {
+fn particles_smaller_than_a_pixel_are_visible() -> Result<(), JsValue> {
     let canvas = Canvas::new(40, 60)?;
     let mut fire = Simulation::new(Parameters::new(Model::Combustion));
     let (pixels, _) = shown(&canvas, &mut fire, DisplayMode::Particles)?;
@@ -211,7 +211,7 @@ fn particles_too_small_for_pixels_are_seen() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn every_mode_shows_something_and_something_else_than_the_fire() -> Result<(), JsValue> {
+fn every_mode_differs_from_the_fire() -> Result<(), JsValue> {
     for canvas in [
         Canvas::new(WIDTH, HEIGHT)?,
         Canvas::without_float_targets(WIDTH, HEIGHT)?,
@@ -240,7 +240,7 @@ fn every_mode_shows_something_and_something_else_than_the_fire() -> Result<(), J
 }
 
 #[wasm_bindgen_test]
-fn neighbouring_pixels_of_a_field_are_alike() -> Result<(), JsValue> {
+fn a_field_is_smooth_between_pixels() -> Result<(), JsValue> {
     // The value rises evenly over the domain, so that no colour may jump: no texel, no
     // particle and no edge of a quad is seen.
     for (canvas, allowed) in [
@@ -275,7 +275,7 @@ fn neighbouring_pixels_of_a_field_are_alike() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn eight_bits_show_nearly_what_half_floats_show() -> Result<(), JsValue> {
+fn eight_bits_give_nearly_the_colours_of_half_floats() -> Result<(), JsValue> {
     let fine = Canvas::new(WIDTH, HEIGHT)?;
     let coarse = Canvas::without_float_targets(WIDTH, HEIGHT)?;
     for model in [Model::Classic, Model::Combustion] {
@@ -298,7 +298,7 @@ fn eight_bits_show_nearly_what_half_floats_show() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn the_background_is_seen_where_there_is_no_gas() -> Result<(), JsValue> {
+fn the_background_is_visible_without_gas() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let mut fire = burnt(Model::Classic);
     fire.set("background", Input::Text("#204060"))
@@ -319,7 +319,7 @@ fn the_background_is_seen_where_there_is_no_gas() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn what_is_gone_leaves_nothing_behind() -> Result<(), JsValue> {
+fn removed_particles_leave_no_trace() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     for model in [Model::Classic, Model::Combustion] {
         let mut fire = burnt(model);
@@ -339,7 +339,7 @@ fn what_is_gone_leaves_nothing_behind() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn sprites_look_the_same_in_any_order_and_turn_without_a_jump() -> Result<(), JsValue> {
+fn sprites_do_not_depend_on_the_order_and_rotate_smoothly() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     for model in [Model::Classic, Model::Combustion] {
         let mut fire = burnt(model);
@@ -370,7 +370,7 @@ fn sprites_look_the_same_in_any_order_and_turn_without_a_jump() -> Result<(), Js
 }
 
 #[wasm_bindgen_test]
-fn a_context_lost_on_the_way_is_survived_in_every_mode() -> Result<(), JsValue> {
+fn every_mode_survives_a_lost_context() -> Result<(), JsValue> {
     let mut fire = burnt(Model::Combustion);
     for mode in every_mode() {
         let canvas = Canvas::new(WIDTH, HEIGHT)?;

@@ -88,7 +88,7 @@ fn every_shader_compiles_and_links() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn light_stands_where_the_particles_are() -> Result<(), JsValue> {
+fn light_is_at_the_particles() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     for place in PLACES {
         let pixels = canvas.paint(&puff(place, 1900.0), &Parameters::new(Model::Classic))?;
@@ -99,7 +99,7 @@ fn light_stands_where_the_particles_are() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn the_papers_drawing_stands_where_the_particles_are() -> Result<(), JsValue> {
+fn paper_sprites_are_at_the_particles() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     for place in PLACES {
         let pixels = canvas.paint(&puff(place, 1900.0), &as_in_the_paper()?)?;
@@ -120,7 +120,7 @@ fn without_particles_nothing_is_painted() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn particles_that_are_gone_leave_no_light_behind() -> Result<(), JsValue> {
+fn removed_particles_leave_no_light() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
     let parameters = Parameters::new(Model::Classic);
@@ -132,7 +132,7 @@ fn particles_that_are_gone_leave_no_light_behind() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn a_background_shows_where_no_fire_is() -> Result<(), JsValue> {
+fn the_background_is_visible_without_fire() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let parameters = with(&[("background", Input::Text("#204060"))])?;
     let [r, g, b, a] = canvas
@@ -144,7 +144,7 @@ fn a_background_shows_where_no_fire_is() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn the_page_shows_through_as_far_as_alpha_says() -> Result<(), JsValue> {
+fn the_page_is_visible_by_alpha() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let pixels = canvas.paint(&puff((0.0, 0.3), 1900.0), &Parameters::new(Model::Classic))?;
     for (x, y, pixel) in pixels.all() {
@@ -180,7 +180,7 @@ fn cooler_gas_glows_darker_and_redder() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn a_device_without_float_targets_shows_the_fire_as_well() -> Result<(), JsValue> {
+fn a_device_without_float_targets_shows_the_fire() -> Result<(), JsValue> {
     let canvas = Canvas::without_float_targets(WIDTH, HEIGHT)?;
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
     assert_eq!(renderer.target_format(), TargetFormat::Rgba8);
@@ -220,7 +220,7 @@ fn one_renderer_follows_a_change_of_size() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn a_view_of_no_size_is_nothing_to_paint() -> Result<(), JsValue> {
+fn a_view_without_size_paints_nothing() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
     renderer.upload(
@@ -246,7 +246,7 @@ fn a_view_of_no_size_is_nothing_to_paint() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn a_lost_context_gives_an_error_in_words() -> Result<(), JsValue> {
+fn a_lost_context_gives_an_error() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     canvas.lose_context()?;
     match Renderer::new(&canvas.gl) {
@@ -259,7 +259,7 @@ fn a_lost_context_gives_an_error_in_words() -> Result<(), JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn a_context_lost_on_the_way_is_survived() -> Result<(), JsValue> {
+fn a_renderer_survives_a_lost_context() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
     let view = View {

@@ -42,7 +42,7 @@ fn painted(model: Model, x: f32) -> Result<Pixels, JsValue> {
 }
 
 #[wasm_bindgen_test]
-fn a_fire_stands_on_its_source_wherever_that_is() -> Result<(), JsValue> {
+fn the_picture_moves_with_the_source() -> Result<(), JsValue> {
     for model in [Model::Classic, Model::Combustion] {
         let (middle, aside) = (painted(model, 0.0)?, painted(model, ASIDE.1)?);
         let (middle, aside): (Vec<_>, Vec<_>) = (middle.all().collect(), aside.all().collect());

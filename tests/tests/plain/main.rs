@@ -244,7 +244,7 @@ fn agree(scene: &Scene, steps: u32) {
 const WALLS: [&str; 3] = ["open", "solid", "periodic"];
 
 #[test]
-fn classic_gas_moves_as_the_equations_say() {
+fn classic_gas_follows_the_equations() {
     let narrow = [("domain_width", 0.25), ("domain_height", 0.3)];
     for (seed, walls) in (1..).zip(WALLS) {
         for (values, count, spread) in [
@@ -267,7 +267,7 @@ fn classic_gas_moves_as_the_equations_say() {
 }
 
 #[test]
-fn a_few_particles_move_as_the_equations_say() {
+fn a_few_particles_follow_the_equations() {
     for walls in WALLS {
         for count in 1..=9 {
             let parameters = classic(
@@ -289,7 +289,7 @@ fn a_few_particles_move_as_the_equations_say() {
 }
 
 #[test]
-fn each_printed_form_moves_particles_as_it_is_printed() {
+fn each_printed_form_follows_its_equation() {
     let forms = [
         "printed_kernel",
         "printed_pressure",
@@ -322,7 +322,7 @@ fn each_printed_form_moves_particles_as_it_is_printed() {
 }
 
 #[test]
-fn combustion_gas_moves_mixes_and_burns_as_the_equations_say() {
+fn combustion_gas_follows_the_equations() {
     // One column of cells, two, three; one row.
     let narrow = [("domain_width", 0.1), ("smoothing_ratio", 1.9)];
     let two = [("domain_width", 0.25), ("domain_height", 6.0)];
@@ -349,7 +349,7 @@ fn combustion_gas_moves_mixes_and_burns_as_the_equations_say() {
 }
 
 #[test]
-fn at_corners_of_all_ranges_both_models_do_as_the_equations_say() {
+fn both_models_follow_the_equations_at_corners_of_all_ranges() {
     let mut random = Random::new(5);
     for seed in 0..16 {
         for model in [Model::Classic, Model::Combustion] {

@@ -5,12 +5,12 @@ use super::particles::ParticleState;
 use crate::forces::{BodyForce, LocalGas};
 use crate::lanes::{LANES, Lanes};
 
-/// The particles of a block as body forces read them.
+/// The state of a block for body forces.
 pub(super) struct Four<'a> {
     pub states: &'a [ParticleState; LANES],
-    /// Volume of a unit of mass [m³/kg].
+    /// Specific volume [m³/kg].
     pub volume: Lanes,
-    /// That volume over the one of the surrounding air.
+    /// Specific volume, relative to that of the surrounding air.
     pub expansion: Lanes,
     pub temperature: Lanes,
     pub velocity: [Lanes; 2],
@@ -30,7 +30,7 @@ impl<'a> Four<'a> {
     }
 }
 
-/// A [`BodyForce`] on four particles at once. Every body force is one, lane by lane.
+/// A [`BodyForce`] on four particles at once. Every body force implements it, lane by lane.
 pub(super) trait BlockForce {
     /// Adds its accelerations [m/s²].
     fn add(&self, four: &Four, sum: &mut [Lanes; 2]);
@@ -54,7 +54,7 @@ impl<F: BodyForce + ?Sized> BlockForce for F {
     }
 }
 
-/// A force that may be off.
+/// An optional force.
 impl<F: BlockForce> BlockForce for Option<F> {
     #[inline(always)]
     fn add(&self, four: &Four, sum: &mut [Lanes; 2]) {
@@ -64,7 +64,7 @@ impl<F: BlockForce> BlockForce for Option<F> {
     }
 }
 
-/// Force after force.
+/// Several forces, in order.
 macro_rules! in_order {
     ($($name:ident)+) => {
         impl<$($name: BlockForce),+> BlockForce for ($($name,)+) {

@@ -1,13 +1,11 @@
-//! The source: particles are born, each with a life of its own.
+//! The emitter: births of particles with random lifetimes.
 //!
-//! Births come at a steady rate, spread over the source's width and over the
-//! length of the step. Perlin noise lets some parts of the source burn more
-//! than others, and drift (the paper's §5.3).
+//! Births have a constant rate, spread over the width of the source and the length of the step.
+//! Perlin noise modulates the rate in space and time (the paper's §5.3).
 //!
-//! A particle is born only where there is room. Births on top of each other
-//! would compress the gas at the source to many times its rest density, and
-//! what the pressure then does is an explosion, not a fire. So a source that
-//! is asked for more than can leave it gives what can leave it.
+//! A particle is born only at a minimum distance from all others. Overlapping births would
+//! compress the gas at the source to many times its rest density, and its pressure would
+//! explode. So a source emits at most the particles that can leave it.
 
 use glam::Vec2;
 
@@ -18,39 +16,39 @@ use crate::particle::Particle;
 use crate::random::Random;
 use crate::source;
 
-/// Least distance between a birth and any other particle, in units of the
-/// distance of particles at rest, √(m/ρ₀). It lets the source be compressed to
-/// about 1/0.75² = 1.8 times the rest density.
-const ROOM: f32 = 0.75;
+/// Minimum distance between a birth and any other particle, in units of the distance of
+/// particles at rest, √(m/ρ₀). It limits the compression of the source to about 1/0.75² = 1.8
+/// times the rest density.
+const MIN_DISTANCE: f32 = 0.75;
 
-/// Places that are tried for a birth before it has to wait.
-const TRIES: usize = 12;
+/// Positions tried for a birth before it waits for the next step.
+const MAX_TRIES: usize = 12;
 
-/// Longest time whose births may wait for room or for a place under the cap \[s\].
-const PATIENCE: f32 = 1.0 / 60.0;
+/// Longest time whose births may wait \[s\].
+const MAX_WAIT: f32 = 1.0 / 60.0;
 
-/// The golden ratio's fraction: successive multiples, taken modulo one, fill
-/// an interval more evenly than chance does.
+/// The fractional part of the golden ratio: its multiples modulo one fill an interval more
+/// evenly than random numbers do.
 const GOLDEN: f32 = 0.618_034;
 
-/// Lattice cells of the emission noise for each metre of the source.
+/// Lattice cells of the emission noise per metre of the source.
 const NOISE_PER_METRE: f32 = 12.0;
-/// Lattice cells of the emission noise for each second.
+/// Lattice cells of the emission noise per second.
 const NOISE_PER_SECOND: f64 = 3.0;
 
-/// The source of particles.
+/// The emitter of one source.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Emitter {
-    /// Births that are due and have not happened.
-    owed: f32,
-    /// Where along the source the next place is, 0–1.
+    /// Births that are due.
+    backlog: f32,
+    /// Position of the next birth along the source, 0–1.
     along: f32,
-    /// Positions near the source, the newborn included.
+    /// Positions near the source, births included.
     near: Vec<Vec2>,
 }
 
 impl Emitter {
-    /// Lets the particles be born that are due in a step from `time` on.
+    /// Emits the particles that are due in a step from `time`.
     pub fn emit(
         &mut self,
         particles: &mut Particles,
@@ -60,27 +58,26 @@ impl Emitter {
     ) {
         let flicker = perlin(values.seed, 0.5, time * NOISE_PER_SECOND);
         let rate = values.emission_rate * (1.0 + values.emission_noise * flicker);
-        // What a step itself brings is never cut: beyond it, and beyond the
-        // part of a birth that is left over, nothing waits longer.
-        let patience = 1.0 + rate * values.time_step.max(PATIENCE);
-        self.owed = (self.owed + rate * values.time_step).min(patience);
-        if self.owed < 1.0 {
+        // The backlog is at least the births of one step and a fraction of a birth.
+        let max_backlog = 1.0 + rate * values.time_step.max(MAX_WAIT);
+        self.backlog = (self.backlog + rate * values.time_step).min(max_backlog);
+        if self.backlog < 1.0 {
             return;
         }
 
         let source = Source::new(values, time);
         self.find_near(particles, &source);
-        while self.owed >= 1.0 && particles.len() < values.max_particles as usize {
-            let Some(particle) = self.newborn(values, &source, random) else {
+        while self.backlog >= 1.0 && particles.len() < values.max_particles as usize {
+            let Some(particle) = self.try_spawn(values, &source, random) else {
                 break;
             };
             self.near.push(particle.position);
             particles.push(particle);
-            self.owed -= 1.0;
+            self.backlog -= 1.0;
         }
     }
 
-    /// Finds the particles that a birth could come too close to.
+    /// Finds the particles near the source.
     fn find_near(&mut self, particles: &Particles, source: &Source) {
         let Source {
             middle,
@@ -101,27 +98,27 @@ impl Emitter {
         );
     }
 
-    fn newborn(
+    fn try_spawn(
         &mut self,
         values: &Physics,
         source: &Source,
         random: &mut Random,
     ) -> Option<Particle> {
-        for _ in 0..TRIES {
+        for _ in 0..MAX_TRIES {
             self.along = (self.along + GOLDEN).fract();
             let x = (2.0 * self.along - 1.0) * source.half_width;
-            let vigour = source.vigour(values, x);
-            if random.unit() * (1.0 + values.emission_noise) > vigour {
+            let intensity = source.intensity(values, x);
+            if random.unit() * (1.0 + values.emission_noise) > intensity {
                 continue;
             }
 
-            // The spread turns the jet aside, by 45° at most, and takes from its
-            // speed; it never adds, so that the emission speed is the fastest.
-            let aside = values.emission_spread * random.between(-1.0, 1.0);
+            // The spread turns the jet by at most 45° and only reduces its speed, so that the
+            // emission speed is the maximum.
+            let sideways = values.emission_spread * random.between(-1.0, 1.0);
             let inward = -0.5 * values.taper * x / source.half_width;
             let slower = 1.0 - 0.5 * values.emission_spread * random.unit();
-            let speed = values.emission_speed * slower * vigour.min(1.0);
-            let velocity = Vec2::new(aside + inward, 1.0).normalize() * speed;
+            let speed = values.emission_speed * slower * intensity.min(1.0);
+            let velocity = Vec2::new(sideways + inward, 1.0).normalize() * speed;
 
             let age = random.unit() * values.time_step;
             let position = source.middle + Vec2::new(x, velocity.y * age);
@@ -145,7 +142,7 @@ impl Emitter {
     }
 }
 
-/// Where the source of these values is, and how wide what of it is inside the domain.
+/// The position and width of the source, clamped to the domain.
 pub(crate) fn place(values: &Physics) -> source::Source {
     let rise = values.emission_speed * values.time_step;
     let top = (values.domain_height - rise).max(0.0);
@@ -163,9 +160,9 @@ pub(crate) fn place(values: &Physics) -> source::Source {
 struct Source {
     middle: Vec2,
     half_width: f32,
-    /// How far a particle may rise within the step in which it is born \[m\].
+    /// Largest rise of a particle in the step of its birth \[m\].
     rise: f32,
-    /// Least distance from another particle \[m\].
+    /// Minimum distance from another particle \[m\].
     room: f32,
     /// Time of the fire \[s\].
     time: f64,
@@ -178,21 +175,21 @@ impl Source {
             middle: place.base,
             half_width: 0.5 * place.width,
             rise: values.emission_speed * values.time_step,
-            room: ROOM * (values.particle_mass / values.rest_density).sqrt(),
+            room: MIN_DISTANCE * (values.particle_mass / values.rest_density).sqrt(),
             time,
         }
     }
 
-    /// Longest life of a particle that is born at `x` \[s\].
+    /// Longest life of a particle born at `x` \[s\].
     fn longest_life(&self, values: &Physics, x: f32) -> f32 {
         let longest = values.lifetime_max.max(values.lifetime_min);
         let off_centre = (x / self.half_width).abs();
         longest - values.taper * off_centre * (longest - values.lifetime_min)
     }
 
-    /// How hard the source burns at `x`, one on average.
-    fn vigour(&self, values: &Physics, x: f32) -> f32 {
-        // Another seed than the flicker's, or both would beat in time.
+    /// Relative emission rate at `x`, one on average.
+    fn intensity(&self, values: &Physics, x: f32) -> f32 {
+        // Not the seed of the flicker, so that the two are independent.
         let noise = perlin(
             values.seed ^ 0x5EED,
             x * NOISE_PER_METRE,

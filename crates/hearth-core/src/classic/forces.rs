@@ -56,7 +56,7 @@ mod tests {
         parameters
     }
 
-    fn lone_lift(more: &[(&str, Input<'_>)], temperature: f32, density: f32, vy: f32) -> f32 {
+    fn buoyancy_of_one(more: &[(&str, Input<'_>)], temperature: f32, density: f32, vy: f32) -> f32 {
         let parameters = with(more);
         let mut particles = Particles::default();
         particles.push(Particle {
@@ -78,37 +78,37 @@ mod tests {
 
     #[test]
     fn thin_gas_and_hot_gas_rise_and_dense_cold_gas_sinks() {
-        assert!(lone_lift(&[], 293.0, 0.6, 0.0) > 0.0);
-        assert!(lone_lift(&[], 1900.0, 1.2, 0.0) > 0.0);
-        assert!(lone_lift(&[], 293.0, 1.8, 0.0) < 0.0);
+        assert!(buoyancy_of_one(&[], 293.0, 0.6, 0.0) > 0.0);
+        assert!(buoyancy_of_one(&[], 1900.0, 1.2, 0.0) > 0.0);
+        assert!(buoyancy_of_one(&[], 293.0, 1.8, 0.0) < 0.0);
         assert_eq!(
-            lone_lift(&[("gravity", Input::Number(0.0))], 1900.0, 0.6, 0.0),
+            buoyancy_of_one(&[("gravity", Input::Number(0.0))], 1900.0, 0.6, 0.0),
             0.0
         );
     }
 
     #[test]
-    fn extra_weight_weighs_as_much_as_it_says() {
-        let heavy = lone_lift(&[("extra_weight", Input::Number(7.0))], 293.0, 1.2, 0.0);
+    fn extra_weight_is_a_downward_acceleration() {
+        let heavy = buoyancy_of_one(&[("extra_weight", Input::Number(7.0))], 293.0, 1.2, 0.0);
         assert!((heavy + 7.0).abs() < 1e-4, "{heavy}");
     }
 
     #[test]
-    fn at_the_terminal_speed_nothing_lifts_any_more() {
+    fn at_the_terminal_speed_buoyancy_vanishes() {
         let terminal = Parameters::new(Model::Classic).terminal_speed;
-        let free = lone_lift(&[], 1900.0, 0.6, 0.0);
-        assert!(lone_lift(&[], 1900.0, 0.6, terminal).abs() < 1e-5 * free);
-        assert!(lone_lift(&[], 1900.0, 0.6, 1.3 * terminal) < 0.0);
-        assert!(lone_lift(&[], 1900.0, 0.6, 0.5 * terminal) < free);
+        let free = buoyancy_of_one(&[], 1900.0, 0.6, 0.0);
+        assert!(buoyancy_of_one(&[], 1900.0, 0.6, terminal).abs() < 1e-5 * free);
+        assert!(buoyancy_of_one(&[], 1900.0, 0.6, 1.3 * terminal) < 0.0);
+        assert!(buoyancy_of_one(&[], 1900.0, 0.6, 0.5 * terminal) < free);
     }
 
     #[test]
-    fn the_printed_divisor_lifts_by_one_over_the_mass_and_not_by_heat() {
+    fn the_printed_divisor_divides_by_the_mass_and_ignores_heat() {
         let flag = ("printed_divisor", Input::Flag(true));
         let p = Parameters::new(Model::Classic);
         let expected = p.buoyancy * (p.ambient_density - 0.6) * p.gravity / p.particle_mass;
-        let printed = lone_lift(&[flag], 1900.0, 0.6, 0.0);
+        let printed = buoyancy_of_one(&[flag], 1900.0, 0.6, 0.0);
         assert!((printed / expected - 1.0).abs() < 1e-5);
-        assert_eq!(printed, lone_lift(&[flag], 293.0, 0.6, 0.0));
+        assert_eq!(printed, buoyancy_of_one(&[flag], 293.0, 0.6, 0.0));
     }
 }

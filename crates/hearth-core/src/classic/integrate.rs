@@ -1,8 +1,8 @@
-//! Motion, cooling, ageing, walls; and how long a substep may be.
+//! Motion, cooling, ageing and walls, and the length of a substep.
 //!
 //! Symplectic Euler (the paper's §3.1.2): the velocity first, then the position
 //! with the *new* velocity. The paper's equation 6 prints forward Euler, which
-//! moves with the old one and lets energy drift; it can be chosen.
+//! moves with the old one and does not conserve energy; a parameter selects it.
 
 use super::block_force::{BlockForce, Four};
 use super::equation_of_state::DENSITY_FLOOR;
@@ -14,34 +14,34 @@ use crate::lanes::{LANES, Lanes, Real, transposed};
 use crate::params::{Physics, Walls};
 use crate::time_step::{Stability, diffusion_limit};
 
-/// Largest number of substeps. The limits require more only in corners of the
-/// ranges where a higher stiffness or viscosity changes nothing visible.
+/// Most substeps. The stability limits require more only for extreme parameters, where a higher
+/// stiffness or viscosity changes nothing visible.
 pub(crate) const MAX_SUBSTEPS: u32 = 32;
 
-/// Courant's number.
+/// Courant number.
 const COURANT: f32 = 0.35;
 
-/// How a step is divided.
+/// The division of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Substeps {
     pub count: u32,
     /// Length of each \[s\].
     pub length: f32,
-    /// Viscosity that such a substep can bear [Pa·s].
+    /// Largest stable viscosity in such a substep, at most the parameter [Pa·s].
     pub viscosity: f32,
 }
 
 impl Substeps {
-    /// Divides a step into the fewest stable parts. `fastest` and `hardest` are the
+    /// Divides a step into the fewest stable substeps. `max_speed` and `max_acceleration` are the
     /// largest speed and acceleration of the last substep.
-    pub fn divide(values: &Physics, fastest: f32, hardest: f32) -> Substeps {
+    pub fn divide(values: &Physics, max_speed: f32, max_acceleration: f32) -> Substeps {
         let h = values.smoothing_radius;
         let stability = Stability {
             courant: COURANT,
             h,
             sound: values.gas_constant.sqrt(),
-            speed: fastest,
-            acceleration: hardest,
+            speed: max_speed,
+            acceleration: max_acceleration,
             viscosity: values.viscosity,
             density: DENSITY_FLOOR,
         };
@@ -49,33 +49,33 @@ impl Substeps {
         let count = (values.time_step / longest).ceil();
         let count = (count as u32).clamp(1, MAX_SUBSTEPS);
         let length = values.time_step / count as f32;
-        // Where even the shortest substep is too long for the viscosity, the
-        // gas gets the stiffest viscosity that it can bear.
-        let bearable = diffusion_limit(h, DENSITY_FLOOR, length);
+        // If the shortest substep is too long for the viscosity, the gas gets the largest
+        // stable viscosity.
+        let stable = diffusion_limit(h, DENSITY_FLOOR, length);
         Substeps {
             count,
             length,
-            viscosity: values.viscosity.min(bearable),
+            viscosity: values.viscosity.min(stable),
         }
     }
 }
 
-/// What a substep's motion came to.
+/// Statistics of the motion in a substep.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Motion {
     /// Largest speed [m/s].
-    pub fastest: f32,
+    pub max_speed: f32,
     /// Largest acceleration [m/s²].
-    pub hardest: f32,
+    pub max_acceleration: f32,
     /// Particles that the speed limit slowed down.
-    pub limited: u32,
+    pub speed_limited: u32,
 }
 
-/// Of a motion its position alone.
+/// Selects the position of a motion.
 const POSITION: Lanes = Lanes::new([1.0, 1.0, 0.0, 0.0]);
 
-/// Applies body forces and moves, cools and ages every particle by `dt`. It cools at a steady rate,
-/// down to the temperature of the air.
+/// Applies body forces and moves, cools and ages every particle by `dt`. Particles cool at a
+/// constant rate down to the temperature of the air.
 pub(crate) fn integrate(
     particles: &mut Particles,
     pairs: &mut Pairs,
@@ -89,7 +89,7 @@ pub(crate) fn integrate(
         if let Ok(four) = <&mut [ParticleState; LANES]>::try_from(&mut *particles) {
             advance(four, LANES, block, forces, values, dt, &mut maxima);
         } else if let Some(&one) = particles.first() {
-            // The last block of a row is filled up with copies, which do not move.
+            // Copies pad the last block of a row. They do not move.
             let count = particles.len();
             let mut four = [one; LANES];
             four[..count].copy_from_slice(particles);
@@ -98,19 +98,19 @@ pub(crate) fn integrate(
         }
     }
     Motion {
-        fastest: maxima.fastest.largest().sqrt(),
-        hardest: maxima.hardest.largest().sqrt(),
-        limited: maxima.limited,
+        max_speed: maxima.max_speed.max_lane().sqrt(),
+        max_acceleration: maxima.max_acceleration.max_lane().sqrt(),
+        speed_limited: maxima.speed_limited,
     }
 }
 
-/// Squares of the largest speeds and accelerations so far, and how many particles
+/// Squares of the largest speeds and accelerations so far, and the number of particles that
 /// the speed limit slowed down.
 #[derive(Default)]
 struct Maxima {
-    fastest: Lanes,
-    hardest: Lanes,
-    limited: u32,
+    max_speed: Lanes,
+    max_acceleration: Lanes,
+    speed_limited: u32,
 }
 
 /// Moves the first `count` particles of a block.
@@ -129,21 +129,21 @@ fn advance(
     forces.add(&local, &mut acceleration);
     let [mut ax, mut ay] = acceleration;
     if count < LANES {
-        (ax, ay) = (ax.first(count), ay.first(count));
+        (ax, ay) = (ax.keep_first(count), ay.keep_first(count));
     }
     let [old_x, old_y] = block.velocity;
     let mut velocity = [old_x + ax * dt, old_y + ay * dt];
     let mut square = velocity[0] * velocity[0] + velocity[1] * velocity[1];
     let limit = Lanes::splat(values.speed_limit);
-    let too_fast = (limit * limit).less(square);
+    let too_fast = (limit * limit).less_mask(square);
     if too_fast != 0 {
-        let kept = limit / square.sqrt().fast_max(limit);
-        velocity = velocity.map(|v| v * kept);
+        let factor = limit / square.sqrt().fast_max(limit);
+        velocity = velocity.map(|v| v * factor);
         square = square.fast_min(limit * limit);
-        maxima.limited += too_fast.count_ones();
+        maxima.speed_limited += too_fast.count_ones();
     }
-    maxima.fastest = square.fast_max(maxima.fastest);
-    maxima.hardest = (ax * ax + ay * ay).fast_max(maxima.hardest);
+    maxima.max_speed = square.fast_max(maxima.max_speed);
+    maxima.max_acceleration = (ax * ax + ay * ay).fast_max(maxima.max_acceleration);
 
     let moved = if values.printed_euler {
         block.velocity
@@ -163,13 +163,13 @@ fn advance(
 pub(crate) fn bound(particles: &mut Particles, walls: Walls, bounds: &Bounds) {
     if walls != Walls::Open {
         for particle in particles.iter_mut() {
-            meet(walls, bounds, particle);
+            apply_walls(walls, bounds, particle);
         }
     }
-    particles.retain(|one| one.age < one.lifetime && bounds.hold(one.position()));
+    particles.retain(|one| one.age < one.lifetime && bounds.contains(one.position()));
 }
 
-fn meet(walls: Walls, bounds: &Bounds, particle: &mut ParticleState) {
+fn apply_walls(walls: Walls, bounds: &Bounds, particle: &mut ParticleState) {
     let half = 0.5 * bounds.width;
     let (mut at, mut v) = (particle.position(), particle.velocity());
     match walls {
@@ -182,8 +182,8 @@ fn meet(walls: Walls, bounds: &Bounds, particle: &mut ParticleState) {
 }
 
 fn stop_at(x: &mut f32, v: &mut f32, low: f32, high: f32) {
-    // Comparisons and not `max`: which zero `max(-0.0, 0.0)` gives differs
-    // between machines, and the same seed must give the same bits.
+    // Comparisons and not `max`: the sign of `max(-0.0, 0.0)` differs between machines, and
+    // the same seed must give the same bits.
     if *x < low {
         *x = low;
         if *v < 0.0 {
@@ -220,19 +220,19 @@ mod tests {
             ("smoothing_radius", 0.02),
         ] {
             let parameters = with(&[(id, value), ("time_step", 1.0 / 120.0)]);
-            let (fastest, hardest) = (3.0, 40.0);
-            let substeps = Substeps::divide(&parameters, fastest, hardest);
+            let (max_speed, max_acceleration) = (3.0, 40.0);
+            let substeps = Substeps::divide(&parameters, max_speed, max_acceleration);
             let h = parameters.smoothing_radius;
             let dt = substeps.length * 0.9999;
-            assert!(dt <= 0.35 * h / (parameters.gas_constant.sqrt() + fastest));
-            assert!(dt <= 0.25 * (h / hardest).sqrt());
+            assert!(dt <= 0.35 * h / (parameters.gas_constant.sqrt() + max_speed));
+            assert!(dt <= 0.25 * (h / max_acceleration).sqrt());
             assert!(dt <= 0.125 * h * h * DENSITY_FLOOR / substeps.viscosity);
             assert!((substeps.length * substeps.count as f32 - parameters.time_step).abs() < 1e-7);
         }
     }
 
     #[test]
-    fn a_viscosity_beyond_the_shortest_substep_is_cut_to_what_it_bears() {
+    fn a_viscosity_too_large_for_the_shortest_substep_is_limited() {
         let parameters = with(&[
             ("smoothing_radius", 0.01),
             ("viscosity", 0.1),
@@ -282,18 +282,18 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_faster_than_the_speed_limit_and_what_is_held_back_is_counted() {
+    fn the_speed_limit_holds_and_counts_the_particles_it_slows() {
         let parameters = Parameters::new(Model::Classic);
         let mut particles = one_falling(-100.0);
         let motion = fall(&mut particles, &parameters, 0.01);
         assert!((particles[0].velocity().y + parameters.speed_limit).abs() < 1e-5);
-        assert_eq!(motion.limited, 1);
+        assert_eq!(motion.speed_limited, 1);
         let mut particles = one_falling(-1.0);
-        assert_eq!(fall(&mut particles, &parameters, 0.01).limited, 0);
+        assert_eq!(fall(&mut particles, &parameters, 0.01).speed_limited, 0);
     }
 
     #[test]
-    fn gas_cools_at_the_rate_that_is_set_and_not_below_the_air() {
+    fn gas_cools_at_the_set_rate_down_to_the_air() {
         let parameters = with(&[("cooling_rate", 500.0), ("ambient_temperature", 300.0)]);
         let mut particles = one_falling(0.0);
         fall(&mut particles, &parameters, 0.1);

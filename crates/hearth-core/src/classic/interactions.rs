@@ -1,9 +1,8 @@
 //! The pair interactions of the classic model: one line each in [`list`].
 //!
 //! With V = m/ρ the volume of a particle, each file states the force of a pair; the
-//! other particle feels the opposite, so momentum is kept to rounding, whatever the
-//! particles do. The paper prints some of this differently, and each printed form can be
-//! chosen by itself: [`AsPublished`].
+//! other particle feels the opposite force, which conserves momentum to rounding. [`AsPublished`] has the
+//! forms that the paper prints differently.
 
 mod as_published;
 mod pressure;
@@ -30,7 +29,7 @@ fn list(kernel: &Kernel, values: &Physics, viscosity: f32) -> impl PairInteracti
 
 /// Adds all pair interactions to the accelerations.
 ///
-/// `viscosity` [Pa·s] is what the substep can bear, at most the parameter's.
+/// `viscosity` [Pa·s] is the largest stable one of the substep, at most the parameter.
 pub(super) fn sum(pairs: &mut Pairs, kernel: &Kernel, values: &Physics, viscosity: f32) {
     let published = AsPublished::new(kernel, values, viscosity);
     if published.any() {
@@ -40,7 +39,7 @@ pub(super) fn sum(pairs: &mut Pairs, kernel: &Kernel, values: &Physics, viscosit
     }
 }
 
-/// Interactions by which one particle gains what the other loses.
+/// Interactions with opposite accelerations of the two particles.
 struct Symmetric<I>(I);
 
 impl<I: PairInteraction<Pair>> PairSum<2> for Symmetric<I> {
@@ -79,8 +78,8 @@ mod tests {
     const BOUNDS: Bounds = Bounds {
         width: 1.0,
         height: 1.0,
-        periodic: true,
-        endless: false,
+        periodic_x: true,
+        periodic_y: false,
     };
 
     /// A dense random cloud in random motion, with its densities and pressures.
@@ -132,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn pair_forces_keep_momentum() {
+    fn pair_forces_conserve_momentum() {
         let parameters = weightless(&[("viscosity", Input::Number(0.05))]);
         for seed in 0..5 {
             let (_, mut pairs, kernel) = cloud(&parameters, seed);
@@ -208,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn a_linear_pressure_pushes_by_its_gradient() {
+    fn a_linear_pressure_accelerates_by_its_gradient() {
         // ρ = 1 on this lattice, so the acceleration is −∇p = −1.
         for ratio in [1.3_f32, 1.5, 2.0] {
             let dx = 0.02;

@@ -1,4 +1,4 @@
-//! A particle and four of its neighbours, as pair interactions take them.
+//! The pair data of the classic interactions: one particle against four neighbours.
 
 use glam::Vec2;
 
@@ -9,7 +9,7 @@ use crate::lanes::Lanes;
 
 /// A particle with each property in all lanes.
 pub(super) struct Broadcast {
-    place: [Lanes; 2],
+    position: [Lanes; 2],
     velocity: [Lanes; 2],
     pub volume: Lanes,
     pub pressure: Lanes,
@@ -19,20 +19,20 @@ impl Broadcast {
     #[inline(always)]
     pub fn of(block: &Block, lane: usize, shift: Vec2) -> Broadcast {
         Broadcast {
-            place: [
-                block.place[0].spread(lane) - shift.x,
-                block.place[1].spread(lane) - shift.y,
+            position: [
+                block.position[0].broadcast(lane) - shift.x,
+                block.position[1].broadcast(lane) - shift.y,
             ],
-            velocity: block.velocity.map(|v| v.spread(lane)),
-            volume: block.volume.spread(lane),
-            pressure: block.pressure.spread(lane),
+            velocity: block.velocity.map(|v| v.broadcast(lane)),
+            volume: block.volume.broadcast(lane),
+            pressure: block.pressure.broadcast(lane),
         }
     }
 
     /// Offset from each of the others.
     #[inline(always)]
     pub fn offset(&self, others: &Block) -> Separation {
-        Separation::between(self.place, others.place)
+        Separation::between(self.position, others.position)
     }
 
     /// Velocity relative to each of the others [m/s].
@@ -53,7 +53,7 @@ pub(super) struct Pair {
     pub gradient: Lanes,
     /// −r·∇W/(r² + 0.01 h²) · Vᵢ Vⱼ.
     pub laplacian: Lanes,
-    /// pᵢ + pⱼ, as the blocks hold them.
+    /// pᵢ + pⱼ, with the factor of [`Block::pressure`].
     pub pressures: Lanes,
 }
 
@@ -63,7 +63,7 @@ impl Pair {
         let offset = one.offset(others);
         let softened = offset.softened();
         // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
-        // times q²: one division serves both.
+        // times q²: both share one division.
         let quotient =
             kernel::minus_dw(offset.q) * (one.volume * others.volume) / (offset.q * softened);
         Pair {

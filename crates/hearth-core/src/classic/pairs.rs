@@ -1,7 +1,6 @@
-//! The particles as the passes over pairs take them: four to a block.
+//! The particles in blocks of four, for the passes over pairs.
 //!
-//! During a substep the blocks are where the gas is reckoned with; at its end what
-//! has moved is written back to [`Particles`].
+//! A substep computes with the blocks and writes its results back to [`Particles`].
 
 use std::ops::Range;
 
@@ -11,17 +10,17 @@ use crate::bounds::Bounds;
 use crate::grid::Grid;
 use crate::kernel::Kernel;
 use crate::lanes::{LANES, Lanes, transposed};
-use crate::neighbours::{self, NOWHERE, Neighbours, PairSum};
+use crate::neighbours::{self, FAR_AWAY, Neighbours, PairSum};
 use crate::params::Physics;
 
 /// Four particles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Block {
     /// Position, in smoothing lengths.
-    pub place: [Lanes; 2],
-    /// What the first pass sums; then the volume of a unit of mass [m³/kg].
+    pub position: [Lanes; 2],
+    /// The kernel sum of the first pass; then the specific volume [m³/kg].
     pub volume: Lanes,
-    /// Pressure, times the factor that every pressure force has: m h, times that of W'.
+    /// Pressure, times the common factor of the pressure forces: m h, times that of W'.
     pub pressure: Lanes,
     /// Velocity [m/s].
     pub velocity: [Lanes; 2],
@@ -30,9 +29,9 @@ pub(crate) struct Block {
 }
 
 impl Block {
-    /// Lanes without a particle: nowhere, and of no consequence.
+    /// Lanes without a particle.
     pub const EMPTY: Block = Block {
-        place: [Lanes::splat(NOWHERE); 2],
+        position: [Lanes::splat(FAR_AWAY); 2],
         volume: Lanes::ZERO,
         pressure: Lanes::ZERO,
         velocity: [Lanes::ZERO; 2],
@@ -42,8 +41,8 @@ impl Block {
 
 impl neighbours::Block for Block {
     #[inline(always)]
-    fn place(&self) -> [Lanes; 2] {
-        self.place
+    fn position(&self) -> [Lanes; 2] {
+        self.position
     }
     #[inline(always)]
     fn weight(&self) -> Lanes {
@@ -55,12 +54,12 @@ impl neighbours::Block for Block {
     }
 }
 
-/// m h, times the factor of W': what every pressure force has [kg/m · 1/m³].
+/// The common factor of the pressure forces: m h, times that of W' [kg/m · 1/m³].
 fn pressure_factor(kernel: &Kernel, mass: f32) -> f32 {
     mass * kernel.smoothing_length() * kernel.minus_dw_norm()
 }
 
-/// The blocks, where they lie, and which are near which.
+/// The blocks, the grid and the neighbour lists.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pairs {
     grid: Grid,
@@ -69,33 +68,33 @@ pub(crate) struct Pairs {
 }
 
 impl Pairs {
-    /// Puts the particles into the order of their places, and into blocks.
+    /// Sorts the particles by the grid and fills the blocks.
     pub fn sort(&mut self, particles: &mut Particles, bounds: &Bounds, kernel: &Kernel) {
         let Pairs { grid, blocks, .. } = self;
         let positions = particles.iter().map(ParticleState::position);
-        let places = grid.sort(positions, bounds, kernel.support());
-        particles.reorder(places);
-        // Not cleared: every block is written as a whole.
+        let new_indices = grid.sort(positions, bounds, kernel.support());
+        particles.reorder(new_indices);
+        // Not cleared: the loop overwrites every block.
         blocks.resize(grid.block_count(), Block::EMPTY);
         let inverse_h = 1.0 / kernel.smoothing_length();
         let units = Lanes::new([inverse_h, inverse_h, 1.0, 1.0]);
-        let nowhere = Lanes::new([NOWHERE, NOWHERE, 0.0, 0.0]);
+        let empty = Lanes::new([FAR_AWAY, FAR_AWAY, 0.0, 0.0]);
         for (block, members) in blocks.iter_mut().zip(grid.members()) {
-            let mut motions = [nowhere; LANES];
+            let mut motions = [empty; LANES];
             for (motion, particle) in motions.iter_mut().zip(&particles[members]) {
                 *motion = particle.motion * units;
             }
             let [x, y, vx, vy] = transposed(motions);
             *block = Block {
-                place: [x, y],
+                position: [x, y],
                 velocity: [vx, vy],
                 ..Block::EMPTY
             };
         }
     }
 
-    /// Finds all pairs of sorted particles, and fills in every density,
-    /// ρᵢ = Σⱼ mⱼ W(rᵢⱼ), the particle itself included, and every pressure.
+    /// Finds all pairs of sorted particles, and computes densities, ρᵢ = Σⱼ mⱼ W(rᵢⱼ), the
+    /// particle itself included, and pressures.
     pub fn sum_density(&mut self, particles: &mut Particles, kernel: &Kernel, values: &Physics) {
         let Pairs {
             grid,
@@ -122,13 +121,13 @@ impl Pairs {
         self.neighbours.sum(interactions, &mut self.blocks);
     }
 
-    /// Each block and which particles it holds.
+    /// Each block with the range of its particles.
     #[inline(always)]
     pub fn each(&mut self) -> impl Iterator<Item = (&mut Block, Range<usize>)> {
         self.blocks.iter_mut().zip(self.grid.members())
     }
 
-    /// Neighbours of a particle, on average, and the largest number of one.
+    /// Mean and maximum number of neighbours of a particle.
     pub fn mean_and_max(&self) -> (f32, u32) {
         self.neighbours.mean_and_max()
     }
@@ -149,7 +148,7 @@ impl Pairs {
         all
     }
 
-    /// Gives every particle the pressure `of` its place.
+    /// Sets the pressure of every particle as a function `of` its position.
     pub fn set_pressure(
         &mut self,
         particles: &Particles,

@@ -1,8 +1,7 @@
-//! Where the particles are kept.
+//! The particles of the classic model.
 //!
-//! They are private to the solver, which sorts them by place at every substep, so
-//! that neighbours in space are neighbours in memory. Readers get copies in the order
-//! of the ids, which is the order of birth and never changes.
+//! The solver sorts them by position at every substep, so that neighbours in space are
+//! neighbours in memory. Readers get copies in the order of the ids, the order of birth.
 
 use std::ops::{Deref, DerefMut};
 
@@ -11,10 +10,10 @@ use glam::Vec2;
 use crate::lanes::Lanes;
 use crate::particle::Particle;
 
-/// The state of a particle. All of it lies together, since sorting moves all of it.
+/// The state of a particle. One struct, because sorting moves all of it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ParticleState {
-    /// Position \[m\] and velocity [m/s]: x, y, and x, y. They move together.
+    /// Position \[m\] and velocity [m/s]: x, y, x, y.
     pub motion: Lanes,
     /// Temperature \[K\].
     pub temperature: f32,
@@ -22,10 +21,10 @@ pub(crate) struct ParticleState {
     pub age: f32,
     /// Age at which it dies \[s\].
     pub lifetime: f32,
-    /// Density [kg/m³] and pressure \[Pa\] as the last substep found them.
+    /// Density [kg/m³] and pressure \[Pa\] of the last substep.
     pub density: f32,
     pub pressure: f32,
-    /// Never runs out: a large source would have used up 32 bits in a day.
+    /// 64 bits: a large source exhausts 32 bits in a day.
     pub id: u64,
 }
 
@@ -56,8 +55,8 @@ impl ParticleState {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Particles {
     states: Vec<ParticleState>,
-    born: u64,
-    /// The second half of each reordering.
+    next_id: u64,
+    /// Destination of each reordering.
     scratch: Vec<ParticleState>,
 }
 
@@ -79,7 +78,7 @@ impl Particles {
     /// Removes every particle; ids begin at 0 again.
     pub fn clear(&mut self) {
         self.states.clear();
-        self.born = 0;
+        self.next_id = 0;
     }
 
     pub fn push(&mut self, particle: Particle) {
@@ -91,50 +90,50 @@ impl Particles {
             lifetime: particle.lifetime,
             density: 0.0,
             pressure: 0.0,
-            id: self.born,
+            id: self.next_id,
         });
-        self.born += 1;
+        self.next_id += 1;
     }
 
-    /// Keeps the particles for which `alive` says so, in their order.
+    /// Keeps the particles for which `alive` is true, in their order.
     pub fn retain(&mut self, alive: impl Fn(&ParticleState) -> bool) {
         self.states.retain(alive);
     }
 
-    /// Puts each particle in its place: that at `i` goes to `places[i]`.
-    pub fn reorder(&mut self, places: &[u32]) {
-        // The contents do not matter: every place is written.
+    /// Moves the particle at each index `i` to `new_indices[i]`.
+    pub fn reorder(&mut self, new_indices: &[u32]) {
+        // The loop overwrites all of it.
         self.scratch.truncate(self.states.len());
         let missing = &self.states[self.scratch.len()..];
         self.scratch.extend_from_slice(missing);
-        for (particle, &place) in self.states.iter().zip(places) {
-            self.scratch[place as usize] = *particle;
+        for (particle, &index) in self.states.iter().zip(new_indices) {
+            self.scratch[index as usize] = *particle;
         }
         std::mem::swap(&mut self.states, &mut self.scratch);
     }
 
     /// The indices of all particles in the order of their ids.
-    // Inlined, the compiler makes it twice as large.
+    // Inlined, its code doubles.
     #[inline(never)]
     pub fn by_id(&self) -> Vec<usize> {
-        // Byte by byte, the lowest first: the standard library's sort would be 3 KB of
-        // the headless library's download, and is slower.
+        // A radix sort: the standard library's sort is 3 KB of the headless library's download,
+        // and slower.
         let mut order: Vec<usize> = (0..self.len()).collect();
         let mut sorted = order.clone();
         let mut byte = 0;
-        while byte < 8 && self.born >> (8 * byte) != 0 {
-            let value = |i: usize| (self[i].id >> (8 * byte)) as usize & 0xff;
-            let mut places = [0; 257];
+        while byte < 8 && self.next_id >> (8 * byte) != 0 {
+            let digit = |i: usize| (self[i].id >> (8 * byte)) as usize & 0xff;
+            let mut starts = [0; 257];
             for &i in &order {
-                places[value(i) + 1] += 1;
+                starts[digit(i) + 1] += 1;
             }
-            for at in 1..places.len() {
-                places[at] += places[at - 1];
+            for at in 1..starts.len() {
+                starts[at] += starts[at - 1];
             }
             for &i in &order {
-                let place = &mut places[value(i)];
-                sorted[*place] = i;
-                *place += 1;
+                let start = &mut starts[digit(i)];
+                sorted[*start] = i;
+                *start += 1;
             }
             std::mem::swap(&mut order, &mut sorted);
             byte += 1;
@@ -148,10 +147,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_order_is_that_of_the_ids_however_large_they_are() {
+    fn the_order_is_that_of_the_ids_at_any_size() {
         let mut particles = Particles::default();
-        for born in [0, 3, 255, 256, 65_536, 1 << 40] {
-            particles.born = born;
+        for next_id in [0, 3, 255, 256, 65_536, 1 << 40] {
+            particles.next_id = next_id;
             particles.push(Particle::at(Vec2::ZERO));
             particles.push(Particle::at(Vec2::ZERO));
         }

@@ -1,10 +1,8 @@
 //! The burner: a block of gas, three spacings high, into which fuel flows.
 //!
-//! It is driven by its power, so it burns alike at every resolution: the fuel of
-//! a step is spread over whatever gas is in the block, and what finds no room
-//! there over the gas above. Perlin noise lets some
-//! places of it burn more than others, and drift (the paper's §5.3), without a
-//! change to the sum.
+//! Its input is its power, so it burns alike at every resolution: the fuel of a step is spread
+//! over the gas in the block, and what exceeds the capacity of that gas over the gas above.
+//! Perlin noise modulates the fuel in space and time (the paper's §5.3) and keeps the sum.
 
 use super::chemistry::{HEAT_CAPACITY, heat_of_combustion};
 use super::gas::Gas;
@@ -15,22 +13,22 @@ use crate::source;
 
 /// Height of the block, in spacings of the particles.
 const ROWS: f32 = 3.0;
-/// How fast gas in the block takes on its velocity [1/s].
-const GRIP: f32 = 400.0;
-/// Least width of the block, in spacings: a burner between two particles would
-/// heat neither.
-const NARROWEST: f32 = 4.0;
-/// A pilot flame: gas in the block is hotter than it needs to be to burn, by this.
-const PILOT: f32 = 1.02;
+/// Rate at which gas in the block relaxes to the emission velocity [1/s].
+const VELOCITY_RELAXATION: f32 = 400.0;
+/// Minimum width of the block, in spacings: a burner between two particles would heat
+/// neither.
+const MIN_WIDTH: f32 = 4.0;
+/// A pilot flame: gas in the block is hotter than the ignition temperature by this factor.
+const PILOT_FACTOR: f32 = 1.02;
 /// Lattice cells of the emission noise across the burner.
 const NOISE_CELLS: f32 = 5.0;
-/// Lattice cells of the emission noise for each second.
+/// Lattice cells of the emission noise per second.
 const NOISE_PER_SECOND: f64 = 3.0;
 
-/// Where the burner of the combustion model is: a block.
+/// The block of the burner in the combustion model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Burner {
-    /// Where its middle is, right (above 0) or left of the domain's \[m\].
+    /// Horizontal position of its middle; 0 is the middle of the domain \[m\].
     pub middle: f32,
     /// Half of its width \[m\].
     pub half_width: f32,
@@ -38,21 +36,21 @@ pub struct Burner {
     pub bottom: f32,
     /// Height of its upper edge \[m\].
     pub top: f32,
-    /// Its edges \[m\]. A particle on an edge is outside, on the edge of the domain as well.
+    /// Its edges \[m\]. A particle on an edge is outside, also on the edge of the domain.
     left: f32,
     right: f32,
-    /// Below this, layers above the block take fuel that it cannot \[m\].
+    /// Highest top of a layer above the block that takes excess fuel \[m\].
     highest: f32,
 }
 
 impl Burner {
-    /// The burner of these parameters: it stays inside the seams and the domain,
-    /// and is no smaller than some particles.
+    /// The burner of these parameters, clamped to the domain between the seams and to a minimum
+    /// width.
     pub fn of(parameters: &Parameters) -> Burner {
         Burner::at(parameters, parameters.spacing())
     }
 
-    /// The burner of these values; `None` where it is off.
+    /// The burner of these values; `None` without power.
     pub(crate) fn new(values: &Physics, spacing: f32) -> Option<Burner> {
         (values.fuel_power > 0.0).then(|| Burner::at(values, spacing))
     }
@@ -65,7 +63,7 @@ impl Burner {
         let bottom = values.source_height.max(lowest).min(highest);
         let width = values
             .source_width
-            .max(NARROWEST * spacing)
+            .max(MIN_WIDTH * spacing)
             .min(values.domain_width);
         let (half_width, edge) = (0.5 * width, 0.5 * values.domain_width);
         let middle = source::middle(values, width, values.seam * values.domain_width);
@@ -80,47 +78,47 @@ impl Burner {
         }
     }
 
-    /// Feeds the gas in the block for `dt`. Returns the heat that it took to
-    /// make that gas as hot as the source [kJ/m], which comes on top of the power.
+    /// Adds fuel to the gas in the block for `dt`. Returns the heat that brought the gas to the
+    /// temperature of the source [kJ/m], which is not part of the power.
     pub(crate) fn feed(&self, gas: &mut Gas, values: &Physics, time: f64, dt: f32) -> f32 {
-        let heat = self.hold(gas, values, dt);
+        let heat = self.condition(gas, values, dt);
         let mut left = values.fuel_power / heat_of_combustion(values) * dt;
         let height = self.top - self.bottom;
         let mut above = 0.0;
         while left > 0.0 && self.top + above <= self.highest {
-            left = self.mix_in(gas, values, time, above, left);
+            left = self.add_fuel(gas, values, time, above, left);
             above += height;
         }
         heat
     }
 
-    /// Gives gas in the block its temperature, its oxygen and its velocity.
-    /// Returns the heat that it took [kJ/m].
-    fn hold(&self, gas: &mut Gas, values: &Physics, dt: f32) -> f32 {
-        let grip = (GRIP * dt).min(1.0);
+    /// Sets the temperature, oxygen and velocity of the gas in the block. Returns the heat
+    /// [kJ/m].
+    fn condition(&self, gas: &mut Gas, values: &Physics, dt: f32) -> f32 {
+        let relaxation = (VELOCITY_RELAXATION * dt).min(1.0);
         let hot = values
             .source_temperature
-            .max(PILOT * values.ignition_temperature);
+            .max(PILOT_FACTOR * values.ignition_temperature);
         let mut heated = 0.0;
         for i in 0..gas.len() {
-            if self.holds(gas, i, 0.0) {
+            if self.contains(gas, i, 0.0) {
                 let state = &mut gas.state[i];
                 heated += fast_max(hot - state.x, 0.0);
                 state.x = fast_max(state.x, hot);
-                // Air comes into the block from below, as it would not into a
-                // burner; what the source brings displaces it.
+                // Air enters the block from below, unlike a real burner. The gas of the source
+                // displaces it.
                 state.z = fast_min(state.z, values.source_oxygen);
                 let velocity = &mut gas.velocity[i];
-                velocity.x -= velocity.x * grip;
-                velocity.y += (values.emission_speed - velocity.y) * grip;
+                velocity.x -= velocity.x * relaxation;
+                velocity.y += (values.emission_speed - velocity.y) * relaxation;
             }
         }
         heated * gas.mass * HEAT_CAPACITY
     }
 
-    /// Spreads `fuel` [kg/m] over the gas so far above the block, and returns
-    /// what it cannot take, since no gas can be more than fuel.
-    fn mix_in(&self, gas: &mut Gas, values: &Physics, time: f64, above: f32, fuel: f32) -> f32 {
+    /// Spreads `fuel` [kg/m] over the layer `above` the block, and returns the excess over
+    /// pure fuel.
+    fn add_fuel(&self, gas: &mut Gas, values: &Physics, time: f64, above: f32, fuel: f32) -> f32 {
         let share = |x: f32| {
             let across = (x - self.middle) / self.half_width * (0.5 * NOISE_CELLS);
             let noise = perlin(values.seed, across, time * NOISE_PER_SECOND);
@@ -128,7 +126,7 @@ impl Burner {
         };
         let mut shares = 0.0;
         for i in 0..gas.len() {
-            if self.holds(gas, i, above) {
+            if self.contains(gas, i, above) {
                 shares += share(gas.position[i].x);
             }
         }
@@ -138,16 +136,16 @@ impl Burner {
         let each = fuel / (gas.mass * shares);
         let mut left = 0.0;
         for i in 0..gas.len() {
-            if self.holds(gas, i, above) {
-                let wanted = gas.state[i].y + each * share(gas.position[i].x);
-                gas.state[i].y = wanted.min(1.0);
-                left += (wanted - 1.0).max(0.0) * gas.mass;
+            if self.contains(gas, i, above) {
+                let fuelled = gas.state[i].y + each * share(gas.position[i].x);
+                gas.state[i].y = fuelled.min(1.0);
+                left += (fuelled - 1.0).max(0.0) * gas.mass;
             }
         }
         left
     }
 
-    fn holds(&self, gas: &Gas, i: usize, above: f32) -> bool {
+    fn contains(&self, gas: &Gas, i: usize, above: f32) -> bool {
         let at = gas.position[i];
         let height = at.y - above;
         at.x > self.left && at.x < self.right && height > self.bottom && height < self.top
@@ -168,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn it_gives_its_power_at_any_width_resolution_and_noise() {
+    fn its_power_is_exact_at_any_width_resolution_and_noise() {
         for (n, width, noise) in [
             (1000.0, 0.4, 0.0),
             (12_000.0, 0.4, 1.0),
@@ -192,8 +190,8 @@ mod tests {
     }
 
     #[test]
-    fn it_burns_as_unevenly_wherever_it_stands() {
-        // The fuel of each place, by its way from the middle of the burner.
+    fn its_noise_moves_with_it() {
+        // The fuel by the distance from the middle of the burner.
         let fuel = |x: f64| {
             let values = [("source_x", x), ("emission_noise", 1.0)];
             let parameters = with(&[&values[..], &[("max_particles", 50_000.0)]].concat());
@@ -225,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn its_gas_is_hot_enough_to_burn_wherever_the_sliders_stand() {
+    fn its_gas_is_above_the_ignition_temperature() {
         let parameters = with(&[
             ("source_temperature", 500.0),
             ("ignition_temperature", 900.0),
@@ -254,8 +252,8 @@ mod tests {
     }
 
     #[test]
-    fn what_the_block_cannot_take_goes_to_the_gas_above() {
-        // In a quarter of a second far more fuel than the block can hold.
+    fn excess_fuel_goes_to_the_gas_above() {
+        // In a quarter of a second, far more fuel than the capacity of the block.
         for n in [1000.0, 3000.0, 20_000.0] {
             let parameters = with(&[
                 ("fuel_power", 600.0),
@@ -272,12 +270,12 @@ mod tests {
     }
 
     #[test]
-    fn its_gas_has_as_much_oxygen_as_the_slider_says() {
+    fn its_gas_has_the_oxygen_of_the_parameter() {
         for oxygen in [0.0, 0.4, 1.0] {
             let gas = fed(&with(&[("source_oxygen", oxygen)]), 1e-3).expect("a burner");
             let inside = gas.state.iter().filter(|state| state.y > 0.0);
-            let most = inside.map(|state| state.z).fold(0.0, f32::max);
-            assert!((f64::from(most) - oxygen).abs() < 1e-6);
+            let max = inside.map(|state| state.z).fold(0.0, f32::max);
+            assert!((f64::from(max) - oxygen).abs() < 1e-6);
         }
     }
 }

@@ -1,6 +1,6 @@
-//! Burning and radiating.
+//! Combustion and radiation.
 //!
-//! One reaction, as fast as its time allows and as far as fuel and oxygen reach:
+//! One reaction, limited by its time scale, by fuel and by oxygen:
 //!
 //! ```text
 //! burn = min(F, O/s, (T_max − T)/(ΔT (1 + s))) (1 − e^(−dt/τ))   where T > T_ign
@@ -9,10 +9,10 @@
 //! dS/dt = − S/τ_s where it is hot, − S/τ_smoke where it is not
 //! ```
 //!
-//! ΔT is what a mixture with just enough air heats up by, its adiabatic flame
-//! temperature less the air's. T_max is that on top of what the source brings:
-//! hotter gas would fall apart as fast as it burns. Soot burns away where it glows; what leaves the
-//! flame is smoke, which thins slowly.
+//! ΔT is the temperature rise of a stoichiometric mixture: its adiabatic flame temperature less
+//! the temperature of the air. T_max is the temperature of the source plus ΔT: hotter gas would
+//! dissociate as fast as it burns. Soot burns away where it glows; soot that leaves the flame is
+//! smoke, which decays slowly.
 
 use super::gas::{Gas, State};
 use crate::extremes::{fast_max, fast_min};
@@ -21,20 +21,20 @@ use crate::params::Physics;
 /// Heat capacity of the gas [kJ/(kg·K)].
 pub(crate) const HEAT_CAPACITY: f32 = 1.0;
 
-/// Temperatures between which soot goes from lasting to burning away \[K\].
-const SOOT_BURNS: (f32, f32) = (850.0, 1150.0);
+/// Temperatures between which the decay of soot changes from that of smoke to that of a flame
+/// \[K\].
+const SOOT_BURNOUT: (f32, f32) = (850.0, 1150.0);
 
-/// Heat that a unit of fuel gives [kJ/kg], for each kg of the mixture.
+/// Heat of combustion of the fuel [kJ/kg], per kg of the mixture.
 pub(crate) fn heat_of_combustion(values: &Physics) -> f32 {
     HEAT_CAPACITY * values.flame_rise * (1.0 + values.air_demand)
 }
 
-/// Lets the gas diffuse, burn and radiate for `dt`; `source` is the temperature of the
-/// hottest source \[K\]. Returns the power of the
-/// burning [kW/m].
+/// Integrates diffusion, combustion and radiation over `dt`; `source` is the temperature of the
+/// hottest source \[K\]. Returns the power of the combustion [kW/m].
 pub(crate) fn react(gas: &mut Gas, values: &Physics, source: f32, dt: f32) -> f32 {
     let demand = values.air_demand;
-    let fast = 1.0 - libm::expf(-dt / values.burn_time);
+    let reacted = 1.0 - libm::expf(-dt / values.burn_time);
     let rise = values.flame_rise * (1.0 + demand);
     let air = values.ambient_temperature;
     let radiated = |t: f32| {
@@ -47,7 +47,7 @@ pub(crate) fn react(gas: &mut Gas, values: &Physics, source: f32, dt: f32) -> f3
     let equilibrium = source + values.flame_rise;
     let smoke_left = 1.0 / (1.0 + dt / values.smoke_life);
     let soot_left = 1.0 / (1.0 + dt / values.soot_life);
-    let (cool, hot) = SOOT_BURNS;
+    let (cool, hot) = SOOT_BURNOUT;
     let mut burnt = 0.0_f64;
 
     for (i, state) in gas.state.iter_mut().enumerate() {
@@ -56,7 +56,7 @@ pub(crate) fn react(gas: &mut Gas, values: &Physics, source: f32, dt: f32) -> f3
         let oxygen = oxygen.clamp(0.0, 1.0);
         let burn = if t > values.ignition_temperature {
             let lacking = ((equilibrium - t) / rise).clamp(0.0, 1.0);
-            fast_min(fast_min(fuel, oxygen / demand), lacking) * fast
+            fast_min(fast_min(fuel, oxygen / demand), lacking) * reacted
         } else {
             0.0
         };
@@ -64,7 +64,7 @@ pub(crate) fn react(gas: &mut Gas, values: &Physics, source: f32, dt: f32) -> f3
         gas.burn[i] = burn / dt;
 
         let lost = dt * values.radiative_cooling * (radiated(t) - from_air);
-        // Radiation stops at the temperature of the air, however long the step.
+        // Radiation does not cool below the temperature of the air in a long step.
         let cooled = fast_max(t - lost, fast_min(air, t));
         let t = cooled + rise * burn;
         let glowing = ((t - cool) / (hot - cool)).clamp(0.0, 1.0);
@@ -87,7 +87,7 @@ mod tests {
     use crate::params::Parameters;
     use crate::random::Random;
 
-    /// Gas of one mixture, and nothing that diffuses.
+    /// Uniform gas, so that nothing diffuses.
     fn mixture(parameters: &Parameters, state: [f32; 4]) -> Gas {
         let mut gas = Gas::air(parameters, parameters.spacing(), &mut Random::new(1));
         gas.state.fill(State::from_array(state));
@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn fuel_and_oxygen_go_in_the_proportion_of_the_demand_and_their_heat_stays() {
+    fn combustion_is_stoichiometric_and_conserves_energy() {
         let parameters = with(&[("radiative_cooling", 0.0), ("soot_life", 2.0)]);
         let mut gas = mixture(&parameters, [900.0, 0.3, 0.8, 0.0]);
         let power = react(&mut gas, &parameters, parameters.source_temperature, 0.01);
@@ -166,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn soot_burns_away_in_the_flame_and_lasts_as_smoke() {
+    fn soot_burns_away_in_the_flame_and_persists_as_smoke() {
         let parameters = with(&[("radiative_cooling", 0.0)]);
         let left = |temperature: f32| {
             let mut gas = mixture(&parameters, [temperature, 0.0, 1.0, 1.0]);

@@ -1,8 +1,7 @@
-//! Embers: sparks that the fire throws and its flow carries.
+//! Embers: sparks that the fire emits and its flow carries.
 //!
-//! They are the paper's lifetime emitter at work in a domain full of air: each
-//! is born in the flames with a life of its own, follows the gas around it as
-//! far as its weight allows, cools by radiation and dies.
+//! They are the paper's emitter in a domain full of air: each is born in the flames with a
+//! random lifetime, is dragged by the gas, falls by its weight, cools by radiation and dies.
 
 use glam::Vec2;
 
@@ -32,51 +31,54 @@ pub struct Ember {
 }
 
 /// Temperature at birth \[K\].
-const GLOW: f32 = 1750.0;
-/// Gas hotter than this throws embers \[K\].
-const FLAMES: f32 = 900.0;
-/// Time in which an ember of 4 mm takes on the speed of the gas around it \[s\];
-/// larger ones take longer. In the air they sink at g times this.
-const FOLLOWS: f32 = 0.035;
-const FOLLOWS_AT: f32 = 0.004;
-/// Speed at which embers are thrown, at most, besides that of the gas [m/s].
-const THROWN: f32 = 0.8;
-/// The same of embers that somebody throws, up and to each side.
-const THROWN_BY_HAND: Vec2 = Vec2::new(0.9, 2.2);
-/// Most embers that fly where somebody throws some.
-const MOST: usize = 4000;
-/// Sizes go from this part of the parameter to all of it.
-const SMALLEST: f32 = 0.4;
+const BIRTH_TEMPERATURE: f32 = 1750.0;
+/// Gas hotter than this emits embers \[K\].
+const FLAME_TEMPERATURE: f32 = 900.0;
+/// Drag response time of an ember of 4 mm \[s\], in proportion to the size. The settling speed
+/// in air is g times this.
+const RESPONSE_TIME: f32 = 0.035;
+const RESPONSE_SIZE: f32 = 0.004;
+/// Largest ejection speed of embers, relative to the gas [m/s].
+const EJECTION_SPEED: f32 = 0.8;
+/// Largest ejection velocity of embers that a caller throws, to each side and upwards [m/s].
+const USER_EJECTION_SPEED: Vec2 = Vec2::new(0.9, 2.2);
+/// Most embers after a caller throws some.
+const MAX_EMBERS: usize = 4000;
+/// Smallest size, as a share of the parameter.
+const MIN_SIZE: f32 = 0.4;
 /// Longest time whose births may wait for flames \[s\].
-const PATIENCE: f32 = 1.0 / 30.0;
+const MAX_WAIT: f32 = 1.0 / 30.0;
 
-/// All embers that glow.
+/// All embers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Embers {
     alive: Vec<Ember>,
-    /// Births that are due and have not happened.
-    owed: f32,
+    /// Births that are due.
+    backlog: f32,
 }
 
 impl Embers {
-    /// These.
+    /// Embers from a list.
     pub fn of(alive: Vec<Ember>) -> Embers {
-        Embers { alive, owed: 0.0 }
+        Embers {
+            alive,
+            backlog: 0.0,
+        }
     }
 
     pub fn alive(&self) -> &[Ember] {
         &self.alive
     }
 
-    /// Lets embers be born, drift, cool and die for `dt` in the air around them.
+    /// Emits, moves, cools and removes embers for `dt`.
     pub fn drift(&mut self, air: &Air, values: &Physics, random: &mut Random, dt: f32) {
-        self.throw(air.gas, values, random, dt);
+        self.emit(air.gas, values, random, dt);
         for ember in &mut self.alive {
             let flow = air.velocity_at(ember.position);
-            let follows = FOLLOWS * (ember.size / FOLLOWS_AT);
-            // Implicit, so that even a speck that follows at once is stable.
+            let response_time = RESPONSE_TIME * (ember.size / RESPONSE_SIZE);
+            // Implicit, so that the drag of tiny embers is stable.
             let weight = Vec2::new(0.0, -values.gravity);
-            let share = dt / follows;
+            let share = dt / response_time;
             ember.velocity = (ember.velocity + flow * share + weight * dt) / (1.0 + share);
             ember.position += ember.velocity * dt;
             ember.age += dt;
@@ -84,50 +86,50 @@ impl Embers {
             let lost = values.radiative_cooling * relative * relative * relative * relative * dt;
             ember.temperature = (ember.temperature - lost).max(values.ambient_temperature);
         }
-        // What flies out of the picture is gone; it does not come in below.
+        // Embers that leave the domain are removed; they do not come back over a periodic edge.
         self.alive
-            .retain(|ember| ember.age < ember.lifetime && air.bounds.hold(ember.position));
+            .retain(|ember| ember.age < ember.lifetime && air.bounds.contains(ember.position));
     }
 
-    fn throw(&mut self, gas: &Gas, values: &Physics, random: &mut Random, dt: f32) {
-        let patience = 1.0 + values.ember_rate * PATIENCE;
-        self.owed = (self.owed + values.ember_rate * dt).min(patience);
+    fn emit(&mut self, gas: &Gas, values: &Physics, random: &mut Random, dt: f32) {
+        let max_backlog = 1.0 + values.ember_rate * MAX_WAIT;
+        self.backlog = (self.backlog + values.ember_rate * dt).min(max_backlog);
         if values.ember_rate == 0.0 {
-            self.owed = 0.0;
+            self.backlog = 0.0;
         }
-        while self.owed >= 1.0 {
-            let Some(i) = flames(gas, random) else {
+        while self.backlog >= 1.0 {
+            let Some(i) = random_flame(gas, random) else {
                 return;
             };
-            let aside = random.between(-0.5, 0.5);
-            let thrown = Vec2::new(aside, random.unit()) * THROWN;
-            self.bear(gas.position[i], gas.velocity[i] + thrown, values, random);
-            self.owed -= 1.0;
+            let sideways = random.between(-0.5, 0.5);
+            let thrown = Vec2::new(sideways, random.unit()) * EJECTION_SPEED;
+            self.spawn(gas.position[i], gas.velocity[i] + thrown, values, random);
+            self.backlog -= 1.0;
         }
     }
 
-    /// Throws so many from a place, or as many as there may be.
+    /// Throws this number of embers from a position, up to [`MAX_EMBERS`] in total.
     pub fn throw_from(&mut self, place: Vec2, count: u32, values: &Physics, random: &mut Random) {
-        let room = MOST.saturating_sub(self.alive.len());
+        let room = MAX_EMBERS.saturating_sub(self.alive.len());
         for _ in 0..room.min(count as usize) {
-            let way = Vec2::new(random.between(-1.0, 1.0), random.unit());
-            self.bear(place, way * THROWN_BY_HAND, values, random);
+            let direction = Vec2::new(random.between(-1.0, 1.0), random.unit());
+            self.spawn(place, direction * USER_EJECTION_SPEED, values, random);
         }
     }
 
-    fn bear(&mut self, position: Vec2, velocity: Vec2, values: &Physics, random: &mut Random) {
+    fn spawn(&mut self, position: Vec2, velocity: Vec2, values: &Physics, random: &mut Random) {
         let longest = values.ember_life_max.max(values.ember_life_min);
         self.alive.push(Ember {
             position,
             velocity,
-            temperature: GLOW,
-            size: values.ember_size * random.between(SMALLEST, 1.0),
+            temperature: BIRTH_TEMPERATURE,
+            size: values.ember_size * random.between(MIN_SIZE, 1.0),
             age: 0.0,
             lifetime: random.between(values.ember_life_min, longest),
         });
     }
 
-    /// Copies out what the renderer needs.
+    /// Writes the instances for the renderer.
     pub fn write_instances(&self, out: &mut Vec<Instance>) {
         out.extend(self.alive.iter().map(|ember| {
             Instance::from(EmberParticle {
@@ -142,14 +144,14 @@ impl Embers {
     }
 }
 
-/// Some particle of the flames, each with the same chance.
-fn flames(gas: &Gas, random: &mut Random) -> Option<usize> {
-    let flames = || (0..gas.len()).filter(|&i| gas.state[i].x > FLAMES);
-    let chosen = (random.unit() * flames().count() as f32) as usize;
-    flames().nth(chosen)
+/// A random particle of the flames.
+fn random_flame(gas: &Gas, random: &mut Random) -> Option<usize> {
+    let hot = || (0..gas.len()).filter(|&i| gas.state[i].x > FLAME_TEMPERATURE);
+    let chosen = (random.unit() * hot().count() as f32) as usize;
+    hot().nth(chosen)
 }
 
-/// The gas that embers fly in, in the order of the grid.
+/// The gas around the embers, in the order of the grid.
 pub(crate) struct Air<'a> {
     pub gas: &'a Gas,
     pub grid: &'a Grid,
@@ -158,11 +160,11 @@ pub(crate) struct Air<'a> {
 }
 
 impl Air<'_> {
-    /// Velocity of the gas at a place: the mean of its neighbours by kernel and
+    /// Velocity of the gas at a position: the mean of the neighbours, weighted by kernel and
     /// volume (Shepard).
     fn velocity_at(&self, at: Vec2) -> Vec2 {
         let (mut sum, mut weights) = (Vec2::ZERO, 0.0);
-        self.grid.candidates(at, |run, shift| {
+        self.grid.candidates(at, &mut |run, shift| {
             for j in run {
                 let distance = (at - shift).distance(self.gas.position[j]);
                 let weight = self.kernel.value(distance) * self.gas.volume[j];

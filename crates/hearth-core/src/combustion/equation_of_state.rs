@@ -5,18 +5,18 @@
 
 use crate::params::Physics;
 
-/// Excess over the air below which the expansion is as good as linear.
-const SLIGHT: f32 = 2e-3;
+/// Relative excess temperature below which the expansion is practically linear.
+const LINEAR: f32 = 2e-3;
 
-/// θ, the volume of a unit of mass in that of the surrounding air.
+/// θ, the specific volume relative to that of the surrounding air.
 pub(super) fn expansion(temperature: f32, values: &Physics) -> f32 {
     let ratio = temperature / values.ambient_temperature;
     let excess = ratio - 1.0;
-    // Most of the domain is air, and a power takes as long as ten pairs.
-    if excess.abs() < SLIGHT {
+    // Most of the domain is air, and `powf` costs as much as ten pairs.
+    if excess.abs() < LINEAR {
         1.0 + values.gas_expansion * excess
     } else if values.gas_expansion == 0.5 {
-        // The default; and libm computes a root without the processor's help.
+        // The default. libm's root does not use the processor's instruction.
         ratio.sqrt()
     } else {
         libm::powf(ratio, values.gas_expansion)
@@ -29,13 +29,13 @@ mod tests {
     use crate::combustion::gas::tests::with;
 
     #[test]
-    fn hot_gas_takes_the_room_that_its_expansion_says() {
+    fn hot_gas_expands_by_the_exponent() {
         for (exponent, expected) in [(0.0, 1.0), (0.5, 2.0), (1.0, 4.0)] {
             let parameters = with(&[("gas_expansion", exponent)]);
             let air = parameters.ambient_temperature;
             assert!((expansion(4.0 * air, &parameters) - expected).abs() < 1e-5);
-            // No step where the power takes over from the line.
-            let edge = air * (1.0 + SLIGHT);
+            // The two branches are continuous.
+            let edge = air * (1.0 + LINEAR);
             let step =
                 expansion(edge * 1.0001, &parameters) - expansion(edge * 0.9999, &parameters);
             assert!(step.abs() < 3e-4, "{step}");

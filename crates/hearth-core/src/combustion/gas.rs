@@ -1,8 +1,7 @@
 //! The gas that fills the domain, and its lattice at the start.
 //!
-//! Every particle has the same mass; what differs is how much room it takes.
-//! Each property has an array, sorted by grid cell at every step; readers get copies
-//! in the order of the ids.
+//! Every particle has the same mass and its own volume. Each property is an array, sorted by
+//! grid cell at every step; readers get copies in the order of the ids.
 
 use glam::{Vec2, Vec4};
 
@@ -13,16 +12,16 @@ use crate::extremes::fast_max;
 use crate::params::Physics;
 use crate::random::Random;
 
-/// What diffuses from particle to particle: temperature \[K\], fuel, oxygen, soot.
-/// One vector, since one equation moves all four.
+/// The diffusing quantities: temperature \[K\], fuel, oxygen, soot. One vector, because they
+/// have one equation.
 pub(crate) type State = Vec4;
 
-/// Part of the spacing by which the lattice of the start is disturbed: a
-/// perfect lattice would stay one, and shear along its rows.
+/// Random displacement of the initial lattice, in spacings: a perfect lattice would persist
+/// and shear along its rows.
 const JITTER: f32 = 0.1;
 
-/// What rounding may take from a whole number of rows.
-const ALMOST: f32 = 1e-3;
+/// Tolerance for rounding in the number of rows.
+const ROUNDING: f32 = 1e-3;
 
 /// All particles of the gas.
 #[derive(Clone, Debug, Default)]
@@ -34,11 +33,11 @@ pub(crate) struct Gas {
     /// Mass of each particle [kg/m].
     pub mass: f32,
 
-    // Computed again at every step.
+    // Computed at every step.
     pub acceleration: Vec<Vec2>,
     /// Change of the state by diffusion [1/s].
     pub change: Vec<State>,
-    /// θ, the volume of a unit of mass in that of the air.
+    /// θ, the specific volume relative to that of the air.
     pub expansion: Vec<f32>,
     /// Y = Σ yⱼ Wᵢⱼ, the number density, in mass of cold air [kg/m³].
     pub number_density: Vec<f32>,
@@ -70,7 +69,7 @@ impl Gas {
                 ..Particle::at(place)
             });
         }
-        gas.settle(values);
+        gas.set_mass_and_volume(values);
         gas
     }
 
@@ -80,7 +79,7 @@ impl Gas {
         for particle in particles {
             gas.push(particle);
         }
-        gas.settle(values);
+        gas.set_mass_and_volume(values);
         gas
     }
 
@@ -103,16 +102,15 @@ impl Gas {
         self.burn.push(0.0);
     }
 
-    /// Gives every particle its mass: together they fill the domain with air.
-    pub fn weigh(&mut self, values: &Physics) {
+    /// Sets the mass of a particle, so that all fill the domain with air.
+    pub fn set_mass(&mut self, values: &Physics) {
         let area = values.domain_width * values.domain_height;
         self.mass = values.ambient_density * area / self.len().max(1) as f32;
     }
 
-    /// Gives every particle its mass and the room that it will take, which the
-    /// next step finds out better.
-    pub fn settle(&mut self, values: &Physics) {
-        self.weigh(values);
+    /// Sets the mass of a particle and estimates the volumes, which the next step computes.
+    pub fn set_mass_and_volume(&mut self, values: &Physics) {
+        self.set_mass(values);
         self.volume.clear();
         self.volume
             .extend(self.state.iter().map(|state| expansion(state.x, values)));
@@ -123,8 +121,8 @@ impl Gas {
         }
     }
 
-    /// Makes all of it warmer by `kelvin`.
-    pub fn warm(&mut self, kelvin: f32) {
+    /// Adds `kelvin` to the temperature of all gas.
+    pub fn add_temperature(&mut self, kelvin: f32) {
         for state in &mut self.state {
             state.x = fast_max(state.x + kelvin, 1.0);
         }
@@ -147,19 +145,21 @@ impl Gas {
         }
     }
 
-    /// Puts each particle in its place: that at `i` goes to `places[i]`. What every
-    /// step computes again stays where it is.
-    pub fn reorder(&mut self, places: &[u32]) {
+    /// Moves the particle at each index `i` to `new_indices[i]`. The arrays that every step
+    /// computes stay.
+    pub fn reorder(&mut self, new_indices: &[u32]) {
         let scratch = &mut self.scratch;
-        scatter(&mut self.position, &mut scratch.vector, places);
-        scatter(&mut self.velocity, &mut scratch.vector, places);
-        scatter(&mut self.state, &mut scratch.state, places);
-        scatter(&mut self.id, &mut scratch.id, places);
+        scatter(&mut self.position, &mut scratch.vector, new_indices);
+        scatter(&mut self.velocity, &mut scratch.vector, new_indices);
+        scatter(&mut self.state, &mut scratch.state, new_indices);
+        scatter(&mut self.id, &mut scratch.id, new_indices);
     }
 
     /// The indices of all particles in the order of their ids.
+    // Inlined, its code would be in every reader.
+    #[inline(never)]
     pub fn by_id(&self) -> Vec<usize> {
-        // Every number below theirs is somebody's id.
+        // The ids are a permutation of the indices.
         let mut order = vec![0; self.len()];
         for (i, &id) in self.id.iter().enumerate() {
             order[id as usize] = i;
@@ -168,19 +168,19 @@ impl Gas {
     }
 }
 
-/// Places that fill the domain, row by row.
+/// Points that fill the domain, row by row.
 pub(crate) struct Lattice {
     pub points: Vec<Vec2>,
     pub columns: usize,
 }
 
-/// A lattice of that spacing, slightly disturbed. Its rows are as many as come
-/// next to the number of places that this makes, and no more.
+/// A lattice of this spacing, slightly disturbed. The number of rows gives the nearest number
+/// of points that is not too large.
 pub(crate) fn lattice(values: &Physics, spacing: f32, random: &mut Random) -> Lattice {
     let (width, height) = (values.domain_width, values.domain_height);
     let columns = ((width / spacing) as usize).max(1);
-    let places = width * height / (spacing * spacing);
-    let rows = ((places / columns as f32 + ALMOST) as usize).max(1);
+    let count = width * height / (spacing * spacing);
+    let rows = ((count / columns as f32 + ROUNDING) as usize).max(1);
     let cell = Vec2::new(width / columns as f32, height / rows as f32);
     let corner = Vec2::new(-0.5 * width, 0.0);
     let bounds = bounds(values);
@@ -194,21 +194,21 @@ pub(crate) fn lattice(values: &Physics, spacing: f32, random: &mut Random) -> La
     Lattice { points, columns }
 }
 
-fn scatter<T: Copy + Default>(values: &mut Vec<T>, scratch: &mut Vec<T>, places: &[u32]) {
+fn scatter<T: Copy + Default>(values: &mut Vec<T>, scratch: &mut Vec<T>, new_indices: &[u32]) {
     scratch.resize(values.len(), T::default());
-    for (&value, &place) in values.iter().zip(places) {
-        scratch[place as usize] = value;
+    for (&value, &index) in values.iter().zip(new_indices) {
+        scratch[index as usize] = value;
     }
     std::mem::swap(values, scratch);
 }
 
-/// The domain of the combustion model: each edge is the opposite one.
+/// The domain of the combustion model, periodic in both directions.
 pub(crate) fn bounds(values: &Physics) -> Bounds {
     Bounds {
         width: values.domain_width,
         height: values.domain_height,
-        periodic: true,
-        endless: true,
+        periodic_x: true,
+        periodic_y: true,
     }
 }
 
@@ -227,24 +227,24 @@ pub(crate) mod tests {
     }
 
     /// Gas in random motion, of every temperature and mixture.
-    pub fn wild(parameters: &Parameters, seed: u32) -> Gas {
+    pub fn random_gas(parameters: &Parameters, seed: u32) -> Gas {
         let mut random = Random::new(seed);
         let mut gas = Gas::air(parameters, parameters.spacing(), &mut random);
         for (velocity, state) in gas.velocity.iter_mut().zip(&mut gas.state) {
-            let mut any = |low, high| random.between(low, high);
-            *velocity = Vec2::new(any(-1.0, 1.0), any(-1.0, 1.0));
+            let mut between = |low, high| random.between(low, high);
+            *velocity = Vec2::new(between(-1.0, 1.0), between(-1.0, 1.0));
             *state = State::new(
-                any(300.0, 2000.0),
-                any(0.0, 1.0),
-                any(0.0, 1.0),
-                any(0.0, 1.0),
+                between(300.0, 2000.0),
+                between(0.0, 1.0),
+                between(0.0, 1.0),
+                between(0.0, 1.0),
             );
         }
         gas
     }
 
     #[test]
-    fn air_fills_the_domain_with_as_many_particles_as_are_asked_for() {
+    fn air_fills_the_domain_with_nearly_max_particles() {
         for (width, height, n) in [(1.2, 1.8, 3000.0), (0.1, 6.0, 1000.0), (6.0, 0.3, 5000.0)] {
             let parameters = with(&[
                 ("domain_width", width),
@@ -257,7 +257,11 @@ pub(crate) mod tests {
             let mass = f64::from(gas.mass) * count;
             let air = width * height * f64::from(parameters.ambient_density);
             assert!((mass / air - 1.0).abs() < 1e-4);
-            assert!(gas.position.iter().all(|&at| bounds(&parameters).hold(at)));
+            assert!(
+                gas.position
+                    .iter()
+                    .all(|&at| bounds(&parameters).contains(at))
+            );
         }
     }
 }

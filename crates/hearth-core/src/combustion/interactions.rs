@@ -1,7 +1,7 @@
 //! The pair interactions of the combustion model: one line each in [`list`].
 //!
 //! With the harmonic mean density ρ̄ = 2 m/(Vᵢ + Vⱼ) of a pair, each file states its own
-//! equation. Whatever one particle gains its neighbour loses, to the last bit. The same
+//! equation. Exchange within a pair is symmetric to the last bit. The same
 //! pass sums the gradient of the particle concentration, Σ V ∇W, by which particles are
 //! shifted.
 
@@ -16,7 +16,7 @@ use super::gas::Gas;
 use super::pair::{Broadcast, Context, PackedParticle, Pair};
 use crate::grid::Grid;
 use crate::interaction::{PairInteraction, Rates};
-use crate::lanes::{LANES, Lanes, sums, transposed};
+use crate::lanes::{LANES, Lanes, row_sums, transposed};
 use crate::neighbours::Neighbours;
 
 /// All pair interactions, in the order in which their rates add up.
@@ -29,7 +29,7 @@ fn list(context: &Context) -> impl PairInteraction<Pair> {
     )
 }
 
-/// What the pass sums for a particle.
+/// The sums of a particle.
 #[derive(Clone, Copy, Debug)]
 struct Accumulator {
     /// Acceleration [m/s²], and the concentration gradient but for its factor.
@@ -55,7 +55,7 @@ pub(super) struct Interactions {
 }
 
 impl Interactions {
-    /// Sums acceleration, exchange and concentration gradient over the pairs.
+    /// Sums acceleration, diffusion and concentration gradient over the pairs.
     pub fn sum(&mut self, gas: &mut Gas, grid: &Grid, neighbours: &Neighbours, context: &Context) {
         let kernel = context.kernel;
         self.pack(gas, grid, 1.0 / kernel.smoothing_length());
@@ -87,7 +87,7 @@ impl Interactions {
                 motion[3] += y * pair.volume;
                 let lost = transposed([ax, ay, x * one.volume, y * one.volume]);
                 for k in 0..LANES {
-                    let flux = (particle.state - theirs[k].state) * rates.mixing.spread(k);
+                    let flux = (particle.state - theirs[k].state) * rates.mixing.broadcast(k);
                     state += flux;
                     let accumulator = &mut accumulators[four[k]];
                     accumulator.motion -= lost[k];
@@ -95,7 +95,7 @@ impl Interactions {
                 }
             }
             let accumulator = &mut accumulators[here];
-            accumulator.motion += sums(motion);
+            accumulator.motion += row_sums(motion);
             accumulator.state += state;
         });
 
@@ -113,25 +113,25 @@ impl Interactions {
 
     fn pack(&mut self, gas: &Gas, grid: &Grid, inverse_h: f32) {
         let packed = &mut self.packed;
-        // One more than there are places: the lists are filled up with it.
-        let places = LANES * grid.block_count() + 1;
-        packed.resize(places, PackedParticle::NONE);
-        packed[places - 1] = PackedParticle::NONE;
+        // The particle after the last one pads the neighbour lists.
+        let count = LANES * grid.block_count() + 1;
+        packed.resize(count, PackedParticle::EMPTY);
+        packed[count - 1] = PackedParticle::EMPTY;
         let (fours, _) = packed.as_chunks_mut::<LANES>();
         for (packed, members) in fours.iter_mut().zip(grid.members()) {
-            packed[members.len()..].fill(PackedParticle::NONE);
+            packed[members.len()..].fill(PackedParticle::EMPTY);
             for (particle, i) in packed.iter_mut().zip(members) {
                 let (at, v) = (gas.position[i] * inverse_h, gas.velocity[i]);
                 *particle = PackedParticle {
                     motion: Lanes::new([at.x, at.y, v.x, v.y]),
-                    room: Lanes::new([gas.volume[i], gas.pressure[i], 0.0, 0.0]),
+                    volume_pressure: Lanes::new([gas.volume[i], gas.pressure[i], 0.0, 0.0]),
                     state: Lanes::new(gas.state[i].to_array()),
                 };
             }
         }
     }
 
-    /// The gas as the last pass packed it, four places to a block of the grid.
+    /// The gas as the last pass packed it, four particles to a block of the grid.
     pub fn packed(&self) -> &[PackedParticle] {
         &self.packed
     }
@@ -141,14 +141,14 @@ impl Interactions {
 mod tests {
     use super::*;
     use crate::combustion::gas::bounds;
-    use crate::combustion::gas::tests::{wild, with};
+    use crate::combustion::gas::tests::{random_gas, with};
     use crate::combustion::number_density::NumberDensity;
     use crate::kernel::Kernel;
     use crate::params::Parameters;
 
     /// Gas in random motion with its interactions summed.
     fn summed(parameters: &Parameters, seed: u32) -> Gas {
-        let mut gas = wild(parameters, seed);
+        let mut gas = random_gas(parameters, seed);
         let context = Context {
             kernel: &Kernel::new(parameters.smoothing_length()),
             values: parameters,
@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn what_one_gains_another_loses() {
+    fn exchange_is_conservative() {
         for seed in 0..3 {
             let parameters = with(&[("max_particles", 1500.0), ("gas_expansion", 1.0)]);
             let gas = summed(&parameters, seed);
@@ -179,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn viscosity_of_each_kind_takes_energy() {
+    fn viscosity_of_each_kind_dissipates_energy() {
         for (id, low, high) in [
             ("kinematic_viscosity", 0.0, 0.01),
             ("eddy_viscosity", 0.0, 0.4),
@@ -202,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn the_particles_fill_the_domain_whatever_they_are_made_of() {
+    fn the_volumes_of_any_mixture_fill_the_domain() {
         let parameters = with(&[("max_particles", 1500.0)]);
         let gas = summed(&parameters, 7);
         let filled: f32 = gas.volume.iter().sum();

@@ -1,26 +1,24 @@
 //! Number density, volume and pressure of the gas.
 //!
-//! Hot gas takes more room. Each particle is weighted by y = m θ, and the number density
-//! Y = Σ yⱼ Wᵢⱼ says how full a place is, whatever mixture fills it. So the volume V = y/Y
-//! and the pressure p = c₀² (Y − Ȳ) run smoothly across the edge of a flame, where a plain
-//! p(ρ, T) would act as a false surface tension (density-independent SPH: Saitoh & Makino,
-//! ApJ 768, 2013). Ȳ is the mean over the particles: hot gas in a closed domain raises the
-//! pressure everywhere, which moves nothing, but its noise damps every instability. Pressure
-//! below the mean pulls particles together, and shifting spreads them again; so shifting
-//! cannot be turned off.
+//! Hot gas expands. Each particle has the weight y = m θ, and the number density Y = Σ yⱼ Wᵢⱼ
+//! does not depend on the mixture. So the volume V = y/Y and the pressure p = c₀² (Y − Ȳ) are
+//! smooth across the edge of a flame, where p(ρ, T) would act as an artificial surface tension (density-independent SPH: Saitoh & Makino,
+//! ApJ 768, 2013). Ȳ is the mean over the particles: the uniform pressure of hot gas in a closed
+//! domain moves nothing, but its noise would damp every instability. Pressure below the mean
+//! attracts particles, and shifting spreads them again; so shifting cannot be turned off.
 
 use super::equation_of_state::expansion;
 use super::gas::Gas;
 use super::pair::Context;
 use crate::grid::Grid;
 use crate::lanes::{LANES, Lanes};
-use crate::neighbours::{self, NOWHERE, Neighbours};
+use crate::neighbours::{self, FAR_AWAY, Neighbours};
 
-/// Four particles, as the search for pairs takes them.
+/// Four particles for the neighbour search.
 #[derive(Clone, Copy, Debug, Default)]
 struct Block {
     /// Position, in smoothing lengths.
-    place: [Lanes; 2],
+    position: [Lanes; 2],
     /// θ, the weight of each in the sums.
     weight: Lanes,
     /// Σ θⱼ w(q).
@@ -29,8 +27,8 @@ struct Block {
 
 impl neighbours::Block for Block {
     #[inline(always)]
-    fn place(&self) -> [Lanes; 2] {
-        self.place
+    fn position(&self) -> [Lanes; 2] {
+        self.position
     }
     #[inline(always)]
     fn weight(&self) -> Lanes {
@@ -49,8 +47,7 @@ pub(super) struct NumberDensity {
 }
 
 impl NumberDensity {
-    /// Finds all pairs of sorted gas, and sums the number density, from which volume
-    /// and pressure follow.
+    /// Finds all pairs of sorted gas, and computes number density, volume and pressure.
     pub fn sum(
         &mut self,
         gas: &mut Gas,
@@ -63,18 +60,18 @@ impl NumberDensity {
             *theta = expansion(state.x, values);
         }
         let inverse_h = 1.0 / kernel.smoothing_length();
-        // Not cleared: every block is written as a whole.
+        // Not cleared: the loop overwrites every block.
         self.blocks.resize(grid.block_count(), Block::default());
         for (block, members) in self.blocks.iter_mut().zip(grid.members()) {
-            let mut place = [[NOWHERE; LANES]; 2];
+            let mut position = [[FAR_AWAY; LANES]; 2];
             let mut weight = [0.0; LANES];
             for (lane, i) in members.enumerate() {
                 let at = gas.position[i] * inverse_h;
-                (place[0][lane], place[1][lane]) = (at.x, at.y);
+                (position[0][lane], position[1][lane]) = (at.x, at.y);
                 weight[lane] = gas.expansion[i];
             }
             *block = Block {
-                place: place.map(Lanes::new),
+                position: position.map(Lanes::new),
                 weight: Lanes::new(weight),
                 sum: Lanes::ZERO,
             };

@@ -1,29 +1,29 @@
-//! A particle of the gas and four of its neighbours, as pair interactions take them.
+//! The pair data of the combustion interactions: one particle against four neighbours.
 
 use glam::Vec2;
 
 use crate::interaction::Separation;
 use crate::kernel::{self, Kernel};
 use crate::lanes::{LANES, Lanes, Real, transposed};
-use crate::neighbours::NOWHERE;
+use crate::neighbours::FAR_AWAY;
 use crate::params::Physics;
 
-/// A particle, packed so that a pass gathers four numbers of it at a time.
+/// A particle, packed into vectors of four numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PackedParticle {
     /// Position, in smoothing lengths, and velocity [m/s].
     pub motion: Lanes,
-    /// Volume \[m²\] and pressure \[Pa\], and two that are not used.
-    pub room: Lanes,
+    /// Volume \[m²\], pressure \[Pa\] and two unused lanes.
+    pub volume_pressure: Lanes,
     /// Temperature \[K\], fuel, oxygen, soot.
     pub state: Lanes,
 }
 
 impl PackedParticle {
-    /// A particle outside of every reach.
-    pub const NONE: PackedParticle = PackedParticle {
-        motion: Lanes::new([NOWHERE, NOWHERE, 0.0, 0.0]),
-        room: Lanes::new([1.0, 0.0, 0.0, 0.0]),
+    /// Padding, beyond every support.
+    pub const EMPTY: PackedParticle = PackedParticle {
+        motion: Lanes::new([FAR_AWAY, FAR_AWAY, 0.0, 0.0]),
+        volume_pressure: Lanes::new([1.0, 0.0, 0.0, 0.0]),
         state: Lanes::ZERO,
     };
 }
@@ -36,19 +36,19 @@ pub(super) struct Broadcast {
 }
 
 impl Broadcast {
-    /// A particle, moved by so many smoothing lengths.
+    /// A particle, shifted by smoothing lengths.
     #[inline(always)]
     pub fn of(particle: &PackedParticle, shift: Vec2) -> Broadcast {
-        let [x, y, vx, vy] = [0, 1, 2, 3].map(|k| particle.motion.spread(k));
+        let [x, y, vx, vy] = [0, 1, 2, 3].map(|k| particle.motion.broadcast(k));
         Broadcast {
             motion: [x - shift.x, y - shift.y, vx, vy],
-            volume: particle.room.spread(0),
-            pressure: particle.room.spread(1),
+            volume: particle.volume_pressure.broadcast(0),
+            pressure: particle.volume_pressure.broadcast(1),
         }
     }
 }
 
-/// What the interactions of a step have in common.
+/// The shared inputs of the interactions of a step.
 pub(super) struct Context<'a> {
     pub kernel: &'a Kernel,
     pub values: &'a Physics,
@@ -92,12 +92,12 @@ impl Pair {
     #[inline(always)]
     pub fn new(one: &Broadcast, others: [PackedParticle; LANES], eddy_scale: Lanes) -> Pair {
         let [x, y, vx, vy] = transposed(others.map(|other| other.motion));
-        let [volume, pressure, ..] = transposed(others.map(|other| other.room));
+        let [volume, pressure, ..] = transposed(others.map(|other| other.volume_pressure));
         let [one_x, one_y, one_vx, one_vy] = one.motion;
         let offset = Separation::between([one_x, one_y], [x, y]);
         let (vx, vy) = (one_vx - vx, one_vy - vy);
         // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
-        // times q²: one division serves both.
+        // times q²: both share one division.
         let softened = offset.softened();
         let softened_gradient = kernel::minus_dw(offset.q) / (offset.q * softened);
         let volumes = one.volume * volume;
@@ -116,7 +116,7 @@ impl Pair {
         }
     }
 
-    /// r·v, and zero where the particles part.
+    /// r·v of approaching particles, and zero of others.
     #[inline(always)]
     pub fn approach(&self) -> Lanes {
         let ([vx, vy], Separation { x, y, .. }) = (self.velocity, self.offset);

@@ -1,13 +1,12 @@
-//! Another number of particles, or another domain, without putting the fire out.
+//! Resamples a burning fire to another number of particles or another domain.
 //!
-//! New particles lie in a fresh lattice and take over what the old ones
-//! carried at the same place: the mean of the old neighbours by kernel and mass,
-//! which keeps heat and matter. Where there was no domain before, there is air.
+//! New particles start on a new lattice with the state of the old gas at the same position: the
+//! mean of the old neighbours, weighted by kernel and mass, which conserves heat and matter.
+//! Outside of the old domain they are air.
 //!
-//! All particles have the same mass, so hot gas, which is thin, must get fewer of
-//! them, or it would weigh too much and burst. The lattice is as fine as cold air
-//! needs, and of its places as many are taken as there were particles, spread
-//! evenly by passing on what rounding leaves (Floyd & Steinberg 1976).
+//! All particles have the same mass, so hot, thin gas gets fewer of them; otherwise it would be
+//! too heavy and explode. The lattice is fine enough for cold air, and error diffusion selects
+//! its points in proportion to the density (Floyd & Steinberg 1976).
 
 use glam::{Vec2, Vec4};
 
@@ -20,14 +19,14 @@ use crate::kernel::Kernel;
 use crate::params::{Parameters, Physics};
 use crate::random::Random;
 
-/// How much finer than for cold air the lattice is, for gas that is compressed.
-const FINER: f32 = 1.04;
-/// Least density that the lattice is laid out for.
-const THINNEST: f32 = 0.05;
-/// Most that is passed on from place to place.
-const MAX_PASSED: f32 = 1.0;
+/// Points of the lattice per particle of cold air, for compressed gas.
+const OVERSAMPLING: f32 = 1.04;
+/// Minimum density for the spacing of the lattice.
+const MIN_DENSITY: f32 = 0.05;
+/// Largest error that is passed on.
+const MAX_ERROR: f32 = 1.0;
 
-/// How the domain is divided into particles. Where this changes, other particles take over.
+/// The division of the domain into particles. A change resamples the gas.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Discretisation {
     pub width: f32,
@@ -36,7 +35,7 @@ pub(super) struct Discretisation {
 }
 
 impl Discretisation {
-    pub fn by(values: &Physics) -> Discretisation {
+    pub fn of(values: &Physics) -> Discretisation {
         Discretisation {
             width: values.domain_width,
             height: values.domain_height,
@@ -45,65 +44,69 @@ impl Discretisation {
     }
 }
 
-/// Gas for the domain and number of particles of `parameters` with what `old`
-/// gas, made for `was`, carried.
-pub(super) fn take_over(
+/// Gas for the domain and number of particles of `parameters` with the state of `old` gas.
+pub(super) fn resample(
     old: &Gas,
-    was: &Discretisation,
+    old_discretisation: &Discretisation,
     parameters: &Parameters,
     random: &mut Random,
 ) -> Gas {
-    let sampler = Sampler::new(old, was, parameters);
-    let spacing = parameters.spacing() * (sampler.mean_density(parameters) / FINER).sqrt();
+    let sampler = Sampler::new(old, old_discretisation, parameters);
+    let spacing = parameters.spacing() * (sampler.mean_density(parameters) / OVERSAMPLING).sqrt();
     let places = lattice(parameters, spacing, random);
     let mut gas = Gas::default();
-    let most = parameters.max_particles as usize;
-    // What rounding left, for the places of this row and of the next.
+    let max_particles = parameters.max_particles as usize;
+    // Rounding errors for this row and for the next.
     let mut error = vec![0.0_f32; places.columns + 2];
     let mut next = error.clone();
     for row in places.points.chunks(places.columns) {
         for (column, &place) in row.iter().enumerate() {
             let (particle, density) = sampler.at(place);
-            let wanted = density / FINER + error[column + 1];
-            let taken = wanted > 0.5;
-            let rest = wanted - f32::from(u8::from(taken));
-            let rest = rest.clamp(-MAX_PASSED, MAX_PASSED);
-            error[column + 2] += rest * (7.0 / 16.0);
-            next[column] += rest * (3.0 / 16.0);
-            next[column + 1] += rest * (5.0 / 16.0);
-            next[column + 2] += rest * (1.0 / 16.0);
-            if taken && gas.len() < most {
+            let target = density / OVERSAMPLING + error[column + 1];
+            let taken = target > 0.5;
+            let remainder = target - f32::from(u8::from(taken));
+            let remainder = remainder.clamp(-MAX_ERROR, MAX_ERROR);
+            error[column + 2] += remainder * (7.0 / 16.0);
+            next[column] += remainder * (3.0 / 16.0);
+            next[column + 1] += remainder * (5.0 / 16.0);
+            next[column + 2] += remainder * (1.0 / 16.0);
+            if taken && gas.len() < max_particles {
                 gas.push(&particle);
             }
         }
         std::mem::swap(&mut error, &mut next);
         next.fill(0.0);
     }
-    gas.settle(parameters);
+    gas.set_mass_and_volume(parameters);
     gas
 }
 
-/// The old gas, to be asked anywhere.
+/// Interpolates the old gas.
 struct Sampler<'a> {
     old: &'a Gas,
     bounds: Bounds,
     grid: Grid,
     order: Vec<usize>,
     kernel: Kernel,
-    /// Particles in a square metre where the old domain is filled with air [1/m²].
+    /// Number density of particles in air, in the old domain [1/m²].
     air_density: f32,
     air: f32,
 }
 
 impl<'a> Sampler<'a> {
-    fn new(old: &'a Gas, was: &Discretisation, parameters: &Parameters) -> Sampler<'a> {
+    fn new(
+        old: &'a Gas,
+        old_discretisation: &Discretisation,
+        parameters: &Parameters,
+    ) -> Sampler<'a> {
         let bounds = Bounds {
-            width: was.width,
-            height: was.height,
-            periodic: true,
-            endless: true,
+            width: old_discretisation.width,
+            height: old_discretisation.height,
+            periodic_x: true,
+            periodic_y: true,
         };
-        let spacing = (was.width * was.height / old.len().max(1) as f32).sqrt();
+        let spacing =
+            (old_discretisation.width * old_discretisation.height / old.len().max(1) as f32).sqrt();
         let kernel = Kernel::new(parameters.smoothing_ratio * spacing);
         let mut grid = Grid::default();
         let mut order = vec![0; old.len()];
@@ -119,32 +122,32 @@ impl<'a> Sampler<'a> {
             grid,
             order,
             kernel,
-            air_density: room / (was.width * was.height),
+            air_density: room / (old_discretisation.width * old_discretisation.height),
             air: parameters.ambient_temperature,
         }
     }
 
-    /// Density of the gas in the new domain, on average, in units of air's.
+    /// Mean density of the gas in the new domain, relative to air.
     fn mean_density(&self, parameters: &Parameters) -> f32 {
         let (width, height) = (parameters.domain_width, parameters.domain_height);
         let stays = |at: &&Vec2| at.x.abs() <= 0.5 * width && at.y <= height;
         let kept = self.old.position.iter().filter(stays).count() as f32;
         let common = width.min(self.bounds.width) * height.min(self.bounds.height);
         let area = width * height;
-        // Particles that somebody put in may all lie outside.
-        ((kept / self.air_density + area - common) / area).max(THINNEST)
+        // Particles that a caller put in may all be outside.
+        ((kept / self.air_density + area - common) / area).max(MIN_DENSITY)
     }
 
-    /// What the gas is like at a place, and its density in units of air's.
+    /// The state of the gas at a position, and its density relative to air.
     fn at(&self, place: Vec2) -> (Particle, f32) {
         let mut particle = Particle::at(place);
         particle.temperature = self.air;
-        if !self.bounds.hold(place) {
+        if !self.bounds.contains(place) {
             return (particle, 1.0);
         }
         let (mut velocity, mut state) = (Vec2::ZERO, Vec4::ZERO);
         let mut weights = 0.0;
-        self.grid.candidates(place, |run, shift| {
+        self.grid.candidates(place, &mut |run, shift| {
             for &j in &self.order[run] {
                 let distance = (place - shift).distance(self.old.position[j]);
                 let weight = self.kernel.value(distance);
@@ -175,16 +178,21 @@ mod tests {
         Gas::air(parameters, parameters.spacing(), &mut Random::new(3))
     }
 
-    fn taken_over(old: &Gas, was: &Parameters, parameters: &Parameters) -> Gas {
-        take_over(old, &discretisation(was), parameters, &mut Random::new(4))
+    fn taken_over(old: &Gas, old_discretisation: &Parameters, parameters: &Parameters) -> Gas {
+        resample(
+            old,
+            &discretisation(old_discretisation),
+            parameters,
+            &mut Random::new(4),
+        )
     }
 
     fn discretisation(parameters: &Parameters) -> Discretisation {
-        Discretisation::by(parameters)
+        Discretisation::of(parameters)
     }
 
     #[test]
-    fn a_field_stays_where_it_is_at_another_resolution() {
+    fn a_field_is_unchanged_at_another_resolution() {
         let coarse = with(&[("max_particles", 3000.0)]);
         let field = |at: Vec2| Vec4::new(900.0 + 500.0 * at.x + 200.0 * at.y, 0.3 * at.y, 0.5, 0.1);
         let mut old = air(&coarse);
@@ -197,7 +205,7 @@ mod tests {
             let new = taken_over(&old, &coarse, &parameters);
             for i in 0..new.len() {
                 let at = new.position[i];
-                // The field jumps where the domain closes upon itself.
+                // The field is discontinuous at the periodic edges.
                 if at.x.abs() < 0.5 && (0.1..1.7).contains(&at.y) {
                     let off = (new.state[i] - field(at)).abs();
                     assert!(off.x < 12.0 && off.y < 0.02, "{off} at {at}");
@@ -208,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn where_there_was_no_domain_there_is_air() {
+    fn outside_of_the_old_domain_is_air() {
         let small = with(&[]);
         let mut old = air(&small);
         old.state.fill(Vec4::new(1500.0, 0.2, 0.1, 0.5));
@@ -227,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn hot_gas_keeps_its_mass_and_its_heat() {
+    fn hot_gas_conserves_mass_and_heat() {
         let parameters = with(&[("gas_expansion", 1.0)]);
         let air = parameters.ambient_temperature;
         let mut fire = crate::Simulation::new(parameters.clone());

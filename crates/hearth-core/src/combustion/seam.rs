@@ -1,10 +1,9 @@
-//! The seam: where the domain closes upon itself, gas becomes fresh air again.
+//! The seam: strips at the top and the bottom in which gas becomes fresh air again.
 //!
-//! The domain has no edge: what leaves at the top comes in at the bottom, so the
-//! number of particles never changes and nothing is born or lost. In the seam, a
-//! strip at the top and at the bottom, velocity relaxes to the wind, and
-//! temperature, fuel, oxygen and soot to those of air. Where the wind blows, these four
-//! do so at the sides too, so that smoke that has left does not come back on the other side.
+//! The domain is periodic: gas that leaves at the top enters at the bottom, so the number of
+//! particles is constant. In the seam, velocity relaxes to the wind, and temperature, fuel,
+//! oxygen and soot relax to those of air. With wind, these four also relax at the sides, so that
+//! smoke does not return on the other side.
 
 use glam::{Vec2, Vec4};
 
@@ -12,32 +11,29 @@ use super::gas::Gas;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::Physics;
 
-/// Speed at which the seam swallows motion and matter, in its own thickness a
-/// second [m/s]: what passes through is air when it comes out.
-const SWALLOWS_MOTION: f32 = 3.0;
-const SWALLOWS_MATTER: f32 = 9.6;
-/// Matter is swallowed at full speed in all but the inner quarter of the seam.
+/// Relaxation rates of motion and matter, times the thickness of the seam [m/s]. Gas that
+/// passes through the seam leaves it as air.
+const MOTION_SPEED: f32 = 3.0;
+const MATTER_SPEED: f32 = 9.6;
+/// Matter relaxes at the full rate in all but the inner quarter of the seam.
 const MATTER_EDGE: f32 = 4.0;
-/// Least thickness of the seam, in spacings of the particles.
-const THINNEST: f32 = 2.0;
-/// Wind at which the sides swallow as much as the seam [m/s].
+/// Minimum thickness of the seam, in spacings of the particles.
+const MIN_THICKNESS: f32 = 2.0;
+/// Wind at which the sides relax as fast as the seam [m/s].
 const FRESH_WIND: f32 = 0.5;
 
-/// Makes air of what is in the seam, for `dt`.
-pub(crate) fn freshen(gas: &mut Gas, values: &Physics, spacing: f32, dt: f32) {
+/// Relaxes the gas in the seam to air for `dt`.
+pub(crate) fn relax_to_air(gas: &mut Gas, values: &Physics, spacing: f32, dt: f32) {
     if values.seam == 0.0 {
         return;
     }
-    // Thinner than this, particles would hop over it.
-    let thinnest = THINNEST * spacing;
-    let thickness = fast_max(values.seam * values.domain_height, thinnest);
-    let side = fast_max(values.seam * values.domain_width, thinnest);
+    // In a thinner seam, particles would skip it.
+    let min_thickness = MIN_THICKNESS * spacing;
+    let thickness = fast_max(values.seam * values.domain_height, min_thickness);
+    let side = fast_max(values.seam * values.domain_width, min_thickness);
     let air = Vec4::new(values.ambient_temperature, 0.0, 1.0, 0.0);
     let wind = Vec2::new(values.wind, 0.0);
-    let (calm, clean) = (
-        SWALLOWS_MOTION / thickness * dt,
-        SWALLOWS_MATTER / thickness * dt,
-    );
+    let (motion_rate, matter_rate) = (MOTION_SPEED / thickness * dt, MATTER_SPEED / thickness * dt);
     let sides = (values.wind.abs() / FRESH_WIND).min(1.0);
     for i in 0..gas.len() {
         let at = gas.position[i];
@@ -46,13 +42,13 @@ pub(crate) fn freshen(gas: &mut Gas, values: &Physics, spacing: f32, dt: f32) {
         let depth = 1.0 - from_edge / thickness;
         if depth > 0.0 {
             let velocity = &mut gas.velocity[i];
-            *velocity = wind + (*velocity - wind) / (1.0 + calm * fast_min(depth, 1.0));
+            *velocity = wind + (*velocity - wind) / (1.0 + motion_rate * fast_min(depth, 1.0));
         }
         let depth = fast_max(depth, (1.0 - from_side / side) * sides);
         if depth > 0.0 {
             let state = &mut gas.state[i];
-            let swallowed = clean * fast_min(MATTER_EDGE * depth, 1.0);
-            *state = air + (*state - air) / (1.0 + swallowed);
+            let relaxation = matter_rate * fast_min(MATTER_EDGE * depth, 1.0);
+            *state = air + (*state - air) / (1.0 + relaxation);
         }
     }
 }
@@ -60,16 +56,16 @@ pub(crate) fn freshen(gas: &mut Gas, values: &Physics, spacing: f32, dt: f32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::combustion::gas::tests::{wild, with};
+    use crate::combustion::gas::tests::{random_gas, with};
 
     #[test]
-    fn what_passes_through_it_is_air_and_the_middle_is_left_alone() {
+    fn gas_that_passes_through_becomes_air_and_the_middle_is_unchanged() {
         let parameters = with(&[("wind", 0.0)]);
-        let (before, mut gas) = (wild(&parameters, 3), wild(&parameters, 3));
+        let (before, mut gas) = (random_gas(&parameters, 3), random_gas(&parameters, 3));
         let thickness = parameters.seam * parameters.domain_height;
-        // As long as gas at 1 m/s takes to pass.
+        // The time in which gas at 1 m/s passes.
         for _ in 0..200 {
-            freshen(
+            relax_to_air(
                 &mut gas,
                 &parameters,
                 parameters.spacing(),
@@ -95,9 +91,9 @@ mod tests {
     #[test]
     fn the_wind_clears_the_sides() {
         let parameters = with(&[("wind", 2.0)]);
-        let mut gas = wild(&parameters, 4);
+        let mut gas = random_gas(&parameters, 4);
         for _ in 0..300 {
-            freshen(&mut gas, &parameters, parameters.spacing(), 1e-2);
+            relax_to_air(&mut gas, &parameters, parameters.spacing(), 1e-2);
         }
         let edge = 0.5 * parameters.domain_width - 0.02;
         let mut at_side = (0..gas.len()).filter(|&i| gas.position[i].x.abs() > edge);
@@ -105,10 +101,10 @@ mod tests {
     }
 
     #[test]
-    fn without_it_the_domain_is_left_alone() {
+    fn without_a_seam_nothing_relaxes() {
         let parameters = with(&[("seam", 0.0), ("wind", 3.0)]);
-        let (before, mut gas) = (wild(&parameters, 5), wild(&parameters, 5));
-        freshen(&mut gas, &parameters, parameters.spacing(), 0.01);
+        let (before, mut gas) = (random_gas(&parameters, 5), random_gas(&parameters, 5));
+        relax_to_air(&mut gas, &parameters, parameters.spacing(), 0.01);
         assert_eq!(gas.state, before.state);
         assert_eq!(gas.velocity, before.velocity);
     }

@@ -1,8 +1,8 @@
-//! Vorticity confinement: a force around every vortex that gives back the rotation
-//! that a coarse simulation loses (Fedkiw, Stam, Jensen, SIGGRAPH 2001),
+//! Vorticity confinement: a force around every vortex that restores the rotation
+//! that a coarse simulation dissipates (Fedkiw, Stam, Jensen, SIGGRAPH 2001),
 //! a = ε h (∇|ω|/|∇|ω|| × ω).
 //!
-//! It takes two more passes over the pairs: for the curl ω of the velocity, and for
+//! It needs two difference passes over the pairs: for the curl ω of the velocity, and for
 //! the gradient of its magnitude.
 
 use glam::Vec2;
@@ -19,7 +19,7 @@ use crate::neighbours::{self, Neighbours, PairSum};
 #[derive(Clone, Copy, Debug, Default)]
 struct Block {
     /// Position, in smoothing lengths.
-    place: [Lanes; 2],
+    position: [Lanes; 2],
     /// Volume \[m²\].
     volume: Lanes,
     /// Velocity [m/s].
@@ -31,8 +31,8 @@ struct Block {
 }
 
 impl neighbours::Block for Block {
-    fn place(&self) -> [Lanes; 2] {
-        self.place
+    fn position(&self) -> [Lanes; 2] {
+        self.position
     }
     fn weight(&self) -> Lanes {
         self.volume
@@ -44,7 +44,7 @@ impl neighbours::Block for Block {
 
 /// A particle with each property in all lanes.
 struct Broadcast {
-    place: [Lanes; 2],
+    position: [Lanes; 2],
     volume: Lanes,
     velocity: [Lanes; 2],
     curl: Lanes,
@@ -52,18 +52,18 @@ struct Broadcast {
 
 impl Broadcast {
     fn of(block: &Block, lane: usize, shift: Vec2) -> Broadcast {
-        let [x, y] = block.place.map(|at| at.spread(lane));
+        let [x, y] = block.position.map(|at| at.broadcast(lane));
         Broadcast {
-            place: [x - shift.x, y - shift.y],
-            volume: block.volume.spread(lane),
-            velocity: block.velocity.map(|v| v.spread(lane)),
-            curl: block.curl[0].spread(lane),
+            position: [x - shift.x, y - shift.y],
+            volume: block.volume.broadcast(lane),
+            velocity: block.velocity.map(|v| v.broadcast(lane)),
+            curl: block.curl[0].broadcast(lane),
         }
     }
 
     /// −∇W at each of the others, but for its factor.
     fn minus_gradient(&self, others: &Block) -> [Lanes; 2] {
-        let Separation { x, y, q, .. } = Separation::between(self.place, others.place);
+        let Separation { x, y, q, .. } = Separation::between(self.position, others.position);
         let over_r = kernel::minus_dw(q) / q;
         [x * over_r, y * over_r]
     }
@@ -82,9 +82,9 @@ impl PairSum<1> for Curl {
 
     fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 1], [Lanes; 1]) {
         let [x, y] = one.minus_gradient(others);
-        let turn =
+        let curl_term =
             x * (one.velocity[1] - others.velocity[1]) - y * (one.velocity[0] - others.velocity[0]);
-        ([turn * others.volume], [-(turn * one.volume)])
+        ([curl_term * others.volume], [-(curl_term * one.volume)])
     }
 
     fn accumulator(block: &mut Block) -> &mut [Lanes; 1] {
@@ -105,11 +105,11 @@ impl PairSum<2> for CurlGradient {
 
     fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {
         let magnitude = |curl: Lanes| curl.fast_max(-curl);
-        let more = magnitude(one.curl) - magnitude(others.curl[0]);
+        let difference = magnitude(one.curl) - magnitude(others.curl[0]);
         let gradient = one.minus_gradient(others);
         (
-            gradient.map(|along| along * more * others.volume),
-            gradient.map(|along| -(along * more * one.volume)),
+            gradient.map(|along| along * difference * others.volume),
+            gradient.map(|along| -(along * difference * one.volume)),
         )
     }
 
@@ -142,9 +142,9 @@ impl VorticityConfinement {
         let (fours, _) = packed.as_chunks::<LANES>();
         self.blocks.extend(fours.iter().map(|four| {
             let [x, y, vx, vy] = transposed(four.map(|particle| particle.motion));
-            let [volume, ..] = transposed(four.map(|particle| particle.room));
+            let [volume, ..] = transposed(four.map(|particle| particle.volume_pressure));
             Block {
-                place: [x, y],
+                position: [x, y],
                 volume,
                 velocity: [vx, vy],
                 ..Block::default()
@@ -158,8 +158,9 @@ impl VorticityConfinement {
             let curl = block.curl[0].to_array();
             let [x, y] = block.gradient.map(Lanes::to_array);
             for (lane, i) in members.enumerate() {
-                let towards = Vec2::new(x[lane], y[lane]).normalize_or_zero();
-                gas.acceleration[i] += Vec2::new(towards.y, -towards.x) * (curl[lane] * strength);
+                let direction = Vec2::new(x[lane], y[lane]).normalize_or_zero();
+                gas.acceleration[i] +=
+                    Vec2::new(direction.y, -direction.x) * (curl[lane] * strength);
             }
         }
     }
@@ -169,15 +170,15 @@ impl VorticityConfinement {
 mod tests {
     use super::*;
     use crate::combustion::gas::bounds;
-    use crate::combustion::gas::tests::{wild, with};
+    use crate::combustion::gas::tests::{random_gas, with};
     use crate::combustion::interactions::Interactions;
     use crate::combustion::number_density::NumberDensity;
     use crate::combustion::pair::Context;
 
     #[test]
-    fn it_turns_vortices_and_leaves_uniform_flow_alone() {
+    fn it_accelerates_vortices_and_not_uniform_flow() {
         let parameters = with(&[("max_particles", 1500.0)]);
-        let mut gas = wild(&parameters, 9);
+        let mut gas = random_gas(&parameters, 9);
         let context = Context {
             kernel: &Kernel::new(parameters.smoothing_length()),
             values: &parameters,

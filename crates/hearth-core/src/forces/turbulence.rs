@@ -1,43 +1,44 @@
-//! Turbulence: a random force that swirls and neither compresses nor drives.
+//! Turbulence: a random, divergence-free force with zero mean.
 //!
-//! Particles cannot carry the finest eddies. A random field stands for them (Stam & Fiume, SIGGRAPH 1993), as the curl of a noise, which
-//! makes it divergence-free (Bridson, Hourihan, Nordenstam, SIGGRAPH 2007):
+//! Particles do not resolve the finest eddies. A random field represents them (Stam & Fiume,
+//! SIGGRAPH 1993): the curl of a noise, which is divergence-free (Bridson, Hourihan,
+//! Nordenstam, SIGGRAPH 2007):
 //!
 //! ```text
 //! a = A (∂ψ/∂y, −∂ψ/∂x)
 //! ```
 //!
-//! ψ is the sum of two layers of Perlin noise that scroll past each other, so that
-//! swirls come and go while the whole rises. It repeats with the domain.
+//! ψ is the sum of two layers of Perlin noise that scroll in different directions, so that
+//! eddies appear and disappear while the field rises. It has the period of the domain.
 
 use glam::Vec2;
 
 use super::{BodyForce, LocalGas};
-use crate::noise::perlin_slope;
+use crate::noise::perlin_gradient;
 use crate::params::Physics;
 
-/// Root of the mean square of the slope of one layer, in a lattice cell: what
-/// makes `turbulence` the usual acceleration.
-const USUAL_SLOPE: f32 = 1.22;
+/// Root mean square of the gradient of one layer, per lattice cell. It makes `turbulence` the
+/// root mean square of the acceleration.
+const RMS_GRADIENT: f32 = 1.22;
 
-/// How each layer moves, in metres a second, across and up; another seed each.
+/// Seed and velocity [m/s] of each layer.
 const LAYERS: [(u32, f64, f64); 2] = [(0xC0_FFEE, 0.13, 0.7), (0xBEEF, -0.19, -0.25)];
 
 /// The field at one moment.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turbulence {
     strength: f32,
-    /// Lattice cells in a metre, across and up.
+    /// Lattice cells per metre, in x and y.
     cells: Vec2,
-    /// After so many cells the noise repeats, across and up.
-    repeats: [u32; 2],
+    /// Periods of the noise in cells, in x and y.
+    periods: [u32; 2],
     layers: [Layer; 2],
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Layer {
     seed: u32,
-    /// What has scrolled past, in cells.
+    /// Scrolled distance, in cells.
     scrolled: Vec2,
 }
 
@@ -50,21 +51,21 @@ impl Turbulence {
     fn at(values: &Physics, time: f64) -> Turbulence {
         let repeat = |length: f32| (length / values.turbulence_scale).round().max(1.0);
         let (width, height) = (values.domain_width, values.domain_height);
-        let repeats = Vec2::new(repeat(width), repeat(height));
-        let cells = repeats / Vec2::new(width, height);
-        let scrolled = |speed: f64, cells: f32, repeats: f32| {
-            let turns = time * speed * f64::from(cells / repeats);
-            (turns - turns.floor()) as f32 * repeats
+        let periods = Vec2::new(repeat(width), repeat(height));
+        let cells = periods / Vec2::new(width, height);
+        let scrolled = |speed: f64, cells: f32, periods: f32| {
+            let turns = time * speed * f64::from(cells / periods);
+            (turns - turns.floor()) as f32 * periods
         };
         Turbulence {
             strength: values.turbulence,
             cells,
-            repeats: [repeats.x as u32, repeats.y as u32],
+            periods: [periods.x as u32, periods.y as u32],
             layers: LAYERS.map(|(seed, across, up)| Layer {
                 seed: values.seed ^ seed,
                 scrolled: Vec2::new(
-                    scrolled(across, cells.x, repeats.x),
-                    scrolled(up, cells.y, repeats.y),
+                    scrolled(across, cells.x, periods.x),
+                    scrolled(up, cells.y, periods.y),
                 ),
             }),
         }
@@ -76,13 +77,13 @@ impl BodyForce for Turbulence {
         let mut slope = Vec2::ZERO;
         for layer in &self.layers {
             let at = gas.position * self.cells - layer.scrolled;
-            slope += perlin_slope(layer.seed, at, self.repeats);
+            slope += perlin_gradient(layer.seed, at, self.periods);
         }
-        // The slope by metres, not by cells: cells are not quite square, and
-        // the curl of the one would not be free of divergence in the other.
-        let by_metres = slope * self.cells / self.cells.max_element();
-        let usual = USUAL_SLOPE * std::f32::consts::SQRT_2;
-        Vec2::new(by_metres.y, -by_metres.x) * (self.strength / usual)
+        // The gradient per metre, not per cell: cells are not quite square, and the curl
+        // per cell would have a divergence in metres.
+        let per_metre = slope * self.cells / self.cells.max_element();
+        let rms = RMS_GRADIENT * std::f32::consts::SQRT_2;
+        Vec2::new(per_metre.y, -per_metre.x) * (self.strength / rms)
     }
 }
 
@@ -119,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn it_neither_compresses_nor_drives() {
+    fn it_is_divergence_free_with_zero_mean() {
         for scale in [0.05, 0.15, 0.6] {
             let field = Turbulence::at(&of(&[("turbulence_scale", scale)]), 12.3);
             let d = 2e-3 * scale as f32;
@@ -138,19 +139,19 @@ mod tests {
     }
 
     #[test]
-    fn its_usual_strength_is_what_the_parameter_says() {
+    fn its_rms_strength_is_the_parameter() {
         for scale in [0.05, 0.15] {
             let field = Turbulence::at(&of(&[("turbulence_scale", scale)]), 3.0);
             let squares = places(2)
                 .into_iter()
                 .map(|at| field.at_place(at).length_squared());
-            let usual = (squares.sum::<f32>() / 4000.0).sqrt();
-            assert!((usual / 2.0 - 1.0).abs() < 0.15, "{usual}");
+            let rms = (squares.sum::<f32>() / 4000.0).sqrt();
+            assert!((rms / 2.0 - 1.0).abs() < 0.15, "{rms}");
         }
     }
 
     #[test]
-    fn it_repeats_with_the_domain_and_moves_on() {
+    fn it_repeats_with_the_domain_and_changes() {
         let values = of(&[]);
         let field = Turbulence::at(&values, 5.0);
         let domain = Vec2::new(values.domain_width, values.domain_height);

@@ -14,11 +14,11 @@ fn cloud(n: usize, bounds: &Bounds, seed: u32) -> Vec<Vec2> {
 }
 
 fn bounds_to_test() -> [(u32, Bounds); 8] {
-    let bounds = |width, height, periodic, endless| Bounds {
+    let bounds = |width, height, periodic_x, periodic_y| Bounds {
         width,
         height,
-        periodic,
-        endless,
+        periodic_x,
+        periodic_y,
     };
     [
         (1, bounds(1.2, 1.5, false, false)),
@@ -32,7 +32,7 @@ fn bounds_to_test() -> [(u32, Bounds); 8] {
     ]
 }
 
-/// Sorts `positions` and puts them in order.
+/// Sorts `positions`.
 fn sort(grid: &mut Grid, positions: &mut [Vec2], bounds: &Bounds, reach: f32) {
     let before = positions.to_vec();
     for (from, &to) in grid
@@ -50,9 +50,9 @@ fn it_finds_the_pairs_that_comparing_all_with_all_finds() {
     for (seed, bounds) in bounds_to_test() {
         let mut positions = cloud(403, &bounds, seed);
         for reach in [0.02, 0.07, 0.2] {
-            // A kernel as wide as half a ring would meet its own end.
-            if bounds.endless && reach > 0.5 * bounds.height
-                || bounds.periodic && reach > 0.5 * bounds.width
+            // A support wider than half the period would contain two images of a particle.
+            if bounds.periodic_y && reach > 0.5 * bounds.height
+                || bounds.periodic_x && reach > 0.5 * bounds.width
             {
                 continue;
             }
@@ -62,7 +62,7 @@ fn it_finds_the_pairs_that_comparing_all_with_all_finds() {
             };
             let members: Vec<_> = grid.members().collect();
             let mut found = Vec::new();
-            let mut see = |i: usize, j: usize, shift: Vec2| {
+            let mut visit = |i: usize, j: usize, shift: Vec2| {
                 let offset = positions[i] - shift - positions[j];
                 if offset.length_squared() < reach * reach {
                     found.push((i.min(j), i.max(j)));
@@ -77,16 +77,16 @@ fn it_finds_the_pairs_that_comparing_all_with_all_finds() {
                     let mut runs = Default::default();
                     let count = grid.runs_after(row, block, (from, to), &mut runs);
                     for i in here.clone() {
-                        (i + 1..here.end).for_each(|j| see(i, j, Vec2::ZERO));
+                        (i + 1..here.end).for_each(|j| visit(i, j, Vec2::ZERO));
                         for run in &runs[..count] {
                             let there = (run.start..run.end).flat_map(|b| members[b].clone());
-                            there.for_each(|j| see(i, j, run.shift));
+                            there.for_each(|j| visit(i, j, run.shift));
                         }
                     }
                 }
             }
             let unique: BTreeSet<_> = found.iter().copied().collect();
-            assert_eq!(unique.len(), found.len(), "a pair was seen twice");
+            assert_eq!(unique.len(), found.len(), "a pair was visited twice");
             let all: BTreeSet<_> = (0..positions.len())
                 .flat_map(|i| (i + 1..positions.len()).map(move |j| (i, j)))
                 .filter(|&(i, j)| close(i, j))
@@ -97,7 +97,7 @@ fn it_finds_the_pairs_that_comparing_all_with_all_finds() {
 }
 
 #[test]
-fn blocks_hold_every_particle_once_and_its_row_alone() {
+fn every_particle_is_in_one_block_of_one_row() {
     let mut grid = Grid::default();
     for (seed, bounds) in bounds_to_test() {
         for n in [0, 1, 5, 403] {
@@ -119,7 +119,7 @@ fn blocks_hold_every_particle_once_and_its_row_alone() {
 }
 
 #[test]
-fn it_finds_whoever_is_near_any_place() {
+fn it_finds_every_particle_near_any_position() {
     let mut grid = Grid::default();
     for (seed, bounds) in bounds_to_test() {
         let (mut positions, reach) = (cloud(300, &bounds, seed), 0.05);
@@ -127,7 +127,7 @@ fn it_finds_whoever_is_near_any_place() {
         for place in cloud(100, &bounds, seed + 100) {
             let near = |&j: &usize| bounds.offset(place, positions[j]).length() < reach;
             let mut found = Vec::new();
-            grid.candidates(place, |run, shift| {
+            grid.candidates(place, &mut |run, shift| {
                 let near = |&j: &usize| (place - shift).distance(positions[j]) < reach;
                 found.extend(run.filter(near));
             });

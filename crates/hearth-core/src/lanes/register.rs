@@ -4,7 +4,7 @@
 //! of every x86-64 and 64-bit ARM. No function here touches memory.
 #![allow(unsafe_code)]
 
-pub(super) use target::{fast_max, fast_min, halves, interleaved, less, sqrt};
+pub(super) use target::{fast_max, fast_min, halves, interleaved, less_mask, sqrt};
 
 #[cfg(target_arch = "x86_64")]
 mod target {
@@ -28,7 +28,7 @@ mod target {
         unsafe { arch::_mm_max_ps(a, b) }
     }
     #[inline(always)]
-    pub fn less(a: Register, b: Register) -> u32 {
+    pub fn less_mask(a: Register, b: Register) -> u32 {
         // SAFETY: the instruction set is part of the target.
         unsafe { arch::_mm_movemask_ps(arch::_mm_cmplt_ps(a, b)) as u32 }
     }
@@ -54,8 +54,8 @@ mod target {
     pub fn sqrt(a: Register) -> Register {
         arch::f32x4_sqrt(a)
     }
-    // These two give their first operand unless the second is beyond it, SSE's
-    // give the second unless the first is: so the operands change places.
+    // `pmin` and `pmax` return their first operand if the numbers are equal or NaN, SSE's
+    // minimum and maximum the second: so the operands are swapped.
     #[inline(always)]
     pub fn fast_min(a: Register, b: Register) -> Register {
         arch::f32x4_pmin(b, a)
@@ -65,7 +65,7 @@ mod target {
         arch::f32x4_pmax(b, a)
     }
     #[inline(always)]
-    pub fn less(a: Register, b: Register) -> u32 {
+    pub fn less_mask(a: Register, b: Register) -> u32 {
         u32::from(arch::i32x4_bitmask(arch::f32x4_lt(a, b)))
     }
     #[inline(always)]
@@ -106,9 +106,8 @@ mod target {
         unsafe { arch::vbslq_f32(arch::vcgtq_f32(a, b), a, b) }
     }
     #[inline(always)]
-    pub fn less(a: Register, b: Register) -> u32 {
-        // SAFETY: the instruction set is part of the target; the array is as large
-        // as what is read of it.
+    pub fn less_mask(a: Register, b: Register) -> u32 {
+        // SAFETY: the instruction set is part of the target; the load reads the whole array.
         unsafe {
             let bits = arch::vld1q_u32([1, 2, 4, 8].as_ptr());
             arch::vaddvq_u32(arch::vandq_u32(arch::vcltq_f32(a, b), bits))
@@ -157,7 +156,7 @@ mod target {
     pub fn fast_max(a: Register, b: Register) -> Register {
         each(a, b, extremes::fast_max)
     }
-    pub fn less(a: Register, b: Register) -> u32 {
+    pub fn less_mask(a: Register, b: Register) -> u32 {
         a.cmplt(b).bitmask()
     }
     pub fn interleaved(a: Register, b: Register) -> [Register; 2] {

@@ -3,13 +3,13 @@ use crate::bounds::Bounds;
 
 #[derive(Clone, Copy, Default)]
 struct Four {
-    place: [Lanes; 2],
+    position: [Lanes; 2],
     sum: Lanes,
 }
 
 impl Block for Four {
-    fn place(&self) -> [Lanes; 2] {
-        self.place
+    fn position(&self) -> [Lanes; 2] {
+        self.position
     }
     fn weight(&self) -> Lanes {
         Lanes::splat(1.0)
@@ -20,14 +20,14 @@ impl Block for Four {
 }
 
 #[test]
-fn what_memory_cannot_hold_is_not_written_down() {
+fn lists_stop_at_their_limit() {
     let bounds = Bounds {
         width: 1.0,
         height: 1.0,
-        periodic: false,
-        endless: false,
+        periodic_x: false,
+        periodic_y: false,
     };
-    // All in one place: each is the neighbour of each.
+    // All particles at one point: each is a neighbour of each other.
     let n = 12_000;
     let mut grid = Grid::default();
     grid.sort((0..n).map(|_| Vec2::new(0.0, 0.5)), &bounds, 0.04);
@@ -39,7 +39,7 @@ fn what_memory_cannot_hold_is_not_written_down() {
     let (mean, max) = neighbours.mean_and_max();
     assert!(mean > 0.9 * 2.0 * MAX_ENTRIES as f32 * LANES as f32 / n as f32);
     assert_eq!(max as usize, n - 1);
-    // Whoever is left out still meets those of its own block.
+    // Particles beyond the limit still interact within their block.
     let last = blocks[blocks.len() - 1].sum.to_array();
     assert!(last.iter().all(|sum| sum.is_finite() && *sum >= 16.0));
 }

@@ -1,4 +1,4 @@
-//! The one validator of values, and the search for a parameter by its id.
+//! The validator of values, and the search for a parameter by its id.
 
 use super::choices::Model;
 use super::entry::{Description, Domain, Kind};
@@ -6,12 +6,12 @@ use super::table::{DESCRIPTIONS, PARAMETERS, Param};
 use super::value::{Colour, Input, ParamError, ParamErrorKind, Value};
 
 impl Param {
-    /// The entry of that id.
+    /// The parameter with this id.
     pub fn find(id: &str) -> Option<&'static Param> {
         PARAMETERS.iter().find(|param| param.id == id)
     }
 
-    /// What a person reads about this parameter.
+    /// The label and documentation.
     pub fn description(&self) -> &'static Description {
         let at = PARAMETERS
             .iter()
@@ -20,48 +20,46 @@ impl Param {
         &DESCRIPTIONS[at]
     }
 
-    /// Default and range in `model`, or `None` where the model does not use it.
+    /// Default and range in `model`; `None` if the model does not use it.
     pub fn domain(&self, model: Model) -> Option<&'static Domain> {
         self.domains
             .iter()
             .find(|d| d.model.is_none_or(|m| m == model))
     }
 
-    /// Default and range in `model` or, where that does not use it, in the
-    /// model that it belongs to: its value is kept there, so it has to be right
-    /// even while it is hidden.
+    /// Default and range in `model` or, if that does not use it, in the other model, which keeps
+    /// the value.
     pub fn any_domain(&self, model: Model) -> &'static Domain {
         self.domain(model).unwrap_or(&self.domains[0])
     }
 
-    /// Checks `input` against the kind and the range: **the** validator.
+    /// Checks `input` against the kind and the range. It is the only validator.
     pub(super) fn check(&self, model: Model, input: Input<'_>) -> Result<Value, ParamError> {
         let (min, max) = self.any_domain(model).range;
-        let refuse = |kind| ParamError {
-            id: self.id.to_owned(),
-            value: input.to_string(),
-            kind,
-        };
         let in_range = |whole: bool| {
             input
                 .number()
                 .filter(|x| !whole || x.fract() == 0.0)
-                // The bounds are decimals; a slider sends the nearest f32.
+                // The bounds are decimals, and a slider sends the nearest f32.
                 .filter(|&x| {
                     (min..=max).contains(&x)
                         || !whole && [min, max].iter().any(|&end| x as f32 == end as f32)
                 })
                 .ok_or_else(|| {
-                    refuse(ParamErrorKind::OutOfRange {
-                        min,
-                        max,
-                        unit: self.unit,
-                        whole,
-                    })
+                    let unit = self.unit;
+                    self.error(
+                        input,
+                        ParamErrorKind::OutOfRange {
+                            min,
+                            max,
+                            unit,
+                            whole,
+                        },
+                    )
                 })
         };
         match self.kind {
-            // −0 + 0 is 0: a fire must not depend on which zero was sent.
+            // −0 + 0 is 0: the sign of zero must not change a fire.
             Kind::Number(_) => in_range(false).map(|x| Value::Number(x as f32 + 0.0)),
             Kind::Integer(_) => in_range(true).map(|x| Value::Integer(x as u32)),
             Kind::Seed => in_range(true).map(|x| Value::Seed(x as u32)),
@@ -70,22 +68,33 @@ impl Param {
                 Input::Number(_) | Input::Flag(_) => None,
             }
             .map(|name| Value::Choice(name))
-            .ok_or_else(|| refuse(ParamErrorKind::NotAChoice { choices })),
+            .ok_or_else(|| self.error(input, ParamErrorKind::NotAChoice { choices })),
             Kind::Flag => input
                 .flag()
                 .map(Value::Flag)
-                .ok_or_else(|| refuse(ParamErrorKind::NotAFlag)),
+                .ok_or_else(|| self.error(input, ParamErrorKind::NotAFlag)),
             Kind::Colour => match input {
                 Input::Text(text) => Colour::parse(text),
                 Input::Number(_) | Input::Flag(_) => None,
             }
             .map(Value::Colour)
-            .ok_or_else(|| refuse(ParamErrorKind::NotAColour)),
+            .ok_or_else(|| self.error(input, ParamErrorKind::NotAColour)),
+        }
+    }
+
+    // Inlined, it costs half a kilobyte of download.
+    #[cold]
+    #[inline(never)]
+    fn error(&self, input: Input<'_>, kind: ParamErrorKind) -> ParamError {
+        ParamError {
+            id: self.id.to_owned(),
+            value: input.to_string(),
+            kind,
         }
     }
 }
 
-/// The known id that is nearest to `id`, where one is near enough to be meant.
+/// The id nearest to an unknown one, if it is similar.
 pub(super) fn nearest_id(id: &str) -> Option<&'static str> {
     PARAMETERS
         .iter()
@@ -95,18 +104,19 @@ pub(super) fn nearest_id(id: &str) -> Option<&'static str> {
         .map(|(_, known)| known)
 }
 
-/// Levenshtein's distance; ids are short, so a hostile one is cut.
-fn edit_distance(known: &str, asked: &str) -> usize {
-    let asked: Vec<char> = asked.chars().take(64).collect();
-    let mut row: Vec<usize> = (0..=asked.len()).collect();
-    for (i, a) in known.chars().enumerate() {
+/// Levenshtein distance, in bytes, to the start of `requested`.
+fn edit_distance(known: &str, requested: &str) -> usize {
+    const LENGTH: usize = 64;
+    let requested = &requested.as_bytes()[..requested.len().min(LENGTH)];
+    let mut row: [usize; LENGTH + 1] = std::array::from_fn(|j| j);
+    for (i, a) in known.bytes().enumerate() {
         let mut diagonal = row[0];
         row[0] = i + 1;
-        for (j, &b) in asked.iter().enumerate() {
+        for (j, &b) in requested.iter().enumerate() {
             let substituted = diagonal + usize::from(a != b);
             diagonal = row[j + 1];
             row[j + 1] = substituted.min(row[j] + 1).min(diagonal + 1);
         }
     }
-    row[asked.len()]
+    row[requested.len()]
 }

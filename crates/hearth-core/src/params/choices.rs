@@ -12,13 +12,13 @@ pub trait Choice: Copy + PartialEq + 'static {
 
     /// The value of that name.
     fn from_name(name: &str) -> Option<Self> {
-        Some(*Self::VALUES.get(place(Self::NAMES, name)?)?)
+        Some(*Self::VALUES.get(index_of(Self::NAMES, name)?)?)
     }
 }
 
-// One search for all types: a match of texts in each is a kilobyte.
+// One search for all types: a match per type costs a kilobyte.
 #[inline(never)]
-fn place(names: &[&str], name: &str) -> Option<usize> {
+fn index_of(names: &[&str], name: &str) -> Option<usize> {
     names.iter().position(|known| *known == name)
 }
 
@@ -49,26 +49,26 @@ macro_rules! choices {
 }
 
 choices! {
-    /// Which equations move the particles.
+    /// The equations that move the particles.
     Model {
-        /// The paper's: emitted particles live, cool and die, and alone carry the fire.
+        /// The paper's: emitted particles live, cool and die; they alone are the fire.
         Classic = "classic",
         /// Air fills the domain, fuel enters it, mixes and burns.
         Combustion = "combustion",
     }
 
-    /// What happens to a particle at the left, right and lower edge of the
-    /// domain. The upper edge is always open.
+    /// The boundary condition at the left, right and lower edge of the domain. The upper edge is
+    /// always open.
     Walls {
-        /// It leaves and is gone.
+        /// Particles leave and are removed.
         Open = "open",
-        /// It stays inside: its velocity into the wall is taken away.
+        /// Particles stay inside: the velocity into the wall becomes 0.
         Solid = "solid",
-        /// It comes back in on the other side; the floor is solid.
+        /// Particles re-enter on the other side; the floor is solid.
         Periodic = "periodic",
     }
 
-    /// What is drawn of fire and smoke.
+    /// The visible layers.
     Layers {
         /// Fire and smoke.
         Both = "both",
@@ -78,10 +78,9 @@ choices! {
         Smoke = "smoke",
     }
 
-    /// What a picture shows: the fire, or a quantity of its gas by colours that a bar
-    /// explains.
+    /// The displayed quantity: the fire, or a quantity of its gas with a colour bar.
     DisplayMode {
-        /// Fire: particles melt into fields of temperature that glow as a black body.
+        /// Fire: fields of temperature that glow as a black body.
         Fire = "fire",
         /// Every particle as a disc, coloured by its temperature.
         Particles = "particles",
@@ -93,22 +92,21 @@ choices! {
         Pressure = "pressure",
         /// Speed of the gas [m/s].
         Velocity = "velocity",
-        /// How fast, and which way, the gas spins [1/s].
+        /// Vorticity of the gas [1/s].
         Vorticity = "vorticity",
-        /// Fuel in the gas; in the classic model, what is left of a particle's life.
+        /// Fuel in the gas; in the classic model, the remaining life of a particle.
         Fuel = "fuel",
-        /// Soot in the gas; in the classic model, what makes smoke of a particle.
+        /// Soot in the gas; in the classic model, the smoke of a particle.
         Soot = "soot",
-        /// Every particle as a disc, coloured by how many others it feels.
+        /// Every particle as a disc, coloured by its number of neighbours.
         Neighbours = "neighbours",
-        /// The paper's own drawing: hard round sprites, coloured by the
-        /// distance from the sprite's centre.
+        /// The paper's sprites: hard and round, coloured by the distance from the centre.
         Paper = "paper",
         /// A soft sprite with a texture of noise for each particle.
         Sprites = "sprites",
     }
 
-    /// What colours the fire has by its temperature.
+    /// The colours of the fire by temperature.
     Palette {
         /// Those of glowing soot: Planck's law.
         Blackbody = "blackbody",
@@ -124,7 +122,7 @@ choices! {
         Custom = "custom",
     }
 
-    /// What the fire burns in front of.
+    /// The surface behind the fire.
     Backdrop {
         /// Nothing: the background, or the page.
         None = "none",
@@ -134,7 +132,7 @@ choices! {
 }
 
 impl Model {
-    /// The model that a fire burns by where nobody asks for another.
+    /// The model of a new fire.
     pub const DEFAULT: Model = Model::Combustion;
 }
 

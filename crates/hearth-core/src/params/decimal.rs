@@ -1,11 +1,9 @@
-//! Decimals read and written in little code.
+//! Small code to read and write decimals.
 //!
-//! The standard library reads and writes every float exactly, with tables and
-//! big integers that would make up a sixth of the engine a visitor downloads.
-//! A parameter is an `f32` with a decimal's few digits: whole numbers and
-//! powers of ten up to 10²², which an `f64` holds exactly, are enough, and one
-//! division of two such numbers is rounded once, as the standard library's
-//! result is.
+//! The standard library reads and writes every float exactly, with tables and big integers that
+//! would be a sixth of the engine's download. Parameters are `f32`s with few digits: integers
+//! and powers of ten up to 10²² are exact in an `f64`, and a division of two of them is rounded
+//! once, like the result of the standard library.
 
 use std::fmt;
 
@@ -14,7 +12,7 @@ const EXACT_POWER: i32 = 22;
 /// Whole numbers below are exact as an `f64`.
 const EXACT_WHOLE: f64 = 9_007_199_254_740_992.0;
 
-/// Reads `-12.5`, `.5`, `3e-4` and their like.
+/// Parses numbers such as `-12.5`, `.5` and `3e-4`.
 pub(super) fn parse(text: &str) -> Option<f64> {
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, exponent.parse().ok()?),
@@ -52,7 +50,7 @@ fn power_of_ten(exponent: u32) -> f64 {
     (0..exponent).fold(1.0, |power, _| power * 10.0)
 }
 
-/// The decimal of the fewest digits that is `x` as an `f32`: 0.05 for 0.05.
+/// The shortest decimal that is `x` as an `f32`: 0.05 for 0.05.
 pub(super) fn shortest(x: f32) -> f64 {
     let exact = f64::from(x);
     (0..=22)
@@ -62,8 +60,8 @@ pub(super) fn shortest(x: f32) -> f64 {
         .unwrap_or(exact)
 }
 
-/// A number that is shown to a person, in at most 17 places after the point,
-/// or nine where it is no short decimal; a very large or small one in four digits.
+/// A number for a message: with at most 17 decimal places, or nine if it is not a short
+/// decimal; with four digits if it is very large or small.
 pub(super) struct Decimal(pub f64);
 
 impl fmt::Display for Decimal {
@@ -123,7 +121,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn decimals_are_read_as_the_standard_library_reads_them() {
+    fn decimals_parse_as_in_the_standard_library() {
         for text in [
             "0",
             "-0",
@@ -170,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn decimals_are_written_as_people_write_them() {
+    fn decimals_are_formatted_briefly() {
         for (x, text) in [
             (0.0, "0"),
             (0.05, "0.05"),

@@ -1,16 +1,13 @@
 //! The macro behind the parameter table.
 
-/// Turns the table into [`Values`], its defaults, [`PARAMETERS`] and
-/// [`DESCRIPTIONS`].
+/// Expands the table to [`Values`], its defaults, [`PARAMETERS`] and [`DESCRIPTIONS`].
 ///
 /// An entry is
 /// `id: kind "Label" ["unit"] Scale { Model(default, min..=max) … }`,
-/// after its doc; a choice names its type as `(choice Type)`; unit, scale and
-/// range stand only where the kind has them; `Every` stands for every model.
-/// `[Look]` or `[View]` before the id is its [`Role`]; an entry without one is physics
-/// and stands in [`Physics`](super::Physics).
-/// `when { id: names, … }` behind it says when it is of use, `unless { id: names, … }`
-/// when not: see [`Description::when`] and [`Description::unless`].
+/// after its doc. A choice names its type as `(choice Type)`; unit, scale and range depend on the
+/// kind; `Every` is every model. `[Look]` or `[View]` before the id is its [`Role`]; an entry
+/// without one is in [`Physics`](super::Physics). `when { id: names, … }` and
+/// `unless { id: names, … }` are [`Description::when`] and [`Description::unless`].
 ///
 /// [`PARAMETERS`]: super::PARAMETERS
 /// [`DESCRIPTIONS`]: super::DESCRIPTIONS
@@ -21,10 +18,10 @@ macro_rules! parameters {
             { $( $model:ident $domain:tt )+ } $(when { $( $choice:ident : $names:expr ),+ })?
             $(unless { $( $other:ident : $excluded:expr ),+ })?
     )+ } )+) => {
-        // A macro cannot stand where a field does, so each struct states all fields and
-        // `cfg(any())`, which is never true, takes out those of the other.
+        // A macro cannot expand to a field, so each struct lists all fields and `cfg(any())`,
+        // which is never true, removes those of the other.
 
-        /// The values that move the gas: all that the solver receives.
+        /// The values that the solver reads.
         #[derive(Clone, Debug, PartialEq)]
         pub struct Physics { $($(
             $(#[doc = $doc])+
@@ -32,8 +29,8 @@ macro_rules! parameters {
             pub $($shown)? $($id)?: parameters!(@type $kind),
         )+)+ }
 
-        /// The value of every parameter: those of the look and the view, and through
-        /// `Deref` those of the [`Physics`]. Only the validator writes them.
+        /// The value of every parameter: those of the look and the view and, through `Deref`,
+        /// those of the [`Physics`].
         #[derive(Clone, Debug, PartialEq)]
         pub struct Values {
             physics: Physics,
@@ -51,8 +48,8 @@ macro_rules! parameters {
             }
         }
 
-        /// Names each field of [`Values`]: with two functions that know them all
-        /// an engine is smaller than with two functions for each.
+        /// The fields of [`Values`]. Two functions over all fields are smaller than two functions
+        /// per field.
         #[expect(non_camel_case_types, reason = "named as the fields are")]
         #[derive(Clone, Copy, Debug)]
         pub(super) enum Field { $($( $($shown)? $($id)?, )+)+ }
@@ -66,14 +63,13 @@ macro_rules! parameters {
                 )+)+ }
             }
 
-            // Of a copy: one table of slots is half the code of one to read and one
-            // to write.
+            // On a copy: one mutable table of slots is half the code of two tables.
             #[inline(never)]
             pub(super) fn get(&self, field: Field) -> Value {
                 self.clone().slot(field).value()
             }
 
-            /// These values, for a set whose present model is this one.
+            /// These values in a set with this present model.
             pub(super) fn belonging_to(mut self, model: Model) -> Values {
                 self.physics.model = model;
                 self
@@ -99,7 +95,7 @@ macro_rules! parameters {
             }
         }
 
-        /// Every parameter, in the order in which a panel shows them.
+        /// Every parameter, in the order of a panel.
         pub static PARAMETERS: &[Param] = &[ $($(
             Param {
                 id: stringify!($($shown)? $($id)?),
@@ -118,8 +114,7 @@ macro_rules! parameters {
             },
         )+)+ ];
 
-        /// What a person reads about each parameter, in the order of
-        /// [`PARAMETERS`].
+        /// The label and documentation of each parameter, in the order of [`PARAMETERS`].
         pub static DESCRIPTIONS: &[Description] = &[ $($(
             Description {
                 label: $label,

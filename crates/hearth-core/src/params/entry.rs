@@ -1,9 +1,9 @@
-//! What an entry of the parameter table is made of.
+//! The types of the parameter table.
 
 use super::choices::Model;
 use super::value::Value;
 
-/// How a slider spreads a range.
+/// The scale of a slider.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
     /// Equal distances are equal differences.
@@ -12,7 +12,7 @@ pub enum Scale {
     Log,
 }
 
-/// What kind of value a parameter holds.
+/// The kind of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// A real number.
@@ -32,47 +32,46 @@ pub enum Kind {
 /// Default and range of a parameter in one model, or in every one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Domain {
-    /// The model that this holds for; `None`: every model.
+    /// The model; `None` for every model.
     pub model: Option<Model>,
-    /// The value at the start and after a reset.
+    /// The value of a new fire and after a restore.
     pub default: Value,
     /// Smallest and largest value of a number, integer or seed; zeros for the
     /// other kinds.
     pub range: (f64, f64),
 }
 
-/// What a parameter changes.
+/// The part of Hearth that reads a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// The gas: the solver receives these parameters and no others.
+    /// The solver, which reads no other parameters.
     Physics,
-    /// The light, colours and surroundings that the renderer gives the gas.
+    /// The light, colours and surroundings of the gas in the renderer.
     Look,
-    /// What of the simulation a viewer sees, and how fast it plays.
+    /// The displayed part of the simulation, and its speed.
     View,
 }
 
-/// What a person reads about a parameter. It stands in an array of its own, so
-/// that a build that shows no text carries none.
+/// The label and documentation of a parameter. A separate array, so that a build without text
+/// does not include it.
 #[derive(Debug)]
 pub struct Description {
-    /// A short name for a slider.
+    /// Name of its control.
     pub label: &'static str,
-    /// One or two sentences for a tooltip and the reference.
+    /// Sentences for a tooltip and the reference.
     pub doc: &'static str,
-    /// The choices that each must have one of these names, or its value shows nowhere;
-    /// empty: none has to. It can be set all the same.
+    /// Conditions of which all must be met for the value to have an effect. Unmet conditions do
+    /// not prevent a change.
     pub when: &'static [Condition],
-    /// The choices with whose names, all of them chosen together, it shows nowhere
-    /// either; empty: there are none.
+    /// Conditions that together leave the value without an effect; empty if there are none.
     pub unless: &'static [Condition],
 }
 
-/// A choice, by its id, and some of its names.
+/// The id of a choice and some of its names: it is met if one of them is chosen.
 pub type Condition = (&'static str, &'static [&'static str]);
 
-/// Choices as words, "layers both or fire and display fire", each id and each name as
-/// these say it.
+/// Conditions as text, such as "layers both or fire and display fire". `id_in_words` and
+/// `name_in_words` give the text of ids and names.
 pub fn conditions_in_words<'a>(
     all: impl IntoIterator<Item = &'a Condition>,
     id_in_words: impl Fn(&str) -> String,

@@ -1,20 +1,20 @@
-//! What a display mode measures.
+//! The quantity of a display mode.
 
 use super::choices::DisplayMode;
 
-/// A quantity of the gas that a picture shows by colours.
+/// A quantity of the gas in a colour map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Quantity {
     /// Its unit; empty for a pure number.
     pub unit: &'static str,
-    /// Whether it goes both ways from zero, which is then the middle of the colours.
+    /// Whether it has both signs, with zero in the middle of the colour map.
     pub signed: bool,
-    /// Whether it is a whole number.
+    /// Whether it is an integer.
     pub whole: bool,
 }
 
 impl DisplayMode {
-    /// What the colours of this mode measure; nothing where they are those of a fire.
+    /// The quantity of this mode; `None` if its colours are those of a fire.
     pub const fn quantity(self) -> Option<Quantity> {
         use DisplayMode as Mode;
         let unit = match self {

@@ -6,30 +6,29 @@ use super::check::nearest_id;
 use super::choices::Model;
 use super::entry::Condition;
 use super::table::{PARAMETERS, Param, Values};
-use super::value::{Input, ParamError, ParamErrorKind, Value};
+use super::value::{Input, ParamError, ParamErrorKind, Value, abbreviated};
 
-/// The id of the parameter that says which of them the others are for.
+/// The id of the model, which decides the domains of the other parameters.
 const MODEL: &str = "model";
 
-/// Whether one of these names is chosen.
-fn is_chosen(parameters: &Parameters, &(id, names): &Condition) -> bool {
+/// Whether a condition is met.
+fn is_met(parameters: &Parameters, &(id, names): &Condition) -> bool {
     match parameters.get(id) {
         Some(Value::Choice(name)) => names.contains(&name),
         _ => true,
     }
 }
 
-/// A checked set of values: whatever it holds is in range for its model.
+/// A checked set of values: all are in range for their model.
 ///
-/// Its values are read as fields (`parameters.viscosity`) and written through
-/// [`set`](Parameters::set) alone. Each model keeps its own: a parameter that
-/// both use with the same domain has one value, every other one a value for each
-/// model. So a change of the model and back loses nothing.
+/// Fields read the values (`parameters.viscosity`), and only [`set`](Parameters::set) writes
+/// them. A parameter with the same domain in both models has one value, every other parameter a
+/// value per model. So a change of the model and back loses nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
-    /// The present model's values.
+    /// The values of the present model.
     current: Values,
-    /// Those of the model that it is not.
+    /// The values of the other model.
     other: Values,
 }
 
@@ -47,7 +46,7 @@ impl Deref for Parameters {
 }
 
 impl Parameters {
-    /// The defaults of both models, of which `model` is the present one.
+    /// The defaults, with `model` as the present model.
     pub fn new(model: Model) -> Parameters {
         let other = match model {
             Model::Classic => Model::Combustion,
@@ -59,13 +58,13 @@ impl Parameters {
         }
     }
 
-    /// The model that these values are for.
+    /// The present model.
     pub fn model(&self) -> Model {
         self.model
     }
 
-    /// Sets the parameter `id`, or says why not and changes nothing. A parameter
-    /// that the model does not use is set where it belongs, and waits there.
+    /// Sets the parameter `id`, or returns an error and changes nothing. A parameter that the
+    /// present model does not use is set in the other model.
     ///
     /// # Errors
     /// An unknown id, a value of the wrong kind or one outside the range.
@@ -76,44 +75,43 @@ impl Parameters {
         Ok(())
     }
 
-    /// Sets several parameters, all of them or none. The model comes first,
-    /// wherever it stands, because it decides what the others may be.
+    /// Sets several parameters, all of them or none. The model is set first, because it decides
+    /// the domains of the others.
     ///
     /// # Errors
-    /// Every value that is refused, in the order in which they were tried.
+    /// The error of every invalid value, in order.
     pub fn set_all<'a>(
         &mut self,
         values: impl IntoIterator<Item = (&'a str, Input<'a>), IntoIter: Clone>,
     ) -> Result<(), Vec<ParamError>> {
         let values = values.into_iter();
         let mut new = self.clone();
-        let mut refused = Vec::new();
-        // Sorted, they would need a sort's code, which is more than all of this.
+        let mut errors = Vec::new();
+        // Two passes are less code than a sort.
         for models in [true, false] {
             for (id, input) in values.clone() {
                 if (id == MODEL) == models
                     && let Err(error) = new.set(id, input)
                 {
-                    refused.push(error);
+                    errors.push(error);
                 }
             }
         }
-        if refused.is_empty() {
+        if errors.is_empty() {
             *self = new;
             Ok(())
         } else {
-            Err(refused)
+            Err(errors)
         }
     }
 
-    /// The value of the parameter `id`, or `None` where there is none of that
-    /// id. One that the model does not use has the value that it would have in
-    /// the model it belongs to.
+    /// The value of the parameter `id`, in the other model if the present one does not use it;
+    /// `None` for an unknown id.
     pub fn get(&self, id: &str) -> Option<Value> {
         Param::find(id).map(|param| param.get(self))
     }
 
-    /// Puts the parameter `id` back to its default.
+    /// Restores the default of the parameter `id`.
     ///
     /// # Errors
     /// An unknown id.
@@ -123,8 +121,7 @@ impl Parameters {
         Ok(())
     }
 
-    /// The parameters that the model uses and whose value is not its default,
-    /// with that value.
+    /// The parameters of the present model whose value is not the default, with that value.
     pub fn changed(&self) -> impl Iterator<Item = (&'static Param, Value)> + '_ {
         PARAMETERS.iter().filter_map(move |param| {
             let default = param.domain(self.model)?.default;
@@ -133,8 +130,7 @@ impl Parameters {
         })
     }
 
-    /// Writes a checked value to the present model, to the one it belongs to,
-    /// or to both.
+    /// Writes a checked value to the present model, to the other one, or to both.
     #[inline(never)]
     fn write(&mut self, param: &Param, value: Value) {
         let domain = param.domain(self.model);
@@ -151,7 +147,7 @@ impl Parameters {
         }
     }
 
-    /// Takes on the value that `source` has for `id`, in both models.
+    /// Copies the values of `id` in both models from `source`.
     pub(crate) fn copy_both_models(&mut self, id: &str, source: &Parameters) {
         let Some(param) = Param::find(id) else { return };
         let (present, absent) = match source.model == self.model {
@@ -162,8 +158,7 @@ impl Parameters {
         self.other.slot(param.field).put(absent.get(param.field));
     }
 
-    /// Distance of neighbouring particles where the gas is as dense as the air
-    /// \[m\].
+    /// Distance of neighbouring particles in gas at the density of the air \[m\].
     pub fn spacing(&self) -> f32 {
         match self.model {
             Model::Classic => libm::sqrtf(self.particle_mass / self.rest_density),
@@ -173,8 +168,7 @@ impl Parameters {
         }
     }
 
-    /// Smoothing length h: particles feel each other up to twice this distance
-    /// \[m\].
+    /// Smoothing length h, half of the support radius \[m\].
     pub fn smoothing_length(&self) -> f32 {
         match self.model {
             Model::Classic => self.smoothing_radius,
@@ -183,12 +177,12 @@ impl Parameters {
     }
 }
 
-/// What is said when somebody wants a value for an id that there is not.
+/// The error of an unknown id.
 #[cold]
 #[inline(never)]
 fn unknown(id: &str, input: Input<'_>) -> ParamError {
     ParamError {
-        id: Input::Text(id).to_string().trim_matches('"').to_owned(),
+        id: <[&str; 2]>::from(abbreviated(id)).concat(),
         value: input.to_string(),
         kind: ParamErrorKind::UnknownId {
             nearest: nearest_id(id),
@@ -197,8 +191,8 @@ fn unknown(id: &str, input: Input<'_>) -> ParamError {
 }
 
 impl Param {
-    /// The value in `parameters`: the present model's or, where that does not
-    /// use it, the value that it has in the model it belongs to.
+    /// The value in the present model of `parameters` or, if that does not use it, in the other
+    /// model.
     pub fn get(&self, parameters: &Parameters) -> Value {
         match self.domain(parameters.model) {
             Some(_) => parameters.current.get(self.field),
@@ -206,21 +200,20 @@ impl Param {
         }
     }
 
-    /// The choices that would have to be other ones for its value to count, with the
-    /// names that would do.
+    /// The unmet conditions of [`Description::when`](super::Description::when).
     pub fn unmet_conditions(
         &self,
         parameters: &Parameters,
     ) -> impl Iterator<Item = &'static Condition> {
         let when = self.description().when.iter();
-        when.filter(|chosen| !is_chosen(parameters, chosen))
+        when.filter(|chosen| !is_met(parameters, chosen))
     }
 
-    /// The choices that together leave its value without an effect; empty: it has one,
-    /// if it does not wait for others.
+    /// The conditions of [`Description::unless`](super::Description::unless) if all are met,
+    /// else none.
     pub fn met_exclusions(&self, parameters: &Parameters) -> &'static [Condition] {
         let unless = self.description().unless;
-        if unless.iter().all(|chosen| is_chosen(parameters, chosen)) {
+        if unless.iter().all(|chosen| is_met(parameters, chosen)) {
             unless
         } else {
             &[]

@@ -3,7 +3,7 @@
 use super::choices::Choice;
 use super::value::{Colour, Value};
 
-/// Where a parameter's value stands in [`Values`](super::Values).
+/// The field of a parameter in [`Values`](super::Values).
 pub(super) enum Slot<'a> {
     Number(&'a mut f32),
     Whole(&'a mut u32),
@@ -25,7 +25,7 @@ impl Slot<'_> {
         }
     }
 
-    /// Writes a value of the slot's own kind; another changes nothing.
+    /// Writes a value of the same kind. Any other value changes nothing.
     pub fn put(self, value: Value) {
         match (self, value) {
             (Slot::Number(x), Value::Number(new)) => *x = new,
@@ -39,7 +39,7 @@ impl Slot<'_> {
     }
 }
 
-/// A choice of whatever type.
+/// A choice of any type.
 pub(super) trait Chosen {
     fn chosen(&self) -> &'static str;
     fn choose(&mut self, name: &str);

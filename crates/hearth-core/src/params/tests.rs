@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Some value of the entry's kind that is not its default in that domain.
+/// A value of the entry's kind that is not the default of the domain.
 fn another(param: &Param, domain: &Domain) -> Value {
     match domain.default {
         Value::Number(x) if x == domain.range.1 as f32 => Value::Number(domain.range.0 as f32),
@@ -63,7 +63,7 @@ fn switching_the_model_back_and_forth_loses_nothing() {
 }
 
 #[test]
-fn what_the_model_does_not_use_is_checked_by_its_own_model_and_kept() {
+fn parameters_of_the_other_model_are_checked_and_kept() {
     for (here, there) in BOTH {
         let hidden = |param: &&Param| param.domain(here).is_none();
         for param in PARAMETERS.iter().filter(hidden) {
@@ -131,7 +131,7 @@ fn several_values_take_the_model_first() {
 }
 
 #[test]
-fn several_values_are_taken_all_or_none() {
+fn several_values_are_set_all_or_none() {
     for model in [Model::Classic, Model::Combustion] {
         let mut parameters = Parameters::new(model);
         let before = parameters.clone();
@@ -227,7 +227,7 @@ fn the_smoothing_length_follows_the_number_of_particles() {
 }
 
 #[test]
-fn whatever_makes_a_parameter_count_can_be_chosen_and_leaves_some_model_with_it() {
+fn every_condition_of_a_parameter_can_be_met() {
     for (param, about) in PARAMETERS.iter().zip(DESCRIPTIONS) {
         for &(id, names) in about.when.iter().chain(about.unless) {
             let choice = Param::find(id).expect("it is of the table");
@@ -245,21 +245,21 @@ fn whatever_makes_a_parameter_count_can_be_chosen_and_leaves_some_model_with_it(
 }
 
 #[test]
-fn what_counts_for_nothing_says_what_it_waits_for_and_is_set_all_the_same() {
+fn a_parameter_without_effect_names_its_unmet_conditions_and_can_be_set() {
     let mut parameters = Parameters::default();
-    let waits = |parameters: &Parameters, id| {
+    let unmet = |parameters: &Parameters, id| {
         let param = Param::find(id).expect("it is of the table");
         let ids = param.unmet_conditions(parameters).map(|&(id, _)| id);
         ids.collect::<Vec<_>>()
     };
-    assert_eq!(waits(&parameters, "cool_colour"), ["palette"]);
+    assert_eq!(unmet(&parameters, "cool_colour"), ["palette"]);
     let colour = Colour::rgb(1, 2, 3);
     set(&mut parameters, "cool_colour", Value::Colour(colour));
     assert_eq!(parameters.cool_colour, colour);
     set(&mut parameters, "palette", Value::Choice("custom"));
-    assert!(waits(&parameters, "cool_colour").is_empty());
+    assert!(unmet(&parameters, "cool_colour").is_empty());
     set(&mut parameters, "display_mode", Value::Choice("density"));
-    assert_eq!(waits(&parameters, "cool_colour"), ["display_mode"]);
-    assert_eq!(waits(&parameters, "bloom"), ["display_mode"]);
-    assert!(waits(&parameters, "viscosity").is_empty());
+    assert_eq!(unmet(&parameters, "cool_colour"), ["display_mode"]);
+    assert_eq!(unmet(&parameters, "bloom"), ["display_mode"]);
+    assert!(unmet(&parameters, "viscosity").is_empty());
 }

@@ -1,8 +1,7 @@
-//! What a parameter can hold, and what is said when it cannot.
+//! Values of parameters, and errors of invalid values.
 //!
-//! A value reaches Hearth as a number, a text or a flag, whoever sends it: a
-//! slider, an attribute, a URL, a JSON file, a message. [`Input`] is that raw
-//! form, [`Value`] the checked one, [`ParamError`] the refusal.
+//! Sliders, attributes, URLs, JSON files and messages send values as numbers, texts or flags:
+//! [`Input`]. A checked value is a [`Value`], an error a [`ParamError`].
 
 use std::fmt;
 
@@ -16,7 +15,7 @@ pub struct Colour {
 }
 
 impl Colour {
-    /// Nothing at all: the page shows through.
+    /// Fully transparent.
     pub const TRANSPARENT: Colour = Colour { rgba: [0; 4] };
 
     /// An opaque colour.
@@ -33,28 +32,20 @@ impl Colour {
             return Some(Colour::TRANSPARENT);
         }
         let digits = text.strip_prefix('#')?;
-        if !digits.bytes().all(|b| b.is_ascii_hexdigit()) {
-            return None;
-        }
-        // `get`, here and below: what an index of a text says when it panics would be
-        // 3.5 KB of a page's download.
-        let byte =
-            |at: usize, length: usize| u8::from_str_radix(digits.get(at..at + length)?, 16).ok();
+        let mut digits = digits.bytes().map(|digit| (digit as char).to_digit(16));
         let mut rgba = [255; 4];
-        match digits.len() {
-            3 => {
-                for (channel, at) in rgba.iter_mut().zip(0..3) {
-                    *channel = byte(at, 1)? * 17;
-                }
-            }
-            6 | 8 => {
-                for (channel, at) in rgba.iter_mut().zip((0..digits.len()).step_by(2)) {
-                    *channel = byte(at, 2)?;
-                }
-            }
+        let (channels, length) = match digits.len() {
+            3 => (3, 1),
+            6 => (3, 2),
+            8 => (4, 2),
             _ => return None,
+        };
+        for channel in &mut rgba[..channels] {
+            let high = digits.next()??;
+            let low = if length == 1 { high } else { digits.next()?? };
+            *channel = (16 * high + low) as u8;
         }
-        // What cannot be seen has no colour, so it reads back as it was written.
+        // Every fully transparent colour is the same, so that it is written as `transparent`.
         Some(match rgba {
             [.., 0] => Colour::TRANSPARENT,
             _ => Colour { rgba },
@@ -91,9 +82,8 @@ pub enum Value {
 }
 
 impl Value {
-    /// The value as JavaScript and JSON see it where it is numeric: the
-    /// shortest decimal that reads back as the same `f32`, so that 0.05 stays
-    /// 0.05. `None` for a choice, a flag or a colour.
+    /// The value of a numeric parameter for JavaScript and JSON: the shortest decimal of the same
+    /// `f32`, so that 0.05 stays 0.05. `None` for a choice, a flag or a colour.
     pub fn as_number(&self) -> Option<f64> {
         match *self {
             Value::Number(x) => Some(decimal::shortest(x)),
@@ -115,12 +105,12 @@ impl fmt::Display for Value {
     }
 }
 
-/// A value as somebody sent it, not yet checked.
+/// An unchecked value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Input<'a> {
     /// A number, from a slider, JSON or a call.
     Number(f64),
-    /// A text, from an attribute or a URL; it may spell any kind of value.
+    /// A text, from an attribute or a URL, of any kind of value.
     Text(&'a str),
     /// On or off.
     Flag(bool),
@@ -139,8 +129,7 @@ impl Input<'_> {
     pub(super) fn flag(&self) -> Option<bool> {
         match *self {
             Input::Flag(on) => Some(on),
-            // An attribute that is there without a value means "on", as HTML's
-            // own flags do.
+            // An attribute without a value is on, like HTML's boolean attributes.
             Input::Text("" | "true" | "1" | "on") => Some(true),
             Input::Text("false" | "0" | "off") => Some(false),
             Input::Text(_) | Input::Number(_) => None,
@@ -153,36 +142,45 @@ impl fmt::Display for Input<'_> {
         match self {
             Input::Number(x) => write!(f, "{}", Decimal(*x)),
             Input::Flag(on) => write!(f, "{on}"),
-            // A hostile text must not flood a console.
-            Input::Text(text) => match text.char_indices().nth(40) {
-                Some((end, _)) => write!(f, "\"{}…\"", text.get(..end).unwrap_or_default()),
-                None => write!(f, "\"{text}\""),
-            },
+            Input::Text(text) => {
+                let (start, dots) = abbreviated(text);
+                write!(f, "\"{start}{dots}\"")
+            }
         }
     }
 }
 
-/// Why a value was refused. Its text names the parameter, the value and what
-/// would have been allowed.
+/// The start of a text, and an ellipsis if it is long: a long text must not flood a console.
+pub(super) fn abbreviated(text: &str) -> (&str, &str) {
+    // `get`: the panic of an index into a text costs 3.5 KB of download.
+    let end = text.char_indices().nth(40);
+    match end.and_then(|(end, _)| text.get(..end)) {
+        Some(start) => (start, "…"),
+        None => (text, ""),
+    }
+}
+
+/// An error of an invalid value. Its message names the parameter, the value and the allowed
+/// values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParamError {
-    /// The id that was asked for.
+    /// The requested id.
     pub id: String,
-    /// The value as it was sent.
+    /// The sent value.
     pub value: String,
-    /// What was wrong with it.
+    /// The kind of error.
     pub kind: ParamErrorKind,
 }
 
-/// What is wrong with a refused value.
+/// The kinds of errors.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ParamErrorKind {
-    /// No parameter has this id; the nearest known one, where there is one.
+    /// No parameter has this id.
     UnknownId {
-        /// The known id that differs least.
+        /// A similar id, if there is one.
         nearest: Option<&'static str>,
     },
-    /// Outside the range, or not a finite number at all.
+    /// Outside of the range, or not a finite number.
     OutOfRange {
         /// Smallest allowed value.
         min: f64,
@@ -193,30 +191,27 @@ pub enum ParamErrorKind {
         /// Whether only whole numbers are allowed.
         whole: bool,
     },
-    /// Not one of the named choices.
+    /// Not one of the choices.
     NotAChoice {
-        /// The names that are.
+        /// The choices.
         choices: &'static [&'static str],
     },
     /// Neither on nor off.
     NotAFlag,
-    /// Not a colour that can be read.
+    /// Not a colour.
     NotAColour,
-    /// Something else about an object; what it must be, in words.
+    /// Another rule of an object; the allowed values in words.
     Other(&'static str),
 }
 
 impl fmt::Display for ParamError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let ParamError { id, value, kind } = self;
+        // One text for all rules: a format string per kind costs half a kilobyte of download.
+        let mut must_be = |allowed: fmt::Arguments<'_>| {
+            write!(f, "{id} = {value} is refused: it must be {allowed}")
+        };
         match kind {
-            ParamErrorKind::UnknownId { nearest } => {
-                write!(f, "there is no parameter \"{id}\"")?;
-                match nearest {
-                    Some(nearest) => write!(f, "; did you mean \"{nearest}\"?"),
-                    None => Ok(()),
-                }
-            }
             ParamErrorKind::OutOfRange {
                 min,
                 max,
@@ -226,27 +221,22 @@ impl fmt::Display for ParamError {
                 let kind = if *whole { "a whole number" } else { "a number" };
                 let space = if unit.is_empty() { "" } else { " " };
                 let (min, max) = (Decimal(*min), Decimal(*max));
-                write!(
-                    f,
-                    "{id} = {value} is refused: it must be {kind} from {min} to {max}{space}{unit}"
-                )
+                must_be(format_args!("{kind} from {min} to {max}{space}{unit}"))
             }
             ParamErrorKind::NotAChoice { choices } => {
-                write!(
-                    f,
-                    "{id} = {value} is refused: it must be one of {}",
-                    choices.join(", ")
-                )
+                must_be(format_args!("one of {}", choices.join(", ")))
             }
-            ParamErrorKind::NotAFlag => {
-                write!(f, "{id} = {value} is refused: it must be true or false")
+            ParamErrorKind::NotAFlag => must_be(format_args!("true or false")),
+            ParamErrorKind::NotAColour => {
+                must_be(format_args!("transparent, #rgb, #rrggbb or #rrggbbaa"))
             }
-            ParamErrorKind::NotAColour => write!(
-                f,
-                "{id} = {value} is refused: it must be transparent, #rgb, #rrggbb or #rrggbbaa"
-            ),
-            ParamErrorKind::Other(allowed) => {
-                write!(f, "{id} = {value} is refused: it must be {allowed}")
+            ParamErrorKind::Other(allowed) => must_be(format_args!("{allowed}")),
+            ParamErrorKind::UnknownId { nearest } => {
+                write!(f, "there is no parameter \"{id}\"")?;
+                match nearest {
+                    Some(nearest) => write!(f, "; did you mean \"{nearest}\"?"),
+                    None => Ok(()),
+                }
             }
         }
     }
@@ -255,7 +245,7 @@ impl fmt::Display for ParamError {
 impl std::error::Error for ParamError {}
 
 impl ParamError {
-    /// Smallest and largest allowed value, where the parameter has them.
+    /// Smallest and largest allowed value, if the parameter has a range.
     pub fn range(&self) -> Option<(f64, f64)> {
         match self.kind {
             ParamErrorKind::OutOfRange { min, max, .. } => Some((min, max)),

@@ -1,24 +1,24 @@
-//! What a preset is.
+//! The types of the presets.
 
 use crate::params::{Input, Parameters};
 use crate::scene::Scene;
 
-/// A named set of values: the defaults, with these changed.
+/// A named set of values that differ from the defaults.
 #[derive(Debug)]
 pub struct Preset {
     /// Its name in attributes and URLs.
     pub name: &'static str,
-    /// What differs from the defaults.
+    /// The values that differ from the defaults.
     pub values: &'static [(&'static str, Input<'static>)],
 }
 
-/// What a person reads about a preset. It stands apart, so that an engine that
-/// shows none of it carries none.
+/// The label and description of a preset. A separate array, so that a build without text does
+/// not include it.
 #[derive(Debug)]
 pub struct Caption {
     /// Its name.
     pub label: &'static str,
-    /// What there is to see, in a sentence.
+    /// The appearance of the fire, in a sentence.
     pub description: &'static str,
 }
 

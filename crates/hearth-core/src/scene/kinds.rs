@@ -1,7 +1,7 @@
 //! THE table of objects: each kind and its properties.
 //!
-//! A property is a parameter of the settings that each source has for itself; the
-//! parameter gives its label, unit, range, default and doc.
+//! A property is a parameter of the settings with a value per source. The parameter gives its
+//! label, unit, range, default and doc.
 
 use crate::params::{Model, Param};
 
@@ -10,53 +10,61 @@ use crate::params::{Model, Param};
 pub struct Kind {
     /// Its name in the field `kind`.
     pub name: &'static str,
-    /// What it is, in a sentence.
+    /// Its description, in a sentence.
     pub doc: &'static str,
-    /// The names of its properties, in words.
+    /// The names of its properties, as text for an error.
     pub(super) allowed: &'static str,
-    /// What can be set of it.
+    /// Its properties.
     pub properties: &'static [Property],
 }
 
-/// What can be set of an object.
+/// A property of an object.
 #[derive(Debug)]
 pub struct Property {
     /// Its name.
     pub name: &'static str,
-    /// The parameter that it is of the first source.
+    /// The parameter whose value it is in the first source.
     pub id: &'static str,
 }
 
-/// Every kind of object.
-pub static KINDS: &[Kind] = &[Kind {
-    name: "source",
-    doc: "Where fuel comes into the air, or where the classic model's particles are born.",
-    allowed: "one of x, y, width, power, rate, speed, spread, noise, temperature, oxygen, \
-              birth_temperature, life_min, life_max, taper",
-    properties: &[
-        property("x", "source_x"),
-        property("y", "source_height"),
-        property("width", "source_width"),
-        property("power", "fuel_power"),
-        property("rate", "emission_rate"),
-        property("speed", "emission_speed"),
-        property("spread", "emission_spread"),
-        property("noise", "emission_noise"),
-        property("temperature", "source_temperature"),
-        property("oxygen", "source_oxygen"),
-        property("birth_temperature", "maximum_temperature"),
-        property("life_min", "lifetime_min"),
-        property("life_max", "lifetime_max"),
-        property("taper", "taper"),
-    ],
-}];
-
-const fn property(name: &'static str, id: &'static str) -> Property {
-    Property { name, id }
+/// A kind whose error of an unknown property lists all of its properties.
+macro_rules! kind {
+    ($kind:literal, $doc:literal, $first:literal = $first_id:literal
+        $(, $name:literal = $id:literal)*) => {
+        Kind {
+            name: $kind,
+            doc: $doc,
+            allowed: concat!("one of ", $first $(, ", ", $name)*),
+            properties: &[
+                Property { name: $first, id: $first_id },
+                $(Property { name: $name, id: $id },)*
+            ],
+        }
+    };
 }
 
+/// Every kind of object.
+pub static KINDS: &[Kind] = &[kind!(
+    "source",
+    "Where fuel comes into the air, or where the classic model's particles are born.",
+    "x" = "source_x",
+    "y" = "source_height",
+    "width" = "source_width",
+    "power" = "fuel_power",
+    "rate" = "emission_rate",
+    "speed" = "emission_speed",
+    "spread" = "emission_spread",
+    "noise" = "emission_noise",
+    "temperature" = "source_temperature",
+    "oxygen" = "source_oxygen",
+    "birth_temperature" = "maximum_temperature",
+    "life_min" = "lifetime_min",
+    "life_max" = "lifetime_max",
+    "taper" = "taper"
+)];
+
 impl Kind {
-    /// The property of that name.
+    /// The property with this name.
     pub fn property(&self, name: &str) -> Option<&'static Property> {
         let all: &'static [Property] = self.properties;
         all.iter().find(|property| property.name == name)
@@ -64,7 +72,7 @@ impl Kind {
 }
 
 impl Property {
-    /// The parameter, where `model` uses it.
+    /// The parameter, if `model` uses it.
     pub fn param(&self, model: Model) -> Option<&'static Param> {
         Param::find(self.id).filter(|param| param.domain(model).is_some())
     }

@@ -28,12 +28,10 @@ fn words(refused: Result<impl Sized, Vec<ParamError>>) -> String {
 fn every_property_is_a_parameter_and_of_one_name() {
     let mut seen = Vec::new();
     for kind in KINDS {
-        let mut names = kind.allowed.trim_start_matches("one of ").split(", ");
         for property in kind.properties {
             assert!(Param::find(property.id).is_some(), "{}", property.id);
             assert!(!seen.contains(&property.id), "{}", property.id);
             assert!(!seen.contains(&property.name), "{}", property.name);
-            assert!(names.next() == Some(property.name), "{}", kind.allowed);
             seen.extend([property.id, property.name]);
         }
     }
@@ -58,7 +56,7 @@ fn settings_alone_have_one_source_whose_properties_they_are() {
 }
 
 #[test]
-fn a_second_source_has_properties_of_its_own_and_all_other_settings() {
+fn a_second_source_has_separate_properties_and_the_other_settings() {
     let mut scene = Scene::default();
     let added = scene.add(&[SOURCE, ("x", number(0.3)), ("power", number(50.0))]);
     assert_eq!(added, Ok(2));
@@ -76,7 +74,7 @@ fn a_second_source_has_properties_of_its_own_and_all_other_settings() {
 }
 
 #[test]
-fn a_source_keeps_what_the_other_model_has_of_it() {
+fn a_source_keeps_its_properties_of_the_other_model() {
     let mut scene = Scene::default();
     let added = scene.add(&[SOURCE, ("rate", number(700.0)), ("power", number(50.0))]);
     assert!(added.is_ok());
@@ -89,7 +87,7 @@ fn a_source_keeps_what_the_other_model_has_of_it() {
 }
 
 #[test]
-fn the_next_source_becomes_the_first_and_the_last_leaves_its_values() {
+fn the_next_source_becomes_the_first_and_the_last_keeps_its_values() {
     let mut scene = Scene::default();
     let before = scene.settings().clone();
     assert!(scene.add(&[SOURCE, ("x", number(0.3))]).is_ok());
@@ -106,7 +104,7 @@ fn the_next_source_becomes_the_first_and_the_last_leaves_its_values() {
 }
 
 #[test]
-fn a_refusal_names_object_property_value_and_range_and_changes_nothing() {
+fn an_error_names_object_property_value_and_range_and_changes_nothing() {
     let mut scene = Scene::default();
     let before = scene.clone();
     let text = |text| Input::Text(text);
@@ -142,14 +140,13 @@ fn a_refusal_names_object_property_value_and_range_and_changes_nothing() {
     assert_eq!(refused.lines().count(), 2, "{refused}");
     assert_eq!(
         words(scene.remove(7)),
-        "id = 7 is refused: it must be the id of an object that there is"
+        "id = 7 is refused: it must be the id of an object"
     );
-    assert_eq!(scene, before);
     assert_eq!(scene, before);
 }
 
 #[test]
-fn there_are_so_many_objects_and_no_more() {
+fn the_number_of_objects_is_limited() {
     let mut scene = Scene::default();
     while scene.objects().len() < MAX_OBJECTS {
         assert!(scene.add(&[SOURCE]).is_ok());
@@ -184,7 +181,7 @@ fn burnt(scene: &Scene, seconds: f64) -> Simulation {
 }
 
 #[test]
-fn every_source_burns_where_it_stands_and_none_without_one() {
+fn every_source_burns_at_its_position() {
     for model in [Model::Combustion, Model::Classic] {
         let mut settings = Parameters::new(model);
         for (id, x) in [
@@ -246,7 +243,7 @@ fn two_sources_give_the_power_of_both() {
 }
 
 #[test]
-fn the_same_scene_gives_the_same_bits_and_a_plain_one_those_of_its_settings() {
+fn the_same_scene_gives_the_same_bits() {
     let mut scene = Scene::default();
     let bits = |fire: &Simulation| {
         let all = fire.positions().into_iter();
@@ -266,7 +263,7 @@ fn the_same_scene_gives_the_same_bits_and_a_plain_one_those_of_its_settings() {
 }
 
 #[test]
-fn a_parameter_that_is_no_property_is_the_same_for_every_source() {
+fn a_parameter_that_is_not_a_property_is_the_same_for_every_source() {
     let of_sources = |id: &str| KINDS[0].properties.iter().any(|one| one.id == id);
     let mut scene = Scene::default();
     assert!(scene.add(&[SOURCE]).is_ok());

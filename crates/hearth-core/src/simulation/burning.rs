@@ -1,10 +1,10 @@
-//! A burning fire as bytes, so that a page can open on one.
+//! A burning fire as bytes, so that a page can start with one.
 //!
 //! [`Simulation::burning`] writes a fire of the combustion model,
-//! [`Simulation::restore_burning`] takes it up. The bytes are small and lose a little:
-//! a place has 16 bits an axis, every other quantity 8. All numbers are little-endian.
+//! [`Simulation::restore_burning`] reads it. The format is small and lossy: a coordinate has 16
+//! bits, every other quantity 8. All numbers are little-endian.
 //!
-//! | bytes | what |
+//! | bytes | content |
 //! |---|---|
 //! | 4 | `Fire` |
 //! | 2, 2 | [`VERSION`]; number of embers |
@@ -15,7 +15,7 @@
 //! | particles × 10 | x, y (2 each), u, v, temperature, fuel, oxygen, soot (1 each), column by column |
 //! | embers × 10 | x, y (2 each), u, v, temperature, size, age, life (1 each), column by column |
 //!
-//! A velocity is stored as the root of its share of the largest, so that slow gas loses
+//! A velocity is stored as the root of its quantised of the largest, so that slow gas loses
 //! little.
 
 mod digest;
@@ -29,27 +29,28 @@ use super::Simulation;
 use crate::combustion::Ember;
 use crate::particle::Particle;
 use crate::random::Random;
-use format::{Bytes, Columns, EACH, EMBERS, HEADER, Head, MAGIC, share, signed};
+use format::{Bytes, Columns, EACH, EMBERS, HEADER, Header, MAGIC, quantised, quantised_signed};
 
 pub use digest::digest;
 pub use format::VERSION;
 
 const NO_FIRE: &str = "these bytes are no burning fire";
-/// Temperature of an ember at birth, which only falls \[K\].
-const HOTTEST_EMBER: f32 = 2500.0;
-/// Why bytes are no fire that can be taken up.
+/// Largest temperature of an ember \[K\].
+const MAX_EMBER_TEMPERATURE: f32 = 2500.0;
+
+/// An error of bytes that are not a fire of this scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BurningError {
-    /// They burnt with other values, or in another model: nothing is wrong with them.
+    /// The fire has other values or another model. The bytes are valid.
     OtherValues,
-    /// They are damaged, in words.
+    /// The bytes are damaged; the message.
     Damaged(&'static str),
 }
 
 impl fmt::Display for BurningError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            BurningError::OtherValues => "the burning fire is one of other values",
+            BurningError::OtherValues => "the burning fire has other values",
             BurningError::Damaged(words) => words,
         })
     }
@@ -58,20 +59,20 @@ impl fmt::Display for BurningError {
 impl std::error::Error for BurningError {}
 
 impl Simulation {
-    /// This fire as bytes; none in the classic model.
+    /// This fire as bytes; `None` in the classic model.
     pub fn burning(&self) -> Option<Vec<u8>> {
         self.solver.combustion()?;
         let (particles, air) = (self.particles(), self.scene.settings().ambient_temperature);
         let embers = &self.embers()[..self.embers().len().min(EMBERS)];
-        let most = |all: &mut dyn Iterator<Item = f32>| all.fold(0.0, f32::max);
+        let max = |all: &mut dyn Iterator<Item = f32>| all.fold(0.0, f32::max);
         let speed = |velocity: Vec2| velocity.abs().max_element();
         let scales = [
-            most(&mut particles.iter().map(|one| speed(one.velocity))),
-            most(&mut particles.iter().map(|one| one.temperature - air)),
-            most(&mut particles.iter().map(|one| one.soot)),
-            most(&mut embers.iter().map(|one| speed(one.velocity))),
-            most(&mut embers.iter().map(|one| one.size)),
-            most(&mut embers.iter().map(|one| one.lifetime)),
+            max(&mut particles.iter().map(|one| speed(one.velocity))),
+            max(&mut particles.iter().map(|one| one.temperature - air)),
+            max(&mut particles.iter().map(|one| one.soot)),
+            max(&mut embers.iter().map(|one| speed(one.velocity))),
+            max(&mut embers.iter().map(|one| one.size)),
+            max(&mut embers.iter().map(|one| one.lifetime)),
         ];
         let [velocity, hot, sooty, flight, size, life] = scales;
 
@@ -86,87 +87,103 @@ impl Simulation {
         for scale in scales {
             out.extend(scale.to_le_bytes());
         }
-        self.write_places(&mut out, particles.iter().map(|one| one.position));
-        out.extend(particles.iter().map(|one| signed(one.velocity.x, velocity)));
-        out.extend(particles.iter().map(|one| signed(one.velocity.y, velocity)));
+        self.write_positions(&mut out, particles.iter().map(|one| one.position));
         out.extend(
             particles
                 .iter()
-                .map(|one| share(one.temperature - air, hot)),
+                .map(|one| quantised_signed(one.velocity.x, velocity)),
         );
-        out.extend(particles.iter().map(|one| share(one.fuel, 1.0)));
-        out.extend(particles.iter().map(|one| share(one.oxygen, 1.0)));
-        out.extend(particles.iter().map(|one| share(one.soot, sooty)));
-        self.write_places(&mut out, embers.iter().map(|one| one.position));
-        out.extend(embers.iter().map(|one| signed(one.velocity.x, flight)));
-        out.extend(embers.iter().map(|one| signed(one.velocity.y, flight)));
+        out.extend(
+            particles
+                .iter()
+                .map(|one| quantised_signed(one.velocity.y, velocity)),
+        );
+        out.extend(
+            particles
+                .iter()
+                .map(|one| quantised(one.temperature - air, hot)),
+        );
+        out.extend(particles.iter().map(|one| quantised(one.fuel, 1.0)));
+        out.extend(particles.iter().map(|one| quantised(one.oxygen, 1.0)));
+        out.extend(particles.iter().map(|one| quantised(one.soot, sooty)));
+        self.write_positions(&mut out, embers.iter().map(|one| one.position));
         out.extend(
             embers
                 .iter()
-                .map(|one| share(one.temperature, HOTTEST_EMBER)),
+                .map(|one| quantised_signed(one.velocity.x, flight)),
         );
-        out.extend(embers.iter().map(|one| share(one.size, size)));
-        out.extend(embers.iter().map(|one| share(one.age, life)));
-        out.extend(embers.iter().map(|one| share(one.lifetime, life)));
+        out.extend(
+            embers
+                .iter()
+                .map(|one| quantised_signed(one.velocity.y, flight)),
+        );
+        out.extend(
+            embers
+                .iter()
+                .map(|one| quantised(one.temperature, MAX_EMBER_TEMPERATURE)),
+        );
+        out.extend(embers.iter().map(|one| quantised(one.size, size)));
+        out.extend(embers.iter().map(|one| quantised(one.age, life)));
+        out.extend(embers.iter().map(|one| quantised(one.lifetime, life)));
         Some(out)
     }
 
-    fn write_places(&self, out: &mut Vec<u8>, places: impl Iterator<Item = Vec2> + Clone) {
+    fn write_positions(&self, out: &mut Vec<u8>, positions: impl Iterator<Item = Vec2> + Clone) {
         let (width, height) = (
             self.scene.settings().domain_width,
             self.scene.settings().domain_height,
         );
-        let across = |part: f32| (part * 65_536.0).clamp(0.0, 65_535.0) as u16;
+        let coordinate = |part: f32| (part * 65_536.0).clamp(0.0, 65_535.0) as u16;
         out.extend(
-            places
+            positions
                 .clone()
-                .flat_map(|at| across(at.x / width + 0.5).to_le_bytes()),
+                .flat_map(|at| coordinate(at.x / width + 0.5).to_le_bytes()),
         );
-        out.extend(places.flat_map(|at| across(at.y / height).to_le_bytes()));
+        out.extend(positions.flat_map(|at| coordinate(at.y / height).to_le_bytes()));
     }
 
-    /// Burns on from these bytes, with its own seed. Where they burnt with another number
-    /// of particles, as many as this fire has take over. Nothing changes where they are refused.
+    /// Continues from these bytes, with this fire's seed, resampled to its number of particles.
+    /// An error changes nothing.
     ///
     /// # Errors
-    /// The bytes are damaged, or burnt with other values.
+    /// The bytes are damaged, or those of a fire with other values.
     pub fn restore_burning(&mut self, bytes: &[u8]) -> Result<(), BurningError> {
         let mut bytes = Bytes(bytes);
-        let head = Head::read(&mut bytes).ok_or(BurningError::Damaged(NO_FIRE))?;
-        head.check(bytes.0.len()).map_err(BurningError::Damaged)?;
+        let header = Header::read(&mut bytes).ok_or(BurningError::Damaged(NO_FIRE))?;
+        header.check(bytes.0.len()).map_err(BurningError::Damaged)?;
         let Some(gas) = self.solver.combustion_mut() else {
             return Err(BurningError::OtherValues);
         };
-        if head.digest != digest(&self.scene) {
+        if header.digest != digest(&self.scene) {
             return Err(BurningError::OtherValues);
         }
         let parameters = self.scene.settings();
-        let [velocity, hot, sooty, flight, size, life] = head.scales;
+        let [velocity, hot, sooty, flight, size, life] = header.scales;
         let air = parameters.ambient_temperature;
         let domain = Vec2::new(parameters.domain_width, parameters.domain_height);
 
-        let columns = Columns::of(&mut bytes, head.particles);
-        let particles: Vec<Particle> = (0..head.particles)
+        let columns = Columns::of(&mut bytes, header.particles);
+        let particles: Vec<Particle> = (0..header.particles)
             .map(|i| Particle {
                 velocity: columns.velocity(i, velocity),
                 temperature: air + columns.share(2, i) * hot,
                 fuel: columns.share(3, i),
                 oxygen: columns.share(4, i),
                 soot: columns.share(5, i) * sooty,
-                ..Particle::at(columns.place(i, domain))
+                ..Particle::at(columns.position(i, domain))
             })
             .collect();
         let bounds = crate::combustion::bounds(parameters);
         for particle in &particles {
-            if let Some(what) = particle.fault(&bounds) {
+            if let Some(what) = particle.broken_rule(&bounds) {
                 return Err(BurningError::Damaged(what));
             }
         }
-        let columns = Columns::of(&mut bytes, head.embers);
-        let embers = (0..head.embers).map(|i| Ember {
-            position: columns.place(i, domain),
+        let columns = Columns::of(&mut bytes, header.embers);
+        let embers = (0..header.embers).map(|i| Ember {
+            position: columns.position(i, domain),
             velocity: columns.velocity(i, flight),
-            temperature: columns.share(2, i) * HOTTEST_EMBER,
+            temperature: columns.share(2, i) * MAX_EMBER_TEMPERATURE,
             size: columns.share(3, i) * size,
             age: columns.share(4, i) * life,
             lifetime: columns.share(5, i) * life,
@@ -177,11 +194,11 @@ impl Simulation {
         gas.resume(
             &particles,
             embers.collect(),
-            head.made_with,
+            header.made_with,
             parameters,
             &mut self.random,
         );
-        self.time = head.time;
+        self.time = header.time;
         Ok(())
     }
 }
@@ -208,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_matter_of_the_gas_is_a_parameter_and_changes_no_digest() {
+    fn only_parameters_of_the_gas_change_the_digest() {
         let usual = Parameters::new(Model::Combustion);
         for (id, value) in [("exposure", 1.0), ("seed", 7.0), ("max_particles", 1200.0)] {
             assert_eq!(
@@ -231,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fire_that_is_taken_up_burns_on_where_it_was() {
+    fn a_restored_fire_continues() {
         let values = with(&[("max_particles", 1000.0), ("ember_rate", 200.0)]);
         let fire = burnt(values.clone(), 0.8);
         let bytes = fire.burning().unwrap_or_default();
@@ -247,7 +264,7 @@ mod tests {
             assert!((before.temperature - after.temperature).abs() < 5.0);
             assert!((before.soot - after.soot).abs() < 0.01);
         }
-        // And the power is the same a moment later: nothing bursts or goes out.
+        // The power is the same a moment later.
         let power = |mut fire: Simulation| {
             for _ in 0..50 {
                 fire.step();
@@ -282,7 +299,7 @@ mod tests {
     }
 
     #[test]
-    fn other_values_and_damaged_bytes_are_refused_and_change_nothing() {
+    fn other_values_and_damaged_bytes_are_errors_and_change_nothing() {
         let values = with(&[("max_particles", 1000.0)]);
         let bytes = burnt(values.clone(), 0.1).burning().unwrap_or_default();
         let mut fire = burnt(with(&[("max_particles", 1000.0), ("wind", 1.0)]), 0.05);
@@ -313,7 +330,7 @@ mod tests {
     }
 
     #[test]
-    fn whatever_the_columns_hold_is_a_fire() {
+    fn any_columns_restore_a_finite_fire() {
         let values = with(&[("max_particles", 1000.0), ("ember_rate", 200.0)]);
         let bytes = burnt(values.clone(), 0.2).burning().unwrap_or_default();
         let mut random = Random::new(3);

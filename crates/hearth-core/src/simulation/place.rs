@@ -1,4 +1,4 @@
-//! Where the source of a fire stands, by its model.
+//! The position of a source in each model.
 
 use glam::Vec2;
 
@@ -8,7 +8,7 @@ use crate::params::{Model, Parameters};
 use crate::source::Source;
 
 impl Source {
-    /// The source of these parameters.
+    /// The first source of these parameters.
     pub fn of(parameters: &Parameters) -> Source {
         match parameters.model() {
             Model::Classic => classic::source(parameters),

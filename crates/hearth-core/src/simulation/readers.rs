@@ -1,4 +1,4 @@
-//! What a fire tells of its particles, as copies in the order of birth.
+//! Readers of the particles: copies, in the order of birth.
 
 use glam::Vec2;
 
@@ -10,27 +10,26 @@ use crate::particle::Particle;
 use crate::solver::Solver;
 
 impl Simulation {
-    /// Power of the burning in the last step [kW/m]; zero in the classic model.
+    /// Power of the combustion in the last step [kW/m]; zero in the classic model.
     pub fn power(&self) -> f32 {
         self.solver.combustion().map_or(0.0, Combustion::power)
     }
 
-    /// The embers that fly; none in the classic model.
+    /// The embers; none in the classic model.
     pub fn embers(&self) -> &[Ember] {
         self.solver.combustion().map_or(&[], Combustion::embers)
     }
 
-    /// Copies of all particles, in the order of their birth.
-    // Each reader that starts from it would carry a copy.
+    /// Copies of all particles, in the order of birth.
+    // Inlined, its code would be in every reader.
     #[inline(never)]
     pub fn particles(&self) -> Vec<Particle> {
         let solver = &self.solver;
         self.each(|i| solver.particle(i, self.time))
     }
 
-    /// The numbers by which particles are known from step to step, in the order of
-    /// birth, which is theirs. Particles that are put in, or that take over a fire,
-    /// are numbered from 0 again.
+    /// The ids of the particles, in the order of birth. An id stays the same from step to step.
+    /// Ids start again at 0 for particles that are put in and for a resampled fire.
     pub fn ids(&self) -> Vec<u64> {
         self.each(|i| self.solver.id(i))
     }
@@ -50,8 +49,8 @@ impl Simulation {
         self.scalars(|particle| particle.temperature)
     }
 
-    /// Times since birth \[s\], in the order of birth; the air of the combustion
-    /// model is as old as the fire.
+    /// Times since birth \[s\], in the order of birth; the gas of the combustion model is as old
+    /// as the fire.
     pub fn ages(&self) -> Vec<f32> {
         self.scalars(|particle| particle.age)
     }
@@ -91,13 +90,13 @@ impl Simulation {
         }
     }
 
-    /// Vorticities [1/s], counterclockwise above zero, in the order of birth: twice
-    /// the speed at which the neighbours of each particle turn around it now.
+    /// Vorticities [1/s], counterclockwise above zero, in the order of birth: twice the angular
+    /// velocity of the present neighbours around each particle.
     pub fn vorticities(&self) -> Vec<f32> {
         self.measured(DisplayMode::Vorticity)
     }
 
-    /// How many others each particle has within 2h now, in the order of birth.
+    /// Number of present neighbours of each particle within 2h, in the order of birth.
     pub fn neighbour_counts(&self) -> Vec<u32> {
         let counts = self.measured(DisplayMode::Neighbours).into_iter();
         counts.map(|count| count as u32).collect()
@@ -109,8 +108,8 @@ impl Simulation {
         self.each(|i| Measured::from(all[i]).value)
     }
 
-    // From copies of whole particles: a loop of its own for each reader and model would be
-    // a kilobyte of download.
+    // From copies of whole particles: a loop per reader and model costs a kilobyte of
+    // download.
     #[inline(never)]
     fn scalars(&self, of: fn(&Particle) -> f32) -> Vec<f32> {
         self.particles().iter().map(of).collect()

@@ -1,14 +1,15 @@
 //! The scenes: a file of `scenes/` each, checked before anything is generated.
 //!
-//! `{"hearth": 1, "label": "Candle", "description": "One sentence.", "values": {…}}`,
-//! and the file's name is the scene's. Such a file is also one of settings, as the
-//! element's `src` takes them.
+//! `{"hearth": 2, "label": "Candle", "description": "One sentence.", "values": {…},
+//! "objects": [{"kind": "source", …}]}`, and the file's name is the scene's. Such a file is
+//! also a settings file, as the element's `src` takes it.
 
 use std::fmt;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
 use hearth_core::params::{Input, Model, PARAMETERS, Parameters};
+use hearth_core::scene::KINDS;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use serde_json::Value;
 
@@ -32,7 +33,8 @@ pub(super) struct Scene {
     /// What there is to see, in a sentence.
     pub(super) description: String,
     pub(super) model: Model,
-    /// What differs from the defaults, the model first.
+    /// The parameters that differ from the defaults, those of the source among them, in the
+    /// order of the table.
     pub(super) values: Vec<(String, Value)>,
 }
 
@@ -44,6 +46,8 @@ struct File {
     label: String,
     description: String,
     values: Fields,
+    #[serde(default)]
+    objects: Vec<Fields>,
 }
 
 /// The fields of an object in the order of the file. A map would keep the last of two
@@ -148,8 +152,8 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
     })?;
     let file: File = serde_json::from_str(text)?;
     ensure!(
-        file.hearth == 1,
-        "\"hearth\" must be 1, the version of the format"
+        file.hearth == 2,
+        "\"hearth\" must be 2, the version of the format"
     );
     for (field, text, longest) in [
         ("label", &file.label, LONGEST_NAME),
@@ -165,8 +169,22 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
         "\"description\" must be a sentence, with its full stop"
     );
     let Fields(mut values) = file.values;
-    // The model decides the ranges of the others.
-    values.sort_by_key(|(id, _)| id != "model");
+    ensure!(
+        file.objects.len() <= 1,
+        "a scene has one source so far, not {} objects",
+        file.objects.len()
+    );
+    for Fields(object) in file.objects {
+        for (id, value) in source_parameters(object)? {
+            ensure!(
+                values.iter().all(|(known, _)| *known != id),
+                "{id} is given twice: in the values and in objects[0]"
+            );
+            values.push((id, value));
+        }
+    }
+    // The model comes first in the table, because it decides the ranges of the others.
+    values.sort_by_key(|(id, _)| PARAMETERS.iter().position(|param| param.id == *id));
     ensure!(
         name != DEFAULT || values.is_empty(),
         "the default scene has no values: change the defaults in the table"
@@ -180,6 +198,24 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
     };
     scene.model = scene.parameters()?.model();
     Ok(scene)
+}
+
+/// The parameters that the properties of a source are.
+fn source_parameters(object: Vec<(String, Value)>) -> Result<Vec<(String, Value)>> {
+    let source = &KINDS[0];
+    let kind = object.iter().find(|(name, _)| name == "kind");
+    ensure!(
+        kind.is_some_and(|(_, kind)| kind == source.name),
+        "objects[0].kind must be {:?}",
+        source.name
+    );
+    let properties = object.into_iter().filter(|(name, _)| name != "kind");
+    let parameters = properties.map(|(name, value)| {
+        let property = source.property(&name);
+        let property = property.with_context(|| format!("objects[0] has no property {name:?}"))?;
+        Ok((property.id.to_owned(), value))
+    });
+    parameters.collect()
 }
 
 fn is_name(name: &str) -> bool {
@@ -211,15 +247,22 @@ mod tests {
     /// A scene with these values.
     fn with(values: &str) -> String {
         format!(
-            "{{\"hearth\": 1, \"label\": \"A\", \"description\": \"A fire.\", \"values\": {values}}}"
+            "{{\"hearth\": 2, \"label\": \"A\", \"description\": \"A fire.\", \"values\": {values}}}"
         )
     }
 
+    /// The field `objects` with one source of these properties.
+    fn source(properties: &str) -> String {
+        format!("\"objects\": [{{\"kind\": \"source\"{properties}}}]")
+    }
+
     #[test]
-    fn a_scene_has_the_values_of_its_file_and_the_model_first() {
-        let text = with(r#"{"wind": 1.0, "palette": "gas", "model": "combustion"}"#);
+    fn a_scene_has_the_values_of_its_file_in_the_order_of_the_table() {
+        let values = r#"{"palette": "gas", "wind": 1.0, "model": "combustion"}"#;
+        let text = with(&format!("{values}, {}", source(r#", "power": 60"#)));
         let values = [
             ("model".to_owned(), "combustion".into()),
+            ("fuel_power".to_owned(), 60.into()),
             ("wind".to_owned(), 1.into()),
             ("palette".to_owned(), "gas".into()),
         ];
@@ -258,6 +301,26 @@ mod tests {
             let outcome = outcome("a.json", &with(values));
             assert!(outcome.contains(named), "{values}: {outcome}");
         }
+        for (objects, named) in [
+            (source(r#", "x": 9"#), "source_x = 9 is refused"),
+            (
+                source(r#", "pwer": 9"#),
+                "objects[0] has no property \"pwer\"",
+            ),
+            (source(r#", "x": 0, "x": 0"#), "duplicate field `x`"),
+            (
+                source(r#", "power": 60"#).replace("source", "solid"),
+                "objects[0].kind must be",
+            ),
+            (source(r#", "width": 0.2"#), "source_width is given twice"),
+            (r#""objects": [{}, {}]"#.to_owned(), "not 2 objects"),
+        ] {
+            let outcome = outcome(
+                "a.json",
+                &with(&format!(r#"{{"source_width": 0.1}}, {objects}"#)),
+            );
+            assert!(outcome.contains(named), "{objects}: {outcome}");
+        }
         let whole = with("{}");
         for (text, named) in [
             (String::new(), "EOF"),
@@ -268,7 +331,7 @@ mod tests {
             ),
             (whole.replace("label", "wind"), "unknown field `wind`"),
             (whole.replace("hearth", "preset"), "unknown field `preset`"),
-            (whole.replace(": 1", ": 2"), "\"hearth\" must be 1"),
+            (whole.replace(": 2", ": 1"), "\"hearth\" must be 2"),
             (
                 whole.replace("\"A\"", "\" \""),
                 "\"label\" must be one line",

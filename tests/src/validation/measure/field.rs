@@ -97,7 +97,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_linear_profile_is_seen_as_it_is() {
+    fn a_linear_profile_is_exact() {
         let (dx, width, height) = (0.02_f32, 0.4, 0.6);
         let sampler = Sampler::new(width, height, 0.015, 0.03);
         let particles = (0..600).map(|i| {

@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bell_is_found_on_a_floor_of_return_flow() {
+    fn a_gaussian_is_found_with_a_return_flow() {
         let points: Vec<_> = (-50..50)
             .map(|i| {
                 let x = f64::from(i) * 0.02;

@@ -100,7 +100,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn crossings_tell_a_frequency() {
+    fn crossings_give_a_frequency() {
         let swing: Vec<_> = (0..500)
             .map(|i| {
                 let t = f64::from(i) * 0.01;
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn a_spectrum_finds_the_swing_under_noise_and_trend() {
+    fn a_spectrum_finds_an_oscillation_with_noise_and_trend() {
         let mut random = hearth_core::random::Random::new(1);
         let signal: Vec<f64> = (0..1500)
             .map(|i| {

@@ -13,7 +13,7 @@ pub(super) struct Buoyancy {
     gravity: f32,
     air_density: f32,
     air_temperature: f32,
-    /// The mass of a particle, by which the paper divides \[kg/m\].
+    /// The mass of a particle \[kg/m\], the divisor of the paper.
     published_divisor: Option<f32>,
 }
 
@@ -33,13 +33,13 @@ impl Buoyancy {
 impl BlockForce for Buoyancy {
     #[inline(always)]
     fn add(&self, four: &Four, sum: &mut [Lanes; 2]) {
-        let lift = if let Some(mass) = self.published_divisor {
+        let acceleration = if let Some(mass) = self.published_divisor {
             let density = Lanes::splat(1.0) / four.volume;
             (Lanes::splat(self.air_density) - density) * (self.buoyancy / mass)
         } else {
-            let warm = Lanes::splat(1.0) - Lanes::splat(self.air_temperature) / four.temperature;
-            (four.expansion - 1.0) * self.buoyancy + warm * self.thermal
+            let heat = Lanes::splat(1.0) - Lanes::splat(self.air_temperature) / four.temperature;
+            (four.expansion - 1.0) * self.buoyancy + heat * self.thermal
         };
-        sum[1] += lift * self.gravity;
+        sum[1] += acceleration * self.gravity;
     }
 }

@@ -1,4 +1,4 @@
-//! Extra weight: gravity that the paper counts besides buoyancy, as if a second time.
+//! Extra weight: gravity besides buoyancy, as in the paper.
 
 use crate::classic::block_force::{BlockForce, Four};
 use crate::lanes::Lanes;

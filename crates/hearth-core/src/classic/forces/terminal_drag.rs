@@ -1,9 +1,8 @@
 //! Drag that limits other forces to a terminal speed.
 //!
-//! This model has no air around the fire, so nothing would stop what rises. In
-//! air, lift meets a drag that grows with the square of the speed and balances
-//! it at the terminal speed: a (1 − v|v|/v_t²). The factor stays within −1 and 2, so
-//! that drag hits a particle that is born faster no harder than gravity does.
+//! The model has no air around the fire to stop a plume. In air, drag grows with the square of
+//! the speed and balances buoyancy at the terminal speed: a (1 − v|v|/v_t²). The factor is
+//! clamped to −1 and 2, so that drag does not decelerate fast births harder than gravity.
 
 use glam::Vec2;
 
@@ -12,7 +11,7 @@ use crate::forces::{BodyForce, LocalGas};
 use crate::lanes::{Lanes, Real};
 use crate::params::Physics;
 
-/// The drag of the air at a terminal speed [m/s].
+/// Drag with a terminal speed [m/s].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TerminalDrag {
     speed: f32,
@@ -25,18 +24,22 @@ impl TerminalDrag {
         }
     }
 
-    /// A force that this drag limits along its own direction.
+    /// Limits a force along its own direction.
     pub fn of<F: BodyForce>(self, force: F) -> Limited<F> {
         Limited { force, drag: self }
     }
 
-    /// What drag leaves of an acceleration `a` at the speed `v` along it.
+    /// An acceleration `a` less the drag at the speed `v` along it.
     #[inline(always)]
-    fn left<T: Real>(self, a: T, v: T) -> T {
-        let (zero, one) = (T::of(0.0), T::of(1.0));
-        let drag = v * v.fast_max(zero - v) / T::of(self.speed * self.speed);
-        let left = |drag: T| (one - drag).fast_max(T::of(-1.0)).fast_min(T::of(2.0));
-        // An acceleration downwards meets drag upwards.
+    fn reduced<T: Real>(self, a: T, v: T) -> T {
+        let (zero, one) = (T::splat(0.0), T::splat(1.0));
+        let drag = v * v.fast_max(zero - v) / T::splat(self.speed * self.speed);
+        let left = |drag: T| {
+            (one - drag)
+                .fast_max(T::splat(-1.0))
+                .fast_min(T::splat(2.0))
+        };
+        // A downward acceleration meets an upward drag.
         a.fast_max(zero) * left(drag) + a.fast_min(zero) * left(zero - drag)
     }
 }
@@ -51,11 +54,11 @@ impl<F: BodyForce> BodyForce for Limited<F> {
     fn acceleration(&self, gas: &LocalGas) -> Vec2 {
         let free = self.force.acceleration(gas);
         let along = gas.velocity.dot(free.normalize_or_zero());
-        free * self.drag.left(1.0, along)
+        free * self.drag.reduced(1.0, along)
     }
 }
 
-/// Forces up and down, whose sum drag limits.
+/// Vertical forces whose sum is limited by drag.
 pub(super) struct Vertical<F> {
     forces: F,
     drag: TerminalDrag,
@@ -70,9 +73,9 @@ impl<F: BlockForce> Vertical<F> {
 impl<F: BlockForce> BlockForce for Vertical<F> {
     #[inline(always)]
     fn add(&self, four: &Four, sum: &mut [Lanes; 2]) {
-        // Adding to −0 changes no bit of what is added.
+        // Adding to −0 changes no bit of the sum.
         let mut free = [Lanes::splat(-0.0); 2];
         self.forces.add(four, &mut free);
-        sum[1] += self.drag.left(free[1], four.velocity[1]);
+        sum[1] += self.drag.reduced(free[1], four.velocity[1]);
     }
 }

@@ -1,8 +1,7 @@
 //! Pair interactions as the paper prints them.
 //!
-//! Each printed form can be chosen by itself, so that a reader can see what it
-//! does. They stand apart because the two ends of a pair may then feel
-//! different forces, and because the usual interactions test no flag at every pair.
+//! Each printed form has a parameter, to show its effect. They are separate because they are
+//! not symmetric, and so that the corrected interactions test no flag per pair.
 
 use glam::Vec2;
 
@@ -14,16 +13,16 @@ use crate::lanes::Lanes;
 use crate::neighbours::PairSum;
 use crate::params::Physics;
 
-/// The paper's equations as they are printed, each to be chosen by itself.
+/// The paper's equations as printed, each selected by a parameter.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct AsPublished {
     /// Equation 3, f = − m (pᵢ + pⱼ)/(2 ρⱼ) ∇W: the ½ halves the gradient of
-    /// the pressure, and the density of force is taken for an acceleration.
+    /// the pressure, and the force density is used as an acceleration.
     pressure: bool,
     /// Equation 4, f = μ m (vⱼ − vᵢ)/ρⱼ ∇²W with the kernel's own Laplacian.
     viscosity: bool,
-    /// Equations 5 and 7, a = f/m: a density of force is divided by the mass
-    /// instead of the density, and temperature lifts nothing.
+    /// Equations 5 and 7, a = f/m: the force density is divided by the mass
+    /// instead of the density, and temperature has no buoyancy.
     divisor: bool,
     mass: f32,
     kernel: Kernel,
@@ -32,7 +31,7 @@ pub(super) struct AsPublished {
 }
 
 impl AsPublished {
-    /// Which of them `values` choose.
+    /// The forms that `values` select.
     pub fn new(kernel: &Kernel, values: &Physics, viscosity: f32) -> AsPublished {
         AsPublished {
             pressure: values.printed_pressure,
@@ -44,14 +43,14 @@ impl AsPublished {
         }
     }
 
-    /// Whether at least one of them is chosen.
+    /// Whether at least one is selected.
     pub fn any(&self) -> bool {
         self.pressure || self.viscosity || self.divisor
     }
 
-    /// What makes an acceleration [m/s²] of a density of force [N/m³] on gas of
-    /// so much volume a unit of mass.
-    fn by(&self, volume: Lanes, as_acceleration: bool) -> Lanes {
+    /// The factor from a force density [N/m³] to an acceleration [m/s²], for a specific
+    /// volume.
+    fn acceleration_factor(&self, volume: Lanes, as_acceleration: bool) -> Lanes {
         if self.divisor {
             Lanes::splat(1.0 / self.mass)
         } else if as_acceleration {
@@ -86,8 +85,8 @@ impl PairSum<2> for AsPublished {
         let viscous = laplacian * self.viscous;
         let [vx, vy] = one.relative_velocity(others);
         let ends = |mine: Lanes, theirs: Lanes| {
-            let radial = pressure * theirs * self.by(mine, self.pressure);
-            let relative = viscous * theirs * self.by(mine, false);
+            let radial = pressure * theirs * self.acceleration_factor(mine, self.pressure);
+            let relative = viscous * theirs * self.acceleration_factor(mine, false);
             [x * radial + vx * relative, y * radial + vy * relative]
         };
         (

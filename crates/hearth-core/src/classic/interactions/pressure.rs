@@ -3,7 +3,7 @@
 use crate::classic::pair::Pair;
 use crate::interaction::{PairInteraction, Rates};
 
-/// Its factors are in the pressures of the blocks.
+/// The pressures of the blocks contain its factors.
 pub(super) struct Pressure;
 
 impl PairInteraction<Pair> for Pressure {

@@ -1,5 +1,5 @@
 //! Buoyancy: b g (1 − Tₐ/T) θ, which for the ideal gas is b g (T/Tₐ − 1), the weight of
-//! the air that the gas displaces less its own.
+//! the displaced air less that of the gas.
 
 use glam::Vec2;
 
@@ -15,7 +15,7 @@ pub(super) struct Buoyancy {
 }
 
 impl Buoyancy {
-    /// `None` in a domain without a seam, where nothing would ever stop what rises.
+    /// `None` in a domain without a seam, where nothing would stop rising gas.
     pub fn new(values: &Physics) -> Option<Buoyancy> {
         (values.seam != 0.0).then_some(Buoyancy {
             air: values.ambient_temperature,

@@ -1,12 +1,12 @@
 //! Wind: a uniform acceleration that keeps the mean velocity of the air at the wind's.
-//! Without it only the seam would pull, and the middle would take minutes to follow.
+//! Without it only the seam would drive the air, and the middle would take minutes to follow.
 
 use glam::Vec2;
 
 use crate::forces::{BodyForce, LocalGas};
 use crate::params::Physics;
 
-/// Time in which the wind sets all of the air in motion \[s\].
+/// Time in which the wind accelerates all of the air \[s\].
 const RESPONSE_TIME: f32 = 0.3;
 
 /// The wind during one step.
@@ -51,7 +51,7 @@ mod tests {
     }
 
     #[test]
-    fn no_wind_blows_without_a_seam() {
+    fn without_a_seam_there_is_no_wind() {
         let parameters = with(&[("seam", 0.0), ("wind", 3.0)]);
         assert!(Wind::new(&parameters, &[]).is_none());
     }

@@ -1,12 +1,11 @@
-//! Diffusion of heat, fuel, oxygen and soot, by the gas and by its eddies
+//! Molecular and turbulent diffusion of heat, fuel, oxygen and soot
 //! (Cleary & Monaghan 1999): m φ̇ᵢ = Σ 2 Vᵢ Vⱼ ρ̄ (D₀ + ν_t/Pr) φᵢⱼ (r·∇W)/(r² + 0.01 h²).
 
 use crate::combustion::pair::{Context, Pair};
 use crate::interaction::{PairInteraction, Rates};
 use crate::lanes::Lanes;
 
-/// Prandtl and Schmidt number of the eddies: how much better they mix momentum
-/// than heat and matter.
+/// Turbulent Prandtl and Schmidt number: the ratio of eddy viscosity to eddy diffusivity.
 const PRANDTL: f32 = 0.7;
 
 pub(super) struct Diffusion {

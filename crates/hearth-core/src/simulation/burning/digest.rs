@@ -1,12 +1,11 @@
-//! A number that tells fires of other physics apart.
+//! A digest of the physics of a fire.
 
 use crate::params::{Parameters, Role, Value};
 use crate::scene::Scene;
 
-/// A number for all values that the gas depends on: fires of the same digest burn alike.
-/// Values at their default do not count, so that a new parameter changes none; nor do the
-/// seed, which a fire has left behind, and the number of particles, since any number of
-/// particles can take over.
+/// A hash of all values that affect the gas. Values at their default are not hashed, so that a
+/// new parameter changes no digest. Nor are the seed, which has no effect on a burning fire, and
+/// the number of particles, to which a fire can be resampled.
 pub fn digest(scene: &Scene) -> u64 {
     let model = scene.settings().model().name();
     let start = fnv(0xcbf2_9ce4_8422_2325, model.as_bytes());
@@ -20,7 +19,7 @@ pub fn digest(scene: &Scene) -> u64 {
     hash
 }
 
-/// The hash of these values after what was hashed before.
+/// Continues a hash with these values.
 fn with_values(mut hash: u64, parameters: &Parameters) -> u64 {
     for (param, value) in parameters.changed() {
         if param.role != Role::Physics || param.id == "seed" || param.id == "max_particles" {
@@ -42,8 +41,8 @@ fn with_values(mut hash: u64, parameters: &Parameters) -> u64 {
     hash
 }
 
-/// The hash of Fowler, Noll and Vo (FNV-1a) of these bytes after those hashed before.
-// Three callers: a copy in each is half a kilobyte of download.
+/// Continues a hash with these bytes, by Fowler, Noll and Vo (FNV-1a).
+// Inlined into its three callers, it costs half a kilobyte of download.
 #[inline(never)]
 fn fnv(hash: u64, bytes: &[u8]) -> u64 {
     bytes.iter().fold(hash, |hash, &byte| {

@@ -11,11 +11,11 @@ pub(super) const HEADER: usize = 56;
 pub(super) const EACH: usize = 10;
 /// Most embers that are stored.
 pub(super) const EMBERS: usize = 1000;
-/// Longest time that is believed \[s\].
-const LONGEST: f64 = 1e6;
+/// Largest plausible time \[s\].
+const MAX_TIME: f64 = 1e6;
 
-/// What stands before the columns.
-pub(super) struct Head {
+/// The header.
+pub(super) struct Header {
     version: u16,
     pub embers: usize,
     pub digest: u64,
@@ -25,8 +25,8 @@ pub(super) struct Head {
     pub scales: [f32; 6],
 }
 
-impl Head {
-    pub fn read(bytes: &mut Bytes<'_>) -> Option<Head> {
+impl Header {
+    pub fn read(bytes: &mut Bytes<'_>) -> Option<Header> {
         if bytes.take::<4>()? != *MAGIC {
             return None;
         }
@@ -40,7 +40,7 @@ impl Head {
         for scale in &mut scales {
             *scale = f32::from_le_bytes(bytes.take()?);
         }
-        Some(Head {
+        Some(Header {
             version,
             embers,
             digest,
@@ -51,34 +51,34 @@ impl Head {
         })
     }
 
-    /// What is wrong with it, where so many bytes follow.
+    /// Checks the values and the number of bytes after the header.
     pub fn check(&self, rest: usize) -> Result<(), &'static str> {
-        // Enough for any fire, and few enough that no sum below overflows.
-        let few = 1..=100_000;
+        // Enough for any fire, without an overflow below.
+        let allowed = 1..=100_000;
         if self.version != VERSION {
-            return Err("the burning fire is of another version");
+            return Err("the burning fire has another version");
         }
-        if !few.contains(&self.particles) || self.embers > EMBERS {
-            return Err("the burning fire has no such number of particles");
+        if !allowed.contains(&self.particles) || self.embers > EMBERS {
+            return Err("the burning fire has an invalid number of particles");
         }
         if rest != EACH * (self.particles + self.embers) {
-            return Err("the burning fire is cut short, or too long");
+            return Err("the burning fire has the wrong length");
         }
         let [velocity, hot, sooty, rest @ ..] = self.scales;
-        let good = (0.0..=500.0).contains(&velocity)
+        let valid = (0.0..=500.0).contains(&velocity)
             && (0.0..=20_000.0).contains(&hot)
             && (0.0..=10.0).contains(&sooty)
             && rest.iter().all(|scale| (0.0..=500.0).contains(scale))
-            && (0.0..=LONGEST).contains(&self.time);
-        if good {
+            && (0.0..=MAX_TIME).contains(&self.time);
+        if valid {
             Ok(())
         } else {
-            Err("the burning fire is beyond all measure")
+            Err("the burning fire has values out of range")
         }
     }
 }
 
-/// What is left to be read.
+/// The unread bytes.
 pub(super) struct Bytes<'a>(pub &'a [u8]);
 
 impl<'a> Bytes<'a> {
@@ -88,7 +88,7 @@ impl<'a> Bytes<'a> {
         Some(*first)
     }
 
-    /// The next so many; all that there are, where those are fewer.
+    /// The next `count` bytes, or all if there are fewer.
     fn split(&mut self, count: usize) -> &'a [u8] {
         let (first, rest) = self.0.split_at(count.min(self.0.len()));
         self.0 = rest;
@@ -98,14 +98,14 @@ impl<'a> Bytes<'a> {
 
 /// The columns of particles or of embers.
 pub(super) struct Columns<'a> {
-    places: [&'a [u8]; 2],
+    positions: [&'a [u8]; 2],
     shares: [&'a [u8]; 6],
 }
 
 impl<'a> Columns<'a> {
     pub fn of(bytes: &mut Bytes<'a>, count: usize) -> Columns<'a> {
         Columns {
-            places: std::array::from_fn(|_| bytes.split(2 * count)),
+            positions: std::array::from_fn(|_| bytes.split(2 * count)),
             shares: std::array::from_fn(|_| bytes.split(count)),
         }
     }
@@ -115,9 +115,9 @@ impl<'a> Columns<'a> {
         f32::from(byte) / 255.0
     }
 
-    pub fn place(&self, i: usize, domain: Vec2) -> Vec2 {
+    pub fn position(&self, i: usize, domain: Vec2) -> Vec2 {
         let part = |axis: usize| {
-            let two = self.places[axis].get(2 * i..2 * i + 2);
+            let two = self.positions[axis].get(2 * i..2 * i + 2);
             let [low, high] = two.and_then(|two| two.try_into().ok()).unwrap_or([0; 2]);
             (f32::from(u16::from_le_bytes([low, high])) + 0.5) / 65_536.0
         };
@@ -135,13 +135,13 @@ impl<'a> Columns<'a> {
 }
 
 /// A share of the largest in eight bits.
-pub(super) fn share(value: f32, largest: f32) -> u8 {
+pub(super) fn quantised(value: f32, largest: f32) -> u8 {
     let part = if largest > 0.0 { value / largest } else { 0.0 };
     (part * 255.0 + 0.5).clamp(0.0, 255.0) as u8
 }
 
-/// A signed share of the largest as its root, 128 for none.
-pub(super) fn signed(value: f32, largest: f32) -> u8 {
+/// The root of a signed share of the largest in eight bits; 128 is zero.
+pub(super) fn quantised_signed(value: f32, largest: f32) -> u8 {
     let part = if largest > 0.0 { value / largest } else { 0.0 };
     let root = part.abs().sqrt().min(1.0) * 127.0;
     (128.5 + root.copysign(part)).clamp(1.0, 255.0) as u8

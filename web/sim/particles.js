@@ -1,0 +1,122 @@
+/** Particles and embers as rows of numbers, which wasm takes and gives. */
+
+import { known, fields, words } from './values.js';
+
+/** Most particles that wasm takes. More are refused before they are copied. */
+const MAX_PARTICLES = 400_000;
+
+/** The properties of a particle in the order of wasm, each with its count of numbers. */
+export const PARTICLE = {
+  positions: 2,
+  velocities: 2,
+  temperatures: 1,
+  ages: 1,
+  lifetimes: 1,
+  fuel: 1,
+  oxygen: 1,
+  soot: 1,
+};
+const PARTICLE_NUMBERS = 10;
+
+/** The properties of an ember in the order of wasm. */
+const EMBER = { positions: 2, velocities: 2, temperatures: 1, sizes: 1, ages: 1, lifetimes: 1 };
+const EMBER_NUMBERS = 8;
+
+/**
+ * An array a property, from all numbers of one ember, then of the next.
+ * @param {Float32Array} numbers
+ */
+export function embersOf(numbers) {
+  const count = numbers.length / EMBER_NUMBERS;
+  /** @type {any} */
+  const embers = { count };
+  let from = 0;
+  for (const [name, width] of Object.entries(EMBER)) {
+    embers[name] = Float32Array.from(
+      { length: count * width },
+      (_, at) => numbers[index(at, width, EMBER_NUMBERS) + from],
+    );
+    from += width;
+  }
+  return embers;
+}
+
+/**
+ * All numbers of one particle, then of the next, from an array or a number a property.
+ * @param {unknown} particles
+ * @param {() => number} airTemperature
+ */
+export function numbersOf(particles, airTemperature) {
+  const given = fields('particles', particles);
+  for (const [name] of given) known('property of particles', name, Object.keys(PARTICLE));
+  const { positions, ...others } = Object.fromEntries(
+    given.filter(([, value]) => value !== undefined),
+  );
+  const count = list('positions', positions).length / 2;
+  if (!Number.isInteger(count)) {
+    throw new RangeError(`positions has ${2 * count} numbers: it must have two for each particle`);
+  }
+  if (count > MAX_PARTICLES) {
+    throw new RangeError(`the particles are refused: there may be ${MAX_PARTICLES} of them at most`);
+  }
+  /** @type {{[name: string]: unknown}} */
+  const values = {
+    positions,
+    velocities: 0,
+    temperatures: airTemperature(),
+    ages: 0,
+    lifetimes: Infinity,
+    fuel: 0,
+    oxygen: 1,
+    soot: 0,
+    ...others,
+  };
+  const numbers = new Float32Array(count * PARTICLE_NUMBERS);
+  let from = 0;
+  for (const [name, width] of Object.entries(PARTICLE)) {
+    fill(numbers, from, name, width, values[name]);
+    from += width;
+  }
+  return numbers;
+}
+
+/**
+ * The same value. Throws unless it is an array or a typed array.
+ * @param {string} name @param {any} given
+ * @returns {any}
+ */
+function list(name, given) {
+  const typed = ArrayBuffer.isView(given) && !(given instanceof DataView);
+  if (typed || Array.isArray(given)) return given;
+  throw new TypeError(`${name} must be an array of numbers, not ${words(given)}`);
+}
+
+/**
+ * Copies one property of all particles.
+ * @param {Float32Array} numbers all numbers of one particle, then of the next
+ * @param {number} from the first number of the property in a particle
+ * @param {string} name @param {number} width
+ * @param {any} given an array, or one number for all
+ */
+function fill(numbers, from, name, width, given) {
+  const count = numbers.length / PARTICLE_NUMBERS;
+  const all = typeof given === 'number';
+  if (!all && list(name, given).length !== count * width) {
+    const each = width === 1 ? 'one' : 'two';
+    throw new RangeError(
+      `${name} has ${given.length} numbers: it must have ${each} for each of ${count} particles`,
+    );
+  }
+  for (let at = 0; at < count * width; at += 1) {
+    const number = all ? given : given[at];
+    if (typeof number !== 'number') {
+      throw new TypeError(`${name}[${at}] must be a number, not ${words(number)}`);
+    }
+    numbers[index(at, width, PARTICLE_NUMBERS) + from] = number;
+  }
+}
+
+/** The index of number `at` of a property whose first number is at 0. */
+function index(/** @type {number} */ at, /** @type {number} */ width, /** @type {number} */ all) {
+  return Math.floor(at / width) * all + (at % width);
+}

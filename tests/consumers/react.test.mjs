@@ -1,6 +1,6 @@
 /**
- * A page in React 19 and TypeScript: attributes and events are typed, and the
- * element lives as React makes, changes and removes it, in strict mode.
+ * A page in React 19 and TypeScript: attributes and events are typed, and React creates,
+ * changes and removes the element, in strict mode.
  */
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';

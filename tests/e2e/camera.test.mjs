@@ -1,11 +1,11 @@
 /**
- * `fit` and `align`: which part of a fire's world its picture shows. What `toPixels`
- * says is where CSS would put it, and where the picture has it.
+ * `fit` and `align` select the part of a fire's world in its picture. `toPixels` agrees
+ * with CSS and with the picture.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { events, recording } from './laws.mjs';
+import { events, recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;

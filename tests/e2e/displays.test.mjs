@@ -1,6 +1,6 @@
 /**
- * Display modes on a page: each shows another picture, and the statistics say at once
- * what its colours stand for, whether the fire burns or stands still.
+ * Display modes: the statistics report at once what the colours of each mode mean, for a
+ * playing and for a paused fire.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';

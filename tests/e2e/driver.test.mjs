@@ -1,6 +1,6 @@
 /**
- * The driver itself: a browser that is not there is a failure and never a skipped
- * test, and what a test asked the server to do wrong, it does.
+ * The browser driver: a missing browser is a failure with the name of its package, and the
+ * server sends the requested replacements.
  */
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
@@ -52,10 +52,10 @@ test('the server gives what a test wants instead of a file', async () => {
     server.replace({ 'run.mjs': { keep: 10, type: 'text/plain', headers: { 'x-of': 'a test' } } });
     const part = await get('run.mjs');
     assert.deepEqual(part, { status: 200, type: 'text/plain', text: whole.text.slice(0, 10), of: 'a test' });
-    server.replace({ 'run.mjs': { drop: true }, 'new.json': { body: '{}' }, 'laws.mjs': { status: 503 } });
+    server.replace({ 'run.mjs': { drop: true }, 'new.json': { body: '{}' }, 'assertions.mjs': { status: 503 } });
     await assert.rejects(get('run.mjs'));
     assert.deepEqual(await get('new.json'), { status: 200, type: 'application/json', text: '{}', of: null });
-    assert.equal((await get('laws.mjs')).status, 503);
+    assert.equal((await get('assertions.mjs')).status, 503);
     server.replace({});
     assert.equal((await get('run.mjs')).text, whole.text);
     const ask = async (headers = {}) => {

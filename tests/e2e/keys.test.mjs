@@ -1,6 +1,6 @@
 /**
- * The keys of the page for a fire: they act wherever the focus is, but never on
- * what is typed, and never on what a key presses by itself.
+ * Keyboard shortcuts of the page: they act wherever the focus is, except in text fields
+ * and on controls that use the key.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -47,7 +47,7 @@ test('space holds the fire and lets it burn, R starts it again', async () => {
   }
   const time = await tab.fire((fire) => fire.stats.time);
   await tab.key('r');
-  await tab.until('the time starts anew', (old) => (
+  await tab.until('the fire has restarted', (old) => (
     /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < old
   ), time);
   assert.deepEqual(tab.problems, []);

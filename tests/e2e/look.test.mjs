@@ -1,6 +1,6 @@
 /**
- * The same fire is the same picture: on screens with more pixels, and after the
- * graphics card was lost.
+ * The same fire gives the same picture on screens with more pixels and after a lost
+ * context.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';

@@ -1,10 +1,10 @@
 /**
- * The objects of a fire: set, read, sent and kept, wherever settings go.
+ * The objects of a fire: set, read, sent and stored with the settings.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { events, recording } from './laws.mjs';
+import { events, recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;

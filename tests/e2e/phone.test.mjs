@@ -1,6 +1,6 @@
 /**
- * The page on a phone: one finger moves a slider, the page stays where it is,
- * and the fire stays in sight meanwhile.
+ * The page on a phone: a finger drags a slider while the page does not scroll and the fire
+ * stays visible.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';

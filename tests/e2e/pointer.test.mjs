@@ -1,11 +1,11 @@
 /**
- * What a pointer does with an interactive fire: it stirs the gas, a click throws
- * sparks, a drag moves the source; and the calls that do the same.
+ * Pointers on an interactive fire: movement stirs the gas, a click throws sparks, a drag
+ * moves the source. Methods do the same.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { events, recording } from './laws.mjs';
+import { events, recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -36,7 +36,7 @@ const embers = (tab, count) => tab.until(
   count,
 );
 
-test('a pointer stirs an interactive fire and no other, and more where it presses', async () => {
+test('a pointer stirs only an interactive fire, and more while it is pressed', async () => {
   const tab = await browser.open('<hearth-fire paused model="classic" quality="low" seed="3"></hearth-fire>');
   await tab.ready();
   // Each way of the pointer takes 50 ms and is followed by as much fire.
@@ -163,7 +163,7 @@ test('a mouse that is pressed on the fire selects text as before, and from its s
   assert.match(await selected(), /^These words/);
 });
 
-test('gas is stirred and sparks are thrown by calls too, and what is none is refused', async () => {
+test('`stir` and `sparks` act on the fire, and invalid arguments are rejected', async () => {
   const tab = await browser.open('<hearth-fire paused ember-rate="0"></hearth-fire>');
   await tab.ready();
   await tab.fire((fire) => fire.stir(0.1, 0.5, 3, 0));

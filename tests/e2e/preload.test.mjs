@@ -1,6 +1,5 @@
 /**
- * What a page tells the browser to load ahead: all that its script begins with, so that
- * none of it waits for another to be read, and nothing else.
+ * A page preloads exactly the modules that its script imports statically.
  */
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';

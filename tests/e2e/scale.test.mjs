@@ -1,11 +1,12 @@
 /**
- * The bar that says which colour is how much: it is there where a quantity is shown
- * and nowhere else, follows the picture's range, and is loaded by nobody else.
+ * The colour bar: it is loaded and shown only with a quantity, and follows the range of
+ * the picture.
  */
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { onPageThread, simulateClock } from './clock.mjs';
 import { Browser } from './driver.mjs';
 import { SITE } from './site.mjs';
 
@@ -80,8 +81,10 @@ describe('the bar', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('stays from one display to the next, and goes with the picture that has none', async () => {
-    const tab = await browser.open('<hearth-fire display-mode="temperature"></hearth-fire>');
+  test('stays from one display to the next, and is removed with the last one', async () => {
+    // Each frame draws and shows its picture, so no statistics come between two displays.
+    const fire = '<hearth-fire display-mode="temperature" max-pixels="10000"></hearth-fire>';
+    const tab = await browser.open(onPageThread(fire), { before: simulateClock });
     await labelled(tab, /^Temperature/);
     await tab.fire((fire) => {
       const bar = fire.shadowRoot.querySelector('[part="scale"]');

@@ -1,6 +1,6 @@
 /**
- * The scenes of the panel: a card of pictures that mouse, keys and fingers go through,
- * with the present one marked, and one step of undo for each that is chosen.
+ * The scene chooser of the panel: pictures that mouse, keys and fingers select, the
+ * current scene marked, and one step of undo for each choice.
  */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
@@ -18,12 +18,12 @@ before(async () => {
 after(() => browser?.close());
 
 async function openPage(query = 'scene=default', options = {}) {
-  const tab = await browser.open(`index.html?${query}`, { width: 900, height: 700, ...options });
+  const tab = await browser.open(`index.html?${query}&paused`, { width: 900, height: 700, ...options });
   await tab.ready();
   return { tab, panel: await new Panel(tab).mounted() };
 }
 
-const PHONE = { width: 360, height: 640, ratio: 3, touch: true };
+const PHONE = { width: 360, height: 640, ratio: 3, touch: true, pixels: 30_000 };
 
 /** The name of the scene that has the focus. */
 const focused = (panel) => panel.in((root) => root.activeElement?.dataset.scene);

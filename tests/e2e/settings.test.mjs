@@ -1,11 +1,10 @@
 /**
- * The settings of a fire as data: given out, taken over whole or not at all, and read
- * from a file.
+ * Settings as data: exported, imported whole or not at all, and read from a file.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { events, recording } from './laws.mjs';
+import { events, recording } from './assertions.mjs';
 import { table } from './site.mjs';
 
 const { DEFAULTS, PRESETS, defaultsOf } = await table();
@@ -175,7 +174,7 @@ for (const [what, instead, named] of [
   ['has a bad value', { body: '{"values": {"exposure": 99}}', type: JSON_TYPE }, 'from -4 to 4'],
   ['has an unknown key', { body: '{"values": {"exposurr": 1}}', type: JSON_TYPE }, 'exposure'],
 ]) {
-  test(`a file of settings that ${what} is said aloud, and the fire burns`, async () => {
+  test(`a settings file that ${what} causes an error event, and the fire burns`, async () => {
     const tab = await browser.open(recording('<hearth-fire src="/mine.json"></hearth-fire>'), {
       files: { 'mine.json': instead },
     });

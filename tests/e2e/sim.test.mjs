@@ -1,6 +1,6 @@
 /**
- * The simulation as a library on a page: the same bits as in Node, in every
- * browser, and the examples that draw it.
+ * The simulation library in a page: the same bits as in Node in every browser, and the
+ * examples that draw it.
  */
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';

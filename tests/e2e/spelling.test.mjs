@@ -1,11 +1,11 @@
 /**
- * Names that a fire does not know: attributes, and parameters in `controls`. Which names are
- * suggested is tested in tests/web/spelling.test.mjs.
+ * Unknown names in attributes and in `controls`. Suggestions are tested in
+ * tests/web/spelling.test.mjs.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { recording } from './laws.mjs';
+import { recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;

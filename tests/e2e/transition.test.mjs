@@ -1,13 +1,11 @@
 /**
- * `to`: values that come to others in time, and everything that may come between.
- *
- * The page's own clock of frames is in the test's hand where it matters how far a value
- * has come; nothing waits for a time to pass.
+ * `to`: transitions of values, and what interrupts them. Tests control the clock of the
+ * page's animations.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { events, recording } from './laws.mjs';
+import { events, recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -208,7 +206,7 @@ test('who sets a value takes it over, and the others go on', async () => {
   assert.equal(await tab.fire((fire) => fire.exposure), 2);
 });
 
-test('values arrive at once where nobody is to see the way', async () => {
+test('values arrive at once while the fire is out of sight', async () => {
   const tab = await open();
   await begin(tab, 'gone', { wind: 1 }, { easing: 'linear' });
   await at(tab, 0.25, { wind: 0.25 });

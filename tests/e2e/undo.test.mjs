@@ -1,6 +1,6 @@
 /**
- * Undo and redo with hand and keys: back from any one change the fire has the very
- * values it had, and forth again those that it got.
+ * Undo and redo by mouse and keys: undo restores the exact previous values, redo the later
+ * ones.
  */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
@@ -15,7 +15,7 @@ before(async () => {
 after(() => browser?.close());
 
 async function openPage(query = 'model=classic') {
-  const tab = await browser.open(`index.html?${query}`, { width: 760, height: 640 });
+  const tab = await browser.open(`index.html?${query}&paused`, { width: 760, height: 640 });
   await tab.ready();
   return { tab, panel: await new Panel(tab).mounted() };
 }

@@ -1,10 +1,10 @@
 /**
- * Values that only a page can tell: a seed of its own for each fire, and the colours of CSS.
+ * Values that only a page can resolve: automatic seeds and CSS colours.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { events, recording } from './laws.mjs';
+import { events, recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;

@@ -1,12 +1,11 @@
 /**
- * A fire that burns before it is shown: the poster or the picture before stays until
- * then, and what is shown first is a fire and no mushroom cloud. No test looks at a clock:
- * pictures are counted, and events awaited.
+ * Warm start: a fire burns before it is shown, and the poster or the previous picture
+ * stays until then. Tests count pictures and await events.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { assertBurns, events, recording } from './laws.mjs';
+import { assertBurns, events, recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -194,7 +193,7 @@ test('a warm fire that is hidden, taken off or loses its context while it warms 
   await lost.until('its picture', () => /** @type {any} */ (window).pictures >= 2);
 });
 
-test('a time that is none is refused aloud with what is allowed', async () => {
+test('an invalid warm time is rejected with the allowed range', async () => {
   const tab = await open('<hearth-fire warm="soon" paused></hearth-fire>');
   await tab.ready();
   assert.equal(await tab.fire((fire) => fire.warm), 0);
@@ -210,7 +209,7 @@ test('a time that is none is refused aloud with what is allowed', async () => {
   }), [3, '', 2.5, '2.5', 0, null, 0, '31', 0, null]);
 });
 
-test('a small fire has few particles and says so, unless somebody says how many', async () => {
+test('a small fire has few particles and reports it, unless their number is set', async () => {
   const tab = await open('<hearth-fire style="width: 64px; height: 64px"></hearth-fire>', { width: 1000, height: 700 });
   const has = (count, limit) => tab.until(`${count} particles by ${limit}`, (number, words) => {
     const { stats } = /** @type {any} */ (document.querySelector('hearth-fire'));

@@ -1,6 +1,6 @@
 /**
- * Fires look as they did: what is drawn is what was kept. And what the comparison
- * would see: a mistake in a drawing that a person would, it reports.
+ * Fires match their golden pictures, and the comparison reports every mistake that is
+ * visible.
  */
 import assert from 'node:assert/strict';
 import { readdirSync } from 'node:fs';

@@ -1,6 +1,6 @@
 /**
- * What a few seconds of a fire's pixels say. `cargo xtask look` watches every scene for
- * a minute.
+ * Figures of a few seconds of a fire's pixels. `cargo xtask look` measures a minute of
+ * every scene.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -35,7 +35,7 @@ test('no scene flashes, or shines through more than it covers', async (t) => {
   }
 });
 
-test('light that is none of a black body is seen as such', async () => {
+test('light that no black body emits is recognised', async () => {
   await painter.ask('watch', { lit: 'default', burnt: 1, values: { palette: 'copper' } });
   const found = await painter.ask('seen', 0.5);
   for (const id of ['locus', 'warm']) {

@@ -1,6 +1,6 @@
 /**
- * Settings as addresses and as HTML: what comes back is what was sent, nothing
- * more is in it, and no character of it gets out of its place.
+ * Settings as URL parameters and as HTML: reading them returns what was written, and no
+ * character escapes its context.
  */
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';

@@ -1,5 +1,5 @@
 /**
- * Suggestions for misspelt names, and which unknown attributes deserve a warning.
+ * Suggestions for misspelt names, and unknown attributes that cause a warning.
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

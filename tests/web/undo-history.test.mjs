@@ -1,6 +1,6 @@
 /**
- * Undo and redo without a browser: whatever was done to a fire, in whatever order
- * and however fast, the way back leads through the same fires to the first one.
+ * The undo history without a browser: after any changes, in any order and at any speed,
+ * undo returns through the same values to the first ones.
  */
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';

@@ -1,6 +1,5 @@
 /**
- * Which values are colours, the seeds that fires get by themselves, and the parameters that
- * transitions move.
+ * Colour values, automatic seeds, and the parameters that transitions change.
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

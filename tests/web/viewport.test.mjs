@@ -1,5 +1,5 @@
 /**
- * Where the fire's domain stands in its picture, and how many pixels the picture has.
+ * The fire's domain in its picture, and the number of pixels of the picture.
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

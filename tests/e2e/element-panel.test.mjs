@@ -1,7 +1,6 @@
 /**
- * The panel inside of an element, by its attribute `controls`: it lies where there
- * is room, works under hand and keys, leaves the page its focus, wheel and keys,
- * and goes without a trace.
+ * The panel inside an element (attribute `controls`): layout, mouse, touch and keys; the
+ * page keeps its focus, wheel and keys; removal leaves nothing behind.
  */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
@@ -28,7 +27,7 @@ async function openFire(width, height, options = {}) {
   const tab = await browser.open(
     `<input id="before"><hearth-fire controls ${sized(width, height)}></hearth-fire>
     <input id="after"><div style="height: 2000px"></div>`,
-    { width: width + 40, height: height + 80, ...options },
+    { width: width + 40, height: height + 80, pixels: 30_000, ...options },
   );
   await tab.ready();
   return { tab, panel: await new Panel(tab, { inside: true }).mounted() };

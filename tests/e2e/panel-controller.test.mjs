@@ -1,8 +1,7 @@
 /**
- * How the panel behaves around its sliders: defaults are the scene's, what was folded
- * is folded at the next visit, keys act only where they are the panel's, and it works
- * where pages put it: in a dialog, scaled, hidden at first, with few controls, in the
- * system's colours.
+ * The panel controller: defaults are those of the scene, folded groups are remembered,
+ * shortcuts act only in the panel, and the panel works in a dialog, scaled, hidden, with
+ * few controls and with forced colours.
  */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';

@@ -1,6 +1,5 @@
 /**
- * What a fire tells the style sheets of its page: that it burns, how bright it is, of what
- * colour.
+ * Hooks for the page's style sheets: the state `burning`, brightness and colour of a fire.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -97,7 +96,7 @@ function told(tab) {
   });
 }
 
-test('a fire says how bright it is and of what colour, and nothing where it is none', async () => {
+test('a fire reports its brightness and colour, and none while it does not burn', async () => {
   const tab = await browser.open(FIRE);
   assert.deepEqual(await told(tab), ['', '']);
   await tab.burnt(1);

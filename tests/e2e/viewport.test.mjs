@@ -1,6 +1,5 @@
 /**
- * Points of the page and places of the fire's world: what `toMetres` and
- * `toPixels` say is where the picture shows it.
+ * The viewport: `toMetres` and `toPixels` agree with the picture.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';

@@ -1,6 +1,5 @@
 /**
- * The first ten seconds of a visitor: a fire of the best scene, a name, scenes to choose
- * from, a hint that comes once, a panel that waits to be asked for on a phone.
+ * The landing page: its scene, the strip of scenes, the hint, the panel and the dialogs.
  */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
@@ -61,7 +60,7 @@ describe('the address', () => {
   }
 });
 
-test('a page without scripts shows the picture of its fire at once, in its place', async () => {
+test('a page whose script fails shows the still picture of its fire', async () => {
   const tab = await browser.open('index.html', { ...WIDE, without: 'pages/main.js' });
   await tab.until('the picture', () => /** @type {any} */ (document.getElementById('still')).complete);
   const [stage, still] = [await tab.rectangle('#fire'), await tab.rectangle('#still')];
@@ -201,7 +200,7 @@ describe('the hint', () => {
   });
 });
 
-test('links and scenes step back without input, and come back with it', async () => {
+test('links and scenes fade without input, and return with it', async () => {
   const tab = await browser.open('index.html?paused', PHONE);
   await tab.ready();
   await strip(tab);
@@ -217,7 +216,7 @@ test('links and scenes step back without input, and come back with it', async ()
   assert.equal(await opacity(), 1);
 });
 
-test('the dialog of the code shows the fire as it burns now, and Escape closes it', async () => {
+test('the embed dialog shows the code of the current fire, and Escape closes it', async () => {
   const tab = await browser.open('index.html?scene=candle&exposure=0.3', WIDE);
   await tab.ready();
   await tab.page.click('[data-opens="embed"]');

@@ -1,12 +1,11 @@
 /**
- * What happens to a fire in the midst of something else: it is taken off while it
- * loads, its context goes within a frame, its engine ends, its document changes. It
- * burns on as it was to, or says why it does not.
+ * Interruptions: a fire is removed while it loads, its context is lost within a frame, its
+ * engine ends, its document changes. It recovers or reports an error.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { assertBurns, events, recording } from './laws.mjs';
+import { assertBurns, events, recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -95,7 +94,7 @@ test('a context that is lost again while it is restored comes back in the end', 
   await assertComesBack(tab);
 });
 
-test('an engine that nobody uses any more ends, though its fire never began', async () => {
+test('an unused engine ends, even if its fire never started', async () => {
   const tab = await browser.open('<p>Nothing yet</p>');
   const living = await tab.evaluate(async () => {
     const { driver } = /** @type {any} */ (window);
@@ -270,7 +269,7 @@ test('a preset that is refused is not the one that is told', async () => {
   assert.equal(await tab.fire((fire) => fire.preset), 'seed');
 });
 
-test('what is asked again and again of a fire that nobody sees fills no memory', async () => {
+test('repeated calls to a fire out of sight do not fill memory', async () => {
   const tab = await browser.open('<p>Nothing yet</p>');
   const seen = await tab.evaluate(async () => {
     const fire = /** @type {any} */ (document.createElement('hearth-fire'));

@@ -38,7 +38,7 @@ test('attributes and events are typed', async () => {
   });
 });
 
-test('a fire in strict mode burns, hears and tells', async () => {
+test('a fire in strict mode burns, accepts properties and sends events', async () => {
   const options = { root, logLevel: 'error', configFile: false };
   // The development build of React: only that connects twice.
   await vite.build({ ...options, mode: 'development', define: { 'process.env.NODE_ENV': '"development"' } });

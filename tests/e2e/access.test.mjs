@@ -78,7 +78,7 @@ test('the page whose fire cannot burn', async () => {
   assert.deepEqual(await violations(tab), []);
 });
 
-test('the page of a visitor who wants less motion', async () => {
+test('the page with reduced motion', async () => {
   const tab = await browser.open('index.html', { ...WIDE, reducedMotion: true });
   await tab.ready();
   await strip(tab);

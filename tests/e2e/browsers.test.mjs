@@ -58,7 +58,7 @@ for (const kind of BROWSERS) {
       await assertSilent(tab);
     });
 
-    test('attributes are live, and what was set before the element existed is kept', async () => {
+    test('attributes are live, and properties set before the element is defined are kept', async () => {
       const tab = await browser.open(`<hearth-fire id="fire" buoyancy="1.5"></hearth-fire>
         <script>fire.viscosity = 0.03;</script>`);
       await tab.ready();
@@ -139,7 +139,7 @@ for (const kind of BROWSERS) {
       await assertSilent(tab);
     });
 
-    test('a fire burns on when it is moved, and again when it was taken off', async () => {
+    test('a fire burns on when it is moved, and when it is removed and inserted again', async () => {
       const tab = await browser.open('<hearth-fire viscosity="0.02"></hearth-fire><section></section>');
       await tab.burnt(0.5);
       const before = await age(tab);
@@ -158,7 +158,7 @@ for (const kind of BROWSERS) {
       await assertSilent(tab);
     });
 
-    test('a fire out of sight makes no steps and burns on when it is back', async () => {
+    test('a fire out of sight makes no steps and burns on when it is visible again', async () => {
       const tab = await browser.open(`${FIRE}<div style="height: 3000px"></div>`);
       await tab.burnt(0.5);
       await tab.evaluate(() => window.scrollTo(0, 2000));

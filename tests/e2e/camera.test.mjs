@@ -69,7 +69,7 @@ for (const [width, height] of [[400, 150], [150, 400]]) {
   });
 }
 
-test('what is no fit and no alignment is refused by name, and the picture stays as it was', async () => {
+test('an invalid fit or alignment is rejected by name, and the picture does not change', async () => {
   const tab = await browser.open(recording('<hearth-fire paused fit="cover" align="top left"></hearth-fire>'));
   await tab.ready();
   const corner = () => tab.fire((fire) => fire.toMetres(0, 0));

@@ -37,7 +37,7 @@ async function shown(tab, mode, measures) {
   return scale;
 }
 
-test('the statistics say what the colours of every display mode stand for', async () => {
+test('the statistics report the range of the colours of every display mode', async () => {
   const { entry } = await table();
   const { QUANTITIES } = await import(pathToFileURL(path.join(SITE, 'web/parameters.js')).href);
   const tab = await browser.open(PAGE, { width: 220, height: 320 });

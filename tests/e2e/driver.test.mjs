@@ -24,13 +24,13 @@ for (const [kind, variable, words] of [
   ['firefox', 'HEARTH_FIREFOX', /no firefox-esr: install Debian's "firefox-esr"/],
   ['webkit', 'HEARTH_WEBKIT_DRIVER', /no WebKitWebDriver: install Debian's "webkit2gtk-driver"/],
 ]) {
-  test(`without ${kind} there is a failure that says what to install`, async () => {
+  test(`without ${kind} the driver fails and names the package to install`, async () => {
     const start = `import { Browser } from './driver.mjs'; await Browser.start('${kind}');`;
     assert.match(await said(start, { [variable]: '', PATH: '' }), words);
   });
 }
 
-test('some browsers can be asked for, and a misspelt one is named', async () => {
+test('HEARTH_BROWSERS selects browsers, and a misspelt name is reported', async () => {
   const list = "import { BROWSERS } from './driver.mjs'; console.log(BROWSERS.join());";
   const asked = (names) => said(list, { HEARTH_BROWSERS: names });
   assert.equal((await asked('')).trim(), 'chromium,firefox,webkit');
@@ -38,7 +38,7 @@ test('some browsers can be asked for, and a misspelt one is named', async () => 
   assert.match(await asked('webkit,opera'), /"opera"; there are: chromium, firefox, webkit/);
 });
 
-test('the server gives what a test wants instead of a file', async () => {
+test('the server sends replacements of files, and files that a browser has need not be sent', async () => {
   const server = await serve(HERE.pathname);
   try {
     const get = async (name) => {

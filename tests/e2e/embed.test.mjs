@@ -33,7 +33,7 @@ describe('a fire in an iframe', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('stands still, with words for a screen reader, if its address says so', async () => {
+  test('is paused and has a text alternative, if its address sets them', async () => {
     const tab = await fixture.burning({ paused: '', alt: 'Embers' });
     const seen = await inIframe(tab, (fire) => ({ paused: fire.paused, alt: fire.alt, time: fire.stats?.time ?? 0 }));
     assert.deepEqual(seen, { paused: true, alt: 'Embers', time: 0 });
@@ -72,7 +72,7 @@ describe('a fire in an iframe', () => {
     assert.deepEqual(seen, { ran: false, styled: false });
   });
 
-  test('takes every attribute of the element from its address, but for those that fetch something', async () => {
+  test('accepts every attribute of the element in its address, except those that fetch a file', async () => {
     const tab = await fixture.browser.open('web/embed.html?paused');
     const { options, attributes } = await tab.evaluate(async () => {
       const load = (/** @type {string} */ url) => import(url);
@@ -94,7 +94,7 @@ describe('a fire in an iframe', () => {
     ['one of both schemes if the address says so', 'light dark', '', { 'color-scheme': 'auto' }],
   ]) {
     for (const wanted of ['light', 'dark']) {
-      test(`lets the page around show through, ${about}: for a visitor who prefers ${wanted}`, async () => {
+      test(`is transparent in ${about}, with the preference ${wanted}`, async () => {
         const style = `body { background: rgb(0, 96, 160) }
           ${page && `:root { color-scheme: ${page} }`} ${frame && `iframe { color-scheme: ${frame} }`}`;
         const tab = await fixture.open({ allow: fixture.pageOrigin, paused: '', ...query }, { style });
@@ -108,7 +108,7 @@ describe('a fire in an iframe', () => {
     }
   }
 
-  test('says in words why it cannot burn, in its frame and to the page around', async () => {
+  test('reports why it cannot burn, in its frame and to the embedding page', async () => {
     fixture.fireServer.replace({ 'hearth-engine_bg.wasm': { status: 404, body: 'gone' } });
     try {
       const tab = await fixture.open({ allow: fixture.pageOrigin });
@@ -123,14 +123,14 @@ describe('a fire in an iframe', () => {
   });
 });
 
-describe('the client for the page around', () => {
+describe('the client of the embedding page', () => {
   const script = (/** @type {string} */ body) => `<script type="module">
     import { connectFire } from '/web/embed-client.js';
     window.fire = connectFire(document.querySelector('iframe'));
     ${body}
   </script>`;
 
-  test('gives methods and events, from before the fire is there', async () => {
+  test('offers methods and events before the fire is loaded', async () => {
     const tab = await fixture.open({ allow: fixture.pageOrigin }, { more: script(`
       window.changes = [];
       window.early = fire.set('exposure', 1).then(() => fire.get('exposure'));
@@ -174,7 +174,7 @@ describe('the client for the page around', () => {
     ]);
     window.loads = (iframe) => new Promise((resolve) => iframe.addEventListener('load', resolve, { once: true }));`;
 
-  test('says so when the fire does not answer, each time until another page is loaded', async () => {
+  test('rejects calls while the fire does not answer, until another page is loaded', async () => {
     const tab = await fixture.open({}, { more: hurry + script(outcomes) });
     await tab.until('the client is there', () => 'loads' in window);
     const [first, second, third] = await tab.evaluate(async (address) => {
@@ -190,7 +190,7 @@ describe('the client for the page around', () => {
     assert.equal(third, 'low');
   });
 
-  test('says so when its iframe is taken off the page, and goes on when it is back', async () => {
+  test('rejects calls while its iframe is removed, and works again when it is inserted', async () => {
     // A fire out of sight, which does nothing yet.
     const style = 'body { height: 9000px } iframe { position: absolute; top: 8000px }';
     const more = hurry + script(outcomes);
@@ -213,7 +213,7 @@ describe('the client for the page around', () => {
     assert.deepEqual(seen, ['the iframe is on no page', 'the iframe is on no page', 'low', 'low']);
   });
 
-  test('refuses what cannot be sent, and does the rest', async () => {
+  test('rejects a call that cannot be cloned, and continues with others', async () => {
     const tab = await fixture.open({ allow: fixture.pageOrigin }, { more: hurry + script(`
       ${outcomes}
       const values = { exposure: 1 };

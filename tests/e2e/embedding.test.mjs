@@ -83,7 +83,7 @@ test('the properties are those of the element, each in an example', () => {
   for (const name of own) assert.ok(written(name).test(CODE), name);
 });
 
-test('what a fire says of itself is described', () => {
+test('the statistics are described', () => {
   const section = named('Properties');
   assert.deepEqual(has.stats.filter((name) => !section.includes(name)), []);
 });

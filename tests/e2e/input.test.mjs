@@ -171,7 +171,7 @@ for (const [missing, word, before] of [
     },
   ],
 ]) {
-  test(`a browser without ${missing} shows words and the poster`, async () => {
+  test(`a browser without ${missing} shows a message and the poster`, async () => {
     const body = recording(`<hearth-fire>${POSTER}</hearth-fire>`);
     const tab = await browser.open(body, { before, beforeWorker: before });
     await tab.until(
@@ -189,7 +189,7 @@ for (const [missing, word, before] of [
     assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
   });
 
-  test(`the page itself says that ${missing} is missing`, async () => {
+  test(`the page reports that ${missing} is missing`, async () => {
     const tab = await browser.open('index.html', { before, beforeWorker: before });
     await tab.until(
       `words about ${missing}`,
@@ -204,7 +204,7 @@ for (const [missing, word, before] of [
   });
 }
 
-test('an engine that cannot be loaded shows words and the poster', async () => {
+test('an engine that cannot be loaded shows a message and the poster', async () => {
   const body = recording(`<hearth-fire>${POSTER}</hearth-fire>`);
   const tab = await browser.open(body, { without: 'hearth-engine_bg.wasm' });
   await tab.until(

@@ -115,7 +115,7 @@ describe('the strip of scenes', () => {
 });
 
 describe('the panel', () => {
-  test('of a phone is not loaded before it is asked for', async () => {
+  test('is not loaded on a phone before it is opened', async () => {
     const tab = await browser.open('index.html', PHONE);
     await tab.ready();
     await strip(tab);
@@ -145,7 +145,7 @@ describe('the panel', () => {
     assert.equal(await again.evaluate(() => localStorage.getItem('hearth-page-panel')), 'shown');
   });
 
-  test('makes way in the full screen, and comes back', async () => {
+  test('is hidden in full screen, and shown again after it', async () => {
     const tab = await browser.open('index.html', WIDE);
     await new Panel(tab).mounted();
     const shown = () => tab.evaluate(() => ['#head h1', '#scenes', '#panel', '#toggle'].filter((selector) => (
@@ -174,7 +174,7 @@ describe('the hint', () => {
   };
   const hinted = (tab) => tab.evaluate(() => /** @type {any} */ (window).hinted);
 
-  test('comes once, and goes with the first use', async () => {
+  test('is shown once, and hidden by the first use', async () => {
     const tab = await browser.open('index.html', { ...WIDE, before: keep });
     await tab.until('the hint', () => document.getElementById('hint')?.textContent);
     assert.match((await hinted(tab))[0], /blow.*click.*drag/);
@@ -186,7 +186,7 @@ describe('the hint', () => {
     assert.deepEqual(await hinted(again), []);
   });
 
-  test('is worded for fingers, and not shown where the fire stands still', async () => {
+  test('has its own text for touch, and is not shown with reduced motion', async () => {
     const tab = await browser.open('index.html', { ...PHONE, before: keep });
     await tab.evaluate(() => localStorage.clear());
     const touch = await browser.open('index.html', { ...PHONE, before: keep });

@@ -51,7 +51,7 @@ for (const model of ['combustion', 'classic']) {
   });
 
   for (const lit of ['in steps', 'in pictures']) {
-    test(`a ${model} fire that burnt ${lit} and stands still outlives its context`, async () => {
+    test(`a ${model} fire that burnt ${lit} and is paused survives a lost context`, async () => {
       const tab = await burnt(still(model, 1));
       if (lit === 'in pictures') {
         await tab.fire((fire) => fire.play());

@@ -78,7 +78,7 @@ describe('messages from an allowed origin', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('bring the events that were asked for and no others', async () => {
+  test('deliver the subscribed events and no others', async () => {
     const tab = await fixture.burning();
     await call(tab, 'subscribe', ['params-change', 'error']);
     await call(tab, 'set', 'exposure', 1);
@@ -94,7 +94,7 @@ describe('messages from an allowed origin', () => {
     assert.deepEqual(kinds, ['hello', 'ready', 'params-change', 'error']);
   });
 
-  test('that ask for something bad are refused with what is allowed', async () => {
+  test('with invalid arguments are rejected with the allowed values', async () => {
     const tab = await fixture.burning();
     const { ok, error } = await call(tab, 'set', 'exposure', 99);
     assert.equal(ok, false);
@@ -160,7 +160,7 @@ describe('messages from anybody else', () => {
     assert.match(said[0], new RegExp(fixture.pageOrigin));
   });
 
-  test('are not answered where “*” and the like are allowed, and that is said', async () => {
+  test('are not answered when “*” is allowed, and a warning says so', async () => {
     const wrong = ['*', 'null', '/', `${fixture.pageOrigin}/`, 'https://*.example', 'javascript:alert(1)'];
     const tab = await fixture.open({ allow: wrong.join(',') });
     await assertDeaf(tab);

@@ -64,7 +64,7 @@ test('values in the address set the fire, and bad ones are rejected with a warni
   await assertBurns(tab);
 });
 
-test('the address follows the fire: its scene and what was changed, and nothing else', async () => {
+test('the address follows the fire: its scene and its changed values, and nothing else', async () => {
   const tab = await browser.open('index.html?quality=low#hearth');
   await tab.ready();
   const opened = await tab.evaluate(() => [location.search + location.hash, history.length]);

@@ -79,7 +79,7 @@ test('a pointer stirs only an interactive fire, and more while it is pressed', a
   assert.deepEqual(tab.problems, []);
 });
 
-test('a click throws sparks there, and a drag throws none', async () => {
+test('a click throws sparks at its place, and a drag throws none', async () => {
   const tab = await browser.open(`<hearth-fire ${CALM} fuel-power="0"></hearth-fire>`);
   await listens(tab);
   await tab.fire((fire) => fire.step(4));
@@ -99,7 +99,7 @@ test('a click throws sparks there, and a drag throws none', async () => {
 });
 
 for (const style of ['', 'transform: scale(0.6); transform-origin: 0 0']) {
-  test(`a drag on the source takes it along ${style && 'in an element that is drawn smaller'}`, async () => {
+  test(`a drag on the source moves it ${style && 'in a scaled element'}`, async () => {
     const tab = await browser.open(`<div style="${style}">${recording(`<hearth-fire ${CALM}></hearth-fire>`)}</div>`);
     await listens(tab);
     await tab.fire((fire) => fire.step(4));
@@ -150,7 +150,7 @@ test('a finger moves the source across, and scrolls the page up and down from it
   assert.equal((await source(tab)).x, moved.x);
 });
 
-test('a mouse that is pressed on the fire selects text as before, and from its source none', async () => {
+test('a mouse drag from the fire selects text, and one from its source does not', async () => {
   const tab = await browser.open(`<hearth-fire ${CALM}></hearth-fire><p style="margin: 0">These words may be selected.</p>`);
   await listens(tab);
   await tab.fire((fire) => fire.step(4));

@@ -19,7 +19,7 @@ async function named(file, pattern) {
 }
 
 for (const page of ['index.html', 'web/embed.html']) {
-  test(`${page} loads ahead what its script imports at once`, async () => {
+  test(`${page} preloads the static imports of its script`, async () => {
     const entries = await named(page, ENTRIES);
     assert.equal(entries.length, 1);
     const wanted = new Set(entries);

@@ -100,7 +100,7 @@ describe('the panel', () => {
     assert.deepEqual(other.problems, []);
   });
 
-  test('copies settings as JSON, takes them back, and undoes that', async () => {
+  test('copies settings as JSON, imports them, and undoes the import', async () => {
     const { tab, panel, config, params } = await openPage();
     const json = await copied(tab, panel, 'json');
     assert.deepEqual(JSON.parse(json), config);
@@ -171,7 +171,7 @@ describe('the panel', () => {
     assert.equal(await tab.page.$('.hearth-card'), null);
   });
 
-  test('fits its cards on a phone, and gives the focus back', async () => {
+  test('fits its cards on a phone, and returns the focus', async () => {
     const { tab } = await openPage({ width: 360, height: 640, touch: true });
     await tab.page.focus(actionOf('paste'));
     await tab.key('Enter');

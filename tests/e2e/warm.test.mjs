@@ -71,7 +71,7 @@ test('the first picture is that of a fire that has burnt, and ready waits for it
   assert.deepEqual(tab.problems, []);
 });
 
-test('a scene that is kept burning is there at once, in every quality', async () => {
+test('a stored burning scene is shown at once, in every quality', async () => {
   for (const quality of ['low', 'high']) {
     const tab = await open(`<hearth-fire preset="fireside" warm quality="${quality}" paused></hearth-fire>`);
     await tab.ready();
@@ -96,7 +96,7 @@ test('other values than those of the kept fire burn first, and those of the look
   }
 });
 
-test('a kept fire that is damaged or does not come is told or not, and the fire burns', async () => {
+test('a damaged stored fire is reported, a missing one is not, and the fire burns', async () => {
   for (const answer of ['damaged', 'gone']) {
     const tab = await open('<hearth-fire preset="fireside" warm="1" paused></hearth-fire>', {
       before: answer === 'damaged' ? damage : lose,
@@ -147,7 +147,7 @@ test('where less motion is wanted nothing fades, and the still is a warm fire', 
   assert.equal((await seen(tab)).before, 0);
 });
 
-test('a fire that burns goes on from a warm one, also on the page’s own thread', async () => {
+test('a playing fire continues from a warm one, also on the page’s thread', async () => {
   for (const place of ['worker', 'main']) {
     const tab = await open(`<script type="module">
       import { HearthFire } from '/web/hearth-fire.js';
@@ -161,7 +161,7 @@ test('a fire that burns goes on from a warm one, also on the page’s own thread
   }
 });
 
-test('a warm fire that is hidden, taken off or loses its context while it warms comes to burn', async () => {
+test('a fire that is hidden, removed or loses its context while it warms is shown in the end', async () => {
   const hidden = await open('<hearth-fire warm="1" paused style="display: none"></hearth-fire>');
   await hidden.ready();
   assert.equal((await seen(hidden)).pictures, 0);

@@ -59,7 +59,7 @@ for (const kept of ['default', 'classic']) {
     });
   }
 
-  test(`what nobody sees is not reported of ${kept}`, async () => {
+  test(`invisible differences are not reported of ${kept}`, async () => {
     const right = await painter.still({ kept });
     // Rounding elsewhere: each channel one step off, this way or that.
     let seed = 1;

@@ -53,7 +53,7 @@ function blobs(/** @type {number} */ down) {
   });
 }
 
-test('motion is seen which way it goes', () => {
+test('the direction of motion is measured', () => {
   const see = (/** @type {number} */ down) => rising(blobs(0), blobs(down), 96, 96, 0.03);
   for (const down of [-9, -4, -1]) {
     const [up, moving, all] = see(down);
@@ -67,7 +67,7 @@ test('motion is seen which way it goes', () => {
   assert.ok(up === 0 && moving === 0 && all > 20);
 });
 
-test('what flickers is seen which way it goes', () => {
+test('the direction of flicker is measured', () => {
   // A flame that fades towards its tip, with streaks in it that go down by so many pixels
   // while it grows darker, or brighter, as a whole.
   const flame = (/** @type {number} */ down, /** @type {number} */ lightness) => blobs(down).map((streaks, at) => (

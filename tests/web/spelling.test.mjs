@@ -30,7 +30,7 @@ test('the suggestion ends a sentence', () => {
   assert.equal(meant('frobnicate', NAMES), '.');
 });
 
-test('an unknown attribute is told once; what HTML, frameworks and libraries write is not', (context) => {
+test('an unknown attribute is reported once; those of HTML, frameworks and libraries are not', (context) => {
   const warn = context.mock.method(console, 'warn', () => {});
   for (const name of ['palete', 'palete', 'width', 'frobnicate']) tell(name);
   const told = warn.mock.calls.map(({ arguments: [words] }) => words);
@@ -47,7 +47,7 @@ test('an unknown attribute is told once; what HTML, frameworks and libraries wri
   assert.equal(warn.mock.callCount(), 3);
 });
 
-test('a query tells the names of others from misspelt ones', () => {
+test('a query distinguishes foreign names from misspelt ones', () => {
   const { values, options, unknown, refused } = readAddress(
     '?seed=7&fbclid=1&utm_source=a&utm_source=b&viscosty=1&quality=low&fuelpower=3&kind=x&__proto__=1&feed=2',
   );

@@ -104,20 +104,13 @@ export class Tab {
    * Steps the first fire to this age, as fast as the machine computes.
    * @param {number} seconds  Of fire.
    */
-  burnt(seconds) {
-    return this.fire(async (fire, wanted) => {
-      await customElements.whenDefined('hearth-fire');
-      await fire.ready;
-      const told = () => new Promise((resolve) => fire.addEventListener('stats', resolve, { once: true }));
-      if (!fire.stats) await told();
-      for (let length = 0.002; fire.stats.time < wanted; length = fire.stats.stepLength || length) {
-        const steps = Math.ceil((wanted - fire.stats.time) / length);
-        // A paused fire posts statistics with its picture.
-        const after = fire.paused ? undefined : told();
-        await fire.step(Math.min(Math.max(steps, 1), 2000));
-        await after;
-      }
-    }, seconds);
+  async burnt(seconds) {
+    try {
+      await this.fire(stepUntil, seconds);
+    } catch (error) {
+      const why = error instanceof Error ? error.message : String(error);
+      throw new Error(`the fire does not burn for ${seconds} s: ${why}; problems: ${this.problems.join('; ')}`);
+    }
   }
 
   /**
@@ -251,5 +244,20 @@ function* between(/** @type {Point} */ from, /** @type {Point} */ to, steps = 4)
   for (let step = 1; step <= steps; step += 1) {
     const part = step / steps;
     yield { x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part };
+  }
+}
+
+/** Runs in the page. @param {any} fire @param {number} seconds  Its age. */
+async function stepUntil(fire, seconds) {
+  await customElements.whenDefined('hearth-fire');
+  await fire.ready;
+  const statistics = () => new Promise((resolve) => fire.addEventListener('stats', resolve, { once: true }));
+  if (!fire.stats) await statistics();
+  for (let length = 0.002; fire.stats.time < seconds; length = fire.stats.stepLength || length) {
+    const steps = Math.ceil((seconds - fire.stats.time) / length);
+    // A paused fire posts statistics with its picture.
+    const next = fire.paused ? undefined : statistics();
+    await fire.step(Math.min(Math.max(steps, 1), 2000));
+    await next;
   }
 }

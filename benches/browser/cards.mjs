@@ -1,10 +1,9 @@
 /**
- * Whether many small fires burn in real time on one page: the time that all their steps
- * take of a frame, without drawing, which a machine without a graphics card does on its
- * processor.
+ * Measures whether many small fires run in real time on one page: the time of all their
+ * steps in a frame, without drawing, which a machine without a GPU does on the CPU.
  *
  * `node benches/browser/cards.mjs` measures twelve cards of 240 × 300 in the built site
- * (`HEARTH_SITE`, else `dist/site`) with the browser `HEARTH_CHROMIUM`.
+ * (`HEARTH_SITE`, or `dist/site`) with the browser `HEARTH_CHROMIUM`.
  */
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';

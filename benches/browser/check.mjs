@@ -1,7 +1,7 @@
 /**
- * Holds the baselines in JavaScript to Hearth: after the same steps of the same
- * block, densities and velocities must be the same to a thousandth. The standard
- * input is what `native gas` prints.
+ * Compares the JavaScript baselines with Hearth: after the same steps of the same block,
+ * densities and velocities agree to a thousandth. Standard input is the output of `native
+ * gas`.
  */
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';

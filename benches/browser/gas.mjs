@@ -1,6 +1,6 @@
 /**
- * The gas that the baselines in plain JavaScript compute: a block of Hearth's
- * classic model as `scenes.rs` makes it. `check.mjs` holds both to each other.
+ * The gas of the plain JavaScript baselines: a block of Hearth's classic model, as in
+ * `scenes.rs`. `check.mjs` compares both.
  */
 
 /** @typedef {{positions: ArrayLike<number>, velocities: ArrayLike<number>}} Start  x and y of each particle. */

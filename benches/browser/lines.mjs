@@ -1,5 +1,5 @@
 /**
- * What a program of the benchmarks prints: lines of a name and `key=value`s,
+ * The output of benchmark programs: lines of a name and `key=value` pairs,
  * `NAME,where=native,N=5000,neigh=19.4,median_ms=0.42,min_ms=0.41`. See README.md.
  */
 

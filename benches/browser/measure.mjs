@@ -1,8 +1,8 @@
 /**
- * Sets up and times the cases; runs in a page and in Node alike.
+ * Sets up and times the cases, in a page and in Node.
  *
- * A machine has fast and slow phases, so whoever calls this asks for a round of
- * each case, one after the other, and for all of them again and again.
+ * The speed of a machine varies over time, so the caller measures a round of all cases,
+ * and repeats the rounds.
  */
 import { PaperFire } from './paper.mjs';
 import { ScanFire } from './scan.mjs';

@@ -1,6 +1,6 @@
 /**
- * What a visitor of a page notices: how soon there is a fire, what it then says of
- * itself, and whether it leaves the page's own thread alone.
+ * Measures the page: time to the first picture, statistics, and the longest task of the
+ * page's thread.
  */
 import { Browser } from '../../tests/e2e/driver.mjs';
 

@@ -1,8 +1,7 @@
 /**
- * The paper's loop in plain JavaScript: particle objects, and every particle
- * looks at every other one, twice a step. Written from the paper's equations 1–7
- * (with the corrections that Hearth makes, so that both compute the same gas);
- * it knows no grid, as the paper's program did not.
+ * The paper's loop in plain JavaScript: particle objects, and all pairs twice a step. It
+ * follows equations 1–7 of the paper with Hearth's corrections, so that both compute the
+ * same gas, and has no grid, like the paper's program.
  */
 import { GAS, MASS, lift } from './gas.mjs';
 

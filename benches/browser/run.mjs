@@ -1,15 +1,14 @@
 /**
- * Measures everything side by side and writes one JSON to the file that the
- * argument names: Hearth natively, in Node and in headless Chromium, its
- * baselines in JavaScript, and other programs.
+ * Measures Hearth natively, in Node and in headless Chromium, its JavaScript baselines and
+ * other programs, and writes one JSON file, named by the argument.
  *
- * In each round everything is measured once, whatever has as many particles one
- * right after the other; a figure is the median of its rounds.
+ * A round measures every case once, cases of equal particle numbers in sequence; a figure
+ * is the median of the rounds.
  *
  * `HEARTH_BENCH` names the folder with the wasm-bindgen output of this package
  * (`hearth_benches.js`, `--target web`), `HEARTH_NATIVE` its two native programs,
- * `HEARTH_PROGRAMS` the others as JSON, `HEARTH_CHROMIUM` the browser, and
- * `HEARTH_SITE` a built site if the page's own figures are wanted as well.
+ * `HEARTH_PROGRAMS` the other programs as JSON, `HEARTH_CHROMIUM` the browser, and
+ * `HEARTH_SITE` a built site whose page is measured, too.
  */
 import { execFile } from 'node:child_process';
 import { readFile, writeFile } from 'node:fs/promises';

@@ -1,7 +1,6 @@
 /**
- * The typed-array step as it is usually written: no pairs are kept, and each
- * particle looks at all others in the cells around it twice, for its density
- * and for its forces.
+ * The common typed-array step: it stores no pairs, and each particle visits the cells
+ * around it twice, for density and for forces.
  */
 import { GAS, MASS, lift } from './gas.mjs';
 import { TypedFire } from './typed.mjs';

@@ -1,7 +1,7 @@
 /**
- * Hearth's classic step as a careful programmer writes it in JavaScript: numbers
- * in typed arrays, particles sorted by cell with a counting sort, each pair found
- * once and kept for the forces, and nothing allocated in a step.
+ * Hearth's classic step in careful JavaScript: typed arrays, particles sorted by cell with
+ * a counting sort, each pair found once and stored for the forces, no allocation in a
+ * step.
  */
 import { GAS, MASS, lift } from './gas.mjs';
 

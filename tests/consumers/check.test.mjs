@@ -1,5 +1,5 @@
 /**
- * The check of the package finds what may be wrong with one.
+ * The check of the package finds each kind of fault.
  */
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';

@@ -59,7 +59,7 @@ test('a strict policy is kept by the scenes of the panel, with their pictures or
   assert.deepEqual(refused.filter((problem) => problem.endsWith('/report')), []);
 });
 
-test('a policy without wasm gives an error, the poster and words', async () => {
+test('a policy without wasm causes an error, the poster and a message', async () => {
   const tab = await under("'self'");
   const failures = await tab.until('the fire says that it cannot', () => {
     const { failures } = /** @type {any} */ (window);

@@ -1,5 +1,5 @@
 /**
- * The one file of all, without anything beside it.
+ * The single-file build works alone.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';

@@ -1,9 +1,9 @@
 /**
- * The package under test and its users' projects.
+ * The package under test and the projects that use it.
  *
- * `HEARTH_PACKAGE` names the folder of the package (else `dist/npm`), `HEARTH_YARD`
- * the one where projects are set up (else `target/consumers`): outside them, nothing
- * of this checkout is in a project's reach.
+ * `HEARTH_PACKAGE` names the folder of the package (`dist/npm` by default), `HEARTH_YARD`
+ * the folder of the projects (`target/consumers` by default): a project outside the
+ * checkout cannot reach its files.
  */
 import { execFile } from 'node:child_process';
 import { createHash } from 'node:crypto';

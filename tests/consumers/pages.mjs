@@ -1,11 +1,11 @@
 /**
- * What is asked of every page that burns, however it came to its fire.
+ * Assertions for every page with a fire.
  */
 import assert from 'node:assert/strict';
 import { after, before } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { Browser } from '../e2e/driver.mjs';
-import { assertBurns } from '../e2e/laws.mjs';
+import { assertBurns } from '../e2e/assertions.mjs';
 
 /**
  * A browser for the tests of a file.

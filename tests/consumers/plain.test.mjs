@@ -1,5 +1,5 @@
 /**
- * A static page with a copy of the package: beside it, above it, on another site.
+ * A static page with a copy of the package: beside it, above it and on another origin.
  */
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';

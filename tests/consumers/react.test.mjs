@@ -1,6 +1,6 @@
 /**
- * A page in React 19 and TypeScript: attributes and events are typed, and the
- * element lives as React makes, changes and removes it, in strict mode.
+ * A page in React 19 and TypeScript: attributes and events are typed, and React creates,
+ * changes and removes the element, in strict mode.
  */
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
@@ -38,7 +38,7 @@ test('attributes and events are typed', async () => {
   });
 });
 
-test('a fire in strict mode burns, hears and tells', async () => {
+test('a fire in strict mode burns, accepts properties and sends events', async () => {
   const options = { root, logLevel: 'error', configFile: false };
   // The development build of React: only that connects twice.
   await vite.build({ ...options, mode: 'development', define: { 'process.env.NODE_ENV': '"development"' } });

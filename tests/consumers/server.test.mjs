@@ -1,6 +1,6 @@
 /**
- * A server, where there is no window: every entry point can be imported, none
- * touches what is everybody's, and React writes the element into its page.
+ * Node without a window: every entry point can be imported, none changes global state, and
+ * React renders the element.
  */
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';

@@ -1,6 +1,5 @@
 /**
- * A page that Vite builds, or serves while it is written: it takes the package as
- * any other, without a word of configuration.
+ * A page that Vite builds or serves: the package needs no configuration.
  */
 import assert from 'node:assert/strict';
 import path from 'node:path';
@@ -65,7 +64,7 @@ test('what Vite builds burns', async () => {
   for (const name of PAGES) await burns(server.resolvedUrls.local[0], name);
 });
 
-test('a panel whose folder nobody knows looks for no file there, whatever it is called', async () => {
+test('a panel without a known folder requests no file from it', async () => {
   const output = { entryFileNames: '[name].js', chunkFileNames: '[name].js', assetFileNames: '[name][extname]' };
   const options = { root, logLevel: 'error', configFile: false };
   // The page's own script leaves that name to the panel's.

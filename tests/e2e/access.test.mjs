@@ -1,6 +1,6 @@
 /**
- * axe-core finds no violation on any page, whatever is open on it. What it cannot judge, as
- * words over a picture, is looked at elsewhere.
+ * axe-core finds no violation on any page, with any dialog open. Contrast of text over a
+ * picture, which axe-core cannot compute, is tested elsewhere.
  */
 import assert from 'node:assert/strict';
 import { readFile, readdir } from 'node:fs/promises';
@@ -78,7 +78,7 @@ test('the page whose fire cannot burn', async () => {
   assert.deepEqual(await violations(tab), []);
 });
 
-test('the page of a visitor who wants less motion', async () => {
+test('the page with reduced motion', async () => {
   const tab = await browser.open('index.html', { ...WIDE, reducedMotion: true });
   await tab.ready();
   await strip(tab);

@@ -1,11 +1,11 @@
 /**
- * `fit` and `align`: which part of a fire's world its picture shows. What `toPixels`
- * says is where CSS would put it, and where the picture has it.
+ * `fit` and `align` select the part of a fire's world in its picture. `toPixels` agrees
+ * with CSS and with the picture.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { events, recording } from './laws.mjs';
+import { events, recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -69,7 +69,7 @@ for (const [width, height] of [[400, 150], [150, 400]]) {
   });
 }
 
-test('what is no fit and no alignment is refused by name, and the picture stays as it was', async () => {
+test('an invalid fit or alignment is rejected by name, and the picture does not change', async () => {
   const tab = await browser.open(recording('<hearth-fire paused fit="cover" align="top left"></hearth-fire>'));
   await tab.ready();
   const corner = () => tab.fire((fire) => fire.toMetres(0, 0));

@@ -1,12 +1,12 @@
 /**
- * The panel under a real mouse: every kind of egui control changes the fire's
- * parameters, and what can be seen of it changes in the simulation.
+ * The panel under mouse input: every kind of egui control changes the fire's parameters,
+ * and visible effects follow.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { isDeepStrictEqual } from 'node:util';
 import { Browser } from './driver.mjs';
-import { assertBurns } from './laws.mjs';
+import { assertBurns } from './assertions.mjs';
 import { Panel, along, entriesOf, fractionOf, sharedPage } from './panel.mjs';
 import { table } from './site.mjs';
 
@@ -26,7 +26,7 @@ after(() => browser?.close());
 
 const shared = sharedPage(() => browser);
 
-/** The page with its panel, and a fire of that model that has burnt for a second. */
+/** The page with its panel, and a paused fire of that model that has burnt for a second. */
 async function openPage(model = 'classic') {
   const page = await shared(model);
   await page.tab.burnt(1);
@@ -45,6 +45,7 @@ test('a number slider sets its number where the mouse lets go', async () => {
 
 test('a log slider spreads by ratios, and less emission means fewer particles', async () => {
   const { tab, panel } = await openPage();
+  await tab.fire((fire) => fire.play());
   const many = await stat(tab, 'particles');
   await panel.dragSlider('emission_rate', 0.6, 0.1);
   const near = (value) => Math.abs(fractionOf(entry.emission_rate, value) - 0.1) < AIM;
@@ -58,6 +59,7 @@ test('a log slider spreads by ratios, and less emission means fewer particles', 
 
 test('an integer slider sets whole numbers, and the cap holds', async () => {
   const { tab, panel } = await openPage();
+  await tab.fire((fire) => fire.play());
   await panel.dragSlider('max_particles', 0.5, 0.1);
   const cap = await panel.value(
     'max_particles',
@@ -71,9 +73,8 @@ test('an integer slider sets whole numbers, and the cap holds', async () => {
   );
 });
 
-test('a choice takes the name that is clicked, and even a paused fire is drawn anew', async () => {
+test('a choice takes the clicked name, and even a paused fire is redrawn', async () => {
   const { tab, panel } = await openPage();
-  await tab.fire((fire) => fire.pause());
   await tab.frames(4);
   const fire = await tab.firePicture();
   await panel.choose('display_mode', 'paper');
@@ -87,7 +88,7 @@ test('a choice takes the name that is clicked, and even a paused fire is drawn a
   assert.equal(fire.difference(await tab.firePicture()), 0);
 });
 
-test('each of many names is chosen from a list, by hand, by finger and by keys', async () => {
+test('each of many choices is selected from a list, by mouse, finger and keys', async () => {
   const { tab, panel } = await openPage();
   const names = entry.display_mode.choices;
   assert.ok(names.length > 4);
@@ -101,14 +102,14 @@ test('each of many names is chosen from a list, by hand, by finger and by keys',
   await panel.value('display_mode', names[1], (value) => value === names[1]);
   assert.deepEqual(tab.problems, []);
 
-  const phone = await browser.open('index.html?model=classic', { width: 360, height: 640, ratio: 3, touch: true });
+  const phone = await browser.open('index.html?model=classic', { width: 360, height: 640, touch: true });
   await phone.burnt(0.3);
   const sheet = await new Panel(phone).mounted();
   await sheet.choose('display_mode', 'sprites');
   await sheet.value('display_mode', 'sprites', (value) => value === 'sprites');
 });
 
-test('what counts for nothing says so to hand, eye and ear, and is set all the same', async () => {
+test('a parameter without effect is dimmed and described, and can still be set', async () => {
   const { tab, panel } = await openPage();
   const told = (id) => tab.page.$eval(`[data-parameter="${id}"]`, (control) => (
     document.getElementById(control.getAttribute('aria-describedby') ?? '')?.textContent
@@ -163,7 +164,7 @@ test('a colour is dragged out of its sliders, and stands behind the fire', async
   assert.ok(corner.share((r, _, b) => b > 150 && b > 2 * r) > 0.9, 'the corner is blue');
 });
 
-test('a seed is typed over the number, and the fire starts anew from it', async () => {
+test('a seed is typed over the number, and the fire restarts from it', async () => {
   const { tab, panel } = await openPage();
   const before = await stat(tab, 'time');
   await tab.click(along(await panel.reveal('seed'), 0.95));
@@ -171,14 +172,15 @@ test('a seed is typed over the number, and the fire starts anew from it', async 
   await tab.key('Enter');
   await panel.value('seed', 4711, (value) => value === 4711);
   await tab.until(
-    'the time starts anew',
+    'the fire has restarted',
     (time) => /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < time,
     before,
   );
 });
 
-test('the pause button stops time and picture, and lets them go on', async () => {
+test('the pause button stops and continues time and picture', async () => {
   const { tab, panel } = await openPage();
+  await tab.fire((fire) => fire.play());
   await panel.press('pause');
   await tab.until(
     'the fire is paused',
@@ -194,20 +196,20 @@ test('the pause button stops time and picture, and lets them go on', async () =>
   await assertBurns(tab);
 });
 
-test('the restart button starts the fire anew with the same values', async () => {
+test('the restart button restarts the fire with the same values', async () => {
   const { tab, panel } = await openPage();
   await tab.fire((fire) => fire.set('buoyancy', 0.5));
   const before = await stat(tab, 'time');
   await panel.press('reset');
   await tab.until(
-    'the time starts anew',
+    'the fire has restarted',
     (time) => /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < time,
     before,
   );
   assert.equal(await tab.fire((fire) => fire.params.buoyancy), 0.5);
 });
 
-test('one value, and then all of them, go back to their defaults', async () => {
+test('one value, and then all values, return to their defaults', async () => {
   const { tab, panel } = await openPage();
   const changes = { buoyancy: 0.5, viscosity: 0.02, walls: 'solid', printed_euler: true };
   await tab.fire((fire, values) => fire.set(values), changes);
@@ -232,7 +234,7 @@ test('a scene brings its values', async () => {
   }
 });
 
-test('another model has its own controls and values, and the way back brings the old ones', async () => {
+test('each model has its own controls, and its values return with it', async () => {
   const { tab, panel } = await openPage();
   const there = entriesOf(PARAMETERS, 'combustion');
   const changes = { buoyancy: 0.5, max_particles: 400, viscosity: 0.02, bloom: 0.5 };
@@ -263,7 +265,7 @@ test('another model has its own controls and values, and the way back brings the
   assert.deepEqual(tab.problems, []);
 });
 
-test('the panel follows a model that somebody else chose', async () => {
+test('the panel follows a model that the page sets', async () => {
   const { tab, panel } = await openPage();
   // As many particles as the classic model had: no event tells that they stay.
   await tab.fire((fire) => fire.set({ model: 'combustion', max_particles: 1000 }));
@@ -278,7 +280,7 @@ test('the panel follows a model that somebody else chose', async () => {
   assert.ok(least.difference(most) > 0.5, 'the slider stood at its left end');
 });
 
-test('reset all resets the model that burns and leaves the other one alone', async () => {
+test('reset all resets the active model and leaves the other one unchanged', async () => {
   const { tab, panel } = await openPage();
   await tab.fire((fire) => fire.set({ viscosity: 0.02, wind: 1.5 }));
   await panel.press('reset-all');
@@ -290,7 +292,6 @@ test('reset all resets the model that burns and leaves the other one alone', asy
 for (const model of ['combustion', 'classic']) {
   test(`every slider of the ${model} model moves its own value and no other`, async () => {
     const { tab, panel } = await openPage(model);
-    await tab.fire((fire) => fire.pause());
     const sliders = Object.values(entriesOf(PARAMETERS, model))
       .filter(({ used, kind }) => used && (kind === 'number' || kind === 'integer'))
       // Those that are the same in both models are moved in the first.

@@ -1,6 +1,6 @@
 /**
- * Display modes on a page: each shows another picture, and the statistics say at once
- * what its colours stand for, whether the fire burns or stands still.
+ * Display modes: the statistics report at once what the colours of each mode mean, for a
+ * playing and for a paused fire.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -37,7 +37,7 @@ async function shown(tab, mode, measures) {
   return scale;
 }
 
-test('the statistics say what the colours of every display mode stand for', async () => {
+test('the statistics report the range of the colours of every display mode', async () => {
   const { entry } = await table();
   const { QUANTITIES } = await import(pathToFileURL(path.join(SITE, 'web/parameters.js')).href);
   const tab = await browser.open(PAGE, { width: 220, height: 320 });

@@ -1,13 +1,12 @@
 /**
- * The one way in which tests and benchmarks drive a real browser: serve the
- * site on loopback, start Chromium, Firefox or WebKit on software rendering, open
- * a page at a size, press, drag with mouse or finger, ask the page, take its
- * picture, lose its WebGL2 context, and keep every complaint that it makes.
+ * The browser driver of tests and benchmarks. It serves the site on loopback, starts
+ * Chromium, Firefox or WebKit with software rendering, opens pages, sends input, runs
+ * functions in the page, takes pictures, loses WebGL2 contexts and records problems.
  *
- * `HEARTH_SITE` names the folder of the built site (else `dist/site`);
- * `HEARTH_CHROMIUM`, `HEARTH_FIREFOX`, `HEARTH_WEBKIT_DRIVER` and `HEARTH_XVFB` the
- * programs (else those on the PATH). A browser that is not there is a failure,
- * never a skipped test; `HEARTH_BROWSERS=chromium,firefox` asks for some of the three.
+ * `HEARTH_SITE` names the folder of the built site (`dist/site` by default);
+ * `HEARTH_CHROMIUM`, `HEARTH_FIREFOX`, `HEARTH_WEBKIT_DRIVER` and `HEARTH_XVFB` name
+ * programs (by default those on the PATH). A missing browser is a failure, never a skipped
+ * test; `HEARTH_BROWSERS=chromium,firefox` selects some of the three.
  */
 export { Browser } from './driver/browser.mjs';
 export { BROWSERS } from './driver/programs.mjs';

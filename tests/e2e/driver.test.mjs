@@ -1,6 +1,6 @@
 /**
- * The driver itself: a browser that is not there is a failure and never a skipped
- * test, and what a test asked the server to do wrong, it does.
+ * The browser driver: a missing browser is a failure with the name of its package, and the
+ * server sends the requested replacements.
  */
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
@@ -24,13 +24,13 @@ for (const [kind, variable, words] of [
   ['firefox', 'HEARTH_FIREFOX', /no firefox-esr: install Debian's "firefox-esr"/],
   ['webkit', 'HEARTH_WEBKIT_DRIVER', /no WebKitWebDriver: install Debian's "webkit2gtk-driver"/],
 ]) {
-  test(`without ${kind} there is a failure that says what to install`, async () => {
+  test(`without ${kind} the driver fails and names the package to install`, async () => {
     const start = `import { Browser } from './driver.mjs'; await Browser.start('${kind}');`;
     assert.match(await said(start, { [variable]: '', PATH: '' }), words);
   });
 }
 
-test('some browsers can be asked for, and a misspelt one is named', async () => {
+test('HEARTH_BROWSERS selects browsers, and a misspelt name is reported', async () => {
   const list = "import { BROWSERS } from './driver.mjs'; console.log(BROWSERS.join());";
   const asked = (names) => said(list, { HEARTH_BROWSERS: names });
   assert.equal((await asked('')).trim(), 'chromium,firefox,webkit');
@@ -38,7 +38,7 @@ test('some browsers can be asked for, and a misspelt one is named', async () => 
   assert.match(await asked('webkit,opera'), /"opera"; there are: chromium, firefox, webkit/);
 });
 
-test('the server gives what a test wants instead of a file', async () => {
+test('the server sends replacements of files, and files that a browser has need not be sent', async () => {
   const server = await serve(HERE.pathname);
   try {
     const get = async (name) => {
@@ -52,10 +52,10 @@ test('the server gives what a test wants instead of a file', async () => {
     server.replace({ 'run.mjs': { keep: 10, type: 'text/plain', headers: { 'x-of': 'a test' } } });
     const part = await get('run.mjs');
     assert.deepEqual(part, { status: 200, type: 'text/plain', text: whole.text.slice(0, 10), of: 'a test' });
-    server.replace({ 'run.mjs': { drop: true }, 'new.json': { body: '{}' }, 'laws.mjs': { status: 503 } });
+    server.replace({ 'run.mjs': { drop: true }, 'new.json': { body: '{}' }, 'assertions.mjs': { status: 503 } });
     await assert.rejects(get('run.mjs'));
     assert.deepEqual(await get('new.json'), { status: 200, type: 'application/json', text: '{}', of: null });
-    assert.equal((await get('laws.mjs')).status, 503);
+    assert.equal((await get('assertions.mjs')).status, 503);
     server.replace({});
     assert.equal((await get('run.mjs')).text, whole.text);
     const ask = async (headers = {}) => {

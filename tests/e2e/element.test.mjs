@@ -1,11 +1,11 @@
 /**
- * How `<hearth-fire>` behaves as a guest on somebody's page: hidden, moved,
- * resized, removed, doubled, robbed of its context. It burns again each time.
+ * `<hearth-fire>` in a page: sizes, attributes, properties, presets, events, removal and
+ * insertion. What all browsers share is in `browsers.test.mjs`.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { assertBurns, assertStands, events, recording } from './laws.mjs';
+import { assertBurns, assertStands, events, recording } from './assertions.mjs';
 import { domainOf, table } from './site.mjs';
 
 const { PARAMETERS, PRESETS, DEFAULTS, defaultsOf } = await table();
@@ -45,7 +45,7 @@ test('a fire that is not displayed burns once it is shown', async () => {
   assert.deepEqual(tab.problems, []);
 });
 
-test('a fire that was removed is ready when it is back, and does then what it was asked', async () => {
+test('calls to a removed fire take effect when it is inserted again', async () => {
   const tab = await browser.open(FIRE);
   await tab.ready();
   const seen = await tab.fire(async (fire) => {
@@ -71,7 +71,7 @@ const beforeWorker = () => {
   globalThis.postMessage = (/** @type {any} */ ...said) => void setTimeout(() => post(...said), 500);
 };
 
-test('a fire that is taken off twice in a row holds what it was told before', async () => {
+test('a fire that is removed twice in a row keeps values that were set before', async () => {
   const tab = await browser.open(FIRE, { beforeWorker });
   await tab.ready();
   const viscosity = await tab.fire(async (fire) => {
@@ -90,7 +90,7 @@ test('a fire that is taken off twice in a row holds what it was told before', as
   assert.deepEqual(tab.problems, []);
 });
 
-test('a fire that is destroyed before it is back is gone with the one before', async () => {
+test('a fire that is destroyed while it reconnects is destroyed with its predecessor', async () => {
   const tab = await browser.open(FIRE, { beforeWorker });
   await tab.ready();
   const answered = await tab.fire(async (fire) => {
@@ -222,7 +222,7 @@ test('restoring everything leaves no preset, restoring one value leaves it', asy
   assert.deepEqual([...sources], ['property']);
 });
 
-test('a change is told to those who listen, with its value', async () => {
+test('a change is reported with its value', async () => {
   const tab = await browser.open(recording(FIRE));
   await tab.ready();
   await tab.fire((fire) => fire.set('viscosity', 0.02));
@@ -250,7 +250,7 @@ test('pause and reset are reported by events and statistics', async () => {
   assert.deepEqual(tab.problems, []);
 });
 
-test('a paused fire waits until it may play', async () => {
+test('a paused fire makes no steps until it plays', async () => {
   const tab = await browser.open('<hearth-fire paused></hearth-fire>');
   await tab.ready();
   assert.equal(await tab.fire((fire) => fire.paused), true);
@@ -260,7 +260,7 @@ test('a paused fire waits until it may play', async () => {
   await assertBurns(tab);
 });
 
-test('with reduced motion a still of the fire waits for its play button', async () => {
+test('with reduced motion a still picture of the fire has a play button', async () => {
   const tab = await browser.open(FIRE, { reducedMotion: true });
   await tab.ready();
   await tab.frames(10);
@@ -279,7 +279,7 @@ test('with reduced motion a still of the fire waits for its play button', async 
   await assertBurns(tab);
 });
 
-test('whoever cannot see it is told what it is', async () => {
+test('the accessibility tree has the text alternative', async () => {
   const tab = await browser.open('<hearth-fire alt="A camp fire"></hearth-fire>');
   await tab.ready();
   const tree = await tab.page.accessibility.snapshot({ interestingOnly: false });

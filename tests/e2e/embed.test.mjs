@@ -1,31 +1,31 @@
 /**
- * The fire in an iframe: it is what its address says, fills its frame, lets the
- * page around it show through, and can be had there as an object.
+ * A fire in an iframe: its address sets it, it fills its frame, it is transparent, and a
+ * client connects the embedding page to it.
  */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { Around, ask, heard, inside } from './around.mjs';
+import { IframeFixture, call, inIframe, received } from './iframe-fixture.mjs';
 import { table } from './site.mjs';
 
 const { PRESETS, defaultsOf, entry } = await table();
 
-/** @type {Around} */
-let around;
+/** @type {IframeFixture} */
+let fixture;
 before(async () => {
-  around = await Around.start();
+  fixture = await IframeFixture.start();
 });
-after(() => around?.close());
+after(() => fixture?.close());
 
 describe('a fire in an iframe', () => {
   test('is the one of its address, and fills its frame', async () => {
     const query = { scene: 'seed', viscosity: '0.02', quality: 'low', 'max_particles': '300' };
-    const tab = await around.burning(query);
-    const { value: params } = await ask(tab, 'params');
+    const tab = await fixture.burning(query);
+    const { value: params } = await call(tab, 'params');
     const scene = { ...defaultsOf('classic'), ...PRESETS.find(({ name }) => name === 'seed').values };
     for (const [id, value] of Object.entries({ ...scene, viscosity: 0.02, max_particles: 300 })) {
       assert.equal(params[id], value, id);
     }
-    const size = await inside(tab, (fire) => {
+    const size = await inIframe(tab, (fire) => {
       const { width, height } = fire.getBoundingClientRect();
       return { width, height, quality: fire.quality };
     });
@@ -33,15 +33,15 @@ describe('a fire in an iframe', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('stands still, with words for a screen reader, if its address says so', async () => {
-    const tab = await around.burning({ paused: '', alt: 'Embers' });
-    const seen = await inside(tab, (fire) => ({ paused: fire.paused, alt: fire.alt, time: fire.stats?.time ?? 0 }));
+  test('is paused and has a text alternative, if its address sets them', async () => {
+    const tab = await fixture.burning({ paused: '', alt: 'Embers' });
+    const seen = await inIframe(tab, (fire) => ({ paused: fire.paused, alt: fire.alt, time: fire.stats?.time ?? 0 }));
     assert.deepEqual(seen, { paused: true, alt: 'Embers', time: 0 });
   });
 
-  test('refuses a bad value aloud and burns with the others', async () => {
-    const tab = await around.burning({ viscosty: '1', exposure: '99', seed: '7', src: '/secret', wings: '2' });
-    const { value: params } = await ask(tab, 'params');
+  test('rejects a bad value with a warning and burns with the others', async () => {
+    const tab = await fixture.burning({ viscosty: '1', exposure: '99', seed: '7', src: '/secret', wings: '2' });
+    const { value: params } = await call(tab, 'params');
     assert.deepEqual([params.seed, params.exposure], [7, entry.exposure.default]);
     const said = tab.problems.join('\n');
     for (const words of ['viscosty.*viscosity', 'exposure.*99', 'src']) assert.match(said, new RegExp(words));
@@ -51,14 +51,14 @@ describe('a fire in an iframe', () => {
   });
 
   test('burns alone in a window too', async () => {
-    const tab = await around.browser.open('web/embed.html?seed=7', { width: 300, height: 200 });
+    const tab = await fixture.browser.open('web/embed.html?seed=7', { width: 300, height: 200 });
     await tab.burnt(0.3);
     assert.deepEqual(await tab.rectangle('hearth-fire'), { x: 0, y: 0, width: 300, height: 200 });
     assert.deepEqual(tab.problems, []);
   });
 
   test('runs no script and no style but its own', async () => {
-    const tab = await around.browser.open('web/embed.html');
+    const tab = await fixture.browser.open('web/embed.html');
     await tab.burnt(0.1);
     assert.deepEqual(tab.problems, []);
     const seen = await tab.evaluate(() => {
@@ -72,8 +72,8 @@ describe('a fire in an iframe', () => {
     assert.deepEqual(seen, { ran: false, styled: false });
   });
 
-  test('takes every attribute of the element from its address, but for those that fetch something', async () => {
-    const tab = await around.browser.open('web/embed.html?paused');
+  test('accepts every attribute of the element in its address, except those that fetch a file', async () => {
+    const tab = await fixture.browser.open('web/embed.html?paused');
     const { options, attributes } = await tab.evaluate(async () => {
       const load = (/** @type {string} */ url) => import(url);
       const { observedAttributes } = /** @type {any} */ (customElements.get('hearth-fire'));
@@ -94,12 +94,12 @@ describe('a fire in an iframe', () => {
     ['one of both schemes if the address says so', 'light dark', '', { 'color-scheme': 'auto' }],
   ]) {
     for (const wanted of ['light', 'dark']) {
-      test(`lets the page around show through, ${about}: for a visitor who prefers ${wanted}`, async () => {
+      test(`is transparent in ${about}, with the preference ${wanted}`, async () => {
         const style = `body { background: rgb(0, 96, 160) }
           ${page && `:root { color-scheme: ${page} }`} ${frame && `iframe { color-scheme: ${frame} }`}`;
-        const tab = await around.open({ allow: around.here, paused: '', ...query }, { style });
+        const tab = await fixture.open({ allow: fixture.pageOrigin, paused: '', ...query }, { style });
         await tab.page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: wanted }]);
-        await heard(tab, 'ready');
+        await received(tab, 'ready');
         await tab.frames(4);
         const upper = (await tab.picture(await tab.rectangle('iframe'))).part(0, 0, 1, 0.5);
         const shown = upper.share((r, g, b) => r < 6 && Math.abs(g - 96) < 6 && Math.abs(b - 160) < 6);
@@ -108,30 +108,30 @@ describe('a fire in an iframe', () => {
     }
   }
 
-  test('says in words why it cannot burn, in its frame and to the page around', async () => {
-    around.elsewhere.replace({ 'hearth-engine_bg.wasm': { status: 404, body: 'gone' } });
+  test('reports why it cannot burn, in its frame and to the embedding page', async () => {
+    fixture.fireServer.replace({ 'hearth-engine_bg.wasm': { status: 404, body: 'gone' } });
     try {
-      const tab = await around.open({ allow: around.here });
-      await heard(tab, 'hello');
-      const { ok, error } = await ask(tab, 'ready');
+      const tab = await fixture.open({ allow: fixture.pageOrigin });
+      await received(tab, 'hello');
+      const { ok, error } = await call(tab, 'ready');
       assert.deepEqual([ok, error.kind], [false, 'load']);
-      const words = await inside(tab, (fire) => fire.shadowRoot.querySelector('.message').textContent);
+      const words = await inIframe(tab, (fire) => fire.shadowRoot.querySelector('.message').textContent);
       assert.equal(words, error.message);
     } finally {
-      around.elsewhere.replace({});
+      fixture.fireServer.replace({});
     }
   });
 });
 
-describe('the client for the page around', () => {
+describe('the client of the embedding page', () => {
   const script = (/** @type {string} */ body) => `<script type="module">
     import { connectFire } from '/web/embed-client.js';
     window.fire = connectFire(document.querySelector('iframe'));
     ${body}
   </script>`;
 
-  test('gives methods and events, from before the fire is there', async () => {
-    const tab = await around.open({ allow: around.here }, { more: script(`
+  test('offers methods and events before the fire is loaded', async () => {
+    const tab = await fixture.open({ allow: fixture.pageOrigin }, { more: script(`
       window.changes = [];
       window.early = fire.set('exposure', 1).then(() => fire.get('exposure'));
       fire.addEventListener('params-change', ({ detail }) => changes.push(detail.id));
@@ -174,8 +174,8 @@ describe('the client for the page around', () => {
     ]);
     window.loads = (iframe) => new Promise((resolve) => iframe.addEventListener('load', resolve, { once: true }));`;
 
-  test('says so when the fire does not answer, each time until another page is loaded', async () => {
-    const tab = await around.open({}, { more: hurry + script(outcomes) });
+  test('rejects calls while the fire does not answer, until another page is loaded', async () => {
+    const tab = await fixture.open({}, { more: hurry + script(outcomes) });
     await tab.until('the client is there', () => 'loads' in window);
     const [first, second, third] = await tab.evaluate(async (address) => {
       const { fire, outcome, loads } = /** @type {any} */ (window);
@@ -184,18 +184,18 @@ describe('the client for the page around', () => {
       iframe.src = address;
       await loads(iframe);
       return [...silent, await outcome(fire.option('quality'))];
-    }, around.address({ allow: around.here, quality: 'low' }));
-    assert.match(first, new RegExp(`does not answer.*allow ${around.here}`));
+    }, fixture.address({ allow: fixture.pageOrigin, quality: 'low' }));
+    assert.match(first, new RegExp(`does not answer.*allow ${fixture.pageOrigin}`));
     assert.equal(second, first);
     assert.equal(third, 'low');
   });
 
-  test('says so when its iframe is taken off the page, and goes on when it is back', async () => {
+  test('rejects calls while its iframe is removed, and works again when it is inserted', async () => {
     // A fire out of sight, which does nothing yet.
     const style = 'body { height: 9000px } iframe { position: absolute; top: 8000px }';
     const more = hurry + script(outcomes);
-    const tab = await around.open({ allow: around.here, loading: 'lazy', quality: 'low' }, { style, more });
-    await heard(tab, 'hello');
+    const tab = await fixture.open({ allow: fixture.pageOrigin, loading: 'lazy', quality: 'low' }, { style, more });
+    await received(tab, 'hello');
     const seen = await tab.evaluate(async () => {
       const { fire, outcome, loads } = /** @type {any} */ (window);
       const iframe = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
@@ -213,8 +213,8 @@ describe('the client for the page around', () => {
     assert.deepEqual(seen, ['the iframe is not on a page', 'the iframe is not on a page', 'low', 'low']);
   });
 
-  test('refuses what cannot be sent, and does the rest', async () => {
-    const tab = await around.open({ allow: around.here }, { more: hurry + script(`
+  test('rejects a call that cannot be cloned, and continues with others', async () => {
+    const tab = await fixture.open({ allow: fixture.pageOrigin }, { more: hurry + script(`
       ${outcomes}
       const values = { exposure: 1 };
       window.asked = Promise.all([
@@ -230,7 +230,7 @@ describe('the client for the page around', () => {
   });
 
   test('loses no event because of one that there is not, not even in the next page', async () => {
-    const tab = await around.open({ allow: around.here }, { more: script(`
+    const tab = await fixture.open({ allow: fixture.pageOrigin }, { more: script(`
       ${outcomes}
       window.changes = [];
       fire.addEventListener('sauce', () => changes.push('sauce'));
@@ -250,14 +250,14 @@ describe('the client for the page around', () => {
       await loads(iframe);
       await fire.ready();
       await fire.set('exposure', 2);
-    }, around.address({ allow: around.here }));
+    }, fixture.address({ allow: fixture.pageOrigin }));
     await tab.until('an event of the next page comes', () => /** @type {any} */ (window).changes.includes(2));
     const said = tab.problems.filter((problem) => /no event “sauce”.*stats/.test(problem));
     assert.deepEqual([said.length, tab.problems.length], [2, 2], tab.problems.join('\n'));
   });
 
-  test('is told an event as long as somebody listens for it', async () => {
-    const tab = await around.open({ allow: around.here }, { more: script('') });
+  test('receives an event as long as it has a listener', async () => {
+    const tab = await fixture.open({ allow: fixture.pageOrigin }, { more: script('') });
     await tab.until('the client is there', () => 'fire' in window);
     const seen = await tab.evaluate(async () => {
       const { fire } = /** @type {any} */ (window);
@@ -296,7 +296,7 @@ describe('the client for the page around', () => {
   });
 
   test('connects to a fire that has burnt for long, and to the next one in its frame', async () => {
-    const tab = await around.burning({}, { more: '<p>' });
+    const tab = await fixture.burning({}, { more: '<p>' });
     const numbers = await tab.evaluate(async (address) => {
       const load = (/** @type {string} */ url) => import(url);
       const { connectFire } = await load('/web/embed-client.js');
@@ -311,7 +311,7 @@ describe('the client for the page around', () => {
       fire.close();
       const closed = await fire.get('seed').catch((error) => error.message);
       return [first, second, closed];
-    }, around.address({ allow: around.here, seed: '7' }));
+    }, fixture.address({ allow: fixture.pageOrigin, seed: '7' }));
     assert.deepEqual(numbers, [entry.seed.default, 7, 'the connection is closed']);
   });
 });

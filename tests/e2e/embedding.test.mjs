@@ -1,7 +1,6 @@
 /**
- * What the documents for embedding promise: `docs/element.md` names exactly what the
- * element has, every name stands in an example of it or of `docs/embedding.md`, and every
- * example of all of them runs.
+ * The documents for embedding: `docs/element.md` names exactly the members of the element,
+ * each in an example, and every example runs.
  */
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -84,7 +83,7 @@ test('the properties are those of the element, each in an example', () => {
   for (const name of own) assert.ok(written(name).test(CODE), name);
 });
 
-test('what a fire says of itself is described', () => {
+test('the statistics are described', () => {
   const section = named('Properties');
   assert.deepEqual(has.stats.filter((name) => !section.includes(name)), []);
 });
@@ -129,6 +128,7 @@ for (const [at, { file, html, heading }] of EXAMPLES.entries()) {
     const tab = await browser.open(html, {
       width: 800,
       height: 600,
+      pixels: 30_000,
       // Chromium asks for an icon, which no example has.
       files: { 'favicon.ico': { body: '' } },
     });

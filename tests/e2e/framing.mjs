@@ -1,11 +1,11 @@
 /**
- * How the landing page's fire stands in its stage: how high it is where it is bright, and
- * how far its base is above the lower edge. `node framing.mjs` measures all sizes,
- * `node framing.mjs 390x844` one; `--query scene=campfire` another fire than the page's.
- * `HEARTH_SITE` names the site, `HEARTH_CHROMIUM` the browser.
+ * Measures the framing of the landing page's fire: the height of its bright part, and the
+ * distance of its base from the lower edge, as shares of the stage's height. `node
+ * framing.mjs` measures all sizes, `node framing.mjs 390x844` one; `--query scene=campfire`
+ * measures another scene. `HEARTH_SITE` names the site, `HEARTH_CHROMIUM` the browser.
  *
- * The fire stands still and burns by steps that are asked for, so that each measure is of
- * the same ten seconds on every machine.
+ * The fire is paused and burns by requested steps, so every machine measures the same
+ * seconds.
  */
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -27,7 +27,7 @@ const BRIGHT = 0.5;
  * @typedef {'coded' | 'linear'} Scale
  */
 
-/** How many moments are measured, and how long each is after the one before [s]. */
+/** How many moments are measured, and how far they are apart [s]. */
 const MOMENTS = 40;
 const APART = 0.25;
 
@@ -37,14 +37,18 @@ const BURNT = 3;
 /** How many steps tell how long a step is. */
 const TRIED = 400;
 
-/** Pixels are drawn for measures alone, so no more of them than are needed. */
-const PIXELS = 200_000;
+/** Pixels that are enough for these measures: a software renderer computes each one. */
+const PIXELS = 80_000;
+
+/** Widest screen [device pixels]; a wider page is drawn with fewer pixels, in the same layout. */
+const WIDEST = 860;
 
 /**
  * Measures the page's fire in a page of that size.
  * @param {Browser} browser
  * @param {[number, number]} size
  * @param {string} [query]  Of the page's address.
+ * @param {number} [moments]
  * @returns {Promise<{[scale in Scale]: Measure} & {stage: number[]}>}
  *
  * @typedef {object} Measure  Medians, in shares of the stage's height.
@@ -52,12 +56,12 @@ const PIXELS = 200_000;
  * @property {number} base
  * @property {number[]} heights  Each of them.
  */
-export async function measure(browser, [width, height], query = '') {
+export async function measure(browser, [width, height], query = '', moments = MOMENTS) {
   const values = new URLSearchParams({ quality: 'low', ...Object.fromEntries(new URLSearchParams(query)) });
   values.set('paused', '');
   values.set('max-pixels', `${PIXELS}`);
   const touch = Math.min(width, height) < 500;
-  const tab = await browser.open(`index.html?${values}`, { width, height, touch });
+  const tab = await browser.open(`index.html?${values}`, { width, height, touch, ratio: Math.min(1, WIDEST / width) });
   await tab.ready();
   const { stage, rows } = await tab.fire(async (fire, tried, burnt, moments, apart, bright) => {
     // Sparks are bright and fly to the top, and are no flame.
@@ -105,7 +109,7 @@ export async function measure(browser, [width, height], query = '') {
     }
     const box = fire.getBoundingClientRect();
     return { stage: [box.width, box.height], rows: found };
-  }, TRIED, BURNT, MOMENTS, APART, BRIGHT);
+  }, TRIED, BURNT, moments, APART, BRIGHT);
   if (tab.problems.length > 0) throw new Error(tab.problems.join('\n'));
   const of = (/** @type {Scale} */ scale) => {
     const heights = rows.map((row) => row[scale][0]);

@@ -1,12 +1,15 @@
 /**
- * The landing page's fire fills its stage as it should, in a narrow page and in a wide one:
- * a fire's height fits its stage, so the sizes between are the same picture. All sizes:
- * `node framing.mjs`.
+ * The framing of the landing page's fire in the narrowest and in the widest page. The
+ * height of a fire fits its stage, so sizes between show the same picture; `node
+ * framing.mjs` measures all sizes and more moments.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { BARS, SIZES, measure } from './framing.mjs';
+
+/** Enough for a median. */
+const MOMENTS = 16;
 
 /** @type {Browser} */
 let browser;
@@ -17,7 +20,7 @@ after(() => browser?.close());
 
 for (const size of [SIZES[0], /** @type {[number, number]} */ (SIZES.at(-1))]) {
   test(`the fire of a page of ${size.join(' × ')} fills its stage`, async () => {
-    const { linear: { height, base } } = await measure(browser, size);
+    const { linear: { height, base } } = await measure(browser, size, '', MOMENTS);
     const [[low, high], [near, far]] = [BARS.height, BARS.base];
     assert.ok(height >= low && height <= high, `it is bright on ${height} of the stage's height`);
     assert.ok(base >= near && base <= far, `its base is ${base} of it above the lower edge`);

@@ -1,11 +1,11 @@
 /**
- * What the element does with values it cannot take: it says so, by an event, a
- * warning and a rejected promise, and burns on with the last good values.
+ * Invalid values: the element reports them by an event, a warning and a rejected promise,
+ * and keeps the last good values.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { assertBurns, events, recording } from './laws.mjs';
+import { assertBurns, events, recording } from './assertions.mjs';
 import { table } from './site.mjs';
 
 const { DEFAULTS, entry } = await table();
@@ -35,7 +35,7 @@ function set(tab, ...args) {
   }, ...args);
 }
 
-test('an attribute out of range is refused aloud and the fire burns with the default', async () => {
+test('an attribute out of range is rejected with an error event, and the fire burns with the default', async () => {
   const tab = await browser.open(recording('<hearth-fire viscosity="99"></hearth-fire>'));
   await tab.ready();
   const [{ kind, id, value, min, max, message }, ...more] = await events(tab, 'error');
@@ -64,7 +64,7 @@ for (const [attribute, text, reason] of [
   ['preset', 'volcano', /volcano/],
   ['model', 'volcano', /volcano.*classic, combustion/],
 ]) {
-  test(`${attribute}="${text}" is refused aloud`, async () => {
+  test(`${attribute}="${text}" is rejected with an error event`, async () => {
     const body = recording(`<hearth-fire ${attribute}="${text}"></hearth-fire>`);
     const tab = await browser.open(body);
     await tab.ready();
@@ -130,7 +130,7 @@ test('no kind of nonsense is taken for a number', async () => {
   });
 });
 
-test('a refusal that nobody waits for is no uncaught exception', async () => {
+test('a rejection without a handler is no uncaught exception', async () => {
   const tab = await browser.open(recording('<hearth-fire></hearth-fire>'));
   await tab.ready();
   await tab.fire((fire) => {
@@ -171,7 +171,7 @@ for (const [missing, word, before] of [
     },
   ],
 ]) {
-  test(`a browser without ${missing} shows words and the poster`, async () => {
+  test(`a browser without ${missing} shows a message and the poster`, async () => {
     const body = recording(`<hearth-fire>${POSTER}</hearth-fire>`);
     const tab = await browser.open(body, { before, beforeWorker: before });
     await tab.until(
@@ -189,7 +189,7 @@ for (const [missing, word, before] of [
     assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
   });
 
-  test(`the page itself says that ${missing} is missing`, async () => {
+  test(`the page reports that ${missing} is missing`, async () => {
     const tab = await browser.open('index.html', { before, beforeWorker: before });
     await tab.until(
       `words about ${missing}`,
@@ -204,7 +204,7 @@ for (const [missing, word, before] of [
   });
 }
 
-test('an engine that cannot be loaded shows words and the poster', async () => {
+test('an engine that cannot be loaded shows a message and the poster', async () => {
   const body = recording(`<hearth-fire>${POSTER}</hearth-fire>`);
   const tab = await browser.open(body, { without: 'hearth-engine_bg.wasm' });
   await tab.until(
@@ -220,7 +220,7 @@ test('an engine that cannot be loaded shows words and the poster', async () => {
   assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
 });
 
-test('a fire that gets no context says so once, and goes in silence', async () => {
+test('a fire without a context reports it once, and its removal reports nothing', async () => {
   const blind = () => {
     for (const type of [globalThis.HTMLCanvasElement, OffscreenCanvas]) {
       if (type) type.prototype.getContext = () => null;
@@ -240,7 +240,7 @@ test('a fire that gets no context says so once, and goes in silence', async () =
   assert.equal(tab.problems.length, 1);
 });
 
-test('a panel that cannot be loaded says so, and the fire burns without it', async () => {
+test('a panel that fails to load shows a message, and the fire burns without it', async () => {
   const tab = await browser.open('index.html', {
     width: 1000,
     height: 600,

@@ -1,6 +1,6 @@
 /**
- * The keys of the page for a fire: they act wherever the focus is, but never on
- * what is typed, and never on what a key presses by itself.
+ * Keyboard shortcuts of the page: they act wherever the focus is, except in text fields
+ * and on controls that use the key.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -31,7 +31,7 @@ function countSaved() {
   };
 }
 
-test('space holds the fire and lets it burn, R starts it again', async () => {
+test('space pauses and plays the fire, R restarts it', async () => {
   const { tab, panel } = await openPage();
   // With the focus nowhere, on egui, and on a slider of the mirror.
   for (const focus of [
@@ -47,13 +47,13 @@ test('space holds the fire and lets it burn, R starts it again', async () => {
   }
   const time = await tab.fire((fire) => fire.stats.time);
   await tab.key('r');
-  await tab.until('the time starts anew', (old) => (
+  await tab.until('the fire has restarted', (old) => (
     /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < old
   ), time);
   assert.deepEqual(tab.problems, []);
 });
 
-test('S saves a picture, F takes all of the screen and gives it back', async () => {
+test('S saves a picture, F enters and leaves full screen', async () => {
   const { tab } = await openPage(countSaved);
   await tab.key('s');
   await tab.until('a picture', () => /** @type {any} */ (window).saved === 1);
@@ -76,7 +76,7 @@ test('the full screen is not offered where the browser does not allow it', async
   assert.deepEqual(tab.problems, []);
 });
 
-test('the question mark lists every key, and goes with it or with Escape', async () => {
+test('the question mark lists every key; it or Escape closes the list', async () => {
   const { tab } = await openPage();
   const listed = () => tab.evaluate(() => (
     [...document.querySelectorAll('[data-card="help"] kbd')].map((key) => key.textContent)

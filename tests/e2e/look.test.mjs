@@ -1,6 +1,6 @@
 /**
- * The same fire is the same picture: on screens with more pixels, and after the
- * graphics card was lost.
+ * The same fire gives the same picture on screens with more pixels and after a lost
+ * context.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -51,7 +51,7 @@ for (const model of ['combustion', 'classic']) {
   });
 
   for (const lit of ['in steps', 'in pictures']) {
-    test(`a ${model} fire that burnt ${lit} and stands still outlives its context`, async () => {
+    test(`a ${model} fire that burnt ${lit} and is paused survives a lost context`, async () => {
       const tab = await burnt(still(model, 1));
       if (lit === 'in pictures') {
         await tab.fire((fire) => fire.play());

@@ -1,30 +1,30 @@
 /**
- * What a fire in an iframe answers: the page around it, if, and only if, its address
- * allows that page's origin. What it refuses is tested in tests/web/message-bridge.test.mjs.
+ * Messages between a fire in an iframe and the embedding page. Rejected messages are
+ * tested in tests/web/message-bridge.test.mjs.
  */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { Around, ask, heard, inside, send } from './around.mjs';
+import { IframeFixture, call, inIframe, received, send } from './iframe-fixture.mjs';
 import { table } from './site.mjs';
 
 const { entry } = await table();
 
-/** @type {Around} */
-let around;
+/** @type {IframeFixture} */
+let fixture;
 before(async () => {
-  around = await Around.start();
+  fixture = await IframeFixture.start();
 });
-after(() => around?.close());
+after(() => fixture?.close());
 
 describe('messages from an allowed origin', () => {
   test('are all answered', async () => {
-    const tab = await around.burning({ model: 'classic' });
+    const tab = await fixture.burning({ model: 'classic' });
     const tried = new Set();
     const value = async (method, ...args) => {
       tried.add(method);
-      const answer = await ask(tab, method, ...args);
+      const answer = await call(tab, method, ...args);
       assert.ok(answer?.ok, `${method}: ${JSON.stringify(answer?.error)}`);
-      assert.equal(answer.origin, around.there);
+      assert.equal(answer.origin, fixture.fireOrigin);
       return answer.value;
     };
     await value('ready');
@@ -32,13 +32,13 @@ describe('messages from an allowed origin', () => {
     assert.equal(version, 1);
 
     await value('pause');
-    assert.equal(await inside(tab, (fire) => fire.paused), true);
+    assert.equal(await inIframe(tab, (fire) => fire.paused), true);
     await value('reset');
     await value('step', 30);
-    await tab.until('steps are made', () => /** @type {any} */ (window).ask('stats').then(({ value: stats }) => stats?.time > 0));
+    await tab.until('steps are made', () => /** @type {any} */ (window).call('stats').then(({ value: stats }) => stats?.time > 0));
     tried.add('stats');
     await value('play');
-    assert.equal(await inside(tab, (fire) => fire.paused), false);
+    assert.equal(await inIframe(tab, (fire) => fire.paused), false);
 
     await value('set', 'viscosity', 0.02);
     assert.equal(await value('get', 'viscosity'), 0.02);
@@ -66,7 +66,7 @@ describe('messages from an allowed origin', () => {
 
     tried.add('toBlob');
     const type = await tab.evaluate(async () => {
-      const { value: blob, error } = await /** @type {any} */ (window).ask('toBlob', 'image/png');
+      const { value: blob, error } = await /** @type {any} */ (window).call('toBlob', 'image/png');
       return blob ? `${blob.type} ${blob.size > 100}` : error.message;
     });
     assert.equal(type, 'image/png true');
@@ -78,25 +78,25 @@ describe('messages from an allowed origin', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('bring the events that were asked for and no others', async () => {
-    const tab = await around.burning();
-    await ask(tab, 'subscribe', ['params-change', 'error']);
-    await ask(tab, 'set', 'exposure', 1);
-    assert.deepEqual((await heard(tab, 'params-change')).detail, { id: 'exposure', value: 1, source: 'property' });
-    await ask(tab, 'set', 'exposure', 99);
-    const { detail } = await heard(tab, 'error');
+  test('deliver the subscribed events and no others', async () => {
+    const tab = await fixture.burning();
+    await call(tab, 'subscribe', ['params-change', 'error']);
+    await call(tab, 'set', 'exposure', 1);
+    assert.deepEqual((await received(tab, 'params-change')).detail, { id: 'exposure', value: 1, source: 'property' });
+    await call(tab, 'set', 'exposure', 99);
+    const { detail } = await received(tab, 'error');
     assert.deepEqual([detail.kind, detail.id], ['bad-parameter', 'exposure']);
-    await ask(tab, 'unsubscribe', ['params-change']);
-    await ask(tab, 'set', 'exposure', 0);
-    await ask(tab, 'pause');
-    const kinds = await tab.evaluate(() => /** @type {any} */ (window).heard
+    await call(tab, 'unsubscribe', ['params-change']);
+    await call(tab, 'set', 'exposure', 0);
+    await call(tab, 'pause');
+    const kinds = await tab.evaluate(() => /** @type {any} */ (window).received
       .filter(({ event }) => event !== undefined).map(({ event }) => event));
     assert.deepEqual(kinds, ['hello', 'ready', 'params-change', 'error']);
   });
 
-  test('that ask for something bad are refused with what is allowed', async () => {
-    const tab = await around.burning();
-    const { ok, error } = await ask(tab, 'set', 'exposure', 99);
+  test('with invalid arguments are rejected with the allowed values', async () => {
+    const tab = await fixture.burning();
+    const { ok, error } = await call(tab, 'set', 'exposure', 99);
     assert.equal(ok, false);
     const { min, max } = entry.exposure;
     assert.deepEqual({ ...error, message: '' }, { name: 'RangeError', message: '', id: 'exposure', value: 99, min, max });
@@ -114,22 +114,22 @@ describe('messages from an allowed origin', () => {
       ['subscribe', [['stats', 'everything']], /everything.*stats/],
       ['subscribe', [], /there is no event/],
     ]) {
-      const answer = await ask(tab, method, ...args);
+      const answer = await call(tab, method, ...args);
       assert.equal(answer.ok, false, `${method} ${JSON.stringify(args)}`);
       assert.match(answer.error.message, words);
     }
-    const { value: params } = await ask(tab, 'params');
+    const { value: params } = await call(tab, 'params');
     assert.deepEqual([params.seed, params.exposure], [entry.seed.default, entry.exposure.default]);
   });
 
   test('set an option to false, which of `autoplay` has to be said', async () => {
-    const tab = await around.burning();
+    const tab = await fixture.burning();
     for (const [name, value, attribute] of [
       ['autoplay', false, 'false'], ['autoplay', true, ''], ['autoplay', null, null],
       ['interactive', true, ''], ['interactive', false, null],
     ]) {
-      assert.equal((await ask(tab, 'option', name, value)).value, attribute, `${name} ${value}`);
-      const property = await inside(tab, (fire, key) => fire[key], name);
+      assert.equal((await call(tab, 'option', name, value)).value, attribute, `${name} ${value}`);
+      const property = await inIframe(tab, (fire, key) => fire[key], name);
       assert.equal(property, name === 'autoplay' ? value !== false : value, `${name} ${value}`);
     }
   });
@@ -138,31 +138,31 @@ describe('messages from an allowed origin', () => {
 describe('messages from anybody else', () => {
   /** Nothing that is asked of this fire brings an answer. */
   async function assertDeaf(tab) {
-    await inside(tab, (fire) => fire.ready.then(() => undefined));
+    await inIframe(tab, (fire) => fire.ready.then(() => undefined));
     await send(tab, { hearth: 1, id: 1, method: 'pause' }, 1, 0);
     await send(tab, { hearth: 1, id: 2, method: 'params' }, 2, 500);
-    assert.deepEqual(await tab.evaluate(() => /** @type {any} */ (window).heard), []);
-    assert.equal(await inside(tab, (fire) => fire.paused), false);
+    assert.deepEqual(await tab.evaluate(() => /** @type {any} */ (window).received), []);
+    assert.equal(await inIframe(tab, (fire) => fire.paused), false);
   }
 
-  test('are not answered where nobody is allowed', async () => {
-    const tab = await around.open({});
+  test('are not answered when no origin is allowed', async () => {
+    const tab = await fixture.open({});
     await assertDeaf(tab);
     assert.deepEqual(tab.problems, []);
   });
 
   test('are not answered where other origins are allowed, not even the fire’s own', async () => {
-    const allow = `https://a.example,${around.there},http://localhost:${new URL(around.here).port}`;
-    const tab = await around.open({ allow });
+    const allow = `https://a.example,${fixture.fireOrigin},http://localhost:${new URL(fixture.pageOrigin).port}`;
+    const tab = await fixture.open({ allow });
     await assertDeaf(tab);
     const said = tab.problems.filter((problem) => problem.includes('does not allow'));
     assert.equal(said.length, 1);
-    assert.match(said[0], new RegExp(around.here));
+    assert.match(said[0], new RegExp(fixture.pageOrigin));
   });
 
-  test('are not answered where “*” and the like are allowed, and that is said', async () => {
-    const wrong = ['*', 'null', '/', `${around.here}/`, 'https://*.example', 'javascript:alert(1)'];
-    const tab = await around.open({ allow: wrong.join(',') });
+  test('are not answered when “*” is allowed, and a warning says so', async () => {
+    const wrong = ['*', 'null', '/', `${fixture.pageOrigin}/`, 'https://*.example', 'javascript:alert(1)'];
+    const tab = await fixture.open({ allow: wrong.join(',') });
     await assertDeaf(tab);
     const said = tab.problems.filter((problem) => problem.includes('“allow” wants exact origins'));
     assert.equal(said.length, wrong.length);

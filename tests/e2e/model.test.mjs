@@ -1,13 +1,13 @@
 /**
- * The two models of one fire: whoever names a model, by attribute, property or
- * address, gets that one with its values, in whatever order they come; a switch
- * loses nothing; and a fire that is asked for too much burns slowly and says so.
+ * The two models of a fire: a model is set with its values by attribute, property or URL
+ * parameter, in any order; a switch keeps values; fires keep real time or report that they
+ * are slowed.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { onPageThread, simulateClock } from './clock.mjs';
-import { assertBurns, events, recording } from './laws.mjs';
+import { assertBurns, events, recording } from './assertions.mjs';
 import { table } from './site.mjs';
 
 const { defaultsOf, entry } = await table();
@@ -34,7 +34,7 @@ for (const [model, only] of Object.entries(ONLY)) {
   const pairs = Object.entries({ ...only, model });
   const orders = [pairs, [...pairs].reverse()];
 
-  test(`${model} as an attribute decides about all others, wherever it stands`, async () => {
+  test(`${model} as an attributedecides the ranges of all others, wherever it stands`, async () => {
     for (const order of orders) {
       const attributes = order.map(([id, value]) => `${entry[id].attribute}="${value}"`).join(' ');
       const tab = await browser.open(`<hearth-fire paused ${attributes}></hearth-fire>`);
@@ -44,7 +44,7 @@ for (const [model, only] of Object.entries(ONLY)) {
     }
   });
 
-  test(`${model} in the address decides about all others, wherever it stands`, async () => {
+  test(`${model} in the addressdecides the ranges of all others, wherever it stands`, async () => {
     for (const order of orders) {
       const address = new URLSearchParams([...order.map(([id, value]) => [id, `${value}`]), ['paused', '']]);
       const tab = await browser.open(`index.html?${address}`);
@@ -70,7 +70,7 @@ for (const [model, only] of Object.entries(ONLY)) {
     }
   });
 
-  test(`what ${model} does not take is refused aloud, and the model with it`, async () => {
+  test(`a value that ${model} does not accept is rejected together with the model`, async () => {
     const [[other, alien]] = Object.entries(ONLY).filter(([name]) => name !== model);
     const tab = await browser.open(recording(`<hearth-fire paused model="${other}"></hearth-fire>`));
     await tab.ready();
@@ -84,7 +84,7 @@ for (const [model, only] of Object.entries(ONLY)) {
   });
 }
 
-test('a model goes before the preset’s, and values before both', async () => {
+test('a model overrides the preset’s, and values override both', async () => {
   const tab = await browser.open(
     '<hearth-fire paused source-width="0.9" preset="seed" model="combustion"></hearth-fire>',
   );
@@ -94,7 +94,7 @@ test('a model goes before the preset’s, and values before both', async () => {
   assert.deepEqual(tab.problems, []);
 });
 
-test('a change of the model tells every value that is another one now', async () => {
+test('a change of the model reports every value that differs', async () => {
   const tab = await browser.open(recording('<hearth-fire paused model="classic"></hearth-fire>'));
   await tab.ready();
   for (const [before, now, change, source] of [
@@ -117,7 +117,7 @@ test('a change of the model tells every value that is another one now', async ()
   }
 });
 
-test('a model that comes back has the values that it had', async () => {
+test('a model that is restored has its previous values', async () => {
   const tab = await browser.open('<hearth-fire paused model="classic" domain-height="1"></hearth-fire>');
   await tab.ready();
   const ids = ['domain_height', 'viscosity', 'fuel_power', 'exposure'];
@@ -167,7 +167,7 @@ test('a burning fire changes its model and burns on', async () => {
   assert.deepEqual(tab.problems, []);
 });
 
-test('steps that are asked for are made, however long each of them is', async () => {
+test('requested steps are made, however long each of them is', async () => {
   for (const model of Object.keys(ONLY)) {
     const tab = await browser.open(`<hearth-fire paused model="${model}"></hearth-fire>`);
     await tab.ready();
@@ -183,7 +183,7 @@ test('steps that are asked for are made, however long each of them is', async ()
   }
 });
 
-test('what a fire says of itself fits its model', async () => {
+test('the statistics fit the model', async () => {
   const tab = await browser.open('<hearth-fire model="classic" quality="medium"></hearth-fire>');
   await tab.burnt(0.5);
   const classic = await tab.fire((fire) => fire.stats);

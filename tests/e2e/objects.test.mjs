@@ -1,10 +1,10 @@
 /**
- * The objects of a fire: set, read, sent and kept, wherever settings go.
+ * The objects of a fire: set, read, sent and stored with the settings.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { events, recording } from './laws.mjs';
+import { events, recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -43,7 +43,7 @@ test('a fire has one source, which its parameters describe', async () => {
   assert.deepEqual(await places(tab), { 1: 0.3 });
 });
 
-test('objects are added, changed and removed, and each change is told once', async () => {
+test('objects are added, changed and removed, and each change is reported once', async () => {
   const tab = await browser.open(recording('<hearth-fire paused></hearth-fire>'));
   await tab.ready();
   const ids = await tab.fire(async (fire) => [
@@ -69,7 +69,7 @@ test('objects are added, changed and removed, and each change is told once', asy
   assert.deepEqual(await places(tab), { 1: -0.3 });
 });
 
-test('what is wrong with an object is named, and nothing changes', async () => {
+test('an invalid object is rejected with its mistake, and nothing changes', async () => {
   const tab = await browser.open('<hearth-fire paused></hearth-fire>');
   await tab.ready();
   const wrong = [
@@ -98,7 +98,7 @@ test('what is wrong with an object is named, and nothing changes', async () => {
   assert.deepEqual([min, max, value], [0, 600, 700]);
 });
 
-test('the attribute holds objects as JSON; bad JSON is refused in words', async () => {
+test('the attribute holds objects as JSON, and bad JSON is rejected with a message', async () => {
   const tab = await browser.open(`<hearth-fire paused objects='${JSON.stringify(TWO)}'></hearth-fire>`);
   await tab.ready();
   assert.deepEqual(await places(tab), { 1: -0.3, 7: 0.3 });

@@ -1,11 +1,11 @@
 /**
- * The page as a visitor meets it: it loads without a complaint, the fire
- * burns where fire should be, moves, and goes on burning.
+ * The landing page: it loads without a warning, its fire burns in the lower middle, and its
+ * address follows the fire.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { assertBurns, assertGlows } from './laws.mjs';
+import { assertBurns, assertGlows } from './assertions.mjs';
 import { table } from './site.mjs';
 
 const { defaultsOf } = await table();
@@ -17,7 +17,7 @@ before(async () => {
 });
 after(() => browser?.close());
 
-test('the page loads without a complaint and its fire becomes ready', async () => {
+test('the page loads without a warning and its fire becomes ready', async () => {
   const tab = await browser.open('index.html');
   await tab.ready();
   await tab.burnt(0.5);
@@ -25,7 +25,7 @@ test('the page loads without a complaint and its fire becomes ready', async () =
 });
 
 test('fire burns in the lower middle and nowhere else, and it moves', async () => {
-  const tab = await browser.open('index.html?scene=default', { width: 1000, height: 500 });
+  const tab = await browser.open('index.html?scene=default', { width: 1000, height: 500, pixels: Infinity });
   await tab.burnt(1.5);
   await assertBurns(tab);
   const picture = await tab.firePicture();
@@ -34,7 +34,7 @@ test('fire burns in the lower middle and nowhere else, and it moves', async () =
   assert.ok(picture.part(0.4, 0, 0.6, 0.05).dark() > 0.95, 'the upper edge is dark');
 });
 
-test('the fire still burns after ten seconds, with a whole fire of particles', async () => {
+test('the fire still burns after ten seconds, with its full number of particles', async () => {
   // Few of them, so that a slow machine comes to the end of it as well.
   const most = 1000;
   const tab = await browser.open(`index.html?max-particles=${most}`);
@@ -47,7 +47,7 @@ test('the fire still burns after ten seconds, with a whole fire of particles', a
   assert.deepEqual(tab.problems, []);
 });
 
-test('values in the address set the fire, and bad ones are refused aloud', async () => {
+test('values in the address set the fire, and bad ones are rejected with a warning', async () => {
   const values = 'model=classic&viscosity=0.02&buoyancy=99&seed=7';
   const tab = await browser.open(`index.html?${values}`);
   await tab.ready();
@@ -64,7 +64,7 @@ test('values in the address set the fire, and bad ones are refused aloud', async
   await assertBurns(tab);
 });
 
-test('the address follows the fire: its scene and what was changed, and nothing else', async () => {
+test('the address follows the fire: its scene and its changed values, and nothing else', async () => {
   const tab = await browser.open('index.html?quality=low#hearth');
   await tab.ready();
   const opened = await tab.evaluate(() => [location.search + location.hash, history.length]);
@@ -125,7 +125,7 @@ for (const [about, query, said, seed] of [
   ['names hundreds', `seed=7&${MANY}`, [/301 values.*200/], 1],
   ['is longer than 8 KiB', `seed=7&alt=${'x'.repeat(9000)}`, [/longer than 8192/], 1],
 ]) {
-  test(`an address that ${about} is no trouble, and what is wrong is said`, async () => {
+  test(`an address that ${about} breaks nothing, and each mistake is reported`, async () => {
     const tab = await browser.open(`index.html?${query}`);
     await tab.ready();
     const toast = await tab.evaluate(() => document.getElementById('toast')?.textContent ?? '');
@@ -142,7 +142,7 @@ for (const [about, query, said, seed] of [
   });
 }
 
-test('names that are nothing to the fire alarm nobody and stay in the address', async () => {
+test('unrelated names in the address cause no message and stay in the address', async () => {
   const foreign = 'fbclid=a.b&utm_source=mail&utm_source=x&gclid=1&q=fire&source=y&kind=z&ref=';
   const tab = await browser.open(`index.html?${foreign}&exposure=0.5`);
   await tab.ready();
@@ -155,7 +155,7 @@ test('names that are nothing to the fire alarm nobody and stay in the address', 
 });
 
 for (const address of ['?paused', '?autoplay=false']) {
-  test(`${address} in the address lets the fire stand still`, async () => {
+  test(`${address} in the address pauses the fire`, async () => {
     const tab = await browser.open(`index.html${address}&alt=Embers`);
     await tab.ready();
     const told = () => tab.fire((fire) => ({ paused: fire.paused, alt: fire.alt, time: fire.stats?.time ?? 0 }));

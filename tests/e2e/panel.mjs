@@ -1,8 +1,7 @@
 /**
- * The egui panel as a hand finds it. egui paints into a canvas, so its
- * controls are found through the mirror of native controls that the panel
- * keeps: focusing a mirror control scrolls the panel to its row, and its
- * `data-rect` tells where the row's control stands on the page.
+ * The egui panel under test. egui paints into a canvas, so tests find its controls through
+ * the accessible controls: focusing one scrolls the panel to its row, and its `data-rect` is
+ * the rectangle of the egui control on the page.
  */
 
 import { domainOf } from './site.mjs';
@@ -11,15 +10,15 @@ import { domainOf } from './site.mjs';
 /** @typedef {import('./driver.mjs').Point} Point */
 /** @typedef {import('./picture.mjs').Rectangle} Rectangle */
 
-/** The mirror control of a parameter. */
+/** The selector of a parameter's accessible control. */
 export const mirrorOf = (/** @type {string} */ id) => `[data-parameter="${id}"]`;
 
-/** The mirror of a button: pause, reset, reset-all, scenes, restore:viscosity … */
+/** The selector of an accessible button: pause, reset, reset-all, scenes, restore:viscosity … */
 export const actionOf = (/** @type {string} */ name) => `[data-action="${name}"]`;
 
 /**
- * The table as one model has it, by id: with its ranges and defaults, and
- * whether it uses the parameter.
+ * The parameters by id, with their ranges and defaults in a model, and whether that model
+ * uses them.
  * @param {any[]} PARAMETERS @param {string} model
  */
 export function entriesOf(PARAMETERS, model) {
@@ -29,16 +28,16 @@ export function entriesOf(PARAMETERS, model) {
   ]));
 }
 
-/** The point inside a rectangle at a fraction of its width, half way down. */
+/** The point of a rectangle at a fraction of its width and half its height. */
 export function along(/** @type {Rectangle} */ rectangle, /** @type {number} */ fraction) {
   const { x, y, width, height } = rectangle;
   return { x: x + width * fraction, y: y + height / 2 };
 }
 
-/** Runs in the page: what the panel stands in. */
+/** Runs in the page: the document or shadow root of the panel. */
 const ROOT = `((inside) => inside ? document.querySelector('hearth-fire').shadowRoot : document)`;
 
-/** Runs in the page: presses the button that shows the panel, where it is hidden. */
+/** Runs in the page: shows a hidden panel. */
 function openPanel() {
   if (document.documentElement.dataset.panel !== 'hidden') return;
   /** @type {HTMLElement} */ (document.getElementById('toggle')).click();
@@ -52,13 +51,13 @@ export class Panel {
     this.inside = inside;
   }
 
-  /** As the driver finds an element of the panel. @param {string} selector */
+  /** The driver's selector of an element of the panel. @param {string} selector */
   find(selector) {
     return this.inside ? `hearth-fire >>> ${selector}` : selector;
   }
 
   /**
-   * Runs `act` in the page with the document or shadow root that the panel stands in.
+   * Runs `act` in the page with the document or shadow root of the panel.
    * @param {(root: Document | ShadowRoot, ...args: any[]) => any} act @param {...unknown} args
    */
   in(act, ...args) {
@@ -71,7 +70,7 @@ export class Panel {
     return this.tab.until(what, /** @type {any} */ (call));
   }
 
-  /** Opens the panel of a page, where it is closed, and waits until it has painted its controls. */
+  /** Shows the panel of a page, and waits until its controls are painted. */
   async mounted() {
     if (!this.inside) await this.tab.evaluate(openPanel);
     await this.until(
@@ -83,7 +82,7 @@ export class Panel {
   }
 
   /**
-   * Brings a parameter's row into sight and waits until it stands still.
+   * Scrolls to a parameter's row and waits until it no longer moves.
    * @param {string} id
    * @returns {Promise<Rectangle>}  Where egui shows its control, in CSS pixels of the page.
    */
@@ -92,20 +91,20 @@ export class Panel {
   }
 
   /**
-   * Gives the focus to a mirror control, so that the panel brings its like into sight,
-   * and takes it away again.
+   * Focuses an accessible control, so that the panel scrolls to its egui control, and blurs
+   * it.
    * @param {string} selector
    */
   async pointAt(selector) {
     await this.tab.page.focus(this.find(selector));
     const rectangle = await this.standing(selector);
-    // A focused mirror control shows itself, and could stand in the mouse's way.
+    // A focused accessible control is visible and could cover the egui control.
     await this.in((root) => /** @type {HTMLElement} */ (root.activeElement).blur());
     return rectangle;
   }
 
   /**
-   * Where egui shows what a mirror control stands for, once it stands still.
+   * The rectangle of the egui control of an accessible control, once it no longer moves.
    * @param {string} selector
    * @returns {Promise<Rectangle>}
    */
@@ -121,8 +120,8 @@ export class Panel {
   }
 
   /**
-   * Where egui shows a part that has no mirror of its own: a name of a choice,
-   * a colour's hue.
+   * The rectangle of a part without an accessible control: a name of a choice, the hue of a
+   * colour.
    * @param {string} name
    * @returns {Promise<Rectangle>}
    */
@@ -154,21 +153,21 @@ export class Panel {
   }
 
   /**
-   * Unfolds what can be shared, where it is folded.
-   * @param {string} action  What is needed of it.
+   * Presses a button of the share section, which it unfolds.
+   * @param {string} action
    */
   async share(action) {
     await this.pointAt(actionOf(action));
     await this.press(action);
   }
 
-  /** What the mirror says in words. */
+  /** The text of the status line. */
   said() {
     return this.in((root) => root.querySelector('.hearth-mirror [role="status"]')?.textContent);
   }
 
   /**
-   * Clicks the button that brings a parameter's default back.
+   * Clicks the button that restores a parameter's default.
    * @param {string} id
    */
   async restore(id) {
@@ -177,7 +176,7 @@ export class Panel {
   }
 
   /**
-   * Clicks one of a choice's names, in its list where that is folded.
+   * Clicks a name of a choice, in its list if that is folded.
    * @param {string} id @param {string} name
    */
   async choose(id, name) {
@@ -218,7 +217,7 @@ export class Panel {
   }
 
   /**
-   * Waits until the fire's parameter satisfies `holds`, and gives its value.
+   * Waits until the fire's parameter satisfies `holds`, and returns its value.
    * @param {string} id @param {string} what @param {(value: any) => boolean} holds
    */
   async value(id, what, holds) {
@@ -233,8 +232,8 @@ export class Panel {
 }
 
 /**
- * Opens the page with its panel for tests that can share one: it is loaded once and set
- * back for each test, since its wasm takes longer to load than most tests take.
+ * Opens the page with its panel and a paused fire, for tests that can share a page. It is
+ * loaded once and reset for each test: its wasm takes longer to load than most tests take.
  * @param {() => import('./driver.mjs').Browser} browser
  * @returns {(model?: string) => Promise<{tab: Tab, panel: Panel}>}
  */
@@ -249,13 +248,13 @@ export function sharedPage(browser) {
     }
     const { tab } = page;
     tab.problems.length = 0;
-    // No row is hovered, and none has the focus.
+    // No row is hovered or focused.
     await tab.mouse('move', { x: 5, y: 300 });
     await tab.evaluate(() => /** @type {HTMLElement | null} */ (document.activeElement)?.blur());
     await tab.fire(async (fire, values) => {
       await fire.restore();
       await fire.importConfig({ hearth: 2, values });
-      await fire.play();
+      await fire.pause();
     }, { model });
     await tab.frames();
     return page;
@@ -263,7 +262,7 @@ export function sharedPage(browser) {
 }
 
 /**
- * The value that stands at a fraction of a slider.
+ * The value at a fraction of a slider.
  * @param {{min: number, max: number, scale: string}} entry  From the parameter table.
  * @param {number} fraction
  */
@@ -272,7 +271,7 @@ export function valueAt({ min, max, scale }, fraction) {
 }
 
 /**
- * Where a value stands on its slider, as a fraction.
+ * The position of a value on its slider, as a fraction.
  * @param {{min: number, max: number, scale: string}} entry  From the parameter table.
  * @param {number} value
  */
@@ -283,8 +282,8 @@ export function fractionOf({ min, max, scale }, value) {
 }
 
 /**
- * Runs in the page: keeps what the panel's wasm tells about all its places in
- * `window.panelRectangles`. The page asks it after every painted frame.
+ * Runs in the page: keeps the panel's rectangles in `window.panelRectangles`. The page reads
+ * them from the wasm after every painted frame.
  */
 async function rememberRectangles() {
   const load = (/** @type {string} */ url) => import(url);

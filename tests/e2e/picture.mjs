@@ -1,9 +1,8 @@
 /**
- * What a screenshot shows: a PNG becomes pixels, and pixels become figures
- * that a test can make a law of ("the lower middle glows", "it moved").
+ * Screenshots as pixels, and figures of them for assertions: the share that glows, the
+ * difference from another picture.
  *
- * A browser's screenshots are PNGs of 8 bits a channel, RGB or RGBA, not
- * interlaced; that much of the format is read here, and nothing else.
+ * It decodes the PNGs that browsers write: 8 bits a channel, RGB or RGBA, not interlaced.
  */
 import { inflateSync } from 'node:zlib';
 
@@ -65,12 +64,12 @@ export class Picture {
     return new Picture(width, height, rgb);
   }
 
-  /** Share of the pixels that glow like fire: bright, and R ≥ G ≥ B. */
+  /** Share of the pixels that are bright with R ≥ G ≥ B, like fire. */
   glowing() {
     return this.share((r, g, b) => r > 70 && r >= g - 2 && g >= b - 2);
   }
 
-  /** Share of the pixels that are black or nearly so. */
+  /** Share of the pixels that are nearly black. */
   dark() {
     return this.share((r, g, b) => Math.max(r, g, b) < 24);
   }
@@ -102,7 +101,7 @@ export class Picture {
 }
 
 /**
- * Takes PNG's five row filters back.
+ * Reverses PNG's five row filters.
  * @param {Uint8Array} data @param {number} stride @param {number} height @param {number} channels
  */
 function unfilter(data, stride, height, channels) {

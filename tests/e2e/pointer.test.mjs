@@ -1,11 +1,11 @@
 /**
- * What a pointer does with an interactive fire: it stirs the gas, a click throws
- * sparks, a drag moves the source; and the calls that do the same.
+ * Pointers on an interactive fire: movement stirs the gas, a click throws sparks, a drag
+ * moves the source. Methods do the same.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { events, recording } from './laws.mjs';
+import { events, recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -36,7 +36,7 @@ const embers = (tab, count) => tab.until(
   count,
 );
 
-test('a pointer stirs an interactive fire and no other, and more where it presses', async () => {
+test('a pointer stirs only an interactive fire, and more while it is pressed', async () => {
   const tab = await browser.open('<hearth-fire paused model="classic" quality="low" seed="3"></hearth-fire>');
   await tab.ready();
   // Each way of the pointer takes 50 ms and is followed by as much fire.
@@ -79,7 +79,7 @@ test('a pointer stirs an interactive fire and no other, and more where it presse
   assert.deepEqual(tab.problems, []);
 });
 
-test('a click throws sparks there, and a drag throws none', async () => {
+test('a click throws sparks at its place, and a drag throws none', async () => {
   const tab = await browser.open(`<hearth-fire ${CALM} fuel-power="0"></hearth-fire>`);
   await listens(tab);
   await tab.fire((fire) => fire.step(4));
@@ -99,7 +99,7 @@ test('a click throws sparks there, and a drag throws none', async () => {
 });
 
 for (const style of ['', 'transform: scale(0.6); transform-origin: 0 0']) {
-  test(`a drag on the source takes it along ${style && 'in an element that is drawn smaller'}`, async () => {
+  test(`a drag on the source moves it ${style && 'in a scaled element'}`, async () => {
     const tab = await browser.open(`<div style="${style}">${recording(`<hearth-fire ${CALM}></hearth-fire>`)}</div>`);
     await listens(tab);
     await tab.fire((fire) => fire.step(4));
@@ -150,7 +150,7 @@ test('a finger moves the source across, and scrolls the page up and down from it
   assert.equal((await source(tab)).x, moved.x);
 });
 
-test('a mouse that is pressed on the fire selects text as before, and from its source none', async () => {
+test('a mouse drag from the fire selects text, and one from its source does not', async () => {
   const tab = await browser.open(`<hearth-fire ${CALM}></hearth-fire><p style="margin: 0">These words may be selected.</p>`);
   await listens(tab);
   await tab.fire((fire) => fire.step(4));
@@ -163,7 +163,7 @@ test('a mouse that is pressed on the fire selects text as before, and from its s
   assert.match(await selected(), /^These words/);
 });
 
-test('gas is stirred and sparks are thrown by calls too, and what is none is refused', async () => {
+test('`stir` and `sparks` act on the fire, and invalid arguments are rejected', async () => {
   const tab = await browser.open('<hearth-fire paused ember-rate="0"></hearth-fire>');
   await tab.ready();
   await tab.fire((fire) => fire.stir(0.1, 0.5, 3, 0));

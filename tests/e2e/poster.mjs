@@ -6,7 +6,7 @@
 import { writeFileSync } from 'node:fs';
 import { Browser } from './driver.mjs';
 import { landingScene } from './site.mjs';
-import { burnAnew } from './still.mjs';
+import { burnSteps } from './still.mjs';
 
 const [file] = process.argv.slice(2);
 if (file === undefined) throw new Error('usage: node poster.mjs file.jpg');
@@ -41,7 +41,7 @@ const browser = await Browser.launch();
 try {
   const tab = await browser.open(PAGE, { width: WIDTH, height: HEIGHT });
   await tab.ready();
-  await burnAnew(tab, STEPS);
+  await burnSteps(tab, STEPS);
   if (tab.problems.length > 0) throw new Error(tab.problems.join('\n'));
   const glow = (await tab.picture()).part(0.35, 0.2, 0.65, 0.9).glowing();
   if (glow < 0.1) throw new Error(`only ${glow} of the picture's middle glows`);

@@ -1,6 +1,5 @@
 /**
- * What a page tells the browser to load ahead: all that its script begins with, so that
- * none of it waits for another to be read, and nothing else.
+ * A page preloads exactly the modules that its script imports statically.
  */
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
@@ -20,7 +19,7 @@ async function named(file, pattern) {
 }
 
 for (const page of ['index.html', 'web/embed.html']) {
-  test(`${page} loads ahead what its script imports at once`, async () => {
+  test(`${page} preloads the static imports of its script`, async () => {
     const entries = await named(page, ENTRIES);
     assert.equal(entries.length, 1);
     const wanted = new Set(entries);

@@ -1,12 +1,12 @@
 /**
- * How much work a fire makes itself: as it was asked for, or as much as fits;
- * what it says of it; and what the parts of a frame take.
+ * Quality levels: set by the page or chosen by the engine, how they are reported, and the
+ * times of stages and passes.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { onPageThread, simulateClock } from './clock.mjs';
-import { assertBurns, events, recording } from './laws.mjs';
+import { assertBurns, events, recording } from './assertions.mjs';
 import { Panel, along, mirrorOf } from './panel.mjs';
 import { table } from './site.mjs';
 
@@ -67,7 +67,7 @@ test('a burning fire changes its quality and burns on', async () => {
   assert.deepEqual(tab.problems, []);
 });
 
-test('a number of particles that somebody asked for stays, until the default is back', async () => {
+test('a requested number of particles stays until the default is restored', async () => {
   const tab = await browser.open('<hearth-fire quality="low" max-particles="2000"></hearth-fire>', small);
   await tab.burnt(0.1);
   await settles(tab, 'low', 2000);
@@ -97,7 +97,7 @@ const twoCores = () => Object.defineProperty(navigator, 'hardwareConcurrency', {
 const eightCores = () => Object.defineProperty(navigator, 'hardwareConcurrency', { value: 8 });
 
 for (const asked of ['quality="medium"', 'max-particles="1500"', 'max-particles="3000"']) {
-  test(`with ${asked} the same seed is the same fire, whatever was the guess for the device`, async () => {
+  test(`with ${asked} the same seed gives the same fire, whatever quality the device starts with`, async () => {
     const fires = [];
     for (const before of [twoCores, eightCores]) {
       const tab = await browser.open(`<hearth-fire seed="7" ${asked} autoplay="false"></hearth-fire>`, { ...small, before });
@@ -114,7 +114,7 @@ for (const asked of ['quality="medium"', 'max-particles="1500"', 'max-particles=
   });
 }
 
-test('a quality that there is not is refused aloud, and the last good one stays', async () => {
+test('an unknown quality is rejected with an error event, and the last good one stays', async () => {
   const tab = await browser.open(recording('<hearth-fire quality="low"></hearth-fire>'), small);
   await tab.burnt(0.1);
   for (const bad of ['best', '', 'LOW', '2']) {
@@ -150,7 +150,7 @@ test('quality is kept when set early, in the address, and off the page', async (
   assert.deepEqual([...tab.problems, ...page.problems], []);
 });
 
-test('left to itself, a fire that does not fit its frames gets a lower quality and reports why', async () => {
+test('with quality auto, a fire that does not fit its frames gets a lower quality and reports why', async () => {
   const tab = await browser.open(
     // On a machine that does not begin with the lowest quality.
     `<script>(${eightCores})()</script>${onPageThread(recording(
@@ -171,7 +171,7 @@ test('left to itself, a fire that does not fit its frames gets a lower quality a
   assert.deepEqual(params, DEFAULTS);
 });
 
-test('the parts of the steps add up, and every pass is told', async () => {
+test('the stages of a step add up, and every pass is reported', async () => {
   for (const [model, passes] of [
     ['combustion', ['gas', 'drift', 'flame', 'ember', 'bloom', 'develop', 'present']],
     ['classic', ['splat', 'spread', 'shade', 'bloom', 'develop', 'present']],
@@ -192,7 +192,7 @@ test('the parts of the steps add up, and every pass is told', async () => {
   }
 });
 
-test('the panel and its mirror choose the quality, and show what somebody else chose', async () => {
+test('the panel and its accessible controls set the quality, and show a quality that is set elsewhere', async () => {
   const tab = await browser.open('index.html?scene=default&quality=medium', { width: 760, height: 600 });
   await tab.burnt(0.1);
   const panel = await new Panel(tab).mounted();
@@ -216,7 +216,7 @@ test('the panel and its mirror choose the quality, and show what somebody else c
   assert.deepEqual(tab.problems, []);
 });
 
-test('another quality does not take away the words that a visitor is reading', async () => {
+test('another quality does not remove the message that a visitor is reading', async () => {
   const tab = await browser.open('index.html?scene=default&quality=medium', { width: 760, height: 900 });
   await tab.burnt(0.1);
   await new Panel(tab).mounted();

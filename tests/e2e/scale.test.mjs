@@ -1,11 +1,12 @@
 /**
- * The bar that says which colour is how much: it is there where a quantity is shown
- * and nowhere else, follows the picture's range, and is loaded by nobody else.
+ * The colour bar: it is loaded and shown only with a quantity, and follows the range of
+ * the picture.
  */
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { onPageThread, simulateClock } from './clock.mjs';
 import { Browser } from './driver.mjs';
 import { SITE } from './site.mjs';
 
@@ -48,7 +49,7 @@ const gone = (tab) => tab.until('there is no bar', () => (
 ));
 
 describe('the bar', () => {
-  test('is loaded and shown where a quantity is, with its unit, and goes with it', async () => {
+  test('is loaded and shown with a quantity and its unit, and hidden without one', async () => {
     const tab = await browser.open('<hearth-fire></hearth-fire>');
     await tab.burnt(0.3);
     const loaded = () => tab.evaluate(() => (
@@ -80,8 +81,10 @@ describe('the bar', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('stays from one display to the next, and goes with the picture that has none', async () => {
-    const tab = await browser.open('<hearth-fire display-mode="temperature"></hearth-fire>');
+  test('stays from one display to the next, and is removed with the last one', async () => {
+    // Each frame draws and shows its picture, so no statistics come between two displays.
+    const fire = '<hearth-fire display-mode="temperature" max-pixels="10000"></hearth-fire>';
+    const tab = await browser.open(onPageThread(fire), { before: simulateClock });
     await labelled(tab, /^Temperature/);
     await tab.fire((fire) => {
       const bar = fire.shadowRoot.querySelector('[part="scale"]');
@@ -100,7 +103,7 @@ describe('the bar', () => {
     await gone(tab);
   });
 
-  test('never gives one quantity the numbers of another', async () => {
+  test('never shows the numbers of another quantity', async () => {
     const tab = await browser.open('<hearth-fire display-mode="temperature"></hearth-fire>');
     await labelled(tab, /^Temperature/);
     const { kelvin, told } = await tab.fire(async (fire) => {
@@ -120,7 +123,7 @@ describe('the bar', () => {
     for (const scale of told.slice(drawn)) assert.ok(scale?.[1] < 100, `${scale} m/s`);
   });
 
-  test('says the range of the picture, and follows it', async () => {
+  test('shows the range of the picture, and follows it', async () => {
     // The engine's word about its range is put in its mouth.
     const beforeWorker = () => {
       const post = globalThis.postMessage.bind(globalThis);
@@ -199,7 +202,7 @@ describe('the bar', () => {
     assert.ok(left > 0 && left < 20);
   });
 
-  test('that cannot be loaded is said once, and the fire burns on', async () => {
+  test('that fails to load is reported once, and the fire burns on', async () => {
     const tab = await browser.open('<hearth-fire display-mode="density"></hearth-fire>', {
       without: 'element/scale.js',
       before: () => {

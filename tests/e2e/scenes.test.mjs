@@ -1,6 +1,6 @@
 /**
- * The scenes of the panel: a card of pictures that mouse, keys and fingers go through,
- * with the present one marked, and one step of undo for each that is chosen.
+ * The scene chooser of the panel: pictures that mouse, keys and fingers select, the
+ * current scene marked, and one step of undo for each choice.
  */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
@@ -18,12 +18,12 @@ before(async () => {
 after(() => browser?.close());
 
 async function openPage(query = 'scene=default', options = {}) {
-  const tab = await browser.open(`index.html?${query}`, { width: 900, height: 700, ...options });
+  const tab = await browser.open(`index.html?${query}&paused`, { width: 900, height: 700, ...options });
   await tab.ready();
   return { tab, panel: await new Panel(tab).mounted() };
 }
 
-const PHONE = { width: 360, height: 640, ratio: 3, touch: true };
+const PHONE = { width: 360, height: 640, touch: true, pixels: 30_000 };
 
 /** The name of the scene that has the focus. */
 const focused = (panel) => panel.in((root) => root.activeElement?.dataset.scene);
@@ -41,7 +41,7 @@ const isScene = (tab, name) => tab.until(`the scene ${name}`, (wanted) => (
 ), name);
 
 describe('the scenes', () => {
-  test('are all there, each with a picture and words of its own', async () => {
+  test('are complete, each with a picture and a description', async () => {
     const { tab, panel } = await openPage();
     await panel.openScenes();
     const tiles = await panel.in((root) => [...root.querySelectorAll('[data-scene]')].map((tile) => ({
@@ -64,7 +64,7 @@ describe('the scenes', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('give every fire its name, and say when it is another one by now', async () => {
+  test('are named in the panel, with a mark after changes', async () => {
     const { tab, panel } = await openPage();
     for (const { name, label } of PRESETS) {
       await tab.fire((fire, preset) => fire.importConfig({ hearth: 1, preset, values: {} }), name);
@@ -76,7 +76,7 @@ describe('the scenes', () => {
     assert.equal(await heading(panel), `Scene: ${PRESETS[0].label}`);
   });
 
-  test('are what an address names', async () => {
+  test('are set by an address', async () => {
     for (const { name, label } of PRESETS.slice(1, 4)) {
       const { tab, panel } = await openPage(`scene=${name}`);
       assert.equal(await tab.fire((fire) => fire.preset), name);
@@ -145,7 +145,7 @@ describe('the scenes', () => {
     assert.equal(await heading(panel), `Scene: ${PRESETS[1].label}`);
   });
 
-  test('are one group by name, and one that is refused says why', async () => {
+  test('are one labelled group, and a rejected scene shows why', async () => {
     const { tab, panel } = await openPage();
     await panel.openScenes();
     const { role, name } = await panel.in((root) => {
@@ -161,7 +161,7 @@ describe('the scenes', () => {
     assert.deepEqual(await marked(panel), ['default']);
   });
 
-  test('nothing moves when a picture comes, and what never comes leaves its words', async () => {
+  test('nothing moves when a picture loads, and a missing picture leaves its description', async () => {
     const missing = PRESETS[1].name;
     const { tab, panel } = await openPage('scene=default', { files: { [`scenes/${missing}.jpg`]: { drop: true } } });
     await panel.openScenes();

@@ -1,15 +1,14 @@
 /**
- * A static web server on loopback for the tests: the built site, as any static
- * host would serve it, pages that a test writes in its own lines with headers of
- * its own, and, where a test says so, something wrong instead of a file.
+ * A static web server on loopback. It serves the built site, pages of tests with their own
+ * headers, and replacements of files.
  *
- * MIME types matter: a browser compiles wasm while it downloads only if the
- * type is `application/wasm`, and refuses a module script of another type.
+ * MIME types matter: a browser compiles wasm while it downloads only if the type is
+ * `application/wasm`, and rejects a module script of another type.
  */
 import { readFile, stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import path from 'node:path';
-import { answerPage, rememberContexts } from './driver/inside.mjs';
+import { answerPage, rememberContexts } from './driver/page-scripts.mjs';
 
 const TYPES = {
   '.html': 'text/html; charset=utf-8',
@@ -26,26 +25,26 @@ const TYPES = {
 
 /** @typedef {{[name: string]: string}} Headers */
 /**
- * What the server gives instead of a file.
+ * A replacement of a file.
  * @typedef {object} Instead
  * @property {number} [status]
  * @property {string} [type]  Its MIME type.
  * @property {Headers} [headers]
  * @property {string | Uint8Array} [body]
- * @property {number} [keep]  Only its first bytes, as if that were all.
- * @property {boolean} [drop]  Nothing: the connection ends, as a broken network's would.
+ * @property {number} [keep]  Sends only its first bytes.
+ * @property {boolean} [drop]  Closes the connection, like a broken network.
  */
 /**
  * @typedef {object} Server
  * @property {string} origin  `http://127.0.0.1:<port>`
- * @property {(html: string, headers?: Headers) => string} publish  Serves a page of a test
- *   beside the site; gives its URL.
- * @property {(files: {[end: string]: Instead}) => void} replace  From now on serves these
- *   instead of files whose path ends so, and all others as they are.
- * @property {(start: {pages?: string[], workers?: string[]}) => void} prepend  From now on starts
- *   every page, and every worker that the driver starts, with these scripts.
+ * @property {(html: string, headers?: Headers) => string} publish  Serves a page of a
+ *   test; returns its URL.
+ * @property {(files: {[end: string]: Instead}) => void} replace  Sets the
+ *   replacements of files whose path ends with these names.
+ * @property {(start: {pages?: string[], workers?: string[]}) => void} prepend  Sets scripts that
+ *   run before those of every page and of every worker.
  * @property {boolean} cached  Whether browsers keep files and what they compile of them.
- * @property {((problem: string) => void) | undefined} refused  Hears what was not served.
+ * @property {((problem: string) => void) | undefined} refused  Is called for each failed request.
  * @property {() => Promise<void>} close
  */
 
@@ -67,11 +66,16 @@ export async function serve(...folders) {
     replaced.find(([end]) => name.endsWith(end))?.[1] ?? {}
   );
 
-  const answer = async (/** @type {URL} */ url, /** @type {string | undefined} */ known) => {
+  /**
+   * @param {URL} url
+   * @param {string | undefined} known  The version that the browser has.
+   * @returns {Promise<Instead & {status: number, type: string, body: string | Uint8Array, tag?: string}>}
+   */
+  const answer = async (url, known) => {
     const name = decodeURIComponent(url.pathname);
     const own = fromDriver(url, scripts);
     if (own !== undefined) {
-      // A worker that the driver starts obeys the headers of the real one's file.
+      // A wrapped worker has the headers of the worker's file.
       const { headers } = insteadOf(new URL(url.searchParams.get('of') ?? url).pathname);
       return { status: 200, type: TYPES['.js'], headers, body: own };
     }
@@ -130,8 +134,8 @@ export async function serve(...folders) {
 }
 
 /**
- * The version of a file, for browsers that have it already: they keep what they have
- * compiled of it. A page may be sent with other scripts each time, so it has none.
+ * The version of a file: a browser that has this version keeps its compiled code. Pages have
+ * none, since inserted scripts differ.
  * @param {string} file
  */
 async function tagOf(file) {
@@ -141,8 +145,7 @@ async function tagOf(file) {
 }
 
 /**
- * What the driver itself puts beside the site: a page's first script, and a
- * worker that starts another.
+ * Scripts of the driver: the first script of a page, and a worker that imports another.
  * @param {URL} url @param {{pages: string[], workers: string[]}} scripts
  */
 function fromDriver(url, scripts) {
@@ -161,7 +164,7 @@ function fromDriver(url, scripts) {
 }
 
 /**
- * A body as it is sent: a page with the scripts before everything of its own.
+ * The body of a response; pages have the scripts before their own.
  * @param {string} type @param {string | Uint8Array} body @param {string[]} scripts
  */
 function started(type, body, scripts) {
@@ -176,7 +179,7 @@ function started(type, body, scripts) {
 }
 
 /**
- * The first file of that name that stands inside one of the folders.
+ * The first file of that name inside the folders.
  * @param {string[]} roots @param {string} name
  */
 async function find(roots, name) {

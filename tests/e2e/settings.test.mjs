@@ -1,11 +1,10 @@
 /**
- * The settings of a fire as data: given out, taken over whole or not at all, and read
- * from a file.
+ * Settings as data: exported, imported whole or not at all, and read from a file.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { events, recording } from './laws.mjs';
+import { events, recording } from './assertions.mjs';
 import { table } from './site.mjs';
 
 const { DEFAULTS, PRESETS, defaultsOf } = await table();
@@ -44,7 +43,7 @@ function refusal(tab, config) {
   }, config);
 }
 
-test('a fire without changes has nothing to tell, one with changes tells them alone', async () => {
+test('the export of a fire holds its changes alone', async () => {
   const tab = await browser.open('<hearth-fire paused></hearth-fire>');
   await tab.ready();
   assert.deepEqual((await state(tab)).config, { hearth: 2, values: {} });
@@ -57,7 +56,7 @@ test('a fire without changes has nothing to tell, one with changes tells them al
   });
 });
 
-test('what one fire gives out another takes over, as data or as text', async () => {
+test('one fire imports the export of another, as data or as text', async () => {
   const tab = await browser.open(
     '<hearth-fire paused preset="seed" viscosity="0.02" seed="7"></hearth-fire><hearth-fire paused exposure="2"></hearth-fire>',
   );
@@ -150,7 +149,7 @@ test('values that throw when they are read are refused, and no others', async ()
   assert.deepEqual(said.params, DEFAULTS);
 });
 
-test('a file of settings is what a fire starts from, and attributes go on top', async () => {
+test('a fire starts from a settings file, and attributes override it', async () => {
   const body = JSON.stringify({ hearth: 1, preset: 'seed', values: { viscosity: 0.02 } });
   const files = { 'mine.json': { body, type: JSON_TYPE }, 'other.json': { body: '{"values": {"bloom": 0.5}}', type: JSON_TYPE } };
   const tab = await browser.open(
@@ -175,7 +174,7 @@ for (const [what, instead, named] of [
   ['has a bad value', { body: '{"values": {"exposure": 99}}', type: JSON_TYPE }, 'from -4 to 4'],
   ['has an unknown key', { body: '{"values": {"exposurr": 1}}', type: JSON_TYPE }, 'exposure'],
 ]) {
-  test(`a file of settings that ${what} is said aloud, and the fire burns`, async () => {
+  test(`a settings file that ${what} causes an error event, and the fire burns`, async () => {
     const tab = await browser.open(recording('<hearth-fire src="/mine.json"></hearth-fire>'), {
       files: { 'mine.json': instead },
     });
@@ -188,7 +187,7 @@ for (const [what, instead, named] of [
   });
 }
 
-test('a fire that is taken off while its file is still to come starts from it when it is back', async () => {
+test('a fire that is removed while its file loads starts from it when it is inserted again', async () => {
   const body = JSON.stringify({ values: { model: 'classic', viscosity: 0.02 } });
   const tab = await browser.open('<p>Nothing yet</p>', {
     files: { 'mine.json': { body, type: JSON_TYPE }, 'other.json': { body: '{"values": {"bloom": 0.5}}', type: JSON_TYPE } },

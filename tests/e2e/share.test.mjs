@@ -1,11 +1,11 @@
 /**
- * The panel copies settings as an address, as HTML and as JSON, and takes them back. What
- * they hold is tested in tests/web/share.test.mjs.
+ * The panel copies settings as a link, as HTML and as JSON, and imports JSON. Their
+ * contents are tested in tests/web/share.test.mjs.
  */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { assertBurns } from './laws.mjs';
+import { assertBurns } from './assertions.mjs';
 import { Panel, actionOf, along } from './panel.mjs';
 
 describe('the panel', () => {
@@ -62,7 +62,7 @@ describe('the panel', () => {
     await tab.click(along(await tab.rectangle('[data-card="use"]'), 0.5));
   }
 
-  test('copies a link that opened anew is the same fire, and says so', async () => {
+  test('copies a link that opens the same fire, and reports it', async () => {
     const { tab, panel, params } = await openPage();
     const link = await copied(tab, panel, 'link');
     assert.match(await panel.said(), /copied.*link/i);
@@ -100,7 +100,7 @@ describe('the panel', () => {
     assert.deepEqual(other.problems, []);
   });
 
-  test('copies settings as JSON, takes them back, and undoes that', async () => {
+  test('copies settings as JSON, imports them, and undoes the import', async () => {
     const { tab, panel, config, params } = await openPage();
     const json = await copied(tab, panel, 'json');
     assert.deepEqual(JSON.parse(json), config);
@@ -121,7 +121,7 @@ describe('the panel', () => {
     assert.deepEqual(await paramsOf(tab), defaults);
   });
 
-  test('refuses bad settings aloud, keeps what was pasted, and changes nothing', async () => {
+  test('rejects bad settings with a message, keeps the pasted text, and changes nothing', async () => {
     const { tab, panel, params } = await openPage();
     const field = '[data-card="paste"] textarea';
     for (const [text, words] of [
@@ -171,7 +171,7 @@ describe('the panel', () => {
     assert.equal(await tab.page.$('.hearth-card'), null);
   });
 
-  test('fits its cards on a phone, and gives the focus back', async () => {
+  test('fits its cards on a phone, and returns the focus', async () => {
     const { tab } = await openPage({ width: 360, height: 640, touch: true });
     await tab.page.focus(actionOf('paste'));
     await tab.key('Enter');

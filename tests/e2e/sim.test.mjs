@@ -1,6 +1,6 @@
 /**
- * The simulation as a library on a page: the same bits as in Node, in every
- * browser, and the examples that draw it.
+ * The simulation library in a page: the same bits as in Node in every browser, and the
+ * examples that draw it.
  */
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -56,7 +56,7 @@ for (const kind of BROWSERS) {
   });
 }
 
-test('the library burns where it may and arrives as it may, and else says in words why not', async () => {
+test('the library loads with a policy that allows wasm, and else rejects with the reason', async () => {
   const wasm = 'hearth-sim_bg.wasm';
   const policy = (/** @type {string} */ scripts) => ({
     'content-security-policy': `default-src 'self'; img-src data:; script-src ${scripts}`,
@@ -104,7 +104,7 @@ async function burns(/** @type {any} */ tab) {
   assert.deepEqual(await tab.complaints(), []);
 }
 
-test('the example in Canvas 2D burns, in the site as it is built', async () => {
+test('the example in Canvas 2D burns in the built site', async () => {
   const browser = await Browser.launch();
   try {
     const tab = await browser.open('examples/canvas-2d.html', { width: 300, height: 450 });
@@ -130,7 +130,7 @@ test('the example in three.js burns, with the packages of its lock file', async 
 const DOC = readFileSync(path.join(ROOT, 'docs/simulation.md'), 'utf8');
 const SAMPLES = [...DOC.matchAll(/```html\n([\s\S]*?)```/g)].map(([, html]) => html);
 
-test('the documentation names what the library has, each in an example and in the types', async () => {
+test('the documentation names every member of the library, each in an example and in the types', async () => {
   const sim = await createSimulation();
   const members = Object.getOwnPropertyNames(Object.getPrototypeOf(sim));
   const has = members.filter((name) => name !== 'constructor');
@@ -150,7 +150,7 @@ test('the documentation names what the library has, each in an example and in th
   assert.match(types, /^ {2}\[Symbol\.dispose\]\(\): void;$/m);
 });
 
-test('every example of the documentation runs, and says or draws something', async () => {
+test('every example of the documentation runs, and prints or draws something', async () => {
   assert.ok(SAMPLES.length > 0);
   const browser = await Browser.launch();
   try {

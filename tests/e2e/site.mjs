@@ -1,6 +1,6 @@
 /**
- * The site under test, and the parameter table that it ships: tests ask the
- * table for names, ranges and defaults, and state none of them twice.
+ * The site under test and its parameter table, from which tests read names, ranges and
+ * defaults.
  */
 import { accessSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
@@ -9,12 +9,12 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
 
-/** The folder that holds the site: `HEARTH_SITE`, else `dist/site`. */
+/** The folder of the site: `HEARTH_SITE`, or `dist/site`. */
 export const SITE = path.resolve(process.env.HEARTH_SITE ?? path.join(HERE, '../../dist/site'));
 
 /**
- * The parameter table and the presets, as the site ships them, the table by id
- * as well, every value of a new fire, and of one whose model somebody chose.
+ * The parameters (as a list and by id), the presets, the values of a new fire, and those of
+ * a new fire of a model.
  */
 export async function table() {
   const file = path.join(SITE, 'web/parameters.js');
@@ -30,18 +30,17 @@ export async function table() {
 }
 
 /**
- * Default and range of a parameter in a model or, where that does not use it,
- * in the model that it belongs to: its value waits there.
+ * Default and range of a parameter in a model, or in the model that uses it.
  * @param {any} one @param {string} model
  */
 export function domainOf(one, model) {
   return one.domains[model] ?? Object.values(one.domains)[0];
 }
 
-/** The scene that the page opens with, as its HTML names it. */
+/** The scene in the HTML of the landing page. */
 export async function landingScene() {
   const html = await readFile(path.join(SITE, 'index.html'), 'utf8');
   const scene = /<hearth-fire id="fire" [^>]*?preset="([^"]+)"/.exec(html)?.[1];
-  if (!scene) throw new Error('the page names no scene');
+  if (!scene) throw new Error('the landing page names no scene');
   return scene;
 }

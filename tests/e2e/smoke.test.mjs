@@ -1,13 +1,12 @@
 /**
- * The least that any build of the site must do, whoever built it: load, become
- * ready, burn, show its panel, complain about nothing. Run it alone against
- * another folder, `HEARTH_SITE=… node --test smoke.test.mjs`, or against a page
- * that somebody serves, `HEARTH_PAGE=http://…`.
+ * The minimum for any build of the site: the page loads, burns, shows its panel and
+ * reports no problem. It also runs against another folder, `HEARTH_SITE=… node --test
+ * smoke.test.mjs`, or another server, `HEARTH_PAGE=http://…`.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { assertBurns } from './laws.mjs';
+import { assertBurns } from './assertions.mjs';
 import { Panel } from './panel.mjs';
 
 const PAGE = process.env.HEARTH_PAGE ?? 'index.html';

@@ -1,11 +1,11 @@
 /**
- * Names that a fire does not know: attributes, and parameters in `controls`. Which names are
- * suggested is tested in tests/web/spelling.test.mjs.
+ * Unknown names in attributes and in `controls`. Suggestions are tested in
+ * tests/web/spelling.test.mjs.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { recording } from './laws.mjs';
+import { recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -22,7 +22,7 @@ async function warnings(tab, count) {
   return tab.problems;
 }
 
-test('attributes that do nothing are told once, written or set later; one that goes is not', async () => {
+test('attributes without effect cause one warning, in HTML or set later; removed ones cause none', async () => {
   const tab = await browser.open(`<hearth-fire ${SMALL} data-a="1" class="a" v-if="b" quailty="low"></hearth-fire>`.repeat(2));
   await tab.ready();
   await tab.fire((fire) => {
@@ -41,7 +41,7 @@ test('attributes that do nothing are told once, written or set later; one that g
   assert.deepEqual(more, []);
 });
 
-test('controls names the parameters that the panel shows, and tells what it does not know', async () => {
+test('`controls` names the parameters of the panel, and unknown names are reported', async () => {
   const tab = await browser.open(
     recording('<hearth-fire paused quality="low" controls="fuel_power wind, palete hot-colour" style="width: 700px; height: 500px"></hearth-fire>'),
     { files: { 'panel.js': { body: `export async function mountPanel({ only }) {

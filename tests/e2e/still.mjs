@@ -1,18 +1,18 @@
 /**
- * What the pictures of documentation have in common: fires that stand still and are
- * burnt step by step, so that they are always the same ones.
+ * Fires of the documentation's pictures: paused and burnt by steps, so that they are always
+ * the same.
  */
 
-/** How many of the last steps are also drawn: the gas carries the fine structure from
-    picture to picture. */
+/** How many of the last steps are also drawn: fine structure develops from picture to
+    picture. */
 const DRAWN = 200;
 
 /**
- * Burns the first fire of the page anew, and has its last steps drawn.
+ * Restarts the first fire of the page, and draws its last steps.
  * @param {import('./driver.mjs').Tab} tab
  * @param {number} steps in all
  */
-export async function burnAnew(tab, steps) {
+export async function burnSteps(tab, steps) {
   await tab.fire(async (fire, quick, drawn) => {
     await fire.reset();
     for (let left = quick; left > 0; left -= 50) await fire.step(Math.min(left, 50));

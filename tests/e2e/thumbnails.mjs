@@ -7,7 +7,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { Browser } from './driver.mjs';
 import { table } from './site.mjs';
-import { burnAnew } from './still.mjs';
+import { burnSteps } from './still.mjs';
 
 const [folder, ...names] = process.argv.slice(2);
 if (folder === undefined) throw new Error('usage: node thumbnails.mjs folder [scene…]');
@@ -64,7 +64,7 @@ async function taken(name) {
     await fire.importConfig({ preset });
     return fire.params.model;
   }, name);
-  await burnAnew(tab, STEPS[model]);
+  await burnSteps(tab, STEPS[model]);
   const seen = await tab.page.screenshot({ encoding: 'base64' });
   for (const quality of QUALITIES) {
     const jpeg = Buffer.from(await tab.evaluate(shrunk, seen, WIDTH, HEIGHT, quality), 'base64');

@@ -1,13 +1,11 @@
 /**
- * `to`: values that come to others in time, and everything that may come between.
- *
- * The page's own clock of frames is in the test's hand where it matters how far a value
- * has come; nothing waits for a time to pass.
+ * `to`: transitions of values, and what interrupts them. Tests control the clock of the
+ * page's animations.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { events, recording } from './laws.mjs';
+import { events, recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -118,7 +116,7 @@ test('an easing of CSS bends the way, 600 ms of ease-in-out without one', async 
   assert.deepEqual(tab.problems, []);
 });
 
-test('colours go through those between them, and what has nothing between is there at once', async () => {
+test('colours are interpolated, and choices change at once', async () => {
   const tab = await open();
   await tab.fire((fire) => fire.set({ background: '#000000', hot_colour: '#ff0000' }));
   await begin(tab, 'one', { background: 'white', hot_colour: 'blue', palette: 'custom', printed_kernel: true, seed: 7 }, { easing: 'linear' });
@@ -137,7 +135,7 @@ test('colours go through those between them, and what has nothing between is the
   assert.deepEqual(tab.problems, []);
 });
 
-test('another model is there at once, and its values move from where they are in it', async () => {
+test('another model is set at once, and its values move from its current ones', async () => {
   const tab = await open();
   await begin(tab, 'one', { model: 'classic', viscosity: 0.05 }, { easing: 'linear' });
   await at(tab, 0, { model: 'classic', viscosity: 0.005 });
@@ -172,7 +170,7 @@ test('one bad value refuses all of them, as set does, and nothing moves', async 
   assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
 });
 
-test('who sets a value takes it over, and the others go on', async () => {
+test('setting a value ends its transition, and the others continue', async () => {
   const tab = await open();
   await begin(tab, 'one', { wind: 1, exposure: 1 }, { easing: 'linear' });
   await at(tab, 0.5, { wind: 0.5, exposure: 0.5 });
@@ -208,7 +206,7 @@ test('who sets a value takes it over, and the others go on', async () => {
   assert.equal(await tab.fire((fire) => fire.exposure), 2);
 });
 
-test('values arrive at once where nobody is to see the way', async () => {
+test('values arrive at once while the fire is out of sight', async () => {
   const tab = await open();
   await begin(tab, 'gone', { wind: 1 }, { easing: 'linear' });
   await at(tab, 0.25, { wind: 0.25 });
@@ -241,7 +239,7 @@ test('values arrive at once where nobody is to see the way', async () => {
   assert.deepEqual(await calm.complaints(), []);
 });
 
-test('a fire that is still to come moves when it is there, by the real clock', async () => {
+test('a transition that is requested before the fire is ready starts with it, by the real clock', async () => {
   const tab = await browser.open('<p></p>');
   const found = await tab.evaluate(async () => {
     await import('./web/hearth-fire.js');

@@ -1,6 +1,6 @@
 /**
- * Undo and redo with hand and keys: back from any one change the fire has the very
- * values it had, and forth again those that it got.
+ * Undo and redo by mouse and keys: undo restores the exact previous values, redo the later
+ * ones.
  */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
@@ -15,7 +15,7 @@ before(async () => {
 after(() => browser?.close());
 
 async function openPage(query = 'model=classic') {
-  const tab = await browser.open(`index.html?${query}`, { width: 760, height: 640 });
+  const tab = await browser.open(`index.html?${query}&paused`, { width: 760, height: 640 });
   await tab.ready();
   return { tab, panel: await new Panel(tab).mounted() };
 }
@@ -81,7 +81,7 @@ describe('one step back and forth', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('goes by keys, while nothing is typed, and by the mirror', async () => {
+  test('works by keys, except while typing, and by accessible controls', async () => {
     const { tab, panel } = await openPage();
     const first = await look(tab);
     await panel.dragSlider('buoyancy', 0.2, 0.8);
@@ -114,7 +114,7 @@ describe('one step back and forth', () => {
     assert.deepEqual(await look(tab), first);
   });
 
-  test('takes a key that is held down on the mirror’s slider as one step', async () => {
+  test('counts a key that is held down on an accessible slider as one step', async () => {
     const { tab, panel } = await openPage();
     const first = await look(tab);
     await tab.page.focus(mirrorOf('buoyancy'));
@@ -127,7 +127,7 @@ describe('one step back and forth', () => {
     assert.deepEqual(await look(tab), first);
   });
 
-  test('leaves alone what the page changed, which is no step', async () => {
+  test('leaves changes of the page alone, which are no steps', async () => {
     const { tab, panel } = await openPage();
     await tab.fire((fire) => fire.set('gas_constant', 1.5));
     await can(panel, 'undo', false);

@@ -1,10 +1,10 @@
 /**
- * Values that only a page can tell: a seed of its own for each fire, and the colours of CSS.
+ * Values that only a page can resolve: automatic seeds and CSS colours.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { events, recording } from './laws.mjs';
+import { events, recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -65,7 +65,7 @@ test('the order on the page counts, not the order of making', async () => {
   assert.deepEqual(found, await seeds(again));
 });
 
-test('a fire keeps its seed when it is moved and when it comes back, until another is set', async () => {
+test('a fire keeps its automatic seed when it is moved or inserted again, until another is set', async () => {
   const tab = await browser.open(`<hearth-fire ${SMALL} seed="auto"></hearth-fire><div></div>`);
   const [own] = await seeds(tab);
   const after = await tab.fire(async (fire) => {
@@ -94,7 +94,7 @@ test('a fire keeps its seed when it is moved and when it comes back, until anoth
   assert.deepEqual(after, [own, own, own, 7, 9, 1, own]);
 });
 
-test('what replaces all values leaves a fire its own seed, unless it names one', async () => {
+test('replacing all values keeps an automatic seed, unless they name one', async () => {
   const tab = await browser.open(`<hearth-fire ${SMALL} seed="auto" preset="candle"></hearth-fire>`);
   const [own] = await seeds(tab);
   const found = await tab.fire(async (fire) => {
@@ -158,7 +158,7 @@ test('a colour is any colour of CSS, and its settings hold it as hex', async () 
   assert.deepEqual(tab.problems, []);
 });
 
-test('what is no colour is refused by name, and the last one stays', async () => {
+test('an invalid colour is rejected by name, and the last one stays', async () => {
   const tab = await browser.open(recording(`<hearth-fire ${SMALL} background="teal"></hearth-fire>`));
   await tab.ready();
   const nonsense = ['reddish', 'inherit', 'initial', '#12', 'rgb(', 'red; color: blue', 'var(--none', 'var(--none)', 'linear-gradient(red, blue)', '', 'none'];

@@ -1,12 +1,11 @@
 /**
- * A fire that burns before it is shown: the poster or the picture before stays until
- * then, and what is shown first is a fire and no mushroom cloud. No test looks at a clock:
- * pictures are counted, and events awaited.
+ * Warm start: a fire burns before it is shown, and the poster or the previous picture
+ * stays until then. Tests count pictures and await events.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { assertBurns, events, recording } from './laws.mjs';
+import { assertBurns, events, recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -72,7 +71,7 @@ test('the first picture is that of a fire that has burnt, and ready waits for it
   assert.deepEqual(tab.problems, []);
 });
 
-test('a scene that is kept burning is there at once, in every quality', async () => {
+test('a stored burning scene is shown at once, in every quality', async () => {
   for (const quality of ['low', 'high']) {
     const tab = await open(`<hearth-fire preset="fireside" warm quality="${quality}" paused></hearth-fire>`);
     await tab.ready();
@@ -97,7 +96,7 @@ test('other values than those of the kept fire burn first, and those of the look
   }
 });
 
-test('a kept fire that is damaged or does not come is told or not, and the fire burns', async () => {
+test('a damaged stored fire is reported, a missing one is not, and the fire burns', async () => {
   for (const answer of ['damaged', 'gone']) {
     const tab = await open('<hearth-fire preset="fireside" warm="1" paused></hearth-fire>', {
       before: answer === 'damaged' ? damage : lose,
@@ -148,7 +147,7 @@ test('where less motion is wanted nothing fades, and the still is a warm fire', 
   assert.equal((await seen(tab)).before, 0);
 });
 
-test('a fire that burns goes on from a warm one, also on the page’s own thread', async () => {
+test('a playing fire continues from a warm one, also on the page’s thread', async () => {
   for (const place of ['worker', 'main']) {
     const tab = await open(`<script type="module">
       import { HearthFire } from '/web/hearth-fire.js';
@@ -162,7 +161,7 @@ test('a fire that burns goes on from a warm one, also on the page’s own thread
   }
 });
 
-test('a warm fire that is hidden, taken off or loses its context while it warms comes to burn', async () => {
+test('a fire that is hidden, removed or loses its context while it warms is shown in the end', async () => {
   const hidden = await open('<hearth-fire warm="1" paused style="display: none"></hearth-fire>');
   await hidden.ready();
   assert.equal((await seen(hidden)).pictures, 0);
@@ -194,7 +193,7 @@ test('a warm fire that is hidden, taken off or loses its context while it warms 
   await lost.until('its picture', () => /** @type {any} */ (window).pictures >= 2);
 });
 
-test('a time that is none is refused aloud with what is allowed', async () => {
+test('an invalid warm time is rejected with the allowed range', async () => {
   const tab = await open('<hearth-fire warm="soon" paused></hearth-fire>');
   await tab.ready();
   assert.equal(await tab.fire((fire) => fire.warm), 0);
@@ -210,7 +209,7 @@ test('a time that is none is refused aloud with what is allowed', async () => {
   }), [3, '', 2.5, '2.5', 0, null, 0, '31', 0, null]);
 });
 
-test('a small fire has few particles and says so, unless somebody says how many', async () => {
+test('a small fire has few particles and reports it, unless their number is set', async () => {
   const tab = await open('<hearth-fire style="width: 64px; height: 64px"></hearth-fire>', { width: 1000, height: 700 });
   const has = (count, limit) => tab.until(`${count} particles by ${limit}`, (number, words) => {
     const { stats } = /** @type {any} */ (document.querySelector('hearth-fire'));

@@ -1,6 +1,6 @@
 /**
- * A picture is the fire's own affair: not of what else is drawn in its context, nor
- * of how somebody left that behind, and of its size only as far as it has pixels.
+ * A picture does not depend on other drawing in its context, on foreign WebGL state, or on
+ * odd sizes.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -29,7 +29,7 @@ test('fires in one context look as each alone, to the bit', async () => {
   assert.deepEqual(together.map((one, at) => one === alone[at]), [true, true, true]);
 });
 
-test('nothing that somebody else leaves in a context changes a picture', async () => {
+test('foreign state in a WebGL context does not change a picture', async () => {
   const right = await painter.ask('inTurn', FIRES, 2);
   for (const disturbance of await painter.ask('disturbances')) {
     const disturbed = await painter.ask('inTurn', FIRES, 2, disturbance);

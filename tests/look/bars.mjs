@@ -1,5 +1,5 @@
 /**
- * What the pixels of a fire are held against.
+ * The bars for figures of a fire's pixels.
  */
 
 const percent = (/** @type {number} */ share) => `${(100 * share).toFixed(1)} %`;

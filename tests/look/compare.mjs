@@ -1,8 +1,7 @@
 /**
- * How different two pictures are to an eye: in structure, and in colour.
- *
- * All figures are of what there is to see. A fire fills a third of its picture;
- * counting the empty rest would only make every difference smaller.
+ * The visible difference of two pictures, in structure and in colour. Only lit pixels
+ * count: a fire fills a third of its picture, and the empty rest would dilute every
+ * difference.
  */
 
 import { okLab } from './figures/colour.mjs';

@@ -1,5 +1,5 @@
 /**
- * The analyser of flashes sees what it should in films whose flashes are known.
+ * The flash analyser finds known flashes of test films.
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

@@ -1,7 +1,7 @@
 /**
- * What a device sees that can draw into nothing but eight bits: the same fire, but
- * for rounding. Where the gas carries its fine structure along, eight bits cannot
- * say how far; there the structure is another one, of the same colours.
+ * Devices that draw only into 8-bit targets show the same fire, except for rounding.
+ * Advected fine structure loses its displacement there: its structure differs, its colours
+ * agree.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';

@@ -1,5 +1,5 @@
 /**
- * The pictures that are kept, and what counts as another one.
+ * The golden pictures, and the tolerance of their comparison.
  */
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';

@@ -1,6 +1,6 @@
 /**
- * Fires look as they did: what is drawn is what was kept. And what the comparison
- * would see: a mistake in a drawing that a person would, it reports.
+ * Fires match their golden pictures, and the comparison reports every mistake that is
+ * visible.
  */
 import assert from 'node:assert/strict';
 import { readdirSync } from 'node:fs';
@@ -59,7 +59,7 @@ for (const kept of ['default', 'classic']) {
     });
   }
 
-  test(`what nobody sees is not reported of ${kept}`, async () => {
+  test(`invisible differences are not reported of ${kept}`, async () => {
     const right = await painter.still({ kept });
     // Rounding elsewhere: each channel one step off, this way or that.
     let seed = 1;

@@ -1,5 +1,5 @@
 /**
- * Pictures as they would be if the drawing went wrong where no setting reaches.
+ * Pictures with drawing mistakes that no setting produces.
  */
 
 /** @typedef {import('./painter.mjs').Pixels} Pixels */

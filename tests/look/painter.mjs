@@ -1,6 +1,6 @@
 /**
- * The painter's page in headless Chromium without a graphics card, whose pictures are the same
- * on every machine.
+ * The painter's page in headless Chromium with software rendering, whose pictures are the
+ * same on every machine.
  */
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';

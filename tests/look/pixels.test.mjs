@@ -1,6 +1,6 @@
 /**
- * What a few seconds of a fire's pixels say. `cargo xtask look` watches every scene for
- * a minute.
+ * Figures of a few seconds of a fire's pixels. `cargo xtask look` measures a minute of
+ * every scene.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -35,7 +35,7 @@ test('no scene flashes, or shines through more than it covers', async (t) => {
   }
 });
 
-test('light that is none of a black body is seen as such', async () => {
+test('light that no black body emits is recognised', async () => {
   await painter.ask('watch', { lit: 'default', burnt: 1, values: { palette: 'copper' } });
   const found = await painter.ask('seen', 0.5);
   for (const id of ['locus', 'warm']) {
@@ -53,7 +53,7 @@ function blobs(/** @type {number} */ down) {
   });
 }
 
-test('motion is seen which way it goes', () => {
+test('the direction of motion is measured', () => {
   const see = (/** @type {number} */ down) => rising(blobs(0), blobs(down), 96, 96, 0.03);
   for (const down of [-9, -4, -1]) {
     const [up, moving, all] = see(down);
@@ -67,7 +67,7 @@ test('motion is seen which way it goes', () => {
   assert.ok(up === 0 && moving === 0 && all > 20);
 });
 
-test('what flickers is seen which way it goes', () => {
+test('the direction of flicker is measured', () => {
   // A flame that fades towards its tip, with streaks in it that go down by so many pixels
   // while it grows darker, or brighter, as a whole.
   const flame = (/** @type {number} */ down, /** @type {number} */ lightness) => blobs(down).map((streaks, at) => (

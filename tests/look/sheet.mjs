@@ -1,7 +1,7 @@
 /**
- * A fire as a picture to keep: over black and, beside that, over white, where what
- * hides without shining is seen; once, where nothing shows through. Half as large as it
- * was drawn, and in few enough colours that the file stays small.
+ * A golden picture: a fire over black and over white, which shows what absorbs without
+ * emitting; opaque fires once. It is half the drawn size with few colours, so that the
+ * file stays small.
  */
 import { deflateSync } from 'node:zlib';
 import { Picture } from '../e2e/picture.mjs';

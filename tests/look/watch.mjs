@@ -1,7 +1,8 @@
 /**
- * Watches every scene as the page shows it and writes what its pixels say as a table:
- * `node watch.mjs table.md`, or `node watch.mjs table.md default classic` for scenes whose
- * names begin so. `cargo xtask look` runs this. HEARTH_SECONDS says for how long.
+ * Measures the pixels of every scene as the page shows it, and writes a table: `node
+ * watch.mjs table.md`, or `node watch.mjs table.md default classic` for scenes by the
+ * beginnings of their names. `cargo xtask look` runs this; `HEARTH_SECONDS` sets the
+ * duration.
  */
 import { writeFileSync } from 'node:fs';
 import { BARS, TELLING, traits } from './bars.mjs';

@@ -1,7 +1,6 @@
 /**
- * Draws the pictures anew that tests compare with: `node write.mjs`, or
- * `node write.mjs default seed` for those whose names begin so. `cargo xtask goldens`
- * runs this.
+ * Draws golden pictures: `node write.mjs`, or `node write.mjs default seed` for some, by
+ * the beginnings of their names. `cargo xtask goldens` runs this.
  */
 import { readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import path from 'node:path';

@@ -87,7 +87,7 @@ test('it answers its parent only, and only from an allowed origin', async (conte
   assert.deepEqual([fire.paused, received[0].ok, received[0].origin], [true, true, HERE]);
 });
 
-test('it tells every allowed origin until one has spoken, then that one', async () => {
+test('it posts events to every allowed origin until one sends a message, then to that one', async () => {
   const { fire, received, ask } = bridge([HERE, 'https://b.example']);
   assert.deepEqual(received.map(({ event, origin }) => [event, origin]), [['hello', HERE], ['hello', 'https://b.example']]);
   await ask('params');
@@ -96,7 +96,7 @@ test('it tells every allowed origin until one has spoken, then that one', async 
   assert.deepEqual(received.map(({ event, origin }) => [event, origin]), [['ready', HERE]]);
 });
 
-test('it tells the events that were asked for', async () => {
+test('it posts the subscribed events', async () => {
   const { fire, received, ask } = bridge();
   const kinds = () => received.filter(({ event }) => event).map(({ event }) => event);
   assert.deepEqual((await ask('subscribe', ['stats', 'pause']))?.value, ['ready', 'stats', 'pause']);
@@ -120,7 +120,7 @@ test('it calls the methods of its list', async () => {
   }
 });
 
-test('reading a value takes the id of a parameter', async () => {
+test('reading a value needs the id of a parameter', async () => {
   const { ask } = bridge();
   for (const id of [['wind'], [['wind']], { id: 'wind' }, null, 5, true, undefined]) {
     const { ok, error } = (await ask('get', id)) ?? {};
@@ -161,7 +161,7 @@ test('a message of a wrong form is refused with the reason', async () => {
   }
 });
 
-test('what JSON cannot hold, and what would hold a page for ever, is refused', async () => {
+test('values that JSON cannot hold and endless calls are rejected', async () => {
   const { ask } = bridge();
   /** @type {{self?: unknown}} */
   const circle = {};

@@ -1,5 +1,5 @@
 /**
- * The numbers and colours of the bar that says which colour is how much.
+ * Numbers and colours of the colour bar.
  */
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';

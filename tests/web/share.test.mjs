@@ -1,6 +1,6 @@
 /**
- * Settings as addresses and as HTML: what comes back is what was sent, nothing
- * more is in it, and no character of it gets out of its place.
+ * Settings as URL parameters and as HTML: reading them returns what was written, and no
+ * character escapes its context.
  */
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
@@ -46,7 +46,7 @@ function attributesOf(html, name) {
 }
 
 describe('an address', () => {
-  test('gives back the settings that it was made of', () => {
+  test('returns the settings that it was made of', () => {
     for (const config of CONFIGS) {
       const { config: back, others } = fromQuery(toQuery(config));
       assert.deepEqual(back, asTexts(config));
@@ -54,7 +54,7 @@ describe('an address', () => {
     }
   });
 
-  test('holds the scene and what was changed, by the names of attributes, and nothing else', () => {
+  test('holds the scene and changed values by attribute names, and nothing else', () => {
     assert.equal(toQuery({ hearth: 1, values: {} }), '');
     const config = { hearth: 1, preset: 'seed', values: { viscosity: 0.02, max_particles: 400 } };
     assert.equal(toQuery(config), 'scene=seed&viscosity=0.02&max-particles=400');
@@ -86,7 +86,7 @@ describe('an address', () => {
     });
   });
 
-  test('keeps unknown names for the fire to refuse, whatever they are', () => {
+  test('keeps unknown names, which the fire rejects', () => {
     const { values } = fromQuery('?viscosty=0.02&__proto__=1&constructor=2').config;
     assert.deepEqual(Object.entries(values), [
       ['viscosty', '0.02'], ['__proto__', '1'], ['constructor', '2'],
@@ -134,7 +134,7 @@ describe('code to paste', () => {
       .config.preset, HOSTILE);
   });
 
-  test('refuses to write what is no parameter into a page', () => {
+  test('does not write unknown parameters into a page', () => {
     for (const name of ['onclick', 'viscosty', 'a b', 'style', '__proto__', 'constructor', '"><script>']) {
       const values = Object.fromEntries([[name, 'alert(1)']]);
       const write = () => elementCode({ hearth: 1, values }, SCRIPT);

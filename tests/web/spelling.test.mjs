@@ -1,5 +1,5 @@
 /**
- * Suggestions for misspelt names, and which unknown attributes deserve a warning.
+ * Suggestions for misspelt names, and unknown attributes that cause a warning.
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -30,7 +30,7 @@ test('the suggestion ends a sentence', () => {
   assert.equal(suggestion('frobnicate', NAMES), '.');
 });
 
-test('an unknown attribute is told once; what HTML, frameworks and libraries write is not', (context) => {
+test('an unknown attribute is reported once; those of HTML, frameworks and libraries are not', (context) => {
   const warn = context.mock.method(console, 'warn', () => {});
   for (const name of ['palete', 'palete', 'width', 'frobnicate']) warnOnce(name);
   const told = warn.mock.calls.map(({ arguments: [words] }) => words);
@@ -47,7 +47,7 @@ test('an unknown attribute is told once; what HTML, frameworks and libraries wri
   assert.equal(warn.mock.callCount(), 3);
 });
 
-test('a query tells the names of others from misspelt ones', () => {
+test('a query distinguishes foreign names from misspelt ones', () => {
   const { values, options, unknown, refused } = readUrlParameters(
     '?seed=7&fbclid=1&utm_source=a&utm_source=b&viscosty=1&quality=low&fuelpower=3&kind=x&__proto__=1&feed=2',
   );

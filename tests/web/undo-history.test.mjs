@@ -1,6 +1,6 @@
 /**
- * Undo and redo without a browser: whatever was done to a fire, in whatever order
- * and however fast, the way back leads through the same fires to the first one.
+ * The undo history without a browser: after any changes, in any order and at any speed,
+ * undo returns through the same values to the first ones.
  */
 import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
@@ -178,7 +178,7 @@ describe('a step', () => {
     assert.equal(steps.canUndo, false);
   });
 
-  test('is none where nothing changed: a drag there and back, the same value, a refusal', async () => {
+  test('has no step without a change: a drag there and back, the same value, a rejection', async () => {
     const { fire, steps } = made();
     await Promise.all([6, 7, 5].map((value) => steps.set('viscosity', value)));
     steps.press();
@@ -204,7 +204,7 @@ describe('a step', () => {
     assert.ok(changes() > before);
   });
 
-  test('leaves alone what somebody else changed', async () => {
+  test('leaves foreign changes alone', async () => {
     const { fire, steps } = made();
     await steps.set('viscosity', 6);
     await fire.set('wind', 3);
@@ -220,7 +220,7 @@ describe('a step', () => {
     assert.deepEqual([fire.params.model, fire.params.width], ['combustion', 4]);
   });
 
-  test('keeps a number of particles that nobody set free to follow the quality', async () => {
+  test('lets the number of particles follow the quality again', async () => {
     const { fire, steps } = made();
     await steps.set('max_particles', 900);
     await steps.undo();
@@ -229,7 +229,7 @@ describe('a step', () => {
     assert.deepEqual((await fire.exportConfig()).values, { max_particles: 900 });
   });
 
-  test('that the fire refuses by now is gone, and the refusal is told', async () => {
+  test('that the fire now rejects is dropped, and the rejection is reported', async () => {
     const { fire, steps } = made();
     await steps.set('viscosity', 6);
     fire.set = () => Promise.reject(new RangeError('no more'));

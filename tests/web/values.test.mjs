@@ -1,6 +1,5 @@
 /**
- * Which values are colours, the seeds that fires get by themselves, and the parameters that
- * transitions move.
+ * Colour values, automatic seeds, and the parameters that transitions change.
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -28,13 +27,13 @@ test('fires of a document get different seeds, the same ones in the same order, 
   for (const seed of seeds) assert.ok(Number.isInteger(seed) && seed >= 0 && seed < 2 ** 32);
 });
 
-test('transitions move by ratios what a slider shows by ratios, and jump between whole numbers', () => {
+test('transitions move log parameters by ratios, and step whole numbers', () => {
   const ids = (/** @type {(one: typeof PARAMETERS[number]) => boolean} */ holds) => PARAMETERS.filter(holds).map(({ id }) => id).sort();
   assert.deepEqual([...LOGARITHMIC].sort(), ids(({ kind, scale }) => kind === 'number' && scale === 'log'));
   assert.deepEqual([...WHOLE].sort(), ids(({ kind }) => kind === 'integer' || kind === 'seed'));
 });
 
-test('`warm` is a number of seconds, three without one, and none where it is off', () => {
+test('`warm` is a number of seconds, three by default, and zero without the attribute', () => {
   const read = (/** @type {string | null} */ text) => warmth(/** @type {any} */ ({ getAttribute: () => text }));
   for (const [text, seconds] of /** @type {[string | null, number][]} */ ([
     [null, 0], ['false', 0], ['', 3], [' ', 3], ['0', 0], ['2.5', 2.5], ['30', 30], ['31', NaN], ['-1', NaN], ['hot', NaN],

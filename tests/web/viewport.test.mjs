@@ -1,5 +1,5 @@
 /**
- * Where the fire's domain stands in its picture, and how many pixels the picture has.
+ * The fire's domain in its picture, and the number of pixels of the picture.
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -37,7 +37,7 @@ test('a canvas has at most two pixels for a CSS pixel, one and a half on touch s
   assert.deepEqual(cappedSize(300, 200, 1.5, true), { width: 300, height: 200 });
 });
 
-test('a canvas is never longer than graphics cards can draw, and keeps its shape', () => {
+test('a canvas is never larger than GPUs can draw, and keeps its aspect ratio', () => {
   assert.deepEqual(cappedSize(16384, 4096, 1, false), { width: 8192, height: 2048 });
   assert.deepEqual(cappedSize(0, 0, 1, false), { width: 0, height: 0 });
 });

@@ -5,7 +5,7 @@
  * It is the same element, from its sources, with another `engine/files.js`
  * (inline-files.js here), which has in it what the original looks for beside itself.
  * Only the panel stays
- * outside: who asks for it needs the package's folder.
+ * outside: an import of it needs the package's folder.
  */
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -23,7 +23,7 @@ const COMMON = /** @type {const} */ ({
   target: 'es2022',
   legalComments: 'none',
   logLevel: 'error',
-  // Nothing lies beside it, and bundlers must not look for it.
+  // The file stands alone, and bundlers must not resolve it.
   define: { 'import.meta.url': '""' },
 });
 

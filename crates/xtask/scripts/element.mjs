@@ -196,7 +196,7 @@ function missing(name, tag) {
   throw new Error(`the JSDoc of ${name} has no ${tag}`);
 }
 
-/** Writes a file that is behind, and says so. @param {string} file @param {string} text */
+/** Writes a file that is out of date, and prints its name. @param {string} file @param {string} text */
 async function refresh(file, text) {
   const target = path.join(ROOT, file);
   const present = await readFile(target, 'utf8').catch(() => '');

@@ -30,7 +30,7 @@ const SCENES: Module = Module {
 /// The groups of criterion's benchmarks.
 const CRITERION: [&str; 2] = ["fire", "block"];
 
-/// Does what the command line asks for.
+/// Runs the benchmarks of the command line.
 pub(crate) fn run(flags: &Bench) -> Result<()> {
     if flags.instructions {
         instructions::run(flags.write)

@@ -23,7 +23,7 @@ const PAINTER: Module = Module {
 };
 
 /// Draws the pictures whose names begin with one of `names`, or all; with `snapshots` of
-/// fires simulated anew.
+/// fires simulated again.
 pub(crate) fn write(snapshots: bool, names: &[String]) -> Result<()> {
     if snapshots {
         let folder = paths::root().join("tests/goldens/snapshots");

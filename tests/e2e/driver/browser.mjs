@@ -1,40 +1,40 @@
 /**
- * A browser and the server of the site that it looks at: started once for a
- * test file, with one page at a time.
+ * A browser and the server of its pages: started once for each test file, with one page at
+ * a time.
  */
 import { serve } from '../server.mjs';
 import { SITE } from '../site.mjs';
-import { followWorkers, rememberContexts } from './inside.mjs';
+import { followWorkers, rememberContexts } from './page-scripts.mjs';
 import { chromium, firefox } from './puppeteer.mjs';
 import { webkit } from './webkit.mjs';
 
 /** @typedef {import('./programs.mjs').Kind} Kind */
 /** @typedef {import('./puppeteer.mjs').PuppeteerTab} PuppeteerTab */
 /**
- * How a page is opened, with nothing left open.
+ * Options of a page, with defaults filled in.
  * @typedef {object} Opening
  * @property {number} width
  * @property {number} height
  * @property {number} ratio
  * @property {boolean} touch
  * @property {boolean} reducedMotion
- * @property {string[]} before  Scripts that run in the page before anything of it.
- * @property {string[]} beforeWorker  And in each of its workers.
+ * @property {string[]} before  Scripts that run in the page before its own.
+ * @property {string[]} beforeWorker  Scripts that run in each worker before its own.
  */
 /**
- * A running browser, as this file needs it.
+ * A running browser, as its kind implements it.
  * @typedef {object} Engine
- * @property {any} browser  The driver's own handle of it.
- * @property {(opening: Opening) => Promise<any>} open  A tab that has gone nowhere yet.
+ * @property {any} browser  The handle of its driver.
+ * @property {(opening: Opening) => Promise<any>} open  Opens an empty tab.
  * @property {() => Promise<unknown>} close
  */
 
 const START = { chromium, firefox, webkit };
 
-/** Pixels of a fire whose sharpness no test looks at. */
+/** Pixels of a fire whose sharpness no test asserts. */
 const FEW_PIXELS = 30_000;
 
-/** A running browser and the server of the site that it looks at. */
+/** A running browser and the server of its pages. */
 export class Browser {
   /**
    * @param {Engine} engine
@@ -51,8 +51,7 @@ export class Browser {
   }
 
   /**
-   * Starts Chromium with an empty profile of its own, looking at the site, or
-   * at other folders.
+   * Starts Chromium with an empty profile, and a server of the site or of other folders.
    * @param {...string} folders
    */
   static launch(...folders) {
@@ -62,10 +61,10 @@ export class Browser {
   /**
    * Starts a browser of that kind.
    * @param {Kind} kind
-   * @param {object} [wishes]
-   * @param {string[]} [wishes.folders]  What it looks at, if not the site.
-   * @param {boolean} [wishes.reducedMotion]  For all its pages: Firefox and WebKit
-   *   learn of it when they start.
+   * @param {object} [options]
+   * @param {string[]} [options.folders]  Folders to serve instead of the site.
+   * @param {boolean} [options.reducedMotion]  For all pages: Firefox and WebKit take it at
+   *   start.
    */
   static async start(kind, { folders = [], reducedMotion = false } = {}) {
     const server = await serve(...(folders.length > 0 ? folders : [SITE]));
@@ -78,27 +77,27 @@ export class Browser {
   }
 
   /**
-   * Opens a page of the site, or one written by the test, and closes the one
-   * before: two fires at once would only slow each other down.
+   * Opens a page of the site or of the test, and closes the previous one: two pages would
+   * slow each other down.
    *
    * @param {string} page  A path ("index.html?seed=7"), the HTML of a body
    *   ("<hearth-fire>…"), or a whole document ("<!doctype html>…").
    * @param {object} [options]
    * @param {number} [options.width]  CSS pixels.
    * @param {number} [options.height]
-   * @param {number} [options.ratio]  Device pixels for a CSS pixel; not in WebKit.
-   * @param {boolean} [options.touch]  A phone: touch, and a phone's viewport; in Chromium.
+   * @param {number} [options.ratio]  Device pixels per CSS pixel; not in WebKit.
+   * @param {boolean} [options.touch]  A phone's touch and viewport; only in Chromium.
    * @param {boolean} [options.reducedMotion]
-   * @param {() => void} [options.before]  Runs in the page before anything of it.
-   * @param {() => void} [options.beforeWorker]  Runs in each of its workers before anything of it.
-   * @param {{[name: string]: string}} [options.headers]  Of a page written by the test.
-   * @param {{[name: string]: import('../server.mjs').Instead}} [options.files]  What the server
-   *   gives instead of files whose path ends so.
-   * @param {boolean} [options.remember]  Whether it has what pages before it kept.
-   * @param {number} [options.pixels]  How many pixels a fire of one of the site's own pages draws,
-   *   few by default: a software renderer computes each of them.
-   * @param {string} [options.without]  Requests for files whose path ends so fail, as a
-   *   broken network would.
+   * @param {() => void} [options.before]  Runs in the page before its scripts.
+   * @param {() => void} [options.beforeWorker]  Runs in each worker before its scripts.
+   * @param {{[name: string]: string}} [options.headers]  Of a page of the test.
+   * @param {{[name: string]: import('../server.mjs').Instead}} [options.files]  Replacements of files whose
+   *   path ends with these names.
+   * @param {boolean} [options.remember]  Keeps the storage of previous pages.
+   * @param {number} [options.pixels]  The most pixels of each fire in the page's HTML. Pages of
+   *   the site have few by default: a software renderer computes each one.
+   * @param {string} [options.without]  Requests for files whose path ends so fail, like a
+   *   broken network.
    * @returns {Promise<PuppeteerTab>}
    */
   async open(page, options = {}) {
@@ -129,14 +128,14 @@ export class Browser {
   }
 }
 
-/** Runs in the page: nothing is kept of the tests before this one. */
+/** Runs in the page: clears the storage of previous tests. */
 function forgetOnce() {
   try {
-    // A page that is loaded anew has what it kept itself.
+    // A reloaded page keeps its own storage.
     if (!sessionStorage.getItem('forgotten')) localStorage.clear();
     sessionStorage.setItem('forgotten', 'yes');
   } catch {
-    // Then nothing is kept.
+    // Without access to storage nothing is kept.
   }
 }
 
@@ -154,7 +153,7 @@ function limitPixels(pixels) {
   addEventListener('DOMContentLoaded', () => observer.disconnect());
 }
 
-/** A whole page with `body` in it and the element loaded, black so that fire shows. */
+/** A document with this body, the element's script and a black background. */
 function documentAround(/** @type {string} */ body) {
   return `<!doctype html>
 <html lang="en">

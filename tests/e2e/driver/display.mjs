@@ -1,6 +1,6 @@
 /**
- * A screen that nobody sees. Firefox has no WebGL2 without a window, and WebKit
- * no mode without one.
+ * A virtual display: Firefox has no WebGL2 without a window, and WebKit has no headless
+ * mode.
  */
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
@@ -10,13 +10,13 @@ import { program } from './programs.mjs';
 
 /** @returns {Promise<Display>} */
 export async function display() {
-  // The server picks a free number by itself and says which, in its fourth file.
+  // The server picks a free display number and writes it to its fourth file.
   const server = spawn(
     program('HEARTH_XVFB', ['Xvfb'], 'xvfb'),
     ['-displayfd', '3', '-screen', '0', '1600x1200x24', '-nolisten', 'tcp', '-noreset'],
     { stdio: ['ignore', 'ignore', 'ignore', 'pipe'] },
   );
-  const close = untilTheEnd(server);
+  const close = killAtExit(server);
   const failed = once(server, 'exit').then(([code]) => {
     throw new Error(`Xvfb ended with ${code} before it had a screen`);
   });
@@ -26,20 +26,20 @@ export async function display() {
   return { name: `:${String(number).trim()}`, close };
 }
 
-/** What still runs. @type {Set<import('node:child_process').ChildProcess>} */
+/** Running programs. @type {Set<import('node:child_process').ChildProcess>} */
 const running = new Set();
 let watched = false;
 
 /**
- * Ends a program when it is closed, and at the latest with this process.
+ * Returns a function that kills a program; the exit of this process kills it, too.
  * @param {import('node:child_process').ChildProcess} child
  * @returns {() => void}
  */
-export function untilTheEnd(child) {
+export function killAtExit(child) {
   if (!watched) {
     watched = true;
     process.once('exit', () => { for (const one of running) one.kill('SIGKILL'); });
-    // A signal would end this process without that event.
+    // A signal would end this process without an exit event.
     for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.once(signal, () => process.exit(1));
   }
   running.add(child);

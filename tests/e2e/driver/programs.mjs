@@ -1,6 +1,6 @@
 /**
- * Which browsers there are, and where their programs lie. One that is not there
- * is a failure, never a skipped test.
+ * The browsers and the paths of their programs. A missing browser is a failure, never a
+ * skipped test.
  */
 import { accessSync, constants } from 'node:fs';
 import path from 'node:path';
@@ -10,7 +10,7 @@ import path from 'node:path';
 /** @type {Kind[]} */
 const KINDS = ['chromium', 'firefox', 'webkit'];
 
-/** The browsers that tests of all of them use: `HEARTH_BROWSERS=firefox,webkit` picks some. */
+/** The browsers under test: `HEARTH_BROWSERS=firefox,webkit` selects some. */
 export const BROWSERS = chosen(process.env.HEARTH_BROWSERS);
 
 /** @param {string | undefined} names */
@@ -25,7 +25,7 @@ function chosen(names) {
 
 /**
  * A program: from the environment, else the first of these names on the PATH.
- * @param {string} variable @param {string[]} names @param {string} debian  The package that has it.
+ * @param {string} variable @param {string[]} names @param {string} debian  Its package.
  */
 export function program(variable, names, debian) {
   const named = process.env[variable];
@@ -36,7 +36,7 @@ export function program(variable, names, debian) {
       accessSync(file, constants.X_OK);
       return file;
     } catch {
-      // Not here: the next place may have it.
+      // Not in this folder.
     }
   }
   throw new Error(`no ${names[0]}: install Debian's "${debian}" or name one in ${variable}`);

@@ -1,6 +1,6 @@
 /**
- * Chromium, headless on software rendering, and Firefox, in a window that nobody
- * sees: puppeteer drives both, by their own protocols.
+ * Chromium, headless with software rendering, and Firefox, in a window of a virtual display;
+ * puppeteer drives both.
  */
 import puppeteer from 'puppeteer-core';
 import { Picture } from '../picture.mjs';
@@ -20,7 +20,7 @@ const CHROMIUM_FLAGS = [
   '--disable-quic',
 ];
 
-/** How long a page may take to answer one request of the driver. */
+/** Timeout of one request of the driver to a page [ms]. */
 const protocolTimeout = 4 * PATIENCE;
 
 /** @typedef {import('./browser.mjs').Opening} Opening */
@@ -52,7 +52,7 @@ export async function chromium() {
 }
 
 /**
- * @param {{reducedMotion?: boolean}} wishes  It is a preference, so it holds for all pages.
+ * @param {{reducedMotion?: boolean}} options  A preference of all its pages.
  * @returns {Promise<import('./browser.mjs').Engine>}
  */
 export async function firefox({ reducedMotion = false }) {
@@ -72,7 +72,7 @@ export async function firefox({ reducedMotion = false }) {
   return {
     browser,
     async open({ reducedMotion: wanted, ...opening }) {
-      if (wanted && !reducedMotion) throw new Error('Firefox learns of reduced motion when it starts');
+      if (wanted && !reducedMotion) throw new Error('Firefox takes reduced motion at start');
       const tab = new PuppeteerTab(await browser.newPage());
       await tab.prepare(opening);
       return tab;
@@ -150,8 +150,8 @@ export class PuppeteerTab extends Tab {
 
   /** @override */
   async picture(clip) {
-    // What is beyond the window would be had by another size of it, for a moment of one pixel:
-    // a fire that burns is drawn for that too, and its picture would be of it at times.
+    // A capture beyond the viewport resizes the page for a moment, and a playing fire may be
+    // drawn at that size.
     return Picture.decode(await this.page.screenshot({ clip, captureBeyondViewport: false, type: 'png' }));
   }
 

@@ -1,17 +1,16 @@
 /**
- * One page in a browser: what a test can do with it and ask of it, whichever
- * browser it is. A browser's own file says how it evaluates, moves a mouse,
- * presses a key and takes a picture; everything else is said here, once.
+ * A page in any of the browsers. A subclass for each driver evaluates functions, sends
+ * input and takes pictures; this class builds everything else on that.
  */
 import { Picture } from '../picture.mjs';
 
 /** @typedef {{x: number, y: number}} Point */
 /** @typedef {import('../picture.mjs').Rectangle} Rectangle */
 
-/** Longest wait for anything a page should do soon; slow machines need it, no law does. */
+/** Timeout of every wait [ms]: long, since only a hanging page reaches it. */
 export const PATIENCE = 60_000;
 
-/** One page, with everything it complained about. */
+/** A page and its problems. */
 export class Tab {
   constructor() {
     /** Console errors and warnings, uncaught exceptions, failed requests. @type {string[]} */
@@ -19,7 +18,7 @@ export class Tab {
   }
 
   /**
-   * Runs `act` in the page and gives what it returns.
+   * Runs `act` in the page and returns its result.
    * @template T
    * @param {(...args: any[]) => T} act
    * @param {...unknown} args
@@ -41,7 +40,7 @@ export class Tab {
   }
 
   /**
-   * What stands on the screen, as a PNG.
+   * The visible part of the page.
    * @param {Rectangle} [clip]
    * @returns {Promise<Picture>}
    */
@@ -50,7 +49,7 @@ export class Tab {
   }
 
   /**
-   * One thing that a mouse does.
+   * One mouse action.
    * @param {'move' | 'down' | 'up'} what @param {Point} at
    * @returns {Promise<unknown>}
    */
@@ -59,7 +58,7 @@ export class Tab {
   }
 
   /**
-   * Lays a finger on the page; gives what moves and lifts it.
+   * Starts a touch; returns functions that move and end it.
    * @param {Point} at
    * @returns {Promise<{move: (x: number, y: number) => Promise<void>, end: () => Promise<void>}>}
    */
@@ -68,7 +67,7 @@ export class Tab {
   }
 
   /**
-   * Presses a key and lets it go.
+   * Presses and releases a key.
    * @param {string} key
    * @returns {Promise<void>}
    */
@@ -77,8 +76,8 @@ export class Tab {
   }
 
   /**
-   * Waits until `holds` gives something true in the page, and gives that.
-   * @param {string} what  What is awaited, in words, for the failure's message.
+   * Waits until `holds` returns a truthy value in the page, and returns it.
+   * @param {string} what  Describes the condition in the failure's message.
    * @param {(...args: any[]) => unknown} holds
    * @param {...unknown} args
    * @returns {Promise<any>}
@@ -96,35 +95,27 @@ export class Tab {
     return this.on('hearth-fire', act, ...args);
   }
 
-  /** Waits until the first `<hearth-fire>` says that it is ready. */
+  /** Waits until the first `<hearth-fire>` is ready. */
   ready() {
     return this.fire((fire) => Promise.resolve(fire.ready).then(() => undefined));
   }
 
   /**
-   * Burns the first fire until it is that old, by steps that it is asked for: a second of
-   * fire takes as long as its steps take, and not a second.
-   * @param {number} seconds  Of the fire's own time.
+   * Steps the first fire to this age, as fast as the machine computes.
+   * @param {number} seconds  Of fire.
    */
-  burnt(seconds) {
-    return this.fire(async (fire, wanted) => {
-      await customElements.whenDefined('hearth-fire');
-      await fire.ready;
-      const told = () => new Promise((resolve) => fire.addEventListener('stats', resolve, { once: true }));
-      if (!fire.stats) await told();
-      for (let length = 0.002; fire.stats.time < wanted; length = fire.stats.stepLength || length) {
-        const steps = Math.ceil((wanted - fire.stats.time) / length);
-        // A fire that stands still tells its statistics with its picture.
-        const after = fire.paused ? undefined : told();
-        await fire.step(Math.min(Math.max(steps, 1), 2000));
-        await after;
-      }
-    }, seconds);
+  async burnt(seconds) {
+    try {
+      await this.fire(stepUntil, seconds);
+    } catch (error) {
+      const why = error instanceof Error ? error.message : String(error);
+      throw new Error(`the fire does not burn for ${seconds} s: ${why}; problems: ${this.problems.join('; ')}`);
+    }
   }
 
   /**
-   * Waits until the first fire is that old, by itself.
-   * @param {number} seconds  Of the fire's own time.
+   * Waits until the first fire plays to this age.
+   * @param {number} seconds  Of fire.
    */
   plays(seconds) {
     return this.until(
@@ -141,16 +132,16 @@ export class Tab {
     }, count);
   }
 
-  /** Everything that the page has complained about by now. */
+  /** The problems of the page after one more frame. */
   async complaints() {
     await this.frames(1);
     return this.problems;
   }
 
   /**
-   * Loses every WebGL2 context, of the page itself and of its workers, as a
-   * driver's crash would, and gives them back after a while; without one, never.
-   * @param {number} [milliseconds]
+   * Loses every WebGL2 context of the page and its workers, like a crash of the graphics
+   * driver.
+   * @param {number} [milliseconds]  After which the contexts are restored; without it, never.
    */
   async loseContext(milliseconds) {
     const lost = await this.evaluate(
@@ -161,9 +152,8 @@ export class Tab {
   }
 
   /**
-   * How many WebGL2 contexts are alive in page and workers, how many things of the
-   * graphics card are made and not deleted in them, how many bytes wasm has, and how
-   * many workers there are.
+   * Numbers of live WebGL2 contexts, of GPU objects in them, of bytes of wasm memory and of
+   * workers.
    * @returns {Promise<{contexts: number, objects: number, memory: number, workers: number}>}
    */
   living() {
@@ -178,9 +168,9 @@ export class Tab {
     });
   }
 
-  /** What stands on the screen where the first fire is. */
+  /** The first fire as it is on the screen. */
   async firePicture() {
-    // The full page's own words stand over its fire, and fade.
+    // The landing page has fading text over its fire.
     await this.evaluate(() => {
       for (const over of document.querySelectorAll('body > header, #hint, #scenes')) {
         /** @type {HTMLElement} */ (over).style.visibility = 'hidden';
@@ -190,7 +180,7 @@ export class Tab {
   }
 
   /**
-   * Where an element stands, in CSS pixels of the page.
+   * The rectangle of an element, in CSS pixels of the page.
    * @param {string} selector
    * @returns {Promise<Rectangle>}
    */
@@ -217,8 +207,7 @@ export class Tab {
   }
 
   /**
-   * Drags with the mouse. A person's drag lasts many frames; a control that is
-   * painted frame by frame would not see one that fits into a single frame.
+   * Drags with the mouse over several frames: egui reads input once a frame.
    * @param {Point} from @param {Point} to
    */
   async drag(from, to) {
@@ -255,5 +244,20 @@ function* between(/** @type {Point} */ from, /** @type {Point} */ to, steps = 4)
   for (let step = 1; step <= steps; step += 1) {
     const part = step / steps;
     yield { x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part };
+  }
+}
+
+/** Runs in the page. @param {any} fire @param {number} seconds  Its age. */
+async function stepUntil(fire, seconds) {
+  await customElements.whenDefined('hearth-fire');
+  await fire.ready;
+  const statistics = () => new Promise((resolve) => fire.addEventListener('stats', resolve, { once: true }));
+  if (!fire.stats) await statistics();
+  for (let length = 0.002; fire.stats.time < seconds; length = fire.stats.stepLength || length) {
+    const steps = Math.ceil((seconds - fire.stats.time) / length);
+    // A paused fire posts statistics with its picture.
+    const next = fire.paused ? undefined : statistics();
+    await fire.step(Math.min(Math.max(steps, 1), 2000));
+    await next;
   }
 }

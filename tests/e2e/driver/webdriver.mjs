@@ -1,13 +1,13 @@
 /**
- * A small client of W3C WebDriver, which is how WebKit is driven: JSON over HTTP,
- * answered by a program that comes with the browser.
+ * A small client of W3C WebDriver, JSON over HTTP, for WebKit: a program that is packaged
+ * with the browser answers it.
  */
 import { spawn } from 'node:child_process';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { createServer } from 'node:net';
-import { untilTheEnd } from './display.mjs';
+import { killAtExit } from './display.mjs';
 
-/** Longest wait for the program to listen, in tries of 50 ms. */
+/** Attempts to reach the program, 50 ms apart. */
 const TRIES = 400;
 
 /** A browser that a WebDriver program has started. */
@@ -26,7 +26,7 @@ export class Session {
    */
   static async start(file, capabilities, env) {
     const port = await freePort();
-    const end = untilTheEnd(spawn(file, [`--port=${port}`], { env, stdio: 'ignore' }));
+    const end = killAtExit(spawn(file, [`--port=${port}`], { env, stdio: 'ignore' }));
     try {
       const address = `http://127.0.0.1:${port}`;
       await listening(address);
@@ -59,7 +59,7 @@ export class Session {
   }
 
   async close() {
-    // The browser's process ends with its session, and hardly without.
+    // The browser's process ends with its session.
     await ask('DELETE', this.address).finally(this.end);
   }
 }
@@ -85,7 +85,7 @@ async function listening(address) {
   }
 }
 
-/** A port of this machine that nobody listens on. */
+/** A free port of this machine. */
 async function freePort() {
   const server = createServer();
   await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(undefined)));

@@ -1,9 +1,8 @@
 /**
- * WebKit as Debian has it: WebKitGTK's small browser, in a window that nobody
- * sees, driven through WebDriver.
+ * WebKitGTK's small browser, in a window of a virtual display, driven through WebDriver.
  *
- * Its driver tells nothing about the page and runs nothing before it, so the
- * page keeps its complaints itself, and the server puts the scripts into it.
+ * Its driver reports no problems of a page and runs no script before it, so the page records
+ * its problems and the server inserts the scripts.
  */
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import os from 'node:os';
@@ -11,12 +10,12 @@ import path from 'node:path';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { Picture } from '../picture.mjs';
 import { display } from './display.mjs';
-import { keepComplaints } from './inside.mjs';
+import { keepComplaints } from './page-scripts.mjs';
 import { program } from './programs.mjs';
 import { PATIENCE, Tab } from './tab.mjs';
 import { Session } from './webdriver.mjs';
 
-/** WebDriver's signs for keys that write nothing. */
+/** WebDriver's characters for keys without text. */
 const KEYS = {
   Tab: '\uE004',
   Enter: '\uE007',
@@ -31,7 +30,7 @@ const KEYS = {
 };
 
 /**
- * @param {{reducedMotion?: boolean}} wishes  It is a setting of the desktop, so it holds for all pages.
+ * @param {{reducedMotion?: boolean}} options  A desktop setting for all its pages.
  * @param {import('../server.mjs').Server} server
  * @returns {Promise<import('./browser.mjs').Engine>}
  */
@@ -51,7 +50,7 @@ export async function webkit({ reducedMotion = false }, server) {
   try {
     const session = await Session.start(
       driver,
-      // A page that was left would be kept, with its fires and contexts.
+      // A cached page would keep its fires and contexts.
       { 'webkitgtk:browserOptions': { args: ['--automation', '--enable-page-cache=false'], ...browserFile() } },
       {
         ...process.env,
@@ -78,7 +77,7 @@ export async function webkit({ reducedMotion = false }, server) {
   }
 }
 
-/** The driver knows its browser; another one can be named. */
+/** Another browser than the driver's own, if one is named. */
 function browserFile() {
   const named = process.env.HEARTH_WEBKIT;
   return named ? { binary: named } : {};
@@ -98,11 +97,11 @@ export class WebKitTab extends Tab {
   /** @param {import('./browser.mjs').Opening} opening @param {boolean} reduced */
   async prepare({ width, height, ratio, touch, reducedMotion, before, beforeWorker }, reduced) {
     if (ratio !== 1) throw new Error(`WebKit draws one pixel a CSS pixel here, not ${ratio}`);
-    if (touch) throw new Error('WebKit has no finger here');
-    if (reducedMotion && !reduced) throw new Error('WebKit learns of reduced motion when it starts');
+    if (touch) throw new Error('WebKit has no touch here');
+    if (reducedMotion && !reduced) throw new Error('WebKit takes reduced motion at start');
     this.server.prepend({ pages: [`(${keepComplaints})();`, ...before], workers: beforeWorker });
     this.server.refused = (problem) => this.problems.push(problem);
-    // The window is larger than the page by its bar; how much, the page says.
+    // The window is larger than the page by its toolbar, whose size the page reports.
     const inner = () => this.session.run('arguments[0]([innerWidth, innerHeight])', []);
     let [across, down] = [0, 0];
     for (let tries = 0; tries < 20; tries += 1) {
@@ -119,7 +118,7 @@ export class WebKitTab extends Tab {
   /** @param {string} url */
   async go(url) {
     await this.session.post('url', { url });
-    // Its driver does not always wait for the page's modules.
+    // The driver does not always wait for modules.
     await this.until('the page is loaded', () => document.readyState === 'complete');
   }
 
@@ -188,7 +187,7 @@ export class WebKitTab extends Tab {
 
   /** @override */
   mouse(what, at) {
-    // A pointer without a move before would stand at the corner again.
+    // Without a previous move, a pointer is at the corner.
     if (what === 'move') this.#mouse = at;
     const { x, y } = this.#mouse;
     const actions = {

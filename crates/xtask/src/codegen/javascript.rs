@@ -1,5 +1,5 @@
 //! The table for JavaScript. `web/generated/defaults.js`: the ids and defaults, which the element
-//! needs before wasm is loaded, as the browser asks for `observedAttributes` by then.
+//! needs before wasm is loaded, as the browser reads `observedAttributes` by then.
 //! `web/parameters.js`: all of the table, for the panel's accessible controls and any
 //! tool; `web/generated/quantities.js`, `web/generated/between.js`: parts of it that are loaded alone.
 

@@ -34,16 +34,16 @@ fn wasm_test(name: &str, driver: Option<PathBuf>) -> Result<()> {
     .run()?)
 }
 
-/// Every test end to end: in Chromium, and what holds in every browser in Firefox and
-/// WebKit too.
+/// The end-to-end tests: all in Chromium, and those of the element in Firefox and WebKit
+/// too.
 pub(super) fn end_to_end() -> Result<()> {
     let sh = Shell::new()?;
     let test = script(&sh, "run.mjs", &paths::site())?;
     Ok(test.envs(tools::other_browsers()?).run()?)
 }
 
-/// The smallest test end to end, of the site in `folder`, or of a page that somebody
-/// serves at `address`.
+/// The smallest end-to-end test, of the site in `folder` or of a page that is served at
+/// `address`.
 pub(super) fn smoke(folder: &Path, address: Option<&str>) -> Result<()> {
     let sh = Shell::new()?;
     let test = script(&sh, "run.mjs", folder)?.arg("smoke");

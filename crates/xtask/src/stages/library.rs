@@ -34,7 +34,7 @@ fn tests(sh: &Shell, folder: &str) -> Result<Vec<PathBuf>> {
 }
 
 /// Every crate that may be published, without a warning. Uncommitted changes are allowed:
-/// nobody commits before a test.
+/// tests run before a commit.
 pub(super) fn publishable() -> Result<()> {
     let sh = Shell::new()?;
     let publish = cmd!(sh, "cargo publish --workspace --dry-run --allow-dirty").ignore_status();

@@ -52,7 +52,7 @@ struct Served {
 impl Served {
     /// Starts it and waits until it answers, which it does once it has built the page.
     fn start() -> Result<Served> {
-        // The system gives this port to nobody else at once, so it is free for Trunk.
+        // The system does not reuse a port at once, so this one stays free for Trunk.
         let port = TcpListener::bind((Ipv4Addr::LOCALHOST, 0))?
             .local_addr()?
             .port();

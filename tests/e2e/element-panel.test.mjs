@@ -1,7 +1,6 @@
 /**
- * The panel inside of an element, by its attribute `controls`: it lies where there
- * is room, works under hand and keys, leaves the page its focus, wheel and keys,
- * and goes without a trace.
+ * The panel inside an element (attribute `controls`): layout, mouse, touch and keys; the
+ * page keeps its focus, wheel and keys; removal leaves nothing behind.
  */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
@@ -28,7 +27,7 @@ async function openFire(width, height, options = {}) {
   const tab = await browser.open(
     `<input id="before"><hearth-fire controls ${sized(width, height)}></hearth-fire>
     <input id="after"><div style="height: 2000px"></div>`,
-    { width: width + 40, height: height + 80, ...options },
+    { width: width + 40, height: height + 80, pixels: 30_000, ...options },
   );
   await tab.ready();
   return { tab, panel: await new Panel(tab, { inside: true }).mounted() };
@@ -77,7 +76,7 @@ describe('its place', () => {
     assert.ok(button.x >= 0 && button.x + button.width <= column.x);
   });
 
-  test('is the button alone once it is folded away, and again as before', async () => {
+  test('folds to its button, and unfolds as before', async () => {
     const { tab, panel } = await openFire(400, 500);
     const before = await layout(panel);
     await pressFold(tab, panel);
@@ -118,7 +117,7 @@ describe('under hand and keys', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('a finger drags a slider and the page stays where it is', async () => {
+  test('a finger drags a slider and the page does not scroll', async () => {
     const { tab, panel } = await openFire(360, 640, { width: 360, height: 640, touch: true });
     const rectangle = await panel.reveal('buoyancy');
     const scrolled = await tab.evaluate(() => window.scrollY);
@@ -152,7 +151,7 @@ describe('under hand and keys', () => {
     await tab.until('the page is back', () => window.scrollY === 0);
   });
 
-  test('the focus stays where it was when the panel comes, and Tab goes through it', async () => {
+  test('the focus does not move when the panel loads, and Tab passes through it', async () => {
     const tab = await browser.open(
       `<input id="before"><hearth-fire ${sized(400, 500)}></hearth-fire><input id="after">`,
       { width: 440, height: 580 },
@@ -262,7 +261,7 @@ describe('on a page', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('leaves nothing when it goes', async () => {
+  test('leaves nothing behind when it is removed', async () => {
     const tab = await browser.open(`<hearth-fire ${sized(400, 500)}></hearth-fire>`, {
       width: 420, height: 520, before: countListeners,
     });
@@ -295,7 +294,7 @@ describe('on a page', () => {
     assert.deepEqual(tab.problems, []);
   });
 
-  test('a strict policy for scripts and styles lets it work', async () => {
+  test('works with a strict policy for scripts and styles', async () => {
     const policy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; "
       + "connect-src 'self'; style-src 'self'; img-src 'self' data: blob:";
     const tab = await browser.open(`<hearth-fire width="400"></hearth-fire>`, {

@@ -1,11 +1,11 @@
 /**
- * What a fire does where it cannot burn, or where something of it does not come as
- * it should: it says so, shows its poster, and harms nothing else of the page.
+ * Error kinds: a fire that cannot start reports why, shows its poster and leaves the page
+ * intact.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { assertBurns, events, recording } from './laws.mjs';
+import { assertBurns, events, recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -44,13 +44,13 @@ for (const [what, instead, named] of [
   ['is a page that calls itself wasm', { body: '<!doctype html><p>Hello' }, /could not be loaded/],
   ['is empty', { body: '', type: 'text/plain' }, /no wasm file/],
 ]) {
-  test(`wasm that ${what} is said, with the poster`, async () => {
+  test(`wasm that ${what} is reported, and the poster stays`, async () => {
     const tab = await browser.open(BODY, { files: { [WASM]: instead } });
     await assertSaid(tab, 'load', named);
   });
 }
 
-test('wasm that is served as something else burns all the same, and it is said', async () => {
+test('wasm of another MIME type works, and a warning reports it', async () => {
   const tab = await browser.open(BODY, { files: { [WASM]: { type: 'application/octet-stream' } } });
   await tab.burnt(0.5);
   await assertBurns(tab);
@@ -60,13 +60,13 @@ test('wasm that is served as something else burns all the same, and it is said',
   assert.match(errors[0].message, /application\/octet-stream instead of application\/wasm/);
 });
 
-test('a policy that forbids wasm is said, with the poster', async () => {
+test('a policy that forbids wasm is reported, and the poster stays', async () => {
   const scripts = "script-src 'self' 'unsafe-inline'";
   const tab = await browser.open(BODY, { headers: { 'content-security-policy': scripts } });
   await assertSaid(tab, 'load', /could not be loaded/);
 });
 
-test('a policy that forbids workers is no trouble', async () => {
+test('with a policy that forbids workers the fire burns on the page’s thread', async () => {
   const policy = "script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; worker-src 'none'";
   const tab = await browser.open(BODY, { headers: { 'content-security-policy': policy } });
   await tab.burnt(0.5);
@@ -74,7 +74,7 @@ test('a policy that forbids workers is no trouble', async () => {
   await assertBurns(tab);
 });
 
-test('a browser without WebGL2 is said, with the poster', async () => {
+test('a browser without WebGL2 is reported, and the poster stays', async () => {
   const blind = () => {
     for (const type of [globalThis.HTMLCanvasElement, globalThis.OffscreenCanvas]) {
       if (type) type.prototype.getContext = () => null;
@@ -84,12 +84,12 @@ test('a browser without WebGL2 is said, with the poster', async () => {
   await assertSaid(tab, 'unsupported', /WebGL2/);
 });
 
-test('a browser without wasm SIMD is said, with the poster', async () => {
+test('a browser without wasm SIMD is reported, and the poster stays', async () => {
   const tab = await browser.open(BODY, { before: () => (WebAssembly.validate = () => false) });
   await assertSaid(tab, 'unsupported', /SIMD/);
 });
 
-test('an engine that breaks is said, and the next fire has a new one', async () => {
+test('an engine that throws is reported, and the next fire gets a new one', async () => {
   const tab = await browser.open(BODY, {
     beforeWorker: () => {
       // A defect of the engine would end in an error out of nowhere, as this.
@@ -114,7 +114,7 @@ test('an engine that breaks is said, and the next fire has a new one', async () 
   await assertBurns(tab);
 });
 
-test('an attribute, property or preset that is no good leaves the fire as it is', async () => {
+test('an invalid attribute, property or preset leaves the fire unchanged', async () => {
   const tab = await browser.open(recording('<hearth-fire exposure="0.5"></hearth-fire>'));
   await tab.burnt(0.3);
   const before = await tab.fire((fire) => fire.params);

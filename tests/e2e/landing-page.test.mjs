@@ -1,6 +1,5 @@
 /**
- * The first ten seconds of a visitor: a fire of the best scene, a name, scenes to choose
- * from, a hint that comes once, a panel that waits to be asked for on a phone.
+ * The landing page: its scene, the strip of scenes, the hint, the panel and the dialogs.
  */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
@@ -61,7 +60,7 @@ describe('the address', () => {
   }
 });
 
-test('a page without scripts shows the picture of its fire at once, in its place', async () => {
+test('a page whose script fails shows the still picture of its fire', async () => {
   const tab = await browser.open('index.html', { ...WIDE, without: 'pages/main.js' });
   await tab.until('the picture', () => /** @type {any} */ (document.getElementById('still')).complete);
   const [stage, still] = [await tab.rectangle('#fire'), await tab.rectangle('#still')];
@@ -116,7 +115,7 @@ describe('the strip of scenes', () => {
 });
 
 describe('the panel', () => {
-  test('of a phone is not loaded before it is asked for', async () => {
+  test('is not loaded on a phone before it is opened', async () => {
     const tab = await browser.open('index.html', PHONE);
     await tab.ready();
     await strip(tab);
@@ -146,7 +145,7 @@ describe('the panel', () => {
     assert.equal(await again.evaluate(() => localStorage.getItem('hearth-page-panel')), 'shown');
   });
 
-  test('makes way in the full screen, and comes back', async () => {
+  test('is hidden in full screen, and shown again after it', async () => {
     const tab = await browser.open('index.html', WIDE);
     await new Panel(tab).mounted();
     const shown = () => tab.evaluate(() => ['#head h1', '#scenes', '#panel', '#toggle'].filter((selector) => (
@@ -175,7 +174,7 @@ describe('the hint', () => {
   };
   const hinted = (tab) => tab.evaluate(() => /** @type {any} */ (window).hinted);
 
-  test('comes once, and goes with the first use', async () => {
+  test('is shown once, and hidden by the first use', async () => {
     const tab = await browser.open('index.html', { ...WIDE, before: keep });
     await tab.until('the hint', () => document.getElementById('hint')?.textContent);
     assert.match((await hinted(tab))[0], /blow.*click.*drag/);
@@ -187,7 +186,7 @@ describe('the hint', () => {
     assert.deepEqual(await hinted(again), []);
   });
 
-  test('is worded for fingers, and not shown where the fire stands still', async () => {
+  test('has its own text for touch, and is not shown with reduced motion', async () => {
     const tab = await browser.open('index.html', { ...PHONE, before: keep });
     await tab.evaluate(() => localStorage.clear());
     const touch = await browser.open('index.html', { ...PHONE, before: keep });
@@ -201,7 +200,7 @@ describe('the hint', () => {
   });
 });
 
-test('links and scenes step back without input, and come back with it', async () => {
+test('links and scenes fade without input, and return with it', async () => {
   const tab = await browser.open('index.html?paused', PHONE);
   await tab.ready();
   await strip(tab);
@@ -217,7 +216,7 @@ test('links and scenes step back without input, and come back with it', async ()
   assert.equal(await opacity(), 1);
 });
 
-test('the dialog of the code shows the fire as it burns now, and Escape closes it', async () => {
+test('the embed dialog shows the code of the current fire, and Escape closes it', async () => {
   const tab = await browser.open('index.html?scene=candle&exposure=0.3', WIDE);
   await tab.ready();
   await tab.page.click('[data-opens="embed"]');

@@ -1,6 +1,5 @@
 /**
- * What a fire tells the style sheets of its page: that it burns, how bright it is, of what
- * colour.
+ * Hooks for the page's style sheets: the state `burning`, brightness and colour of a fire.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -22,7 +21,7 @@ function burning(tab, wanted) {
   ), wanted);
 }
 
-test(':state(burning) is there while a picture of it is shown and it plays', async () => {
+test(':state(burning) holds while the fire plays and its picture is shown', async () => {
   const tab = await browser.open(`<style>hearth-fire:state(burning) { outline: 3px solid red }</style>${FIRE}`);
   // Not before there is a picture.
   const early = await tab.fire((fire) => {
@@ -56,7 +55,7 @@ test(':state(burning) is there while a picture of it is shown and it plays', asy
   assert.deepEqual(other.problems, []);
 });
 
-test('a fire that stands still or cannot be there is not in that state', async () => {
+test(':state(burning) does not hold for a paused fire or without an engine', async () => {
   const still = await browser.open(FIRE.replace('<hearth-fire', '<hearth-fire paused'));
   await still.fire((fire) => fire.toBlob());
   assert.equal(await still.fire((fire) => fire.matches(':state(burning)')), false);
@@ -97,7 +96,7 @@ function told(tab) {
   });
 }
 
-test('a fire says how bright it is and of what colour, and nothing where it is none', async () => {
+test('a fire reports its brightness and colour, and none while it does not burn', async () => {
   const tab = await browser.open(FIRE);
   assert.deepEqual(await told(tab), ['', '']);
   await tab.burnt(1);
@@ -127,7 +126,7 @@ function hue([red, green, blue]) {
   return Math.atan2(Math.sqrt(3) * (green - blue), 2 * red - green - blue) / (2 * Math.PI);
 }
 
-test('the colour that it tells is that of its picture', async () => {
+test('the reported colour is that of the picture', async () => {
   const tab = await browser.open(FIRE);
   await tab.burnt(2.5);
   for (const palette of ['blackbody', 'gas', 'copper', 'lithium', 'ghost']) {

@@ -1,6 +1,6 @@
 /**
- * The layout of a page stays where it is when the element gets its script, its fire and its
- * picture.
+ * The layout of a page does not shift when the element is defined, becomes ready and
+ * draws.
  */
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';

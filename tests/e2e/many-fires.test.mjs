@@ -1,11 +1,11 @@
 /**
- * Many fires, and one with many particles: what they leave behind, what those that
- * nobody sees cost, and how long they hold up the page.
+ * Many fires, and one with many particles: memory that they leave, the cost of fires out of
+ * sight, and the load of the page's thread.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { assertBurns } from './laws.mjs';
+import { assertBurns } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -14,28 +14,28 @@ before(async () => {
 });
 after(() => browser?.close());
 
-/** Adds so many fires in groups, waits until each group burns, and takes it off again. */
+/** Inserts so many fires in groups, waits until each group burns, and removes it. */
 function comeAndGo(tab, count) {
   return tab.evaluate(async (wanted) => {
     const group = 20;
     for (let done = 0; done < wanted; done += group) {
       const fires = Array.from({ length: group }, () => document.createElement('hearth-fire'));
       document.body.append(...fires);
-      // Some are taken off before they burn.
+      // Some are removed before they burn.
       if (done % (5 * group) !== 0) await Promise.all(fires.map((fire) => /** @type {any} */ (fire).ready));
       for (const fire of fires) fire.remove();
     }
   }, count);
 }
 
-/** What the page and its workers hold after a collection of garbage. */
+/** Memory that the page and its workers hold after a garbage collection. */
 async function held(tab) {
   const session = await tab.page.createCDPSession();
   const heaps = [session, ...tab.page.workers().map((worker) => worker.client)];
   let bytes = 0;
   for (const heap of heaps) {
     await heap.send('HeapProfiler.enable');
-    // What observers and finalisers let go is rubbish only a few frames later.
+    // Observers and finalisers release objects a few frames later.
     for (let round = 0; round < 4; round += 1) {
       await heap.send('HeapProfiler.collectGarbage');
       await tab.frames(8);
@@ -59,10 +59,10 @@ for (const engine of ['worker', 'main']) {
       <hearth-fire></hearth-fire>`);
     await tab.burnt(0.2);
     await tab.fire((fire) => fire.pause());
-    // What V8 compiles while the first ones come and go, it keeps.
-    await comeAndGo(tab, 400);
+    // V8 keeps what it compiles during the first ones.
+    await comeAndGo(tab, 1000);
     const first = await held(tab);
-    await comeAndGo(tab, 400);
+    await comeAndGo(tab, 600);
     const last = await held(tab);
     assert.deepEqual([last.contexts, last.workers], [1, engine === 'worker' ? 1 : 0]);
     for (const what of ['objects', 'nodes', 'jsEventListeners']) {
@@ -84,7 +84,7 @@ test('with its last fire a page loses the engine, and gets another with the next
   await tab.until('there is no worker', () => (
     /** @type {any} */ (window).driver.workers() === 0
   ));
-  // The browser tells of it a little later.
+  // The browser reports it a little later.
   for (let tries = 0; tries < 100 && tab.page.workers().length > 0; tries += 1) await tab.frames();
   assert.equal(tab.page.workers().length, 0);
   await tab.evaluate(() => document.body.append(document.createElement('hearth-fire')));
@@ -93,7 +93,7 @@ test('with its last fire a page loses the engine, and gets another with the next
   assert.deepEqual(tab.problems, []);
 });
 
-test('of thirty fires those that nobody sees cost nothing', async () => {
+test('of thirty fires, those out of sight cost nothing', async () => {
   const tab = await browser.open(`
     <style>hearth-fire { width: 160px; height: 150px; float: left }</style>
     ${'<hearth-fire></hearth-fire>'.repeat(30)}`);
@@ -135,7 +135,7 @@ test('the page’s thread hardly works while ten thousand particles burn', async
   const { engine, particles } = await tab.fire((fire) => fire.stats);
   assert.equal(engine, 'worker');
   assert.ok(particles > 9000, `${particles} particles burn`);
-  // Time of the processor, of which other programs take none.
+  // CPU time, which other programs do not lengthen.
   const session = await tab.page.createCDPSession();
   await session.send('Performance.enable');
   const worked = async () => {

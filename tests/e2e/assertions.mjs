@@ -1,19 +1,18 @@
 /**
- * What more than one test file asserts.
+ * Assertions that more than one test file makes.
  */
 import assert from 'node:assert/strict';
 
 /** @typedef {import('./driver.mjs').Tab} Tab */
 
 /**
- * The first fire of the page burns: there is light in its lower middle, and
- * the light moves.
+ * The first fire of the page plays: its lower middle glows, and its picture changes.
  * @param {Tab} tab
  */
 export async function assertBurns(tab) {
   await tab.ready();
   const first = (await tab.firePicture()).part(0.3, 0.4, 0.7, 1);
-  // The page may have many frames while a busy engine makes one picture.
+  // A page may paint many frames before a busy engine draws one picture.
   const time = await tab.fire((fire) => fire.stats?.time ?? 0);
   await tab.plays(time + 0.15);
   const second = (await tab.firePicture()).part(0.3, 0.4, 0.7, 1);
@@ -22,7 +21,7 @@ export async function assertBurns(tab) {
 }
 
 /**
- * The first fire of the page shows flames in its lower middle.
+ * The lower middle of the first fire glows.
  * @param {Tab} tab
  */
 export async function assertGlows(tab) {
@@ -31,8 +30,8 @@ export async function assertGlows(tab) {
 }
 
 /**
- * A page's HTML whose script keeps every event of every fire in
- * `window.events` as `{type, fire, detail}`, from before the element exists.
+ * HTML whose script records every event of every fire in `window.events` as
+ * `{type, fire, detail}`, from before the element is defined.
  * @param {string} body
  */
 export function recording(body) {
@@ -61,11 +60,11 @@ export function events(tab, type) {
 }
 
 /**
- * The age of a fire that makes no steps; a fire that makes some fails.
+ * The first fire makes no steps. Returns its age [s].
  * @param {Tab} tab
  */
 export async function assertStands(tab) {
-  // A message that is on its way comes within these frames.
+  // Statistics that were posted before arrive within these frames.
   await tab.frames(20);
   const age = () => tab.fire((fire) => fire.stats?.time ?? 0);
   const first = await age();

@@ -1,8 +1,7 @@
 /**
- * How the panel behaves around its sliders: defaults are the scene's, what was folded
- * is folded at the next visit, keys act only where they are the panel's, and it works
- * where pages put it: in a dialog, scaled, hidden at first, with few controls, in the
- * system's colours.
+ * The panel controller: defaults are those of the scene, folded groups are remembered,
+ * shortcuts act only in the panel, and the panel works in a dialog, scaled, hidden, with
+ * few controls and with forced colours.
  */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
@@ -44,7 +43,7 @@ const scene = (panel) => panel.in((root) => root.querySelector('[data-action="sc
 const paused = (tab) => tab.fire((fire) => fire.paused);
 
 describe('the defaults', () => {
-  test('are the scene’s: after a reset it is the scene, and its address says no more', async () => {
+  test('are those of the scene: a reset restores it, and the address names only it', async () => {
     const { tab, panel } = await openPage('?scene=campfire');
     assert.equal(await scene(panel), 'Scene: Campfire');
     await panel.press('reset-all');
@@ -91,7 +90,7 @@ describe('the next visit', () => {
     assert.equal(await named.tab.fire((fire) => fire.quality), 'high', 'what the address names wins');
   });
 
-  test('finds the sheet as high as it was dragged, by hand and by keys', async () => {
+  test('finds the sheet at the height that mouse or keys gave it', async () => {
     const phone = { width: 390, height: 844, touch: true };
     const { tab, panel } = await openPage('', phone);
     const grip = await tab.rectangle('.hearth-grip');
@@ -108,7 +107,7 @@ describe('the next visit', () => {
     assert.ok(Math.abs(await height(again.tab) - lower) < 2);
   });
 
-  test('finds nothing, and says nothing, where the browser forbids it', async () => {
+  test('works without storage', async () => {
     const { tab, panel } = await openPage('', {
       height: 800,
       before: () => Object.defineProperty(window, 'localStorage', {
@@ -137,7 +136,7 @@ describe('keys', () => {
     assert.equal(await tab.page.$('[data-card="help"]'), null);
   });
 
-  test('are turned off by the page, and by who reads the list of them', async () => {
+  test('are turned off by the page and in the list of keys', async () => {
     const { tab, panel } = await openPage('');
     await tab.key('?');
     await panel.in((root) => /** @type {any} */ (root.querySelector('[data-card="help"] input')).click());
@@ -155,7 +154,7 @@ describe('keys', () => {
     assert.equal(await paused(tab), true);
   });
 
-  test('the slash goes to the search', async () => {
+  test('the slash focuses the search', async () => {
     const { tab, panel } = await openPage('');
     await tab.key('/');
     await tab.frames(6);
@@ -185,7 +184,7 @@ describe('its place', () => {
     assert.equal(await open(), true);
   });
 
-  test('a scaled panel is dragged where it is seen', async () => {
+  test('a scaled panel reacts where it is drawn', async () => {
     const { tab, panel } = await place(`<div id="host"
       style="width: 340px; height: 800px; transform: scale(0.6); transform-origin: 0 0"></div>`);
     await panel.mounted();
@@ -195,7 +194,7 @@ describe('its place', () => {
     await panel.value('fuel_power', 'about 480', (value) => Math.abs(value - 480) < 40);
   });
 
-  test('a fire whose panel was hidden at first has it open when it is shown', async () => {
+  test('a panel that was hidden at first is open when it is shown', async () => {
     const tab = await browser.open(
       `<details id="details"><summary>A fire</summary>
       <hearth-fire controls style="width: 400px; height: 500px"></hearth-fire></details>`,
@@ -252,7 +251,7 @@ describe('its place', () => {
   });
 });
 
-test('the mirror has the panel’s groups, and each value is spoken once', async () => {
+test('accessible controls have the panel’s groups, and each value is announced once', async () => {
   const { tab } = await openPage('');
   const groups = await tab.page.$$eval('.hearth-mirror fieldset', (sets) => sets
     .filter((set) => !(/** @type {any} */ (set).hidden))

@@ -1,7 +1,6 @@
 /**
- * The mirror of native controls, for keyboards and screen readers: it is in
- * step with the fire and with egui both ways, has a name for everything, and
- * never holds the keyboard captive.
+ * The accessible controls: native controls for keyboards and screen readers. They follow
+ * the fire and egui, and egui follows them; each has a name, and Tab leaves them.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -36,7 +35,7 @@ function shown(tab, id) {
 
 const sharePage = sharedPage(() => browser);
 
-test('every parameter of the model has a native control with a name', async () => {
+test('every parameter of the model has an accessible control with a name', async () => {
   const { tab, panel } = await sharePage();
   const names = await tab.page.$$eval('[data-parameter]', (found) => found.map((control) => {
     const { labels, ariaLabel } = /** @type {HTMLInputElement} */ (control);
@@ -52,7 +51,7 @@ test('every parameter of the model has a native control with a name', async () =
   }
 });
 
-test('the mirror’s sliders have the ranges of the model, and its keys keep to them', async () => {
+test('accessible sliders have the ranges of the model, also for keys', async () => {
   const { tab, panel } = await sharePage();
   const range = (id) => tab.page.$eval(mirrorOf(id), (control) => {
     const { min, max, value } = /** @type {HTMLInputElement} */ (control);
@@ -75,7 +74,7 @@ test('the mirror’s sliders have the ranges of the model, and its keys keep to 
   assert.deepEqual(tab.problems, []);
 });
 
-test('an arrow key on the mirror’s slider moves the value, and egui shows it', async () => {
+test('an arrow key on an accessible slider changes the value, and egui shows it', async () => {
   const { tab, panel } = await sharePage();
   const rectangle = await panel.reveal('buoyancy');
   const picture = await tab.picture(rectangle);
@@ -88,7 +87,7 @@ test('an arrow key on the mirror’s slider moves the value, and egui shows it',
   assert.ok(after.difference(picture) > 0.5, 'egui’s slider has moved');
 });
 
-test('native choices, flags, colours and seeds set the fire', async () => {
+test('accessible choices, flags, colours and seeds set the fire', async () => {
   const { tab, panel } = await sharePage();
   for (const [id, value] of [
     ['walls', 'solid'],
@@ -107,7 +106,7 @@ test('native choices, flags, colours and seeds set the fire', async () => {
   }
 });
 
-test('the mirror follows attributes of the fire', async () => {
+test('accessible controls follow attributes of the fire', async () => {
   const { tab } = await sharePage();
   await tab.fire((fire) => {
     fire.setAttribute('walls', 'periodic');
@@ -122,7 +121,7 @@ test('the mirror follows attributes of the fire', async () => {
   });
 });
 
-test('the mirror follows the mouse on egui', async () => {
+test('accessible controls follow the mouse on egui', async () => {
   const { tab, panel } = await sharePage();
   const before = await shown(tab, 'viscosity');
   await panel.dragSlider('viscosity', 0.1, 0.9);
@@ -134,7 +133,7 @@ test('the mirror follows the mouse on egui', async () => {
   );
 });
 
-test('a lost context is told, and no longer once it is back', async () => {
+test('a lost context is reported until it is restored', async () => {
   const { tab, panel } = await openPage({
     // Where the page has the fire's context in reach.
     before: () => customElements.whenDefined('hearth-fire').then((HearthFire) => {
@@ -164,7 +163,7 @@ test('a lost context is told, and no longer once it is back', async () => {
   assert.equal((await rows()).y, top);
 });
 
-test('the panel takes no focus at the start', async () => {
+test('the panel takes no focus when it loads', async () => {
   const { tab } = await openPage();
   await tab.frames(10);
   assert.equal(await tab.evaluate(() => document.activeElement?.tagName), 'BODY');

@@ -1,6 +1,5 @@
 /**
- * Points of the page and places of the fire's world: what `toMetres` and
- * `toPixels` say is where the picture shows it.
+ * The viewport: `toMetres` and `toPixels` agree with the picture.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -54,7 +53,7 @@ test('they follow the height of the world, and say nothing without a picture', a
   assert.deepEqual(without, [null, null, null, null]);
 });
 
-test('particles are born where toPixels says that their source is', async () => {
+test('particles appear where toPixels puts their source', async () => {
   const tab = await browser.open(`<hearth-fire paused model="classic" display-mode="paper"
     source-width="0.05" source-height="0.1" emission-speed="0"></hearth-fire>`);
   await tab.ready();

@@ -1,6 +1,6 @@
 /**
- * A page with a fire in an iframe, and what it hears of it. The page is served
- * from one port and the fire from another: two origins.
+ * A page with a fire in an iframe, and the messages that the page receives. Page and fire
+ * come from two servers, so they have two origins.
  */
 import { Browser } from './driver.mjs';
 import { serve } from './server.mjs';
@@ -9,41 +9,39 @@ import { SITE } from './site.mjs';
 /** @typedef {import('./driver.mjs').Tab} Tab */
 /** @typedef {{[name: string]: string}} Query */
 
-/** A browser, and the two servers that its pages come from. */
-export class Around {
-  /** @param {Browser} browser @param {import('./server.mjs').Server} elsewhere */
-  constructor(browser, elsewhere) {
+/** A browser and both servers. */
+export class IframeFixture {
+  /** @param {Browser} browser @param {import('./server.mjs').Server} fireServer */
+  constructor(browser, fireServer) {
     this.browser = browser;
-    this.elsewhere = elsewhere;
+    this.fireServer = fireServer;
   }
 
   static async start() {
-    return new Around(await Browser.launch(), await serve(SITE));
+    return new IframeFixture(await Browser.launch(), await serve(SITE));
   }
 
   async close() {
     await this.browser.close();
-    await this.elsewhere.close();
+    await this.fireServer.close();
   }
 
-  /** The origin of the page around. */
-  get here() {
+  get pageOrigin() {
     return this.browser.server.origin;
   }
 
-  /** The origin of the fire. */
-  get there() {
-    return this.elsewhere.origin;
+  get fireOrigin() {
+    return this.fireServer.origin;
   }
 
   /** The address of a fire. */
   address(/** @type {Query} */ query) {
-    return `${this.there}/web/embed.html?${new URLSearchParams(query)}`;
+    return `${this.fireOrigin}/web/embed.html?${new URLSearchParams(query)}`;
   }
 
   /**
-   * Opens a page with a fire in an iframe. It keeps the messages that it gets, in
-   * `window.heard`, and asks with `window.ask`.
+   * Opens a page with a fire in an iframe. The page keeps received messages in
+   * `window.received` and calls methods with `window.call`.
    * @param {Query} query  Of the fire's address.
    * @param {object} [look]
    * @param {string} [look.style]  Of the page.
@@ -59,40 +57,40 @@ export class Around {
         iframe { display: block; width: 240px; height: 240px; border: 0 }
         ${style}
       </style>
-      <script>(${keepMessages})('${this.there}')</script>
+      <script>(${keepMessages})('${this.fireOrigin}')</script>
       <body><iframe src="${address}"></iframe>${more}</body>`);
   }
 
   /**
-   * The same with a fire that answers the page, when it burns.
+   * Opens such a page, whose origin the fire allows, and waits until the fire is ready.
    * @param {Query} [query] @param {{style?: string, more?: string}} [look]
    */
   async burning(query = {}, look = {}) {
-    const tab = await this.open({ allow: this.here, ...query }, look);
-    await heard(tab, 'ready');
+    const tab = await this.open({ allow: this.pageOrigin, ...query }, look);
+    await received(tab, 'ready');
     return tab;
   }
 }
 
-/** Runs in the page around. */
-function keepMessages(/** @type {string} */ there) {
+/** Runs in the embedding page. */
+function keepMessages(/** @type {string} */ fireOrigin) {
   const page = /** @type {any} */ (window);
-  page.heard = [];
-  addEventListener('message', ({ data, origin }) => page.heard.push({ ...data, origin }));
+  page.received = [];
+  addEventListener('message', ({ data, origin }) => page.received.push({ ...data, origin }));
   page.posts = (message) => {
     const frame = /** @type {HTMLIFrameElement} */ (document.querySelector('iframe'));
-    frame.contentWindow?.postMessage(message, there);
+    frame.contentWindow?.postMessage(message, fireOrigin);
   };
-  page.answer = async (id, patience = 30000) => {
-    const ends = performance.now() + patience;
+  page.answer = async (id, timeout = 30000) => {
+    const ends = performance.now() + timeout;
     for (;;) {
-      const found = page.heard.find((one) => one.id === id && 'ok' in one);
+      const found = page.received.find((one) => one.id === id && 'ok' in one);
       if (found || performance.now() > ends) return found;
       await new Promise((resolve) => setTimeout(resolve, 20));
     }
   };
   let last = 0;
-  page.ask = (method, ...args) => {
+  page.call = (method, ...args) => {
     last += 1;
     page.posts({ hearth: 1, id: last, method, args });
     return page.answer(last);
@@ -100,43 +98,43 @@ function keepMessages(/** @type {string} */ there) {
 }
 
 /**
- * Waits until the page has heard an event from the iframe, and gives it.
+ * Waits until the page receives an event from the iframe, and returns it.
  * @param {Tab} tab @param {string} event
  */
-export function heard(tab, event) {
+export function received(tab, event) {
   return tab.until(
-    `the page hears “${event}”`,
-    (wanted) => /** @type {any} */ (window).heard.find((one) => one.event === wanted),
+    `the page receives “${event}”`,
+    (wanted) => /** @type {any} */ (window).received.find((one) => one.event === wanted),
     event,
   );
 }
 
 /**
- * Asks the fire as the page around it does, and gives the answer.
+ * Calls a method of the fire from the embedding page, and returns the answer.
  * @param {Tab} tab @param {string} method @param {...unknown} args
  */
-export function ask(tab, method, ...args) {
-  return tab.evaluate((...all) => /** @type {any} */ (window).ask(...all), method, ...args);
+export function call(tab, method, ...args) {
+  return tab.evaluate((...all) => /** @type {any} */ (window).call(...all), method, ...args);
 }
 
 /**
- * Sends a message as it is and gives its answer; undefined if there is none in good time.
+ * Sends a message as it is and returns its answer; undefined if none comes within the timeout.
  * @param {Tab} tab @param {unknown} message @param {unknown} id  Of the answer.
- * @param {number} [patience]  In milliseconds.
+ * @param {number} [timeout] [ms]
  */
-export function send(tab, message, id, patience) {
+export function send(tab, message, id, timeout) {
   return tab.evaluate((data, wanted, time) => {
     const page = /** @type {any} */ (window);
     page.posts(data);
     return page.answer(wanted, time);
-  }, message, id, patience);
+  }, message, id, timeout);
 }
 
 /**
- * Runs `act` in the iframe's page with its fire.
+ * Runs `act` in the page of the iframe with its fire.
  * @param {Tab} tab @param {(fire: any, ...args: any[]) => any} act @param {...unknown} args
  */
-export async function inside(tab, act, ...args) {
+export async function inIframe(tab, act, ...args) {
   const iframe = await tab.page.waitForSelector('iframe');
   const frame = /** @type {import('puppeteer-core').Frame} */ (await iframe?.contentFrame());
   await frame.waitForFunction(() => customElements.get('hearth-fire') !== undefined);

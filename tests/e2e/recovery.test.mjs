@@ -1,12 +1,11 @@
 /**
- * What happens to a fire in the midst of something else: it is taken off while it
- * loads, its context goes within a frame, its engine ends, its document changes. It
- * burns on as it was to, or says why it does not.
+ * Interruptions: a fire is removed while it loads, its context is lost within a frame, its
+ * engine ends, its document changes. It recovers or reports an error.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { assertBurns, events, recording } from './laws.mjs';
+import { assertBurns, events, recording } from './assertions.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -51,12 +50,12 @@ function loseWithinFrame() {
   };
 }
 
-test('a context that goes within a frame of the worker comes back with its fire', async () => {
+test('a context lost within a frame of the worker is restored with its fire', async () => {
   const tab = await browser.open(recording(FIRE) + BACK, { beforeWorker: loseWithinFrame });
   await assertComesBack(tab);
 });
 
-test('a context that goes within a frame of the main thread comes back with its fire', async () => {
+test('a context lost within a frame of the main thread is restored with its fire', async () => {
   const tab = await browser.open(
     `${recording(FIRE)}${BACK}<script type="module">
       import { HearthFire } from '/web/hearth-fire.js';
@@ -67,7 +66,7 @@ test('a context that goes within a frame of the main thread comes back with its 
   await assertComesBack(tab);
 });
 
-test('a context that is lost again while it is restored comes back in the end', async () => {
+test('a context that is lost again during its restoration is restored in the end', async () => {
   const tab = await browser.open(recording(FIRE) + BACK, {
     beforeWorker: () => {
       const { prototype } = WebGL2RenderingContext;
@@ -95,7 +94,7 @@ test('a context that is lost again while it is restored comes back in the end', 
   await assertComesBack(tab);
 });
 
-test('an engine that nobody uses any more ends, though its fire never began', async () => {
+test('an unused engine ends, even if its fire never started', async () => {
   const tab = await browser.open('<p>Nothing yet</p>');
   const living = await tab.evaluate(async () => {
     const { driver } = /** @type {any} */ (window);
@@ -152,7 +151,7 @@ test('a preset counts for a fire that is taken off and put back while it loads',
   assert.deepEqual(seen, { model: 'classic', hearth: 2, preset: 'seed', values: {} });
 });
 
-test('a still for less motion is one again when it is put back, and what plays can be paused', async () => {
+test('with reduced motion a fire is paused again when it is inserted again, and a playing one can be paused', async () => {
   const tab = await browser.open(FIRE, { reducedMotion: true });
   await tab.ready();
   await tab.frames(10);
@@ -187,7 +186,7 @@ test('a still for less motion is one again when it is put back, and what plays c
   assert.match((await button()).label, /play/i);
 });
 
-test('a fire that is taken to another document keeps its looks and burns', async () => {
+test('a fire that moves to another document keeps its styles and burns', async () => {
   const tab = await browser.open(`${FIRE}<iframe style="width: 240px; height: 240px; border: 0"></iframe>`);
   await tab.burnt(0.3);
   const looks = await tab.evaluate(async () => {
@@ -204,7 +203,7 @@ test('a fire that is taken to another document keeps its looks and burns', async
   assert.deepEqual(uncaught(tab), []);
 });
 
-test('a fire that failed tries again when it is put back, also at once', async () => {
+test('a failed fire tries again when it is inserted again', async () => {
   const tab = await browser.open(FIRE, {
     before: () => {
       const original = window.fetch;
@@ -238,7 +237,7 @@ test('a page of trusted types has its fire', async () => {
   assert.deepEqual(uncaught(tab), []);
 });
 
-test('whatever a pointer does, it is no error', async () => {
+test('no pointer event causes an error', async () => {
   const tab = await browser.open(recording('<hearth-fire interactive></hearth-fire>'));
   await tab.burnt(0.2);
   await tab.fire((fire) => {
@@ -251,7 +250,7 @@ test('whatever a pointer does, it is no error', async () => {
   assert.deepEqual(await events(tab, 'error'), []);
 });
 
-test('a lazy fire that becomes eager is made', async () => {
+test('a lazy fire that becomes eager loads', async () => {
   const tab = await browser.open('<div style="height: 3000px"></div><hearth-fire loading="lazy"></hearth-fire>');
   await tab.frames(10);
   await tab.fire((fire) => {
@@ -260,7 +259,7 @@ test('a lazy fire that becomes eager is made', async () => {
   });
 });
 
-test('a preset that is refused is not the one that is told', async () => {
+test('a rejected preset is not reported as the current one', async () => {
   const tab = await browser.open('<hearth-fire paused preset="seed"></hearth-fire>');
   await tab.ready();
   await tab.fire((fire) => {
@@ -270,7 +269,7 @@ test('a preset that is refused is not the one that is told', async () => {
   assert.equal(await tab.fire((fire) => fire.preset), 'seed');
 });
 
-test('what is asked again and again of a fire that nobody sees fills no memory', async () => {
+test('repeated calls to a fire out of sight do not fill memory', async () => {
   const tab = await browser.open('<p>Nothing yet</p>');
   const seen = await tab.evaluate(async () => {
     const fire = /** @type {any} */ (document.createElement('hearth-fire'));

@@ -1,13 +1,12 @@
 /**
- * How a fire behaves on the page of somebody else: when it starts, what it shows
- * until then, how much it may draw, what it does with a pointer, and that it goes
- * without a trace.
+ * Page policies: where the engine runs, when it loads, posters, drawing limits, touch
+ * actions, copies of the picture, and removal.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { onPageThread, simulateClock } from './clock.mjs';
-import { assertBurns, assertStands, events, recording } from './laws.mjs';
+import { assertBurns, assertStands, events, recording } from './assertions.mjs';
 import { Picture } from './picture.mjs';
 
 /** @type {Browser} */
@@ -29,7 +28,7 @@ const loaded = (tab) => tab.evaluate(() => (
 ));
 
 for (const place of ['worker', 'main']) {
-  test(`an engine that is to run in ${place} does, and its fire burns, stops and goes`, async () => {
+  test(`with the engine in: ${place}, a fire burns, pauses, survives a lost context and is destroyed`, async () => {
     const tab = await browser.open(at(place, '<hearth-fire></hearth-fire>'));
     await tab.burnt(1);
     assert.equal(await tab.fire((fire) => fire.stats.engine), place);
@@ -54,7 +53,7 @@ for (const place of ['worker', 'main']) {
   });
 }
 
-test('where a worker cannot draw, the main thread does', async () => {
+test('the main thread draws where a worker cannot', async () => {
   const tab = await browser.open('<hearth-fire></hearth-fire>', {
     beforeWorker: () => {
       OffscreenCanvas.prototype.getContext = () => null;
@@ -66,7 +65,7 @@ test('where a worker cannot draw, the main thread does', async () => {
   assert.deepEqual(tab.problems, []);
 });
 
-test('where no canvas off the screen can be drawn on, one of the page is', async () => {
+test('the engine draws on a canvas of the page where no offscreen canvas has WebGL2', async () => {
   const tab = await browser.open('<hearth-fire></hearth-fire>', {
     before: () => {
       const original = OffscreenCanvas.prototype.getContext;
@@ -85,13 +84,13 @@ test('where no canvas off the screen can be drawn on, one of the page is', async
   assert.deepEqual(tab.problems, []);
 });
 
-test('loading: eager at once, lazy when it is about to be seen', async () => {
+test('an eager fire loads at once, a lazy one when it comes near the viewport', async () => {
   const far = (/** @type {string} */ loading) => `<div style="height: 3000px"></div><hearth-fire loading="${loading}"></hearth-fire>`;
   const eager = await browser.open(far('eager'));
   await eager.ready();
   const lazy = await browser.open(far('lazy'));
   await lazy.frames(20);
-  assert.equal(await loaded(lazy), false, 'nothing is loaded for a fire that nobody sees');
+  assert.equal(await loaded(lazy), false, 'nothing is loaded for a fire out of sight');
   await lazy.evaluate(() => window.scrollTo(0, 3000));
   await lazy.burnt(0.2);
   const auto = await browser.open(far('auto'));
@@ -99,7 +98,7 @@ test('loading: eager at once, lazy when it is about to be seen', async () => {
   assert.equal(await auto.fire((fire) => fire.loading), 'auto');
 });
 
-test('a poster stands until there is a picture, and where there is none', async () => {
+test('the poster is shown until the first picture, and while there is no picture', async () => {
   const image = 'data:image/svg+xml,<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><rect width="1" height="1" fill="lime"/></svg>';
   const body = `<hearth-fire poster='${image}' style="width: 200px; height: 200px"></hearth-fire>`;
   const late = await browser.open(body, { without: 'hearth-engine_bg.wasm' });
@@ -154,7 +153,7 @@ test('no more pictures are drawn a second than `fps-limit`', async () => {
   assert.ok(pictures >= 19 && pictures <= 21, `${pictures} pictures in two seconds`);
 });
 
-test('limits, choices and touch actions that are none are refused by name', async () => {
+test('invalid limits, choices and touch actions are rejected by name', async () => {
   const tab = await browser.open(recording(
     '<hearth-fire fps-limit="fast" max-pixels="9" loading="soon" reduced-motion="no" touch-action="wave"></hearth-fire>',
   ));
@@ -170,7 +169,7 @@ test('limits, choices and touch actions that are none are refused by name', asyn
   assert.match(message, /fast.*from 10 to 240/);
 });
 
-test('a finger on an interactive fire scrolls the page up and down unless it is told otherwise', async () => {
+test('a finger on an interactive fire scrolls the page vertically unless `touch-action` forbids it', async () => {
   const tab = await browser.open(
     '<hearth-fire interactive></hearth-fire><div style="height: 3000px"></div>',
     { touch: true },
@@ -186,7 +185,7 @@ test('a finger on an interactive fire scrolls the page up and down unless it is 
   assert.equal(await action(), 'pan-y');
 });
 
-test('a picture can be kept, with what shines through', async () => {
+test('`toBlob` keeps the transparency of the picture', async () => {
   const tab = await browser.open('<hearth-fire paused></hearth-fire>');
   await tab.fire((fire) => fire.step(600));
   const keep = (type) => tab.fire(async (fire, wanted) => {
@@ -206,7 +205,7 @@ test('a picture can be kept, with what shines through', async () => {
   assert.equal((await keep('image/webp')).type, 'image/webp');
 });
 
-test('a stream of a burning fire is a video that moves', async () => {
+test('`captureStream` of a burning fire is a moving video', async () => {
   const tab = await browser.open('<hearth-fire></hearth-fire>');
   await tab.burnt(0.5);
   const seen = await tab.fire(async (fire) => {

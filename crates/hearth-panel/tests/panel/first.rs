@@ -183,7 +183,7 @@ fn a_search_shows_the_best_match_first_and_escape_clears_it() {
     }
 }
 
-fn told(harness: &mut Harness, stats: Stats) -> Vec<String> {
+fn texts_with(harness: &mut Harness, stats: Stats) -> Vec<String> {
     harness.panel.state.fire.measure(stats);
     harness.wait();
     harness.texts()
@@ -198,7 +198,7 @@ fn measurements_are_shown_as_they_are() {
         quality: "low".to_owned(),
         ..Stats::default()
     };
-    let texts = told(&mut harness, stats.clone());
+    let texts = texts_with(&mut harness, stats.clone());
     let words = "1\u{a0}176 of 3\u{a0}000 (quality low)";
     assert!(texts.iter().any(|text| text == words), "{texts:?}");
     let slow = Stats {
@@ -206,7 +206,7 @@ fn measurements_are_shown_as_they_are() {
         time_scale: 0.3,
         ..stats
     };
-    let texts = told(&mut harness, slow);
+    let texts = texts_with(&mut harness, slow);
     assert!(
         texts.iter().any(|text| text == "0.3 × real time"),
         "{texts:?}"
@@ -230,7 +230,7 @@ fn the_classic_model_explains_its_number_of_particles() {
         particles: 742.0,
         ..Stats::default()
     };
-    let texts = told(&mut harness, stats);
+    let texts = texts_with(&mut harness, stats);
     assert!(
         texts.iter().any(|text| text.starts_with("742 are alive")),
         "{texts:?}"

@@ -1,2 +1,2 @@
-// The element itself; what React adds is types, in react.d.ts.
+// The element; react.d.ts adds its types for React.
 export * from './hearth-fire.js';

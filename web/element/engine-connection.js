@@ -26,12 +26,13 @@ export class EngineConnection {
   #stop;
   #size = [0, 0, 0];
   #visible = false;
-  #closed = false;
   /** @type {any} */
   #port;
   #fire = 0;
   /** Settles when the engine has freed the fire. */
   gone = Promise.resolve();
+  /** Whether the connection is closed. */
+  closed = false;
   #removed = () => {};
   #observed = () => {};
   /** Settles when it is known whether the element is visible. */
@@ -71,11 +72,6 @@ export class EngineConnection {
   /** Whether the engine has the fire. */
   get live() {
     return this.#fire !== 0;
-  }
-
-  /** Whether the connection is closed. */
-  get closed() {
-    return this.#closed;
   }
 
   /** Where the engine runs; empty before it does. */
@@ -152,7 +148,7 @@ export class EngineConnection {
 
   /** Frees everything. */
   close() {
-    this.#closed = true;
+    this.closed = true;
     this.reschedule();
     this.#stop();
     if (this.live) {

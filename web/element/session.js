@@ -217,7 +217,6 @@ export class FireSession {
     if (this.#ready.failed) this.#ready = deferred();
     const { view, fire } = this;
     const canvas = view.newCanvas();
-    view.describe(fire.alt);
     view.show('loading');
     if (fire.warm) view.fade();
     const connection = new EngineConnection(fire, canvas, this.#requests, {

@@ -150,7 +150,7 @@ class Transitions {
       for (const id of [...transition.ids]) release(transition, id);
       wake();
     };
-    // A hidden page shows no intermediate values, and reduced motion asks for none.
+    // There are no intermediate values on a hidden page and with reduced motion.
     const jump = () => document.hidden && transition.end();
     document.addEventListener('visibilitychange', jump, ended);
     if (document.hidden || !fire.isConnected || this.#session.playback.isCalm()) transition.end();

@@ -21,6 +21,15 @@ export async function openDialog(id, fire) {
   ready.add(id);
   if (id === 'embed') write(dialog, await fire.exportConfig());
   dialog.showModal();
+  for (const field of dialog.querySelectorAll('textarea')) showAll(field);
+}
+
+/** Fits the height of a field to its text, and scrolls to the start. @param {HTMLTextAreaElement} field */
+function showAll(field) {
+  field.style.height = 'auto';
+  field.style.height = `${field.scrollHeight + field.offsetHeight - field.clientHeight}px`;
+  field.setSelectionRange(0, 0);
+  field.scrollTop = 0;
 }
 
 /** @param {HTMLDialogElement} dialog */

@@ -61,13 +61,13 @@ pub fn note(fire: &Fire, param: &Param, value: f64) -> Option<String> {
         && fire.stats.particles < NEARLY * value
     {
         return Some(format!(
-            "{} are alive: strength × life and the room at the source allow no more",
+            "{} are alive: strength, life and the space at the source allow no more",
             count_text(fire.stats.particles)
         ));
     }
     let costly = costly_from(param).is_some_and(|from| value >= from);
     match (costly, speed(fire)) {
-        (true, Some(speed)) => Some(format!("Takes much work: the fire goes at {speed}")),
+        (true, Some(speed)) => Some(format!("Expensive value: the fire runs at {speed}")),
         _ => None,
     }
 }

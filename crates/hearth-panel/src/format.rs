@@ -1,13 +1,12 @@
-//! Numbers as a person reads and types them.
+//! Formats and parses the numbers of the panel.
 //!
-//! A slider moves in steps that are worth reading (0.031, not 0.0312499), a
-//! value is shown with four significant digits at most, and what is typed may
-//! carry its unit or a decimal comma. Nothing here checks a range: the one
-//! validator of hearth-core does.
+//! A slider moves in round steps (0.031, not 0.0312499), a value has at most four significant
+//! digits, and typed text may contain the unit or a decimal comma. The parameter table of
+//! hearth-core validates the range.
 
 use hearth_core::params::{Param, Scale, Value};
 
-/// `x` with at most `digits` significant digits, without idle zeros.
+/// `x` with at most `digits` significant digits, without trailing zeros.
 pub fn significant(x: f64, digits: i32) -> String {
     if x == 0.0 || !x.is_finite() {
         return "0".to_owned();
@@ -39,7 +38,7 @@ pub fn bound_text(bound: f64, unit: &str) -> String {
     with_unit(&significant(bound, 10), unit)
 }
 
-/// `text` followed by its unit, where it has one.
+/// `text` followed by its unit, if there is one.
 pub fn with_unit(text: &str, unit: &str) -> String {
     if unit.is_empty() {
         text.to_owned()
@@ -61,8 +60,7 @@ pub fn count_text(count: f64) -> String {
     text
 }
 
-/// What somebody typed, as the validator wants it: without the unit, with a
-/// decimal point.
+/// Typed text in the form of the parameter table: without the unit, with a decimal point.
 pub fn typed_text(text: &str, param: &Param) -> String {
     let text = text.trim();
     let text = match param.unit {
@@ -77,8 +75,7 @@ pub fn typed_text(text: &str, param: &Param) -> String {
     }
 }
 
-/// The step of a linear slider, so that a range has some hundred of them: a
-/// power of ten.
+/// The step of a linear slider: a power of ten that divides the range into some hundred steps.
 pub fn step(range: (f64, f64)) -> f64 {
     let span = range.1 - range.0;
     if span <= 0.0 {
@@ -87,7 +84,7 @@ pub fn step(range: (f64, f64)) -> f64 {
     10_f64.powf((span / 500.0).log10().round())
 }
 
-/// Where `x` stands on the slider: 0 at the left end, 1 at the right one.
+/// The position of `x` on the slider: 0 at the left end, 1 at the right end.
 pub fn fraction(x: f64, range: (f64, f64), scale: Scale) -> f64 {
     let (min, max) = range;
     let fraction = match scale {
@@ -101,8 +98,7 @@ pub fn fraction(x: f64, range: (f64, f64), scale: Scale) -> f64 {
     }
 }
 
-/// The value at a place of the slider, rounded to a step worth reading; the
-/// ends of the range are reached exactly.
+/// The value at a position of the slider, rounded to a step. The ends of the range are exact.
 pub fn value_at(fraction: f64, range: (f64, f64), scale: Scale, whole: bool) -> f64 {
     let (min, max) = range;
     if fraction <= 0.0 {
@@ -119,7 +115,7 @@ pub fn value_at(fraction: f64, range: (f64, f64), scale: Scale, whole: bool) -> 
         Scale::Log | Scale::Linear => {
             let step = step(range);
             let x = ((min + (max - min) * fraction) / step).round() * step;
-            // The product leaves a tail (0.30000000000000004): cut it.
+            // Removes the rounding error of the product (0.30000000000000004).
             significant(x, 12).parse().unwrap_or(x)
         }
     };
@@ -133,7 +129,7 @@ mod tests {
     use hearth_core::params::{Kind, PARAMETERS};
 
     #[test]
-    fn shown_numbers_are_short_and_true() {
+    fn shown_numbers_are_short_and_exact() {
         assert_eq!(significant(0.004_166_667, 4), "0.004167");
         assert_eq!(significant(0.05, 4), "0.05");
         assert_eq!(significant(1900.0, 4), "1900");
@@ -145,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn typing_may_carry_the_unit_and_a_decimal_comma() {
+    fn typed_text_may_have_the_unit_and_a_decimal_comma() {
         let gravity = Param::find("gravity").expect("the table has gravity");
         assert_eq!(typed_text(" 9,5 m/s² ", gravity), "9.5");
         assert_eq!(typed_text("1,000.5", gravity), "1,000.5");
@@ -153,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn every_slider_reaches_its_ends_and_never_leaves_its_range() {
+    fn every_slider_reaches_its_ends_and_stays_in_its_range() {
         for param in PARAMETERS {
             let (Kind::Number(scale) | Kind::Integer(scale)) = param.kind else {
                 continue;

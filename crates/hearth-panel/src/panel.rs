@@ -2,9 +2,9 @@
 //! below it.
 //!
 //! The views read the state and return actions; the panel applies them after the frame and
-//! hands the commands among them to its host. Groups, rows and controls come from the
-//! parameter table. Where the panel is low (the sheet on a phone) one line of the header
-//! stays and the rest scrolls with the rows.
+//! passes the commands among them to its host. Groups, rows and controls come from the
+//! parameter table. In a low panel (the sheet on a phone) one line of the header stays and the
+//! rest scrolls with the rows.
 
 use std::collections::BTreeMap;
 
@@ -25,16 +25,16 @@ const LOW: f32 = 540.0;
 /// The panel: its state, and what its last frame returned.
 #[derive(Debug)]
 pub struct Panel {
-    /// What the panel knows.
+    /// The state.
     pub state: State,
-    /// Whether the panel takes a wheel at the pointer, up and down.
+    /// Whether the panel can scroll up and down at the pointer.
     pub scrolls: (bool, bool),
     output: Output,
     commands: Vec<Command>,
 }
 
 impl Panel {
-    /// A panel that knows only the defaults.
+    /// A panel with the default values.
     pub fn new(measures: Measures) -> Panel {
         Panel {
             state: State::new(measures),
@@ -113,7 +113,7 @@ impl Panel {
         };
     }
 
-    /// Moves what the views returned into the state.
+    /// Applies what the views returned.
     fn end_frame(&mut self) {
         let marked = self.state.reveal.marked;
         self.state.reveal = Default::default();
@@ -133,7 +133,7 @@ impl Panel {
         Some((value, param.description().label))
     }
 
-    /// Where each visible control stands, in points. The page's accessible controls and
+    /// The position of each visible control in points. The page's accessible controls and
     /// tests with a real pointer use it.
     pub fn rectangles(&self) -> &BTreeMap<String, Rect> {
         &self.output.rectangles

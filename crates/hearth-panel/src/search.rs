@@ -1,13 +1,12 @@
-//! Which parameters a search shows, the best first.
+//! The search for parameters, with a rank for each match.
 //!
-//! Every word has to be found. A word counts most at the start of the label, then at
-//! the start of a word of the label or the id, then as another word for the same
-//! thing, then in unit, group or doc. Case does not matter, nor British or American
-//! spelling.
+//! Every word of the query must match. The rank of a word is best at the start of the label,
+//! then at the start of a word of the label or the id, then as a synonym, then in unit, group or
+//! description. The search ignores case and accepts British and American spelling.
 
 use hearth_core::params::Param;
 
-/// Words that people type, and what the table calls it: labels and ids by their words.
+/// Synonyms of the words in labels and ids.
 const SYNONYMS: &[(&str, &[&str])] = &[
     ("airflow", &["wind"]),
     ("amount", &["strength", "particles"]),
@@ -62,7 +61,7 @@ const SYNONYMS: &[(&str, &[&str])] = &[
     ("zoom", &["width", "height"]),
 ];
 
-/// American spellings, and the table's.
+/// American spellings, and the British ones of the table.
 const SPELLINGS: &[(&str, &str)] = &[
     ("color", "colour"),
     ("neighbor", "neighbour"),
@@ -72,8 +71,8 @@ const SPELLINGS: &[(&str, &str)] = &[
     ("vapor", "vapour"),
 ];
 
-/// How well `param` answers `query`, less is better; nothing: it does not. An empty
-/// query is answered by everything alike.
+/// The rank of `param` for `query`, the lowest the best; `None` if it does not match. An empty
+/// query matches every parameter with the same rank.
 pub fn rank(query: &str, param: &Param) -> Option<u32> {
     let about = Words::of(param);
     query
@@ -83,12 +82,12 @@ pub fn rank(query: &str, param: &Param) -> Option<u32> {
         .sum()
 }
 
-/// Whether `param` answers `query`.
+/// Whether `param` matches `query`.
 pub fn matches(query: &str, param: &Param) -> bool {
     rank(query, param).is_some()
 }
 
-/// What there is to find, in small letters.
+/// The searched texts of a parameter in lower case.
 struct Words {
     label: String,
     id: String,
@@ -116,7 +115,7 @@ impl Words {
     fn rank(&self, typed: &str) -> Option<u32> {
         let mut word = typed.to_owned();
         for (american, british) in SPELLINGS {
-            // "colour" holds no "color".
+            // A replaced word stays the same: "colour" does not contain "color".
             word = word.replace(american, british);
         }
         let word = word.as_str();
@@ -127,7 +126,7 @@ impl Words {
             Some(1)
         } else if starts(&self.id, word) {
             Some(2)
-        } else if self.means(typed) || self.means(word) {
+        } else if self.is_synonym(typed) || self.is_synonym(word) {
             Some(3)
         } else if self.label.contains(word) || self.rest.contains(word) {
             Some(if starts(&self.rest, word) { 4 } else { 5 })
@@ -136,16 +135,16 @@ impl Words {
         }
     }
 
-    /// Whether it is what somebody calls by this word.
-    fn means(&self, typed: &str) -> bool {
+    /// Whether a word is a synonym of the parameter's.
+    fn is_synonym(&self, typed: &str) -> bool {
         let named = |name: &&str| {
             let mut parts = self.label.split(' ').chain(self.id.split(' '));
             parts.any(|part| part == *name)
         };
-        // Half a word may become this one.
-        let meant =
+        // An incomplete word matches as well.
+        let matches =
             |&&(word, _): &&(&str, _)| word == typed || typed.len() > 3 && word.starts_with(typed);
-        let mut found = SYNONYMS.iter().filter(meant);
+        let mut found = SYNONYMS.iter().filter(matches);
         found.any(|(_, names)| names.iter().any(&named))
     }
 }
@@ -155,7 +154,7 @@ mod tests {
     use super::*;
     use hearth_core::params::PARAMETERS;
 
-    /// What answers, the best first.
+    /// The ids of the matches, the best first.
     fn found(query: &str) -> Vec<&'static str> {
         let ranked = PARAMETERS
             .iter()
@@ -166,12 +165,12 @@ mod tests {
     }
 
     #[test]
-    fn nothing_typed_shows_everything() {
+    fn an_empty_query_matches_every_parameter() {
         assert_eq!(found("  ").len(), PARAMETERS.len());
     }
 
     #[test]
-    fn an_id_finds_its_parameter_however_it_is_spelt() {
+    fn an_id_matches_its_parameter_in_every_spelling() {
         for param in PARAMETERS {
             assert!(found(param.id).contains(&param.id));
             assert!(found(&param.id.replace('_', "-")).contains(&param.id));
@@ -180,21 +179,21 @@ mod tests {
     }
 
     #[test]
-    fn every_word_counts() {
+    fn every_word_of_a_query_must_match() {
         assert!(found("source width").contains(&"source_width"));
         assert!(!found("source width").contains(&"viscosity"));
         assert!(found("no parameter says this").is_empty());
     }
 
     #[test]
-    fn labels_come_before_docs() {
+    fn labels_rank_before_descriptions() {
         assert_eq!(found("wind")[0], "wind");
         assert_eq!(found("smoke")[..2], ["smoke_opacity", "smoke_life"]);
         assert_eq!(found("visc")[..2], ["viscosity", "kinematic_viscosity"]);
     }
 
     #[test]
-    fn people_find_what_they_call_by_another_name() {
+    fn synonyms_match() {
         for (query, id) in [
             ("color", "palette"),
             ("color", "background"),

@@ -1,20 +1,20 @@
-//! Colours, measures and the font: dark, with a warm accent.
+//! Colours, measures and the font.
 //!
-//! The panel stands beside a fire, so it keeps darker than the fire and never
-//! animates. The font is a subset of Ubuntu Light (`font/README.md`).
+//! The panel is darker than the fire beside it and has no animations, so that it does not distract.
+//! The font is a subset of Ubuntu Light (`font/README.md`).
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use egui::{Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Stroke, Vec2};
 
-/// Behind everything.
+/// The background of the panel.
 pub const GROUND: Color32 = Color32::from_rgb(22, 18, 16);
-/// Buttons, fields, rails.
+/// The background of buttons, fields and rails.
 pub const RAISED: Color32 = Color32::from_rgb(46, 38, 33);
-/// The same, under the pointer.
+/// The same under the pointer.
 pub const HOVERED: Color32 = Color32::from_rgb(66, 53, 45);
-/// Thin lines.
+/// The colour of thin lines; lighter where more contrast is preferred.
 pub fn line() -> Color32 {
     if CONTRAST.load(Ordering::Relaxed) {
         Color32::from_rgb(190, 176, 164)
@@ -22,9 +22,9 @@ pub fn line() -> Color32 {
         Color32::from_rgb(58, 48, 42)
     }
 }
-/// Text.
+/// The colour of text.
 pub const TEXT: Color32 = Color32::from_rgb(240, 230, 220);
-/// Text that matters less; still 7:1 on the ground, and text like any other where more
+/// The colour of secondary text: a contrast of 7:1, and the full contrast of text where more
 /// contrast is preferred.
 pub fn weak() -> Color32 {
     if CONTRAST.load(Ordering::Relaxed) {
@@ -33,17 +33,17 @@ pub fn weak() -> Color32 {
         Color32::from_rgb(180, 165, 152)
     }
 }
-/// What is lit.
+/// The accent colour.
 pub const ACCENT: Color32 = Color32::from_rgb(255, 146, 64);
-/// What is lit, behind text.
+/// The accent colour behind text.
 pub const EMBER: Color32 = Color32::from_rgb(118, 58, 22);
-/// What went wrong.
+/// The colour of errors.
 pub const ERROR: Color32 = Color32::from_rgb(255, 122, 106);
 
 /// Whether more contrast is preferred.
 static CONTRAST: AtomicBool = AtomicBool::new(false);
 
-/// Gives what matters less as much contrast as the rest, or takes it away.
+/// Turns the higher contrast of lines and secondary text on or off.
 pub fn prefer_contrast(more: bool) {
     CONTRAST.store(more, Ordering::Relaxed);
 }
@@ -51,7 +51,7 @@ pub fn prefer_contrast(more: bool) {
 const FONT: &[u8] = include_bytes!("../font/Ubuntu-Light-derivative-Hearth.ttf");
 const FONT_NAME: &str = "Ubuntu Light derivative Hearth";
 
-/// Sizes, in points, for a mouse or for a finger.
+/// Sizes in points, for a mouse or for a finger.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measures {
     /// Height of a line with a label in it.
@@ -72,7 +72,7 @@ impl Measures {
         control: 28.0,
         gap: 7.0,
     };
-    /// For a finger: nothing that is touched is lower than 36 points.
+    /// For a finger: every target is at least 36 points high.
     pub const COARSE: Measures = Measures {
         line: 36.0,
         rail: 36.0,
@@ -91,7 +91,7 @@ pub fn small() -> FontId {
     FontId::proportional(13.0)
 }
 
-/// Gives a context the panel's font and style.
+/// Applies the panel's font and style to a context.
 pub fn apply(ctx: &egui::Context) {
     let mut fonts = FontDefinitions::empty();
     fonts
@@ -102,7 +102,7 @@ pub fn apply(ctx: &egui::Context) {
     }
     ctx.set_fonts(fonts);
     ctx.set_theme(egui::Theme::Dark);
-    // A button is pressed however long the press, as everywhere else on a page.
+    // A long press is a click, as elsewhere on a page.
     ctx.options_mut(|options| options.input_options.max_click_duration = f64::INFINITY);
     ctx.all_styles_mut(|style| {
         style.override_font_id = Some(body());
@@ -171,7 +171,7 @@ mod tests {
                 for character in text.chars().filter(|c| !c.is_control()) {
                     assert!(
                         ui.ctx().fonts_mut(|f| f.has_glyph(&body(), character)),
-                        "the font has no {character:?}, which {text:?} needs; see font/README.md"
+                        "the font lacks {character:?} of {text:?}; see font/README.md"
                     );
                 }
             }

@@ -5,7 +5,7 @@ use hearth_core::params::{Input, Param};
 use crate::state::fire::Entry;
 use crate::state::{Action, Command, State};
 
-/// Applies `action` to `state`, and adds what the host has to do to `commands`.
+/// Applies `action` to `state`, and adds the commands for the host to `commands`.
 pub fn apply(state: &mut State, commands: &mut Vec<Command>, action: Action) {
     let mut update = Update { state, commands };
     update.apply(action);
@@ -85,7 +85,7 @@ impl Update<'_> {
     }
 
     fn send(&mut self, command: Command) {
-        // Whoever goes on has read the last error.
+        // The next command dismisses the last error.
         self.state.fire.notice = None;
         self.commands.push(command);
     }

@@ -1,4 +1,4 @@
-//! What a view asks of the panel.
+//! The actions that views return.
 
 use hearth_core::params::Param;
 
@@ -31,7 +31,7 @@ pub enum Action {
     Type(Field),
     /// Close the field of a parameter.
     CloseField(&'static str),
-    /// Show why the value typed for a parameter is refused, or no longer.
+    /// Show why a typed value is refused, or remove the reason.
     Refuse(&'static str, Option<String>),
     /// Open the sliders of a colour, or close them.
     OpenColour(Option<OpenColour>),
@@ -41,7 +41,7 @@ pub enum Action {
     Describe(Option<&'static str>),
     /// Remove the mark from the revealed row.
     Unmark,
-    /// Toggle the tools, where the panel is low.
+    /// Toggle the tools of a low panel.
     ToggleTools,
     /// Toggle copy and paste.
     ToggleSharing,

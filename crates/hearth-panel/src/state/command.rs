@@ -1,10 +1,10 @@
-//! What the panel asks of its host.
+//! The commands that the panel sends to its host.
 
 use hearth_core::params::Value;
 
 use crate::state::memory::Memory;
 
-/// A request to the panel controller of the page.
+/// A command for the panel controller of the page.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
     /// Set a parameter.

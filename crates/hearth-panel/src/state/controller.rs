@@ -1,10 +1,10 @@
 //! The state of the page's panel controller (`web/panel/controller.js`).
 
-/// What the page offers at present. The buttons take their state from here.
+/// The state of the buttons.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ControllerState {
-    /// The label of the scene that the fire started from, with "changed" where it is;
-    /// empty if unknown.
+    /// The label of the scene that the fire started from, with "changed" if the fire differs from
+    /// it; empty if unknown.
     pub scene: String,
     /// The label of the scene alone.
     pub preset: String,
@@ -18,9 +18,9 @@ pub struct ControllerState {
     pub iframe: bool,
     /// Whether the browser allows full screen.
     pub fullscreen: bool,
-    /// The button whose work has just finished, without its `action:`.
+    /// The button whose command has just succeeded, without its `action:`.
     pub done: String,
-    /// The message of that button, or, where `done` is empty, an error.
+    /// The message about that command; an error if `done` is empty.
     pub said: String,
 }
 

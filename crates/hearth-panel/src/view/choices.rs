@@ -1,8 +1,8 @@
-//! The control of a choice: a few names stand side by side, a longer list unfolds from a
-//! button with the present name.
+//! The control of a choice: a few names side by side, or a longer list that opens from a button
+//! with the current name.
 //!
-//! The list unfolds in the row, because the sheet on a phone is too low for a window above
-//! it. It stays unfolded, so that names can be tried in turn.
+//! The list opens in the row, because the sheet on a phone is too low for a window above it. It
+//! stays open, so that a visitor can try the names one after another.
 
 use egui::style::ScrollAnimation;
 use egui::{EventFilter, Id, Key, PointerButton, Rect, Ui};

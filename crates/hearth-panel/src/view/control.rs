@@ -99,7 +99,7 @@ pub fn seed(state: &State, out: &mut Output, ui: &mut Ui, param: &'static Param)
     field::show(state, out, ui, param, number, &value_text(&value));
     let key = format!("dice:{}", param.id);
     let face = Face::new(Icon::Dice, "");
-    let response = button::show(ui, dice, Id::unique(&key), face).on_hover_text("Another seed");
+    let response = button::show(ui, dice, Id::unique(&key), face).on_hover_text("Random seed");
     out.place(ui, key, dice);
     // A seed has no slider: its control is the number.
     out.place(ui, param.id, room);

@@ -1,8 +1,7 @@
 //! Exact input: a click on a value turns it into a text field.
 //!
-//! Enter and a click elsewhere take the text, Escape discards it. A refused value is
-//! explained in a red line below the field and never clamped silently. A wheel over the
-//! value turns it.
+//! Enter and a click elsewhere apply the text, Escape discards it. A red line below the field
+//! says why a value is refused; no value is clamped silently. A wheel over the value changes it.
 
 use egui::style::ScrollAnimation;
 use egui::text::{CCursor, CCursorRange};
@@ -45,7 +44,7 @@ pub fn show(
         .on_hover_cursor(CursorIcon::Text);
     let wheel = &mut out.pointer.wheel;
     if response.hovered() {
-        // A value that scrolls under a resting pointer does not take the wheel.
+        // A value that scrolls under a resting pointer does not receive the wheel.
         if ui.input(|input| {
             let mut events = input.events.iter();
             events.any(|event| matches!(event, Event::PointerMoved(_)))
@@ -70,7 +69,7 @@ pub fn show(
     }
 }
 
-/// The steps by which a wheel turns the value under the pointer.
+/// The steps by which a wheel changes the value under the pointer.
 pub fn wheel_steps(pointer: &mut Pointer, ui: &Ui, param: &Param) -> Option<f32> {
     if pointer.wheel != Some(param.id) {
         return None;
@@ -124,7 +123,7 @@ fn edit(
         let all = CCursorRange::two(CCursor::new(0), CCursor::new(length));
         output.state.cursor.set_char_range(Some(all));
         output.state.store(ui.ctx(), id);
-        // A keyboard on the screen may have made the panel lower.
+        // An on-screen keyboard may have made the panel lower.
         ui.scroll_to_rect_animation(rect.expand(24.0), None, ScrollAnimation::none());
         out.push(Action::Type(field));
         return;

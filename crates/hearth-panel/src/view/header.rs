@@ -79,7 +79,7 @@ fn measurements(state: &State, out: &mut Output, ui: &mut Ui) {
     telemetry::show(&state.fire, state.memory.times, out, ui, control);
 }
 
-/// The model comes first because it decides which parameters there are.
+/// The model comes first because it decides which parameters exist.
 fn model(state: &State, out: &mut Output, ui: &mut Ui, scrolls: bool) {
     let Some(param) = Param::find(MODEL) else {
         return;
@@ -106,10 +106,7 @@ fn scene_button(scene: &str, out: &mut Output, ui: &Ui, rect: Rect) {
     };
     let response = button::unfolder(ui, rect, Id::unique(name), scene, false);
     out.place(ui, name, rect);
-    if response
-        .on_hover_text("Other fires to start from")
-        .clicked()
-    {
+    if response.on_hover_text("Choose another scene").clicked() {
         out.push(Action::Scenes);
     }
 }
@@ -132,7 +129,7 @@ fn reset_all(state: &State, out: &mut Output, ui: &Ui, rect: Rect) {
     };
     let name = "action:reset-all";
     let response = button::show(ui, rect, Id::unique(name), face)
-        .on_hover_text("Every parameter of this model as the scene has it");
+        .on_hover_text("Reset all parameters to the scene");
     out.place(ui, name, rect);
     if response.clicked() {
         out.push(Action::RestoreAll);

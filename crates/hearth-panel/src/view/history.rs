@@ -1,4 +1,4 @@
-//! The frame rate of the last half minute, as a line over a glow.
+//! The plot of the frame rate in the last half minute.
 
 use std::collections::VecDeque;
 

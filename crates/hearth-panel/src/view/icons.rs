@@ -2,34 +2,34 @@
 
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
 
-/// A picture on a button.
+/// An icon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Icon {
-    /// Let time pass.
+    /// Play.
     Play,
-    /// Hold it.
+    /// Pause.
     Pause,
-    /// One step.
+    /// Advance by one step.
     Step,
-    /// From the start.
+    /// Restart.
     Restart,
-    /// Back to the default.
+    /// Reset to the default.
     Reset,
-    /// Any number.
+    /// A random number.
     Dice,
-    /// Look for something.
+    /// Search.
     Search,
-    /// Empty a field.
+    /// Clear a field.
     Cross,
-    /// One step back.
+    /// Undo.
     Undo,
-    /// And forth again.
+    /// Redo.
     Redo,
-    /// A picture.
+    /// Save an image.
     Camera,
-    /// All of the screen.
+    /// Full screen.
     Corners,
-    /// Pass it on.
+    /// Share.
     Share,
     /// Done.
     Tick,
@@ -133,7 +133,7 @@ impl Icon {
     }
 }
 
-/// A heading's arrow: down when what is under it is shown.
+/// The arrow of a heading: down if the part below is open.
 pub fn chevron(painter: &Painter, centre: Pos2, open: bool, colour: Color32) {
     let points = if open {
         vec![
@@ -151,8 +151,7 @@ pub fn chevron(painter: &Painter, centre: Pos2, open: bool, colour: Color32) {
     painter.line(points, Stroke::new(1.6, colour));
 }
 
-/// Most of a circle with an arrow head at its end: to the left undoes, to the
-/// right does again.
+/// An open circle with an arrow head: anticlockwise for reset, clockwise for restart.
 fn turn(painter: &Painter, centre: Pos2, radius: f32, to_the_left: bool, stroke: Stroke) {
     use std::f32::consts::TAU;
     let mirror = if to_the_left { -1.0 } else { 1.0 };
@@ -160,7 +159,7 @@ fn turn(painter: &Painter, centre: Pos2, radius: f32, to_the_left: bool, stroke:
         let (sin, cos) = (turns * TAU).sin_cos();
         centre + vec2(mirror * cos * radius, sin * radius)
     };
-    // From the top right clockwise around to the right, open at the upper right.
+    // Clockwise from the top right to the right, open at the upper right.
     let points = (0..=20).map(|i| place(-0.12 + 0.78 - 0.78 * i as f32 / 20.0 + 0.12, radius));
     painter.line(points.collect(), stroke);
     let tip = place(0.0, radius);
@@ -174,12 +173,11 @@ fn turn(painter: &Painter, centre: Pos2, radius: f32, to_the_left: bool, stroke:
     ));
 }
 
-/// A way that turns back: to the left (`side` −1) undoes, to the right (1) does
-/// again.
+/// A bent arrow: to the left (`side` −1) for undo, to the right (1) for redo.
 fn hook(painter: &Painter, centre: Pos2, r: f32, side: f32, stroke: Stroke) {
     use std::f32::consts::PI;
     let at = |x: f32, y: f32| centre + vec2(side * x * r, y * r);
-    // Along the top towards the head, and around the other end to below.
+    // Along the top towards the head, and around the other end to the bottom.
     let bend = (0..=12).map(|i| {
         let (sin, cos) = (PI * (0.5 - i as f32 / 12.0)).sin_cos();
         at(-0.3 - 0.55 * cos, 0.2 + 0.55 * sin)

@@ -5,21 +5,21 @@ use egui::{Align, Align2, Color32, Rect, Ui, pos2, vec2};
 
 use crate::theme;
 
-/// Empty space below the last row, so that a row can scroll above what the page lays over
-/// the lower edge of the panel (the focused accessible control).
+/// Empty space below the last row: a row can scroll above the focused accessible control, which
+/// covers the lower edge of the panel.
 pub const END: i8 = 84;
 
 /// Width of the label before a line of buttons.
 const LABEL: f32 = 56.0;
 
-/// Takes a strip of the whole width.
+/// Allocates a strip of the whole width.
 pub fn strip(ui: &mut Ui, height: f32) -> Rect {
     let size = vec2(ui.available_width(), height);
     let (_, rect) = ui.allocate_space(size);
     rect
 }
 
-/// Scrolls `rect` into view, above what may cover the lower edge.
+/// Scrolls `rect` into view, above what covers the lower edge.
 pub fn scroll_into_view(ui: &Ui, mut rect: Rect) {
     rect.max.y += f32::from(END);
     // The middle, unless that pushes the row out at the top.
@@ -36,7 +36,7 @@ pub fn beside_label(rect: Rect) -> Rect {
     rect.with_min_x(rect.left() + LABEL)
 }
 
-/// Takes a strip, paints a label at its left, and returns the rest.
+/// Allocates a strip, paints a label at its left, and returns the rest.
 pub fn labelled(ui: &mut Ui, height: f32, text: &str) -> Rect {
     let rect = strip(ui, height);
     label(ui, rect, text);
@@ -64,7 +64,7 @@ pub fn paragraph(ui: &mut Ui, text: &str, ink: Color32) {
     ui.painter().galley(rect.min, galley, ink);
 }
 
-/// A value with its unit at the right of `room`. Returns where it stands.
+/// Paints a value with its unit at the right of `room`. Returns their rectangle.
 pub fn value(ui: &Ui, room: Rect, text: &str, unit: &str, ink: Color32) -> Rect {
     let painter = ui.painter();
     let mut place = Rect::from_min_max(room.right_center(), room.right_center());

@@ -99,7 +99,7 @@ fn description(state: &State, param: &Param) -> String {
         );
     }
     if cost::costly_from(param).is_some() {
-        text += "\nTakes much work towards the end of its slider";
+        text += "\nExpensive towards the end of its slider";
     }
     text + "\nAttribute " + &param.id.replace('_', "-")
 }

@@ -66,7 +66,11 @@ fn results(state: &State, out: &mut Output, ui: &mut Ui) {
     if QUALITY.starts_with(query.trim().to_lowercase().as_str()) {
         quality::show(state, out, ui);
     } else if found.is_empty() {
-        paragraph(ui, "No parameter matches this.", theme::weak());
+        paragraph(
+            ui,
+            "No parameter matches. Try another word, or clear the search.",
+            theme::weak(),
+        );
     }
     for (_, param) in found {
         row::show(state, out, ui, param);

@@ -26,7 +26,7 @@ fn line(fire: &Fire, times: bool, out: &mut Output, ui: &mut Ui, control: f32) {
     let response = ui
         .interact(rect, Id::unique(name), Sense::click())
         .on_hover_cursor(CursorIcon::PointingHand)
-        .on_hover_text("What takes how long");
+        .on_hover_text("Times of a frame");
     out.place(ui, name, rect);
     if response.clicked() {
         out.push(Action::ToggleTimes);
@@ -79,16 +79,16 @@ fn durations(fire: &Fire, ui: &mut Ui) {
     let mut write = |text: String| paragraph(ui, &text, theme::weak());
     write(cost::particles(fire));
     write(format!(
-        "A frame takes {}, a step {}",
+        "{} per frame, {} per step",
         ms(stats.frame_ms()),
         ms(stats.step_ms)
     ));
     let passes = if stats.on_card {
-        "Picture, ms on the graphics card"
+        "Drawing, ms on the GPU"
     } else {
-        "Picture, ms to hand it over"
+        "Drawing, ms on the CPU to submit it"
     };
-    for (what, times) in [("Frame, ms", &stats.stages), (passes, &stats.passes)] {
+    for (what, times) in [("Simulation, ms", &stats.stages), (passes, &stats.passes)] {
         if !times.is_empty() {
             write(format!("{what}: {}", of(times)));
         }

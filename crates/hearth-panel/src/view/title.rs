@@ -29,7 +29,7 @@ pub fn line(
         out.place(ui, key, back);
         out.quiet = response.hovered();
         if response
-            .on_hover_text("Back to the scene's value")
+            .on_hover_text("Reset to the scene's value")
             .clicked()
         {
             out.push(Action::Restore(param));
@@ -77,9 +77,9 @@ pub fn idle(fire: &Fire, param: &Param) -> Option<String> {
     };
     let in_words = |all: &[Condition]| conditions_in_words(all, label, str::to_owned);
     let now = &fire.parameters;
-    let waits: Vec<_> = param.unmet_conditions(now).copied().collect();
-    if !waits.is_empty() {
-        return Some(format!("Only with {}", in_words(&waits)));
+    let missing: Vec<_> = param.unmet_conditions(now).copied().collect();
+    if !missing.is_empty() {
+        return Some(format!("Only with {}", in_words(&missing)));
     }
     let ruled_out = param.met_exclusions(now);
     (!ruled_out.is_empty()).then(|| format!("Not with {}", in_words(ruled_out)))

@@ -11,14 +11,10 @@ use crate::view::output::Output;
 
 /// What can be copied: name, label of the button, tooltip.
 const COPIES: [(&str, &str, &str); 4] = [
-    ("link", "Link", "An address that shows this fire"),
+    ("link", "Link", "A link to this fire"),
     ("element", "HTML", "HTML that shows this fire on any page"),
-    (
-        "iframe",
-        "Iframe",
-        "HTML that shows it in a frame of its own",
-    ),
-    ("json", "JSON", "Its settings, to be kept and pasted"),
+    ("iframe", "Iframe", "HTML that shows this fire in an iframe"),
+    ("json", "JSON", "The settings, to save or to paste"),
 ];
 
 /// A button of the line.
@@ -97,16 +93,16 @@ impl Tool {
 
     fn hint(self) -> &'static str {
         match self {
-            Tool::Pause => "Let time pass, or hold it (Space)",
-            Tool::Step => "One step of the simulation",
-            Tool::Restart => "Start the fire again with these values (R)",
+            Tool::Pause => "Pause or play (Space)",
+            Tool::Step => "Advance by one step",
+            Tool::Restart => "Restart with these values (R)",
             Tool::Undo => "Undo (Ctrl Z)",
-            Tool::Redo => "Do again (Ctrl Y)",
-            Tool::Picture => "Save a picture (S)",
+            Tool::Redo => "Redo (Ctrl Y)",
+            Tool::Picture => "Save an image (S)",
             Tool::Fullscreen => "Full screen (F)",
             Tool::Share => "Copy and paste",
-            Tool::Help => "Keys (?)",
-            Tool::More => "More",
+            Tool::Help => "Keyboard shortcuts (?)",
+            Tool::More => "More tools",
         }
     }
 
@@ -165,7 +161,7 @@ impl Tool {
     }
 }
 
-/// These tools side by side.
+/// Shows tools side by side.
 pub fn line(state: &State, out: &mut Output, ui: &Ui, rect: Rect, tools: &[Tool]) {
     let tools: Vec<Tool> = tools
         .iter()
@@ -248,7 +244,7 @@ fn paste(controller: &ControllerState, out: &mut Output, ui: &mut Ui, control: f
     let rect = labelled(ui, control, "Paste");
     let done = controller.done == "paste";
     let text = if done {
-        "Taken"
+        "Applied"
     } else {
         "Settings from JSON…"
     };

@@ -85,7 +85,7 @@ impl Panel {
         })
     }
 
-    /// The place of each visible control: name → `[x, y, width, height]` in CSS pixels from
+    /// The rectangle of each visible control: name → `[x, y, width, height]` in CSS pixels from
     /// the upper left corner of the canvas. A parameter's id names its control;
     /// `action:pause`, `action:reset`, `action:step`, `action:undo`, `action:copy:<what>`,
     /// `action:scenes`, `action:restore:<id>` and others name buttons; `value:<id>` is the
@@ -152,8 +152,7 @@ fn options(policy: &Rc<InputPolicy>) -> eframe::WebOptions {
     let (prevent, stop) = (policy.clone(), policy.clone());
     eframe::WebOptions {
         should_prevent_default: Box::new(move |event| match event {
-            // The page scrolls where the panel cannot; with the control key the browser
-            // zooms.
+            // The page scrolls if the panel cannot. With the control key the browser zooms.
             egui::Event::MouseWheel {
                 delta, modifiers, ..
             } => {
@@ -163,7 +162,7 @@ fn options(policy: &Rc<InputPolicy>) -> eframe::WebOptions {
             egui::Event::Zoom(_) | egui::Event::PointerMoved(_) => false,
             _ => true,
         }),
-        // The page's own keys rest while a text field has the focus.
+        // The page's shortcuts do not work while a text field has the focus.
         should_stop_propagation: Box::new(move |event| {
             matches!(event, egui::Event::Key { .. } | egui::Event::Text(_)) && stop.typing.get()
         }),

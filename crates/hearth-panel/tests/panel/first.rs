@@ -1,5 +1,5 @@
-//! What somebody meets who sees the panel for the first time: a short header, simple
-//! controls first, a slider in sight on every screen, and honest numbers.
+//! The panel at the first visit: a short header, simple controls first, a visible slider on every
+//! screen, and truthful numbers.
 
 use egui::{Event, Key};
 use hearth_core::params::{Input, Model, Param, Value};
@@ -29,7 +29,7 @@ fn the_header_leaves_most_of_the_height_to_the_sliders() {
 }
 
 #[test]
-fn a_slider_is_in_sight_on_every_phone() {
+fn every_phone_shows_a_slider() {
     // The sheet of 320 × 568 and of 390 × 844, and the column of 844 × 390.
     for size in [(320.0, 234.0), (390.0, 355.0), (340.0, 390.0)] {
         for model in models() {
@@ -79,7 +79,7 @@ fn simple_controls_come_first_and_physics_is_folded() {
 }
 
 #[test]
-fn the_way_back_leads_to_the_scene() {
+fn reset_restores_the_scene() {
     let mut harness = Harness::of_model(Model::Combustion, TALL);
     harness
         .panel
@@ -111,7 +111,7 @@ fn the_way_back_leads_to_the_scene() {
 }
 
 #[test]
-fn only_what_the_page_wants_is_shown_in_its_order() {
+fn a_page_selects_and_orders_the_parameters() {
     let mut harness = Harness::of_model(Model::Combustion, TALL);
     let ids = ["wind", "palette", "fuel_power", "walls"];
     harness.panel.state.only = Some(ids.into_iter().filter_map(Param::find).collect());
@@ -133,7 +133,7 @@ fn only_what_the_page_wants_is_shown_in_its_order() {
 }
 
 #[test]
-fn a_phone_unfolds_the_tools_that_it_has_no_room_for() {
+fn a_phone_opens_the_tools_on_request() {
     let mut harness = Harness::new(PHONE);
     assert!(!harness.in_sight("action:reset"));
     harness.click("action:more");
@@ -144,7 +144,7 @@ fn a_phone_unfolds_the_tools_that_it_has_no_room_for() {
 }
 
 #[test]
-fn the_quality_is_brought_into_sight() {
+fn revealing_the_quality_scrolls_to_it() {
     for size in [TALL, PHONE] {
         let mut harness = Harness::new(size);
         harness.reveal(QUALITY);
@@ -154,7 +154,7 @@ fn the_quality_is_brought_into_sight() {
 }
 
 #[test]
-fn a_search_shows_the_best_first_and_escape_clears_it_then_leaves() {
+fn a_search_shows_the_best_match_first_and_escape_clears_it() {
     for size in [TALL, PHONE] {
         let mut harness = Harness::of_model(Model::Combustion, size);
         harness.reveal(SEARCH);
@@ -183,14 +183,14 @@ fn a_search_shows_the_best_first_and_escape_clears_it_then_leaves() {
     }
 }
 
-fn told(harness: &mut Harness, stats: Stats) -> Vec<String> {
+fn texts_with(harness: &mut Harness, stats: Stats) -> Vec<String> {
     harness.panel.state.fire.measure(stats);
     harness.wait();
     harness.texts()
 }
 
 #[test]
-fn numbers_are_honest() {
+fn measurements_are_shown_as_they_are() {
     let mut harness = Harness::of_model(Model::Combustion, TALL);
     let stats = Stats {
         fps: 60.0,
@@ -198,7 +198,7 @@ fn numbers_are_honest() {
         quality: "low".to_owned(),
         ..Stats::default()
     };
-    let texts = told(&mut harness, stats.clone());
+    let texts = texts_with(&mut harness, stats.clone());
     let words = "1\u{a0}176 of 3\u{a0}000 (quality low)";
     assert!(texts.iter().any(|text| text == words), "{texts:?}");
     let slow = Stats {
@@ -206,7 +206,7 @@ fn numbers_are_honest() {
         time_scale: 0.3,
         ..stats
     };
-    let texts = told(&mut harness, slow);
+    let texts = texts_with(&mut harness, slow);
     assert!(
         texts.iter().any(|text| text == "0.3 × real time"),
         "{texts:?}"
@@ -218,19 +218,19 @@ fn numbers_are_honest() {
         .receive("max_particles", Input::Number(50_000.0));
     harness.reveal("max_particles");
     let texts = harness.texts();
-    let dear = "Takes much work: the fire goes at 0.3 × real time";
-    assert!(texts.iter().any(|text| text == dear), "{texts:?}");
+    let note = "Expensive value: the fire runs at 0.3 × real time";
+    assert!(texts.iter().any(|text| text == note), "{texts:?}");
 }
 
 #[test]
-fn the_classic_model_says_what_keeps_its_number_down() {
+fn the_classic_model_explains_its_number_of_particles() {
     let mut harness = Harness::new(TALL);
     harness.reveal("max_particles");
     let stats = Stats {
         particles: 742.0,
         ..Stats::default()
     };
-    let texts = told(&mut harness, stats);
+    let texts = texts_with(&mut harness, stats);
     assert!(
         texts.iter().any(|text| text.starts_with("742 are alive")),
         "{texts:?}"

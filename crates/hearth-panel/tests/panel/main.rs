@@ -1,4 +1,4 @@
-//! The panel, used as a person uses it, without a browser.
+//! Tests of the panel without a browser.
 
 mod first;
 mod harness;
@@ -28,7 +28,7 @@ fn the_header_names_the_scene() {
 }
 
 #[test]
-fn the_dice_throws_another_seed() {
+fn the_dice_sets_a_random_seed() {
     let mut harness = Harness::new(TALL);
     harness.reveal("seed");
     let before = harness.value("seed");
@@ -37,7 +37,7 @@ fn the_dice_throws_another_seed() {
 }
 
 #[test]
-fn a_click_on_the_frame_rate_tells_what_takes_how_long() {
+fn a_click_on_the_frame_rate_shows_the_times_of_a_frame() {
     let mut harness = Harness::new(TALL);
     let times = |names: &[&str]| {
         names
@@ -61,7 +61,7 @@ fn a_click_on_the_frame_rate_tells_what_takes_how_long() {
 }
 
 #[test]
-fn buttons_ask_for_what_they_say() {
+fn buttons_send_their_commands() {
     let mut harness = Harness::new(TALL);
     harness
         .panel
@@ -101,7 +101,7 @@ fn buttons_ask_for_what_they_say() {
 }
 
 #[test]
-fn a_slow_press_is_a_press() {
+fn a_long_press_is_a_click() {
     let mut harness = Harness::new(TALL);
     let pos = harness.place("action:pause").center();
     harness.frame(vec![Event::PointerMoved(pos)]);
@@ -113,7 +113,7 @@ fn a_slow_press_is_a_press() {
 }
 
 #[test]
-fn what_cannot_be_done_at_present_cannot_be_pressed() {
+fn unavailable_buttons_are_disabled() {
     let mut harness = Harness::new(TALL);
     for button in ["action:undo", "action:redo"] {
         harness.click(button);
@@ -123,7 +123,7 @@ fn what_cannot_be_done_at_present_cannot_be_pressed() {
 }
 
 #[test]
-fn what_can_be_shared_unfolds_and_says_what_it_copied() {
+fn the_share_buttons_open_and_confirm_a_copy() {
     for size in [TALL, PHONE] {
         let mut harness = Harness::new(size);
         harness.panel.state.controller.link = true;
@@ -160,7 +160,7 @@ fn what_can_be_shared_unfolds_and_says_what_it_copied() {
 }
 
 #[test]
-fn what_went_wrong_is_said() {
+fn an_error_of_the_controller_is_shown() {
     let mut harness = Harness::new(TALL);
     let folded = harness.place("search").top();
     harness.panel.state.controller.said = "There is no picture".to_owned();
@@ -169,7 +169,7 @@ fn what_went_wrong_is_said() {
 }
 
 #[test]
-fn a_narrow_panel_keeps_its_buttons_free() {
+fn buttons_do_not_overlap_in_a_narrow_panel() {
     let mut harness = Harness::new((240.0, 110.0, Measures::FINE));
     harness.panel.state.controller.scene = "A scene of a long name, changed".to_owned();
     harness.wait();
@@ -178,7 +178,7 @@ fn a_narrow_panel_keeps_its_buttons_free() {
 }
 
 #[test]
-fn the_words_on_a_button_stay_inside_it() {
+fn the_text_of_a_button_stays_inside_it() {
     for measures in [Measures::FINE, Measures::COARSE] {
         for width in [288.0, 340.0] {
             for model in models() {
@@ -203,7 +203,7 @@ fn the_words_on_a_button_stay_inside_it() {
 }
 
 #[test]
-fn a_notice_stays_until_somebody_goes_on() {
+fn a_notice_stays_until_the_next_command() {
     let mut harness = Harness::new(TALL);
     harness.panel.state.fire.notice = Some("the fire refused something".to_owned());
     harness.wait();
@@ -213,7 +213,7 @@ fn a_notice_stays_until_somebody_goes_on() {
 }
 
 #[test]
-fn a_search_leaves_what_it_finds_and_a_reveal_ends_it() {
+fn a_search_filters_the_rows_and_a_reveal_ends_it() {
     let mut harness = Harness::new(TALL);
     harness.click("search");
     harness.frame(vec![Event::Text("viscosity".to_owned())]);
@@ -225,7 +225,7 @@ fn a_search_leaves_what_it_finds_and_a_reveal_ends_it() {
 }
 
 #[test]
-fn a_heading_folds_its_group_and_a_reveal_unfolds_it() {
+fn a_heading_folds_its_group_and_a_reveal_opens_it() {
     let mut harness = Harness::new(TALL);
     harness.click("group:Basics");
     assert!(!harness.panel.rectangles().contains_key("source_width"));
@@ -239,7 +239,7 @@ fn a_heading_folds_its_group_and_a_reveal_unfolds_it() {
 }
 
 #[test]
-fn a_panel_without_room_paints_nothing_and_comes_back() {
+fn a_panel_without_space_paints_nothing_until_it_has_some() {
     let mut harness = Harness::new((0.0, 0.0, Measures::FINE));
     assert!(harness.panel.rectangles().is_empty());
     harness.size = vec2(340.0, 900.0);
@@ -248,7 +248,7 @@ fn a_panel_without_room_paints_nothing_and_comes_back() {
 }
 
 #[test]
-fn another_model_brings_its_own_rows_ranges_and_defaults() {
+fn each_model_has_its_own_rows_ranges_and_defaults() {
     let mut harness = Harness::new(TALL);
     harness
         .panel
@@ -287,7 +287,7 @@ fn label(param: &Param) -> String {
 }
 
 #[test]
-fn another_model_keeps_search_and_place() {
+fn a_change_of_the_model_keeps_search_and_scroll_position() {
     let mut harness = Harness::new(TALL);
     harness.reveal("emission_noise");
     for name in ["combustion", "classic"] {
@@ -314,7 +314,7 @@ fn another_model_keeps_search_and_place() {
 }
 
 #[test]
-fn what_is_being_typed_goes_with_its_row() {
+fn an_open_field_closes_with_its_row() {
     let mut harness = Harness::new(TALL);
     harness.reveal("viscosity");
     harness.click("value:viscosity");

@@ -1,4 +1,4 @@
-//! The rows of the parameters: each is found, moved, typed into, and says what it is.
+//! The rows of the parameters: revealing, dragging, typing and descriptions.
 
 use egui::{Event, Key, Modifiers, vec2};
 use hearth_core::params::{Input, Kind, Model, Param, Value};
@@ -8,7 +8,7 @@ use hearth_panel::theme::Measures;
 use crate::harness::{Harness, LOWER, PHONE, TALL, models};
 
 #[test]
-fn every_parameter_has_a_control_in_sight_once_it_is_revealed() {
+fn a_revealed_parameter_has_a_visible_control() {
     for (model, size) in models().flat_map(|model| [TALL, LOWER, PHONE].map(|size| (model, size))) {
         let (width, height, _) = size;
         let mut harness = Harness::of_model(model, size);
@@ -22,7 +22,7 @@ fn every_parameter_has_a_control_in_sight_once_it_is_revealed() {
 }
 
 #[test]
-fn dragging_changes_every_slider_and_reset_brings_it_back() {
+fn dragging_changes_every_slider_and_reset_restores_it() {
     for model in models() {
         drag_every_slider(Harness::of_model(model, TALL));
     }
@@ -38,7 +38,7 @@ fn drag_every_slider(mut harness: Harness) {
         let before = harness.value(param.id);
         let (low, high) = (place.left_center(), place.right_center());
         let (min, max) = harness.panel.state.fire.range_of(param);
-        // To the end where there is a way back to the default.
+        // To the end that is not the default.
         let end = if before.as_number() == Some(max) {
             harness.drag(high, low);
             min
@@ -57,7 +57,7 @@ fn drag_every_slider(mut harness: Harness) {
 }
 
 #[test]
-fn what_is_typed_out_of_range_is_refused_aloud_and_changes_nothing() {
+fn a_typed_value_out_of_range_is_refused_with_a_reason() {
     let mut harness = Harness::new(TALL);
     harness.reveal("viscosity");
     let before = harness.value("viscosity");
@@ -81,7 +81,7 @@ fn what_is_typed_out_of_range_is_refused_aloud_and_changes_nothing() {
 }
 
 #[test]
-fn with_shift_the_knob_goes_a_tenth_as_far() {
+fn shift_moves_the_knob_a_tenth_as_far() {
     let mut harness = Harness::of_model(Model::Combustion, TALL);
     let place = harness.place("fuel_power");
     let start = place.left_center() + vec2(40.0, 0.0);
@@ -109,7 +109,7 @@ fn with_shift_the_knob_goes_a_tenth_as_far() {
 }
 
 #[test]
-fn keys_move_the_slider_that_has_the_focus() {
+fn keys_move_the_focused_slider() {
     let mut harness = Harness::of_model(Model::Combustion, TALL);
     let place = harness.place("fuel_power");
     harness.drag(place.left_center(), place.center());
@@ -130,7 +130,7 @@ fn keys_move_the_slider_that_has_the_focus() {
 }
 
 #[test]
-fn the_wheel_turns_the_value_that_is_pointed_at_and_scrolls_elsewhere() {
+fn the_wheel_changes_the_value_under_the_pointer_and_scrolls_elsewhere() {
     let mut harness = Harness::of_model(Model::Combustion, LOWER);
     let wheel = |lines: f32| Event::MouseWheel {
         unit: egui::MouseWheelUnit::Line,
@@ -170,7 +170,7 @@ fn the_wheel_turns_the_value_that_is_pointed_at_and_scrolls_elsewhere() {
 }
 
 #[test]
-fn a_finger_slides_sideways_and_scrolls_up_and_down() {
+fn a_finger_slides_horizontally_and_scrolls_vertically() {
     let mut harness = Harness::new(PHONE);
     harness.panel.state.device.finger = true;
     harness.reveal("viscosity");
@@ -208,7 +208,7 @@ fn a_double_click_on_the_name_resets() {
 }
 
 #[test]
-fn flags_choices_and_colours_ask_for_what_was_pressed() {
+fn flags_choices_and_colours_send_the_pressed_value() {
     for model in models() {
         press_every_button(Harness::of_model(model, TALL));
     }
@@ -225,7 +225,7 @@ fn press_every_button(mut harness: Harness) {
                 let Some(other) = other else {
                     panic!("{} has only one name", param.id);
                 };
-                // A list of many is folded.
+                // A long list is closed.
                 if !harness.in_sight(&format!("choice:{}:{other}", param.id)) {
                     harness.click(param.id);
                 }
@@ -246,8 +246,8 @@ fn press_every_button(mut harness: Harness) {
 }
 
 #[test]
-fn a_long_choice_unfolds_in_its_row_on_every_screen() {
-    // As much of a window of 640 as the page's sheet has.
+fn a_long_choice_opens_in_its_row_on_every_screen() {
+    // The height of the page's sheet in a window of 640.
     for size in [TALL, (360.0, 281.0, Measures::COARSE)] {
         let mut harness = Harness::new(size);
         let Kind::Choice(names) = Param::find("display_mode").expect("the table has it").kind
@@ -259,7 +259,7 @@ fn a_long_choice_unfolds_in_its_row_on_every_screen() {
         harness.reveal("display_mode");
         assert!(!names.iter().any(|name| harness.in_sight(&name_of(name))));
         harness.click("display_mode");
-        // All of it comes into sight.
+        // The whole list scrolls into view.
         for name in names.iter().rev() {
             let place = harness.place(&name_of(name));
             assert!(place.width() > 90.0 && place.right() <= size.0, "{name}");
@@ -272,7 +272,7 @@ fn a_long_choice_unfolds_in_its_row_on_every_screen() {
 }
 
 #[test]
-fn the_arrow_keys_go_through_a_long_choice_and_stop_at_its_ends() {
+fn arrow_keys_step_through_a_long_choice_and_stop_at_its_ends() {
     let mut harness = Harness::new(TALL);
     harness.reveal("palette");
     harness.click("palette");
@@ -293,7 +293,7 @@ fn the_arrow_keys_go_through_a_long_choice_and_stop_at_its_ends() {
 }
 
 #[test]
-fn what_counts_for_nothing_is_dimmed_says_why_and_is_set_all_the_same() {
+fn a_parameter_without_effect_is_dimmed_explained_and_settable() {
     let mut harness = Harness::of_model(Model::Combustion, TALL);
     harness.reveal("hot_colour");
     let words = "Only with palette custom";

@@ -104,7 +104,7 @@ export class FireLink {
     /** @type {Promise<unknown>} */
     let answered = Promise.resolve();
     const fire = port.open({
-      heard: (message) => {
+      onMessage: (message) => {
         // A fire that could not be made is refused its removal; it is gone as well, and
         // so is one whose engine has stopped.
         if (message.request === REMOVAL || (this.closed && message.kind === 'load')) {
@@ -118,7 +118,7 @@ export class FireLink {
           answered.then(() => this.live && this.#tell.begun());
         }
       },
-      drawn: (picture) => {
+      onPicture: (picture) => {
         if (this.closed) {
           if ('close' in picture) picture.close();
           return;

@@ -319,7 +319,7 @@ export class FireSession {
         break;
       case 'changed':
         state.take(message);
-        if (message.anew && (this.fire.getAttribute('preset') ?? 'default') !== state.preset) this.dropPreset(state.preset);
+        if (message.replaced && (this.fire.getAttribute('preset') ?? 'default') !== state.preset) this.dropPreset(state.preset);
         if (!this.#announced) break;
         for (const [id, value] of Object.entries(message.values)) {
           reports.emit('params-change', { id, value, source: message.source });
@@ -341,8 +341,8 @@ export class FireSession {
         reports.emit('stats', { ...state.stats });
         break;
       case 'quality': {
-        const { wish, quality, reason } = message;
-        state.quality = wish;
+        const { requested, quality, reason } = message;
+        state.quality = requested;
         if (this.#announced) reports.emit('quality-change', { quality, reason });
         break;
       }

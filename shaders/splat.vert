@@ -9,7 +9,7 @@ uniform vec4 field_scale; // 1 / range of each value
 out vec2 corner;       // −1–1 over the kernel
 flat out vec4 payload; // weight, weight × kK, weight × glow, weight × smoke
 
-const float STRETCH = 0.02; // stretch per speed, in radii [s]
+const float STRETCH = 0.02; // time of motion over which a kernel stretches [s]
 const float LONGEST = 2.2;  // maximum stretch
 // The length grows with this power and the width with −1/2, so a stretched kernel gains area.
 const float LENGTHENING = 0.75;

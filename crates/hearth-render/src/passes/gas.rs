@@ -29,7 +29,7 @@ impl Pass for Gas {
     }
 }
 
-/// Uniforms for kernels of a radius \\[m\\]. `velocities`: 1 for the velocity pass, else 0.
+/// Uniforms for kernels of a radius \[m\]. `velocities`: 1 for the velocity pass, else 0.
 pub fn of_gas(frame: &Frame, radius: f32, velocities: f32, field_scale: [f32; 4]) -> uniforms::Gas {
     let [clip_scale, clip_offset] = frame.viewport.to_clip();
     uniforms::Gas {

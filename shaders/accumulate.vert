@@ -1,2 +1,2 @@
-// A measured quantity, to be summed with the kernel of the gas that fills the volume.
+// Accumulates a measured quantity with the kernel of the gas.
 #include "measured.glsl"

@@ -1,19 +1,19 @@
-// How far the gas has carried each of two noise patterns since that pattern began:
-// the offset where the gas was in the last picture, and the way since.
+// Noise advection: the offset of each of two patterns since its start. It is the offset at the
+// gas's position in the last picture, plus the displacement since then.
 
 in vec2 uv;
 
 uniform sampler2D flow;           // weight, weight × velocity
-uniform sampler2D carried_before; // this pass's output, one picture earlier
-uniform vec2 step_time; // time since then by the size of the picture [s/m]
-uniform vec2 kept;      // of each pattern: 1, or 0 where it begins in this picture
+uniform sampler2D carried_before; // the output of this pass in the last picture
+uniform vec2 step_time; // time since the last picture / size of the picture [s/m]
+uniform vec2 kept;      // of each pattern: 0 if it restarts in this picture, else 1
 
-out vec4 carried; // in pictures: of one pattern, of the other
+out vec4 carried; // in sizes of the picture: first pattern, second pattern
 
-const float THIN = 0.1; // weight below which gas carries less: its velocity is a rim's, not a flame's
+const float THIN = 0.1; // weight below which gas advects less: the rim of a flame has no definite velocity
 
 void main() {
     vec4 gas = texture(flow, uv);
-    vec2 way = gas.yz / max(gas.x, THIN) * step_time;
-    carried = texture(carried_before, uv - way) * kept.xxyy + way.xyxy;
+    vec2 moved = gas.yz / max(gas.x, THIN) * step_time;
+    carried = texture(carried_before, uv - moved) * kept.xxyy + moved.xyxy;
 }

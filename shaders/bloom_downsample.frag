@@ -1,4 +1,4 @@
-// Halves the light, or reduces a larger picture to the first blurred copy.
+// Downsamples the light, or a copy, to the next blurred copy.
 
 in vec2 uv;
 
@@ -7,7 +7,7 @@ uniform vec2 texel;        // size of a texel of the smaller copy
 
 out vec4 blur;
 
-const float STEP = 0.4; // between two of 4 × 4 reads, in texels: they span 1.6, so that copies overlap
+const float STEP = 0.4; // distance of 4 × 4 reads in texels; they span 1.6 texels, so neighbours overlap
 
 void main() {
     vec3 sum = vec3(0.0);

@@ -1,4 +1,4 @@
-// Doubles a blurred copy and blends it with the next sharper one.
+// Upsamples a blurred copy and blends it with the next sharper one.
 
 in vec2 uv;
 
@@ -14,7 +14,7 @@ vec3 at(float x, float y) {
     return root * root;
 }
 
-// Eight reads around the pixel: a tent without its middle, whose weights sum up to 12.
+// Eight reads of a tent filter without its middle; the weights sum to 12.
 void main() {
     vec3 sum = at(-1.0, 0.0) + at(1.0, 0.0) + at(0.0, -1.0) + at(0.0, 1.0)
              + 2.0 * (at(-0.5, -0.5) + at(0.5, -0.5) + at(-0.5, 0.5) + at(0.5, 0.5));

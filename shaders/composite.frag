@@ -1,4 +1,4 @@
-// The finished fire in front of the background.
+// The displayed fire in front of the background.
 
 in vec2 uv;
 

@@ -1,10 +1,10 @@
-// One particle as a disc, coloured by what is measured of it.
+// A particle as a disc in the colour of its measured quantity.
 #include "scale.glsl"
 
 in vec2 corner;
 flat in vec4 payload; // 1, share of the span
 
-uniform float pixels; // in a radius
+uniform float pixels; // per radius
 
 out vec4 pixel;
 

@@ -1,2 +1,2 @@
-// A measured quantity as a disc a particle.
+// A disc per particle with its measured quantity.
 #include "measured.glsl"

@@ -1,4 +1,4 @@
-// The light of one ember.
+// The light of an ember.
 #include "palette.glsl"
 #include "light.glsl"
 
@@ -7,7 +7,7 @@ flat in vec2 spark;
 
 out vec4 light; // encoded; coverage
 
-const float OPACITY = 0.6; // of the middle of a full spark
+const float OPACITY = 0.6; // in the middle of a full spark
 
 void main() {
     float inside = max(1.0 - dot(corner, corner), 0.0);

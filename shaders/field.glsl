@@ -1,8 +1,8 @@
-// Reads the field, of which a frame uses only the lower left part.
+// Reads the field. A frame uses only its lower left part.
 
 uniform sampler2D field;
-uniform vec2 field_used; // share of the target that the frame uses
-uniform vec2 field_edge; // centre of the last texel in use: a read beyond it would blend with unused texels
+uniform vec2 field_used; // used share of the target
+uniform vec2 field_edge; // centre of the last used texel: filtering beyond it would include unused texels
 
 vec4 field_at(vec2 at) {
     return texture(field, min(at * field_used, field_edge));

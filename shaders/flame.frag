@@ -1,5 +1,5 @@
-// The field of burning gas to light: noise that the gas carries moves and thins it; its soot
-// glows as a black body and, once cold, is smoke.
+// Shades the field of the combustion model. Advected noise displaces and erodes the gas. Hot soot
+// glows as a black body, cold soot is smoke.
 #include "field.glsl"
 #include "noise.glsl"
 #include "palette.glsl"
@@ -8,54 +8,69 @@
 
 in vec2 uv;
 
-uniform sampler2D carried;      // how far, in pictures, the gas has carried two patterns
-uniform vec4 field_range;       // what the target's range took of weight, weight × kK, × soot, × burning
+uniform sampler2D carried;      // offsets of two advected noise patterns, in sizes of the picture
+uniform vec4 field_range;       // range of weight, weight × kK, × soot, × burning in the field
 uniform float source_width;     // [m]
 uniform float per_domain_width; // [1/m]
 uniform vec2 tiles;             // noise tiles per metre
-uniform float risen;            // tiles that a pattern rises where gas cannot carry it
-uniform vec4 pattern_starts;    // where in the tile each pattern began
-uniform vec2 pattern_shares;    // how much of each is seen
-uniform float warp;             // how far fine structure moves the gas [m]
-uniform float detail;           // how much fine structure there is
+uniform float risen;            // rise of the patterns without advection, in tiles
+uniform vec4 pattern_starts;    // offsets of the patterns in the tile
+uniform vec2 pattern_shares;    // shares of the patterns
+uniform float warp;             // displacement of the gas by fine structure [m]
+uniform float detail;           // amount of fine structure
 uniform float air;              // temperature of the air [kK]
 uniform float smoke;            // optical depth of cold gas with a soot of 1
 uniform float gain; // brightness of gas of 1500 K
-uniform float fire_share;       // 1: fire is seen; 0: only its smoke
-uniform float per_soft_floor;   // 1 / heights of the domain in which gas ends at a floor that is seen
+uniform float fire_share;       // 1: fire is visible; 0: only its smoke
+uniform float per_soft_floor;   // 1 / height over which gas fades above a visible floor, in heights of the domain
 
 out vec4 light; // encoded; coverage
 
 const float OPTICAL_DEPTH = 3.0; // of gas with a soot of 1
-// Soot around that leaves no trace, and from which gas shows in full: noise does not carry gas
-// to where none is.
-const float UNSEEN = 0.003;
-const float SEEN = 0.03;
-// Noise is read from the level whose texels are as large as the picture's, and half a level
-// coarser. NOISE_LEVELS comes from build/values.rs.
-const float SHARPNESS = 0.5;
-const float GROWN = 0.8;         // source widths above the source at which noise moves gas in full
-const float FOOT = 0.35;         // share of that motion at the source
-const float FULL = 1.25;         // 1 / weight at which no air is mixed in
-// Gas that leaves the domain on one side comes back on the other: it fades between these
-// distances from the middle, in widths of the domain,
+// Undisplaced soot below which nothing is visible, and from which gas is fully visible: noise
+// does not displace gas to where there is none.
+const float INVISIBLE = 0.003;
+const float VISIBLE = 0.03;
+// Noise is read half a level coarser than the level whose texels have the size of the picture's.
+// NOISE_LEVELS comes from build/values.rs.
+const float LEVEL_BIAS = 0.5;
+const float GROWN = 0.8;         // height of full displacement above the source, in source widths
+const float FOOT = 0.35;         // share of that displacement at the source
+const float FULL = 1.25;         // 1 / weight of gas without air
+// The domain is periodic in x: gas fades between these distances from its middle, in widths of the
+// domain,
 const float SIDE = 0.36;
 const float SIDE_END = 0.48;
 // and between these heights below the top of the domain or of the picture.
 const float TOP = 0.72;
 const float TOP_END = 0.96;
-// Gas begins to glow at the first temperature and glows in full at the second [kK].
+// Glow starts at the first temperature and is complete at the second [kK].
 const float DARK = 0.75;
 const float GLOWING = 1.0;
 // Smoke forms where gas cools from the second to the first temperature [kK],
 const float COLD = 0.5;
 const float COOLING = 1.1;
-// between these heights above the source, in its widths: cool soot beside a flame would draw a
-// grey rim.
+// between these heights above the source, in source widths: lower down, cool soot would draw a
+// grey rim around the flame.
 const float ALOFT = 0.2;
 const float HIGH = 1.4;
+const float FINE_SHARE = 0.4;    // displacement by the fine noise relative to the broad noise
+// The base of the flame is higher at its rim than in its middle, by this share of the squared
+// distance in half source widths, up to a maximum.
+const float BOWL = 0.2;
+const float MAX_BOWL = 2.0;
+const float RAGGED_BASE = 0.24;  // amplitude of the noise in the height of the base, in source widths
+const float BASE = 0.5;          // height over which the base thins, in source widths
+const float BROAD_SHEETS = 0.7;  // share of the broad noise in the sheets
+// Soot that noise erodes: its amount, and the mean, broad and fine part of the erosion.
+const float ERODED = 0.13;
+const float EROSION_MEAN = 0.5;
+const float EROSION_BROAD = 0.7;
+const float EROSION_FINE = 0.5;
+const float SHEET_CONTRAST = 1.8; // exponent of the soot in sheets
+const float SHEET_COOLING = 0.14; // [kK]
 
-// What the gas has folded finer than texels is not seen.
+// Reads both patterns, `finer` times as fine.
 vec4 pattern(vec4 places, vec2 level, float finer) {
     level += log2(finer);
     return noise_at(places.xy * finer, level.x) * pattern_shares.x
@@ -71,40 +86,38 @@ void main() {
     vec4 along = dFdy(places);
     across = max(across * across, along * along);
     float around = field_at(uv).z * field_range.z;
-    if (around < UNSEEN) return;
-    vec2 level = 0.5 * log2(max(across.xz, across.yw)) + (NOISE_LEVELS + SHARPNESS);
+    if (around < INVISIBLE) return;
+    vec2 level = 0.5 * log2(max(across.xz, across.yw)) + (NOISE_LEVELS + LEVEL_BIAS);
     vec4 broad = pattern(places, level, 1.0);
     vec4 fine = pattern(places, level, 2.0);
     float above = (place.y - source.y) / source_width;
 
     float growth = smoothstep(0.0, GROWN, above);
-    vec2 moved = (broad.xy + 0.4 * fine.yx) * warp * (FOOT + growth);
+    vec2 moved = (broad.xy + FINE_SHARE * fine.yx) * warp * (FOOT + growth);
     vec4 gas = field_at(uv + moved / picture_size) * field_range;
     float weight = max(gas.x, 1e-4);
     float share = min(FULL * weight, 1.0);
     float kilokelvin = mix(air, gas.y / weight, share);
     float up = domain_height(uv);
-    float soot = gas.z / weight * share * smoothstep(UNSEEN, SEEN, around)
+    float soot = gas.z / weight * share * smoothstep(INVISIBLE, VISIBLE, around)
                * (1.0 - smoothstep(SIDE, SIDE_END, abs(place.x) * per_domain_width))
                * (1.0 - smoothstep(TOP, TOP_END, max(up, uv.y))) * clamp(up * per_soft_floor, 0.0, 1.0);
 
-    // The flame stands on its source as in a bowl, whose rim is higher than its middle, and
-    // thins towards it.
     float rim = 2.0 * (place.x - source.x) / source_width;
-    float base = smoothstep(0.0, 0.5, above - 0.2 * min(rim * rim, 2.0) + 0.24 * broad.w * min(detail, 1.0));
+    float base = smoothstep(0.0, BASE, above - BOWL * min(rim * rim, MAX_BOWL) + RAGGED_BASE * broad.w * min(detail, 1.0));
 
     // Dark gaps and bright sheets.
-    float sheet = fine.z + 0.7 * broad.w;
-    float left = max(soot - detail * 0.13 * max(0.5 + 0.7 * broad.z + 0.5 * fine.w, 0.0), 0.0);
-    left *= base * exp(-1.8 * detail * sheet);
-    kilokelvin -= 0.14 * detail * sheet;
+    float sheet = fine.z + BROAD_SHEETS * broad.w;
+    float left = max(soot - detail * ERODED * max(EROSION_MEAN + EROSION_BROAD * broad.z + EROSION_FINE * fine.w, 0.0), 0.0);
+    left *= base * exp(-SHEET_CONTRAST * detail * sheet);
+    kilokelvin -= SHEET_COOLING * detail * sheet;
 
     float glowing = smoothstep(DARK, GLOWING, kilokelvin) * fire_share;
     float covered = 1.0 - exp(-OPTICAL_DEPTH * left);
     vec3 emitted = radiance(kilokelvin) * (gain * covered * glowing);
     float aloft = smoothstep(ALOFT, HIGH, above);
     float hidden = 1.0 - exp(-smoke * soot * aloft * (1.0 - smoothstep(COLD, COOLING, kilokelvin)));
-    // Thin bright flame hides more than it shines.
+    // Thin bright flame covers more than its emission suggests.
     float opaque = covered * (2.0 - covered) * glowing * opacity_of(emitted);
     light = vec4(encode_light(emitted), 1.0 - (1.0 - opaque) * (1.0 - hidden));
 }

@@ -1,11 +1,11 @@
-// One quad a particle of the combustion model: the kernel of gas that fills a volume, and
-// what that gas adds to the field or, in the velocity pass, to the flow.
+// One quad per particle of the combustion model: its kernel and payload for the field or, in the
+// velocity pass, for the flow.
 #include "particle.glsl"
 
 uniform float radius;     // of the kernel [m]
 uniform float peak;       // 1 / integral of the kernel [1/m²]
 uniform float velocities; // 1: the velocity pass
-uniform vec4 field_scale; // what the target's range leaves of each value
+uniform vec4 field_scale; // 1 / range of each value
 
 out vec2 corner;       // −1–1 over the kernel
 flat out vec4 payload; // weight; weight × kK, soot, burning or weight × velocity
@@ -14,7 +14,7 @@ void main() {
     Particle particle = this_particle();
     corner = particle.corner;
     gl_Position = clip(particle, particle.place + corner * radius);
-    // Inside gas the weights of all kernels sum up to 1.
+    // Inside gas the weights of all kernels sum to 1.
     vec4 state = particle.state; // temperature [K], volume [m²], soot, burning [1/s]
     vec3 carried = velocities > 0.0 ? vec3(particle.velocity, 0.0) : vec3(state.x * 1e-3, state.zw);
     payload = state.y * peak * vec4(1.0, carried) * field_scale;

@@ -1,4 +1,4 @@
-// The light of the fire on the wall behind it: all of the fire is a lamp, a little way in front.
+// Irradiance on the wall: the fire is an area light in front of it.
 
 in vec2 uv;
 
@@ -7,19 +7,19 @@ uniform vec2 size; // of the picture, in heights of the domain
 
 out vec4 irradiance; // square root of the light / range
 
-const float DISTANCE = 0.06; // square of the lamp's distance from the wall, in heights of the domain
+const float DISTANCE_SQUARED = 0.06; // square of the fire's distance from the wall, in heights of the domain
 
 void main() {
-    // One read for four texels, whatever the shape of the picture: every texel counts.
+    // One filtered read covers four texels, so all texels count for any shape of the picture.
     vec2 reads = ceil(vec2(textureSize(widest_blur, 0)) / 2.0);
     vec3 sum = vec3(0.0);
     for (float y = 0.5; y < reads.y; y += 1.0) {
         for (float x = 0.5; x < reads.x; x += 1.0) {
             vec2 at = vec2(x, y) / reads;
             vec3 root = texture(widest_blur, at).rgb;
-            vec2 way = (uv - at) * size;
-            // Inverse square, times the cosine at either end.
-            float near = DISTANCE / (DISTANCE + dot(way, way));
+            vec2 across = (uv - at) * size;
+            // Inverse square law times the cosines at both ends.
+            float near = DISTANCE_SQUARED / (DISTANCE_SQUARED + dot(across, across));
             sum += root * root * near * near;
         }
     }

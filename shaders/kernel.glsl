@@ -1,4 +1,4 @@
-// Adds the payload of one particle, weighted by the kernel (1 − q²)².
+// Accumulates the payload of a particle with the kernel (1 − q²)².
 
 in vec2 corner;
 flat in vec4 payload;

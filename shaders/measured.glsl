@@ -1,9 +1,9 @@
-// One quad a particle, with the measured quantity as a share of the colour scale.
+// One quad per particle, with the measured quantity as a share of the colour scale.
 #include "particle.glsl"
 
-uniform float radius;    // of the quad, in which corner is −reach to reach [m]
-uniform float reach;     // of the quad in radii: a disc needs a pixel more for its soft rim
-uniform float peak;      // 1 / integral of the kernel [1/m²]; 0: a disc of its own
+uniform float radius;    // of the kernel or disc [m]
+uniform float reach;     // half the side of the quad in radii: a disc needs another pixel for its soft rim
+uniform float peak;      // 1 / integral of the kernel [1/m²]; 0: a disc of weight 1
 uniform float span_from; // quantity of the first colour
 uniform float per_span;  // 1 / (quantity of the last colour − that of the first)
 

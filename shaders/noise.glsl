@@ -1,4 +1,4 @@
-// Reads the tile of gradient noise: three smooth channels and one of fine grain, about −1 to 1.
+// Reads the tile of gradient noise: three smooth channels and a fine one, about −1 to 1.
 // The level is explicit, because derivatives are undefined after an early return.
 
 uniform sampler2D noise;

@@ -1,7 +1,7 @@
-// The light of gas by its temperature. TABLE_SCALE and TABLE_OFFSET come from build/values.rs.
+// Emission by temperature. TABLE_SCALE and TABLE_OFFSET come from build/values.rs.
 
 uniform sampler2D palette; // chroma, ln luminance
-uniform float luminance_exponent; // below 1: it compresses the range of luminance
+uniform float luminance_exponent; // below 1: compresses the range of luminance
 
 vec3 radiance(float kilokelvin) {
     vec4 entry = texture(palette, vec2(kilokelvin * TABLE_SCALE + TABLE_OFFSET, 0.5));

@@ -1,17 +1,17 @@
-// The paper's drawing: a hard disc, coloured by the distance from its centre.
+// A disc as in the original paper, with a temperature that falls towards the rim.
 #include "palette.glsl"
 #include "tone.glsl"
 
 in vec2 corner;
 flat in float centre;
 
-uniform float pixels; // in a radius
+uniform float pixels; // per radius
 uniform float gain; // brightness of gas of 1500 K
 
 out vec4 pixel;
 
 const float RIM = 0.55;   // temperature of the rim, as a share of the centre's
-const float RIM_AT = 0.95; // where it is reached, in radii
+const float RIM_AT = 0.95; // distance of that temperature from the centre, in radii
 
 void main() {
     float distance = length(corner);

@@ -1,14 +1,14 @@
-// One quad a particle: the paper's round sprite.
+// One quad per particle: a disc as in the original paper.
 #include "particle.glsl"
 
 uniform float radius; // [m]
-uniform float pixels; // in a radius
-uniform float hottest; // temperature of every centre [kK]; 0: the particle's own
+uniform float pixels; // per radius
+uniform float hottest; // temperature of all centres [kK]; 0: that of the particle
 
-out vec2 corner; // in radii, a pixel beyond the rim
+out vec2 corner; // in radii, one pixel beyond the rim
 flat out float centre; // [kK]
 
-const float GLOWING = 0.8; // cooler gas is not drawn [kK]
+const float GLOWING = 0.8; // minimum temperature of drawn gas [kK]
 
 void main() {
     Particle particle = this_particle();

@@ -1,18 +1,18 @@
-// Reads a particle and places a corner of its quad. One instance draws a whole block of
-// quads: software renderers and some phones pay far more for an instance than for a quad.
-// BLOCK, ROW and TEXELS come from build/values.rs.
+// Reads a particle and positions a corner of its quad. One instance draws a block of quads, because
+// an instance costs software renderers and some phones far more than a quad. BLOCK, ROW and TEXELS
+// come from build/values.rs.
 
-uniform sampler2D particles; // TEXELS texels a particle, ROW particles a row
+uniform sampler2D particles; // TEXELS texels per particle, ROW particles per row
 uniform vec2 clip_scale;     // metres to clip coordinates
-uniform vec2 clip_offset;    // the floor's middle in clip coordinates
-uniform float count;         // particles
+uniform vec2 clip_offset;    // middle of the floor in clip coordinates
+uniform float count;         // number of particles
 
 struct Particle {
     vec2 place;    // [m]
     vec2 velocity; // [m/s]
-    vec4 state;    // temperature [K], then three values that depend on the model
-    vec2 corner;   // corner of the quad that this vertex is, −1 or 1
-    bool real;     // false in the unused rest of the last block
+    vec4 state;    // temperature [K] and three values of the model
+    vec2 corner;   // this vertex in the quad, −1 or 1
+    bool real;     // false for unused quads of the last block
 };
 
 Particle this_particle() {
@@ -31,7 +31,7 @@ vec2 direction(Particle particle, float speed) {
     return speed > 1e-4 ? particle.velocity / speed : vec2(0.0, 1.0);
 }
 
-// Outside of the clip volume if the particle is not real.
+// Clip coordinates; outside the clip volume for an unused quad.
 vec4 clip(Particle particle, vec2 place) {
     return particle.real ? vec4(place * clip_scale + clip_offset, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

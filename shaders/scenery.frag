@@ -1,4 +1,4 @@
-// The backdrop, drawn once for a size: a wall of bricks on a floor of stone.
+// The backdrop, drawn once per size: a wall of bricks on a floor of stone.
 #include "noise.glsl"
 
 in vec2 uv;
@@ -9,10 +9,10 @@ uniform float wall_foot;   // where the wall meets the floor, in heights of the 
 
 out vec4 scenery; // square root of colour; share of floor
 
-// Sizes in heights of the domain.
-const float PERSPECTIVE = 0.3;  // depth below the wall at which the floor is twice as near
-const float STONE_ROW = 0.9;    // the row of stones that the floor shows, stretched by perspective
-const float WALL_SHADE = 0.04;  // darkness where wall and floor meet, on the wall
+// All sizes are in heights of the domain.
+const float PERSPECTIVE = 0.3;  // depth below the wall at which the floor appears twice as large
+const float STONE_ROW = 0.9;    // texture coordinate of the visible row of stones
+const float WALL_SHADE = 0.04;  // height of the dark edge to the floor, on the wall
 const float FLOOR_SHADE = 0.02; // and on the floor
 const vec3 MORTAR = vec3(0.11, 0.1, 0.09);
 const vec3 DARK_CLAY = vec3(0.34, 0.15, 0.09);
@@ -22,8 +22,8 @@ vec4 rough(vec2 place) {
     return noise_at(place, 0.0);
 }
 
-// Bricks in rows, every other one shifted by half, with joints between them. The factors of
-// the places only keep reads of the noise apart; those of the noise say how worn a brick is.
+// Bricks in rows, every other row shifted by half a brick, with joints. The factors on coordinates
+// decorrelate reads of the noise; the factors on noise set the wear of a brick.
 vec3 bricks(vec2 place, vec2 brick) {
     vec4 worn = rough(place * 2.3);
     vec2 cell = place / brick + 0.02 * worn.xy;
@@ -39,7 +39,7 @@ vec3 bricks(vec2 place, vec2 brick) {
 void main() {
     vec2 place = (uv - floor_middle) * size;
     float depth = wall_foot - place.y; // below the foot of the wall
-    // The floor comes nearer downwards, and both are dark where they meet.
+    // The floor approaches the viewer downwards. Wall and floor are dark where they meet.
     float near = 1.0 + depth / PERSPECTIVE;
     vec3 colour = depth > 0.0 ? bricks(vec2(place.x, STONE_ROW) / near, vec2(0.3, 0.15)).ggb
                               : bricks(place, vec2(0.17, 0.062));

@@ -1,15 +1,15 @@
-// The field as seen from farther away: what the wider neighbourhood of a place holds.
-// Turbulence mixes air in from there, so the heart of a flame stays hot.
+// Blurs the field: the mean of a wider neighbourhood. Turbulence mixes air in from there, so the
+// core of a flame stays hot.
 
 in vec2 uv;
 
 uniform sampler2D field;
-uniform vec2 field_used; // share of the target that the frame uses
-uniform vec2 read_step;  // between two reads, in coordinates of the target
+uniform vec2 field_used; // used share of the target
+uniform vec2 read_step;  // distance of two reads, in coordinates of the target
 
 out vec4 wide;
 
-// A 5 × 5 tent: weights 1 2 3 2 1 each way, which sum up to 81.
+// A 5 × 5 tent filter: weights 1 2 3 2 1 in each direction, which sum to 81.
 void main() {
     vec2 centre = uv * field_used;
     wide = vec4(0.0);

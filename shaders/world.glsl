@@ -1,4 +1,4 @@
-// Where the world stands in the picture.
+// The position of the world in the picture.
 
 uniform vec2 picture_size; // [m]
 uniform vec2 floor_middle; // middle of the world's floor, 0–1 over the picture

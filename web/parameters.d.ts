@@ -441,51 +441,51 @@ export declare const QUANTITIES: Partial<Record<HearthParameters['display_mode']
 
 /** What a fire reports about itself, about four times a second: see crates/hearth-engine/src/stats.rs. */
 export interface HearthStats {
-  /** Pictures a second. */
+  /** Pictures per second. */
   fps: number;
-  /** Particles alive. */
+  /** Number of particles. */
   particles: number;
-  /** Embers that glow. */
+  /** Number of glowing embers. */
   embers: number;
   /** Age of the fire [s]. */
   time: number;
-  /** Power of the burning [kW/m]; 0 in the classic model. */
+  /** Power of the combustion [kW/m]; 0 in the classic model. */
   power: number;
-  /** Seconds of fire for each second of the clock, of late. */
+  /** Real-time factor: seconds of fire per second of the clock, averaged over a second. */
   timeScale: number;
-  /** Whether it lately fell behind the clock, so that the page would not freeze. */
+  /** Whether the fire fell behind the clock in the last second, so that the page stays responsive. */
   slowed: boolean;
-  /** Steps of the simulation for each picture. */
+  /** Simulation steps per picture. */
   stepsPerFrame: number;
   /** Length of a step [s of fire]. */
   stepLength: number;
-  /** Parts that stability divided the last step into. */
+  /** Number of substeps that the last step needed to be stable. */
   substeps: number;
-  /** Time that a step takes the processor [ms]. */
+  /** Time of a step on the processor [ms]. */
   stepMs: number;
-  /** Time that a picture takes the processor [ms]. */
+  /** Time of drawing a picture on the processor [ms]. */
   drawMs: number;
-  /** What takes how long in a frame [ms]: `sort`, `density`, `forces` and `integrate` of all its steps, which together are `stepMs` × `stepsPerFrame`, and `upload`, a part of `drawMs`. A browser's clock may tick only every 0.1 ms; these are averages over a hundred steps and more, so that does not show. */
+  /** Time per frame of each stage [ms]: `sort`, `density`, `forces` and `integrate` of all steps, whose sum is `stepMs` × `stepsPerFrame`, and `upload`, which is part of `drawMs`. Averages over more than a hundred steps hide the coarse clocks of browsers. */
   stages: Record<'sort' | 'density' | 'forces' | 'integrate' | 'upload', number>;
-  /** What each pass of the picture takes [ms], by name, in their order. */
+  /** Time of each render pass [ms], by name, in drawing order. */
   passes: Record<string, number>;
-  /** The clock of `passes`: `gpu`, the graphics card's, one pass a picture in turn; or `submit`, where the browser does not lend that one: only how long it took to hand the pass over. */
+  /** What `passes` measures: `gpu`, time on the graphics card, of one pass per picture in turn; `submit`, time of submitting the pass, if the browser offers no timer query. */
   passTimer: 'gpu' | 'submit' | '';
-  /** The quality that it has. */
+  /** The current level of quality. */
   quality: 'low' | 'medium' | 'high';
-  /** Why it has that quality. */
+  /** The reason of that level. */
   qualityReason: string;
-  /** What the number of particles follows from: `quality low`, `quality medium`, `quality high` or `size`; empty where `max_particles` says it, and in the classic model. */
+  /** What limits the number of particles: `quality low`, `quality medium`, `quality high` or `size`; empty if `max_particles` does, and in the classic model. */
   limit: string;
-  /** Neighbours of a particle, on average. */
+  /** Mean number of neighbours of a particle. */
   neighbours: number;
-  /** What the first and the last colour of the picture stand for, as `[0, 2000]`, in the unit of what `display_mode` shows; `null` where that is a fire. */
+  /** Quantities of the first and last colour, such as `[0, 2000]`, in the unit of the shown quantity; `null` if `display_mode` shows none. */
   scale: [min: number, max: number] | null;
-  /** Particles at the speed limit. */
+  /** Number of particles at the speed limit. */
   atSpeedLimit: number;
-  /** Whether it stands still. */
+  /** Whether the fire is paused. */
   paused: boolean;
-  /** The format of the textures that it is drawn into. */
+  /** Format of the render targets. */
   targetFormat: string;
   /** Where the engine runs: `worker` or `main`. */
   engine: 'worker' | 'main';

@@ -1,6 +1,6 @@
-//! Compiles the shader files of `shaders/` into the module `shaders`: for each pass its two
-//! stages as text, its textures, and its uniforms as a Rust struct. Release builds carry the
-//! text with short names, because a page downloads it.
+//! Compiles the shader files of `shaders/` to the module `shaders`: for each pass the source of its
+//! two stages, its samplers, and its uniforms as a Rust struct. Release builds minify the source,
+//! because pages download it.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -21,7 +21,7 @@ fn main() -> Result<(), String> {
     println!("cargo::rerun-if-changed=src/constants.rs");
     let files = glsl::Files::read(folder)?;
     let mut programs = glsl::programs(&files, &values::shared())?;
-    // Debug builds keep names and lines, for tests and for messages of a driver.
+    // Debug builds keep names and lines for tests and for messages of drivers.
     if env::var("PROFILE").is_ok_and(|profile| profile == "release") {
         glsl::shorten(&mut programs);
     }

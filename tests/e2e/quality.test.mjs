@@ -41,7 +41,7 @@ for (const quality of Object.keys(PARTICLES)) {
     const { wish, params, reason } = await tab.fire((fire) => (
       { wish: fire.quality, params: fire.params, reason: fire.stats.qualityReason }
     ));
-    assert.deepEqual([wish, params, reason], [quality, DEFAULTS, 'as asked for']);
+    assert.deepEqual([wish, params, reason], [quality, DEFAULTS, 'as requested']);
     assert.deepEqual(await events(tab, 'params-change'), []);
     assert.deepEqual(tab.problems, []);
   });

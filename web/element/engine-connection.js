@@ -101,7 +101,7 @@ export class EngineConnection {
     /** @type {Promise<unknown>} */
     let answered = Promise.resolve();
     const fire = port.open({
-      heard: (message) => {
+      onMessage: (message) => {
         // The fire is gone if its removal is answered, also with a refusal, or if its engine has stopped.
         if (message.request === REMOVAL || (this.closed && message.kind === 'load')) {
           port.close(fire);
@@ -112,7 +112,7 @@ export class EngineConnection {
         this.#on.message(message);
         if (message.type === 'ready') answered.then(() => this.live && this.#on.start());
       },
-      drawn: (frame) => {
+      onPicture: (frame) => {
         if (this.closed) {
           if ('close' in frame) frame.close();
           return;

@@ -306,7 +306,7 @@ export class FireSession {
       state.take(message);
     } else if (type === 'changed') {
       state.take(message);
-      if (message.anew && (this.fire.getAttribute('preset') ?? 'default') !== state.preset) this.reflectPreset(state.preset);
+      if (message.replaced && (this.fire.getAttribute('preset') ?? 'default') !== state.preset) this.reflectPreset(state.preset);
       if (!this.#announced) return;
       const { source } = message;
       for (const [id, value] of Object.entries(message.values)) reports.emit('params-change', { id, value, source });
@@ -323,8 +323,8 @@ export class FireSession {
       this.#css?.light(stats.scale ? 0 : stats.power, state.params);
       reports.emit('stats', { ...state.stats });
     } else if (type === 'quality') {
-      const { wish, quality, reason } = message;
-      state.quality = wish;
+      const { requested, quality, reason } = message;
+      state.quality = requested;
       if (this.#announced) reports.emit('quality-change', { quality, reason });
     } else if (type === 'state') {
       reports.emit(message.playing ? 'play' : 'pause');

@@ -29,9 +29,9 @@ export class FireState {
   stats = null;
 
   /** Takes over the values of a message. @param {Message} message */
-  take({ type, values, objects, anew, ownNumber, preset }) {
+  take({ type, values, objects, replaced, ownNumber, preset }) {
     if (type === 'ready') this.started = true;
-    else if (anew) this.#kept = {};
+    else if (replaced) this.#kept = {};
     else if ('model' in values) this.#kept = this.params;
     this.params = { ...this.params, ...values };
     this.objects = objects ?? this.objects;

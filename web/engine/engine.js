@@ -1,18 +1,18 @@
 /**
  * Loads the engine and connects elements to it.
  *
- * Calls and events are plain data, delivered later and in order, as by `postMessage`: no
- * getter of a page reaches into wasm. All fires of a page share one engine. It runs in a
- * worker where that can draw, and on the main thread elsewhere. Its wasm is fetched and
- * compiled once, here.
+ * Calls and events are plain data, delivered later and in order, as by `postMessage`, so no
+ * getter of a page runs inside wasm. All fires of a page share one engine, which runs in a worker
+ * if a worker can draw, and otherwise on the main thread. This module fetches and compiles its
+ * wasm once.
  *
  * @typedef {[method: string, ...arguments: any[]]} Call a command of the engine: see its table
  * @typedef {{type: string, fire?: number, [field: string]: any}} Message an event of the engine
- * @typedef {ImageBitmap | HTMLCanvasElement} Drawn a picture: a bitmap to be kept,
- *   or a canvas to be copied from at once
- * @typedef {{heard: (message: Message) => void, drawn: (picture: Drawn) => void}} Listener
+ * @typedef {ImageBitmap | HTMLCanvasElement} Drawn a picture: a bitmap to keep, or a canvas to
+ *   copy at once
+ * @typedef {{onMessage: (message: Message) => void, onPicture: (picture: Drawn) => void}} Listener
  * @typedef {'auto' | 'worker' | 'main'} Place
- * @typedef {string | URL | BufferSource | Promise<BufferSource>} Source where wasm is, or its bytes
+ * @typedef {string | URL | BufferSource | Promise<BufferSource>} Source URL or bytes of wasm
  */
 
 import { glue, wasm, worker } from './files.js';
@@ -23,13 +23,13 @@ const SIMD_MODULE = new Uint8Array([
   253, 98, 11,
 ]);
 
-/** How long an engine without a fire waits for the next one [ms]. */
+/** Lifetime of an engine without fires [ms]. */
 const IDLE_MS = 5000;
 
-/** How long a worker may take to start before the main thread is used [ms]. */
+/** Maximum time of starting a worker; then the main thread is used [ms]. */
 const WORKER_MS = 15_000;
 
-/** Why there is no fire, in words that a visitor can be shown. */
+/** Why there is no fire, with a message for visitors. */
 export class EngineError extends Error {
   /**
    * @param {'unsupported' | 'load'} kind
@@ -42,8 +42,8 @@ export class EngineError extends Error {
   }
 }
 
-/** What this browser lacks, in words; empty if it has everything but perhaps WebGL2. */
-function missing() {
+/** The missing feature as a message; empty if only WebGL2 may be missing. */
+function missingFeature() {
   if (typeof WebAssembly !== 'object') {
     return 'This browser has no WebAssembly, or it is switched off.';
   }
@@ -54,11 +54,11 @@ function missing() {
 }
 
 /**
- * The engine as an element sees it: a port that can only be posted to.
+ * The connection of elements to an engine, which they post calls to.
  * @typedef {EnginePort} Port
  */
 class EnginePort {
-  /** What is wrong with how it is served, though it burns; else empty. */
+  /** A problem of the server's configuration that does not prevent the fire; else empty. */
   warning = '';
   /** @type {(call: [fire: number, request: number, ...call: Call] | number) => void} */
   send = () => {};
@@ -69,15 +69,14 @@ class EnginePort {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #idle;
 
-  /** @param {'worker' | 'main'} place where it runs */
+  /** @param {'worker' | 'main'} place where the engine runs */
   constructor(place) {
     this.place = place;
     this.#rest();
   }
 
   /**
-   * Opens a line for one fire; `listener` hears what is said about it and gets its
-   * pictures.
+   * Connects a fire. `listener` gets its messages and pictures.
    * @param {Listener} listener
    * @returns {number} the fire's number
    */
@@ -89,8 +88,7 @@ class EnginePort {
   }
 
   /**
-   * Closes the line of a fire. When there is none left, the engine goes too, with
-   * its memory.
+   * Disconnects a fire. Without fires, the engine is freed after a while.
    * @param {number} fire
    */
   close(fire) {
@@ -98,32 +96,32 @@ class EnginePort {
     if (this.#listeners.size === 0) this.#rest();
   }
 
-  /** Waits for a fire, and ends without one. */
+  /** Frees the engine unless a fire connects. */
   #rest() {
     clearTimeout(this.#idle);
     this.#idle = setTimeout(() => this.#retire(), IDLE_MS);
   }
 
-  /** A fire's picture is shown, and another may follow. @param {number} fire */
+  /** Counts a picture of a fire as shown. @param {number} fire */
   shown(fire) {
     if (this.place === 'worker') this.send(fire);
   }
 
   /** @param {Message} message */
   deliver(message) {
-    this.#listeners.get(message.fire ?? 0)?.heard(message);
+    this.#listeners.get(message.fire ?? 0)?.onMessage(message);
   }
 
   /** @type {(fire: number, picture: Drawn) => void} */
   draw(fire, picture) {
     const listener = this.#listeners.get(fire);
-    if (listener) listener.drawn(picture);
+    if (listener) listener.onPicture(picture);
     else if ('close' in picture) picture.close();
   }
 
   /**
-   * Only a defect of the engine itself, or a browser short of memory, comes here;
-   * its fires must hear it. The next fire gets a new engine.
+   * Reports a defect of the engine or a lack of memory to all fires. The next fire gets a new
+   * engine.
    * @param {unknown} why
    */
   fail(why) {
@@ -147,9 +145,9 @@ let opened;
 let current;
 
 /**
- * Connects to the page's engine, which is loaded at the first call. A failure
- * is not remembered: the next call tries again.
- * @param {Source} [source] the wasm, if it is not beside its script
+ * Connects to the page's engine. The first call loads it; after a failure the next call tries
+ * again.
+ * @param {Source} [source] the wasm, if it is not next to its script
  * @param {Place} [place]
  * @returns {Promise<EnginePort>}
  */
@@ -167,9 +165,9 @@ export function connect(source, place = 'auto') {
 
 /** @type {(source: Source, place: Place) => Promise<EnginePort>} */
 async function load(source, place) {
-  const lacking = missing();
-  if (lacking) throw new EngineError('unsupported', lacking);
-  // The worker's script and the wasm are on their way at the same time.
+  const missing = missingFeature();
+  if (missing) throw new EngineError('unsupported', missing);
+  // The worker's script and the wasm load in parallel.
   const compiled = compile(source);
   compiled.catch(() => {});
   const port = (place !== 'main' && await inWorker(compiled)) || undefined;
@@ -183,7 +181,7 @@ async function load(source, place) {
 }
 
 /**
- * Fetches the wasm and compiles it, while it comes in where the server says what it is.
+ * Fetches and compiles the wasm, in parallel if the server sends the right type.
  * @param {Source} source
  * @returns {Promise<{module: WebAssembly.Module, warning: string}>}
  */
@@ -213,7 +211,7 @@ async function compile(source) {
 }
 
 /**
- * The engine in a worker; nothing where it cannot be there.
+ * The engine in a worker; `undefined` if that is not possible.
  * @param {Promise<{module: WebAssembly.Module}>} compiled
  * @returns {Promise<EnginePort | undefined>}
  */
@@ -227,7 +225,7 @@ function inWorker(compiled) {
   }
   const port = new EnginePort('worker');
   return new Promise((resolve) => {
-    const give = () => {
+    const giveUp = () => {
       clearTimeout(patience);
       thread.terminate();
       resolve(undefined);
@@ -236,11 +234,11 @@ function inWorker(compiled) {
     let patience;
     thread.onerror = (event) => {
       event.preventDefault();
-      give();
+      giveUp();
     };
     thread.onmessage = ({ data }) => {
       if (data.type !== 'started') {
-        give();
+        giveUp();
         return;
       }
       clearTimeout(patience);
@@ -250,22 +248,22 @@ function inWorker(compiled) {
         event.preventDefault();
         port.fail(event.message);
       };
-      thread.onmessage = ({ data: said }) => {
-        if (said.type === 'picture') port.draw(said.fire, said.bitmap);
-        else if (said.type === 'stopped') port.fail(said.why);
-        else port.deliver(said);
+      thread.onmessage = ({ data: event }) => {
+        if (event.type === 'picture') port.draw(event.fire, event.bitmap);
+        else if (event.type === 'stopped') port.fail(event.why);
+        else port.deliver(event);
       };
       resolve(port);
     };
     compiled.then(({ module }) => {
       thread.postMessage({ type: 'start', module });
-      patience = setTimeout(give, WORKER_MS);
-    }).catch(give);
+      patience = setTimeout(giveUp, WORKER_MS);
+    }).catch(giveUp);
   });
 }
 
 /**
- * The engine on this thread. Its code is loaded only here.
+ * The engine on this thread, whose code loads only here.
  * @param {WebAssembly.Module} module
  * @returns {Promise<EnginePort>}
  */

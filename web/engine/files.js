@@ -1,15 +1,15 @@
 /**
- * Where the engine's files are: its wasm, its script, the script of its worker, and the
- * fires that start burning.
+ * Locations of the engine's files: its wasm, its script, the script of its worker, and saved
+ * fires.
  *
- * They stand here as bundlers look for them, and nowhere else, so that a build of
- * another form, as a single file, has only this module to replace.
+ * They have the form that bundlers recognise. No other module has locations, so a build to a
+ * single file replaces only this one.
  */
 
 import { BURNING } from '../generated/burning.js';
 
 /**
- * The engine's wasm: where it is, or its bytes.
+ * The engine's wasm: its URL or its bytes.
  * @returns {import('./engine.js').Source}
  */
 export function wasm() {
@@ -17,8 +17,8 @@ export function wasm() {
 }
 
 /**
- * The fire that starts burning of that scene, as bytes; nothing where none is kept, or it
- * does not come: it is then lit as any other.
+ * The saved fire of a scene as bytes; `undefined` if there is none or it fails to load. The fire
+ * then starts without it.
  * @param {string} scene
  * @returns {Promise<Uint8Array | undefined>}
  */
@@ -35,21 +35,21 @@ export async function burning(scene) {
 /**
  * Starts the worker that the engine can run in.
  * @returns {Worker}
- * @throws where the browser or the page's policy has none
+ * @throws if the browser or the page's policy does not allow it
  */
 export function worker() {
   try {
     return new Worker(new URL('./worker.js', import.meta.url), { type: 'module', name: 'hearth' });
   } catch {
-    // A page may not start a script of another site, but one that loads it.
-    // (Bundlers take what stands here for an asset, unless they cannot read it.)
+    // A page may not start a worker from another origin, but a worker that imports it. The URL is
+    // not in the form that bundlers recognise, because they would copy it as an asset.
     const here = import.meta.url;
     const start = `import ${JSON.stringify(new URL('./worker.js', here).href)};`;
     const url = URL.createObjectURL(new Blob([start], { type: 'text/javascript' }));
     try {
       return new Worker(url, { type: 'module', name: 'hearth' });
     } finally {
-      // The browser has it by then.
+      // The browser has loaded it by then.
       setTimeout(() => URL.revokeObjectURL(url), 60_000);
     }
   }

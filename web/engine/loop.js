@@ -1,19 +1,18 @@
 /**
- * What surrounds an engine, in a worker and on the main thread alike: the frames
- * of the display, the events of its canvas, and what becomes of an engine that
- * throws, which only a defect of its own makes it do.
+ * The loop of an engine, in a worker or on the main thread: requests frames, listens to the
+ * canvas, and stops an engine that throws, which only a defect causes.
  */
 
 /**
  * Runs an engine.
  * @param {new (post: Function, canvas: any, context: WebGL2RenderingContext | null, show: Function) => any} Engine
- * @param {HTMLCanvasElement | OffscreenCanvas} canvas what it draws on
- * @param {object} around
- * @param {(message: object) => void} around.post takes its messages
- * @param {(fire: number) => boolean} around.show takes the picture of a fire from the
- *   canvas; whether it is shown already. It never throws
- * @param {(error: unknown) => void} around.fail hears that the engine has stopped
- * @throws where the browser cannot draw
+ * @param {HTMLCanvasElement | OffscreenCanvas} canvas the canvas to draw on
+ * @param {object} callbacks
+ * @param {(message: object) => void} callbacks.post delivers a message
+ * @param {(fire: number) => boolean} callbacks.show takes the picture of a fire from the canvas
+ *   and returns whether it is already shown. It never throws
+ * @param {(error: unknown) => void} callbacks.fail called when the engine has stopped
+ * @throws if the browser cannot draw
  */
 export function runEngine(Engine, canvas, { post, show, fail }) {
   let engine = new Engine(post, canvas, contextOf(canvas), show);
@@ -27,31 +26,31 @@ export function runEngine(Engine, canvas, { post, show, fail }) {
     engine = undefined;
     return ended;
   };
-  const broken = (/** @type {unknown} */ error) => {
+  const failed = (/** @type {unknown} */ error) => {
     stop();
     fail(error);
   };
-  const goOn = (/** @type {boolean} */ wanted) => {
-    if (wanted && frame === 0) frame = requestAnimationFrame(draw);
+  const requestFrame = (/** @type {boolean} */ needed) => {
+    if (needed && frame === 0) frame = requestAnimationFrame(draw);
   };
-  // No object is made for a frame, not even a function.
+  // A frame creates no object and no function.
   const draw = (/** @type {number} */ now) => {
     frame = 0;
     try {
-      if (engine) goOn(engine.frame(now));
+      if (engine) requestFrame(engine.frame(now));
     } catch (error) {
-      broken(error);
+      failed(error);
     }
   };
   const context = (/** @type {boolean} */ back) => {
     try {
-      if (engine) goOn(engine.context(back));
+      if (engine) requestFrame(engine.context(back));
     } catch (error) {
-      broken(error);
+      failed(error);
     }
   };
   const lost = (/** @type {Event} */ event) => {
-    // Without this the browser never gives the context back.
+    // Otherwise the browser never restores the context.
     event.preventDefault();
     context(false);
   };
@@ -63,20 +62,20 @@ export function runEngine(Engine, canvas, { post, show, fail }) {
     /** @param {[fire: number, request: number, ...call: import('./engine.js').Call]} call */
     call(call) {
       try {
-        if (engine) goOn(engine.call(call));
+        if (engine) requestFrame(engine.call(call));
       } catch (error) {
-        broken(error);
+        failed(error);
       }
     },
-    /** A picture that was on its way is shown. @param {number} fire */
+    /** Counts a picture of a fire as shown. @param {number} fire */
     shown(fire) {
       try {
-        if (engine) goOn(engine.shown(fire));
+        if (engine) requestFrame(engine.shown(fire));
       } catch (error) {
-        broken(error);
+        failed(error);
       }
     },
-    /** Frees it and its context. */
+    /** Frees the engine and its context. */
     end() {
       stop()?.free();
     },
@@ -84,8 +83,8 @@ export function runEngine(Engine, canvas, { post, show, fail }) {
 }
 
 /**
- * The WebGL2 context of a canvas, the same one at each call. It has an alpha channel and
- * neither samples nor depth.
+ * The WebGL2 context of a canvas, the same at each call. It has alpha, but neither multisampling
+ * nor depth.
  * @param {HTMLCanvasElement | OffscreenCanvas} canvas
  * @returns {WebGL2RenderingContext | null}
  */
@@ -94,8 +93,7 @@ export function contextOf(canvas) {
 }
 
 /**
- * A canvas whose pictures can be taken away without a copy, where the browser has
- * one that it can draw on.
+ * A canvas whose pictures can be taken without a copy; `undefined` if the browser has none.
  * @returns {OffscreenCanvas | undefined}
  */
 export function pictureCanvas() {

@@ -1,20 +1,20 @@
 /**
- * The engine on the page's own thread: loaded where no worker can draw.
+ * The engine on the main thread, loaded if no worker can draw.
  */
 
 import { pictureCanvas, runEngine } from './loop.js';
 
 /**
- * Starts it. What it is told and says is delivered as from a worker: later, in order.
+ * Starts the engine. Calls and events are delivered later and in order, as with a worker.
  * @param {new (post: Function, canvas: any, context: WebGL2RenderingContext | null, show: Function) => any} Engine
- * @param {import('./engine.js').Port} port what it is reached by
- * @throws where the browser cannot draw
+ * @param {import('./engine.js').Port} port the connection to it
+ * @throws if the browser cannot draw
  */
 export function start(Engine, port) {
   const run = (/** @type {any} */ canvas) => runEngine(Engine, canvas, {
     post: (/** @type {any} */ message) => queueMicrotask(() => port.deliver(message)),
     show: (fire) => {
-      // The context may have gone in the midst of the frame; its event is on its way.
+      // The context may be lost during the frame; its event follows.
       const picture = attempt(() => ('transferToImageBitmap' in canvas ? canvas.transferToImageBitmap() : canvas));
       if (picture) port.draw(fire, picture);
       return true;
@@ -22,14 +22,14 @@ export function start(Engine, port) {
     fail: (error) => port.fail(error),
   });
   const offscreen = pictureCanvas();
-  // WebKit has such canvases, but not all of its ports can draw on them.
+  // Some ports of WebKit have an `OffscreenCanvas` but cannot draw on it.
   const engine = (offscreen && attempt(() => run(offscreen))) ?? run(document.createElement('canvas'));
   port.send = (call) => queueMicrotask(() => typeof call === 'number' ? engine.shown(call) : engine.call(call));
   port.end = () => engine.end();
 }
 
 /**
- * What `act` gives; nothing where it throws.
+ * The result of `act`; `undefined` if it throws.
  * @template T
  * @param {() => T} act
  * @returns {T | undefined}

@@ -1,7 +1,7 @@
 /**
- * The engine in a worker: the page's thread stays free. The worker posts `started`, or why
- * it cannot start; from then on it takes calls and posts events. Each picture is sent as a
- * bitmap, which costs no copy.
+ * The engine in a worker, which keeps the main thread free. The worker posts `started`, or
+ * `stopped` with the reason, and then takes calls and posts events. It transfers each picture as
+ * a bitmap without a copy.
  */
 
 import { contextOf, pictureCanvas, runEngine } from './loop.js';
@@ -11,7 +11,7 @@ import init, { Engine } from '../wasm/hearth-engine.js';
 let engine;
 
 const canvas = pictureCanvas();
-// While the wasm is still on its way: the first context of a page takes a while.
+// Creating the first context of a page takes long, so it starts while the wasm loads.
 if (canvas) contextOf(canvas);
 
 /** @param {WebAssembly.Module} module */
@@ -27,7 +27,7 @@ async function start(module) {
         postMessage({ type: 'picture', fire, bitmap }, { transfer: [bitmap] });
         return false;
       } catch {
-        // The context went in the midst of the frame; its event is on its way.
+        // The context was lost during the frame; its event follows.
         return true;
       }
     },
@@ -37,7 +37,7 @@ async function start(module) {
 
 addEventListener('message', ({ data }) => {
   if (Array.isArray(data)) engine?.call(/** @type {any} */ (data));
-  // A number: that fire's picture is shown.
+  // A number: the picture of that fire is shown.
   else if (typeof data === 'number') engine?.shown(data);
   else start(data.module).then(
     () => postMessage({ type: 'started' }),

@@ -1,19 +1,17 @@
-//! How much of a frame the simulation may take.
+//! The time budget of a frame, and the real-time factor.
 //!
-//! A fire that asks for more than the machine can give must slow down, not the
-//! page. Each frame has a budget of wall time; the fires that share the frame
-//! share the budget; steps that do not fit are dropped, and the statistics say
-//! so.
+//! A fire that needs more time than the machine has slows down instead of the page. Each
+//! frame has a budget of wall time, which its fires share. Steps that do not fit are dropped,
+//! and the statistics report it.
 
 use hearth_core::clock::LONGEST_FRAME;
 
-/// Wall time that the steps of all fires may take in one frame, in ms. A display
-/// of 60 Hz has 16.7; the rest is for drawing and for the page.
+/// Maximum wall time of the steps of all fires in one frame \[ms\]. A frame at 60 Hz lasts
+/// 16.7 ms; drawing and the page need the rest.
 pub const STEPS_BUDGET_MS: f64 = 12.0;
 
-/// Makes steps for as long as `step` has one to make and there is time; returns
-/// how many it made. It looks at the time after each one, so the first is always
-/// made: however slow the machine, the fire moves.
+/// Calls `step` until it has no step to make or `in_time` is false. Returns the number of
+/// steps. The time is read after each step, so even the slowest machine makes one.
 pub fn make_steps(mut in_time: impl FnMut() -> bool, mut step: impl FnMut() -> bool) -> u32 {
     let mut made = 0;
     while step() {
@@ -25,65 +23,65 @@ pub fn make_steps(mut in_time: impl FnMut() -> bool, mut step: impl FnMut() -> b
     made
 }
 
-/// The time until which one of `fires` that are still to come may go on, so
-/// that each has an equal part of what is left.
+/// The deadline of one of the `fires` that still share the time until `end`: each gets an
+/// equal part.
 pub fn share(now: f64, end: f64, fires: usize) -> f64 {
     now + (end - now).max(0.0) / fires.max(1) as f64
 }
 
 /// Seconds of the clock over which the real-time factor is averaged.
-const LATELY: f64 = 1.0;
+const AVERAGING_TIME: f64 = 1.0;
 
-/// Longest frame that is held against a fire \[s\]. Whatever keeps a page from
-/// drawing for longer is rarely the fire, and it is not slow for seconds after.
+/// Longest frame that counts as slow \[s\]. A longer one is rarely the fire's fault.
 const LONGEST_SLOW_FRAME: f64 = 0.25;
 
-/// The real-time factor of a fire, and whether it should be higher: sums over frames, of
-/// which the older ones fade away.
+/// Share of the due fire time that a fire drops before it counts as slowed: one late frame
+/// stays below it.
+const TOLERATED_LOSS: f64 = 0.05;
+
+/// The real-time factor of a fire: sums over frames, in which older frames fade out.
 #[derive(Clone, Debug, Default)]
 pub struct RealTime {
     /// Seconds of the clock.
     clock: f64,
-    /// Seconds of fire that were made in them.
-    made: f64,
-    /// Seconds of fire that should have been made in them.
-    wanted: f64,
-    /// Seconds of fire that were given up.
-    missed: f64,
+    /// Seconds of fire that were simulated.
+    simulated: f64,
+    /// Seconds of fire that were due.
+    due: f64,
+    /// Seconds of fire that were dropped.
+    dropped: f64,
 }
 
 impl RealTime {
-    /// Counts a frame of `passed` seconds of the clock, each of them `time_scale`
-    /// seconds of fire. It made so many seconds of fire and dropped others.
-    pub fn frame(&mut self, passed: f64, time_scale: f64, made: f64, dropped: f64) {
-        let kept = 1.0 / (1.0 + passed / LATELY);
+    /// Adds a frame of `passed` seconds of the clock at a requested `time_scale`, with its
+    /// simulated and dropped seconds of fire.
+    pub fn frame(&mut self, passed: f64, time_scale: f64, simulated: f64, dropped: f64) {
+        let kept = 1.0 / (1.0 + passed / AVERAGING_TIME);
         let counted = passed.min(LONGEST_SLOW_FRAME);
-        let forgone = (counted - LONGEST_FRAME).max(0.0) * time_scale;
+        let beyond = (counted - LONGEST_FRAME).max(0.0) * time_scale;
         self.clock = self.clock * kept + passed;
-        self.made = self.made * kept + made;
-        self.wanted = self.wanted * kept + counted * time_scale;
-        self.missed = self.missed * kept + forgone + dropped;
+        self.simulated = self.simulated * kept + simulated;
+        self.due = self.due * kept + counted * time_scale;
+        self.dropped = self.dropped * kept + beyond + dropped;
     }
 
-    /// Seconds of fire for each second of the clock; zero before there was one.
+    /// Seconds of fire per second of the clock; 0 before the first frame.
     pub fn factor(&self) -> f64 {
         if self.clock > 0.0 {
-            self.made / self.clock
+            self.simulated / self.clock
         } else {
             0.0
         }
     }
 
-    /// Holds nothing against it that was given up so far: what it burns with is
-    /// other work from now on.
-    pub fn forgive(&mut self) {
-        (self.wanted, self.missed) = (0.0, 0.0);
+    /// Forgets dropped time, because the work of a step changes.
+    pub fn forget_losses(&mut self) {
+        (self.due, self.dropped) = (0.0, 0.0);
     }
 
-    /// Whether more than a twentieth of what it should have burnt was given up: a
-    /// single late frame is no slow fire.
+    /// Whether the fire dropped more than a twentieth of the time that was due.
     pub fn slowed(&self) -> bool {
-        self.missed > 0.05 * self.wanted
+        self.dropped > TOLERATED_LOSS * self.due
     }
 }
 
@@ -92,9 +90,9 @@ mod tests {
     use super::*;
     use std::cell::Cell;
 
-    /// Makes `owed` steps of 5 ms within a budget; returns what was made.
-    fn made(owed: u32, budget_ms: f64) -> u32 {
-        let (mut left, time) = (owed, Cell::new(0.0));
+    /// Number of steps of 5 ms that are made of `due` ones within a budget.
+    fn made(due: u32, budget_ms: f64) -> u32 {
+        let (mut left, time) = (due, Cell::new(0.0));
         let step = || {
             let due = left > 0;
             left -= u32::from(due);
@@ -105,17 +103,17 @@ mod tests {
     }
 
     #[test]
-    fn all_steps_are_made_in_time() {
+    fn all_due_steps_are_made_within_the_budget() {
         assert_eq!(made(7, 1000.0), 7);
     }
 
     #[test]
-    fn no_step_is_made_where_none_is_owed() {
+    fn no_step_is_made_if_none_is_due() {
         assert_eq!(made(0, 1000.0), 0);
     }
 
     #[test]
-    fn a_slow_machine_still_makes_one_step() {
+    fn a_slow_machine_makes_one_step() {
         assert_eq!(made(24, 0.0), 1);
     }
 
@@ -125,30 +123,30 @@ mod tests {
     }
 
     #[test]
-    fn fires_share_what_is_left() {
+    fn fires_share_the_remaining_time() {
         assert_eq!(share(0.0, 12.0, 3), 4.0);
-        // The first was quick: the two others have more.
+        // The first fire took less than its share: the other two get more.
         assert_eq!(share(2.0, 12.0, 2), 7.0);
-        // The budget is spent: nothing is left, and nothing is negative.
+        // After the end there is no time left, and no negative time.
         assert_eq!(share(14.0, 12.0, 1), 14.0);
     }
 
-    /// A second of frames at 60 Hz that each make `part` of what they should.
+    /// A second of frames at 60 Hz, each of which simulates that part of the due time.
     fn second(real_time: &mut RealTime, scale: f64, part: f64) {
         for _ in 0..60 {
-            let wanted = scale / 60.0;
-            real_time.frame(1.0 / 60.0, scale, part * wanted, (1.0 - part) * wanted);
+            let due = scale / 60.0;
+            real_time.frame(1.0 / 60.0, scale, part * due, (1.0 - part) * due);
         }
     }
 
     #[test]
-    fn the_real_time_factor_is_fire_by_clock() {
+    fn the_real_time_factor_is_fire_time_by_clock_time() {
         let mut real_time = RealTime::default();
         assert_eq!(real_time.factor(), 0.0);
         for scale in [1.0, 0.1, 2.0] {
             for _ in 0..10 {
                 second(&mut real_time, scale, 1.0);
-                // Also while an older scale fades: nothing is behind.
+                // A change of the time scale is no loss.
                 assert!(!real_time.slowed());
             }
             assert!((real_time.factor() - scale).abs() < 1e-3);
@@ -156,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fire_that_drops_steps_says_so_until_it_drops_none() {
+    fn a_fire_is_slowed_as_long_as_it_drops_steps() {
         let mut real_time = RealTime::default();
         for _ in 0..10 {
             second(&mut real_time, 1.0, 0.3);
@@ -170,16 +168,16 @@ mod tests {
     }
 
     #[test]
-    fn a_fire_that_is_forgiven_is_not_slow_and_keeps_its_real_time_factor() {
+    fn forgotten_losses_leave_the_real_time_factor() {
         let mut real_time = RealTime::default();
         for _ in 0..10 {
             second(&mut real_time, 1.0, 0.3);
         }
         let before = real_time.factor();
-        real_time.forgive();
+        real_time.forget_losses();
         assert!(!real_time.slowed());
         assert_eq!(real_time.factor(), before);
-        // Only what comes counts, and that at once.
+        // Later losses count at once.
         real_time.frame(1.0 / 60.0, 1.0, 1.0 / 60.0, 0.0);
         assert!(!real_time.slowed());
         second(&mut real_time, 1.0, 0.3);
@@ -187,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn one_late_frame_is_not_slow_but_many_are() {
+    fn one_late_frame_does_not_slow_a_fire_but_many_do() {
         let mut real_time = RealTime::default();
         second(&mut real_time, 1.0, 1.0);
         real_time.frame(1.0 / 60.0, 1.0, 0.5 / 60.0, 0.5 / 60.0);
@@ -197,9 +195,9 @@ mod tests {
     }
 
     #[test]
-    fn steps_that_are_longer_than_frames_are_not_slow() {
+    fn steps_longer_than_frames_do_not_slow_a_fire() {
         let mut real_time = RealTime::default();
-        // Slow motion with long steps: one in ten frames makes one.
+        // Slow motion with long steps: one frame in ten makes one.
         for frame in 0..100 {
             let made = if frame % 10 == 9 { 1.0 / 60.0 } else { 0.0 };
             real_time.frame(1.0 / 60.0, 0.1, made, 0.0);
@@ -208,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn frames_too_rare_to_be_made_up_for_are_slow() {
+    fn frames_longer_than_the_clock_makes_up_for_slow_a_fire() {
         let mut real_time = RealTime::default();
         for _ in 0..10 {
             real_time.frame(0.2, 1.0, LONGEST_FRAME, 0.0);
@@ -218,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn a_page_that_hung_for_once_has_no_slow_fire_for_long() {
+    fn a_page_that_hung_once_does_not_slow_a_fire_for_seconds() {
         let mut real_time = RealTime::default();
         second(&mut real_time, 1.0, 1.0);
         real_time.frame(10.0, 1.0, LONGEST_FRAME, 0.0);

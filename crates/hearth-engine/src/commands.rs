@@ -1,10 +1,9 @@
-//! The table of commands: what a script can ask of an engine.
+//! The table of commands of an engine.
 //!
-//! A call is `[fire, request, name, …arguments]`. `fire` is a number that the sender
-//! chooses. `request` is the number that the answer carries, or 0 where nobody waits for
-//! one. The table states each command once: its name, its arguments with their types and
-//! checks, and its doc. A new command is an entry here, an arm of `Engine::run` and a
-//! method of the element.
+//! A call is `[fire, request, name, …arguments]`. The sender chooses the number `fire`. The
+//! answer carries the number `request`; 0 means no answer. Each entry has a name, arguments
+//! with types and checks, and a doc. A new command is an entry here, an arm of `Engine::run`
+//! and a method of the element.
 
 use hearth_bindings::{
     Argument, Check, Form, Ids, Positive, Untrusted, ValidationError, Values, Whole, Within,
@@ -14,63 +13,63 @@ use hearth_render::Fit;
 use crate::limits::{Fps, Pixels};
 use crate::quality::Level;
 
-/// Longest side of a canvas in device pixels; browsers allow no more.
+/// Maximum side of a canvas [device pixels], which browsers set.
 pub const MAX_SIDE: i32 = 16_384;
 
-/// Most steps that one call may ask for.
+/// Maximum number of steps of one call.
 pub const MAX_STEPS: i32 = 100_000;
 
-/// Most seconds of fire that one call may ask for.
+/// Maximum duration of the steps of one call [s of fire].
 pub const MAX_SECONDS: i32 = 1000;
 
-/// Longest time that a fire may burn before it is shown \[s\].
+/// Maximum duration of a warm-up [s of fire].
 pub const MAX_WARM: i32 = 30;
 
-/// A side of a canvas in device pixels.
+/// A side of a canvas [device pixels].
 pub type Side = Whole<0, MAX_SIDE>;
 
-/// Seconds of fire that a new fire burns before it is shown.
+/// Duration of a warm-up [s of fire].
 pub type WarmSeconds = Within<0, MAX_WARM>;
 
 /// The id of an object.
 pub type ObjectId = Whole<1, 1_000_000>;
 
-/// A coordinate of a place in the fire's world \[m\].
+/// A coordinate of a position in the fire's world \[m\].
 pub type Metres = Within<-1000, 1000>;
 
-/// A velocity component of moved gas [m/s].
+/// A component of the velocity of a pointer [m/s].
 pub type Speed = Within<-20, 20>;
 
-/// Where the domain stands in the picture, as a part of the free space.
+/// Alignment of the domain in the picture, as a share of the free space.
 pub type Align = Within<0, 1>;
 
-/// What is known about an argument.
+/// An argument of a command.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArgumentEntry {
-    /// Its name, which errors use.
+    /// Name in errors.
     pub id: &'static str,
-    /// What it must be.
+    /// Check of its value.
     pub check: Check,
 }
 
-/// What is known about a command.
+/// A command of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CommandEntry {
-    /// Its name in calls.
+    /// Name in calls.
     pub name: &'static str,
     command: Name,
-    /// Its arguments in their order.
+    /// Arguments in their order.
     pub arguments: &'static [ArgumentEntry],
 }
 
-/// Turns the table into [`Command`] and [`COMMANDS`].
+/// Expands the table to [`Command`] and [`COMMANDS`].
 macro_rules! commands {
     ($life:lifetime $(
         $(#[doc = $doc:literal])+
         $name:literal $command:ident { $( $argument:ident : $type:ty ),* }
     )+) => {
-        /// What a call asks for. Its arguments have passed their checks; values of
-        /// parameters and settings have not.
+        /// A command with checked arguments. Values of parameters and settings among them are
+        /// not checked yet.
         #[derive(Debug, PartialEq)]
         #[expect(missing_docs, reason = "the table documents each command as a whole")]
         pub enum Command<$life> { $(
@@ -78,7 +77,7 @@ macro_rules! commands {
             $command { $( $argument: $type ),* },
         )+ }
 
-        /// Every command.
+        /// All commands.
         pub static COMMANDS: &[CommandEntry] = Command::ENTRIES;
 
         /// The names of the commands.
@@ -127,62 +126,62 @@ macro_rules! commands {
 type Arguments<'a> = [&'a Untrusted; 4];
 
 commands! { 'a
-    /// Adds a fire that starts as described.
+    /// Adds a fire.
     "add" Add { start: Start<'a> }
     /// Sets parameters, all or none.
     "set" Set { values: Values<'a>, source: &'a str }
-    /// Answers whether `set` would take these values.
+    /// Checks values as `set` would.
     "check" CheckValues { values: Values<'a> }
-    /// Puts parameters back to their defaults, all or none.
+    /// Restores the defaults of parameters, all or none.
     "restore" Restore { ids: Ids<'a>, source: &'a str }
-    /// Adds an object and answers with its id.
+    /// Adds an object. Answers with its id.
     "addObject" AddObject { object: Values<'a>, source: &'a str }
     /// Sets properties of an object, all or none.
     "changeObject" ChangeObject { id: ObjectId, values: Values<'a>, source: &'a str }
     /// Removes an object.
     "removeObject" RemoveObject { id: ObjectId, source: &'a str }
-    /// Replaces every parameter by the preset's.
+    /// Replaces all settings by those of a preset.
     "preset" Preset { name: &'a str, source: &'a str }
-    /// Replaces every parameter by those of settings: see [`config`](crate::config).
+    /// Replaces all settings by a [settings file](crate::config).
     "import" Import { config: &'a Untrusted, source: &'a str }
-    /// Answers with the settings.
+    /// Answers with a settings file.
     "export" Export {}
-    /// Resizes the picture [device pixels]. `side` is the height or, where that is less,
-    /// the side of a square of the same area [CSS pixels].
+    /// Resizes the picture [device pixels]. `side` is the height of the element or, if that is
+    /// less, the side of a square of the same area [CSS pixels].
     "resize" Resize { width: Side, height: Side, side: f64 }
-    /// Tells whether anybody sees the fire. Without viewers it does no work.
+    /// Sets whether the element is visible. An invisible fire does no work.
     "visible" Visible { visible: bool }
-    /// Limits pictures a second; without a number, the fire has no limit of its own.
+    /// Limits pictures per second; without a number, removes the limit.
     "fps_limit" LimitFps { fps_limit: Option<Fps> }
-    /// Limits pixels of a picture; without a number, the quality does.
+    /// Limits the pixels of a picture; without a number, the quality limits them.
     "max_pixels" LimitPixels { max_pixels: Option<Pixels> }
-    /// Moves the gas around a place \[m\] with a velocity [m/s].
+    /// Pulls the gas around a position \[m\] along with a velocity [m/s].
     "stir" Stir { x: Metres, y: Metres, u: Speed, v: Speed }
-    /// Throws sparks from a place \[m\].
+    /// Throws sparks from a position \[m\].
     "sparks" Sparks { x: Metres, y: Metres, count: Whole<1, 200> }
-    /// Fits the domain into the picture, aligned from left and from below.
-    "view" View { fit: Fitting, x: Align, y: Align }
-    /// Fixes the quality, or lets the fire find its own.
-    "quality" Quality { quality: Wish }
-    /// Burns on.
+    /// Sets how the domain fits the picture, and its alignment from the left and from below.
+    "view" View { fit: NamedFit, x: Align, y: Align }
+    /// Fixes the level of quality, or makes it adaptive.
+    "quality" Quality { quality: RequestedLevel }
+    /// Plays.
     "play" Play {}
-    /// Stands still.
+    /// Pauses.
     "pause" Pause {}
-    /// Starts again from nothing, with the same values.
+    /// Restarts the simulation with the same settings.
     "reset" Reset {}
-    /// Makes so many steps, playing or not. The answer follows when they are drawn.
+    /// Makes a number of steps, even if paused. The answer follows when they are drawn.
     "step" Step { steps: Whole<1, MAX_STEPS> }
-    /// Makes steps for so many seconds of fire. The answer follows when they are drawn.
+    /// Makes steps for a duration [s of fire]. The answer follows when they are drawn.
     "burn" Burn { seconds: Positive<MAX_SECONDS> }
-    /// Sets how long a new fire burns before it is shown. The answer follows when it is
-    /// shown, or when nobody looks.
+    /// Sets the duration of the warm-up of new fires. The answer follows when the fire is shown
+    /// or off stage.
     "warm" Warm { seconds: Option<WarmSeconds> }
     /// Frees the fire.
     "remove" Remove {}
 }
 
 impl<'a> Command<'a> {
-    /// Reads a call of the command of that name.
+    /// Parses a call.
     ///
     /// # Errors
     /// No command has that name, or an argument fails its check.
@@ -209,31 +208,32 @@ impl<'a> Command<'a> {
     }
 }
 
-/// How a new fire starts. Only the element writes it; the values and settings in it are a
-/// page's, and are checked one by one.
+/// The start of a new fire. The element writes it; its values and settings come from the page
+/// and are checked one by one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Start<'a> {
-    /// Its height, or the side of a square of the same area [CSS pixels]; NaN: unknown.
+    /// Height of the element, or the side of a square of the same area [CSS pixels]; NaN:
+    /// unknown.
     pub side: f64,
-    /// Seconds of fire before it is shown.
+    /// Duration of the warm-up [s of fire].
     pub warm: f64,
-    /// A saved fire to start with, where it burnt with the same values.
+    /// A saved fire to resume if its settings match.
     pub state: &'a [u8],
-    /// The preset to start from.
+    /// The preset.
     pub preset: Option<&'a str>,
-    /// The settings to start from, in its place.
+    /// A settings file, which replaces the preset.
     pub config: &'a Untrusted,
-    /// Values on top of it, of the model that it had before.
+    /// Values of the other model, on top of these.
     pub kept: Values<'a>,
-    /// Values on top of all that.
+    /// Values on top of all.
     pub values: Values<'a>,
-    /// Whether the number of particles among them was set, and does not follow quality.
+    /// Whether the page set the number of particles, which then ignores the quality.
     pub count_overridden: bool,
-    /// The requested quality; nothing: the fire finds its own.
+    /// The requested level of quality; `None`: adaptive.
     pub quality: Option<Level>,
-    /// The level that may fit this device.
+    /// A guess of the level for this device.
     pub guess: Option<Level>,
-    /// Whether it stands still at first.
+    /// Whether the fire starts paused.
     pub paused: bool,
 }
 
@@ -258,27 +258,27 @@ impl<'a> Argument<'a> for Start<'a> {
     }
 }
 
-/// A requested quality: a level, or nothing where the fire finds its own.
+/// A requested level of quality; `None`: adaptive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Wish(pub Option<Level>);
+pub struct RequestedLevel(pub Option<Level>);
 
-impl Argument<'_> for Wish {
+impl Argument<'_> for RequestedLevel {
     const CHECK: Check = Check::required(Form::OneOf(&["auto", "low", "medium", "high"]));
 
-    fn read(value: &Untrusted) -> Wish {
-        Wish(Level::of(value.text()))
+    fn read(value: &Untrusted) -> RequestedLevel {
+        RequestedLevel(Level::of(value.text()))
     }
 }
 
-/// How the domain fits the picture.
+/// A fit of the domain, by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Fitting(pub Fit);
+pub struct NamedFit(pub Fit);
 
-impl Argument<'_> for Fitting {
+impl Argument<'_> for NamedFit {
     const CHECK: Check = Check::required(Form::OneOf(&["height", "contain", "cover", "width"]));
 
-    fn read(value: &Untrusted) -> Fitting {
+    fn read(value: &Untrusted) -> NamedFit {
         let known = Fit::ALL.iter().find(|(name, _)| *name == value.text());
-        Fitting(known.map_or(Fit::default(), |(_, fit)| *fit))
+        NamedFit(known.map_or(Fit::default(), |(_, fit)| *fit))
     }
 }

@@ -1,15 +1,14 @@
-//! A fire's settings as plain data, which can be stored, sent and opened again.
+//! The settings file: a fire's settings as plain data, to store, send and open.
 //!
 //! `{"hearth": 2, "preset": "seed", "values": {"viscosity": 0.02}, "objects": [{"kind":
-//! "source", "x": 0.1}]}` names the preset, where that is not the default one, and what
-//! differs from it. Settings hold what a fire burns with and nothing of the device that it
-//! burns on. The file of a scene has the same form, with a label and a description for
-//! people.
+//! "source", "x": 0.1}]}` holds the preset, unless it is the default, and the differences from
+//! it. Settings hold nothing about the device. The file of a scene has the same format, with a
+//! label and a description.
 //!
-//! `objects` is the whole list, and left out where it is the preset's one source. Of the
-//! first object it holds what differs from the preset, of others what differs from the
-//! defaults. Version 1 has no objects: its `values` hold the parameters of its one source,
-//! which version 2 reads as well. Of two values for the same property the later one counts.
+//! `objects` is the whole list, and missing if it is the preset's one source. The first object
+//! holds its differences from the preset, other objects those from the defaults. Version 1 has
+//! no objects: its `values` hold the parameters of its one source, which version 2 also reads.
+//! The later of two values of one property wins.
 
 use hearth_bindings::settings::{self, OBJECTS};
 use hearth_bindings::{Argument, Check, Form, Untrusted, ValidationError, Values};
@@ -19,10 +18,10 @@ use hearth_core::scene::KINDS;
 
 use crate::requested::{COUNT, Requested};
 
-/// The version of the form.
+/// The version of the format.
 pub const VERSION: u32 = 2;
 
-/// The fields, and what each must be.
+/// The fields and their checks.
 const FIELDS: [(&str, Check); 6] = [
     ("hearth", Check::optional(Form::Any)),
     ("preset", Check::optional(Form::Text)),
@@ -32,22 +31,22 @@ const FIELDS: [(&str, Check); 6] = [
     ("description", Check::optional(Form::Text)),
 ];
 
-/// Settings whose form is right. Their values are not checked yet.
+/// Settings in the right format. Their values are not checked yet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Config<'a> {
     /// The preset.
     pub preset: Option<&'a str>,
-    /// The values that differ from it.
+    /// The parameters that differ from it.
     pub values: Values<'a>,
-    /// All fields, in their order.
+    /// All fields in their order.
     fields: Values<'a>,
 }
 
 impl<'a> Config<'a> {
-    /// Checks the form.
+    /// Checks the format.
     ///
     /// # Errors
-    /// The first field that is not as described above.
+    /// The first field that does not conform.
     pub fn parse(config: &'a Untrusted) -> Result<Config<'a>, ValidationError> {
         let Untrusted::Object(fields) = config else {
             let allowed = "an object with the fields preset, values and objects";
@@ -61,7 +60,7 @@ impl<'a> Config<'a> {
         }
         let version = config.field("hearth");
         if !version.is_missing() && ![1.0, f64::from(VERSION)].contains(&version.number()) {
-            let allowed = "1 or 2, the version of the form";
+            let allowed = "1 or 2, the version of the format";
             return Err(ValidationError::new("hearth", version, allowed));
         }
         let values = config.field("values").fields();
@@ -76,43 +75,42 @@ impl<'a> Config<'a> {
         })
     }
 
-    /// What a fire with untrusted settings burns with.
+    /// The request that untrusted settings make.
     ///
     /// # Errors
-    /// Everything in them that is refused.
+    /// All their validation errors.
     pub fn requested_by(config: &'a Untrusted) -> Result<Requested, Vec<ValidationError>> {
         Config::parse(config)
             .map_err(|error| vec![error])?
             .requested()
     }
 
-    /// What a fire with these settings burns with.
+    /// The request that the settings make.
     ///
     /// # Errors
-    /// Everything in them that is refused.
+    /// All their validation errors.
     pub fn requested(&self) -> Result<Requested, Vec<ValidationError>> {
         let base = match self.preset {
             Some(name) => Requested::of_preset(name)?,
             None => Requested::default(),
         };
         let scene = settings::with_settings(&base.scene, self.fields)?;
-        let named = self.values.iter().any(|(id, _)| id == COUNT);
+        let sets_count = self.values.iter().any(|(id, _)| id == COUNT);
         Ok(Requested {
-            count_overridden: named && scene.settings().model() == Model::Combustion,
+            count_overridden: sets_count && scene.settings().model() == Model::Combustion,
             scene,
             ..base
         })
     }
 }
 
-/// The settings of a fire, which [`Config::parse`] reads: what has to be set of its preset
-/// to have the fire again.
+/// Writes settings that [`Config::parse`] reads: the preset and the differences from it.
 pub fn export(requested: &Requested) -> Untrusted {
     let now = requested.parameters();
-    let preset = requested.of_its_preset();
+    let preset = requested.preset_scene();
     let preset = preset.settings();
     let mut base = preset.clone();
-    // Another model has other defaults.
+    // Each model has its own defaults.
     let set = base.set("model", Input::Text(now.model.name()));
     debug_assert_eq!(set, Ok(()));
     let has_source = requested.scene.objects().len() > 0;
@@ -122,8 +120,8 @@ pub fn export(requested: &Requested) -> Untrusted {
         let of_source = has_source && properties.any(|one| one.id == param.id);
         let before = if param.id == "model" { preset } else { &base };
         let value = param.get(now);
-        let differs = value != param.get(before) || param.id == COUNT && requested.names_count();
-        // The first source has its own properties.
+        let differs = value != param.get(before) || param.id == COUNT && requested.exports_count();
+        // The properties of the first source are written with the objects.
         if differs && !of_source && param.domain(now.model()).is_some() {
             values.push(Untrusted::named(param.id, Untrusted::of_value(value)));
         }
@@ -138,14 +136,14 @@ pub fn export(requested: &Requested) -> Untrusted {
     }
     fields.push(Untrusted::named("values", Untrusted::Object(values)));
     let objects = settings::objects(&requested.scene, Some(&base));
-    // One source without properties is the preset's.
+    // One source without properties is that of the preset.
     if !matches!(objects.list(), [one] if one.fields().len() == 1) {
         fields.push(Untrusted::named(OBJECTS, objects));
     }
     Untrusted::Object(fields)
 }
 
-/// A field that settings have no use for, with the one that may have been meant.
+/// The error of a field that settings do not have.
 fn unknown_field(name: &str, value: &Untrusted) -> ValidationError {
     let known = "one of hearth, preset, values, objects (parameters stand in values)";
     ValidationError::new(name.get(..40).unwrap_or(name), value, known)

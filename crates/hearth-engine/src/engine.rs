@@ -1,8 +1,7 @@
-//! The engine as JavaScript has it: calls and frames in, events and pictures out.
+//! The engine's interface to JavaScript: calls and frames in, events and pictures out.
 //!
-//! `web/engine/loop.js` asks the browser for frames and listens to the context of the
-//! canvas. Each method here returns whether another frame is wanted, so no loop runs
-//! while every fire rests.
+//! `web/engine/loop.js` requests frames and listens to the canvas's context. Each method
+//! returns whether to request another frame, so no loop runs while all fires rest.
 
 use hearth_bindings::{Untrusted, ValidationError, settings};
 use wasm_bindgen::JsValue;
@@ -21,30 +20,33 @@ use crate::wall_clock::WallClock;
 /// Draws any number of fires.
 #[wasm_bindgen]
 pub struct Engine {
-    /// Few, so a search is quick and a map is not worth its code.
-    #[expect(clippy::vec_box, reason = "less code moves a pointer than a fire")]
+    /// A page has few fires, so a linear search is fast and takes less code than a map.
+    #[expect(
+        clippy::vec_box,
+        reason = "moving a pointer takes less code than moving a fire"
+    )]
     fires: Vec<Box<Fire>>,
     canvas: SharedCanvas,
     clock: WallClock,
     events: Events,
 }
 
-/// When a call is answered.
+/// Who answers a call.
 enum Answer {
-    /// Now.
+    /// The caller, now.
     Done,
-    /// By the command itself, now or later.
-    Given,
+    /// The command, now or later.
+    Deferred,
 }
 
 #[wasm_bindgen]
 impl Engine {
-    /// An engine without a fire, which draws on `canvas` in its WebGL2 `context`, where
-    /// the browser gives one. Events go through `post(event)`. Pictures go through
-    /// `show(fire)`, which returns whether the picture is shown already.
+    /// Creates an engine without fires that draws on `canvas` in its WebGL2 `context`, if the
+    /// browser gives one. It posts events through `post(event)` and pictures through
+    /// `show(fire)`, which returns whether the picture is already shown.
     ///
     /// # Errors
-    /// There is no WebGL2, or the driver refuses.
+    /// The browser has no WebGL2, or the driver rejects a shader.
     #[wasm_bindgen(constructor)]
     pub fn new(
         post: Post,
@@ -52,8 +54,8 @@ impl Engine {
         context: Option<WebGl2RenderingContext>,
         show: Show,
     ) -> Result<Engine, js_sys::Error> {
-        let canvas =
-            SharedCanvas::new(canvas, context, show).map_err(|words| js_sys::Error::new(&words))?;
+        let canvas = SharedCanvas::new(canvas, context, show)
+            .map_err(|message| js_sys::Error::new(&message))?;
         Ok(Engine {
             fires: Vec::new(),
             canvas,
@@ -62,12 +64,12 @@ impl Engine {
         })
     }
 
-    /// Carries out a call, `[fire, request, command, …arguments]`, and answers with an
-    /// event. Returns whether a frame is wanted.
+    /// Executes a call, `[fire, request, command, …arguments]`, and answers with an event.
+    /// Returns whether to request a frame.
     pub fn call(&mut self, call: &JsValue) -> bool {
         let call = Untrusted::of(call);
         let [fire, request, name, arguments @ ..] = call.list() else {
-            return self.wants_frame();
+            return self.needs_frame();
         };
         let (fire, request) = (fire.number() as u32, request.number() as u32);
         let answer = Command::parse(name, arguments)
@@ -75,36 +77,36 @@ impl Engine {
             .and_then(|command| self.run(fire, request, command));
         match answer {
             Ok(Answer::Done) => self.events.done(fire, request),
-            Ok(Answer::Given) => {}
+            Ok(Answer::Deferred) => {}
             Err(errors) => self.events.refused(fire, request, &errors),
         }
-        self.wants_frame()
+        self.needs_frame()
     }
 
-    /// A picture of that fire that was on its way is shown. Returns whether a frame is
-    /// wanted. This comes for each picture, so it makes no object as a call does.
+    /// Counts a picture of a fire as shown. Returns whether to request a frame. JavaScript calls
+    /// this for each picture, so unlike [`call`](Engine::call) it creates no object.
     pub fn shown(&mut self, fire: u32) -> bool {
         if let Some(fire) = self.fires.iter_mut().find(|known| known.id() == fire) {
             fire.shown();
         }
-        self.wants_frame()
+        self.needs_frame()
     }
 
-    /// A frame of the display, at `now` \[ms\]. Returns whether another one is wanted.
+    /// Processes a frame of the display at `now` \[ms\]. Returns whether to request another.
     pub fn frame(&mut self, now: f64) -> bool {
-        let fires = self.fires.iter().filter(|f| f.wants_frame()).count();
+        let fires = self.fires.iter().filter(|f| f.needs_frame()).count();
         let mut end = self.clock.now() + STEPS_BUDGET_MS;
         let mut left = fires;
-        // The first fire gets most of a frame that is too short for all.
+        // The first fire gets most of a frame that is too short for all, so they take turns.
         if fires > 1 {
             let first = self.fires.remove(0);
             self.fires.push(first);
         }
-        for fire in self.fires.iter_mut().filter(|f| f.wants_frame()) {
+        for fire in self.fires.iter_mut().filter(|f| f.needs_frame()) {
             let deadline = share(self.clock.now(), end, left);
             left -= 1;
             if fire.is_due(now) {
-                // Drawing takes no time from the steps of other fires.
+                // The time of drawing does not shorten the steps of other fires.
                 end += fire.frame(
                     now,
                     deadline,
@@ -115,37 +117,37 @@ impl Engine {
                 );
             }
         }
-        self.wants_frame()
+        self.needs_frame()
     }
 
-    /// The canvas's context is lost, or back. Returns whether a frame is wanted.
-    pub fn context(&mut self, back: bool) -> bool {
-        let trouble = if back {
+    /// Handles the loss or the restoration of the context. Returns whether to request a frame.
+    pub fn context(&mut self, restored: bool) -> bool {
+        let result = if restored {
             self.canvas
                 .restore()
-                .map_err(|why| (ErrorKind::Unsupported, why))
+                .map_err(|message| (ErrorKind::Unsupported, message))
         } else {
             self.canvas.lose();
-            let words = "the graphics context was lost; the fire goes on when it is back";
-            Err((ErrorKind::ContextLost, words.to_owned()))
+            let message = "the graphics context was lost; the fire continues when it is restored";
+            Err((ErrorKind::ContextLost, message.to_owned()))
         };
         let drawable = self.canvas.gpu().is_some();
         for fire in &mut self.fires {
             fire.set_drawable(drawable);
-            match &trouble {
+            match &result {
                 Ok(()) if drawable => self.events.restored(fire.id()),
-                // Lost again in the same moment, of which the next event tells.
+                // Lost again meanwhile: the next event reports it.
                 Ok(()) => {}
-                Err((kind, words)) => self.events.error(fire.id(), *kind, words),
+                Err((kind, message)) => self.events.error(fire.id(), *kind, message),
             }
         }
-        self.wants_frame()
+        self.needs_frame()
     }
 }
 
 impl Engine {
-    fn wants_frame(&self) -> bool {
-        self.fires.iter().any(|fire| fire.wants_frame())
+    fn needs_frame(&self) -> bool {
+        self.fires.iter().any(|fire| fire.needs_frame())
     }
 
     fn run(
@@ -170,7 +172,7 @@ impl Engine {
             }
             (Some(fire), command) if !matches!(command, Command::Add { .. }) => (fire, command),
             _ => {
-                let allowed = "the number of a fire, or a new one to add";
+                let allowed = "the number of a fire, or a new number to add one";
                 let id = Untrusted::Number(id.into());
                 return Err(vec![ValidationError::new("fire", &id, allowed)]);
             }
@@ -193,7 +195,7 @@ impl Engine {
                 let added = fire.requested().scene.objects().last();
                 let id = added.map_or(0, |(id, ..)| id);
                 events.answer(fire.id(), request, &id.into());
-                return Ok(Answer::Given);
+                return Ok(Answer::Deferred);
             }
             return Ok(Answer::Done);
         }
@@ -203,7 +205,7 @@ impl Engine {
             }
             Command::Export {} => {
                 events.config(id, request, fire.requested());
-                return Ok(Answer::Given);
+                return Ok(Answer::Deferred);
             }
             Command::Resize {
                 width,
@@ -215,28 +217,28 @@ impl Engine {
             Command::LimitPixels { max_pixels } => fire.limit_pixels(max_pixels),
             Command::Stir { x, y, u, v } => {
                 let pair = |x: f64, y: f64| [x as f32, y as f32];
-                fire.stir(PointerForce::new(pair(x.0, y.0), pair(u.0, v.0)));
+                fire.apply_force(PointerForce::new(pair(x.0, y.0), pair(u.0, v.0)));
             }
-            Command::Sparks { x, y, count } => fire.throw(x.0 as f32, y.0 as f32, count.0),
-            Command::View { fit, x, y } => fire.look(fit.0, [x.0 as f32, y.0 as f32]),
-            Command::Quality { quality } => fire.ask_quality(quality.0, events),
+            Command::Sparks { x, y, count } => fire.throw_sparks(x.0 as f32, y.0 as f32, count.0),
+            Command::View { fit, x, y } => fire.set_camera(fit.0, [x.0 as f32, y.0 as f32]),
+            Command::Quality { quality } => fire.request_quality(quality.0, events),
             Command::Play {} => fire.set_playing(true, events),
             Command::Pause {} => fire.set_playing(false, events),
             Command::Reset {} => fire.reset(events),
             Command::Warm { seconds } => {
-                fire.warm(seconds.map(|seconds| seconds.0), request);
-                return Ok(Answer::Given);
+                fire.set_warm_up(seconds.map(|seconds| seconds.0), request);
+                return Ok(Answer::Deferred);
             }
             Command::Step { steps } => {
-                fire.ask_steps(steps.0, 0.0, request);
-                return Ok(Answer::Given);
+                fire.request_steps(steps.0, 0.0, request);
+                return Ok(Answer::Deferred);
             }
             Command::Burn { seconds } => {
-                fire.ask_steps(0, seconds.0, request);
-                return Ok(Answer::Given);
+                fire.request_steps(0, seconds.0, request);
+                return Ok(Answer::Deferred);
             }
             Command::Remove {} => self.fires.retain(|fire| fire.id() != id),
-            // These are done above.
+            // Executed above.
             Command::Add { .. }
             | Command::Set { .. }
             | Command::Restore { .. }

@@ -1,19 +1,19 @@
-//! The events that an engine posts.
+//! Events that an engine posts.
 //!
 //! | type | other fields |
 //! |---|---|
 //! | `ready` | `fire`; `values`: all of them; `ownNumber`, `preset` |
-//! | `done` | `fire`, `request`; `value`: the settings, where they were asked for |
-//! | `changed` | `fire`, `source`; `values`: those that changed; `anew`: whether the values of every model were replaced; `ownNumber`, `preset` |
-//! | `refused` | `fire`, `request`; `errors`: id, value, message and, of a number, min and max |
+//! | `done` | `fire`, `request`; `value`: the result, if the command has one |
+//! | `changed` | `fire`, `source`; `values`: those that changed; `replaced`: whether the values of both models were; `ownNumber`, `preset` |
+//! | `refused` | `fire`, `request`; `errors`: id, value, message and, for a number, min and max |
 //! | `stats` | `fire`; `stats`: see [`stats`](crate::stats) |
-//! | `quality` | `fire`; `wish`: auto or the requested level; `quality`, `reason`: the level and why |
+//! | `quality` | `fire`; `requested`: auto or a level; `quality`: the level; `reason` |
 //! | `state` | `fire`, `playing` |
-//! | `warming` | `fire`: the next picture is that of a new fire, which burns first |
-//! | `error` | `fire`; `kind`: unsupported, context-lost, load; `message`; `burns`: whether the fire burns all the same |
-//! | `restored` | `fire`: its lost context is back |
+//! | `warming` | `fire`: a new fire warms up and replaces the picture then |
+//! | `error` | `fire`; `kind`: unsupported, context-lost, load; `message`; `burns`: whether the fire burns nevertheless |
+//! | `restored` | `fire`: its lost context is restored |
 //!
-//! `ownNumber` says whether the number of particles was set and does not follow quality.
+//! `ownNumber`: whether a page set the number of particles, which then ignores the quality.
 
 use hearth_bindings::settings::{OBJECTS, objects};
 use hearth_bindings::{Record, ValidationError};
@@ -27,23 +27,23 @@ use crate::requested::Requested;
 
 #[wasm_bindgen]
 extern "C" {
-    /// What delivers an event, later. It never throws.
+    /// The function that delivers an event later. It never throws.
     pub type Post;
 
     #[wasm_bindgen(method, js_name = call)]
     fn deliver(this: &Post, of: &JsValue, event: &Record);
 }
 
-/// What went wrong with a fire's picture.
+/// Kinds of errors of drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ErrorKind {
-    /// The browser cannot draw it at all.
+    /// The browser cannot draw fires.
     Unsupported,
-    /// The graphics context is lost; it may come back.
+    /// The graphics context is lost. The browser may restore it.
     ContextLost,
 }
 
-/// The way out of an engine.
+/// Posts the events of an engine.
 pub struct Events {
     post: Post,
 }
@@ -55,21 +55,21 @@ impl Events {
     }
 
     /// Posts an event.
-    // A copy in each of the many callers would cost a kilobyte, here and below.
+    // Inlined into its many callers, this function and those below add a kilobyte.
     #[inline(never)]
     pub fn post(&self, event: &Record) {
         self.post.deliver(&JsValue::UNDEFINED, event);
     }
 
-    /// A new fire is there, with these values.
+    /// A new fire has these settings.
     pub fn ready(&self, fire: u32, requested: &Requested) {
         let event = event("ready", fire);
         self.put_values(&event, requested, None);
         self.post(&event);
     }
 
-    /// Values changed, from those of `old`; nothing is posted where none did. `replaced`:
-    /// the values that another model kept are new, too.
+    /// Settings changed from `old`; posts nothing if they did not. `replaced`: the values of the
+    /// other model changed, too.
     pub fn changed(
         &self,
         fire: u32,
@@ -79,7 +79,7 @@ impl Events {
         new: &Requested,
     ) {
         let event = event("changed", fire);
-        event.set_flag("anew", replaced);
+        event.set_flag("replaced", replaced);
         event.set_text("source", source);
         let same = old.preset == new.preset && old.count_overridden == new.count_overridden;
         if self.put_values(&event, new, Some(old)) || replaced || !same {
@@ -87,8 +87,7 @@ impl Events {
         }
     }
 
-    /// Puts the requested values into an event, of which `old` has others; whether there
-    /// are any.
+    /// Adds the settings that differ from `old` to an event. Returns whether any differ.
     fn put_values(&self, event: &Record, requested: &Requested, old: Option<&Requested>) -> bool {
         let values = Record::new();
         let mut any = false;
@@ -110,62 +109,62 @@ impl Events {
         any
     }
 
-    /// A request was carried out; 0: nobody waits for it.
+    /// A request is done; 0: no request.
     pub fn done(&self, fire: u32, request: u32) {
         if request != 0 {
             self.post(&answer("done", fire, request));
         }
     }
 
-    /// A request was carried out, and this is what it asked for.
+    /// A request is done and has a result.
     pub fn answer(&self, fire: u32, request: u32, value: &JsValue) {
         let event = answer("done", fire, request);
         event.set_any("value", value);
         self.post(&event);
     }
 
-    /// The settings that were asked for.
+    /// A request for the settings is done.
     pub fn config(&self, fire: u32, request: u32, requested: &Requested) {
         self.answer(fire, request, &export(requested).to_js());
     }
 
-    /// Values or arguments were refused.
+    /// Values or arguments are invalid.
     pub fn refused(&self, fire: u32, request: u32, errors: &[ValidationError]) {
         let event = answer("refused", fire, request);
         event.set_object("errors", &ValidationError::to_array(errors));
         self.post(&event);
     }
 
-    /// How a fire is doing.
+    /// The statistics of a fire.
     pub fn stats(&self, fire: u32, stats: &Record) {
         let event = event("stats", fire);
         event.set_object("stats", stats);
         self.post(&event);
     }
 
-    /// The level of quality or the wish for one changed.
+    /// The level of quality or the request for it changed.
     pub fn quality(&self, fire: u32, quality: &Quality) {
         let event = event("quality", fire);
-        let wish = quality.wish().map_or("auto", |level| level.name());
-        event.set_text("wish", wish);
+        let requested = quality.requested().map_or("auto", |level| level.name());
+        event.set_text("requested", requested);
         event.set_text("quality", quality.level().name());
         event.set_text("reason", quality.reason());
         self.post(&event);
     }
 
-    /// A fire plays or stands still from now on.
+    /// A fire plays or pauses.
     pub fn state(&self, fire: u32, playing: bool) {
         let event = event("state", fire);
         event.set_flag("playing", playing);
         self.post(&event);
     }
 
-    /// A new fire burns before it is shown.
+    /// A new fire warms up before it is shown.
     pub fn warming(&self, fire: u32) {
         self.post(&event("warming", fire));
     }
 
-    /// A saved fire could not be used; the fire burns without it.
+    /// A saved fire is damaged; the fire burns without it.
     pub fn warn(&self, fire: u32, message: &str) {
         let event = error(fire, "load", message);
         event.set_flag("burns", true);
@@ -181,7 +180,7 @@ impl Events {
         self.post(&error(fire, kind, message));
     }
 
-    /// A lost context is back and the fire is drawn again.
+    /// A lost context is restored and the fire is drawn again.
     pub fn restored(&self, fire: u32) {
         self.post(&event("restored", fire));
     }

@@ -1,4 +1,4 @@
-//! A fire: a simulation, its clock and its picture.
+//! A fire: its simulation, clock and picture.
 
 mod frame;
 mod warming;
@@ -22,58 +22,57 @@ use crate::quality::{Level, Quality};
 use crate::requested::{Requested, adapt};
 use crate::warm::Warm;
 
-/// What was done since the last picture: where pictures are shown less often than the
-/// engine's frames come, the fire burns on between two.
+/// Work since the last picture. The simulation also runs in frames without a picture.
 #[derive(Default)]
-struct Since {
+struct SincePicture {
     steps_ms: f64,
-    burnt: f64,
+    simulated: f64,
 }
 
-/// A fire and all that belongs to it.
+/// A fire of an engine.
 pub struct Fire {
     id: u32,
-    /// The simulation has these values, with the number of particles that goes with the
-    /// quality.
+    /// The settings of the simulation, except for the number of particles that the quality
+    /// decides.
     requested: Requested,
     pub(crate) simulation: Simulation,
     warm: Warm,
-    /// Whether it is to begin before its next step.
-    begins: bool,
-    /// Whether it ever was drawn.
-    begun: bool,
+    /// Whether a new fire starts before the next step.
+    starts: bool,
+    /// Whether the fire was ever drawn.
+    drawn: bool,
     pub(crate) quality: Quality,
     grain: Grain,
-    pub(crate) picture: FireFrame,
-    /// Whether there is a context to draw it in.
+    pub(crate) fire_frame: FireFrame,
+    /// Whether there is a context to draw in.
     drawable: bool,
     instances: Vec<Instance>,
     embers: Vec<Instance>,
-    /// Size of its element in device pixels.
+    /// Size of the element [device pixels].
     size: (u32, u32),
     limits: Limits,
-    /// When the next frame may come where their rate is limited \[ms\].
+    /// Earliest time of the next picture if their rate is limited \[ms\].
     next: f64,
     pointer: Option<PointerForce>,
     camera: Camera,
     visible: bool,
     pub(crate) playing: bool,
-    /// Whether the picture is not what it should show.
+    /// Whether the picture is out of date.
     stale: bool,
     pending: Pending,
     clock: Clock,
-    /// Length of the last step in seconds of fire: about what the next will have.
+    /// Length of the last step [s of fire], an estimate of the next.
     last_step: f64,
     pub(crate) fps: FpsCounter,
     pub(crate) real_time: RealTime,
     pub(crate) averages: Averages,
-    /// When it last reported statistics \[ms\].
-    told_at: f64,
-    since: Since,
+    /// Time of the last statistics \[ms\].
+    stats_at: f64,
+    since_picture: SincePicture,
 }
 
 impl Fire {
-    /// A fire that has not burnt yet. It is not visible and has no size.
+    /// A fire before its first step. It is not visible and has no size.
     pub fn new(id: u32, requested: Requested, start: &Start<'_>) -> Fire {
         let guess = start.guess.unwrap_or(Level::Medium);
         let quality = Quality::new(start.quality, guess);
@@ -82,12 +81,12 @@ impl Fire {
             id,
             simulation: Simulation::new(Parameters::default()),
             requested,
-            begins: warm.is_wanted(),
-            begun: false,
+            starts: warm.is_enabled(),
+            drawn: false,
             warm,
             quality,
             grain: Grain::of(start.side),
-            picture: FireFrame::default(),
+            fire_frame: FireFrame::default(),
             drawable: false,
             instances: Vec::new(),
             embers: Vec::new(),
@@ -105,124 +104,124 @@ impl Fire {
             fps: FpsCounter::new(),
             real_time: RealTime::default(),
             averages: Averages::default(),
-            told_at: f64::NEG_INFINITY,
-            since: Since::default(),
+            stats_at: f64::NEG_INFINITY,
+            since_picture: SincePicture::default(),
         };
         fire.simulation = Simulation::new(fire.scene());
         fire
     }
 
-    /// Its number.
+    /// Number of the fire in calls and events.
     pub fn id(&self) -> u32 {
         self.id
     }
 
-    /// The settings that it should burn with.
+    /// The requested settings.
     pub fn requested(&self) -> &Requested {
         &self.requested
     }
 
-    /// Gives it other settings, which the next step and picture use. `replaced`: they
-    /// replace all of those before.
+    /// Applies other settings from the next step and picture on. `replaced`: they replace all
+    /// earlier settings, not single values.
     pub fn request(&mut self, requested: Requested, source: &str, replaced: bool, events: &Events) {
         let old = &self.requested;
         events.changed(self.id, source, replaced, old, &requested);
         if requested.parameters().model != old.parameters().model {
             self.averages.forget_steps();
         }
-        if !requested.works_like(old) {
-            self.real_time.forgive();
+        if !requested.costs_like(old) {
+            self.real_time.forget_losses();
             self.quality.skip();
         }
         let time = self.simulation.time();
-        // The fire of a scene carries nothing of the one before.
-        let other = burning::digest(&requested.scene) != burning::digest(&old.scene);
+        // The fire of another scene starts without gas of the previous one.
+        let differs = burning::digest(&requested.scene) != burning::digest(&old.scene);
         self.requested = requested;
         self.adapt();
-        let again = replaced && other || self.simulation.time() < time;
-        if self.warm.is_wanted() && (again || other && !self.begun) {
-            self.begin(events);
+        let restarted = replaced && differs || self.simulation.time() < time;
+        if self.warm.is_enabled() && (restarted || differs && !self.drawn) {
+            self.start(events);
         }
     }
 
-    /// Fixes its quality, or lets it find its own.
-    pub fn ask_quality(&mut self, wish: Option<Level>, events: &Events) {
-        let before = (self.quality.wish(), self.quality.level());
-        self.quality.ask(wish);
-        if before != (self.quality.wish(), self.quality.level()) {
+    /// Fixes the level of quality, or makes it adaptive.
+    pub fn request_quality(&mut self, level: Option<Level>, events: &Events) {
+        let before = (self.quality.requested(), self.quality.level());
+        self.quality.request(level);
+        if before != (self.quality.requested(), self.quality.level()) {
             events.quality(self.id, &self.quality);
         }
-        self.real_time.forgive();
+        self.real_time.forget_losses();
         self.adapt();
     }
 
-    /// Gives the simulation the requested values, with the number of particles that goes
-    /// with the quality. A burning fire is resampled.
+    /// Applies the requested settings and the quality's number of particles to the simulation,
+    /// which resamples a burning fire.
     fn adapt(&mut self) {
         let scene = self.warm.coarse(&self.scene());
         adapt(&mut self.simulation, scene);
         self.stale = true;
     }
 
-    /// Another size of its picture; nothing is drawn while it is zero.
+    /// Resizes the picture. A size of zero draws nothing.
     pub fn resize(&mut self, size: (u32, u32), side: f64) {
-        let was_seen = self.seen();
+        let was_on_stage = self.is_on_stage();
         self.stale |= self.size != size;
         self.size = size;
         if self.grain.resize(side) {
             self.quality.skip();
             self.adapt();
         }
-        self.keep_time(was_seen);
+        self.follow_stage(was_on_stage);
     }
 
-    /// Tells whether anybody sees it. Unseen time is not made up for.
+    /// Sets whether the element is visible. Time off stage is not made up for.
     pub fn set_visible(&mut self, visible: bool) {
-        let was_seen = self.seen();
+        let was_on_stage = self.is_on_stage();
         self.visible = visible;
         if !visible {
-            // Other fires can use its textures meanwhile.
-            self.picture.free();
+            // Other fires can use the memory of its targets.
+            self.fire_frame.free();
             self.stale = true;
         }
-        self.keep_time(was_seen);
+        self.follow_stage(was_on_stage);
     }
 
-    /// Limits its pictures a second.
+    /// Limits pictures per second.
     pub fn limit_fps(&mut self, fps: Option<Fps>) {
         self.limits.fps = fps.map(|fps| fps.0);
         self.stale = true;
     }
 
-    /// Limits the pixels of its pictures.
+    /// Limits the pixels of a picture.
     pub fn limit_pixels(&mut self, pixels: Option<Pixels>) {
         self.limits.pixels = pixels.map(|pixels| pixels.0);
         self.stale = true;
     }
 
-    /// Lets a pointer move its gas in the next steps.
-    pub fn stir(&mut self, force: PointerForce) {
+    /// Applies the force of a pointer in the next steps.
+    pub fn apply_force(&mut self, force: PointerForce) {
         self.pointer = Some(force);
     }
 
-    /// Throws sparks from a place \[m\].
-    pub fn throw(&mut self, x: f32, y: f32, count: u32) {
+    /// Throws sparks from a position \[m\].
+    pub fn throw_sparks(&mut self, x: f32, y: f32, count: u32) {
         self.simulation.throw_embers(Vec2::new(x, y), count);
         self.stale = true;
     }
 
-    /// Fits the domain into the next pictures.
-    pub fn look(&mut self, fit: Fit, align: [f32; 2]) {
+    /// Sets how the domain fits the picture.
+    pub fn set_camera(&mut self, fit: Fit, align: [f32; 2]) {
         self.camera = Camera { fit, align };
         self.stale = true;
     }
 
-    /// A picture that was on its way is shown.
+    /// Counts a picture in flight as shown.
     pub fn shown(&mut self) {
-        self.picture.shown();
+        self.fire_frame.shown();
     }
 
-    /// Goes on or stands still.
+    /// Plays or pauses.
     pub fn set_playing(&mut self, playing: bool, events: &Events) {
         if self.playing != playing {
             self.playing = playing;
@@ -232,60 +231,63 @@ impl Fire {
         }
     }
 
-    /// Starts again from nothing.
+    /// Restarts the simulation.
     pub fn reset(&mut self, events: &Events) {
         self.simulation.reset();
-        if self.warm.is_wanted() {
-            self.begin(events);
+        if self.warm.is_enabled() {
+            self.start(events);
         }
         self.stale = true;
         self.restart_clock();
     }
 
-    /// Requests steps, which are made as the frames allow: so many of them, or enough for
-    /// so many seconds of fire. The answer to `request` follows when they are drawn.
-    pub fn ask_steps(&mut self, steps: u32, seconds: f64, request: u32) {
+    /// Requests a number of steps, or steps for a duration, which frames make as their budget
+    /// allows. The answer to `request` follows when they are drawn.
+    pub fn request_steps(&mut self, steps: u32, seconds: f64, request: u32) {
         self.pending.add(steps, seconds, request);
     }
 
-    /// Tells whether there is a context to draw it in. The simulation is not touched.
+    /// Sets whether there is a context to draw in. The simulation is not affected.
     pub fn set_drawable(&mut self, drawable: bool) {
-        let was_seen = self.seen();
+        let was_on_stage = self.is_on_stage();
         self.drawable = drawable;
-        self.picture.free();
+        self.fire_frame.free();
         self.stale = true;
-        self.keep_time(was_seen);
+        self.follow_stage(was_on_stage);
     }
 
-    /// Whether it has anything to do in the next frame.
-    pub fn wants_frame(&self) -> bool {
-        let asked = !self.pending.is_empty() || (self.pending.waits() && !self.seen());
-        asked || (self.seen() && (self.playing || self.is_warming() || self.wants_picture()))
+    /// Whether the next frame has work for this fire.
+    // Inlined into its callers, the engine would be larger.
+    #[inline(never)]
+    pub fn needs_frame(&self) -> bool {
+        let on_stage = self.is_on_stage();
+        let pending = !self.pending.is_empty() || (self.pending.awaits_drawing() && !on_stage);
+        pending || (on_stage && (self.playing || self.is_warming() || self.needs_picture()))
     }
 
-    fn wants_picture(&self) -> bool {
-        self.stale && self.picture.is_awaited()
+    fn needs_picture(&self) -> bool {
+        self.stale && self.fire_frame.is_ready()
     }
 
-    /// Whether a frame at `now` \[ms\] is one of its own, if their rate is limited.
+    /// Whether the limit of the frame rate allows a frame at `now` \[ms\].
     pub fn is_due(&mut self, now: f64) -> bool {
         !self.pending.is_empty() || self.is_warming() || self.limits.is_due(now, &mut self.next)
     }
 
-    /// What the first and the last colour of its picture stand for, where they measure
-    /// something. Until the requested display is drawn, its colours stand for nothing.
+    /// Quantities of the first and last colour of the picture; `None` if the display mode
+    /// measures nothing, or is not drawn yet.
     pub(crate) fn measured(&self) -> Option<[f32; 2]> {
-        let (mode, ends) = self.picture.scale()?;
+        let (mode, ends) = self.fire_frame.scale()?;
         (mode == self.requested.parameters().display_mode).then_some(ends)
     }
 
-    /// Whether its picture can be drawn and somebody sees it.
-    fn seen(&self) -> bool {
+    /// Whether the fire is on stage: visible, with a size and a context.
+    fn is_on_stage(&self) -> bool {
         self.visible && self.size.0 > 0 && self.size.1 > 0 && self.drawable
     }
 
-    fn keep_time(&mut self, was_seen: bool) {
-        if self.seen() != was_seen {
+    fn follow_stage(&mut self, was_on_stage: bool) {
+        if self.is_on_stage() != was_on_stage {
             self.restart_clock();
         }
     }
@@ -294,6 +296,6 @@ impl Fire {
         self.clock.restart();
         self.fps.skip();
         self.quality.skip();
-        self.since = Since::default();
+        self.since_picture = SincePicture::default();
     }
 }

@@ -1,4 +1,4 @@
-//! The frame of one fire: what it needs for itself in the context that all fires share.
+//! The rendering of one fire in the context that all fires share.
 
 use hearth_core::params::{DisplayMode, Model};
 use hearth_core::{Instance, Parameters};
@@ -9,60 +9,61 @@ use crate::shared_canvas::{Gpu, SharedCanvas};
 use crate::wall_clock::WallClock;
 use crate::webgl::WebGl;
 
-/// Pictures of a fire that may be on their way at once: one is shown while the next is drawn.
-/// Without a bound, a busy page would queue ever more of them.
-const MAX_ON_THE_WAY: u32 = 2;
+/// Maximum number of pictures in flight: one is shown while the next is drawn. Without a
+/// maximum, a busy page would queue ever more of them.
+const MAX_IN_FLIGHT: u32 = 2;
 
-/// What draws while the fire is on stage and has a context.
+/// The GPU resources of a visible fire.
 struct Drawing {
     gpu: Gpu,
     renderer: Option<Renderer<WebGl>>,
     passes: PassTimes,
 }
 
-/// The frame of a fire.
+/// Draws a fire and limits its pictures in flight.
 #[derive(Default)]
 pub struct FireFrame {
     drawing: Option<Drawing>,
-    /// How far the fine structure has come, which outlives a lost context.
+    /// State of the fine structure, which outlives a lost context.
     motion: Motion,
-    /// Where the gas had carried the noise in a picture that stood still.
+    /// The advected noise of a paused fire, which outlives a lost context.
     carried: Option<CarriedNoise>,
-    on_the_way: u32,
+    /// Number of drawn pictures that are not shown yet.
+    in_flight: u32,
 }
 
 impl FireFrame {
-    /// Whether the last pictures have been shown, so that another may follow.
-    pub fn is_awaited(&self) -> bool {
-        self.on_the_way < MAX_ON_THE_WAY
+    /// Whether another picture may be drawn.
+    pub fn is_ready(&self) -> bool {
+        self.in_flight < MAX_IN_FLIGHT
     }
 
-    /// Counts a picture that was on its way as shown.
+    /// Counts a picture in flight as shown.
     pub fn shown(&mut self) {
-        self.on_the_way = self.on_the_way.saturating_sub(1);
+        self.in_flight = self.in_flight.saturating_sub(1);
     }
 
-    /// Frees everything: the context is lost, or the fire is off stage.
+    /// Frees the GPU resources, because the context is lost or the fire is off stage.
     pub fn free(&mut self) {
         self.drawing = None;
     }
 
-    /// How long each pass takes, while something is drawn.
+    /// Times of the passes; `None` while the fire is off stage.
     pub fn passes(&self) -> Option<&PassTimes> {
         self.drawing.as_ref().map(|drawing| &drawing.passes)
     }
 
-    /// The display mode of the last picture and the quantities of its first and its last
-    /// colour, if the mode measures one.
+    /// Display mode of the last picture and the quantities of its first and last colour; `None`
+    /// if the mode measures no quantity.
     pub fn scale(&self) -> Option<(DisplayMode, [f32; 2])> {
         self.drawing.as_ref()?.renderer.as_ref()?.scale()
     }
 
-    /// Draws these particles and shows them as the picture of `fire`, which `stands` still or
-    /// burns; returns when the upload of the particles had ended \[ms\].
+    /// Draws particles and shows the picture of `fire`. Returns the time at which the upload of
+    /// the particles ended \[ms\].
     ///
     /// # Errors
-    /// The driver's refusal.
+    /// The driver rejects a resource.
     #[allow(clippy::too_many_arguments)]
     pub fn draw(
         &mut self,
@@ -73,11 +74,11 @@ impl FireFrame {
         (instances, embers): (&[Instance], &[Instance]),
         (time, parameters): (f64, &Parameters),
         camera: Camera,
-        stands: bool,
-        host: &WallClock,
+        paused: bool,
+        clock: &WallClock,
     ) -> Result<f64, String> {
         let Some(gpu) = canvas.gpu() else {
-            return Ok(host.now());
+            return Ok(clock.now());
         };
         let context = &gpu.gl.context;
         let mut motion = self.motion;
@@ -85,43 +86,43 @@ impl FireFrame {
         let painted = self.begin(gpu).and_then(|drawing| {
             let gl: &WebGl = &gpu.gl;
             let Some(renderer) = &mut drawing.renderer else {
-                return Ok(host.now());
+                return Ok(clock.now());
             };
             let passes = &mut drawing.passes;
-            let [width, height] = canvas.make_room(size);
+            let [width, height] = canvas.resize(size);
             renderer.upload(gl, parameters.display_mode, instances, embers);
-            let sent = host.now();
+            let sent = clock.now();
             renderer.set_limits(limits);
-            passes.begin(context, host);
+            passes.begin(context, clock);
             let view = View {
                 width,
                 height,
                 time,
                 camera,
             };
-            let watch = &mut |pass| passes.end(context, host, pass);
-            let painted = renderer.paint_watched(gl, &view, parameters, watch);
+            let on_pass = &mut |key| passes.end(context, clock, key);
+            let painted = renderer.paint_in_passes(gl, &view, parameters, on_pass);
             passes.finish(context);
             motion = renderer.motion();
-            if stands && parameters.model() == Model::Combustion {
+            if paused && parameters.model() == Model::Combustion {
                 carried = renderer.carried(gl);
             }
             painted.map(|()| sent)
         });
         self.motion = motion;
-        // A lost context reads back nothing.
+        // A lost context returns no texels.
         if !context.is_context_lost() {
             self.carried = carried;
         }
         match painted {
             Ok(sent) => {
                 if !canvas.show(fire) {
-                    self.on_the_way += 1;
+                    self.in_flight += 1;
                 }
                 Ok(sent)
             }
-            // The event of the loss is on its way.
-            Err(_) if context.is_context_lost() => Ok(host.now()),
+            // The event `webglcontextlost` follows.
+            Err(_) if context.is_context_lost() => Ok(clock.now()),
             Err(error) => {
                 self.free();
                 Err(error.to_string())

@@ -1,79 +1,78 @@
 //! How many particles a fire has in an element of its size.
 //!
-//! A fire fits the height of its element, so a small element shows large particles
-//! small: nobody sees how many there are. An icon of 64 CSS pixels gets 300, a card of
-//! 240 × 300 gets 400, and from a side of 560 on each level has its own number. Other
-//! particles take over the burning fire, so nothing pops; and the number changes only
-//! with a side that is a tenth longer or shorter, so a window that is dragged does not
-//! make it flap.
+//! A fire fits the height of its element, so a small element shows small particles and needs
+//! fewer of them. An icon of 64 CSS pixels gets 300, a card of 240 × 300 gets 400, and from a
+//! side of 560 each level has its full number. A change resamples the burning fire, so no
+//! particle appears suddenly. The number changes only with a side that is a tenth longer or
+//! shorter, so that dragging a window does not change it back and forth.
 
 use crate::quality::Level;
 
-/// Sides that fewer particles go with [CSS pixels], and how many.
+/// Sides of small elements [CSS pixels] and their particles.
 const ICON: (f64, f64) = (64.0, 300.0);
 const CARD: (f64, f64) = (268.0, 400.0);
-/// Side from which a level has its own number.
-const STAGE: f64 = 560.0;
-/// Side from which a scene has its own number, which is that of its look.
-const SCENE: f64 = 320.0;
-/// How much longer or shorter a side must be to count.
-const ANOTHER: f64 = 1.1;
+/// Side from which a level has its full number.
+const LEVEL_SIDE: f64 = 560.0;
+/// Side from which a scene has its own number, which shapes its look.
+const SCENE_SIDE: f64 = 320.0;
+/// Minimum ratio of two sides that count as different.
+const MIN_RATIO: f64 = 1.1;
 
-/// The size of an element, as far as it counts.
+/// The size of an element, rounded to what matters here.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grain {
     side: f64,
 }
 
 impl Default for Grain {
-    /// That of a stage, until the element has a size.
+    /// The grain of a large element, until the size is known.
     fn default() -> Grain {
-        Grain { side: STAGE }
+        Grain { side: LEVEL_SIDE }
     }
 }
 
 impl Grain {
-    /// That of an element whose height or, where that is less, whose side of a square of
-    /// the same area is so long [CSS pixels].
+    /// The grain of an element. `side` is its height or, if that is less, the side of a square
+    /// of the same area [CSS pixels].
     pub fn of(side: f64) -> Grain {
         if side > 0.0 {
             Grain {
-                side: side.clamp(ICON.0, STAGE),
+                side: side.clamp(ICON.0, LEVEL_SIDE),
             }
         } else {
             Grain::default()
         }
     }
 
-    /// The element has another size; whether that counts. Without one, nothing does.
+    /// Follows the size of the element; returns whether the change matters. An element without
+    /// a size keeps its grain.
     pub fn resize(&mut self, side: f64) -> bool {
         let new = Grain::of(side).side;
-        let longer = new / self.side;
+        let ratio = new / self.side;
         // The ends are reached exactly.
-        let end = new == STAGE || new == ICON.0;
-        let counts =
-            side > 0.0 && new != self.side && (end || !(1.0 / ANOTHER..=ANOTHER).contains(&longer));
-        if counts {
+        let end = new == LEVEL_SIDE || new == ICON.0;
+        let differs = end || !(1.0 / MIN_RATIO..=MIN_RATIO).contains(&ratio);
+        let matters = side > 0.0 && new != self.side && differs;
+        if matters {
             self.side = new;
         }
-        counts
+        matters
     }
 
-    /// How many particles that level has in it.
+    /// Number of particles at a level.
     pub fn particles(&self, level: Level) -> u32 {
-        self.limit(level.particles(), STAGE)
+        self.limit(level.particles(), LEVEL_SIDE)
     }
 
-    /// How many particles a scene has in it that names this number.
+    /// Number of particles of a scene that sets `number`.
     pub fn of_scene(&self, number: u32) -> u32 {
-        self.limit(number, SCENE)
+        self.limit(number, SCENE_SIDE)
     }
 
-    /// How many of `most` particles an element has that has all of them from a side of
-    /// `stage` on.
-    fn limit(&self, most: u32, stage: f64) -> u32 {
-        if self.side >= stage {
-            return most;
+    /// Number of particles if elements with a side of at least `full_side` have `max`.
+    fn limit(&self, max: u32, full_side: f64) -> u32 {
+        if self.side >= full_side {
+            return max;
         }
         let between = |(low, few): (f64, f64), (high, many): (f64, f64)| {
             let part = (self.side - low) / (high - low);
@@ -82,12 +81,12 @@ impl Grain {
         let number = if self.side < CARD.0 {
             between(ICON, CARD)
         } else {
-            // As the area: as large in the picture, particle by particle.
-            let part = (self.side - CARD.0) / (stage - CARD.0);
-            CARD.1 + (f64::from(most) - CARD.1) * part * part
+            // Proportional to the area, so that particles keep their size in the picture.
+            let part = (self.side - CARD.0) / (full_side - CARD.0);
+            CARD.1 + (f64::from(max) - CARD.1) * part * part
         };
-        // A number that people can read.
+        // Round numbers are easier to read in the statistics.
         let tens = (number / 10.0).round() as u32 * 10;
-        tens.min(most)
+        tens.min(max)
     }
 }

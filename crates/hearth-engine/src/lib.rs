@@ -1,15 +1,14 @@
-//! The engine behind `<hearth-fire>`: calls and frames in, events and pictures out.
+//! The engine of `<hearth-fire>`: calls and frames in, events and pictures out.
 //!
-//! One `Engine` draws any number of fires. Scripts reach it through calls (see
-//! [`commands`]), and it answers with events (see `events`). Both are plain data, so the
-//! engine runs on a page's main thread or in a worker behind the same interface. All fires
-//! are drawn on one canvas, one after another (see `shared_canvas`).
+//! One `Engine` simulates and draws any number of fires. Scripts send [`commands`], and the
+//! engine posts `events`. Both are plain data, so the engine runs on the main thread or in a
+//! worker behind one interface. All fires share one canvas (see `shared_canvas`).
 //!
-//! In a frame the clock tells how much fire is due, the simulation makes whole steps as
-//! far as the frame's [`budget`] allows, and the renderer draws the result. Between two
-//! calls a warm engine allocates nothing.
+//! In each frame, the clock determines the due fire time, the simulation makes whole steps
+//! within the frame's [`budget`], and the renderer draws the result. Frames of a running fire
+//! allocate nothing.
 
-// Plain logic, which needs no browser and is tested without one.
+// Logic that is tested without a browser.
 pub mod budget;
 pub mod commands;
 pub mod config;
@@ -21,7 +20,7 @@ pub mod requested;
 pub mod stats;
 pub mod warm;
 
-// What touches the page.
+// Bindings to the page.
 #[cfg(target_arch = "wasm32")]
 mod average;
 #[cfg(target_arch = "wasm32")]
@@ -46,7 +45,8 @@ mod webgl;
 #[cfg(target_arch = "wasm32")]
 pub use engine::Engine;
 
-/// The allocator. It is 2 KB smaller than std's, and a burning fire allocates nothing.
+/// An allocator 2 KB smaller than that of std. Its speed does not matter: a running fire
+/// allocates nothing.
 #[cfg(target_arch = "wasm32")]
 #[global_allocator]
 static MEMORY: rlsf::SmallGlobalTlsf = rlsf::SmallGlobalTlsf::new();

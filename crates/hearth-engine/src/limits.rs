@@ -1,31 +1,31 @@
-//! Limits of what a fire draws.
+//! Limits of frame rate and picture size that a page sets.
 
 use hearth_bindings::Within;
 
-/// A limit of pictures a second: with fewer, the clock would not make up for all of the
-/// time between two.
+/// A limit of pictures per second. Below 10, the clock would not make up for the time between
+/// two pictures.
 pub type Fps = Within<10, 240>;
 
-/// A limit of pixels of a picture.
+/// A limit of pixels in a picture.
 pub type Pixels = Within<1024, 16_777_216>;
 
-/// How much earlier than due a frame may come \[ms\]: displays jitter.
-const EARLY: f64 = 2.0;
+/// How early a frame may come \[ms\]: displays jitter.
+const JITTER: f64 = 2.0;
 
-/// Limits that a page sets.
+/// The limits of a fire.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Limits {
-    /// Most pictures a second.
+    /// Maximum number of pictures per second.
     pub fps: Option<f64>,
-    /// Most pixels of one.
+    /// Maximum number of pixels in a picture.
     pub pixels: Option<f64>,
 }
 
 impl Limits {
-    /// The size of the picture for an element of that size, in device pixels. `usual` is
-    /// the number of pixels that it may have without a limit of its own.
-    pub fn fit(&self, (width, height): (u32, u32), usual: f64) -> (u32, u32) {
-        let max = self.pixels.unwrap_or(usual);
+    /// The size of the picture for an element of that size \[device pixels\]. `default` is the
+    /// maximum number of pixels if the page sets no limit.
+    pub fn fit(&self, (width, height): (u32, u32), default: f64) -> (u32, u32) {
+        let max = self.pixels.unwrap_or(default);
         let pixels = f64::from(width) * f64::from(height);
         if pixels <= max {
             return (width, height);
@@ -35,21 +35,21 @@ impl Limits {
         (side(width).max(1), side(height).max(1))
     }
 
-    /// Least time between two pictures \[ms\].
-    pub fn apart(&self) -> f64 {
+    /// Minimum interval between two pictures \[ms\]; 0 without a limit.
+    pub fn min_interval(&self) -> f64 {
         self.fps.map_or(0.0, |fps| 1000.0 / fps)
     }
 
-    /// Whether a frame at `now` \[ms\] is one to draw in, where `next` is when the
-    /// next one may come.
+    /// Whether to draw in a frame at `now` \[ms\]. `next` is the earliest time of the next
+    /// picture.
     pub fn is_due(&self, now: f64, next: &mut f64) -> bool {
         if self.fps.is_none() {
             return true;
         }
-        if now < *next - EARLY {
+        if now < *next - JITTER {
             return false;
         }
-        let interval = self.apart();
+        let interval = self.min_interval();
         // In step with the display. A pause is not made up for.
         *next = if now > *next + interval { now } else { *next } + interval;
         true

@@ -1,8 +1,8 @@
-//! How long each pass of a picture takes.
+//! Times of the passes of a picture.
 //!
-//! The graphics card's own clock measures it where the browser offers one: one pass a picture,
-//! in turn, with an answer that may arrive some pictures later. Elsewhere only the time of
-//! submitting a pass is known.
+//! A timer query measures them on the graphics card if the browser offers one: one pass per
+//! picture, in turn, with a result that may arrive some pictures later. Otherwise only the
+//! time of submitting a pass is known.
 
 use web_sys::{WebGl2RenderingContext as Context, WebGlQuery};
 
@@ -14,21 +14,22 @@ const TIMER: &str = "EXT_disjoint_timer_query_webgl2";
 const TIME_ELAPSED: u32 = 0x88bf;
 const DISJOINT: u32 = 0x8fbb;
 
-/// Times of the passes of one context's pictures.
+/// Times of the passes of one fire.
 pub struct PassTimes {
-    /// Keys and times of the passes \[ms\], in their order.
+    /// Keys of the passes and their times \[ms\], in drawing order.
     pub times: Vec<(&'static str, f64)>,
     timer: Option<Timer>,
-    /// Passes of this picture that are submitted, and when the last one was.
-    done: usize,
+    /// Number of submitted passes of this picture.
+    submitted: usize,
+    /// Time of the last submission \[ms\].
     last: f64,
 }
 
-/// A query of the graphics card; there is one at a time.
+/// A timer query. A context allows one at a time.
 struct Timer {
     query: WebGlQuery,
-    /// The pass that it measures.
-    turn: usize,
+    /// Index of the measured pass.
+    pass: usize,
     state: State,
 }
 
@@ -48,15 +49,15 @@ impl PassTimes {
             times: Vec::new(),
             timer: query.map(|query| Timer {
                 query,
-                turn: 0,
+                pass: 0,
                 state: State::Idle,
             }),
-            done: 0,
+            submitted: 0,
             last: 0.0,
         }
     }
 
-    /// The clock that measures: `gpu`, or `submit`.
+    /// What the times measure: `gpu` or `submit`, as in `stats`.
     pub fn timer(&self) -> &'static str {
         match self.timer {
             Some(_) => "gpu",
@@ -64,8 +65,8 @@ impl PassTimes {
         }
     }
 
-    /// Time of all passes on the graphics card \[ms\]; zero if it offers no clock.
-    pub fn on_card(&self) -> f64 {
+    /// Time of all passes on the graphics card \[ms\]; 0 without a timer.
+    pub fn gpu_ms(&self) -> f64 {
         match self.timer {
             Some(_) => self.times.iter().map(|(_, time)| time).sum(),
             None => 0.0,
@@ -80,23 +81,23 @@ impl PassTimes {
     }
 
     /// Begins a picture.
-    pub fn begin(&mut self, context: &Context, host: &WallClock) {
-        self.done = 0;
-        self.last = host.now();
+    pub fn begin(&mut self, context: &Context, clock: &WallClock) {
+        self.submitted = 0;
+        self.last = clock.now();
         if let Some(timer) = &mut self.timer {
             timer.read(context, &mut self.times);
             timer.begin(context, 0);
         }
     }
 
-    /// Ends a pass, which is submitted.
-    pub fn end(&mut self, context: &Context, host: &WallClock, name: &'static str) {
-        let at = self.done;
-        self.done += 1;
-        if self.times.get(at).is_none_or(|(known, _)| *known != name) {
-            // Another model or look: from here on the passes are others.
+    /// Ends a submitted pass.
+    pub fn end(&mut self, context: &Context, clock: &WallClock, key: &'static str) {
+        let at = self.submitted;
+        self.submitted += 1;
+        if self.times.get(at).is_none_or(|(known, _)| *known != key) {
+            // Another model or look has other passes from here on.
             self.times.truncate(at);
-            self.times.push((name, 0.0));
+            self.times.push((key, 0.0));
         }
         match &mut self.timer {
             Some(timer) => {
@@ -104,21 +105,21 @@ impl PassTimes {
                 timer.begin(context, at + 1);
             }
             None => {
-                let now = host.now();
+                let now = clock.now();
                 smooth(&mut self.times[at].1, now - self.last);
                 self.last = now;
             }
         }
     }
 
-    /// Ends a picture, which is submitted.
+    /// Ends a submitted picture.
     pub fn finish(&mut self, context: &Context) {
-        self.times.truncate(self.done);
+        self.times.truncate(self.submitted);
         if let Some(timer) = &mut self.timer {
             // This picture may have fewer passes than the last one.
             timer.end(context);
-            if timer.turn >= self.done {
-                timer.turn = 0;
+            if timer.pass >= self.submitted {
+                timer.pass = 0;
             }
         }
     }
@@ -126,7 +127,7 @@ impl PassTimes {
 
 impl Timer {
     fn begin(&mut self, context: &Context, pass: usize) {
-        if self.state == State::Idle && pass == self.turn {
+        if self.state == State::Idle && pass == self.pass {
             context.begin_query(TIME_ELAPSED, &self.query);
             self.state = State::Begun;
         }
@@ -139,22 +140,22 @@ impl Timer {
         }
     }
 
-    /// Reads the answer, if it has arrived.
+    /// Reads the result if it has arrived.
     fn read(&mut self, context: &Context, times: &mut [(&'static str, f64)]) {
-        let ask = |what| context.get_query_parameter(&self.query, what);
-        if self.state != State::Ended || !ask(Context::QUERY_RESULT_AVAILABLE).is_truthy() {
+        let query = |what| context.get_query_parameter(&self.query, what);
+        if self.state != State::Ended || !query(Context::QUERY_RESULT_AVAILABLE).is_truthy() {
             return;
         }
         self.state = State::Idle;
-        // A clock that was reset meanwhile measures nothing.
-        let broken = Calls::of(context).ask(DISJOINT);
+        // A disjoint operation makes the result meaningless.
+        let disjoint = Calls::of(context).parameter(DISJOINT);
         if let (Some(time), Some((_, average))) = (
-            ask(Context::QUERY_RESULT).as_f64(),
-            times.get_mut(self.turn),
-        ) && broken.is_falsy()
+            query(Context::QUERY_RESULT).as_f64(),
+            times.get_mut(self.pass),
+        ) && disjoint.is_falsy()
         {
             smooth(average, time * 1e-6);
         }
-        self.turn = (self.turn + 1) % times.len().max(1);
+        self.pass = (self.pass + 1) % times.len().max(1);
     }
 }

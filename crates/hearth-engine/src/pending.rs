@@ -1,6 +1,6 @@
-//! Steps that a script requested, apart from those that are due by the clock.
+//! Step requests: steps that a script requests besides those that are due by the clock.
 
-/// A request for so many steps, or for as many as so much fire needs.
+/// A request for a number of steps, or for steps of a total length.
 pub struct StepRequest {
     request: u32,
     steps: u32,
@@ -12,18 +12,18 @@ impl StepRequest {
         self.steps > 0 || self.seconds > 0.0
     }
 
-    /// Counts a step of `length` seconds.
+    /// Counts a step of that length [s of fire].
     pub fn take(&mut self, length: f64) {
         self.steps = self.steps.saturating_sub(1);
         self.seconds -= length;
     }
 }
 
-/// The requests of a fire, the oldest first.
+/// The step requests of a fire, oldest first.
 #[derive(Default)]
 pub struct Pending {
     open: Vec<StepRequest>,
-    /// Requests whose steps are made and not drawn yet.
+    /// Numbers of the requests whose steps are made and not drawn yet.
     made: Vec<u32>,
 }
 
@@ -37,17 +37,17 @@ impl Pending {
         });
     }
 
-    /// Whether no steps remain to be made. Some may still have to be drawn.
+    /// Whether no requested step remains to be made. Some may still have to be drawn.
     pub fn is_empty(&self) -> bool {
         self.open.is_empty()
     }
 
     /// Whether steps are made and not drawn yet.
-    pub fn waits(&self) -> bool {
+    pub fn awaits_drawing(&self) -> bool {
         !self.made.is_empty()
     }
 
-    /// The request that the next step is for.
+    /// The request that the next step counts for.
     pub fn next_open(&mut self) -> Option<&mut StepRequest> {
         self.open.iter_mut().find(|request| request.is_open())
     }
@@ -59,7 +59,7 @@ impl Pending {
         }
     }
 
-    /// The requests to answer now.
+    /// Takes the numbers of the requests to answer now.
     pub fn answers(&mut self) -> Vec<u32> {
         std::mem::take(&mut self.made)
     }

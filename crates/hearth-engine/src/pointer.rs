@@ -1,36 +1,36 @@
-//! What a pointer does to the gas.
+//! The force of a pointer on the gas.
 
-/// How far from the pointer the gas moves \[m\].
+/// Radius of the force \[m\].
 const RADIUS: f32 = 0.12;
 
-/// How quickly the gas takes the pointer's velocity [1/s].
+/// Rate at which gas takes the pointer's velocity [1/s].
 const RATE: f32 = 60.0;
 
-/// How long one call acts [s of fire]: until the next one, while the pointer moves on.
+/// Duration of one call's force [s of fire]: it bridges the time until the next call.
 const DURATION: f64 = 0.05;
 
-/// A force that pulls the gas around a place along with a pointer.
+/// A force that pulls the gas near a pointer along with it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointerForce {
-    place: [f32; 2],
+    position: [f32; 2],
     velocity: [f32; 2],
-    /// What is left of its time [s of fire].
+    /// Remaining duration [s of fire].
     left: f64,
 }
 
 impl PointerForce {
-    /// The force of a pointer at a place \[m\] with a velocity [m/s].
-    pub fn new(place: [f32; 2], velocity: [f32; 2]) -> PointerForce {
+    /// The force of a pointer at a position \[m\] with a velocity [m/s].
+    pub fn new(position: [f32; 2], velocity: [f32; 2]) -> PointerForce {
         PointerForce {
-            place,
+            position,
             velocity,
             left: DURATION,
         }
     }
 
-    /// The acceleration [m/s²] of gas at that place \[m\] and velocity [m/s].
-    pub fn acceleration(&self, place: [f32; 2], velocity: [f32; 2]) -> [f32; 2] {
-        let [x, y] = [0, 1].map(|axis| (place[axis] - self.place[axis]) / RADIUS);
+    /// The acceleration [m/s²] of gas at a position \[m\] with a velocity [m/s].
+    pub fn acceleration(&self, position: [f32; 2], velocity: [f32; 2]) -> [f32; 2] {
+        let [x, y] = [0, 1].map(|axis| (position[axis] - self.position[axis]) / RADIUS);
         let share = 1.0 - (x * x + y * y);
         if share <= 0.0 {
             return [0.0; 2];
@@ -38,7 +38,7 @@ impl PointerForce {
         [0, 1].map(|axis| RATE * share * share * (self.velocity[axis] - velocity[axis]))
     }
 
-    /// Counts a step of that length \[s\]; whether the force still acts.
+    /// Counts a step of that length [s of fire]. Returns whether the force still acts.
     pub fn lasts(&mut self, step: f64) -> bool {
         self.left -= step;
         self.left > 0.0

@@ -1,13 +1,13 @@
-//! The canvas on which all fires of an engine are drawn, one after another, with its WebGL2
-//! context, which can be lost at any time.
+//! The canvas on which an engine draws all its fires, one after another, and its WebGL2
+//! context.
 //!
-//! Browsers give a page few contexts and a worker fewer, and every context compiles the shaders
-//! again. So all fires share one. JavaScript takes each picture away, as an `ImageBitmap` or as
-//! a copy, before the next fire is drawn.
+//! Browsers limit the number of contexts, and each context compiles the shaders again, so all
+//! fires share one. JavaScript takes each picture, as an `ImageBitmap` or a copy, before the
+//! next fire is drawn.
 //!
-//! A context is lost when the graphics driver restarts or a laptop changes its graphics card,
-//! with everything that lived in it. The engine makes all of it again when the context is back;
-//! the fires are not touched.
+//! A context and its resources are lost when the graphics driver restarts or a laptop switches
+//! its graphics card. The engine creates the resources again when the context is restored. The
+//! simulations are not affected.
 
 use std::rc::Rc;
 
@@ -35,16 +35,16 @@ extern "C" {
     #[wasm_bindgen(method, setter)]
     fn set_height(this: &Canvas, height: u32);
 
-    /// The function that takes a picture away.
+    /// The function that takes a picture from the canvas.
     pub type Show;
 
-    // The binding of js-sys makes an object for each call, to catch exceptions that this
-    // function never throws.
+    // The binding of js-sys creates an object per call to catch exceptions, which this function
+    // never throws.
     #[wasm_bindgen(method, js_name = call)]
     fn take(this: &Show, of: &JsValue, fire: u32) -> bool;
 }
 
-/// A context that can be drawn in, and the resources that its fires share.
+/// A context and the resources that its fires share.
 #[derive(Clone)]
 pub struct Gpu {
     /// The context.
@@ -71,18 +71,18 @@ pub struct SharedCanvas {
 }
 
 impl SharedCanvas {
-    /// Takes the canvas and its context, if it has one. `show(fire)` takes a picture away and
-    /// returns whether it is shown already; it never throws.
+    /// Wraps a canvas and its context. `show(fire)` takes a picture from the canvas and returns
+    /// whether it is already shown; it never throws.
     ///
     /// # Errors
-    /// There is no WebGL2, or the driver refuses a shader.
+    /// The browser has no WebGL2, or the driver rejects a shader.
     pub fn new(
         canvas: Canvas,
         context: Option<Context>,
         show: Show,
     ) -> Result<SharedCanvas, String> {
         let context = context.ok_or(
-            "this browser gives no WebGL2 context: it may be switched off, \
+            "this browser gives no WebGL2 context: WebGL may be switched off, \
              or the graphics driver may be blocked",
         )?;
         let mut shared = SharedCanvas {
@@ -95,7 +95,7 @@ impl SharedCanvas {
         Ok(shared)
     }
 
-    /// What to draw with, unless the context is lost.
+    /// The context to draw with; `None` while it is lost.
     pub fn gpu(&self) -> Option<&Gpu> {
         self.gpu.as_ref()
     }
@@ -106,16 +106,16 @@ impl SharedCanvas {
         gpu.map_or("", |gpu| gpu.resources.target_format().name())
     }
 
-    /// Drops what the lost context held.
+    /// Drops the resources of the lost context.
     pub fn lose(&mut self) {
         self.gpu = None;
     }
 
-    /// Makes everything again in the context that is back. If the context is already lost
-    /// again, there is nothing to draw with until it is back once more.
+    /// Creates the resources again in the restored context. If the context is lost again at
+    /// once, the next restoration does it.
     ///
     /// # Errors
-    /// The driver's refusal.
+    /// The driver rejects a resource.
     pub fn restore(&mut self) -> Result<(), String> {
         self.gpu = match Gpu::new(&self.context) {
             Ok(gpu) => Some(gpu),
@@ -125,10 +125,10 @@ impl SharedCanvas {
         Ok(())
     }
 
-    /// Gives the canvas that size; returns its actual size: a browser short of memory gives
-    /// less than requested.
-    pub fn make_room(&self, size: (u32, u32)) -> [u32; 2] {
-        // Setting a size empties the canvas and allocates another buffer.
+    /// Resizes the canvas; returns its actual size, which is smaller if the browser is short of
+    /// memory.
+    pub fn resize(&self, size: (u32, u32)) -> [u32; 2] {
+        // Setting the same size would clear the canvas and allocate another buffer.
         if (self.canvas.width(), self.canvas.height()) != size {
             self.canvas.set_width(size.0);
             self.canvas.set_height(size.1);
@@ -140,16 +140,15 @@ impl SharedCanvas {
         [width, height].map(|side| side.max(0).unsigned_abs())
     }
 
-    /// Shows what was drawn as the picture of that fire; returns whether it is shown already,
-    /// and not only on its way.
+    /// Shows the canvas as the picture of a fire. Returns whether the picture is already shown;
+    /// otherwise [`Engine::shown`](crate::Engine::shown) follows.
     pub fn show(&self, fire: u32) -> bool {
         self.show.take(&JsValue::UNDEFINED, fire)
     }
 }
 
 impl Drop for SharedCanvas {
-    /// Frees the context at once: a browser allows a page only a few, and garbage collection
-    /// may be late.
+    /// Frees the context without waiting for garbage collection: browsers allow only a few.
     fn drop(&mut self) {
         if let Ok(Some(extension)) = self.context.get_extension("WEBGL_lose_context") {
             let extension: WebglLoseContext = wasm_bindgen::JsCast::unchecked_into(extension);

@@ -1,8 +1,8 @@
-//! The table of statistics: what a fire reports about itself a few times a second.
+//! The table of statistics, which a fire posts a few times a second.
 //!
-//! A value of `stats` is stated once: its name, its type in TypeScript, its doc and what
-//! it is. From the table come the object that is posted, the interface `HearthStats` in
-//! `web/parameters.d.ts` and the list in `docs/element.md`.
+//! Each entry has a name, a type in TypeScript, a doc and an expression for its value. The
+//! posted object, the interface `HearthStats` in `web/parameters.d.ts` and the list in
+//! `docs/element.md` come from this table.
 
 #[cfg(target_arch = "wasm32")]
 use hearth_bindings::Record;
@@ -12,31 +12,31 @@ use crate::fire::Fire;
 #[cfg(target_arch = "wasm32")]
 use crate::shared_canvas::SharedCanvas;
 
-/// What a person reads about a value of `stats`.
+/// The documentation of a statistic.
 #[derive(Clone, Copy, Debug)]
 pub struct Stat {
-    /// Its name.
+    /// Name in `stats`.
     pub name: &'static str,
-    /// Its type in TypeScript.
+    /// Type in TypeScript.
     pub kind: &'static str,
-    /// What it is.
+    /// Description.
     pub doc: &'static str,
 }
 
-/// Turns the table into [`STATS`] and, in wasm, the function that fills an object.
+/// Expands the table to [`STATS`] and, in wasm, to the function that fills an object.
 macro_rules! stats {
     ($fire:ident, $canvas:ident => $(
         $(#[doc = $doc:literal])+
         $name:literal : $kind:literal = $setter:ident($value:expr)
     )+) => {
-        /// Every value of `stats`.
+        /// All statistics.
         pub static STATS: &[Stat] = &[ $( Stat {
             name: $name,
             kind: $kind,
             doc: concat!($($doc),+).trim_ascii(),
         } ),+ ];
 
-        /// The values of a fire, which is drawn on this canvas.
+        /// The statistics of a fire that is drawn on this canvas.
         #[cfg(target_arch = "wasm32")]
         pub(crate) fn of($fire: &Fire, $canvas: &SharedCanvas) -> Record {
             let record = Record::new();
@@ -47,65 +47,63 @@ macro_rules! stats {
 }
 
 stats! { fire, canvas =>
-    /// Pictures a second.
+    /// Pictures per second.
     "fps": "number" = set_number(fire.fps.fps())
-    /// Particles alive.
+    /// Number of particles.
     "particles": "number" = set_number(fire.simulation.count() as f64)
-    /// Embers that glow.
+    /// Number of glowing embers.
     "embers": "number" = set_number(fire.simulation.embers().len() as f64)
     /// Age of the fire [s].
     "time": "number" = set_number(fire.simulation.time())
-    /// Power of the burning [kW/m]; 0 in the classic model.
+    /// Power of the combustion [kW/m]; 0 in the classic model.
     "power": "number" = set_number(fire.averages.power)
-    /// Seconds of fire for each second of the clock, of late.
+    /// Real-time factor: seconds of fire per second of the clock, averaged over a second.
     "timeScale": "number" = set_number(fire.real_time.factor())
-    /// Whether it lately fell behind the clock, so that the page would not freeze.
+    /// Whether the fire fell behind the clock in the last second, so that the page stays
+    /// responsive.
     "slowed": "boolean" = set_flag(fire.real_time.slowed())
-    /// Steps of the simulation for each picture.
+    /// Simulation steps per picture.
     "stepsPerFrame": "number" = set_number(fire.averages.steps_per_frame)
     /// Length of a step [s of fire].
     "stepLength": "number" = set_number(fire.averages.step_length)
-    /// Parts that stability divided the last step into.
+    /// Number of substeps that the last step needed to be stable.
     "substeps": "number" = set_number(fire.simulation.report().substeps.into())
-    /// Time that a step takes the processor [ms].
+    /// Time of a step on the processor [ms].
     "stepMs": "number" = set_number(fire.averages.step_ms())
-    /// Time that a picture takes the processor [ms].
+    /// Time of drawing a picture on the processor [ms].
     "drawMs": "number" = set_number(fire.averages.draw_ms)
-    /// What takes how long in a frame [ms]: `sort`, `density`, `forces` and `integrate` of
-    /// all its steps, which together are `stepMs` × `stepsPerFrame`, and `upload`, a part of
-    /// `drawMs`. A browser's clock may tick only every 0.1 ms; these are averages over a
-    /// hundred steps and more, so that does not show.
-    "stages": "Record<'sort' | 'density' | 'forces' | 'integrate' | 'upload', number>" = set_object(&fire.averages.stages())
-    /// What each pass of the picture takes [ms], by name, in their order.
-    "passes": "Record<string, number>" = set_object(&numbers(fire.picture.passes().map_or(&[], |passes| &passes.times)))
-    /// The clock of `passes`: `gpu`, the graphics card's, one pass a picture in turn; or
-    /// `submit`, where the browser does not lend that one: only how long it took to hand
-    /// the pass over.
-    "passTimer": "'gpu' | 'submit' | ''" = set_text(fire.picture.passes().map_or("", |passes| passes.timer()))
-    /// The quality that it has.
+    /// Time per frame of each stage [ms]: `sort`, `density`, `forces` and `integrate` of all
+    /// steps, whose sum is `stepMs` × `stepsPerFrame`, and `upload`, which is part of `drawMs`.
+    /// Averages over more than a hundred steps hide the coarse clocks of browsers.
+    "stages": "Record<'sort' | 'density' | 'forces' | 'integrate' | 'upload', number>" = set_object(&numbers(&fire.averages.stages()))
+    /// Time of each render pass [ms], by name, in drawing order.
+    "passes": "Record<string, number>" = set_object(&numbers(fire.fire_frame.passes().map_or(&[], |passes| &passes.times)))
+    /// What `passes` measures: `gpu`, time on the graphics card, of one pass per picture in
+    /// turn; `submit`, time of submitting the pass, if the browser offers no timer query.
+    "passTimer": "'gpu' | 'submit' | ''" = set_text(fire.fire_frame.passes().map_or("", |passes| passes.timer()))
+    /// The current level of quality.
     "quality": "'low' | 'medium' | 'high'" = set_text(fire.quality.level().name())
-    /// Why it has that quality.
+    /// The reason of that level.
     "qualityReason": "string" = set_text(fire.quality.reason())
-    /// What the number of particles follows from: `quality low`, `quality medium`,
-    /// `quality high` or `size`; empty where `max_particles` says it, and in the classic
-    /// model.
+    /// What limits the number of particles: `quality low`, `quality medium`, `quality high` or
+    /// `size`; empty if `max_particles` does, and in the classic model.
     "limit": "string" = set_text(fire.limited_by())
-    /// Neighbours of a particle, on average.
+    /// Mean number of neighbours of a particle.
     "neighbours": "number" = set_number(fire.simulation.report().mean_neighbours.into())
-    /// What the first and the last colour of the picture stand for, as `[0, 2000]`, in the
-    /// unit of what `display_mode` shows; `null` where that is a fire.
+    /// Quantities of the first and last colour, such as `[0, 2000]`, in the unit of the shown
+    /// quantity; `null` if `display_mode` shows none.
     "scale": "[min: number, max: number] | null" = set_object(&scale(fire.measured()))
-    /// Particles at the speed limit.
+    /// Number of particles at the speed limit.
     "atSpeedLimit": "number" = set_number(fire.simulation.report().speed_limited.into())
-    /// Whether it stands still.
+    /// Whether the fire is paused.
     "paused": "boolean" = set_flag(!fire.playing)
-    /// The format of the textures that it is drawn into.
+    /// Format of the render targets.
     "targetFormat": "string" = set_text(canvas.target_format())
 }
 
-/// Numbers by their names.
+/// An object of named numbers.
 #[cfg(target_arch = "wasm32")]
-pub(crate) fn numbers(numbers: &[(&str, f64)]) -> Record {
+fn numbers(numbers: &[(&str, f64)]) -> Record {
     let record = Record::new();
     for (name, number) in numbers {
         record.set_number(name, *number);

@@ -1,4 +1,4 @@
-//! The clock of the page or worker that the engine runs in.
+//! The clock of the page or worker that runs the engine.
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -8,11 +8,11 @@ extern "C" {
     fn now() -> f64;
 }
 
-/// A steady clock.
+/// A monotonic clock.
 pub struct WallClock;
 
 impl WallClock {
-    /// The time \[ms\].
+    /// The current time \[ms\].
     pub fn now(&self) -> f64 {
         now()
     }

@@ -1,9 +1,9 @@
-//! A fire that burns before it is shown.
+//! Warm-up: a fire burns before it is shown.
 //!
-//! A fire that is just lit is a mushroom cloud. One that is to be warm burns some seconds
-//! first, or takes up where a kept fire burnt. Steps cost a power of 1.5 of the number of
-//! particles, so most of the time it burns with few, and the full number takes over for
-//! the last part.
+//! A fire that was just lit looks like a mushroom cloud. A warm fire first burns for some
+//! seconds, or resumes a saved fire. The cost of a step grows as the particle count to the
+//! power of 1.5, so most of the warm-up uses few particles. The full number replaces them
+//! for the last part.
 
 use hearth_core::burning::BurningError;
 use hearth_core::params::Model;
@@ -11,86 +11,86 @@ use hearth_core::{Scene, Simulation};
 
 use crate::requested::with_count;
 
-/// Seconds of fire for which all particles burn.
-const FINE: f64 = 0.9;
-/// Part of the particles that burn before, and how many at least.
-const FEW: u32 = 4;
-const FEWEST: u32 = 600;
+/// Duration of the last part, with all particles [s of fire].
+const FINE_DURATION: f64 = 0.9;
+/// Divisor of the particle count before, and its minimum.
+const COARSENING: u32 = 4;
+const MIN_COARSE: u32 = 600;
 
-/// How long a fire burns before it is shown.
+/// The warm-up of a fire.
 #[derive(Debug, Default)]
 pub struct Warm {
-    seconds: f64,
-    /// What is left of it.
+    duration: f64,
+    /// Remaining duration [s of fire].
     left: f64,
-    /// A kept fire.
-    kept: Vec<u8>,
+    /// A saved fire.
+    saved: Vec<u8>,
 }
 
 impl Warm {
-    /// So many seconds, or a kept fire where its values are those that are wanted.
-    pub fn new(seconds: f64, kept: Vec<u8>) -> Warm {
+    /// A warm-up of that duration [s of fire], or a saved fire if its settings match.
+    pub fn new(duration: f64, saved: Vec<u8>) -> Warm {
         Warm {
-            seconds,
+            duration,
             left: 0.0,
-            kept,
+            saved,
         }
     }
 
-    /// Another time, for the next fire.
-    pub fn set(&mut self, seconds: f64) {
-        self.seconds = seconds;
+    /// Sets the duration for the next new fire.
+    pub fn set(&mut self, duration: f64) {
+        self.duration = duration;
     }
 
-    /// Whether a new fire burns before it is shown.
-    pub fn is_wanted(&self) -> bool {
-        self.seconds > 0.0
+    /// Whether new fires warm up.
+    pub fn is_enabled(&self) -> bool {
+        self.duration > 0.0
     }
 
-    /// Whether it still does.
+    /// Whether the fire is warming up.
     pub fn is_on(&self) -> bool {
         self.left > 0.0
     }
 
-    /// A new fire of these values begins. Returns what is wrong with the kept one.
+    /// Starts a new fire of a scene. Returns what is wrong with the saved one, as text.
     pub fn begin(&mut self, simulation: &mut Simulation, scene: &Scene) -> Option<&'static str> {
         self.left = 0.0;
         *simulation = Simulation::new(scene.clone());
-        if !self.is_wanted() {
+        if !self.is_enabled() {
             return None;
         }
         let mut wrong = None;
-        if !self.kept.is_empty() {
-            match simulation.restore_burning(&self.kept) {
+        if !self.saved.is_empty() {
+            match simulation.restore_burning(&self.saved) {
                 Ok(()) => return None,
                 Err(BurningError::OtherValues) => {}
-                Err(BurningError::Damaged(words)) => {
-                    self.kept.clear();
-                    wrong = Some(words);
+                Err(BurningError::Damaged(message)) => {
+                    self.saved.clear();
+                    wrong = Some(message);
                 }
             }
         }
-        self.left = self.seconds;
+        self.left = self.duration;
         *simulation = Simulation::new(self.coarse(scene));
         wrong
     }
 
-    /// A step of that length was made; whether the fire is warm now.
-    pub fn burnt(&mut self, length: f64, simulation: &mut Simulation, wanted: &Scene) -> bool {
-        let was_coarse = self.left > FINE;
+    /// Counts a step of that length [s of fire]. Returns whether the warm-up is over.
+    pub fn advance(&mut self, length: f64, simulation: &mut Simulation, scene: &Scene) -> bool {
+        let was_coarse = self.left > FINE_DURATION;
         self.left -= length;
-        if was_coarse && self.left <= FINE {
-            simulation.set_scene(wanted.clone());
+        if was_coarse && self.left <= FINE_DURATION {
+            simulation.set_scene(scene.clone());
         }
         self.left <= 0.0
     }
 
-    /// The scene that it burns with for now where this one is requested.
+    /// The scene to simulate now for a requested scene: with fewer particles in the first part.
     pub fn coarse(&self, requested: &Scene) -> Scene {
         let settings = requested.settings();
-        let few = (settings.max_particles / FEW).max(FEWEST);
+        let few = (settings.max_particles / COARSENING).max(MIN_COARSE);
         let fewer = settings.model() == Model::Combustion && few < settings.max_particles;
-        if self.left > FINE && fewer {
+        if self.left > FINE_DURATION && fewer {
             with_count(requested, few)
         } else {
             requested.clone()

@@ -1,9 +1,9 @@
-//! The renderer's [`Graphics`] for the page's own WebGL2 context.
+//! The renderer's [`Graphics`] for a WebGL2 context of the page.
 //!
-//! No call of a frame makes an object. Particles and uniforms are uploaded from wasm's memory
-//! through one view of all of it, which is replaced only after that memory has grown. The calls
-//! of a frame are not the fallible ones of web-sys, each of which makes an object to catch
-//! exceptions.
+//! A frame creates no JavaScript object. Particles and uniforms are uploaded through one view
+//! of wasm's whole memory, which is replaced only after that memory has grown. The bindings of
+//! web-sys that return a `Result` create an object per call, so a frame uses bindings without
+//! one.
 
 use std::cell::RefCell;
 
@@ -16,7 +16,7 @@ use web_sys::{
     WebGlUniformLocation, WebGlVertexArrayObject,
 };
 
-// None of these throws if its arguments are of the right type.
+// These throw only if an argument has the wrong type.
 #[wasm_bindgen]
 extern "C" {
     #[wasm_bindgen(extends = Context)]
@@ -47,21 +47,35 @@ extern "C" {
         length: u32,
     );
 
+    #[wasm_bindgen(method, js_name = readPixels)]
+    #[allow(clippy::too_many_arguments)]
+    fn read(
+        this: &Calls,
+        x: u32,
+        y: u32,
+        width: u32,
+        height: u32,
+        format: u32,
+        kind: u32,
+        into: &Float32Array,
+        offset: u32,
+    );
+
     #[wasm_bindgen(method, js_name = clearBufferfv)]
     fn clear_buffer(this: &Calls, buffer: u32, number: i32, from: &Float32Array, offset: u32);
 
     #[wasm_bindgen(method, js_name = getParameter)]
-    pub fn ask(this: &Calls, name: u32) -> JsValue;
+    pub fn parameter(this: &Calls, name: u32) -> JsValue;
 }
 
 impl Calls {
-    /// The infallible calls of a context.
+    /// The bindings without a `Result` of a context.
     pub fn of(context: &Context) -> &Calls {
         context.unchecked_ref()
     }
 }
 
-/// A context and the memory that it reads.
+/// A context and the view of memory that it reads.
 pub struct WebGl {
     /// The context.
     pub context: Context,
@@ -78,10 +92,10 @@ impl WebGl {
     }
 }
 
-/// All of wasm's memory, as floats.
+/// A view of wasm's memory as floats.
 struct Memory {
     floats: Float32Array,
-    /// Size of the memory when the view was made.
+    /// Size of the memory when the view was created.
     pages: usize,
 }
 
@@ -92,8 +106,7 @@ impl Memory {
 
     /// Offset of these floats in the view.
     fn find(&mut self, floats: &[f32]) -> u32 {
-        // Memory that has grown is another buffer; a view of the old one is empty. Keeping the
-        // new view may make the memory grow again.
+        // Growing the memory empties its views. Creating a view may make the memory grow again.
         while self.pages != Memory::pages() {
             *self = Memory::now();
         }
@@ -110,7 +123,7 @@ impl Memory {
     }
 }
 
-const FLAT: u32 = Context::TEXTURE_2D;
+const TEXTURE: u32 = Context::TEXTURE_2D;
 
 macro_rules! forward {
     ($( fn $name:ident ( $($arg:ident : $type:ty),* ) $(-> $out:ty)? = $gl:ident => $call:expr; )+) => {
@@ -148,9 +161,9 @@ impl Graphics for WebGl {
         fn create_texture() -> Option<WebGlTexture> = gl => gl.create_texture();
         fn delete_texture(texture: &WebGlTexture) = gl => gl.delete_texture(Some(texture));
         fn active_texture(unit: u32) = gl => gl.active_texture(Context::TEXTURE0 + unit);
-        fn bind_texture(texture: &WebGlTexture) = gl => gl.bind_texture(FLAT, Some(texture));
-        fn tex_parameter(name: u32, value: u32) = gl => gl.tex_parameteri(FLAT, name, value as i32);
-        fn generate_mipmap() = gl => gl.generate_mipmap(FLAT);
+        fn bind_texture(texture: &WebGlTexture) = gl => gl.bind_texture(TEXTURE, Some(texture));
+        fn tex_parameter(name: u32, value: u32) = gl => gl.tex_parameteri(TEXTURE, name, value as i32);
+        fn generate_mipmap() = gl => gl.generate_mipmap(TEXTURE);
 
         fn create_framebuffer() -> Option<WebGlFramebuffer> = gl => gl.create_framebuffer();
         fn delete_framebuffer(framebuffer: &WebGlFramebuffer) = gl => gl.delete_framebuffer(Some(framebuffer));
@@ -176,13 +189,13 @@ impl Graphics for WebGl {
         Calls::of(&self.context).uniform(location, &memory.floats, offset, length);
     }
 
-    // If a context refuses one of the following calls, it draws nothing.
+    // A context that rejects one of the following calls draws nothing.
 
-    fn make_room(&self, internal: u32, kind: u32, [width, height]: [u32; 2]) {
+    fn allocate_texture(&self, internal: u32, kind: u32, [width, height]: [u32; 2]) {
         let _ = self
             .context
             .tex_image_2d_with_i32_and_i32_and_i32_and_format_and_type_and_opt_array_buffer_view(
-                FLAT,
+                TEXTURE,
                 0,
                 internal as i32,
                 width as i32,
@@ -198,7 +211,7 @@ impl Graphics for WebGl {
         let _ = self
             .context
             .tex_sub_image_2d_with_i32_and_i32_and_u32_and_type_and_u8_array_and_src_offset(
-                FLAT,
+                TEXTURE,
                 0,
                 0,
                 0,
@@ -216,7 +229,7 @@ impl Graphics for WebGl {
         let offset = memory.find(texels);
         let (rgba, float) = (Context::RGBA, Context::FLOAT);
         Calls::of(&self.context).replace(
-            FLAT,
+            TEXTURE,
             0,
             x,
             y,
@@ -230,25 +243,17 @@ impl Graphics for WebGl {
     }
 
     fn read_floats(&self, [width, height]: [u32; 2], texels: &mut [f32]) {
-        let read = Float32Array::new_with_length(texels.len() as u32);
-        // A context refuses only arrays of another type or too short ones.
-        let _ = self.context.read_pixels_with_opt_array_buffer_view(
-            0,
-            0,
-            width as i32,
-            height as i32,
-            Context::RGBA,
-            Context::FLOAT,
-            Some(&read),
-        );
-        read.copy_to(texels);
+        let mut memory = self.memory.borrow_mut();
+        let offset = memory.find(texels);
+        let (rgba, float) = (Context::RGBA, Context::FLOAT);
+        Calls::of(&self.context).read(0, 0, width, height, rgba, float, &memory.floats, offset);
     }
 
     fn attach_texture(&self, texture: &WebGlTexture) -> u32 {
         self.context.framebuffer_texture_2d(
             Context::FRAMEBUFFER,
             Context::COLOR_ATTACHMENT0,
-            FLAT,
+            TEXTURE,
             Some(texture),
             0,
         );
@@ -262,11 +267,11 @@ impl Graphics for WebGl {
     }
 
     fn largest_texture(&self) -> u32 {
-        let max = Calls::of(&self.context).ask(Context::MAX_TEXTURE_SIZE);
+        let max = Calls::of(&self.context).parameter(Context::MAX_TEXTURE_SIZE);
         max.as_f64().map_or(1, |max| max as u32)
     }
 
-    /// Asking for an extension also enables it.
+    /// Getting an extension enables it.
     fn has_extension(&self, name: &str) -> bool {
         matches!(self.context.get_extension(name), Ok(Some(_)))
     }

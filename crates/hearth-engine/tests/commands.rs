@@ -1,67 +1,26 @@
-//! What the engine makes of calls, good and bad, without a browser.
+//! Parsing of calls: their form, and the errors of invalid ones.
 
-use hearth_bindings::{
-    Argument, Check, Form, Positive, Untrusted, ValidationError, Whole, Within, settings,
-};
-use hearth_core::Parameters;
-use hearth_core::params::{Input, Model};
+mod harness;
+
+use harness::{number, object, sent, text};
+use hearth_bindings::Argument;
+use hearth_bindings::{Check, Form, Positive, Untrusted, ValidationError, Whole, Within};
 use hearth_engine::commands::{
-    COMMANDS, Command, Fitting, MAX_SECONDS, MAX_SIDE, MAX_STEPS, Start, Wish,
+    COMMANDS, Command, MAX_SECONDS, MAX_SIDE, MAX_STEPS, NamedFit, RequestedLevel, Start,
 };
 use hearth_engine::quality::Level;
-use hearth_engine::requested::Requested;
 use hearth_render::Fit;
-
-type Sent = Vec<(String, Untrusted)>;
-
-fn number(number: f64) -> Untrusted {
-    Untrusted::Number(number)
-}
-
-fn text(words: &str) -> Untrusted {
-    Untrusted::Text(words.to_owned())
-}
-
-fn object<const N: usize>(fields: [(&str, Untrusted); N]) -> Untrusted {
-    Untrusted::Object(sent(fields))
-}
-
-fn sent<const N: usize>(values: [(&str, Untrusted); N]) -> Sent {
-    values.map(|(id, value)| (id.to_owned(), value)).into()
-}
-
-/// The values of a model, by id.
-fn of_model<const N: usize>(model: &str, values: [(&str, Untrusted); N]) -> Sent {
-    let mut all = sent([("model", text(model))]);
-    all.extend(sent(values));
-    all
-}
 
 #[track_caller]
 fn refused(name: &str, arguments: &[Untrusted]) -> ValidationError {
     match Command::parse(&text(name), arguments) {
-        Ok(command) => panic!("{command:?} is taken"),
+        Ok(command) => panic!("{command:?} is accepted"),
         Err(error) => error,
     }
 }
 
-/// What a fire starts with, and what was refused.
-fn starting_values(start: &Untrusted) -> (Parameters, Vec<ValidationError>) {
-    let (requested, errors) = Requested::at_first(&Start::read(start));
-    (requested.parameters().clone(), errors)
-}
-
-/// A start with these values and nothing else.
-fn start(values: Sent) -> Untrusted {
-    object([("values", Untrusted::Object(values))])
-}
-
-fn ids(errors: &[ValidationError]) -> Vec<&str> {
-    errors.iter().map(|error| error.id.as_str()).collect()
-}
-
 #[test]
-fn every_command_has_its_form() {
+fn every_command_is_parsed() {
     let one = sent([("viscosity", number(0.01))]);
     let values = Untrusted::Object(one.clone());
     let seed = [text("seed")];
@@ -150,7 +109,7 @@ fn every_command_has_its_form() {
 }
 
 #[test]
-fn every_argument_that_fails_its_check_is_refused_by_its_name() {
+fn errors_name_the_argument_that_fails_its_check() {
     let strange = [
         Untrusted::Missing,
         number(f64::NAN),
@@ -196,7 +155,7 @@ fn every_argument_that_fails_its_check_is_refused_by_its_name() {
 }
 
 #[test]
-fn what_is_no_command_is_refused() {
+fn unknown_names_and_wrong_types_are_refused() {
     for name in ["", "plays", "__proto__", "constructor"] {
         let error = refused(name, &[]);
         assert_eq!(error.id, "method");
@@ -229,10 +188,10 @@ fn what_is_no_command_is_refused() {
 }
 
 #[test]
-fn a_quality_has_a_name_or_is_left_to_the_fire() {
+fn a_level_of_quality_has_a_name_or_is_adaptive() {
     let names = Level::ALL.map(|level| (level.name(), Some(level)));
     for (name, level) in names.into_iter().chain([("auto", None)]) {
-        let quality = Wish(level);
+        let quality = RequestedLevel(level);
         let arguments = [text(name)];
         let parsed = Command::parse(&text("quality"), &arguments);
         assert_eq!(parsed, Ok(Command::Quality { quality }));
@@ -252,7 +211,7 @@ fn a_quality_has_a_name_or_is_left_to_the_fire() {
 }
 
 #[test]
-fn a_new_fire_may_start_warm_with_a_saved_one() {
+fn a_start_is_read_field_by_field_and_may_be_empty() {
     let state = Untrusted::Bytes(vec![7, 8]);
     let sent = object([
         ("side", number(3.5)),
@@ -284,7 +243,7 @@ fn a_new_fire_may_start_warm_with_a_saved_one() {
 }
 
 #[test]
-fn numbers_that_are_no_counts_are_refused_with_their_range() {
+fn numbers_out_of_range_are_refused_with_their_range() {
     let max = f64::from(MAX_STEPS);
     for bad in [-1.0, 0.0, 0.5, max + 1.0, f64::NAN, f64::INFINITY] {
         let error = refused("step", &[number(bad)]);
@@ -307,180 +266,10 @@ fn numbers_that_are_no_counts_are_refused_with_their_range() {
     assert_eq!(error.id, "height");
 }
 
-fn with_values(
-    old: &Parameters,
-    values: &[(String, Untrusted)],
-) -> Result<Parameters, Vec<ValidationError>> {
-    let new = settings::with_values(&old.clone().into(), values);
-    new.map(|scene| scene.settings().clone())
-}
-
-fn with_defaults(
-    old: &Parameters,
-    values: &[(String, Untrusted)],
-) -> Result<Parameters, Vec<ValidationError>> {
-    let new = settings::with_defaults(&old.clone().into(), values);
-    new.map(|scene| scene.settings().clone())
-}
-
 #[test]
-fn values_are_set_all_or_none() {
-    let old = Parameters::new(Model::Classic);
-    let good = sent([("viscosity", number(0.02))]);
-    let set = with_values(&old, &good);
-    assert_eq!(set.map(|new| new.viscosity), Ok(0.02));
-
-    let mixed = sent([
-        ("viscosity", number(0.02)),
-        ("bloom", number(99.0)),
-        ("viscositty", number(0.02)),
-    ]);
-    let Err(errors) = with_values(&old, &mixed) else {
-        panic!("a bad value was accepted");
-    };
-    assert_eq!(ids(&errors), ["bloom", "viscositty"]);
-    assert!(errors[0].message.contains("99") && errors[0].range.is_some());
-    assert_eq!(errors[0].value, number(99.0));
-    assert!(errors[1].message.contains("viscosity"));
-}
-
-/// The ids of values, as defaults are asked for.
-fn named<const N: usize>(ids: [&str; N]) -> Sent {
-    sent(ids.map(|id| (id, Untrusted::Missing)))
-}
-
-#[test]
-fn restoring_gives_the_default_and_nothing_else() {
-    let values = sent([("viscosity", number(0.02)), ("bloom", number(0.5))]);
-    let default = Parameters::new(Model::Classic);
-    let restored =
-        with_values(&default, &values).and_then(|new| with_defaults(&new, &named(["viscosity"])));
-    assert_eq!(
-        restored.map(|new| (new.viscosity, new.bloom)),
-        Ok((default.viscosity, 0.5))
-    );
-    assert!(with_defaults(&default, &named(["heat"])).is_err());
-}
-
-#[test]
-fn a_new_fire_keeps_the_good_values_beside_a_bad_one() {
-    let values = of_model(
-        "classic",
-        [("viscosity", number(0.02)), ("bloom", text("much"))],
-    );
-    let (parameters, errors) = starting_values(&object([
-        ("preset", text("no such preset")),
-        ("values", Untrusted::Object(values)),
-    ]));
-    assert_eq!(parameters.viscosity, 0.02);
-    assert_eq!(parameters.bloom, Parameters::default().bloom);
-    assert_eq!(ids(&errors), ["preset", "bloom"]);
-}
-
-#[test]
-fn an_unknown_preset_is_refused_with_the_known_names() {
-    let errors = Requested::of_preset("sead").expect_err("it is refused");
-    assert!(errors[0].message.contains("one of default, "));
-    assert!(errors[0].message.contains("seed") && errors[0].message.contains("\"sead\""));
-    for name in ["", "__proto__", &"x".repeat(1000)] {
-        let errors = Requested::of_preset(name).expect_err("it is refused");
-        assert!(errors[0].message.len() < 600, "{errors:?}");
-    }
-}
-
-#[test]
-fn a_model_comes_before_the_values_that_it_decides_about() {
-    // One that both models have, each with a range of its own, and one of each.
-    let sent = of_model(
-        "classic",
-        [
-            ("emission_speed", number(2.5)),
-            ("gas_constant", number(1.0)),
-            ("fuel_power", number(100.0)),
-        ],
-    );
-    for model in [Model::Classic, Model::Combustion] {
-        let old = Parameters::new(model);
-        let new = with_values(&old, &sent);
-        let seen = new.map(|new| (new.model(), new.emission_speed, new.gas_constant));
-        assert_eq!(seen, Ok((Model::Classic, 2.5, 1.0)));
-
-        let mut reversed = sent.clone();
-        reversed.reverse();
-        assert_eq!(with_values(&old, &reversed), with_values(&old, &sent));
-
-        // In the other model that speed is out of range, and nothing is taken.
-        let mut other = sent.clone();
-        other[0].1 = text("combustion");
-        let errors = with_values(&old, &other).expect_err("it is refused");
-        assert_eq!(ids(&errors), ["emission_speed"]);
-    }
-}
-
-#[test]
-fn a_fire_starts_the_same_in_whatever_order_its_values_come() {
-    let mut sent = of_model(
-        "classic",
-        [
-            ("emission_speed", number(2.5)),
-            ("domain_height", number(1.0)),
-        ],
-    );
-    let (parameters, errors) = starting_values(&start(sent.clone()));
-    assert_eq!(errors, []);
-    assert_eq!(parameters.model(), Model::Classic);
-    assert_eq!(
-        (parameters.emission_speed, parameters.domain_height),
-        (2.5, 1.0)
-    );
-    sent.reverse();
-    assert_eq!(starting_values(&start(sent)), (parameters, Vec::new()));
-}
-
-#[test]
-fn a_model_goes_before_that_of_the_preset() {
-    let (parameters, errors) = starting_values(&object([
-        ("preset", text("classic")),
-        ("values", Untrusted::Object(of_model("combustion", []))),
-    ]));
-    assert_eq!(errors, []);
-    assert_eq!(parameters, Parameters::new(Model::Combustion));
-}
-
-#[test]
-fn a_fire_that_comes_back_has_the_values_of_both_models() {
-    let values =
-        |model, height| Untrusted::Object(of_model(model, [("domain_height", number(height))]));
-    let (mut parameters, errors) = starting_values(&object([
-        ("kept", values("combustion", 3.0)),
-        ("values", values("classic", 2.0)),
-    ]));
-    assert_eq!(errors, []);
-    assert_eq!(
-        (parameters.model(), parameters.domain_height),
-        (Model::Classic, 2.0)
-    );
-    assert_eq!(parameters.set("model", Input::Text("combustion")), Ok(()));
-    assert_eq!(parameters.domain_height, 3.0);
-}
-
-#[test]
-fn the_model_is_restored_before_the_values_that_it_decides_about() {
-    for model in [Model::Classic, Model::Combustion] {
-        let old = Parameters::new(model);
-        let high = with_values(&old, &sent([("domain_height", number(4.0))]));
-        let ids = named(["domain_height", "model"]);
-        let restored = high.and_then(|high| with_defaults(&high, &ids));
-        let default = Parameters::default();
-        let seen = restored.map(|new| (new.model(), new.domain_height));
-        assert_eq!(seen, Ok((default.model(), default.domain_height)));
-    }
-}
-
-#[test]
-fn a_view_sparks_and_a_pointer_are_checked_before_anything_is_done() {
+fn arguments_of_view_sparks_and_stir_are_checked() {
     for (name, fit) in Fit::ALL {
-        let (fit, x, y) = (Fitting(fit), Within(0.25), Within(1.0));
+        let (fit, x, y) = (NamedFit(fit), Within(0.25), Within(1.0));
         let arguments = [text(name), number(0.25), number(1.0)];
         let parsed = Command::parse(&text("view"), &arguments);
         assert_eq!(parsed, Ok(Command::View { fit, x, y }));

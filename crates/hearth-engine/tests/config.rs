@@ -1,4 +1,4 @@
-//! Settings: what is exported can be imported, and nothing wrong is taken.
+//! Settings files: export, import and validation.
 
 use hearth_bindings::{Untrusted, Whole};
 use hearth_core::params::{Input, Model, PARAMETERS};
@@ -16,9 +16,9 @@ fn text(words: &str) -> Untrusted {
     Untrusted::Text(words.to_owned())
 }
 
-/// The ids of the values that differ from the preset, and how many fields objects have.
-fn differing(wanted: &Requested) -> (Vec<String>, usize) {
-    let config = export(wanted);
+/// Ids of the exported values, and the number of exported objects.
+fn differing(requested: &Requested) -> (Vec<String>, usize) {
+    let config = export(requested);
     let ids = match config.field("values") {
         Untrusted::Object(values) => values.iter().map(|(id, _)| id.clone()).collect(),
         _ => vec!["no values".to_owned()],
@@ -42,82 +42,85 @@ fn errors(config: &Untrusted) -> Vec<String> {
     refused.into_iter().map(|one| one.message).collect()
 }
 
-fn set(wanted: &Requested, id: &str, value: Untrusted) -> Requested {
+fn set(requested: &Requested, id: &str, value: Untrusted) -> Requested {
     let values = &[(id.to_owned(), value)];
-    match wanted.after(&Command::Set {
+    match requested.after(&Command::Set {
         values,
         source: "test",
     }) {
-        Some(Ok(wanted)) => wanted,
+        Some(Ok(requested)) => requested,
         other => panic!("{id} gives {other:?}"),
     }
 }
 
 #[test]
-fn a_preset_alone_has_nothing_to_tell() {
+fn an_unchanged_preset_exports_no_values() {
     for preset in PRESETS {
-        let wanted = Requested::of_preset(preset.name);
-        let changes = wanted.as_ref().map(differing);
+        let requested = Requested::of_preset(preset.name);
+        let changes = requested.as_ref().map(differing);
         assert_eq!(changes, Ok((vec![], 0)), "{}", preset.name);
     }
 }
 
 #[test]
-fn whatever_is_changed_comes_back() {
+fn import_restores_every_exported_change() {
     for preset in PRESETS {
         for model in [Model::Classic, Model::Combustion] {
-            let wanted = Requested::of_preset(preset.name).unwrap_or_default();
-            let mut wanted = set(&wanted, "model", text(model.name()));
+            let requested = Requested::of_preset(preset.name).unwrap_or_default();
+            let mut requested = set(&requested, "model", text(model.name()));
             for param in PARAMETERS {
                 let Some(domain) = param.domain(model) else {
                     continue;
                 };
                 let (min, max) = domain.range;
-                let mut parameters = wanted.parameters().clone();
+                let mut parameters = requested.parameters().clone();
                 let one_end = if param.get(&parameters).as_number() == Some(max) {
                     min
                 } else {
                     max
                 };
-                // What is no number stays as it is here.
+                // Only numbers are changed.
                 if parameters.set(param.id, Input::Number(one_end)).is_ok() {
-                    wanted.scene.set_settings(parameters);
+                    requested.scene.set_settings(parameters);
                 }
             }
-            let back = imported(&export(&wanted));
+            let back = imported(&export(&requested));
             for param in PARAMETERS {
                 if param.domain(model).is_some() {
-                    let values = (param.get(back.parameters()), param.get(wanted.parameters()));
+                    let values = (
+                        param.get(back.parameters()),
+                        param.get(requested.parameters()),
+                    );
                     assert_eq!(values.0, values.1, "{} of {}", param.id, preset.name);
                 }
             }
-            assert_eq!(export(&back), export(&wanted));
+            assert_eq!(export(&back), export(&requested));
             assert_eq!(back.preset, preset.name);
         }
     }
 }
 
 #[test]
-fn a_number_of_particles_that_somebody_set_is_kept() {
-    let wanted = Requested::default();
-    let default = f64::from(wanted.parameters().max_particles);
-    assert_eq!(differing(&wanted), (vec![], 0));
-    let wanted = set(&wanted, "max_particles", Untrusted::Number(default));
-    assert_eq!(differing(&wanted), (vec!["max_particles".to_owned()], 0));
-    assert!(imported(&export(&wanted)).count_overridden);
+fn export_includes_a_requested_number_of_particles() {
+    let requested = Requested::default();
+    let default = f64::from(requested.parameters().max_particles);
+    assert_eq!(differing(&requested), (vec![], 0));
+    let requested = set(&requested, "max_particles", Untrusted::Number(default));
+    assert_eq!(differing(&requested), (vec!["max_particles".to_owned()], 0));
+    assert!(imported(&export(&requested)).count_overridden);
 }
 
 #[test]
-fn settings_replace_all_that_was() {
-    let wanted = set(&Requested::default(), "exposure", Untrusted::Number(1.0));
+fn import_replaces_all_settings() {
+    let requested = set(&Requested::default(), "exposure", Untrusted::Number(1.0));
     let config = &object(vec![("values", object(vec![]))]);
     let source = "test";
-    let after = wanted.after(&Command::Import { config, source });
+    let after = requested.after(&Command::Import { config, source });
     assert_eq!(after, Some(Ok(Requested::default())));
 }
 
 #[test]
-fn the_words_of_a_scene_change_nothing() {
+fn label_and_description_do_not_change_the_settings() {
     let values = || ("values", object(vec![("wind", Untrusted::Number(1.0))]));
     let scene = object(vec![
         ("hearth", Untrusted::Number(1.0)),
@@ -129,7 +132,7 @@ fn the_words_of_a_scene_change_nothing() {
 }
 
 #[test]
-fn what_is_wrong_is_named_and_nothing_is_taken() {
+fn errors_name_the_invalid_field() {
     let values = |fields| object(vec![("values", object(fields))]);
     for (wrong, named) in [
         (Untrusted::Missing, "config"),
@@ -183,10 +186,10 @@ fn what_is_wrong_is_named_and_nothing_is_taken() {
         ("exposure", Untrusted::Number(99.0)),
         ("bloom", Untrusted::Number(-1.0)),
     ]);
-    assert_eq!(errors(&two).len(), 2, "each of them is named");
+    assert_eq!(errors(&two).len(), 2, "an error for each");
 }
 
-/// A list of sources with these properties.
+/// A list of sources with properties.
 fn sources(all: &[&[(&str, f64)]]) -> Untrusted {
     let of_one = |properties: &&[(&str, f64)]| {
         let mut fields = vec![("kind", text("source"))];
@@ -198,16 +201,16 @@ fn sources(all: &[&[(&str, f64)]]) -> Untrusted {
 }
 
 #[test]
-fn version_1_is_read_as_it_was_and_writes_back_as_version_2() {
+fn version_1_is_read_and_exported_as_version_2() {
     for preset in PRESETS {
-        // A scene of version 1 as its file has it: all that differs from the defaults.
+        // A scene file of version 1 with all differences from the defaults.
         let values = preset.values.iter().map(|&(id, input)| {
-            let raw = match input {
+            let value = match input {
                 Input::Number(x) => Untrusted::Number(x),
                 Input::Text(words) => text(words),
                 Input::Flag(on) => Untrusted::Flag(on),
             };
-            (id, raw)
+            (id, value)
         });
         let file = object(vec![
             ("hearth", Untrusted::Number(1.0)),
@@ -225,11 +228,11 @@ fn version_1_is_read_as_it_was_and_writes_back_as_version_2() {
 }
 
 #[test]
-fn what_belongs_to_the_first_source_is_written_once() {
-    let wanted = set(&Requested::default(), "source_x", Untrusted::Number(0.2));
-    let wanted = set(&wanted, "wind", Untrusted::Number(1.0));
+fn properties_of_the_first_source_are_exported_once() {
+    let requested = set(&Requested::default(), "source_x", Untrusted::Number(0.2));
+    let requested = set(&requested, "wind", Untrusted::Number(1.0));
     assert_eq!(
-        export(&wanted),
+        export(&requested),
         object(vec![
             ("hearth", Untrusted::Number(2.0)),
             ("values", object(vec![("wind", Untrusted::Number(1.0))])),
@@ -239,7 +242,7 @@ fn what_belongs_to_the_first_source_is_written_once() {
 }
 
 #[test]
-fn objects_come_back_with_their_ids_and_without_them_the_settings_keep_theirs() {
+fn import_restores_objects_with_their_ids() {
     let two = set(
         &Requested::default(),
         "objects",
@@ -250,30 +253,30 @@ fn objects_come_back_with_their_ids_and_without_them_the_settings_keep_theirs() 
         ("id".to_owned(), Untrusted::Number(7.0)),
         ("width".to_owned(), Untrusted::Number(0.05)),
     ];
-    let order = Command::AddObject {
+    let command = Command::AddObject {
         object,
         source: "test",
     };
-    let Some(Ok(three)) = two.after(&order) else {
-        panic!("it was refused");
+    let Some(Ok(three)) = two.after(&command) else {
+        panic!("refused");
     };
     let Some(Ok(fewer)) = three.after(&Command::RemoveObject {
         id: Whole(1),
         source: "test",
     }) else {
-        panic!("it was refused");
+        panic!("refused");
     };
     let none = set(&two, "objects", Untrusted::List(vec![]));
-    for wanted in [&two, &three, &fewer, &none] {
-        let back = imported(&export(wanted));
-        assert_eq!(back.scene, wanted.scene, "{:?}", export(wanted));
+    for requested in [&two, &three, &fewer, &none] {
+        let back = imported(&export(requested));
+        assert_eq!(back.scene, requested.scene, "{:?}", export(requested));
     }
     assert_eq!(fewer.parameters().fuel_power, 50.0);
     assert_eq!(none.parameters().source_x, -0.3);
 }
 
 #[test]
-fn of_two_words_about_one_property_the_later_counts() {
+fn the_later_of_two_values_of_a_property_wins() {
     let one = ("fuel_power".to_owned(), Untrusted::Number(100.0));
     let other = ("objects".to_owned(), sources(&[&[("power", 50.0)]]));
     for (values, power) in [([one.clone(), other.clone()], 50.0), ([other, one], 100.0)] {
@@ -281,13 +284,13 @@ fn of_two_words_about_one_property_the_later_counts() {
             values: &values,
             source: "test",
         });
-        let Some(Ok(wanted)) = set else {
+        let Some(Ok(requested)) = set else {
             panic!("{values:?} was refused");
         };
-        assert_eq!(wanted.parameters().fuel_power, power);
-        let fields = values.map(|(id, raw)| match id.as_str() {
-            "objects" => ("objects", raw),
-            id => ("values", object(vec![(id, raw)])),
+        assert_eq!(requested.parameters().fuel_power, power);
+        let fields = values.map(|(id, value)| match id.as_str() {
+            "objects" => ("objects", value),
+            id => ("values", object(vec![(id, value)])),
         });
         assert_eq!(
             imported(&object(fields.to_vec())).parameters().fuel_power,
@@ -297,7 +300,7 @@ fn of_two_words_about_one_property_the_later_counts() {
 }
 
 #[test]
-fn an_object_that_is_wrong_is_named_and_nothing_is_taken() {
+fn errors_name_the_invalid_object_and_no_object_changes() {
     let far = sources(&[&[], &[("x", 9.0)]]);
     let solid = Untrusted::List(vec![object(vec![("kind", text("solid"))])]);
     for (objects, named) in [
@@ -328,40 +331,40 @@ fn an_object_that_is_wrong_is_named_and_nothing_is_taken() {
             ("wind".to_owned(), Untrusted::Number(1.0)),
             ("objects".to_owned(), objects),
         ];
-        let order = Command::Set {
+        let command = Command::Set {
             values,
             source: "test",
         };
-        assert!(matches!(Requested::default().after(&order), Some(Err(_))));
+        assert!(matches!(Requested::default().after(&command), Some(Err(_))));
     }
-    let order = Command::ChangeObject {
+    let command = Command::ChangeObject {
         id: Whole(1),
         values: &[("x".to_owned(), text("far"))],
         source: "test",
     };
-    let Some(Err(refused)) = Requested::default().after(&order) else {
-        panic!("it was taken");
+    let Some(Err(invalid)) = Requested::default().after(&command) else {
+        panic!("accepted");
     };
-    assert_eq!(refused[0].id, "objects[0].x");
-    assert_eq!(refused[0].value, text("far"));
-    assert_eq!(refused[0].range, Some((-3.0, 3.0)));
-    let order = Command::RemoveObject {
+    assert_eq!(invalid[0].id, "objects[0].x");
+    assert_eq!(invalid[0].value, text("far"));
+    assert_eq!(invalid[0].range, Some((-3.0, 3.0)));
+    let command = Command::RemoveObject {
         id: Whole(9),
         source: "test",
     };
-    assert!(matches!(Requested::default().after(&order), Some(Err(_))));
+    assert!(matches!(Requested::default().after(&command), Some(Err(_))));
     let values = object(vec![("values", object(vec![("objects", sources(&[]))]))]);
     assert!(errors(&values)[0].contains("beside the values"));
 }
 
 #[test]
-fn the_default_objects_are_one_source_with_the_values_of_the_settings() {
-    let wanted = set(&Requested::default(), "source_x", Untrusted::Number(0.2));
-    let two = set(&wanted, "objects", sources(&[&[], &[]]));
+fn restoring_the_objects_gives_one_source_with_the_values_of_the_settings() {
+    let requested = set(&Requested::default(), "source_x", Untrusted::Number(0.2));
+    let two = set(&requested, "objects", sources(&[&[], &[]]));
     let ids = &[text("objects")];
-    let order = Command::Restore {
+    let command = Command::Restore {
         ids,
         source: "test",
     };
-    assert_eq!(two.after(&order), Some(Ok(wanted)));
+    assert_eq!(two.after(&command), Some(Ok(requested)));
 }

@@ -1,4 +1,4 @@
-//! How many particles go with the size of an element.
+//! The number of particles by the size of an element.
 
 use hearth_engine::grain::Grain;
 use hearth_engine::quality::Level;
@@ -8,7 +8,7 @@ fn at(side: f64, level: Level) -> u32 {
 }
 
 #[test]
-fn an_icon_has_300_a_card_400_and_a_stage_what_the_level_has() {
+fn an_icon_has_300_a_card_about_400_and_a_large_element_all_particles() {
     for level in Level::ALL {
         assert_eq!(at(64.0, level), 300);
         assert_eq!(at(16.0, level), 300);
@@ -17,14 +17,14 @@ fn an_icon_has_300_a_card_400_and_a_stage_what_the_level_has() {
         for side in [560.0, 600.0, 4000.0] {
             assert_eq!(at(side, level), level.particles());
         }
-        // Until it has a size, and while it is hidden.
+        // Without a size, before the first layout or while hidden.
         assert_eq!(at(0.0, level), level.particles());
         assert_eq!(Grain::default().particles(level), level.particles());
     }
 }
 
 #[test]
-fn a_larger_element_and_a_higher_level_never_have_fewer() {
+fn the_number_grows_with_size_and_level() {
     let mut before = [0; 3];
     for side in 1..1000 {
         let now = Level::ALL.map(|level| at(side.into(), level));
@@ -35,15 +35,15 @@ fn a_larger_element_and_a_higher_level_never_have_fewer() {
 }
 
 #[test]
-fn a_window_that_is_dragged_to_and_fro_changes_nothing() {
+fn small_changes_of_size_do_not_change_the_number() {
     for start in [64.0, 90.0, 200.0, 268.0, 300.0, 500.0, 559.0, 800.0] {
         let mut grain = Grain::of(start);
         for side in [1.04, 0.96, 1.08, 1.0, 0.93, 1.0] {
             let before = grain;
-            let counts = grain.resize(side * start);
-            // Only at an end is anything exact; and once it is reached, it stays.
-            assert!(!counts || [64.0, 560.0].contains(&(side * start).clamp(64.0, 560.0)));
-            assert_eq!(counts, grain != before);
+            let matters = grain.resize(side * start);
+            // Only the ends are followed exactly.
+            assert!(!matters || [64.0, 560.0].contains(&(side * start).clamp(64.0, 560.0)));
+            assert_eq!(matters, grain != before);
         }
         let settled = grain;
         for side in [1.02, 0.99, 1.0] {
@@ -54,20 +54,20 @@ fn a_window_that_is_dragged_to_and_fro_changes_nothing() {
 }
 
 #[test]
-fn a_card_that_grows_into_a_stage_gets_all_of_it_in_few_changes() {
+fn a_growing_element_reaches_all_particles_in_few_changes() {
     let mut grain = Grain::of(240.0);
     let changes = (240..1000)
         .filter(|&side| grain.resize(side.into()))
         .count();
     assert_eq!(grain.particles(Level::High), Level::High.particles());
     assert!((2..=12).contains(&changes), "{changes}");
-    assert!(!grain.resize(0.0), "what is hidden keeps its particles");
+    assert!(!grain.resize(0.0), "a hidden element keeps its particles");
     assert!(grain.resize(64.0));
     assert_eq!(grain.particles(Level::High), 300);
 }
 
 #[test]
-fn a_scene_has_its_own_number_in_every_page_and_a_few_hundred_in_an_icon() {
+fn a_scene_has_its_own_number_except_in_small_elements() {
     for number in [2000, 4000] {
         for side in [320.0, 426.0, 2000.0] {
             assert_eq!(Grain::of(side).of_scene(number), number);

@@ -1,4 +1,4 @@
-//! Limits of what a fire draws, and the force of a pointer.
+//! Limits of frame rate and picture size, and the force of a pointer.
 
 use hearth_bindings::{Untrusted, Within};
 use hearth_engine::commands::Command;
@@ -18,7 +18,7 @@ fn pixels(pixels: f64) -> Limits {
     Limits { fps, pixels }
 }
 
-/// Frames of a display of that rate that are drawn in ten seconds.
+/// Number of pictures in ten seconds on a display with that rate [Hz].
 fn drawn(limits: Limits, display: f64) -> u32 {
     let mut next = 0.0;
     let frames = (10.0 * display) as u32;
@@ -27,23 +27,23 @@ fn drawn(limits: Limits, display: f64) -> u32 {
 }
 
 #[test]
-fn a_limited_fire_draws_about_as_often_as_it_may() {
+fn a_limited_fire_draws_nearly_at_its_limit() {
     for display in [50.0, 60.0, 120.0, 144.0] {
         assert_eq!(drawn(Limits::default(), display), (10.0 * display) as u32);
         for fps in [10.0, 24.0, 30.0] {
             let limits = self::fps(fps);
-            let most = 10.0 * fps + 1.0;
+            let max = 10.0 * fps + 1.0;
             let got = f64::from(drawn(limits, display));
             assert!(
-                got <= most && got > 0.8 * most,
-                "{got} of {most} at {display} Hz"
+                got <= max && got > 0.8 * max,
+                "{got} of {max} at {display} Hz"
             );
         }
     }
 }
 
 #[test]
-fn after_a_pause_nothing_is_made_up_for() {
+fn a_pause_is_not_made_up_for() {
     let limits = fps(10.0);
     let mut next = 0.0;
     assert!(limits.is_due(0.0, &mut next));
@@ -53,17 +53,17 @@ fn after_a_pause_nothing_is_made_up_for() {
 }
 
 #[test]
-fn a_picture_keeps_its_shape_and_has_no_more_pixels_than_it_may() {
+fn a_limited_picture_keeps_its_shape() {
     for size in [(1920, 1080), (300, 4000), (1, 8192), (64, 64), (8192, 8192)] {
-        for most in [PIXELS.0, 90_000.0, PIXELS.1] {
-            let (width, height) = pixels(most).fit(size, Level::High.pixels());
+        for max in [PIXELS.0, 90_000.0, PIXELS.1] {
+            let (width, height) = pixels(max).fit(size, Level::High.pixels());
             let drawn = f64::from(width) * f64::from(height);
             assert!(width > 0 && height > 0);
             assert!(
-                drawn <= most.max(f64::from(size.0.max(size.1))),
+                drawn <= max.max(f64::from(size.0.max(size.1))),
                 "{size:?}: {drawn}"
             );
-            if f64::from(size.0) * f64::from(size.1) <= most {
+            if f64::from(size.0) * f64::from(size.1) <= max {
                 assert_eq!((width, height), size);
             } else if width > 20 && height > 20 {
                 let ratio = |(width, height)| f64::from(width) / f64::from(height);
@@ -74,7 +74,7 @@ fn a_picture_keeps_its_shape_and_has_no_more_pixels_than_it_may() {
 }
 
 #[test]
-fn where_nobody_limits_them_the_quality_does() {
+fn the_quality_limits_pixels_by_default() {
     let screen = (3840, 2160);
     let pixels = Level::ALL.map(|level| {
         let (width, height) = Limits::default().fit(screen, level.pixels());
@@ -86,7 +86,7 @@ fn where_nobody_limits_them_the_quality_does() {
 }
 
 #[test]
-fn a_limit_is_a_number_in_its_range_or_none() {
+fn a_limit_is_a_number_in_range_or_missing() {
     let limit = |id: &str, value: Untrusted| {
         let arguments = [value];
         let limit = Command::parse(&Untrusted::Text(id.to_owned()), &arguments);
@@ -110,7 +110,7 @@ fn a_limit_is_a_number_in_its_range_or_none() {
             Untrusted::Text("fast".to_owned()),
             Untrusted::Other("null"),
         ] {
-            let error = limit(id, wrong).expect_err("it is refused");
+            let error = limit(id, wrong).expect_err("refused");
             let allowed = format!("must be a number from {min} to {max}");
             assert!(error.message.ends_with(&allowed), "{error:?}");
             assert_eq!((error.id.as_str(), error.range), (id, Some((min, max))));
@@ -120,7 +120,7 @@ fn a_limit_is_a_number_in_its_range_or_none() {
 }
 
 #[test]
-fn a_pointer_carries_the_gas_near_it_along_and_no_other() {
+fn a_pointer_accelerates_only_gas_near_it() {
     let mut force = PointerForce::new([0.1, 0.5], [2.0, 0.0]);
     assert!(force.acceleration([0.1, 0.5], [0.0; 2])[0] > 0.0);
     assert_eq!(
@@ -134,5 +134,5 @@ fn a_pointer_carries_the_gas_near_it_along_and_no_other() {
         "far away"
     );
     assert!(force.lasts(0.001));
-    assert!(!force.lasts(1.0), "it ends");
+    assert!(!force.lasts(1.0), "the force ends");
 }

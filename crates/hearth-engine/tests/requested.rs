@@ -1,4 +1,4 @@
-//! What a fire burns with: the requested settings, and the level's number of particles.
+//! Requested settings and the level's number of particles.
 
 use hearth_bindings::{Argument, Untrusted};
 use hearth_core::Simulation;
@@ -47,15 +47,15 @@ fn result(requested: &Requested, change: &Change) -> Option<Requested> {
     after.and_then(Result::ok)
 }
 
-/// What is requested after a good change.
+/// The settings after a valid change.
 fn then(requested: &Requested, change: &Change) -> Requested {
     match result(requested, change) {
         Some(requested) => requested,
-        None => panic!("a good change is refused"),
+        None => panic!("a valid change is refused"),
     }
 }
 
-/// What is requested after these changes.
+/// The settings after these changes.
 fn after<const N: usize>(changes: [Change; N]) -> Requested {
     let first = Requested::default();
     changes
@@ -63,7 +63,7 @@ fn after<const N: usize>(changes: [Change; N]) -> Requested {
         .fold(first, |requested, change| then(&requested, change))
 }
 
-/// The particles that it has at each level.
+/// Number of particles at each level.
 fn particles(requested: &Requested) -> [u32; 3] {
     Level::ALL.map(|level| requested.at(level.particles()).settings().max_particles)
 }
@@ -71,18 +71,18 @@ fn particles(requested: &Requested) -> [u32; 3] {
 const FOLLOWS: [u32; 3] = [1200, 3000, 6700];
 
 #[test]
-fn the_number_is_the_levels_until_somebody_sets_it_to_whatever() {
+fn the_level_decides_the_number_until_a_page_sets_it() {
     assert_eq!(particles(&Requested::default()), FOLLOWS);
-    // The default among them.
+    // Also if it is the default.
     for own in [2000, 2999, 3000, 3001] {
         let requested = after([Change::Set(sent([number(own)]))]);
         assert_eq!(particles(&requested), [own; 3]);
-        // Until it is put back, by itself or with all others.
+        // Restoring the parameter or all settings resets it.
         for back in [Change::Restore("max_particles"), Change::Preset("default")] {
             let requested = then(&requested, &back);
             assert_eq!(particles(&requested), FOLLOWS);
         }
-        // And not by what is about something else.
+        // Changes of other parameters do not.
         for other in [
             Change::Restore("seed"),
             Change::Set(sent([("seed", Untrusted::Number(7.0))])),
@@ -95,7 +95,7 @@ fn the_number_is_the_levels_until_somebody_sets_it_to_whatever() {
 }
 
 #[test]
-fn what_is_refused_sets_no_number() {
+fn refused_values_do_not_set_the_number() {
     let requested = Requested::default();
     let bad = Change::Set(sent([number(3000), ("bloom", Untrusted::Number(99.0))]));
     assert_eq!(result(&requested, &bad), None);
@@ -104,12 +104,12 @@ fn what_is_refused_sets_no_number() {
 }
 
 #[test]
-fn the_classic_models_number_is_its_own() {
+fn each_model_has_its_own_number() {
     let classic = after([Change::Set(sent([model("classic"), number(500)]))]);
     assert_eq!(particles(&classic), [500; 3]);
     let back = then(&classic, &Change::Set(sent([model("combustion")])));
     assert_eq!(particles(&back), FOLLOWS);
-    // And the other way round.
+    // And vice versa.
     let requested = after([
         Change::Set(sent([number(3000)])),
         Change::Set(sent([model("classic")])),
@@ -120,7 +120,7 @@ fn the_classic_models_number_is_its_own() {
 }
 
 #[test]
-fn a_fire_that_comes_back_knows_whose_number_it_has() {
+fn a_recreated_fire_keeps_whether_the_number_was_set() {
     for (overridden, expected) in [(true, [3000; 3]), (false, FOLLOWS)] {
         let values = sent([model("combustion"), number(3000)]);
         let start = Untrusted::Object(sent([
@@ -132,27 +132,27 @@ fn a_fire_that_comes_back_knows_whose_number_it_has() {
 }
 
 #[test]
-fn what_makes_other_work_is_known() {
+fn changes_of_the_cost_are_detected() {
     let requested = Requested::default();
     for other in [
         model("classic"),
         number(2000),
-        // As many at this level, but for ever.
+        // The same number at this level, but fixed.
         number(3000),
         ("time_scale", Untrusted::Number(0.5)),
     ] {
-        assert!(!then(&requested, &Change::Set(sent([other]))).works_like(&requested));
+        assert!(!then(&requested, &Change::Set(sent([other]))).costs_like(&requested));
     }
     for same in [
         ("bloom", Untrusted::Number(0.5)),
         ("wind", Untrusted::Number(0.2)),
     ] {
-        assert!(then(&requested, &Change::Set(sent([same]))).works_like(&requested));
+        assert!(then(&requested, &Change::Set(sent([same]))).costs_like(&requested));
     }
 }
 
 #[test]
-fn what_a_fire_starts_with_does_not_depend_on_the_guess_for_the_machine() {
+fn the_start_does_not_depend_on_the_guess_for_the_machine() {
     let requested = Requested::default();
     let set = |values| then(&requested, &Change::Set(values));
     let cases = [
@@ -163,10 +163,10 @@ fn what_a_fire_starts_with_does_not_depend_on_the_guess_for_the_machine() {
             Level::Low,
         ),
     ];
-    for (asked, level) in cases {
+    for (changed, level) in cases {
         let burnt = |guess: Level| {
             let mut fire = Simulation::new(requested.at(guess.particles()));
-            adapt(&mut fire, asked.at(level.particles()));
+            adapt(&mut fire, changed.at(level.particles()));
             for _ in 0..20 {
                 fire.step();
             }
@@ -174,10 +174,10 @@ fn what_a_fire_starts_with_does_not_depend_on_the_guess_for_the_machine() {
         };
         let (low, high) = (burnt(Level::Low), burnt(Level::High));
         assert_eq!(low, high);
-        // It is the one that starts again from nothing, too.
+        // A reset fire is the same.
         let mut again = Simulation::new(requested.at(Level::High.particles()));
         again.step();
-        adapt(&mut again, asked.at(level.particles()));
+        adapt(&mut again, changed.at(level.particles()));
         again.reset();
         for _ in 0..20 {
             again.step();
@@ -187,7 +187,7 @@ fn what_a_fire_starts_with_does_not_depend_on_the_guess_for_the_machine() {
 }
 
 #[test]
-fn a_burning_fire_is_taken_over() {
+fn a_burning_fire_is_resampled() {
     let requested = Requested::default();
     assert_eq!(requested.parameters().model(), Model::Combustion);
     let mut fire = Simulation::new(requested.at(Level::Medium.particles()));

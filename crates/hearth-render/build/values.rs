@@ -1,11 +1,11 @@
-//! Constants that shaders get by name, from those that Rust uses too.
+//! Constants of `src/constants.rs` for shaders.
 
 use crate::constants::{BLOCK, COOLEST, ENTRIES, HOTTEST, NOISE_LEVELS, ROW, TEXELS};
 
-/// Names and values, as GLSL writes them.
+/// Names and values in GLSL.
 pub fn shared() -> Vec<(&'static str, String)> {
     let whole = |value: usize| value.to_string();
-    // The shortest decimal that is this float again.
+    // The shortest decimal that parses to this float.
     let real = |value: f32| format!("{value:?}");
     let [scale, offset] = table_coordinate();
     vec![
@@ -18,8 +18,8 @@ pub fn shared() -> Vec<(&'static str, String)> {
     ]
 }
 
-/// Coordinate in the colour table of a temperature in kK: scale and offset. The first and the
-/// last entry stand in the middle of their texels.
+/// Scale and offset from a temperature \[kK\] to a coordinate of the colour table. The first and the
+/// last entry are at the middle of their texels.
 pub fn table_coordinate() -> [f32; 2] {
     let entries = ENTRIES as f32;
     let scale = (entries - 1.0) / entries * 1e3 / (HOTTEST - COOLEST);

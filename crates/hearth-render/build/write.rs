@@ -1,13 +1,13 @@
-//! The Rust module of the compiled shaders.
+//! Writes the Rust module of the compiled shaders.
 
 use std::fmt::Write;
 
 use crate::glsl::{Program, Uniform};
 
-/// Its text.
+/// The source of the module.
 pub fn module(programs: &[Program]) -> String {
     let mut text = String::new();
-    // A string takes what is written to it.
+    // Writing to a string never fails.
     let _ = write(programs, &mut text);
     text
 }
@@ -30,14 +30,14 @@ fn write(programs: &[Program], text: &mut String) -> std::fmt::Result {
     )?;
     writeln!(
         text,
-        "/// Every pair, in the order of [`Shader`].\npub static SOURCES: [Source; {}] = [",
+        "/// All pairs in the order of [`Shader`].\npub static SOURCES: [Source; {}] = [",
         programs.len()
     )?;
     for program in programs {
         let [vertex, fragment] = program
             .stages
             .each_ref()
-            .map(|stage| stage.text(stage_is_short()));
+            .map(|stage| stage.text(minifies()));
         writeln!(text, "    Source {{\n        name: {:?},", program.name)?;
         writeln!(
             text,
@@ -64,12 +64,12 @@ fn write(programs: &[Program], text: &mut String) -> std::fmt::Result {
     writeln!(text, "}}")
 }
 
-/// Only release builds save room.
-fn stage_is_short() -> bool {
+/// Whether to minify: in release builds.
+fn minifies() -> bool {
     std::env::var("PROFILE").is_ok_and(|profile| profile == "release")
 }
 
-/// The struct of a program's uniforms.
+/// Writes the struct of a program's uniforms.
 fn block(program: &Program, text: &mut String) -> std::fmt::Result {
     let name = camel(&program.name);
     writeln!(

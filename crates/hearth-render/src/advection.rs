@@ -1,17 +1,16 @@
-//! Noise advection: when the two noise patterns that the gas carries start again.
+//! Noise advection: the periods of two advected noise patterns.
 //!
-//! Gas stretches and folds whatever it carries, soon too much. So there are two patterns, each
-//! carried for one period, the second half a period later than the first. Each fades in after
-//! its start and out before its end.
+//! The flow stretches and folds an advected pattern until it is unusable. So two patterns
+//! alternate: each is advected for one period, half a period apart, and fades in after its start
+//! and out before its end.
 
-/// Longest time between two pictures that still counts as motion \[s\].
+/// Maximum time between two pictures of continuous motion \[s\].
 const LONGEST_FRAME: f64 = 0.1;
-/// How long the gas has carried the patterns in a picture without a predecessor \[s\]: a fire
-/// that stands still has moved before.
-const AT_ONCE: f32 = 0.08;
+/// Time of advection in a picture without a predecessor \[s\], so that a paused fire looks as if
+/// it had moved.
+const INITIAL: f32 = 0.08;
 
-/// How long the gas carries a pattern \[s\]: as long as it takes to rise by a few widths of the
-/// source \[m\].
+/// Period of a pattern \[s\]: the time in which gas rises by a few widths of the source \[m\].
 pub fn period(source_width: f32) -> f32 {
     source_width.sqrt().clamp(0.25, 1.5) * 0.75
 }
@@ -22,9 +21,9 @@ pub struct Advection {
     time: Option<f64>,
     /// Periods since the start.
     periods: f64,
-    /// How long the gas has carried the patterns since the last picture \[s\].
+    /// Time of advection since the last picture \[s\].
     pub elapsed: f32,
-    /// For each pattern: 1, or 0 if it starts again in this picture.
+    /// For each pattern: 0 if it restarts in this picture, else 1.
     pub kept: [f32; 2],
 }
 
@@ -33,10 +32,10 @@ impl Advection {
     pub fn advance(&mut self, time: f64, period: f32) {
         let elapsed = self.time.map_or(-1.0, |before| time - before);
         self.time = Some(time);
-        // A clock that was set back or a long pause is no motion.
+        // A reset of the time or a long pause is no motion.
         let is_moving = (0.0..=LONGEST_FRAME).contains(&elapsed);
         let before = [0.0, 0.5].map(|start| (self.periods + start).floor());
-        self.elapsed = if is_moving { elapsed as f32 } else { AT_ONCE };
+        self.elapsed = if is_moving { elapsed as f32 } else { INITIAL };
         if is_moving {
             self.periods += elapsed / f64::from(period);
         }
@@ -49,7 +48,7 @@ impl Advection {
         self.time = None;
     }
 
-    /// How much of each pattern is seen. Together they vary as much as one alone.
+    /// Share of each pattern. The variance of the sum is that of one pattern.
     pub fn shares(&self) -> [f32; 2] {
         let shares = [0.0, 0.5].map(|start| {
             let age = (self.periods + start).fract() as f32;
@@ -59,7 +58,7 @@ impl Advection {
         shares.map(|share| share / both)
     }
 
-    /// Where in the tile of noise each pattern starts, elsewhere every time: x and y of the
+    /// Offsets of the patterns in the noise tile, different after each restart: x and y of the
     /// first, then of the second.
     pub fn starts(&self) -> [f32; 4] {
         let [a, b] = [0.0, 0.5].map(|start| (self.periods + start).floor());
@@ -72,7 +71,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_pattern_is_unseen_while_it_starts_again() {
+    fn a_pattern_is_invisible_when_it_restarts() {
         let mut advection = Advection::default();
         let mut starts = 0;
         for frame in 0..200 {
@@ -88,11 +87,11 @@ mod tests {
     }
 
     #[test]
-    fn a_pause_or_a_restart_starts_both_again() {
+    fn a_pause_or_a_reset_restarts_both_patterns() {
         let mut advection = Advection::default();
         for time in [0.0, 100.0, 0.0, 500.0] {
             advection.advance(time, 0.6);
-            assert_eq!((advection.elapsed, advection.kept), (AT_ONCE, [0.0; 2]));
+            assert_eq!((advection.elapsed, advection.kept), (INITIAL, [0.0; 2]));
         }
         advection.forget();
         advection.advance(500.0, 0.6);
@@ -100,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn the_same_picture_again_is_the_same() {
+    fn drawing_a_picture_twice_gives_the_same_state() {
         let mut advection = Advection::default();
         advection.advance(1.0, 0.6);
         let (shares, starts) = (advection.shares(), advection.starts());

@@ -1,20 +1,20 @@
-//! Where the particles are, and how their gas rises: nothing is drawn where no particle is,
-//! and the fine structure rises with the gas.
+//! Particle bounds, which limit the drawn part, and the mean motion of the gas, with which the fine
+//! structure rises.
 
 use hearth_core::Instance;
 use hearth_core::params::Model;
 
 use crate::instance::{position, remaining_life, temperature, upward_speed};
 
-/// Gas that is warmer rises as part of a flame \[K\].
+/// Minimum temperature of gas that counts as flame \[K\].
 const WARM: f32 = 600.0;
 
 /// Sums over all particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParticleBounds {
-    /// Left, lower, right and upper edge of everything \[m\]; left > right if there is nothing.
+    /// Left, lower, right and upper edge \[m\]; left > right without particles.
     pub edges: [f32; 4],
-    /// Gas of the classic model, weighted by the life that remains.
+    /// Gas of the classic model, weighted by its remaining life.
     alive: Gas,
     /// Gas of the combustion model, weighted by its heat.
     hot: Gas,
@@ -33,7 +33,7 @@ impl Gas {
 }
 
 impl ParticleBounds {
-    /// The bounds of particles, of whichever model, and embers.
+    /// The bounds of particles of any model and embers.
     pub fn of(particles: &[Instance], embers: &[Instance]) -> ParticleBounds {
         let far = f32::INFINITY;
         let mut edges = [far, far, -far, -far];
@@ -54,7 +54,7 @@ impl ParticleBounds {
         ParticleBounds { edges, alive, hot }
     }
 
-    /// Mean height \[m\] and upward speed [m/s] of the gas of that model that shines.
+    /// Mean height \[m\] and upward speed [m/s] of the glowing gas of a model.
     pub fn mean(&self, model: Model) -> [f32; 2] {
         let Gas([weight, height, speed]) = match model {
             Model::Classic => self.alive,
@@ -63,7 +63,7 @@ impl ParticleBounds {
         [height, speed].map(|sum| sum / weight.max(f32::MIN_POSITIVE))
     }
 
-    /// The edges, so much farther out \[m\].
+    /// The edges with a margin \[m\].
     pub fn widened(&self, margin: f32) -> [f32; 4] {
         let [left, lower, right, upper] = self.edges;
         [
@@ -79,13 +79,13 @@ impl ParticleBounds {
 pub mod tests {
     use super::*;
 
-    /// A particle that glows.
+    /// A glowing particle.
     pub fn particle(x: f32, y: f32, speed: f32) -> Instance {
         [x, y, 0.0, speed, 1500.0, 1.0, 0.1, 1.0]
     }
 
     #[test]
-    fn bounds_hold_every_particle() {
+    fn the_bounds_enclose_particles_and_embers() {
         let bounds = ParticleBounds::of(&[particle(-0.3, 0.1, 1.0)], &[particle(0.2, 0.9, 1.0)]);
         assert_eq!(bounds.edges, [-0.3, 0.1, 0.2, 0.9]);
         let [left, _, right, _] = ParticleBounds::of(&[], &[]).edges;

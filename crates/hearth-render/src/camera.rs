@@ -1,22 +1,21 @@
-//! Which part of the world a picture shows: how the domain fits the picture, and where the
-//! rest of the picture goes.
+//! The camera: which part of the world a picture shows.
 
 /// How the domain fits the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Fit {
-    /// The domain is as high as the picture.
+    /// The picture is as high as the domain.
     #[default]
     Height,
-    /// The picture shows all of the domain.
+    /// The picture shows the whole domain.
     Contain,
-    /// The picture shows nothing but the domain.
+    /// The domain covers the picture.
     Cover,
-    /// The domain is as wide as the picture.
+    /// The picture is as wide as the domain.
     Width,
 }
 
 impl Fit {
-    /// The fits by their names.
+    /// All fits with their names.
     pub const ALL: [(&'static str, Fit); 4] = [
         ("height", Fit::Height),
         ("contain", Fit::Contain),
@@ -25,13 +24,13 @@ impl Fit {
     ];
 }
 
-/// How a picture shows the world.
+/// Fit and alignment of the domain in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// How the domain fits the picture.
     pub fit: Fit,
-    /// Where the domain stands in a picture of another size, or which part of it is seen
-    /// in a smaller one, from left and from below: 0 to 1.
+    /// Alignment from the left and from below, 0 to 1, of a domain that is smaller or larger
+    /// than the picture.
     pub align: [f32; 2],
 }
 

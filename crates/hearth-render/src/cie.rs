@@ -1,16 +1,15 @@
-//! How an eye sees wavelengths: the colour matching functions of the CIE 1931
-//! 2° standard observer.
+//! Colour matching functions of the CIE 1931 2° standard observer.
 //!
-//! Source: CIE 015:2018 *Colorimetry*, table of the CIE 1931 standard
-//! colorimetric observer, every 10 nm. A flame's spectrum is smooth, so this
-//! step moves a chromaticity by less than 0.0005 against the table's own 1 nm.
+//! Source: CIE 015:2018 *Colorimetry*, table of the CIE 1931 standard colorimetric observer,
+//! every 10 nm. A flame's spectrum is smooth, so this step changes a chromaticity by less than
+//! 0.0005 compared with the table's 1 nm.
 
 /// First wavelength of [`OBSERVER`] \[nm\].
 pub const FIRST: f64 = 380.0;
-/// Distance between two wavelengths of [`OBSERVER`] \[nm\].
+/// Step between two wavelengths of [`OBSERVER`] \[nm\].
 pub const STEP: f64 = 10.0;
 
-/// x̄, ȳ, z̄ at 380, 390, … 780 nm; all the table's digits fit an `f32`.
+/// x̄, ȳ, z̄ at 380, 390, … 780 nm. An `f32` holds all digits of the table.
 #[rustfmt::skip]
 pub static OBSERVER: [[f32; 3]; 41] = [
     [0.001368, 0.000039, 0.00645], // 380

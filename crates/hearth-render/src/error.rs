@@ -2,31 +2,31 @@
 
 use std::fmt;
 
-/// Why the renderer cannot draw.
+/// An error of the renderer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RenderError {
-    /// A pair of shaders was not compiled or linked.
+    /// A pair of shaders does not compile or link.
     Program {
-        /// Name of its files.
+        /// Name of the pass.
         pass: &'static str,
         /// The driver's log.
         log: String,
     },
-    /// The driver made no program, texture or framebuffer, as after a lost context.
+    /// The driver creates no program, texture or framebuffer, for example after a lost context.
     Resource {
         /// The pass that needs it.
         pass: &'static str,
     },
-    /// No target format can be drawn into.
+    /// No target format is renderable.
     NoTarget,
 }
 
 impl fmt::Display for RenderError {
-    // Written in pieces: formatting them would be larger.
+    // Pieces take less code than formatting.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let pieces = match self {
             RenderError::Program { pass, log } => [
-                "the driver refuses the shaders of the pass \"",
+                "the driver rejects the shaders of the pass \"",
                 *pass,
                 "\": ",
                 log,
@@ -38,7 +38,7 @@ impl fmt::Display for RenderError {
                 "",
             ],
             RenderError::NoTarget => [
-                "the graphics driver offers no texture format that can be drawn into",
+                "the graphics driver supports no renderable texture format",
                 "",
                 "",
                 "",

@@ -1,16 +1,16 @@
-//! The pixel format of the targets.
+//! The format of the targets.
 //!
-//! Half floats wherever the browser can draw into them, and never full floats, which phones
-//! cannot blend. Without half floats, eight bits hold scaled values: coarser, but a fire.
+//! Half floats if the browser can render to them; never full floats, which phones cannot blend.
+//! Otherwise eight bits store scaled values, with visible steps.
 
 use crate::gl::Graphics;
 
-/// Pixels of the off-screen targets.
+/// Format of the off-screen targets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TargetFormat {
     /// Half floats.
     Rgba16F,
-    /// Eight bits from 0 to 1, with scaled values.
+    /// Eight bits from 0 to 1 with scaled values.
     Rgba8,
 }
 
@@ -26,7 +26,7 @@ impl TargetFormat {
         }
     }
 
-    /// A short name for statistics.
+    /// Name in statistics.
     pub const fn name(self) -> &'static str {
         match self {
             TargetFormat::Rgba16F => "rgba16f",
@@ -34,7 +34,7 @@ impl TargetFormat {
         }
     }
 
-    /// Internal format, type of its channels.
+    /// Internal format and type of the channels.
     pub(crate) const fn constants(self) -> (u32, u32) {
         match self {
             TargetFormat::Rgba16F => (glow::RGBA16F, glow::HALF_FLOAT),
@@ -42,18 +42,18 @@ impl TargetFormat {
         }
     }
 
-    /// Largest value of each field that must still be told apart: weight,
-    /// weight × kK, glow, smoke. The splat divides by it, the reader multiplies.
+    /// Maximum of each value of the classic model's field: weight, weight × kK, glow, smoke. The
+    /// splat divides by it, readers multiply by it.
     pub(crate) const fn field_range(self) -> [f32; 4] {
         match self {
             TargetFormat::Rgba16F => [1.0; 4],
-            // Six kernels on top of each other, at most 2600 K.
+            // Six overlapping kernels of at most 2600 K.
             TargetFormat::Rgba8 => [6.0, 6.0 * 2.6, 6.0, 6.0],
         }
     }
 
-    /// The same for the combustion model, whose kernels sum up to about 1:
-    /// weight, weight × kK, soot, burning [1/s].
+    /// The same of the combustion model, whose kernels sum to about 1: weight, weight × kK, soot,
+    /// burning [1/s].
     pub(crate) const fn gas_range(self) -> [f32; 4] {
         match self {
             TargetFormat::Rgba16F => [1.0; 4],
@@ -61,8 +61,7 @@ impl TargetFormat {
         }
     }
 
-    /// Largest radiance that is kept before the tone map, which shows
-    /// everything above it as nearly white.
+    /// Maximum radiance before tone mapping. The tone map shows a higher one as nearly white.
     pub(crate) const fn light_range(self) -> f32 {
         match self {
             TargetFormat::Rgba16F => 1.0,
@@ -76,15 +75,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn eight_bits_hold_the_hottest_gas_wherever_they_hold_its_weight() {
+    fn in_eight_bits_the_weight_saturates_before_the_heat() {
         let [weight, heat, ..] = TargetFormat::Rgba8.field_range();
         let hottest = crate::constants::HOTTEST / 1000.0;
-        // The mean temperature is heat / weight, so heat must not saturate first.
+        // The mean temperature is heat / weight.
         assert!(heat >= weight * hottest * 0.999);
     }
 
     #[test]
-    fn one_particle_is_visible_in_eight_bits() {
+    fn a_single_particle_is_visible_in_eight_bits() {
         for range in TargetFormat::Rgba8.field_range() {
             assert!(255.0 / range >= 10.0, "less than ten levels");
         }

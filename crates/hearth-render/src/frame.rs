@@ -1,4 +1,4 @@
-//! A frame: all that its passes know of the fire, the picture and the camera.
+//! A frame: the data of its passes about the fire, the picture and the camera.
 
 use hearth_core::params::{Backdrop, Colour, DisplayMode, Layers, Model};
 use hearth_core::{Parameters, Source};
@@ -10,49 +10,50 @@ use crate::motion::Motion;
 use crate::resolution::Layout;
 use crate::viewport::Viewport;
 
-/// Brightness of a flame of 1500 K at an exposure of 0.
+/// Brightness of gas of 1500 K at an exposure of 0.
 const GAIN: f32 = 2.0;
-/// How far glow reaches, in texels of its widest copy.
+/// Reach of the glow in texels of its widest copy.
 const HALO: f32 = 3.5;
-/// Smallest radius of a kernel in texels: a narrower one would flicker as it moves.
-const TEXELS: f32 = 1.5;
-/// How far above the foot of the fire the wall meets the floor, in heights of the domain.
-const BEHIND: f32 = 0.1;
-/// Highest foot of the fire that the floor reaches, in heights of the domain.
-const HIGHEST: f32 = 0.6;
+/// Minimum radius of a kernel in texels. Narrower kernels flicker as they move.
+const MIN_TEXELS: f32 = 1.5;
+/// Height of the wall's foot above that of the fire, in heights of the domain: the wall stands
+/// behind the fire.
+const WALL_OFFSET: f32 = 0.1;
+/// Maximum foot of the fire that stands on the floor, in heights of the domain.
+const MAX_FOOT: f32 = 0.6;
 
 /// One frame.
 pub struct Frame<'a> {
-    /// Physics and look.
+    /// Parameters of physics and look.
     pub parameters: &'a Parameters,
-    /// Where the fire stands.
+    /// Position of the fire.
     pub source: Source,
     /// Sizes of the targets.
     pub layout: Layout,
-    /// Pixels of the targets.
+    /// Format of the targets.
     pub format: TargetFormat,
-    /// Where the world stands in the picture.
+    /// Position of the world in the picture.
     pub viewport: Viewport,
-    /// Seconds of fire.
+    /// Age of the fire \[s\].
     pub time: f64,
     /// Number of particles.
     pub particles: usize,
     /// Number of embers.
     pub embers: usize,
-    /// How far the fine structure has come, and the scale of what is measured.
+    /// State of the fine structure and of the colour scale.
     pub motion: Motion,
-    /// Kernels of the particles, at least as wide as texels can show.
+    /// Kernels of the particles, at least as wide as the texels resolve.
     pub kernel: Kernel,
-    /// The part of the field target that this frame uses.
+    /// Size of the used part of the field \[texels\].
     pub used: [u32; 2],
-    /// What the fire without its glow can reach: left, lower, right, upper edge \[m\].
+    /// Bounds of the fire without its glow: left, lower, right, upper edge \[m\].
     pub reach: [f32; 4],
-    /// Whether the backdrop is to be drawn again.
+    /// Whether the backdrop is drawn again.
     pub scenery_is_stale: bool,
 }
 
 impl<'a> Frame<'a> {
-    /// The frame of so many particles and embers within their bounds.
+    /// The frame of a number of particles and embers and their bounds.
     pub fn new(
         parameters: &'a Parameters,
         (layout, format): (Layout, TargetFormat),
@@ -83,12 +84,12 @@ impl<'a> Frame<'a> {
         frame
     }
 
-    /// Whether it is of that display mode.
+    /// Whether the display mode is `mode`.
     pub fn shows(&self, mode: DisplayMode) -> bool {
         self.parameters.display_mode == mode
     }
 
-    /// Whether it shows the fire of that model.
+    /// Whether it shows a fire of `model`.
     pub fn burns_as(&self, model: Model) -> bool {
         self.shows(DisplayMode::Fire) && self.parameters.model() == model
     }
@@ -105,30 +106,30 @@ impl<'a> Frame<'a> {
         )
     }
 
-    /// Whether its gas carries noise along. Eight bits are too few for that; there, the noise
-    /// rises as a whole.
-    pub fn carries_noise(&self) -> bool {
+    /// Whether the gas advects the noise. Eight bits are too few for the offsets: with them the
+    /// noise only rises.
+    pub fn advects_noise(&self) -> bool {
         self.burns_as(Model::Combustion) && self.format == TargetFormat::Rgba16F
     }
 
-    /// Whether the fire burns in front of a backdrop of its own.
+    /// Whether the fire has a backdrop.
     pub fn has_backdrop(&self) -> bool {
         self.shows(DisplayMode::Fire) && self.parameters.backdrop == Backdrop::Bricks
     }
 
-    /// Whether light is blurred: for its glow, or to light a backdrop.
+    /// Whether the light is blurred, for its glow or for the irradiance on a backdrop.
     pub fn blooms(&self) -> bool {
         self.has_backdrop() || self.shows(DisplayMode::Fire) && self.parameters.bloom > 0.0
     }
 
-    /// The widest level of the bloom.
+    /// Level of the widest copy of the bloom.
     pub fn widest_blur(&self) -> usize {
         self.layout.limits.sharper_shares.len()
     }
 
-    /// A radius that a target of so many lines can show \[m\].
+    /// At least the minimum radius that a target with that number of lines resolves \[m\].
     pub fn resolved(&self, radius: f32, lines: u32) -> f32 {
-        radius.max(TEXELS * self.viewport.metres[1] / lines as f32)
+        radius.max(MIN_TEXELS * self.viewport.metres[1] / lines as f32)
     }
 
     /// Size of a pixel \[m\].
@@ -136,12 +137,12 @@ impl<'a> Frame<'a> {
         self.viewport.metres[1] / self.layout.picture[1] as f32
     }
 
-    /// Share of the field target that is used.
+    /// Used share of the field.
     pub fn field_used(&self) -> [f32; 2] {
         self.field_share(0.0)
     }
 
-    /// Largest coordinate in that part: the middle of its last texel.
+    /// Maximum coordinate of that share: the middle of its last texel.
     pub fn field_edge(&self) -> [f32; 2] {
         self.field_share(0.5)
     }
@@ -152,7 +153,7 @@ impl<'a> Frame<'a> {
         [0, 1].map(|axis| (self.used[axis] as f32 - inset) / whole[axis] as f32)
     }
 
-    /// What the field target's range took of each value.
+    /// Range of each value of the field.
     pub fn field_range(&self) -> [f32; 4] {
         match self.parameters.model() {
             Model::Classic => self.format.field_range(),
@@ -160,8 +161,8 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// What the fire and its glow can reach \[m\]: the glow ends a few texels of its widest copy
-    /// away from the fire.
+    /// Bounds of the fire and its glow \[m\]. The glow ends a few texels of its widest copy away
+    /// from the fire.
     pub fn halo(&self) -> [f32; 4] {
         let lines = self.layout.blurs()[self.widest_blur()][1];
         let halo = HALO * self.viewport.metres[1] / lines as f32;
@@ -171,15 +172,15 @@ impl<'a> Frame<'a> {
 
     /// Brightness of gas of 1500 K.
     pub fn gain(&self) -> f32 {
-        GAIN * doubled(self.parameters.exposure)
+        GAIN * exp2(self.parameters.exposure)
     }
 
-    /// 1 if fire is seen, or 0.
+    /// 1 if the fire is visible, or 0.
     pub fn fire_share(&self) -> f32 {
         f32::from(self.parameters.layers != Layers::Smoke)
     }
 
-    /// How strongly smoke hides, if it is seen.
+    /// Opacity of the smoke; 0 if it is not visible.
     pub fn smoke_opacity(&self) -> f32 {
         match self.parameters.layers {
             Layers::Fire => 0.0,
@@ -187,7 +188,7 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// The measured quantity of the first colour, and 1 / the span to the last one.
+    /// Quantity of the first colour, and 1 / span to the last.
     pub fn span(&self) -> [f32; 2] {
         let [min, max] = self
             .motion
@@ -197,31 +198,31 @@ impl<'a> Frame<'a> {
         [min, 1.0 / (max - min)]
     }
 
-    /// 1 if the middle of the measured span is zero, or 0.
+    /// 1 if the middle of the colour scale is zero, or 0.
     pub fn two_sided(&self) -> f32 {
         let quantity = self.parameters.display_mode.quantity();
         f32::from(quantity.is_some_and(|quantity| quantity.signed))
     }
 
-    /// Where the wall of the backdrop meets the floor, in heights of the domain: the fire stands
-    /// on the floor, a little in front of the wall.
+    /// Height at which the wall of the backdrop meets the floor, in heights of the domain. The
+    /// fire stands on the floor in front of the wall.
     pub fn wall_foot(&self) -> f32 {
-        (self.source.base.y / self.parameters.domain_height).min(HIGHEST) + BEHIND
+        (self.source.base.y / self.parameters.domain_height).min(MAX_FOOT) + WALL_OFFSET
     }
 }
 
-/// Two to the power of `times`.
-pub fn doubled(times: f32) -> f32 {
-    libm::expf(times * std::f32::consts::LN_2)
+/// Two to the power of `exponent`.
+pub fn exp2(exponent: f32) -> f32 {
+    libm::expf(exponent * std::f32::consts::LN_2)
 }
 
-/// `tiles` without whole hundreds: the noise repeats, also where a shader reads it at a multiple
-/// of 0.01 of that place, and a small number keeps its digits however long a fire burns.
+/// `tiles` modulo 100. The noise repeats, also at multiples of 0.01 of a coordinate, and a small
+/// number keeps its precision during a long fire.
 pub fn wrapped(tiles: f64) -> f32 {
     (tiles - 100.0 * (tiles / 100.0).floor()) as f32
 }
 
-/// The background as the picture holds it: premultiplied sRGB.
+/// The background in the format of the picture: premultiplied sRGB.
 pub fn background(colour: Colour) -> [f32; 4] {
     let [r, g, b, a] = colour.rgba.map(|channel| f32::from(channel) / 255.0);
     [r * a, g * a, b * a, a]
@@ -233,11 +234,11 @@ mod tests {
     use hearth_core::params::Input;
 
     #[test]
-    fn one_step_of_exposure_doubles_the_light() {
+    fn an_exposure_step_doubles_the_light() {
         let gain = |exposure| {
             let mut parameters = Parameters::new(Model::Classic);
             assert_eq!(parameters.set("exposure", Input::Number(exposure)), Ok(()));
-            doubled(parameters.exposure)
+            exp2(parameters.exposure)
         };
         assert!((gain(1.0) / gain(0.0) - 2.0).abs() < 1e-6);
     }

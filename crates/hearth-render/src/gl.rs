@@ -1,18 +1,18 @@
 //! The calls of WebGL2 that the renderer makes, as the trait [`Graphics`], and that trait for
 //! `glow`.
 //!
-//! The renderer knows no browser. `glow` speaks to any driver; the engine implements the trait
-//! for the page's own context, which takes less code.
+//! The renderer does not depend on a browser. `glow` supports any driver; the engine implements
+//! the trait for the page's context with less code.
 //!
-//! `glow` marks every call `unsafe`, because a native driver trusts the pointers and sizes that
-//! it gets. WebGL checks them all, and only handles of the same context, whole slices and plain
-//! numbers pass through here. So `unsafe` ends in this file.
+//! `glow` marks every call `unsafe`, because native drivers trust pointers and sizes. WebGL checks
+//! them all, and this file passes only handles of one context, whole slices and plain numbers. So
+//! `unsafe` ends here.
 
 #![allow(unsafe_code)]
 
 use glow::HasContext as Gl;
 
-/// A context of WebGL2. Each method is the call of that name, with handles of the same context.
+/// A WebGL2 context. Each method is the call of that name, with handles of the same context.
 #[allow(missing_docs)]
 pub trait Graphics {
     type Program;
@@ -43,24 +43,24 @@ pub trait Graphics {
     fn create_texture(&self) -> Option<Self::Texture>;
     fn delete_texture(&self, texture: &Self::Texture);
     fn active_texture(&self, unit: u32);
-    /// Textures have two dimensions, here as everywhere.
+    /// Binds a 2D texture, as everywhere in the renderer.
     fn bind_texture(&self, texture: &Self::Texture);
     fn tex_parameter(&self, name: u32, value: u32);
     /// Allocates the bound texture.
-    fn make_room(&self, internal: u32, kind: u32, size: [u32; 2]);
+    fn allocate_texture(&self, internal: u32, kind: u32, size: [u32; 2]);
     /// Replaces a part of the bound texture, whose texels are four bytes.
     fn replace_bytes(&self, size: [u32; 2], texels: &[u8]);
     /// Replaces a part of the bound texture, whose texels are four floats.
     fn replace_floats(&self, from: [u32; 2], size: [u32; 2], texels: &[f32]);
-    /// Copies out the lower left part of the bound framebuffer.
+    /// Reads the lower left part of the bound framebuffer.
     fn read_floats(&self, size: [u32; 2], texels: &mut [f32]);
     fn generate_mipmap(&self);
 
     fn create_framebuffer(&self) -> Option<Self::Framebuffer>;
     fn delete_framebuffer(&self, framebuffer: &Self::Framebuffer);
-    /// The picture's own if there is none.
+    /// `None`: that of the canvas.
     fn bind_framebuffer(&self, framebuffer: Option<&Self::Framebuffer>);
-    /// Makes `texture` what the bound framebuffer draws into; returns the framebuffer's status.
+    /// Attaches `texture` to the bound framebuffer; returns the framebuffer's status.
     fn attach_texture(&self, texture: &Self::Texture) -> u32;
 
     fn create_vertex_array(&self) -> Option<Self::VertexArray>;
@@ -73,7 +73,7 @@ pub trait Graphics {
     fn viewport(&self, width: i32, height: i32);
     fn scissor(&self, x: i32, y: i32, width: i32, height: i32);
     fn clear(&self, colour: [f32; 4]);
-    /// One triangle that covers everything.
+    /// Draws one triangle that covers the target.
     fn draw_triangle(&self);
     fn draw_instances(&self, vertices: i32, instances: i32);
     fn largest_texture(&self) -> u32;
@@ -84,7 +84,7 @@ macro_rules! forward {
     ($( fn $name:ident ( $($arg:ident : $type:ty),* ) $(-> $out:ty)? = $gl:ident => $call:expr; )+) => {
         $( fn $name(&self, $($arg: $type),*) $(-> $out)? {
             let $gl = self;
-            // SAFETY: see the module's text.
+            // SAFETY: see the module's documentation.
             unsafe { $call }
         } )+
     };
@@ -144,8 +144,8 @@ impl Graphics for glow::Context {
         Gl::supported_extensions(self).contains(name)
     }
 
-    fn make_room(&self, internal: u32, kind: u32, [width, height]: [u32; 2]) {
-        // SAFETY: see the module's text.
+    fn allocate_texture(&self, internal: u32, kind: u32, [width, height]: [u32; 2]) {
+        // SAFETY: see the module's documentation.
         unsafe {
             Gl::tex_image_2d(
                 self,
@@ -173,12 +173,12 @@ impl Graphics for glow::Context {
     fn read_floats(&self, size: [u32; 2], texels: &mut [f32]) {
         let [width, height] = size.map(|side| side as i32);
         let pixels = glow::PixelPackData::Slice(Some(bytemuck::cast_slice_mut(texels)));
-        // SAFETY: see the module's text.
+        // SAFETY: see the module's documentation.
         unsafe { Gl::read_pixels(self, 0, 0, width, height, glow::RGBA, glow::FLOAT, pixels) }
     }
 
     fn attach_texture(&self, texture: &glow::Texture) -> u32 {
-        // SAFETY: see the module's text.
+        // SAFETY: see the module's documentation.
         unsafe {
             Gl::framebuffer_texture_2d(
                 self,
@@ -193,7 +193,7 @@ impl Graphics for glow::Context {
     }
 
     fn clear(&self, [r, g, b, a]: [f32; 4]) {
-        // SAFETY: see the module's text.
+        // SAFETY: see the module's documentation.
         unsafe {
             Gl::clear_color(self, r, g, b, a);
             Gl::clear(self, glow::COLOR_BUFFER_BIT);
@@ -209,7 +209,7 @@ fn replace(
     kind: u32,
     texels: &[u8],
 ) {
-    // SAFETY: see the module's text.
+    // SAFETY: see the module's documentation.
     unsafe {
         gl.tex_sub_image_2d(
             glow::TEXTURE_2D,

@@ -1,5 +1,5 @@
-//! The images that passes read and draw into. A sampler of a shader is named as the image that
-//! it reads: `sampler2D light` is [`Image::Light`].
+//! The images that passes read and write. A sampler has the name of its image: `sampler2D light`
+//! reads [`Image::Light`].
 
 use crate::format::TargetFormat;
 use crate::resolution::{Layout, MAX_BLURS};
@@ -7,49 +7,49 @@ use crate::resolution::{Layout, MAX_BLURS};
 /// An image of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Image {
-    /// The particles, or the embers in a pass that draws these.
+    /// Particles, or embers in a pass that draws embers.
     Particles,
-    /// The tile of noise.
+    /// The noise tile.
     Noise,
     /// Colours by temperature.
     Palette,
     /// Sums over the particles.
     Field,
-    /// The field as seen from farther away.
+    /// The blurred field.
     Wide,
     /// Velocities of the gas.
     Flow,
-    /// How far the gas has carried the noise.
+    /// Offsets of the advected noise.
     Carried,
-    /// The same in the last picture.
+    /// The offsets of the previous picture.
     CarriedBefore,
-    /// Light before the tone map.
+    /// Light before tone mapping.
     Light,
     /// Displayed colours.
     Shown,
-    /// The backdrop in plain light.
+    /// The backdrop in white light.
     Scenery,
-    /// The fire's light on the backdrop.
+    /// Irradiance on the backdrop.
     Irradiance,
-    /// A blurred copy of the light, of a level of the bloom: 0 is the sharpest.
+    /// The blurred copy of the light at a level of the bloom; level 0 is the sharpest.
     Blur,
     /// The next sharper copy, or the light itself.
     Sharper,
-    /// The next wider copy, joined with all that are wider still.
+    /// The next wider copy, blended with all wider ones.
     Wider,
-    /// A copy joined with all wider ones.
+    /// A copy blended with all wider ones.
     Glow,
     /// The widest copy.
     WidestBlur,
-    /// What the canvas shows.
+    /// The canvas.
     Picture,
 }
 
-/// Where a target lies among all.
+/// Indices of the targets.
 const FIELD: usize = 0;
 const WIDE: usize = 1;
 const FLOW: usize = 2;
-/// Two, which take turns.
+/// Two targets, which alternate.
 pub const CARRIED: usize = 3;
 const LIGHT: usize = 5;
 const SHOWN: usize = 6;
@@ -58,12 +58,12 @@ pub const SCENERY: usize = 7;
 const IRRADIANCE: usize = 8;
 const BLUR: usize = 9;
 const GLOW: usize = BLUR + MAX_BLURS;
-/// How many targets a frame may have.
+/// Number of targets.
 pub const TARGETS: usize = GLOW + MAX_BLURS - 1;
 
 impl Image {
-    /// The target that this image is, for a pass of that level of a bloom that has `widest + 1`
-    /// levels; none for the images that no pass draws, and for the picture.
+    /// Index of the image's target in a pass at a level of a bloom with `widest + 1` levels; `None`
+    /// for the picture and for images that no pass draws.
     pub fn target(self, level: usize, widest: usize, newest: usize) -> Option<usize> {
         Some(match self {
             Image::Particles | Image::Noise | Image::Palette | Image::Picture => return None,
@@ -87,7 +87,11 @@ impl Image {
 }
 
 /// Format and size of a target.
-pub fn form(target: usize, layout: &Layout, format: TargetFormat) -> (TargetFormat, [u32; 2]) {
+pub fn format_and_size(
+    target: usize,
+    layout: &Layout,
+    format: TargetFormat,
+) -> (TargetFormat, [u32; 2]) {
     let size = match target {
         FIELD => layout.field,
         WIDE => layout.wide,
@@ -111,7 +115,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_bloom_goes_down_from_the_light_and_up_to_the_glow() {
+    fn bloom_levels_go_down_from_the_light_and_up_to_the_glow() {
         let widest = 3;
         let of = |image: Image, level| image.target(level, widest, 0);
         assert_eq!(of(Image::Sharper, 0), of(Image::Light, 0));

@@ -1,9 +1,8 @@
-//! What the renderer reads of a particle. The layout of [`Instance`] is known here and in
-//! `shaders/particle.glsl`, and nowhere else in the renderer.
+//! Accessors of [`Instance`]. Only this file and `shaders/particle.glsl` depend on its layout.
 
 use hearth_core::Instance;
 
-/// Place \[m\].
+/// Position \[m\].
 pub fn position(&[x, y, ..]: &Instance) -> [f32; 2] {
     [x, y]
 }
@@ -18,17 +17,17 @@ pub fn temperature(&[_, _, _, _, kelvin, ..]: &Instance) -> f32 {
     kelvin
 }
 
-/// Share of its life that remains, in the classic model's fire.
+/// Remaining share of the life, in the classic model's fire.
 pub fn remaining_life(&[.., life]: &Instance) -> f32 {
     life
 }
 
-/// What the display mode measures, in modes that measure.
+/// The measured quantity, in display modes that measure one.
 pub fn measured(&[.., measured]: &Instance) -> f32 {
     measured
 }
 
-/// All of them as the graphics card gets them.
+/// All instances as floats for an upload.
 pub fn floats(instances: &[Instance]) -> &[f32] {
     instances.as_flattened()
 }

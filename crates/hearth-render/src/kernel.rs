@@ -1,20 +1,20 @@
-//! How a fire's particles become fields: the size of their kernels and of the fine structure.
+//! Sizes of the kernels of particles and of the fine structure.
 
 use hearth_core::params::{DisplayMode, Model};
 use hearth_core::{Parameters, Source};
 
-/// Radius of a classic particle's kernel (1 − q²)² in particle sizes: its diameter at half its
-/// height, 1.08 radii, is then the size.
+/// Radius of a classic particle's kernel (1 − q²)² in particle sizes. The full width at half
+/// maximum, 1.08 radii, then equals the size.
 pub const RADII_PER_SIZE: f32 = 0.92;
-/// Radius of a kernel (1 − q²)² that blurs as much as the cubic spline of the same smoothing
-/// length, in smoothing lengths.
+/// Radius of the kernel (1 − q²)² with the same blur as the cubic spline, in smoothing lengths.
 const RADII_PER_LENGTH: f32 = 1.6;
-/// The farthest that a drawn-out, widened classic kernel reaches, in its radii.
+/// Maximum reach of a stretched classic kernel in its radii.
 const CLASSIC_REACH: f32 = 2.3;
-/// How far fine structure moves the gas, as a share of its size.
+/// Displacement of the gas by fine structure, relative to the size of the structure.
 const CLASSIC_WARP: f32 = 0.6;
 const COMBUSTION_WARP: f32 = 0.5;
-/// Radius of a sprite: in sizes of the classic model's particles, and in spacings.
+/// Radius of a sprite, in particle sizes of the classic model and in spacings of the combustion
+/// model.
 const SPRITE_SIZES: f32 = 1.6;
 const SPRITE_SPACINGS: f32 = 4.0;
 
@@ -25,14 +25,14 @@ pub struct Kernel {
     pub radius: f32,
     /// Size of the broadest fine structure \[m\].
     pub grain: f32,
-    /// How far fine structure moves the gas \[m\].
+    /// Displacement of the gas by fine structure \[m\].
     pub warp: f32,
-    /// How far from its particle gas can be seen, except for its glow \[m\].
+    /// Maximum distance of visible gas from its particle, without its glow \[m\].
     pub margin: f32,
 }
 
 impl Kernel {
-    /// The kernels of that fire in its display mode.
+    /// The kernels of a fire in its display mode.
     pub fn of(parameters: &Parameters, source: &Source) -> Kernel {
         let (size, spacing) = (parameters.particle_size, parameters.spacing());
         let radius = match (parameters.display_mode, parameters.model()) {
@@ -67,7 +67,7 @@ impl Kernel {
     }
 }
 
-/// Value in its middle of a kernel (1 − q²)² that integrates to 1 over its disc.
+/// Maximum of the kernel (1 − q²)² with an integral of 1.
 pub fn peak(radius: f32) -> f32 {
     3.0 / (std::f32::consts::PI * radius * radius)
 }

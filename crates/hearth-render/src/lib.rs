@@ -1,12 +1,12 @@
-//! Draws a fire with WebGL2, from particles to pixels.
+//! A WebGL2 renderer of a fire, from particles to pixels.
 //!
-//! Particles are splatted as smooth kernels into fields (weight, temperature, soot or glow and
+//! Particles are splatted as smooth kernels into fields (weight, temperature, soot or glow, and
 //! smoke), so the picture shows continuous gas instead of dots. Noise warps and erodes the
-//! fields; it rises with the classic model's flame, and the combustion model's gas carries it.
-//! The fields shine as a black body, bloom, and are tone mapped into premultiplied sRGB.
+//! fields. It rises with the classic model's flame and is advected by the combustion model's
+//! gas. The fields emit light as a black body, bloom, and are tone mapped to premultiplied sRGB.
 //!
-//! A [`Renderer`] owns its handles and borrows the context in each call; fires of one context
-//! share [`SharedResources`]. Neither knows the page or any user interface. A pass is a file in
+//! A [`Renderer`] owns its handles and borrows the context in each call. Fires of one context
+//! share [`SharedResources`]. Neither depends on a page or a user interface. A pass is a file in
 //! `passes/` and its shaders.
 
 mod advection;

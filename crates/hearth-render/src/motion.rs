@@ -1,12 +1,12 @@
-//! What of a picture the next one goes on from.
+//! The state that a picture continues from the previous one.
 
 use crate::advection::Advection;
 use crate::resolution::Layout;
 use crate::rise::Rise;
 use crate::scale::Scale;
 
-/// How far the fine structure has come, and the scale of what is measured. It outlives a
-/// renderer, whose context may be lost: the next renderer goes on from there.
+/// State of the fine structure and of the colour scale. After the loss of a context, the next
+/// renderer continues it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Motion {
     pub(crate) rise: Rise,
@@ -14,8 +14,8 @@ pub struct Motion {
     pub(crate) scale: Scale,
 }
 
-/// How far the gas had carried the noise in a picture that stood still: a lost context forgets
-/// it, and gas that stands still does not carry it there again.
+/// The offsets of the advected noise of a paused fire, which a lost context does not keep and a
+/// paused fire cannot compute again.
 pub struct CarriedNoise {
     pub(crate) layout: Layout,
     pub(crate) texels: Vec<f32>,

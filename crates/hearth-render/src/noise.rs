@@ -1,7 +1,7 @@
 //! The tile of gradient noise, computed once.
 //!
-//! Reading a small texture is far cheaper than computing noise for each
-//! pixel, and it tiles without a seam, so it can scroll endlessly.
+//! Reading a small texture is far cheaper than computing noise per pixel. The tile repeats without
+//! a visible edge.
 
 use crate::constants::NOISE_LEVELS;
 
@@ -10,14 +10,18 @@ pub const SIZE: usize = 1 << NOISE_LEVELS;
 /// Lattice cells of the coarsest octave along an edge.
 pub const CELLS: usize = 8;
 
-/// Octaves (their lattice cells along an edge) of red, green, blue and alpha:
-/// three smooth fields and one of fine grain.
+/// Octaves of the channels, as lattice cells along an edge: three smooth channels and a fine one.
 const OCTAVES: [&[usize]; 4] = [
     &[CELLS, 2 * CELLS, 4 * CELLS],
     &[CELLS, 2 * CELLS, 4 * CELLS],
     &[CELLS, 2 * CELLS, 4 * CELLS],
     &[2 * CELLS, 4 * CELLS],
 ];
+
+/// Amplitude of an octave relative to the next coarser one.
+const PERSISTENCE: f32 = 0.55;
+/// Scale of the sum, which rarely exceeds ±0.8.
+const CONTRAST: f32 = 1.2;
 
 /// RGBA texels of the tile; 128 is zero.
 pub fn tile() -> Vec<u8> {
@@ -29,14 +33,14 @@ pub fn tile() -> Vec<u8> {
         for &cells in OCTAVES[channel] {
             let scale = cells as f32 / SIZE as f32;
             sum += amplitude * gradient_noise(x as f32 * scale, y as f32 * scale, cells, channel);
-            amplitude *= 0.55;
+            amplitude *= PERSISTENCE;
         }
-        *texel = (128.0 + 127.0 * (1.2 * sum).clamp(-1.0, 1.0)).round() as u8;
+        *texel = (128.0 + 127.0 * (CONTRAST * sum).clamp(-1.0, 1.0)).round() as u8;
     }
     texels
 }
 
-/// Perlin's noise on a lattice that repeats after `period` cells, about −0.7 to 0.7.
+/// Perlin noise on a lattice that repeats after `period` cells, about −0.7 to 0.7.
 fn gradient_noise(x: f32, y: f32, period: usize, seed: usize) -> f32 {
     let (column, row) = (x.floor(), y.floor());
     let (fx, fy) = (x - column, y - row);
@@ -54,8 +58,8 @@ fn gradient_noise(x: f32, y: f32, period: usize, seed: usize) -> f32 {
     )
 }
 
-/// A direction for a lattice point, from its number: that of a random place in a
-/// square, because sine and cosine would be 5 KB more to download.
+/// Direction of a lattice point by its number: towards a random point of a square. Sine and cosine
+/// would add 5 KB of code. The hash is Wang's.
 fn direction(mut number: u32) -> (f32, f32) {
     number = (number ^ 61 ^ (number >> 16)).wrapping_mul(9);
     number = (number ^ (number >> 4)).wrapping_mul(0x27d4_eb2d);
@@ -75,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn tiles_without_a_seam() {
+    fn the_tile_repeats_without_a_visible_edge() {
         let texels = tile();
         for channel in 0..4 {
             let jump = |from: usize, to: usize| {
@@ -92,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn is_balanced_and_varied() {
+    fn the_mean_is_zero_and_the_contrast_high() {
         let texels = tile();
         for channel in 0..4 {
             let values = || (0..SIZE * SIZE).map(|k| at(&texels, k % SIZE, k / SIZE, channel));

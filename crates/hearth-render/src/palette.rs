@@ -1,8 +1,8 @@
-//! The colours of the fire by its temperature.
+//! Colours of the fire by temperature.
 //!
-//! Soot glows as a black body. A flame of gas, of salts or of ghosts has a hue of
-//! its own, from a cool end to a hot one, times the brightness of a black body of the
-//! same temperature: exposure and luminance exponent mean the same in every palette.
+//! Soot glows as a black body. Other palettes interpolate between a cool and a hot hue and
+//! multiply by the brightness of a black body of the same temperature, so that exposure and
+//! luminance exponent have the same effect in every palette.
 
 use hearth_core::Parameters;
 use hearth_core::params::{Colour, Palette};
@@ -10,23 +10,26 @@ use hearth_core::params::{Colour, Palette};
 use crate::blackbody;
 use crate::constants::{COOLEST, ENTRIES, HOTTEST};
 
-/// Temperature at which a palette's cool colour begins to give way to the hot
-/// one \[K\], and at which it is gone.
+/// Temperatures of a palette's cool and hot hue \[K\].
 const COOL: f32 = 1000.0;
 const HOT: f32 = 1900.0;
-/// A channel of this value pales half way to white.
-const PALE: f32 = 0.03;
+/// Shares of a channel and of its saturated value in the pale colour, and the channel value that
+/// saturates to one half.
+const PALE_SHARES: [f32; 2] = [0.35, 0.65];
+const PALE_HALF: f32 = 0.03;
+/// Colour to which overexposed soot pales, linear.
+const PALE_SOOT: [f32; 3] = [1.0, 0.92, 0.66];
 
-/// All that a table of colours depends on.
+/// All values that a table of colours depends on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tint {
     palette: Palette,
-    /// Cool and hot colour of the custom palette; nothing of the others.
+    /// Cool and hot colour of the custom palette; transparent for other palettes.
     ends: [Colour; 2],
 }
 
 impl Tint {
-    /// The tint of these parameters.
+    /// The tint that parameters select.
     pub fn of(parameters: &Parameters) -> Tint {
         let palette = parameters.palette;
         let ends = match palette {
@@ -36,15 +39,14 @@ impl Tint {
         Tint { palette, ends }
     }
 
-    /// Whether it is that of the black body, whose table all fires share.
+    /// Whether the palette is the black body, whose table all fires share.
     pub fn is_black_body(self) -> bool {
         self.palette == Palette::Blackbody
     }
 
-    /// Linear sRGB of the coolest and of the hottest fire. The hues of the flames
-    /// are those of what shines in them (Gaydon, *The Spectroscopy of Flames*, 1974):
-    /// CH at 431 nm and C₂ at 473 and 516 nm in gas; CuCl at 430–530 nm and CuOH at
-    /// 537 and 547 nm; Li at 671 and 610 nm. Hotter, they are paler.
+    /// Linear sRGB of the cool and the hot hue. The hues are those of the emission lines (Gaydon,
+    /// *The Spectroscopy of Flames*, 1974): CH at 431 nm and C₂ at 473 and 516 nm in gas; CuCl
+    /// at 430–530 nm and CuOH at 537 and 547 nm; Li at 671 and 610 nm. Hot hues are paler.
     fn hues(self) -> [[f32; 3]; 2] {
         match self.palette {
             Palette::Blackbody | Palette::Gas => [[0.07, 0.13, 1.0], [0.30, 0.62, 1.0]],
@@ -55,19 +57,19 @@ impl Tint {
         }
     }
 
-    /// What light that is far too bright pales to, in linear sRGB; and 1 if it pales by way of
-    /// yellow, as glowing soot does, or 0.
+    /// The colour to which overexposed light pales, in linear sRGB; and 1 if it pales by way of
+    /// yellow, as soot does, or 0.
     pub fn pale(self) -> ([f32; 3], f32) {
         if self.is_black_body() {
-            return ([1.0, 0.92, 0.66], 1.0);
+            return (PALE_SOOT, 1.0);
         }
         let [_, hot] = self.hues();
-        let pale = |channel| 0.35 * channel + 0.65 * channel / (channel + PALE);
+        let pale =
+            |channel| PALE_SHARES[0] * channel + PALE_SHARES[1] * channel / (channel + PALE_HALF);
         (hot.map(pale), 0.0)
     }
 
-    /// The look-up table as one row of texels: chroma and ln(luminance), as
-    /// [`blackbody::table`].
+    /// The colour table as a row of texels: chroma and ln(luminance), as [`blackbody::table`].
     pub fn table(self) -> Vec<[f32; 4]> {
         let mut table = blackbody::table();
         if !self.is_black_body() {
@@ -76,7 +78,7 @@ impl Tint {
             for (entry, texel) in table.iter_mut().enumerate() {
                 let kelvin = COOLEST + span * entry as f32;
                 let share = ((kelvin - COOL) / (HOT - COOL)).clamp(0.0, 1.0);
-                // The black body's brightest channel, which is red.
+                // Red is the black body's brightest channel.
                 let peak = texel[0];
                 for (channel, (cool, hot)) in texel.iter_mut().zip(cool.into_iter().zip(hot)) {
                     *channel = peak * (cool + share * (hot - cool));
@@ -87,8 +89,8 @@ impl Tint {
     }
 }
 
-/// Linear sRGB of a colour as far as it is opaque. The sRGB decoding is by a cubic,
-/// which is far smaller than a power law.
+/// Linear sRGB of a colour, times its alpha. A cubic decodes sRGB with less code than a power
+/// law.
 fn linear(colour: Colour) -> [f32; 3] {
     let [r, g, b, a] = colour.rgba.map(|channel| f32::from(channel) / 255.0);
     [r, g, b].map(|c| a * c * (0.0125 + c * (0.6822 + c * 0.3053)))
@@ -107,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn hotter_is_never_darker_in_any_palette() {
+    fn brightness_increases_with_temperature_in_every_palette() {
         for name in Palette::NAMES {
             let table = tint(name).table();
             let exponent = Parameters::default().luminance_exponent;
@@ -137,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn the_custom_palette_runs_from_one_colour_to_the_other() {
+    fn the_custom_palette_goes_from_one_colour_to_the_other() {
         let mut parameters = Parameters::new(Model::Combustion);
         let values = [
             ("palette", "custom"),
@@ -155,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn decoding_follows_the_standard() {
+    fn decoding_follows_the_srgb_standard() {
         for value in 0..=255_u8 {
             let [decoded, ..] = linear(Colour::rgb(value, 0, 0));
             let encoded = f32::from(value) / 255.0;

@@ -1,7 +1,7 @@
-//! The particles on the graphics card: a texture of two texels a particle, uploaded each frame.
+//! The particle texture, with two texels per particle, uploaded each frame.
 //!
-//! The shaders read it by number, and one instance draws a block of quads. A software renderer
-//! needs eight microseconds an instance: 40 ms for 5000 particles if each were one.
+//! Shaders fetch particles by index, and one instance draws a block of quads. A software renderer
+//! takes 8 µs per instance, which would be 40 ms for 5000 particles with one instance each.
 
 use hearth_core::Instance;
 
@@ -18,16 +18,16 @@ pub struct Particles<G: Graphics> {
     texture: G::Texture,
     /// Rows of the texture.
     rows: usize,
-    /// Largest number of rows.
+    /// Maximum number of rows.
     max_rows: usize,
     count: usize,
 }
 
 impl<G: Graphics> Particles<G> {
-    /// No particles yet, and room for at most `max_rows` rows of them.
+    /// An empty texture that grows up to `max_rows` rows.
     pub fn new(gl: &G, max_rows: u32) -> Result<Particles<G>, RenderError> {
         let texture = texture(gl, "splat", glow::CLAMP_TO_EDGE)?;
-        // A float texture that is not read texel by texel needs an extension.
+        // Filtering a float texture needs an extension.
         for filter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
             gl.tex_parameter(filter, glow::NEAREST);
         }
@@ -44,17 +44,17 @@ impl<G: Graphics> Particles<G> {
         self.count
     }
 
-    /// Uploads particles in place of those before.
+    /// Replaces the particles.
     pub fn upload(&mut self, gl: &G, instances: &[Instance]) {
         let instances = &instances[..instances.len().min(self.max_rows * ROW)];
         self.count = instances.len();
         bind(gl, 0, &self.texture);
         let needed = self.count.div_ceil(ROW);
         if needed > self.rows {
-            // Doubled, so that a growing fire seldom reallocates.
+            // Powers of two, so that a growing fire rarely reallocates.
             self.rows = needed.next_power_of_two().min(self.max_rows);
             let size = [ROW * TEXELS, self.rows].map(|side| side as u32);
-            gl.make_room(glow::RGBA32F, glow::FLOAT, size);
+            gl.allocate_texture(glow::RGBA32F, glow::FLOAT, size);
         }
         let (full, rest) = instances.split_at(self.count / ROW * ROW);
         let full_rows = (full.len() / ROW) as u32;

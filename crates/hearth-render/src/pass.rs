@@ -1,4 +1,4 @@
-//! What a pass is: a pair of shaders with their uniforms, what it draws into, and how.
+//! A pass: a pair of shaders, their uniforms, a target and its state.
 
 use crate::frame::Frame;
 use crate::image::Image;
@@ -6,55 +6,55 @@ use crate::shaders::{FLOATS, Shader, Uniforms};
 
 /// A pass of a frame.
 pub trait Pass {
-    /// Key in `stats.passes`, as published. Consecutive passes of one key are told as one.
+    /// Key in `stats.passes`, a public name. Consecutive passes with one key are reported as one.
     const KEY: &'static str;
-    /// What it draws into.
+    /// Target.
     const TARGET: Image;
-    /// What the target holds before.
+    /// Content of the target before the pass.
     const LOAD: Load = Load::Keep;
-    /// How its colours join those of the target.
+    /// Blending with the target.
     const BLEND: Blend = Blend::Replace;
-    /// What it draws.
+    /// Geometry.
     const DRAW: Draw;
-    /// How often it draws.
+    /// Levels of the bloom that it draws.
     const LEVELS: Levels = Levels::Once;
     /// The uniforms of its shaders.
     type Uniforms: Uniforms;
 
-    /// Whether a frame has this pass.
+    /// Whether a frame includes this pass.
     fn applies(frame: &Frame) -> bool;
 
-    /// What its shaders get, at that level of the bloom.
+    /// Values of the uniforms at a level of the bloom.
     fn uniforms(frame: &Frame, level: usize) -> Self::Uniforms;
 }
 
-/// What a target holds before a pass draws.
+/// Content of a target before a pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Load {
-    /// What it held.
+    /// The previous content.
     Keep,
-    /// Nothing, or the background of the picture.
+    /// Transparent black or, for the picture, its background.
     Clear,
 }
 
-/// How colours join those of the target.
+/// Blending of colours with those of the target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Blend {
-    /// They replace them.
+    /// Replaces the target.
     Replace,
-    /// Both are added.
+    /// Sum of both.
     Add,
-    /// In front of them, premultiplied.
+    /// In front of the target, premultiplied.
     Over,
-    /// Behind them, premultiplied.
+    /// Behind the target, premultiplied.
     Under,
-    /// Light on light, channel by channel and alpha too: the order does not matter, and no
-    /// colour exceeds its alpha.
+    /// Screen blending of all four channels: the order does not matter, and no colour exceeds
+    /// its alpha.
     Screen,
 }
 
 impl Blend {
-    /// The factors of what is drawn and of what is there; none where nothing is blended.
+    /// Factors of the source and of the destination; `None` without blending.
     pub fn factors(self) -> Option<(u32, u32)> {
         match self {
             Blend::Replace => None,
@@ -66,14 +66,14 @@ impl Blend {
     }
 }
 
-/// What a pass draws.
+/// Geometry of a pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Draw {
     /// The whole target.
     All,
-    /// The part that the fire can reach.
+    /// The bounds of the fire.
     Reach,
-    /// The part that the fire and its glow can reach.
+    /// The bounds of the fire and its glow.
     Halo,
     /// A quad for each particle.
     Particles,
@@ -81,19 +81,19 @@ pub enum Draw {
     Embers,
 }
 
-/// How often a pass draws.
+/// Levels of the bloom that a pass draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Levels {
-    /// Once.
+    /// None: the pass draws once.
     Once,
-    /// Once for each blurred copy, from the sharpest on.
+    /// Each blurred copy, sharpest first.
     Down,
-    /// Once for each joined copy, from the widest on.
+    /// Each blended copy, widest first.
     Up,
 }
 
 impl Levels {
-    /// The levels, in their order, of a bloom of `widest + 1`.
+    /// The levels in drawing order, for a bloom with `widest + 1` levels.
     pub fn of(self, widest: usize) -> impl Iterator<Item = usize> {
         let (count, last) = match self {
             Levels::Once => (1, 0),
@@ -104,7 +104,7 @@ impl Levels {
     }
 }
 
-/// A pass as a row of the table.
+/// A row of the table of passes.
 pub struct Row {
     pub key: &'static str,
     pub shader: Shader,
@@ -118,7 +118,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// The row of that pass.
+    /// The row of a pass.
     pub const fn of<P: Pass>() -> Row {
         Row {
             key: P::KEY,

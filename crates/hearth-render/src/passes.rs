@@ -1,5 +1,5 @@
-//! The passes of all frames. A pass is a file here and a pair of shaders in `shaders/`; a frame
-//! draws those that apply to it, in this order.
+//! The table of passes. A pass is a file here and a pair of shaders in `shaders/`. A frame draws
+//! the passes that apply to it, in this order.
 
 mod accumulate;
 mod advect_noise;

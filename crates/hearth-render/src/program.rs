@@ -1,10 +1,10 @@
-//! Compiled pairs of shaders.
+//! Shader programs.
 
 use crate::error::RenderError;
 use crate::gl::Graphics;
 use crate::shaders::{HEADER, SOURCES, Shader, Source, UNIFORMS};
 
-/// A program that the driver compiles, on threads of its own if it has any.
+/// A program that the driver compiles, possibly on other threads.
 struct Compiling<G: Graphics> {
     source: &'static Source,
     handle: Option<G::Program>,
@@ -12,7 +12,7 @@ struct Compiling<G: Graphics> {
 }
 
 impl<G: Graphics> Compiling<G> {
-    /// Begins to compile and link, and waits for neither.
+    /// Starts to compile and link without waiting.
     fn begin(gl: &G, source: &'static Source) -> Compiling<G> {
         let mut shaders = [None, None];
         let handle = gl.create_program();
@@ -48,8 +48,7 @@ impl<G: Graphics> Compiling<G> {
         let pass = source.name;
         let handle = handle.ok_or(RenderError::Resource { pass })?;
         let linked = gl.is_linked(&handle);
-        // Logs are read only where something went wrong: reading one makes a browser wait for
-        // its shader compiler.
+        // Reading a log waits for the compiler, so only failed programs do.
         let log = (!linked).then(|| {
             let mut log = gl.program_log(&handle);
             for shader in shaders.iter().flatten() {
@@ -83,23 +82,22 @@ struct Program<G: Graphics> {
 pub struct Programs<G: Graphics>(Vec<Program<G>>);
 
 impl<G: Graphics> Programs<G> {
-    /// Compiles every pair of shaders, or names the first that the driver refuses.
+    /// Compiles all shaders, or returns the first error.
     pub fn new(gl: &G) -> Result<Programs<G>, RenderError> {
-        // All are begun before the first is waited for, so that a driver with many threads
-        // compiles them side by side.
-        let begun: Vec<_> = SOURCES
+        // All start before the first wait, so that drivers compile them in parallel.
+        let compiling: Vec<_> = SOURCES
             .iter()
             .map(|source| Compiling::begin(gl, source))
             .collect();
         let mut programs = Programs(Vec::with_capacity(SOURCES.len()));
-        let mut refused = None;
-        for begun in begun {
-            match begun.finish(gl) {
+        let mut first_error = None;
+        for program in compiling {
+            match program.finish(gl) {
                 Ok(program) => programs.0.push(program),
-                Err(error) => refused = refused.or(Some(error)),
+                Err(error) => first_error = first_error.or(Some(error)),
             }
         }
-        match refused {
+        match first_error {
             None => Ok(programs),
             Some(error) => {
                 programs.destroy(gl);
@@ -108,14 +106,14 @@ impl<G: Graphics> Programs<G> {
         }
     }
 
-    /// Makes those shaders the current program, with these uniforms.
+    /// Activates a program and sets its uniforms.
     pub fn activate(&self, gl: &G, shader: Shader, uniforms: &[f32]) {
         let program = &self.0[shader as usize];
         gl.use_program(&program.handle);
         gl.set_uniforms(program.uniforms.as_ref(), uniforms);
     }
 
-    /// Frees every program.
+    /// Frees all programs.
     pub fn destroy(&self, gl: &G) {
         for program in &self.0 {
             gl.delete_program(&program.handle);

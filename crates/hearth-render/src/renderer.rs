@@ -1,4 +1,4 @@
-//! The renderer of one fire: it takes particles and draws pictures.
+//! The renderer of one fire: particles in, pictures out.
 
 mod draw;
 mod fit;
@@ -25,16 +25,16 @@ use crate::shared::SharedResources;
 use crate::targets::Targets;
 use crate::viewport::Viewport;
 
-/// What of the world is seen, and when.
+/// Size, time and camera of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct View {
-    /// Width of the picture in device pixels.
+    /// Width of the picture [device pixels].
     pub width: u32,
-    /// Height of the picture in device pixels.
+    /// Height of the picture [device pixels].
     pub height: u32,
-    /// Seconds of fire, for structure that moves.
+    /// Age of the fire \[s\], which moves the fine structure.
     pub time: f64,
-    /// Which part of the world it shows.
+    /// Part of the world in the picture.
     pub camera: Camera,
 }
 
@@ -45,26 +45,26 @@ pub struct Renderer<G: Graphics = glow::Context> {
     particles: Particles<G>,
     embers: Particles<G>,
     targets: Targets<G>,
-    /// Colours of a palette other than the black body's, which all fires share.
+    /// Colour table of another palette than the black body, whose table all fires share.
     tinted: Option<(Tint, G::Texture)>,
     bounds: ParticleBounds,
     motion: Motion,
     carried: Option<CarriedNoise>,
     /// Camera of the last picture.
     camera: Option<Camera>,
-    /// Which of the two targets of the carried noise is the newest.
+    /// Index of the newest of the two targets of the noise advection.
     newest: usize,
-    /// How the backdrop stands that is drawn: its foot, the picture's floor and size.
+    /// Position of the drawn backdrop: its foot, and the picture's floor and size.
     scenery: Option<(f32, [[f32; 2]; 2])>,
-    /// Smallest and largest value of what is measured of the particles.
+    /// Range of the measured quantity.
     measured: Option<[f32; 2]>,
 }
 
 impl<G: Graphics> Renderer<G> {
-    /// A renderer with GPU resources of its own, for a context with one fire.
+    /// A renderer with its own GPU resources, for a context with one fire.
     ///
     /// # Errors
-    /// The driver refuses a shader, a texture, a buffer or every format.
+    /// The driver rejects a shader, a texture or every format.
     pub fn new(gl: &G) -> Result<Renderer<G>, RenderError> {
         Renderer::within(gl, Rc::new(SharedResources::new(gl)?))
     }
@@ -72,7 +72,7 @@ impl<G: Graphics> Renderer<G> {
     /// As [`new`](Renderer::new), with a given target format.
     ///
     /// # Errors
-    /// The driver refuses a shader, a texture, a buffer or this format.
+    /// The driver rejects a shader, a texture or this format.
     pub fn with_format(gl: &G, format: TargetFormat) -> Result<Renderer<G>, RenderError> {
         Renderer::within(gl, Rc::new(SharedResources::with_format(gl, format)?))
     }
@@ -80,7 +80,7 @@ impl<G: Graphics> Renderer<G> {
     /// A renderer that shares GPU resources with others of the same context.
     ///
     /// # Errors
-    /// The driver refuses a texture.
+    /// The driver rejects a texture.
     pub fn within(gl: &G, shared: Rc<SharedResources<G>>) -> Result<Renderer<G>, RenderError> {
         let max_rows = shared.max_side;
         Ok(Renderer {
@@ -100,18 +100,18 @@ impl<G: Graphics> Renderer<G> {
         })
     }
 
-    /// The pixels of the off-screen targets.
+    /// Format of the off-screen targets.
     pub fn target_format(&self) -> TargetFormat {
         self.shared.format
     }
 
-    /// How far the fine structure has come.
+    /// State of the fine structure.
     pub fn motion(&self) -> Motion {
         self.motion
     }
 
-    /// How far the gas has carried the noise, for a fire that stands still: reading it makes the
-    /// processor wait for the graphics card.
+    /// Reads the offsets of the advected noise. Only paused fires should: reading stalls the
+    /// graphics pipeline.
     pub fn carried(&self, gl: &G) -> Option<CarriedNoise> {
         let (layout, target) = self.targets.get(CARRIED + self.newest)?;
         (self.shared.format == TargetFormat::Rgba16F).then(|| CarriedNoise {
@@ -120,25 +120,24 @@ impl<G: Graphics> Renderer<G> {
         })
     }
 
-    /// Goes on where another renderer of the same fire was.
+    /// Continues the state of another renderer of the same fire.
     pub fn resume(&mut self, motion: Motion, carried: Option<CarriedNoise>) {
         self.motion = motion;
         self.carried = carried;
     }
 
-    /// The display mode of the last picture, and the quantities of the first and the last
-    /// colour, in the unit of [`DisplayMode::quantity`]; none if the mode measures nothing.
+    /// Display mode of the last picture and the quantities of its first and last colour, in the
+    /// unit of [`DisplayMode::quantity`]; `None` if the mode measures nothing.
     pub fn scale(&self) -> Option<(DisplayMode, [f32; 2])> {
         self.motion.scale.ends()
     }
 
-    /// Sets the resolution from the next picture on.
+    /// Sets the limits of the resolution for the next pictures.
     pub fn set_limits(&mut self, limits: ResolutionLimits) {
         self.limits = limits;
     }
 
-    /// Uploads the particles, as they are for that display mode, and the embers to the graphics
-    /// card.
+    /// Uploads particles, in the layout of a display mode, and embers to the graphics card.
     pub fn upload(
         &mut self,
         gl: &G,
@@ -152,7 +151,7 @@ impl<G: Graphics> Renderer<G> {
         self.embers.upload(gl, embers);
     }
 
-    /// Draws the uploaded particles. A picture without pixels is ignored.
+    /// Draws the uploaded particles. Ignores a picture without pixels.
     ///
     /// # Errors
     /// The driver has no memory for targets of this size.
@@ -162,20 +161,20 @@ impl<G: Graphics> Renderer<G> {
         view: &View,
         parameters: &Parameters,
     ) -> Result<(), RenderError> {
-        self.paint_watched(gl, view, parameters, &mut |_| {})
+        self.paint_in_passes(gl, view, parameters, &mut |_| {})
     }
 
-    /// As [`paint`](Renderer::paint); calls `watch` with the key of each pass after the pass was
-    /// submitted. The renderer itself reads no clock.
+    /// As [`paint`](Renderer::paint); calls `on_pass` with the key of each pass after it was
+    /// submitted.
     ///
     /// # Errors
     /// The driver has no memory for targets of this size.
-    pub fn paint_watched(
+    pub fn paint_in_passes(
         &mut self,
         gl: &G,
         view: &View,
         parameters: &Parameters,
-        watch: &mut dyn FnMut(&'static str),
+        on_pass: &mut dyn FnMut(&'static str),
     ) -> Result<(), RenderError> {
         let size = [view.width, view.height];
         let Some(layout) = Layout::new(size, self.limits, self.shared.max_side) else {
@@ -183,7 +182,7 @@ impl<G: Graphics> Renderer<G> {
         };
         let domain = [parameters.domain_width, parameters.domain_height];
         let viewport = Viewport::new(layout.picture, domain, view.camera);
-        // Noise that was carried in another part of the world is of no use in this one.
+        // The offsets of the noise belong to the part of the world in the last picture.
         if self
             .camera
             .replace(view.camera)
@@ -203,7 +202,7 @@ impl<G: Graphics> Renderer<G> {
         gl.bind_vertex_array(Some(&self.shared.no_attributes));
         let (mode, model) = (parameters.display_mode, parameters.model());
         self.fit_colours(gl, Tint::of(parameters))?;
-        self.motion.scale.see(mode, model, self.measured);
+        self.motion.scale.add(mode, model, self.measured);
         let mut frame = Frame::new(
             parameters,
             (layout, self.shared.format),
@@ -220,15 +219,15 @@ impl<G: Graphics> Renderer<G> {
         }
         frame.motion = self.motion;
         if frame.has_backdrop() {
-            let stands = (frame.wall_foot(), [viewport.floor, viewport.heights()]);
-            frame.scenery_is_stale = self.scenery.replace(stands) != Some(stands);
+            let position = (frame.wall_foot(), [viewport.floor, viewport.heights()]);
+            frame.scenery_is_stale = self.scenery.replace(position) != Some(position);
         }
-        self.draw(gl, &frame, watch);
+        self.draw(gl, &frame, on_pass);
         gl.bind_vertex_array(None);
         Ok(())
     }
 
-    /// Frees everything, and the shared resources if this was their last user.
+    /// Frees the resources, and the shared ones with their last user.
     pub fn destroy(mut self, gl: &G) {
         self.particles.destroy(gl);
         self.embers.destroy(gl);

@@ -1,40 +1,46 @@
-//! Resolution: how large each target is.
+//! Sizes of the targets.
 //!
-//! Fields are smooth, so a few texels for each kernel are enough. The light keeps half of a large
-//! picture's lines, and glow needs fewer still. Fill rate is what phones, and machines without a
-//! graphics card, lack most.
+//! Fields are smooth, so a few texels per kernel are enough. The light has half of a large
+//! picture's lines, and glow needs fewer. Fill rate limits phones and machines without a graphics
+//! card.
 
-/// Largest number of blurred copies of the light.
+/// Maximum number of blurred copies of the light.
 pub const MAX_BLURS: usize = 4;
-/// Lines of the widest blurred copy at every quality and size of the picture, so that the glow is
-/// equally wide in all of them. Each sharper copy has twice as many.
+/// Lines of the widest blurred copy, independent of quality and picture size, so that the glow
+/// has the same width in all of them. Each sharper copy has twice as many.
 const WIDEST_BLUR: u32 = 32;
 
-/// How much coarser than the field its view from farther away is.
+/// Lines of the field per line of its blurred copy.
 const SPREAD: u32 = 6;
+/// Lines of the field per line of the flow, and of the noise advection.
+const FLOW: u32 = 3;
+const CARRIED: u32 = 2;
 
-/// Largest number of lines of the backdrop: it is far away.
+/// Maximum number of lines of the backdrop, which is far away.
 const SCENERY: u32 = 1080;
-/// Lines and largest number of columns of the fire's light on the backdrop: every texel reads
-/// all of the fire.
+/// Lines and maximum number of columns of the irradiance on the backdrop. Each texel reads the
+/// whole fire.
 const IRRADIANCE: [u32; 2] = [16, 64];
 
-/// Largest number of texels that all kernels together may touch in a frame.
+/// Maximum number of texels that all kernels of a frame cover.
 const SPLAT_BUDGET: f32 = 4.0e6;
+/// Minimum number of used lines of the field.
+const MIN_FIELD: f32 = 32.0;
 
-/// How finely a fire is drawn.
+/// Limits of the resolution at a level of quality.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ResolutionLimits {
-    /// The light has every line of a picture of so many lines, and half of a larger one's.
+    /// Maximum number of lines of a picture whose light has all lines. The light of a larger
+    /// picture has half of them.
     pub full: u32,
-    /// Largest number of lines of the light.
+    /// Maximum number of lines of the light.
     pub light: u32,
-    /// Largest number of lines of the fields.
+    /// Maximum number of lines of the field.
     pub field: u32,
-    /// Texels of the field that a kernel's radius should span: with fewer, texels show; more
-    /// only cost time.
+    /// Texels of the field per radius of a kernel. With fewer, texels become visible; more cost
+    /// time without effect.
     pub texels: f32,
-    /// Share of each sharper blurred copy when it joins the wider ones, from the widest on.
+    /// Share of each sharper copy when it blends with the wider ones, widest first.
     pub sharper_shares: &'static [f32],
 }
 
@@ -65,41 +71,40 @@ impl ResolutionLimits {
     };
 }
 
-/// Sizes of the targets for one size of the picture.
+/// Sizes of the targets of a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Layout {
-    /// The limits that these sizes keep.
+    /// Limits of these sizes.
     pub limits: ResolutionLimits,
-    /// The picture itself.
+    /// The picture.
     pub picture: [u32; 2],
     /// The field.
     pub field: [u32; 2],
-    /// The field as seen from farther away.
+    /// The blurred field.
     pub wide: [u32; 2],
     /// Velocities of the gas.
     pub flow: [u32; 2],
-    /// How far it has carried the limits structure.
+    /// Offsets of the advected noise.
     pub carried: [u32; 2],
     /// The light before the tone map.
     pub light: [u32; 2],
     /// The backdrop.
     pub scenery: [u32; 2],
-    /// The fire's light on the backdrop.
+    /// Irradiance on the backdrop.
     pub irradiance: [u32; 2],
-    /// The blurred copies of the light, sharpest first; unused ones at the end.
+    /// Blurred copies of the light, sharpest first; unused ones last.
     blurs: [[u32; 2]; MAX_BLURS],
 }
 
 impl PartialEq for Layout {
-    /// All sizes follow from the picture's and from the limits.
+    /// All sizes follow from the picture's size and the limits.
     fn eq(&self, other: &Layout) -> bool {
         self.picture == other.picture && self.limits == other.limits
     }
 }
 
 impl Layout {
-    /// The layout of a picture, none of whose targets has a side longer than `max`; none for a
-    /// picture without pixels.
+    /// The layout of a picture, with sides of at most `max`; `None` for a picture without pixels.
     pub fn new(picture: [u32; 2], limits: ResolutionLimits, max: u32) -> Option<Layout> {
         let [width, height] = picture;
         if width == 0 || height == 0 || max == 0 {
@@ -128,8 +133,8 @@ impl Layout {
             picture,
             field,
             wide: field.map(|side| side.div_ceil(SPREAD)),
-            flow: field.map(|side| side.div_ceil(3)),
-            carried: field.map(|side| side.div_ceil(2)),
+            flow: field.map(|side| side.div_ceil(FLOW)),
+            carried: field.map(|side| side.div_ceil(CARRIED)),
             light,
             scenery: backdrop(SCENERY, max),
             irradiance: backdrop(IRRADIANCE[0], IRRADIANCE[1]),
@@ -142,12 +147,12 @@ impl Layout {
         &self.blurs[..self.limits.sharper_shares.len() + 1]
     }
 
-    /// The lower left part of the field that `count` kernels of `radius` \[m\] deserve in a
-    /// picture `height` \[m\] high.
+    /// The lower left part of the field that a frame uses: as fine as `count` kernels of
+    /// `radius` \[m\] need in a picture of `height` \[m\], within the budget of texels.
     pub fn used_field(&self, count: usize, radius: f32, height: f32) -> [u32; 2] {
         let needed = self.limits.texels * height / radius;
         let affordable = (SPLAT_BUDGET / count.max(1) as f32).sqrt() * height / (2.0 * radius);
-        let share = needed.min(affordable).max(32.0) / self.field[1] as f32;
+        let share = needed.min(affordable).max(MIN_FIELD) / self.field[1] as f32;
         self.field
             .map(|side| ((side as f32 * share.min(1.0)).ceil() as u32).clamp(1, side))
     }
@@ -174,7 +179,8 @@ mod tests {
             [2560, 1440],
             [30_000, 30_000],
         ] {
-            let layout = Layout::new(size, ResolutionLimits::HIGH, 2048).expect("there are pixels");
+            let layout =
+                Layout::new(size, ResolutionLimits::HIGH, 2048).expect("a picture with pixels");
             let sizes = layout.blurs().iter().copied().chain([
                 layout.field,
                 layout.wide,
@@ -201,7 +207,7 @@ mod tests {
                 ResolutionLimits::MEDIUM,
                 ResolutionLimits::HIGH,
             ]
-            .map(|lines| Layout::new(size, lines, 4096).expect("there are pixels"));
+            .map(|limits| Layout::new(size, limits, 4096).expect("a picture with pixels"));
             for of in [
                 |layout: &Layout| layout.light[1],
                 |layout: &Layout| layout.field[1],
@@ -215,29 +221,29 @@ mod tests {
     }
 
     #[test]
-    fn glow_is_equally_wide_at_every_quality() {
-        for lines in [
+    fn glow_has_the_same_width_at_every_quality() {
+        for limits in [
             ResolutionLimits::LOW,
             ResolutionLimits::MEDIUM,
             ResolutionLimits::HIGH,
         ] {
-            let layout = Layout::new([1280, 720], lines, 4096).expect("there are pixels");
-            let widest = layout.blurs().last().expect("there are copies");
+            let layout = Layout::new([1280, 720], limits, 4096).expect("a picture with pixels");
+            let widest = layout.blurs().last().expect("blurred copies");
             assert_eq!(widest[1], WIDEST_BLUR);
             // Share of the widest copy in the glow.
-            let share: f32 = lines
+            let share: f32 = limits
                 .sharper_shares
                 .iter()
                 .map(|sharper| 1.0 - sharper)
                 .product();
-            assert!((share - 0.36).abs() < 1e-6, "{lines:?}");
+            assert!((share - 0.36).abs() < 1e-6, "{limits:?}");
         }
     }
 
     #[test]
-    fn many_particles_do_not_cost_more_than_the_budget() {
-        let layout =
-            Layout::new([1280, 720], ResolutionLimits::MEDIUM, 4096).expect("there are pixels");
+    fn kernels_cover_no_more_texels_than_the_budget() {
+        let layout = Layout::new([1280, 720], ResolutionLimits::MEDIUM, 4096)
+            .expect("a picture with pixels");
         for count in [1000, 10_000, 100_000] {
             let [_, lines] = layout.used_field(count, 0.04, 1.5);
             let side = 2.0 * 0.04 / 1.5 * lines as f32;

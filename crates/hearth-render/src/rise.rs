@@ -1,39 +1,38 @@
-//! How high and how fast the gas rises, smoothed in time, so that one particle does not make
+//! Mean height and speed of the rising gas, smoothed in time so that single particles do not make
 //! the fine structure jump.
 
 use hearth_core::params::Model;
 
 use crate::bounds::ParticleBounds;
 
-/// Seconds of fire after which a change has reached the smoothed figures.
+/// Time constant of the smoothing [s of fire].
 const SMOOTHING: f32 = 0.5;
-/// Longest time between two pictures that still counts as motion \[s\].
+/// Maximum time between two pictures of continuous motion \[s\].
 const LONGEST_FRAME: f32 = 0.1;
-/// Height of a flame in mean heights of its gas, which thins out upward.
+/// Height of a flame relative to the mean height of its gas, which thins out upwards.
 const TIP: f32 = 2.2;
 
-/// The smoothed figures of a fire.
+/// The smoothed motion of a fire.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rise {
     time: Option<f64>,
     /// Mean height of the gas \[m\].
     height: f32,
-    /// Mean upward speed of it [m/s].
+    /// Mean upward speed of the gas [m/s].
     speed: f32,
-    /// How far the gas has risen since the start \[m\]: a hundred kilometres a day, too many
-    /// for the steps of an `f32`.
+    /// Distance that the gas has risen \[m\]. A hundred kilometres per day exceed the precision of
+    /// an `f32`.
     pub distance: f64,
 }
 
 impl Rise {
-    /// Takes in the particles of `model` at `time` \[s\].
+    /// Advances to `time` \[s\] with the particles of `model`.
     pub fn advance(&mut self, particles: &ParticleBounds, time: f64, model: Model) {
         let elapsed = self
             .time
             .map_or(f32::INFINITY, |before| (time - before) as f32);
         self.time = Some(time);
-        // The first picture counts fully. A clock that was set back, or a long pause, is no
-        // motion.
+        // The first picture counts fully. A reset of the time or a long pause is no motion.
         let first = elapsed.is_infinite();
         let elapsed = elapsed.clamp(0.0, LONGEST_FRAME);
         let share = if first {
@@ -64,7 +63,7 @@ mod tests {
     use crate::bounds::tests::particle;
 
     #[test]
-    fn structure_rises_as_fast_as_the_gas() {
+    fn the_distance_grows_with_the_speed_of_the_gas() {
         let particles = ParticleBounds::of(&[particle(0.0, 0.5, 1.6)], &[]);
         for model in [Model::Classic, Model::Combustion] {
             let mut rise = Rise::default();
@@ -76,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pause_or_a_restart_does_not_make_it_jump() {
+    fn a_pause_or_a_reset_does_not_make_the_distance_jump() {
         let particles = ParticleBounds::of(&[particle(0.0, 0.5, 2.0)], &[]);
         let mut rise = Rise::default();
         for time in [0.0, 100.0, 0.0, 0.0, 500.0] {
@@ -86,7 +85,7 @@ mod tests {
     }
 
     #[test]
-    fn no_particles_and_nan_leave_finite_figures() {
+    fn the_motion_stays_finite_without_particles_and_with_nan() {
         let mut rise = Rise::default();
         rise.advance(&ParticleBounds::of(&[], &[]), 0.0, Model::Combustion);
         let nowhere = ParticleBounds::of(&[particle(0.0, f32::NAN, f32::NAN)], &[]);

@@ -1,29 +1,28 @@
-//! From where to where the colours of a measured quantity go.
+//! The colour scale of a measured quantity: the values of its first and last colour.
 //!
-//! Nearly all of it is enclosed, and both ends are round numbers. Where there is more
-//! they move at once; where there is less they wait, so that a fire that flickers
-//! leaves them alone.
+//! The scale encloses nearly all particles between two round numbers. It grows at once and
+//! shrinks after a delay, so that a flickering fire does not change it.
 
 use hearth_core::Instance;
 use hearth_core::params::{DisplayMode, Model};
 
 use crate::instance::measured;
 
-/// One particle of so many may lie beyond either end.
-const BEYOND: u32 = 200;
-/// Parts of the whole between which those beyond are told from the rest.
+/// One particle in this number may lie beyond each end.
+const OUTLIERS: u32 = 200;
+/// Bins of the histogram that finds outliers.
 const BINS: usize = 256;
-/// Steps that the ends are rounded to have so many in the whole, or fewer.
+/// Maximum number of round steps between the ends.
 const STEPS: f32 = 8.0;
-/// Smallest whole: by itself, and as a share of what is measured. Below is rounding.
-const SMALLEST: f32 = 0.01;
-const SLIGHTEST: f32 = 0.05;
-/// Where the quantity takes less than this share of the whole for so many pictures,
-/// the ends come closer.
-const LITTLE: f32 = 0.4;
+/// Minimum span: absolute, and relative to the largest value. Less is rounding error.
+const MIN_SPAN: f32 = 0.01;
+const MIN_RELATIVE_SPAN: f32 = 0.05;
+/// The scale shrinks after the quantity spans less than this share of it for this number of
+/// pictures.
+const SHRINKING_SHARE: f32 = 0.4;
 const PATIENCE: u32 = 60;
 
-/// Smallest and largest value of what is measured, except a few; none without particles.
+/// Minimum and maximum of the measured quantity without outliers; `None` without particles.
 pub fn extremes(instances: &[Instance]) -> Option<[f32; 2]> {
     let measured = || {
         let all = instances.iter().map(measured);
@@ -31,7 +30,7 @@ pub fn extremes(instances: &[Instance]) -> Option<[f32; 2]> {
     };
     let [mut min, mut max] = [f32::MAX, f32::MIN];
     for measured in measured() {
-        // Not `min` and `max`, which are longer in wasm.
+        // `f32::min` and `max` take more instructions in wasm.
         min = if measured < min { measured } else { min };
         max = if measured > max { measured } else { max };
     }
@@ -48,62 +47,62 @@ pub fn extremes(instances: &[Instance]) -> Option<[f32; 2]> {
         bins[(((measured - min) / width) as usize).min(BINS - 1)] += 1;
         count += 1;
     }
-    // How far the bins reach that hold few of all, from the first or from the last one.
-    let beyond = |from: usize| {
-        let (mut left, mut passed) = (count / BEYOND, 0);
-        while bins[(from ^ passed) % BINS] <= left {
-            left -= bins[(from ^ passed) % BINS];
+    // Width of the bins that hold the outliers, from the first or the last bin on.
+    let outliers = |end: usize| {
+        let (mut left, mut passed) = (count / OUTLIERS, 0);
+        while bins[(end ^ passed) % BINS] <= left {
+            left -= bins[(end ^ passed) % BINS];
             passed += 1;
         }
         passed as f32 * width
     };
-    Some([min + beyond(0), max - beyond(BINS - 1)])
+    Some([min + outliers(0), max - outliers(BINS - 1)])
 }
 
-/// What the colours go from and to, and how that came.
+/// The scale of a fire.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Scale {
     of: Option<(DisplayMode, Model)>,
     ends: [f32; 2],
-    /// What was enclosed since it last was more than little, and in how many pictures.
-    lately: [f32; 2],
+    /// Range of the quantity while it spans little of the scale, and the number of pictures.
+    recent: [f32; 2],
     waited: u32,
 }
 
 impl Scale {
-    /// What is measured, and the ends; nothing where nothing is.
+    /// The measured mode and the ends; `None` if the mode measures nothing.
     pub fn ends(&self) -> Option<(DisplayMode, [f32; 2])> {
         self.of.map(|(mode, _)| (mode, self.ends))
     }
 
-    /// Takes in what a picture measures.
-    pub fn see(&mut self, mode: DisplayMode, model: Model, seen: Option<[f32; 2]>) {
+    /// Adds the range that a picture measures.
+    pub fn add(&mut self, mode: DisplayMode, model: Model, range: Option<[f32; 2]>) {
         let Some(quantity) = mode.quantity() else {
             self.of = None;
             return;
         };
         let is_new = self.of != Some((mode, model));
         self.of = Some((mode, model));
-        let [mut min, mut max] = match seen {
-            Some(seen) => seen,
+        let [mut min, mut max] = match range {
+            Some(range) => range,
             None if is_new => [0.0; 2],
             None => return,
         };
         if quantity.signed {
-            max = max.max(-min).max(SMALLEST);
+            max = max.max(-min).max(MIN_SPAN);
             min = -max;
         }
         let [from, to] = self.ends;
         if !is_new && from <= min && max <= to {
-            if max - min >= LITTLE * (to - from) {
+            if max - min >= SHRINKING_SHARE * (to - from) {
                 self.waited = 0;
                 return;
             }
             if self.waited > 0 {
-                min = min.min(self.lately[0]);
-                max = max.max(self.lately[1]);
+                min = min.min(self.recent[0]);
+                max = max.max(self.recent[1]);
             }
-            self.lately = [min, max];
+            self.recent = [min, max];
             self.waited += 1;
             if self.waited < PATIENCE {
                 return;
@@ -114,12 +113,12 @@ impl Scale {
     }
 }
 
-/// Round numbers around `min` and `max`.
+/// Round numbers that enclose `min` and `max`.
 fn rounded([min, max]: [f32; 2], are_whole: bool) -> [f32; 2] {
-    let enough = (SLIGHTEST * max).max(SMALLEST);
-    let step = (max - min).max(enough) / STEPS;
-    // 1, 2, 5, 10, 20, … or 0.5, 0.2, 0.1, …, told by what is to be divided by what,
-    // so that each end is the float next to its decimal.
+    let min_span = (MIN_RELATIVE_SPAN * max).max(MIN_SPAN);
+    let step = (max - min).max(min_span) / STEPS;
+    // The step is 1, 2, 5, 10, 20, … or 0.5, 0.2, 0.1, …, as a fraction of whole numbers, so
+    // that each end is the float nearest to its decimal.
     let (mut over, mut under, mut doubled) = (1.0, 1.0, 0);
     while step * under < 1.0 && !are_whole {
         under *= 10.0;
@@ -145,21 +144,21 @@ mod tests {
         measured.into_iter().map(of).collect()
     }
 
-    /// The ends after pictures that measure that.
+    /// The ends after pictures that measure these ranges.
     fn after(
         scale: &mut Scale,
         mode: DisplayMode,
-        seen: impl IntoIterator<Item = [f32; 2]>,
+        ranges: impl IntoIterator<Item = [f32; 2]>,
     ) -> [f32; 2] {
-        for seen in seen {
-            scale.see(mode, Model::Combustion, Some(seen));
+        for range in ranges {
+            scale.add(mode, Model::Combustion, Some(range));
         }
         scale.ends().unwrap().1
     }
 
     #[test]
-    fn nearly_all_is_enclosed_and_what_lies_far_out_is_not() {
-        // Most of it in little room, as the air around a fire, or spread out.
+    fn the_extremes_enclose_nearly_all_particles_without_outliers() {
+        // Concentrated values, as the air around a fire, to uniform ones.
         for power in [0.2, 1.0, 3.0, 9.0] {
             for count in [1, 10, 199, 1000, 5000] {
                 let of = |i: i32| (i as f32 / count as f32).powf(power) * 7.0 - 2.0;
@@ -183,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn ends_are_round_and_outside() {
+    fn ends_are_round_and_enclose_the_range() {
         for (seen, mode, ends) in [
             ([0.0, 2.3], DisplayMode::Velocity, [0.0, 2.5]),
             ([293.0, 1811.0], DisplayMode::Temperature, [200.0, 2000.0]),
@@ -191,7 +190,7 @@ mod tests {
             ([-3.1, 1.0], DisplayMode::Pressure, [-4.0, 4.0]),
             ([-80.0, 130.0], DisplayMode::Vorticity, [-150.0, 150.0]),
             ([20.0, 22.0], DisplayMode::Neighbours, [20.0, 22.0]),
-            // Nothing to tell apart.
+            // Ranges without a span.
             ([293.0, 293.0], DisplayMode::Temperature, [292.0, 294.0]),
             ([0.0, 0.0], DisplayMode::Fuel, [0.0, 0.002]),
             ([0.0, 0.0], DisplayMode::Vorticity, [-0.01, 0.01]),
@@ -206,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn a_flickering_fire_leaves_them_alone() {
+    fn a_flickering_fire_does_not_change_the_ends() {
         for mode in [MODE, DisplayMode::Pressure] {
             let mut scale = Scale::default();
             let flicker = |picture: i32| {
@@ -223,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn they_follow_what_grows_at_once_and_what_shrinks_for_good() {
+    fn ends_grow_at_once_and_shrink_after_a_delay() {
         let mut scale = Scale::default();
         assert_eq!(
             after(&mut scale, MODE, [[0.0, 1.0], [0.0, 30.0]]),
@@ -237,18 +236,18 @@ mod tests {
     }
 
     #[test]
-    fn another_mode_or_model_starts_anew() {
+    fn another_mode_or_model_resets_the_scale() {
         let mut scale = Scale::default();
         after(&mut scale, MODE, [[0.0, 30.0]]);
         assert_eq!(
             after(&mut scale, DisplayMode::Fuel, [[0.0, 0.8]]),
             [0.0, 0.8]
         );
-        scale.see(DisplayMode::Fuel, Model::Classic, Some([0.0, 0.1]));
+        scale.add(DisplayMode::Fuel, Model::Classic, Some([0.0, 0.1]));
         assert_eq!(scale.ends(), Some((DisplayMode::Fuel, [0.0, 0.1])));
         for name in DisplayMode::NAMES {
             let mode = DisplayMode::from_name(name).unwrap();
-            scale.see(mode, Model::Classic, None);
+            scale.add(mode, Model::Classic, None);
             let measured = scale.ends().map(|(mode, _)| mode);
             assert_eq!(measured, mode.quantity().map(|_| mode));
         }

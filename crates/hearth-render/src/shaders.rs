@@ -1,16 +1,15 @@
-//! The shaders of `shaders/`, as `build.rs` compiles them: the text of both stages, the images
-//! that they read, and a struct of uniforms for each.
+//! The shaders of `shaders/`, as `build.rs` compiles them: the source of both stages, the images
+//! that they read, and a struct of uniforms.
 //!
-//! A field that a shader does not declare, or that has another number of components there,
-//! does not compile; nor does a field that is left out.
+//! A uniform that is missing, unknown, or of another size than in the shader is a compile error.
 
 #[cfg(test)]
 mod rules;
 
 use crate::image::Image;
 
-/// What every shader starts with: one version, one precision. Phones round `mediump` to eleven
-/// bits, too few for a place in the picture, and a sampler is `lowp` by default.
+/// The first lines of every shader. Phones round `mediump` to eleven bits, too few for
+/// coordinates of the picture, and samplers are `lowp` by default.
 pub const HEADER: &str = "#version 300 es
 precision highp float;
 precision highp int;
@@ -24,14 +23,14 @@ pub const UNIFORMS: &str = "U";
 pub struct Source {
     /// Name of its files.
     pub name: &'static str,
-    /// Text of the vertex shader, without the header.
+    /// Source of the vertex shader without the header.
     pub vertex: &'static str,
-    /// Text of the fragment shader, without the header.
+    /// Source of the fragment shader without the header.
     pub fragment: &'static str,
-    /// Samplers as the text names them, in the order of their texture units, and the image that
-    /// each reads.
+    /// Names of the samplers in the source, in the order of their texture units, and their
+    /// images.
     pub samplers: &'static [(&'static str, Image)],
-    /// Length of its uniforms.
+    /// Length of the uniforms.
     pub floats: usize,
 }
 
@@ -40,7 +39,7 @@ pub trait Uniforms {
     /// The pair.
     const SHADER: Shader;
 
-    /// Writes them as the shader reads them.
+    /// Writes them in the layout of the shader.
     fn write(self, to: &mut [f32; FLOATS]);
 }
 

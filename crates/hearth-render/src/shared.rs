@@ -1,7 +1,7 @@
-//! GPU resources that all fires of one context share: compiled shaders and constant textures.
+//! GPU resources that all fires of a context share: compiled shaders and constant textures.
 //!
-//! A page may have thirty fires. Compiling shaders takes a driver longer than everything else
-//! that a new fire needs, so only the first fire waits for it.
+//! Compiling the shaders takes longer than all other preparations of a fire. A page with thirty
+//! fires does it once.
 
 use crate::blackbody;
 use crate::constants::ENTRIES;
@@ -12,23 +12,23 @@ use crate::noise;
 use crate::program::Programs;
 use crate::target::{Target, texture};
 
-/// The shared part of the renderers of one context.
+/// The shared resources of the renderers of one context.
 pub struct SharedResources<G: Graphics = glow::Context> {
     pub(crate) programs: Programs<G>,
     pub(crate) format: TargetFormat,
-    /// Largest side of a texture.
+    /// Maximum side of a texture.
     pub(crate) max_side: u32,
     pub(crate) noise: G::Texture,
     pub(crate) black_body: G::Texture,
-    /// Without attributes: no pass reads a buffer, whatever else the context holds.
+    /// A vertex array without attributes, because no pass reads a buffer.
     pub(crate) no_attributes: G::VertexArray,
 }
 
 impl<G: Graphics> SharedResources<G> {
-    /// Compiles every pair of shaders and chooses the target format.
+    /// Compiles the shaders and chooses the target format.
     ///
     /// # Errors
-    /// The driver refuses a shader, a texture or every format.
+    /// The driver rejects a shader, a texture or every format.
     pub fn new(gl: &G) -> Result<SharedResources<G>, RenderError> {
         let mut last = RenderError::NoTarget;
         for &format in TargetFormat::candidates(gl) {
@@ -43,9 +43,9 @@ impl<G: Graphics> SharedResources<G> {
     /// As [`new`](SharedResources::new), with a given target format.
     ///
     /// # Errors
-    /// The driver refuses a shader, a texture or this format.
+    /// The driver rejects a shader, a texture or this format.
     pub fn with_format(gl: &G, format: TargetFormat) -> Result<SharedResources<G>, RenderError> {
-        // Only a trial shows whether a format can be drawn into.
+        // Only a trial shows whether a format is renderable.
         Target::new(gl, "splat", format, [4, 4])?.destroy(gl);
         Ok(SharedResources {
             programs: Programs::new(gl)?,
@@ -54,9 +54,9 @@ impl<G: Graphics> SharedResources<G> {
             noise: {
                 let noise = texture(gl, "shade", glow::REPEAT)?;
                 let size = [noise::SIZE as u32; 2];
-                gl.make_room(glow::RGBA8, glow::UNSIGNED_BYTE, size);
+                gl.allocate_texture(glow::RGBA8, glow::UNSIGNED_BYTE, size);
                 gl.replace_bytes(size, &noise::tile());
-                // Mipmaps, for noise that is folded finer than texels.
+                // Advection folds noise finer than texels, which needs mipmaps.
                 gl.tex_parameter(glow::TEXTURE_MIN_FILTER, glow::LINEAR_MIPMAP_NEAREST);
                 gl.generate_mipmap();
                 noise
@@ -68,12 +68,12 @@ impl<G: Graphics> SharedResources<G> {
         })
     }
 
-    /// The pixels of the off-screen targets.
+    /// Format of the off-screen targets.
     pub fn target_format(&self) -> TargetFormat {
         self.format
     }
 
-    /// Frees everything. No renderer of this context may draw after that.
+    /// Frees the resources. No renderer of this context may draw afterwards.
     pub fn destroy(self, gl: &G) {
         self.programs.destroy(gl);
         gl.delete_texture(&self.noise);
@@ -82,13 +82,13 @@ impl<G: Graphics> SharedResources<G> {
     }
 }
 
-/// A table of colours by temperature, as a texture.
+/// A texture of a colour table.
 pub fn colour_table<G: Graphics>(gl: &G, table: &[[f32; 4]]) -> Result<G::Texture, RenderError> {
     gl.active_texture(0);
     let colours = texture(gl, "shade", glow::CLAMP_TO_EDGE)?;
     let size = [ENTRIES as u32, 1];
     let (internal, _) = TargetFormat::Rgba16F.constants();
-    gl.make_room(internal, glow::FLOAT, size);
+    gl.allocate_texture(internal, glow::FLOAT, size);
     gl.replace_floats([0, 0], size, table.as_flattened());
     Ok(colours)
 }

@@ -1,10 +1,10 @@
-//! Textures: small ones that are read, and targets that are drawn into.
+//! Textures and render targets.
 
 use crate::error::RenderError;
 use crate::format::TargetFormat;
 use crate::gl::Graphics;
 
-/// Makes a texture with linear filtering and leaves it bound.
+/// Creates a texture with linear filtering and leaves it bound.
 pub fn texture<G: Graphics>(
     gl: &G,
     pass: &'static str,
@@ -23,7 +23,7 @@ pub fn texture<G: Graphics>(
     Ok(texture)
 }
 
-/// A texture that is drawn into.
+/// A render target: a texture and its framebuffer.
 pub struct Target<G: Graphics> {
     texture: G::Texture,
     framebuffer: G::Framebuffer,
@@ -31,7 +31,7 @@ pub struct Target<G: Graphics> {
 }
 
 impl<G: Graphics> Target<G> {
-    /// Makes a target.
+    /// Creates a target.
     pub fn new(
         gl: &G,
         pass: &'static str,
@@ -41,7 +41,7 @@ impl<G: Graphics> Target<G> {
         gl.active_texture(0);
         let texture = texture(gl, pass, glow::CLAMP_TO_EDGE)?;
         let (internal, kind) = format.constants();
-        gl.make_room(internal, kind, size);
+        gl.allocate_texture(internal, kind, size);
         let Some(framebuffer) = gl.create_framebuffer() else {
             gl.delete_texture(&texture);
             return Err(RenderError::Resource { pass });
@@ -67,18 +67,18 @@ impl<G: Graphics> Target<G> {
         self.size
     }
 
-    /// Makes the lower left `size` of it what draws go into.
-    pub fn draw_here(&self, gl: &G, [width, height]: [u32; 2]) {
+    /// Directs drawing to the lower left part of that size.
+    pub fn bind_for_drawing(&self, gl: &G, [width, height]: [u32; 2]) {
         gl.bind_framebuffer(Some(&self.framebuffer));
         gl.viewport(width as i32, height as i32);
     }
 
-    /// What was drawn.
+    /// The texture.
     pub fn texture(&self) -> &G::Texture {
         &self.texture
     }
 
-    /// Copies all texels out.
+    /// Reads all texels.
     pub fn read(&self, gl: &G) -> Vec<f32> {
         let [width, height] = self.size;
         let mut texels = vec![0.0; 4 * (width * height) as usize];
@@ -101,7 +101,7 @@ impl<G: Graphics> Target<G> {
     }
 }
 
-/// Makes `texture` what unit `unit` reads.
+/// Binds `texture` to a texture unit.
 pub fn bind<G: Graphics>(gl: &G, unit: u32, texture: &G::Texture) {
     gl.active_texture(unit);
     gl.bind_texture(texture);

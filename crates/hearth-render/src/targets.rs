@@ -1,21 +1,20 @@
-//! The off-screen targets of one picture size. Which there are follows from the passes that
-//! read them or draw into them.
+//! The off-screen targets of one layout. They follow from the passes that read or write them.
 
 use crate::error::RenderError;
 use crate::format::TargetFormat;
 use crate::gl::Graphics;
-use crate::image::{TARGETS, form};
+use crate::image::{TARGETS, format_and_size};
 use crate::resolution::Layout;
 use crate::target::Target;
 
-/// The targets that frames of one layout needed so far.
+/// The targets that frames of one layout have needed.
 pub struct Targets<G: Graphics> {
     layout: Option<Layout>,
     made: [Option<Target<G>>; TARGETS],
 }
 
 impl<G: Graphics> Targets<G> {
-    /// None yet.
+    /// No targets.
     pub fn new() -> Targets<G> {
         Targets {
             layout: None,
@@ -26,13 +25,13 @@ impl<G: Graphics> Targets<G> {
     /// Frees the targets of other layouts.
     pub fn fit(&mut self, gl: &G, layout: Layout) {
         if self.layout != Some(layout) {
-            // Before others are made: two sets may not fit a phone's memory.
+            // Before the new targets: a phone may not have the memory for both.
             self.destroy(gl);
             self.layout = Some(layout);
         }
     }
 
-    /// Makes a target, unless there is one; whether it is new.
+    /// Creates a target unless it exists. Returns whether it is new.
     pub fn need(
         &mut self,
         gl: &G,
@@ -43,7 +42,7 @@ impl<G: Graphics> Targets<G> {
         let (Some(layout), None) = (&self.layout, &self.made[target]) else {
             return Ok(false);
         };
-        let (format, size) = form(target, layout, format);
+        let (format, size) = format_and_size(target, layout, format);
         self.made[target] = Some(Target::new(gl, pass, format, size)?);
         Ok(true)
     }
@@ -54,13 +53,15 @@ impl<G: Graphics> Targets<G> {
     }
 
     /// Frees a target.
+    // Inlined, the loop below would be unrolled.
+    #[inline(never)]
     pub fn free(&mut self, gl: &G, target: usize) {
         if let Some(old) = self.made[target].take() {
             old.destroy(gl);
         }
     }
 
-    /// Frees them all.
+    /// Frees all targets.
     pub fn destroy(&mut self, gl: &G) {
         for target in 0..TARGETS {
             self.free(gl, target);

@@ -1,4 +1,4 @@
-//! Where the world stands in a picture.
+//! The viewport: the position of the world in a picture.
 
 use crate::camera::{Camera, Fit};
 
@@ -9,32 +9,32 @@ pub struct Rectangle {
     pub x: i32,
     /// Lower edge.
     pub y: i32,
-    /// Width; 0 if there is nothing to draw.
+    /// Width; 0 if it is empty.
     pub width: i32,
     /// Height.
     pub height: i32,
 }
 
-/// Where the world stands in the picture.
+/// The position of the world in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewport {
-    /// Width and height of what the picture shows \[m\].
+    /// Width and height of the picture \[m\].
     pub metres: [f32; 2],
-    /// Where the middle of the floor is, in pictures from the lower left.
+    /// Position of the middle of the floor, 0–1 over the picture from the lower left.
     pub floor: [f32; 2],
     /// Height of the picture in heights of the domain.
     pub zoom: f32,
-    /// Width of the picture by its height.
+    /// Width divided by height of the picture.
     pub aspect: f32,
 }
 
 impl Viewport {
-    /// The viewport of a picture of that size on a domain so wide and high \[m\].
+    /// The viewport of a picture [pixels] on a domain \[m\].
     // `web/element/viewport.js` computes the same for pages.
     pub fn new(picture: [u32; 2], domain: [f32; 2], camera: Camera) -> Viewport {
         let aspect = picture[0] as f32 / picture[1].max(1) as f32;
         let [width, height] = domain;
-        // A picture as high as this is as wide as the domain.
+        // The height of a picture that is as wide as the domain.
         let wide = width / aspect.max(f32::MIN_POSITIVE);
         let high = match camera.fit {
             Fit::Height => height,
@@ -66,20 +66,19 @@ impl Viewport {
         [self.aspect * self.zoom, self.zoom]
     }
 
-    /// Whether the picture shows what is above the domain, and what is below it.
+    /// Whether the picture shows the world above the domain, and below it.
     pub fn shows_beyond(self) -> [bool; 2] {
         let lower = self.floor[1];
         [lower + 1.0 / self.zoom < 0.999, lower > 1e-3]
     }
 
-    /// The texels of a target of that size that `bounds` (left, lower, right,
-    /// upper \[m\]) touches.
+    /// The texels of a target that `bounds` (left, lower, right, upper \[m\]) touch.
     pub fn rectangle(self, bounds: [f32; 4], size: [u32; 2]) -> Rectangle {
         let [left, lower, right, upper] = bounds;
         let [width, height] = size.map(|side| side as f32);
         let column = |x: f32| (x / self.metres[0] + self.floor[0]) * width;
         let row = |y: f32| (y / self.metres[1] + self.floor[1]) * height;
-        // A float that is too large or NaN becomes an edge: `as` saturates.
+        // `as` saturates, so a float out of range or NaN becomes an edge.
         let clamp = |at: f32, max: f32| at.max(0.0).min(max) as i32;
         let (x, y) = (
             clamp(column(left).floor(), width),
@@ -100,7 +99,7 @@ mod tests {
 
     const DOMAIN: [f32; 2] = [1.2, 1.8];
 
-    /// Left, lower, right and upper edge of the domain in a picture, in pixels.
+    /// Left, lower, right and upper edge of the domain in a picture [pixels].
     fn seen(picture: [u32; 2], fit: Fit, align: [f32; 2]) -> [f32; 4] {
         let viewport = Viewport::new(picture, DOMAIN, Camera { fit, align });
         let [width, height] = picture.map(|side| side as f32);
@@ -117,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn a_domain_is_as_high_as_the_picture_and_in_its_middle_by_default() {
+    fn by_default_the_domain_has_the_height_of_the_picture_and_is_centred() {
         let viewport = Viewport::new([1280, 720], DOMAIN, Camera::default());
         assert_eq!(viewport.metres, [1.8 * 1280.0 / 720.0, 1.8]);
         assert_eq!((viewport.floor, viewport.zoom), ([0.5, 0.0], 1.0));
@@ -126,8 +125,8 @@ mod tests {
     }
 
     #[test]
-    fn fits_and_alignments_are_those_of_css() {
-        // As `object-fit` and `object-position` place a picture of 2:3.
+    fn fits_and_alignments_match_css() {
+        // `object-fit` and `object-position` of a picture of 2:3.
         for picture in [[1280, 720], [300, 900], [400, 600]] {
             let [width, height] = picture.map(|side| side as f32);
             let (by_width, by_height) = (width / DOMAIN[0], height / DOMAIN[1]);
@@ -154,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn only_a_domain_lower_than_the_picture_leaves_room_above_or_below() {
+    fn a_picture_higher_than_the_domain_shows_the_world_above_or_below() {
         let beyond = |fit, y| {
             let align = [0.5, y];
             Viewport::new([300, 900], DOMAIN, Camera { fit, align }).shows_beyond()
@@ -174,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn the_source_stands_in_the_lower_middle() {
+    fn bounds_around_the_source_are_at_the_lower_middle() {
         let viewport = Viewport::new([1280, 720], [1.2, 1.5], Camera::default());
         let at = viewport.rectangle([-0.1, 0.0, 0.1, 0.75], [1280, 720]);
         assert_eq!(at.y, 0);
@@ -184,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn bounds_outside_of_the_picture_or_infinite_cover_nothing() {
+    fn bounds_outside_the_picture_or_infinite_cover_no_texels() {
         let viewport = Viewport::new([100, 100], [1.0, 1.0], Camera::default());
         for bounds in [
             [3.0, 0.0, 4.0, 1.0],

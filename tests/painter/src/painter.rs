@@ -272,7 +272,7 @@ impl FirePainter {
             time,
             ..View::default()
         };
-        let painted = renderer.paint_watched(&*self.gl, &view, &fire.parameters, watch);
+        let painted = renderer.paint_in_passes(&*self.gl, &view, &fire.parameters, watch);
         painted.map_err(words)
     }
 }

@@ -1,4 +1,4 @@
-//! A frame of a fire: the steps that are due, and the picture of them.
+//! A frame of a fire: its due steps and its picture.
 
 use std::cell::Cell;
 
@@ -7,7 +7,7 @@ use hearth_core::params::DisplayMode;
 use hearth_core::{Simulation, Stage};
 use hearth_render::ResolutionLimits;
 
-use super::{Fire, Since};
+use super::{Fire, SincePicture};
 use crate::average::{StageTimes, smooth};
 use crate::budget::make_steps;
 use crate::events::{ErrorKind, Events};
@@ -17,28 +17,27 @@ use crate::shared_canvas::SharedCanvas;
 use crate::stats;
 use crate::wall_clock::WallClock;
 
-/// Time between two reports of statistics \[ms\].
-const STATS_EVERY_MS: f64 = 250.0;
+/// Interval between two posts of statistics \[ms\].
+const STATS_INTERVAL_MS: f64 = 250.0;
 
 /// The steps of a frame.
 #[derive(Default)]
 struct Made {
-    /// Their number.
+    /// Number of steps.
     steps: u32,
-    /// Their length in seconds of fire.
+    /// Total length [s of fire].
     seconds: f64,
     /// Time of each stage \[ms\].
     stages: StageTimes,
-    /// The number of those that were due by the clock.
+    /// Number of steps that were due by the clock.
     played: u32,
-    /// The length of those in seconds of fire.
-    burnt: f64,
+    /// Length of those [s of fire].
+    played_seconds: f64,
 }
 
 impl Fire {
-    /// One frame: the steps that are due, as far as `deadline` allows, and the
-    /// picture of them. `now` is the time of the frame, in ms. Returns how long drawing
-    /// took \[ms\].
+    /// Makes the due steps until `deadline` \[ms\] and draws the picture. `now` is the time of
+    /// the frame \[ms\]. Returns the time of drawing \[ms\].
     pub fn frame(
         &mut self,
         now: f64,
@@ -49,18 +48,18 @@ impl Fire {
         events: &Events,
     ) -> f64 {
         let scale = f64::from(self.requested.parameters().time_scale);
-        // Requested steps are those of a warm fire.
-        let warms = self.is_warming() && (self.seen() || self.pending.next_open().is_some());
-        if warms && self.begins {
-            self.begins = false;
+        // The warm-up comes before requested steps.
+        let warms = self.is_warming() && (self.is_on_stage() || self.pending.next_open().is_some());
+        if warms && self.starts {
+            self.starts = false;
             let scene = self.scene();
-            if let Some(words) = self.warm.begin(&mut self.simulation, &scene) {
-                events.warn(self.id, words);
+            if let Some(message) = self.warm.begin(&mut self.simulation, &scene) {
+                events.warn(self.id, message);
             }
-            // A saved fire is drawn before it burns on.
+            // A saved fire is drawn before its first step.
             self.stale = true;
         }
-        let passed = if self.playing && self.seen() && !self.is_warming() {
+        let passed = if self.playing && self.is_on_stage() && !self.is_warming() {
             Some(self.clock.advance(now / 1000.0, scale))
         } else {
             None
@@ -83,39 +82,44 @@ impl Fire {
             } else {
                 0.0
             };
-            self.real_time.frame(passed, scale, made.burnt, dropped);
+            self.real_time
+                .frame(passed, scale, made.played_seconds, dropped);
             smooth(&mut self.averages.steps_per_frame, f64::from(made.played));
         }
         self.pending.close();
 
-        // Requested steps are a jump: what lies between is not shown.
-        let (stands, warming) = (!self.playing, self.is_warming());
-        let drawn = self.wants_picture() && self.pending.is_empty() && self.seen() && !warming;
-        self.begun |= drawn;
-        let shown = self.picture.scale();
+        // Pictures between requested steps are not shown.
+        let (paused, warming) = (!self.playing, self.is_warming());
+        let drawn =
+            self.needs_picture() && self.pending.is_empty() && self.is_on_stage() && !warming;
+        self.drawn |= drawn;
+        let scale_before = self.fire_frame.scale();
         let draw_ms = if drawn {
-            self.draw(stands, canvas, clock, events)
+            self.draw(paused, canvas, clock, events)
         } else {
             0.0
         };
-        // What the colours stand for is reported with the picture.
-        let rescaled = self.picture.scale() != shown;
-        self.since.steps_ms += made.stages.iter().sum::<f64>();
-        self.since.burnt += made.burnt;
+        // A new scale of the colours is posted with its picture.
+        let rescaled = self.fire_frame.scale() != scale_before;
+        self.since_picture.steps_ms += made.stages.iter().sum::<f64>();
+        self.since_picture.simulated += made.played_seconds;
         if passed.is_some() && made.steps != made.played {
-            // Requested steps say nothing about those that are due by the clock.
+            // The times of requested steps do not predict those of due steps.
             self.quality.skip();
-            self.since = Since::default();
+            self.since_picture = SincePicture::default();
         } else if passed.is_some() && drawn {
             self.fps.frame(now / 1000.0);
-            let since = std::mem::take(&mut self.since);
-            let on_card = self.picture.passes().map_or(0.0, |passes| passes.on_card());
+            let since = std::mem::take(&mut self.since_picture);
+            let gpu_ms = self
+                .fire_frame
+                .passes()
+                .map_or(0.0, |passes| passes.gpu_ms());
             let frame = Frame {
                 now,
-                apart: self.limits.apart(),
+                min_interval: self.limits.min_interval(),
                 steps_ms: since.steps_ms,
-                made: since.burnt,
-                draw_ms: if on_card > draw_ms { on_card } else { draw_ms },
+                simulated: since.simulated,
+                draw_ms: if gpu_ms > draw_ms { gpu_ms } else { draw_ms },
                 time_scale: scale,
                 slowed: self.real_time.slowed(),
                 particles: self
@@ -126,17 +130,17 @@ impl Fire {
             };
             if self.quality.frame(&frame) {
                 events.quality(self.id, &self.quality);
-                // Another level is other work.
-                self.real_time.forgive();
+                // Another level has other costs.
+                self.real_time.forget_losses();
                 self.adapt();
             }
         }
-        if (drawn && stands) || rescaled || now - self.told_at >= STATS_EVERY_MS {
-            self.told_at = now;
+        if (drawn && paused) || rescaled || now - self.stats_at >= STATS_INTERVAL_MS {
+            self.stats_at = now;
             events.stats(self.id, &stats::of(self, canvas));
         }
-        // An answer to a step request follows its picture and statistics.
-        if !self.seen() || (!warming && (!self.stale || !self.pending.is_empty())) {
+        // The answer to a step request follows its picture and statistics.
+        if !self.is_on_stage() || (!warming && (!self.stale || !self.pending.is_empty())) {
             for request in self.pending.answers() {
                 events.done(self.id, request);
             }
@@ -144,9 +148,9 @@ impl Fire {
         draw_ms
     }
 
-    /// Makes the requested steps and, if it `burns`, those that are due by the clock, as
-    /// far as there is time.
-    fn make_steps(&mut self, burns: bool, warms: bool, deadline: f64, clock: &WallClock) -> Made {
+    /// Makes the steps of the warm-up, the requested steps and, if it `plays`, the steps due by
+    /// the clock, until `deadline`.
+    fn make_steps(&mut self, plays: bool, warms: bool, deadline: f64, clock: &WallClock) -> Made {
         let mut made = Made::default();
         let scene = warms.then(|| self.scene());
         let last = Cell::new(clock.now());
@@ -157,7 +161,7 @@ impl Fire {
                 let requested = self.pending.next_open();
                 if warms.is_none()
                     && requested.is_none()
-                    && !(burns && self.clock.due(self.last_step))
+                    && !(plays && self.clock.due(self.last_step))
                 {
                     return false;
                 }
@@ -175,7 +179,7 @@ impl Fire {
                 self.last_step = length;
                 made.seconds += length;
                 if let Some(scene) = warms {
-                    if self.warm.burnt(length, &mut self.simulation, scene) {
+                    if self.warm.advance(length, &mut self.simulation, scene) {
                         self.restart_clock();
                     }
                     return true;
@@ -185,7 +189,7 @@ impl Fire {
                     None => {
                         self.clock.spend(length);
                         made.played += 1;
-                        made.burnt += length;
+                        made.played_seconds += length;
                     }
                 }
                 true
@@ -194,10 +198,10 @@ impl Fire {
         Made { steps, ..made }
     }
 
-    /// Draws it; returns how long that took \[ms\].
+    /// Draws the picture. Returns the time of drawing \[ms\].
     fn draw(
         &mut self,
-        stands: bool,
+        paused: bool,
         canvas: &SharedCanvas,
         clock: &WallClock,
         events: &Events,
@@ -215,7 +219,7 @@ impl Fire {
             ResolutionLimits::MEDIUM,
             ResolutionLimits::HIGH,
         ];
-        let drawn = self.picture.draw(
+        let drawn = self.fire_frame.draw(
             self.id,
             canvas,
             self.limits.fit(self.size, level.pixels()),
@@ -223,14 +227,14 @@ impl Fire {
             (&self.instances, &self.embers),
             (self.simulation.time(), self.simulation.parameters()),
             self.camera,
-            stands,
+            paused,
             clock,
         );
         match drawn {
-            Ok(sent) => smooth(&mut self.averages.upload_ms, sent - start),
-            Err(words) => {
+            Ok(uploaded) => smooth(&mut self.averages.upload_ms, uploaded - start),
+            Err(message) => {
                 self.drawable = false;
-                events.error(self.id, ErrorKind::Unsupported, &words);
+                events.error(self.id, ErrorKind::Unsupported, &message);
             }
         }
         let took = clock.now() - start;
@@ -240,7 +244,7 @@ impl Fire {
     }
 }
 
-/// Makes a step, with the force of a pointer; returns its length in seconds of fire.
+/// Makes a step with the force of a pointer. Returns its length [s of fire].
 // Inlined into its loop, the whole solver would be compiled twice.
 #[inline(never)]
 fn step(
@@ -251,8 +255,9 @@ fn step(
     let start = simulation.time();
     match pointer {
         Some(force) => {
-            let push = |at: Vec2, v: Vec2| Vec2::from(force.acceleration(at.into(), v.into()));
-            simulation.step_in_stages(Some(&push), on_stage);
+            let acceleration =
+                |at: Vec2, v: Vec2| Vec2::from(force.acceleration(at.into(), v.into()));
+            simulation.step_in_stages(Some(&acceleration), on_stage);
         }
         None => simulation.step_in_stages(None, on_stage),
     }

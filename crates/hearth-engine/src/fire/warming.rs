@@ -1,4 +1,4 @@
-//! A new fire that burns before it is shown, and its number of particles.
+//! The warm-up of a fire, and its number of particles.
 
 use hearth_core::Scene;
 
@@ -7,38 +7,38 @@ use crate::events::Events;
 use crate::quality::Level;
 
 impl Fire {
-    /// Sets how long a new fire burns before it is shown. The answer to `request` follows
-    /// when it is shown, or when nobody looks.
-    pub fn warm(&mut self, seconds: Option<f64>, request: u32) {
+    /// Sets the duration of the warm-up of new fires. The answer to `request` follows when the
+    /// fire is shown or off stage.
+    pub fn set_warm_up(&mut self, seconds: Option<f64>, request: u32) {
         if let Some(seconds) = seconds {
             self.warm.set(seconds);
         }
         self.pending.add(0, 0.0, request);
     }
 
-    /// Begins a new fire, which burns before it is shown.
-    pub(super) fn begin(&mut self, events: &Events) {
-        self.begins = true;
+    /// Starts a new fire with a warm-up.
+    pub(super) fn start(&mut self, events: &Events) {
+        self.starts = true;
         self.stale = true;
         self.restart_clock();
-        if self.begun {
+        if self.drawn {
             events.warming(self.id);
         }
     }
 
-    /// Whether it burns and is not shown yet.
+    /// Whether the fire is warming up.
     pub(super) fn is_warming(&self) -> bool {
-        self.begins || self.warm.is_on()
+        self.starts || self.warm.is_on()
     }
 
-    /// The scene at its level and size.
+    /// The scene at the current level and size.
     pub(super) fn scene(&self) -> Scene {
         self.requested.at(self.particles(self.quality.level()))
     }
 
-    /// Its number of particles at that level, where a page did not set it.
+    /// Number of particles at a level, unless a page set the number.
     pub(super) fn particles(&self, level: Level) -> u32 {
-        let exact = self.quality.wish().is_some();
+        let exact = self.quality.requested().is_some();
         if self.requested.follows_scene() {
             let number = self.requested.parameters().max_particles;
             if exact {
@@ -53,7 +53,7 @@ impl Fire {
         }
     }
 
-    /// What its number of particles follows from, in words; empty: a page set it.
+    /// What limits the number of particles, as in `stats`; empty if a page set the number.
     pub(crate) fn limited_by(&self) -> &'static str {
         let level = self.quality.level();
         if self.requested.follows_scene() {

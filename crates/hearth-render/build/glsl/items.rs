@@ -1,22 +1,22 @@
-//! What a stage declares: constants, uniforms, what passes between stages, structs, functions.
+//! Declarations of a stage: constants, uniforms, varyings, structs, functions.
 
 use std::collections::BTreeMap;
 
 use super::files::Piece;
 use super::tokens::{self, Token};
 
-/// A declaration at the top of a stage.
+/// A global declaration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item {
-    /// File that it stands in.
+    /// Name of the file.
     pub file: String,
-    /// What it is.
+    /// Kind.
     pub kind: Kind,
-    /// What it declares.
+    /// Declared name.
     pub name: String,
-    /// All of it.
+    /// All tokens.
     pub tokens: Vec<Token>,
-    /// The comment behind it.
+    /// Comment on the line.
     pub comment: String,
 }
 
@@ -25,17 +25,17 @@ pub struct Item {
 pub enum Kind {
     /// A uniform of that type.
     Uniform(String),
-    /// Passes between stages, or out of the last one.
+    /// A varying or an output.
     Stage,
     /// `const`.
     Constant,
     /// A struct or a function.
     Other,
-    /// A constant that is replaced by its value.
+    /// A constant that was replaced by its value.
     Inlined,
 }
 
-/// Types that a declaration begins with, except structs.
+/// Built-in types.
 pub const TYPES: [&str; 15] = [
     "void",
     "bool",
@@ -108,7 +108,7 @@ const BUILT_IN: [&str; 48] = [
     "do",
 ];
 
-/// Whether GLSL gives that word a meaning.
+/// Whether GLSL reserves a word.
 pub fn is_of_glsl(word: &str) -> bool {
     word.starts_with("gl_")
         || [&TYPES[..], &KEYWORDS, &BUILT_IN]
@@ -119,20 +119,20 @@ pub fn is_of_glsl(word: &str) -> bool {
 /// The declarations of a stage.
 ///
 /// # Errors
-/// What is no declaration, with its file.
+/// Source that is no declaration, with its file.
 pub fn parse(pieces: Vec<Piece<'_>>) -> Result<Vec<Item>, String> {
     let mut items = Vec::new();
     for Piece { file, lines } in pieces {
         let mut pending = Vec::new();
         for line in lines {
-            tokens::read(line, &mut pending).map_err(|said| format!("{file}: {said}"))?;
-            // Comments belong to declarations of one line, of which there is one a line.
+            tokens::read(line, &mut pending).map_err(|error| format!("{file}: {error}"))?;
+            // A comment belongs to the declaration on its line.
             let comment = line.split_once("//").map_or("", |(_, comment)| comment);
             while let Some(length) = complete(&pending) {
                 let rest = pending.split_off(length);
                 let tokens = std::mem::replace(&mut pending, rest);
                 let item = item(file, tokens, comment.trim());
-                items.push(item.map_err(|said| format!("{file}: {said}"))?);
+                items.push(item.map_err(|error| format!("{file}: {error}"))?);
             }
         }
         if !pending.is_empty() {
@@ -183,7 +183,7 @@ pub fn structs<'a>(items: impl Iterator<Item = &'a [Token]>) -> Vec<&'a str> {
     structs.filter_map(|tokens| tokens[1].word()).collect()
 }
 
-/// What a declaration declares, inside too: names after a type.
+/// Names after a type in a declaration, including variables.
 pub fn declared<'a>(tokens: &'a [Token], structs: &[&str]) -> Vec<&'a str> {
     let pairs = tokens.windows(2).filter_map(|pair| {
         let (first, second) = (pair[0].word()?, pair[1].word()?);
@@ -193,7 +193,7 @@ pub fn declared<'a>(tokens: &'a [Token], structs: &[&str]) -> Vec<&'a str> {
     pairs.collect()
 }
 
-/// The parameters and variables of a function; nothing of other declarations.
+/// The parameters and variables of a function; empty for other declarations.
 pub fn locals<'a>(tokens: &'a [Token], structs: &[&str]) -> Vec<&'a str> {
     match tokens.get(2) {
         Some(bracket) if bracket.is("(") => declared(&tokens[2..], structs),
@@ -201,14 +201,15 @@ pub fn locals<'a>(tokens: &'a [Token], structs: &[&str]) -> Vec<&'a str> {
     }
 }
 
-/// Whether a word stands behind a point.
+/// Whether a word follows a point.
 pub fn is_member(tokens: &[Token], at: usize) -> bool {
     at > 0 && tokens[at - 1].is(".")
 }
 
+/// Checks that names are declared once and before use.
+///
 /// # Errors
-/// A name is used that nothing declares, a declaration takes a name twice, or a local variable
-/// takes that of a declaration.
+/// A name is undeclared or declared twice, or a variable has the name of a declaration.
 pub fn check_names(items: &[Item], shared: &[(&str, String)]) -> Result<(), String> {
     let structs = structs(items.iter().map(|item| item.tokens.as_slice()));
     for (at, item) in items.iter().enumerate() {
@@ -237,8 +238,8 @@ pub fn check_names(items: &[Item], shared: &[(&str, String)]) -> Result<(), Stri
     Ok(())
 }
 
-/// Which declarations `main` needs, directly or by way of others. What passes between stages
-/// stays, because the other stage names it too.
+/// Which declarations `main` needs directly or indirectly. Varyings count as used, because the
+/// other stage declares them too.
 pub fn used(items: &[Item]) -> Vec<bool> {
     let mut used: Vec<bool> = items
         .iter()
@@ -263,7 +264,7 @@ pub fn used(items: &[Item]) -> Vec<bool> {
     }
 }
 
-/// The samplers, in the order of their declarations, vertex stage first.
+/// The samplers in the order of their declarations, vertex stage first.
 pub fn samplers<'a>(items: impl Iterator<Item = &'a Item>) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for item in items {
@@ -274,13 +275,13 @@ pub fn samplers<'a>(items: impl Iterator<Item = &'a Item>) -> Vec<String> {
     names
 }
 
-/// Replaces constants by their values: those of Rust, and `const` of one number or vector.
+/// Inlines the shared constants and the `const` declarations.
 pub fn inline(items: &mut [Item], shared: &[(&str, String)]) {
     let shared = shared.iter().map(|(name, value)| {
         let mut tokens = Vec::new();
-        // What Rust prints of a number is one.
+        // The values are valid numbers.
         let _ = tokens::read(value, &mut tokens);
-        ((*name).to_owned(), bracketed(tokens))
+        ((*name).to_owned(), parenthesised(tokens))
     });
     let mut values: BTreeMap<String, Vec<Token>> = shared.collect();
     for item in items.iter_mut() {
@@ -294,7 +295,7 @@ pub fn inline(items: &mut [Item], shared: &[(&str, String)]) {
                 && equals.is("=")
             {
                 let value = value.iter().flat_map(|token| replaced(token, &values));
-                let value = bracketed(value.collect());
+                let value = parenthesised(value.collect());
                 values.insert(name.clone(), value);
                 at += end + 1;
                 continue;
@@ -318,8 +319,8 @@ fn replaced(token: &Token, values: &BTreeMap<String, Vec<Token>>) -> Vec<Token> 
     value.cloned().unwrap_or_else(|| vec![token.clone()])
 }
 
-/// In brackets unless they are one number, or one call.
-fn bracketed(tokens: Vec<Token>) -> Vec<Token> {
+/// Parenthesises tokens unless they are one token or one call.
+fn parenthesised(tokens: Vec<Token>) -> Vec<Token> {
     let is_call = tokens.len() > 1
         && tokens[0].word().is_some()
         && tokens[1].is("(")

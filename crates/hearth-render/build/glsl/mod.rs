@@ -1,9 +1,8 @@
-//! A compiler from annotated GLSL ES 3.00 to the GLSL that drivers get.
+//! A compiler from GLSL ES 3.00 with includes to plain GLSL.
 //!
-//! It folds `#include` in, replaces constants by their values, drops what a stage does not
-//! use, and packs a pass's uniforms of any type into one array of `vec4`, which one call sets.
-//! Names that are nowhere declared, components that a uniform does not have and declarations
-//! that nothing uses are errors, so that they fail the build.
+//! It resolves `#include`, inlines constants, removes unused declarations, and packs the uniforms
+//! of a pass into one array of `vec4`, which one call sets. Undeclared names, components that a
+//! uniform does not have, and unused declarations fail the build.
 
 mod files;
 mod items;
@@ -21,40 +20,40 @@ pub use pack::Uniform;
 use items::{Item, Kind};
 use tokens::Token;
 
-/// A vertex and a fragment shader that belong together.
+/// A vertex and a fragment shader of a pass.
 #[derive(Clone)]
 pub struct Program {
-    /// Name of the pass and of its files.
+    /// Name of the files.
     pub name: String,
-    /// The stages: vertex, then fragment.
+    /// Vertex, then fragment stage.
     pub stages: [Stage; 2],
-    /// Uniforms that are numbers, in the order of their declarations.
+    /// Numbers and vectors among the uniforms, in the order of their declarations.
     pub uniforms: Vec<Uniform>,
-    /// Length of the array that holds them.
+    /// Length of their array.
     pub vectors: usize,
-    /// Names of the samplers in the files, in the order of their texture units, and in the text.
+    /// Names of the samplers in the files and in the output, in the order of their texture units.
     pub samplers: Vec<(String, String)>,
 }
 
-/// The code of one stage.
+/// A stage.
 #[derive(Clone)]
 pub struct Stage {
-    /// Its declarations.
+    /// The declarations.
     items: Vec<Vec<Token>>,
 }
 
 impl Stage {
-    /// The text for a driver: lines, or as short as it can be.
+    /// The source for a driver, in lines or minified.
     pub fn text(&self, short: bool) -> String {
         tokens::text(&self.items.concat(), short)
     }
 }
 
-/// Every program: one for each fragment shader. Its vertex shader is the file of the same name,
-/// or `screen.vert`, which covers the target.
+/// All programs, one per fragment shader. The vertex shader is the file of the same name or
+/// `screen.vert`, which covers the target.
 ///
 /// # Errors
-/// What is wrong, with the file's name.
+/// The first error with the name of its file.
 pub fn programs(files: &Files, shared: &[(&str, String)]) -> Result<Vec<Program>, String> {
     let fragments = files.names().filter_map(|file| file.strip_suffix(".frag"));
     fragments
@@ -94,10 +93,10 @@ fn program(
     })
 }
 
-/// What a stage declares and uses, with constants replaced by their values.
+/// The used declarations of a stage with inlined constants.
 fn stage(files: &Files, file: &str, shared: &[(&str, String)]) -> Result<Vec<Item>, String> {
     let mut items = items::parse(files.folded(file)?)?;
-    items::check_names(&items, shared).map_err(|said| format!("{file}: {said}"))?;
+    items::check_names(&items, shared).map_err(|error| format!("{file}: {error}"))?;
     let used = items::used(&items);
     for (item, used) in items.iter().zip(&used) {
         if !used && item.file == file {

@@ -1,4 +1,4 @@
-//! Short names for what a shader declares.
+//! Short names of declarations.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,9 +7,9 @@ use super::items::{is_member, is_of_glsl, locals, structs};
 use super::pack::ARRAY;
 use super::tokens::Token;
 
-/// Gives every declared name a short one. Variables of a function get lower-case names of their
-/// own in each function; everything else gets the same upper-case name in all programs, and
-/// frequent names get the shorter ones. So text repeats, which compresses well.
+/// Shortens all declared names. Variables get lower-case names per function. Other declarations
+/// get the same upper-case name in all programs, with the shortest for the most frequent. Repeated
+/// text compresses well.
 pub fn shorten(programs: &mut [Program]) {
     let fields: BTreeSet<String> = programs.iter().flat_map(struct_fields).collect();
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
@@ -55,7 +55,7 @@ pub fn shorten(programs: &mut [Program]) {
     }
 }
 
-/// Calls `see` with each use of a name that is not of GLSL and no variable of a function.
+/// Calls `see` with each use of a name that is neither built in nor a variable of a function.
 fn each_global(program: &Program, fields: &BTreeSet<String>, mut see: impl FnMut(&str)) {
     for stage in &program.stages {
         let structs = structs(stage.items.iter().map(Vec::as_slice));
@@ -87,7 +87,7 @@ fn struct_fields(program: &Program) -> Vec<String> {
         .collect()
 }
 
-/// Every name of one, then of two of these letters that GLSL leaves free.
+/// All names of one and then of two of these letters that GLSL does not reserve.
 fn candidates(letters: std::ops::RangeInclusive<char>) -> impl Iterator<Item = String> {
     let (first, second) = (letters.clone(), letters.clone());
     let two = first.flat_map(move |a| second.clone().map(move |b| format!("{a}{b}")));

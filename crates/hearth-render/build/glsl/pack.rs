@@ -1,4 +1,4 @@
-//! Uniforms of any size in one array of `vec4`.
+//! Packs uniforms into an array of `vec4`.
 
 use super::items::{Item, Kind};
 use super::tokens::Token;
@@ -7,20 +7,20 @@ use super::tokens::Token;
 pub const ARRAY: &str = "U";
 const COMPONENTS: [&str; 3] = ["xyzw", "rgba", "stpq"];
 
-/// A uniform that is a number or a vector.
+/// A number or a vector.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Uniform {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// Its components.
+    /// Number of components.
     pub size: usize,
-    /// Its first component, counted from the beginning of the array.
+    /// Index of the first component in the array.
     pub at: usize,
-    /// What the shader says of it.
+    /// Comment in the shader.
     pub comment: String,
 }
 
-/// The uniforms of both stages, packed: large ones first, so that none spans two vectors.
+/// Packs the uniforms of both stages, largest first, so that none spans two vectors.
 ///
 /// # Errors
 /// A type that cannot be packed, or two types of one name.
@@ -36,7 +36,7 @@ pub fn uniforms<'a>(items: impl Iterator<Item = &'a Item>) -> Result<Vec<Uniform
             "vec2" => 2,
             "vec3" => 3,
             "vec4" => 4,
-            other => return Err(format!("{}: no uniform is a {other}", item.file)),
+            other => return Err(format!("{}: a uniform cannot be a {other}", item.file)),
         };
         match uniforms.iter().find(|known| known.name == item.name) {
             Some(known) if known.size != size => {
@@ -72,17 +72,17 @@ pub fn vectors(uniforms: &[Uniform]) -> usize {
     ends.max().unwrap_or(0).div_ceil(4)
 }
 
-/// Reads the array in place of each uniform.
+/// Replaces uniforms by components of the array.
 ///
 /// # Errors
-/// A component that a uniform does not have.
+/// A uniform does not have a used component.
 pub fn apply(items: &mut Vec<Item>, uniforms: &[Uniform], vectors: usize) -> Result<(), String> {
     let before = items.len();
     items.retain(|item| !uniforms.iter().any(|uniform| uniform.name == item.name));
     let reads = items.len() < before;
     for item in items.iter_mut() {
         item.tokens =
-            applied(&item.tokens, uniforms).map_err(|said| format!("{}: {said}", item.file))?;
+            applied(&item.tokens, uniforms).map_err(|error| format!("{}: {error}", item.file))?;
     }
     if reads {
         let mut tokens = Vec::new();
@@ -141,7 +141,7 @@ fn applied(tokens: &[Token], uniforms: &[Uniform]) -> Result<Vec<Token>, String>
     Ok(packed)
 }
 
-/// The components that a swizzle names, of a vector of that size; nothing of a number.
+/// The components of a swizzle of a vector; `None` if the vector lacks one, and for a number.
 fn swizzled(swizzle: &str, size: usize) -> Option<Vec<usize>> {
     let letters = COMPONENTS
         .iter()

@@ -40,7 +40,7 @@ fn complaint(old: &str, new: &str) -> String {
 }
 
 #[test]
-fn a_pass_is_folded_and_packed() {
+fn includes_are_resolved_and_uniforms_packed() {
     let program = compiled(PASS).unwrap();
     assert_eq!(program.name, "pass");
     let uniforms = program.uniforms.iter();
@@ -58,7 +58,7 @@ fn a_pass_is_folded_and_packed() {
 }
 
 #[test]
-fn what_a_shader_gets_wrong_fails_the_build() {
+fn errors_name_the_file_and_the_problem() {
     for (old, new, said) in [
         ("* size.yx", "* sise.yx", "sise is used and not declared"),
         ("size.yx", "size.zx", "size.zx: size has 2 components"),
@@ -67,7 +67,7 @@ fn what_a_shader_gets_wrong_fails_the_build() {
             "gain.x * tint",
             "gain.x: gain has 1 components",
         ),
-        ("vec3 tint", "mat3 tint", "no uniform is a mat3"),
+        ("vec3 tint", "mat3 tint", "a uniform cannot be a mat3"),
         (
             "vec3 tint",
             "float gain; uniform vec3 tint",
@@ -79,11 +79,7 @@ fn what_a_shader_gets_wrong_fails_the_build() {
             "vec2 size = uv; vec2 place",
             "size is global and a variable of main",
         ),
-        (
-            "light.glsl",
-            "dark.glsl",
-            "there is no shader file dark.glsl",
-        ),
+        ("light.glsl", "dark.glsl", "no shader file dark.glsl"),
         ("1.0);\n}", "1.0);\n", "ends in the middle of a declaration"),
         ("uv * size", "uv @ size", "'@' has no place in GLSL"),
     ] {
@@ -94,7 +90,7 @@ fn what_a_shader_gets_wrong_fails_the_build() {
 }
 
 #[test]
-fn a_uniform_has_one_type_in_both_stages() {
+fn a_uniform_with_two_types_is_an_error() {
     let files = Files::from([
         (
             "pass.vert",
@@ -131,7 +127,7 @@ fn no_uniform_spans_two_vectors_or_overlaps_another() {
     }
 }
 
-/// Two variables of one name in two functions, a field named as a component, a sampler.
+/// A variable name in two functions, a field with the name of a component, and a sampler.
 const NAMES: &str = "struct Gas {
     float x;
     vec4 state;
@@ -151,7 +147,7 @@ void main() {
 ";
 
 #[test]
-fn short_names_keep_scopes_fields_and_components_apart() {
+fn short_names_respect_scopes_fields_and_components() {
     let mut programs = vec![compiled(NAMES).unwrap()];
     shorten(&mut programs);
     let text = programs[0].stages[1].text(true);

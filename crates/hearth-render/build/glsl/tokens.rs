@@ -1,18 +1,18 @@
-//! Text to tokens, and back.
+//! Tokens of GLSL: reading and writing.
 
-/// A word, a number or a mark of GLSL.
+/// A token.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Token {
     /// A name or a keyword.
     Word(String),
     /// A literal.
     Number(String),
-    /// An operator or a bracket.
+    /// An operator or bracket.
     Mark(&'static str),
 }
 
 impl Token {
-    /// Whether it is this mark.
+    /// Whether the token is a mark.
     pub fn is(&self, mark: &str) -> bool {
         matches!(self, Token::Mark(is) if *is == mark)
     }
@@ -33,7 +33,7 @@ impl Token {
     }
 }
 
-/// Marks, longer ones before their beginnings.
+/// Operators, longer ones before their prefixes.
 const MARKS: [&str; 38] = [
     "<<=", ">>=", "++", "--", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "==", "!=", "<=",
     ">=", "&&", "||", "<<", ">>", "+", "-", "*", "/", "%", "=", "<", ">", "!", "?", ":", ";", ",",
@@ -44,7 +44,7 @@ const BRACKETS: [&str; 6] = ["(", ")", "{", "}", "[", "]"];
 /// Appends the tokens of a line.
 ///
 /// # Errors
-/// A letter that GLSL does not know.
+/// A character that GLSL does not have.
 pub fn read(line: &str, tokens: &mut Vec<Token>) -> Result<(), String> {
     let mut rest = line.split("//").next().unwrap_or_default().trim_start();
     while let Some(first) = rest.chars().next() {
@@ -73,7 +73,7 @@ fn is_of_word(letter: char) -> bool {
     letter.is_ascii_alphanumeric() || letter == '_'
 }
 
-/// Length of the number that a text begins with.
+/// Length of the number at the start of a text.
 fn number(text: &str) -> usize {
     let mut before = ' ';
     text.find(|c: char| {
@@ -84,10 +84,10 @@ fn number(text: &str) -> usize {
     .unwrap_or(text.len())
 }
 
-/// The text of tokens: a line for each statement, or as short as it can be.
+/// The source of tokens, with a line per statement or minified.
 pub fn text(tokens: &[Token], short: bool) -> String {
     let mut text = String::new();
-    // Inside round brackets `;` ends no line.
+    // A `;` in parentheses does not end a line.
     let mut depth = 0;
     for (at, token) in tokens.iter().enumerate() {
         let number;
@@ -101,7 +101,7 @@ pub fn text(tokens: &[Token], short: bool) -> String {
         let glues = match (text.chars().last(), next.chars().next()) {
             (Some(last), Some(first)) => {
                 let numeric = |c: char| is_of_word(c) || c == '.';
-                // A point may follow a name or bracket, and begin a number after a mark.
+                // A point may follow a name or bracket, and start a number after a mark.
                 let words = is_of_word(last) && is_of_word(first)
                     || numeric(last) && numeric(first) && matches!(token, Token::Number(_))
                     || last == '.'
@@ -125,7 +125,7 @@ pub fn text(tokens: &[Token], short: bool) -> String {
     text
 }
 
-/// Whether people would put a blank before that token.
+/// Whether readable source has a space before a token.
 fn spaced(tokens: &[Token], at: usize) -> bool {
     let tight = |token: &Token, marks: &[&str]| marks.iter().any(|mark| token.is(mark));
     let before = at.checked_sub(1).and_then(|at| tokens.get(at));

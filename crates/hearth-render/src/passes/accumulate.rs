@@ -1,4 +1,4 @@
-//! A measured quantity to a field.
+//! Accumulates a measured quantity in the field.
 
 use crate::frame::Frame;
 use crate::image::Image;
@@ -6,10 +6,10 @@ use crate::kernel::peak;
 use crate::pass::{Blend, Draw, Load, Pass};
 use crate::shaders::uniforms;
 
-/// Largest weight of gas, which a target of eight bits holds as 1.
+/// Maximum weight of gas, which a target of eight bits stores as 1.
 pub const MAX_WEIGHT: f32 = 1.5;
 
-/// Sums of smooth kernels.
+/// Sums the kernels of a measured quantity.
 pub struct Accumulate;
 
 impl Pass for Accumulate {

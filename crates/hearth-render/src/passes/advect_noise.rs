@@ -1,12 +1,12 @@
-//! The flow to how far it has carried the noise.
+//! Advects the noise with the flow.
 
 use crate::frame::Frame;
 use crate::image::Image;
 use crate::pass::{Draw, Pass};
 use crate::shaders::uniforms;
 
-/// Noise advection. It draws the whole target: the next picture may show fire where this one
-/// shows none.
+/// Advances the offsets of the advected noise. It draws the whole target, because the next picture
+/// may show fire in any part.
 pub struct AdvectNoise;
 
 impl Pass for AdvectNoise {
@@ -16,7 +16,7 @@ impl Pass for AdvectNoise {
     type Uniforms = uniforms::AdvectNoise;
 
     fn applies(frame: &Frame) -> bool {
-        frame.carries_noise()
+        frame.advects_noise()
     }
 
     fn uniforms(frame: &Frame, _: usize) -> uniforms::AdvectNoise {

@@ -1,4 +1,4 @@
-//! Displayed colours to the picture, in front of the backdrop.
+//! Draws the displayed colours in front of the backdrop.
 
 use crate::frame::{Frame, wrapped};
 use crate::image::Image;
@@ -6,13 +6,12 @@ use crate::noise;
 use crate::pass::{Draw, Pass};
 use crate::shaders::uniforms;
 
-/// How far hot gas bends what is seen through it, in heights of the domain.
+/// Displacement of the view through hot gas, in heights of the domain.
 const BEND: f32 = 0.035;
-/// Waves of the haze in the height of the domain.
+/// Waves of the haze per height of the domain.
 const WAVES: f32 = 3.5;
 
-/// The last pass of a fire in front of a backdrop, which the fire lights and makes shimmer. A
-/// page behind the fire cannot shimmer.
+/// The last pass of a fire with a backdrop, which the fire illuminates and makes shimmer.
 pub struct Backdrop;
 
 impl Pass for Backdrop {

@@ -1,4 +1,4 @@
-//! Light to ever wider blurred copies.
+//! Downsamples the light to blurred copies.
 
 use crate::frame::Frame;
 use crate::image::Image;

@@ -1,11 +1,11 @@
-//! Blurred copies to one glow.
+//! Upsamples the blurred copies and blends them to a glow.
 
 use crate::frame::Frame;
 use crate::image::Image;
 use crate::pass::{Draw, Levels, Pass};
 use crate::shaders::uniforms;
 
-/// The second half of the bloom: it joins the copies, from the widest to the sharpest.
+/// The second half of the bloom, from the widest to the sharpest copy.
 pub struct BloomUpsample;
 
 impl Pass for BloomUpsample {

@@ -1,4 +1,4 @@
-//! The field of a measured quantity to colours.
+//! Maps the field of a measured quantity to colours.
 
 use hearth_core::params::Model;
 
@@ -8,10 +8,10 @@ use crate::image::Image;
 use crate::pass::{Blend, Draw, Load, Pass};
 use crate::shaders::uniforms;
 
-/// Weight of gas that covers what is behind it: of a particle alone, for gas whose rim is
-/// nothing but particles, and at the edge of a domain that is full.
-const ALONE: f32 = 0.65;
-const AT_AN_EDGE: f32 = 0.45;
+/// Weight of gas that is opaque. The classic model's gas thins out to single particles; the
+/// combustion model's gas fills the domain and thins out only at its edge.
+const OPAQUE_CLASSIC: f32 = 0.65;
+const OPAQUE_COMBUSTION: f32 = 0.45;
 
 /// Colours of the mean quantity.
 pub struct ColourMap;
@@ -30,9 +30,9 @@ impl Pass for ColourMap {
 
     fn uniforms(frame: &Frame, _: usize) -> uniforms::ColourMap {
         let width = frame.viewport.metres[0];
-        let solid = match frame.parameters.model() {
-            Model::Classic => ALONE,
-            Model::Combustion => AT_AN_EDGE,
+        let opaque = match frame.parameters.model() {
+            Model::Classic => OPAQUE_CLASSIC,
+            Model::Combustion => OPAQUE_COMBUSTION,
         };
         uniforms::ColourMap {
             field_used: frame.field_used(),
@@ -40,7 +40,7 @@ impl Pass for ColourMap {
             floor_x: frame.viewport.floor[0],
             half_width: 0.5 * frame.parameters.domain_width / width,
             per_fade: width / frame.kernel.radius,
-            per_cover: MAX_WEIGHT / solid,
+            per_cover: MAX_WEIGHT / opaque,
             two_sided: frame.two_sided(),
         }
     }

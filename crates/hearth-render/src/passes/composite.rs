@@ -1,4 +1,4 @@
-//! Displayed colours to the picture, in front of its background.
+//! Draws the displayed colours in front of the background.
 
 use hearth_core::params::DisplayMode;
 

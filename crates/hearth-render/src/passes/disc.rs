@@ -1,4 +1,4 @@
-//! A measured quantity to discs.
+//! Draws a measured quantity as discs.
 
 use hearth_core::params::DisplayMode;
 
@@ -10,7 +10,7 @@ use crate::shaders::uniforms;
 /// Diameter of a disc in spacings.
 const DIAMETER: f32 = 0.8;
 
-/// A disc a particle.
+/// A disc per particle.
 pub struct Disc;
 
 impl Pass for Disc {
@@ -36,6 +36,7 @@ impl Pass for Disc {
             count: frame.particles as f32,
             radius: pixels * pixel,
             reach: 1.0 + 1.0 / pixels,
+            // A constant weight instead of a kernel.
             peak: 0.0,
             span_from,
             per_span,

@@ -1,4 +1,4 @@
-//! Embers to light.
+//! Draws the light of embers.
 
 use hearth_core::params::{Layers, Model};
 
@@ -7,12 +7,12 @@ use crate::image::Image;
 use crate::pass::{Blend, Draw, Pass};
 use crate::shaders::uniforms;
 
-/// How much brighter an ember shines than gas: it is solid.
+/// Brightness of an ember relative to gas of the same temperature: an ember is solid.
 const BRIGHTNESS: f32 = 12.0;
-/// Smallest radius of a spark in texels of the light.
+/// Minimum radius of a spark in texels of the light.
 const SMALLEST: f32 = 1.2;
 
-/// Sparks behind the flame: in front of it they would be dots.
+/// Sparks behind the flame. In front of it they would look like dots.
 pub struct Ember;
 
 impl Pass for Ember {

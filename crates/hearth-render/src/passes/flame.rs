@@ -1,4 +1,4 @@
-//! The field of burning gas to light.
+//! Shades the field of the combustion model.
 
 use hearth_core::params::Model;
 
@@ -8,16 +8,16 @@ use crate::noise;
 use crate::pass::{Draw, Load, Pass};
 use crate::shaders::uniforms;
 
-/// Brightness beside that of the classic model: this gas is hotter.
+/// Brightness relative to the classic model, whose gas is cooler.
 const BRIGHTNESS: f32 = 0.34;
-/// Optical depth of cold gas with a soot of 1, at a smoke opacity of 1.
+/// Optical depth of cold gas with a soot of 1 at a smoke opacity of 1.
 const SMOKE: f32 = 14.0;
-/// Tiles of noise per tile of the grain, across and up: tongues are taller than wide.
+/// Noise tiles per tile of the grain, across and up: tongues of a flame are taller than wide.
 const TONGUES: [f32; 2] = [1.15, 0.75];
-/// How far above a floor that is seen gas ends softly, at most, in heights of the domain.
-const SOFT: f32 = 0.04;
+/// Maximum height above a visible floor over which gas fades, in heights of the domain.
+const FLOOR_FADE: f32 = 0.04;
 
-/// Light and coverage.
+/// Light and coverage of the gas.
 pub struct Flame;
 
 impl Pass for Flame {
@@ -34,14 +34,14 @@ impl Pass for Flame {
     fn uniforms(frame: &Frame, _: usize) -> uniforms::Flame {
         let (source, kernel, motion) = (frame.source, frame.kernel, &frame.motion);
         let tiles = TONGUES.map(|share| share / (noise::CELLS as f32 * kernel.grain));
-        let risen = if frame.carries_noise() {
+        let risen = if frame.advects_noise() {
             0.0
         } else {
             wrapped(motion.rise.distance * f64::from(tiles[1]))
         };
-        // Where the floor is seen, what is at it ends softly, and below the source.
+        // At a visible floor, gas below the source fades.
         let [_, below] = frame.viewport.shows_beyond();
-        let soft = (source.base.y / frame.parameters.domain_height).clamp(1e-3, SOFT);
+        let soft = (source.base.y / frame.parameters.domain_height).clamp(1e-3, FLOOR_FADE);
         uniforms::Flame {
             field_used: frame.field_used(),
             field_edge: frame.field_edge(),
@@ -64,6 +64,7 @@ impl Pass for Flame {
             gain: BRIGHTNESS * frame.gain(),
             light_scale: 1.0 / frame.format.light_range(),
             fire_share: frame.fire_share(),
+            // A fade of no visible height where the floor is not visible.
             per_soft_floor: if below { 1.0 / soft } else { 1e6 },
         }
     }

@@ -1,4 +1,4 @@
-//! Gas of the combustion model to the field.
+//! Splats the gas of the combustion model into the field.
 
 use hearth_core::params::Model;
 
@@ -8,7 +8,7 @@ use crate::kernel::peak;
 use crate::pass::{Blend, Draw, Load, Pass};
 use crate::shaders::uniforms;
 
-/// Sums of smooth kernels.
+/// Sums the gas's kernels.
 pub struct Gas;
 
 impl Pass for Gas {
@@ -29,7 +29,7 @@ impl Pass for Gas {
     }
 }
 
-/// The uniforms of gas with kernels of that radius.
+/// Uniforms for kernels of a radius \[m\]. `velocities`: 1 for the velocity pass, else 0.
 pub fn of_gas(frame: &Frame, radius: f32, velocities: f32, field_scale: [f32; 4]) -> uniforms::Gas {
     let [clip_scale, clip_offset] = frame.viewport.to_clip();
     uniforms::Gas {

@@ -1,11 +1,11 @@
-//! Glow to the light that falls on the backdrop.
+//! Computes the irradiance on the backdrop.
 
 use crate::frame::Frame;
 use crate::image::Image;
 use crate::pass::{Draw, Pass};
 use crate::shaders::uniforms;
 
-/// The fire as a lamp.
+/// The fire as an area light.
 pub struct Irradiance;
 
 impl Pass for Irradiance {

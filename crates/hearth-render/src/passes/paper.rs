@@ -1,4 +1,4 @@
-//! Particles to the picture, as in the paper.
+//! Draws particles as in the original paper.
 
 use hearth_core::params::{DisplayMode, Model};
 
@@ -25,8 +25,8 @@ impl Pass for Paper {
 
     fn uniforms(frame: &Frame, _: usize) -> uniforms::Paper {
         let parameters = frame.parameters;
-        // The classic model's sprites have one size and one colour, as in the paper; gas that
-        // burns shows how large and how hot it is.
+        // The classic model's discs have one size and one colour, as in the paper. Those of the
+        // combustion model show the spacing and the temperature of the gas.
         let (size, hottest) = match parameters.model() {
             Model::Classic => (
                 parameters.particle_size,

@@ -1,11 +1,11 @@
-//! The backdrop in plain light.
+//! Draws the backdrop in white light.
 
 use crate::frame::Frame;
 use crate::image::Image;
 use crate::pass::{Draw, Pass};
 use crate::shaders::uniforms;
 
-/// A wall on a floor, drawn again only where it stands in another place.
+/// A wall on a floor, drawn again only when its position in the picture changes.
 pub struct Scenery;
 
 impl Pass for Scenery {

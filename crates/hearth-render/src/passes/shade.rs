@@ -1,4 +1,4 @@
-//! The field of the classic model to light.
+//! Shades the field of the classic model.
 
 use hearth_core::params::Model;
 
@@ -8,10 +8,10 @@ use crate::noise;
 use crate::pass::{Draw, Load, Pass};
 use crate::shaders::uniforms;
 
-/// Optical depth of the smoke in the middle of one kernel, at a smoke opacity of 1.
+/// Optical depth of the smoke in the middle of one kernel at a smoke opacity of 1.
 const SMOKE: f32 = 2.2;
 
-/// Light and coverage.
+/// Light and coverage of the gas.
 pub struct Shade;
 
 impl Pass for Shade {
@@ -29,7 +29,7 @@ impl Pass for Shade {
         let (source, kernel, rise) = (frame.source, frame.kernel, &frame.motion.rise);
         let flame = rise.flame_height(source.base.y).max(2.0 * kernel.grain);
         let tiles = 1.0 / (noise::CELLS as f32 * kernel.grain);
-        // Gas leaves at the top; where that is seen, it ends softly.
+        // Gas leaves the domain at its top and fades there if the top is visible.
         let [above, _] = frame.viewport.shows_beyond();
         uniforms::Shade {
             field_used: frame.field_used(),

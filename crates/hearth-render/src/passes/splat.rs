@@ -1,4 +1,4 @@
-//! Particles of the classic model to the field.
+//! Splats the particles of the classic model into the field.
 
 use hearth_core::Parameters;
 use hearth_core::params::Model;
@@ -8,10 +8,10 @@ use crate::image::Image;
 use crate::pass::{Blend, Draw, Load, Pass};
 use crate::shaders::uniforms;
 
-/// Kernels that overlap at a place inside undisturbed gas where a kernel weighs 1.
+/// Number of overlapping kernels in undisturbed gas at which a kernel weighs 1.
 const OVERLAP: f32 = 3.6;
 
-/// Sums of smooth kernels.
+/// Sums the particles' kernels.
 pub struct Splat;
 
 impl Pass for Splat {
@@ -40,8 +40,8 @@ impl Pass for Splat {
     }
 }
 
-/// What a kernel weighs. Small or few particles weigh more, so that the fire keeps its body,
-/// but not so much more that their size makes no difference.
+/// Weight of a kernel. Small or few particles weigh more, so that the fire stays dense, but the
+/// square root leaves an effect of their size.
 fn kernel_weight(radius: f32, parameters: &Parameters) -> f32 {
     let per_area = parameters.rest_density / parameters.particle_mass;
     // The kernel (1 − q²)² covers a third of its circle.
@@ -55,7 +55,7 @@ mod tests {
     use crate::kernel::RADII_PER_SIZE;
 
     #[test]
-    fn larger_particles_weigh_less_but_cover_more() {
+    fn larger_particles_weigh_less_and_cover_more() {
         let parameters = Parameters::new(Model::Classic);
         let cover = |size: f32| {
             let radius = RADII_PER_SIZE * size;

@@ -1,4 +1,4 @@
-//! The field to its view from farther away.
+//! Blurs the field of the classic model.
 
 use hearth_core::params::Model;
 
@@ -21,7 +21,7 @@ impl Pass for Spread {
     }
 
     fn uniforms(frame: &Frame, _: usize) -> uniforms::Spread {
-        // Five reads each way, a radius apart, span six radii of a kernel.
+        // Five reads in each direction, one radius apart, span six radii of a kernel.
         let radius = frame.kernel.radius / frame.viewport.metres[1] * frame.used[1] as f32;
         uniforms::Spread {
             field_used: frame.field_used(),

@@ -1,4 +1,4 @@
-//! Particles to sprites with a texture.
+//! Draws particles as textured sprites.
 
 use hearth_core::params::{DisplayMode, Model};
 
@@ -8,12 +8,12 @@ use crate::palette::Tint;
 use crate::pass::{Blend, Draw, Load, Pass};
 use crate::shaders::uniforms;
 
-/// Opacity of a sprite, and how much life, or soot, it takes to glow in full.
+/// Opacity of a sprite, and the remaining life or the soot from which it glows fully.
 const OF_LIFE: [f32; 2] = [0.45, 0.25];
 const OF_SOOT: [f32; 2] = [0.9, 0.3];
-/// Brightness of a sprite, beside that of a fire's gas: many lie over each other.
+/// Brightness of a sprite relative to gas: many sprites overlap.
 const BRIGHTNESS: f32 = 0.16;
-/// Seconds in which a sprite turns once, on average.
+/// Mean time of one turn of a sprite \[s\].
 const TURN: f64 = 9.0;
 
 /// Flakes of noise.
@@ -37,7 +37,7 @@ impl Pass for Sprite {
             Model::Classic => OF_LIFE,
             Model::Combustion => OF_SOOT,
         };
-        // Speeds are odd numbers of halves, so two turns of speed 1 are a period of all.
+        // Speeds are odd multiples of one half, so two turns of speed 1 are a common period.
         let turns = frame.time / (2.0 * TURN);
         let [clip_scale, clip_offset] = frame.viewport.to_clip();
         let (pale, yellow) = Tint::of(parameters).pale();

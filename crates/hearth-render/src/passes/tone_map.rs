@@ -1,16 +1,16 @@
-//! Light and glow to displayed colours.
+//! Maps light and glow to displayed colours.
 
 use hearth_core::params::{DisplayMode, Layers, Model};
 
-use crate::frame::{Frame, doubled};
+use crate::frame::{Frame, exp2};
 use crate::image::Image;
 use crate::palette::Tint;
 use crate::pass::{Draw, Load, Pass};
 use crate::shaders::uniforms;
 
-/// How much more light falls on smoke where it is alone.
+/// Factor on the light on smoke that is shown without fire.
 const SMOKE_ALONE: f32 = 1.6;
-/// How much more of the glow there is where smoke scatters it.
+/// Additional share of the glow that opaque smoke scatters.
 const SCATTERED: f32 = 4.0;
 
 /// The tone map.
@@ -30,8 +30,8 @@ impl Pass for ToneMap {
     fn uniforms(frame: &Frame, _: usize) -> uniforms::ToneMap {
         let parameters = frame.parameters;
         let light_range = frame.format.light_range();
-        // Encoded as for the screen: roughly a square root.
-        let mut soot = doubled(parameters.exposure.min(0.0)).sqrt();
+        // The square root approximates the encoding of the screen.
+        let mut soot = exp2(parameters.exposure.min(0.0)).sqrt();
         if parameters.layers == Layers::Smoke {
             soot *= SMOKE_ALONE;
         }

@@ -1,4 +1,4 @@
-//! Gas of the combustion model to the flow, by the shaders of the gas.
+//! Splats the velocities of the combustion model into the flow, with the shaders of the gas.
 
 use super::gas::of_gas;
 use crate::frame::Frame;
@@ -6,7 +6,7 @@ use crate::image::Image;
 use crate::pass::{Blend, Draw, Load, Pass};
 use crate::shaders::uniforms;
 
-/// Sums of velocities.
+/// Sums the gas's velocities.
 pub struct Velocity;
 
 impl Pass for Velocity {
@@ -18,7 +18,7 @@ impl Pass for Velocity {
     type Uniforms = uniforms::Gas;
 
     fn applies(frame: &Frame) -> bool {
-        frame.carries_noise()
+        frame.advects_noise()
     }
 
     fn uniforms(frame: &Frame, _: usize) -> uniforms::Gas {

@@ -1,4 +1,4 @@
-//! Draws a frame, pass by pass, as the table says.
+//! Draws the passes of a frame.
 
 use super::Renderer;
 use crate::frame::{Frame, background};
@@ -9,23 +9,23 @@ use crate::passes::PASSES;
 use crate::shaders::{FLOATS, SOURCES};
 use crate::target::{Target, bind};
 
-/// What a target holds where nothing was drawn.
-const NOTHING: [f32; 4] = [0.0; 4];
+/// Content of a cleared target.
+const TRANSPARENT: [f32; 4] = [0.0; 4];
 
 impl<G: Graphics> Renderer<G> {
-    /// Draws the passes of the frame; calls `watch` with each key once its passes are submitted.
-    pub(super) fn draw(&self, gl: &G, frame: &Frame, watch: &mut dyn FnMut(&'static str)) {
+    /// Draws the passes of a frame. Calls `on_pass` with each key after its passes are submitted.
+    pub(super) fn draw(&self, gl: &G, frame: &Frame, on_pass: &mut dyn FnMut(&'static str)) {
         let mut last = None;
         for row in PASSES.iter().filter(|row| (row.applies)(frame)) {
             if let Some(key) = last.replace(row.key).filter(|key| *key != row.key) {
-                watch(key);
+                on_pass(key);
             }
             for level in row.levels.of(frame.widest_blur()) {
                 self.draw_pass(gl, frame, row, level);
             }
         }
         if let Some(key) = last {
-            watch(key);
+            on_pass(key);
         }
     }
 
@@ -37,7 +37,7 @@ impl<G: Graphics> Renderer<G> {
                 } else {
                     target.size()
                 };
-                target.draw_here(gl, part);
+                target.bind_for_drawing(gl, part);
                 part
             }
             None => {
@@ -50,7 +50,7 @@ impl<G: Graphics> Renderer<G> {
         if row.load == Load::Clear {
             gl.clear(match row.target {
                 Image::Picture => background(frame.parameters.background),
-                _ => NOTHING,
+                _ => TRANSPARENT,
             });
         }
         let source = &SOURCES[row.shader as usize];
@@ -64,9 +64,9 @@ impl<G: Graphics> Renderer<G> {
         let programs = &self.shared.programs;
         programs.activate(gl, row.shader, &uniforms[..source.floats]);
         let blends = row.blend.factors();
-        if let Some((drawn, there)) = blends {
+        if let Some((source, destination)) = blends {
             gl.enable(glow::BLEND);
-            gl.blend_func(drawn, there);
+            gl.blend_func(source, destination);
         }
         match row.draw {
             Draw::All => gl.draw_triangle(),
@@ -80,13 +80,13 @@ impl<G: Graphics> Renderer<G> {
         }
     }
 
-    /// The target that an image is; none of the picture, and of what no pass draws.
+    /// The target of an image; `None` for the picture and for images that no pass draws.
     fn target(&self, frame: &Frame, image: Image, level: usize) -> Option<&Target<G>> {
         let target = image.target(level, frame.widest_blur(), self.newest)?;
         self.targets.get(target).map(|(_, target)| target)
     }
 
-    /// The texture that an image is in a pass that draws that.
+    /// The texture of an image in a pass with that geometry.
     fn texture(
         &self,
         frame: &Frame,
@@ -107,7 +107,7 @@ impl<G: Graphics> Renderer<G> {
     }
 }
 
-/// Draws the part of a target of that size that `bounds` \[m\] touch.
+/// Draws the part of a target that `bounds` \[m\] touch.
 fn draw_part<G: Graphics>(gl: &G, frame: &Frame, bounds: [f32; 4], size: [u32; 2]) {
     let part = frame.viewport.rectangle(bounds, size);
     if part.width == 0 || part.height == 0 {

@@ -1,4 +1,4 @@
-//! Makes what a frame needs and frees what it does not.
+//! Creates the resources that a frame needs and frees others.
 
 use hearth_core::params::Backdrop;
 
@@ -12,7 +12,7 @@ use crate::shaders::SOURCES;
 use crate::shared::colour_table;
 
 impl<G: Graphics> Renderer<G> {
-    /// Makes the colours of that tint.
+    /// Creates the colour table of a tint.
     pub(super) fn fit_colours(&mut self, gl: &G, tint: Tint) -> Result<(), RenderError> {
         if self
             .tinted
@@ -30,7 +30,7 @@ impl<G: Graphics> Renderer<G> {
         Ok(())
     }
 
-    /// Makes every target that a pass of the frame draws into or reads.
+    /// Creates every target that a pass of the frame writes or reads.
     pub(super) fn fit_targets(&mut self, gl: &G, frame: &Frame) -> Result<(), RenderError> {
         self.targets.fit(gl, frame.layout);
         if frame.parameters.backdrop != Backdrop::Bricks {
@@ -44,7 +44,7 @@ impl<G: Graphics> Renderer<G> {
             for (image, level) in
                 images.flat_map(|image| row.levels.of(widest).map(move |level| (image, level)))
             {
-                // Both of those that take turns are made at once.
+                // The two targets of the noise advection are created together.
                 let Some(target) = image.target(level, widest, 0) else {
                     continue;
                 };
@@ -60,7 +60,7 @@ impl<G: Graphics> Renderer<G> {
         Ok(())
     }
 
-    /// Makes the targets of the carried noise, as a still fire left them or empty.
+    /// Creates the targets of the noise advection, with the offsets of a paused fire or empty.
     fn fit_carried(&mut self, gl: &G, frame: &Frame) -> Result<(), RenderError> {
         self.targets
             .need(gl, "advect_noise", frame.format, CARRIED + 1)?;

@@ -1,5 +1,4 @@
-//! What every pair of shaders keeps to, beyond that a driver compiles it: one driver forgives
-//! what another refuses.
+//! Portability rules of shaders: some drivers accept source that others reject.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
@@ -14,13 +13,13 @@ use crate::values;
 
 const FOLDER: &str = "../../shaders";
 
-/// Name and text of both stages: vertex, then fragment.
+/// Name and source of the vertex and the fragment stage.
 struct Pair {
     name: String,
     stages: [String; 2],
 }
 
-/// A rule, and its complaints about a pair.
+/// Returns the violations of a rule in a pair.
 type Rule = fn(&Pair) -> Vec<String>;
 
 const RULES: [Rule; 4] = [
@@ -39,17 +38,17 @@ fn pairs(programs: &[Program], short: bool) -> Vec<Pair> {
 }
 
 fn programs() -> Vec<Program> {
-    let files = Files::read(Path::new(FOLDER)).expect("the folder is there");
-    glsl::programs(&files, &values::shared()).expect("the build compiled them")
+    let files = Files::read(Path::new(FOLDER)).expect("the shaders");
+    glsl::programs(&files, &values::shared()).expect("compiled shaders")
 }
 
-/// How often a name stands in some code.
+/// Number of occurrences of a name.
 fn count(code: &str, name: &str) -> usize {
     let words = code.split(|c: char| !(c.is_alphanumeric() || c == '_'));
     words.filter(|word| *word == name).count()
 }
 
-/// Names and types of what a stage declares with that qualifier.
+/// Names and types of the declarations with a qualifier.
 fn declared(code: &str, qualifier: &str) -> BTreeMap<String, String> {
     let lines = code.lines().filter_map(|line| {
         let line = line.split_once(';')?.0;
@@ -69,28 +68,27 @@ fn declared(code: &str, qualifier: &str) -> BTreeMap<String, String> {
 fn stages_agree(pair: &Pair) -> Vec<String> {
     let [vertex, fragment] = &pair.stages;
     let (given, taken) = (declared(vertex, "out"), declared(fragment, "in"));
-    let mut complaints = Vec::new();
+    let mut violations = Vec::new();
     for (name, kind) in &taken {
         if given.get(name) != Some(kind) {
             let given = given.get(name);
-            complaints.push(format!("{name} is taken as {kind}, but given as {given:?}"));
+            violations.push(format!("{name} is taken as {kind}, but given as {given:?}"));
         }
         if count(fragment, name) < 2 {
-            complaints.push(format!("{name} is taken and never read"));
+            violations.push(format!("{name} is taken and never read"));
         }
     }
     for name in given.keys().filter(|name| !taken.contains_key(*name)) {
-        complaints.push(format!("{name} is given and not taken"));
+        violations.push(format!("{name} is given and not taken"));
     }
     let drawn = declared(fragment, "out");
     if drawn.len() != 1 || drawn.values().any(|kind| kind != "vec4") {
-        complaints.push(format!("one vec4 is drawn, not {drawn:?}"));
+        violations.push(format!("one vec4 is drawn, not {drawn:?}"));
     }
-    complaints
+    violations
 }
 
-/// Points of more than a pixel, and numbers of less than 32 bits. What the header declares for
-/// all shaders is not declared again.
+/// Points larger than a pixel and numbers of less than 32 bits, and redeclarations of the header.
 fn nothing_that_phones_lack(pair: &Pair) -> Vec<String> {
     const LACKING: [&str; 6] = [
         "gl_PointSize",
@@ -105,7 +103,7 @@ fn nothing_that_phones_lack(pair: &Pair) -> Vec<String> {
     found.map(|word| format!("{word} is not allowed")).collect()
 }
 
-/// GLSL leaves open what `smoothstep` gives from a higher edge to a lower one.
+/// `smoothstep` is undefined if the first edge exceeds the second.
 fn edges_ascend(pair: &Pair) -> Vec<String> {
     let code = pair.stages.concat();
     let calls = code.split("smoothstep(").skip(1);
@@ -119,8 +117,8 @@ fn edges_ascend(pair: &Pair) -> Vec<String> {
         .collect()
 }
 
-/// The level that `texture` reads follows from neighbouring pixels, which may have left the
-/// shader by then: after that, the noise, which has mipmaps, is read by level.
+/// After an early return the implicit level of `texture` is undefined, because neighbouring pixels
+/// may have returned. The noise, which has mipmaps, needs an explicit level there.
 fn mipmaps_are_read_by_level(pair: &Pair) -> Vec<String> {
     let [_, fragment] = &pair.stages;
     let left = fragment.find("return;").unwrap_or(fragment.len());
@@ -132,7 +130,7 @@ fn mipmaps_are_read_by_level(pair: &Pair) -> Vec<String> {
 }
 
 #[test]
-fn every_pass_keeps_to_the_rules() {
+fn every_pass_follows_the_rules() {
     for pair in pairs(&programs(), false) {
         for rule in RULES {
             assert_eq!(rule(&pair), Vec::<String>::new(), "{}", pair.name);
@@ -141,12 +139,12 @@ fn every_pass_keeps_to_the_rules() {
 }
 
 #[test]
-fn every_shader_is_of_a_pass_and_every_file_of_a_shader() -> io::Result<()> {
+fn every_shader_belongs_to_a_pass_and_every_file_to_a_shader() -> io::Result<()> {
     for (at, source) in SOURCES.iter().enumerate() {
         let drawn = PASSES.iter().any(|row| row.shader as usize == at);
         assert!(drawn, "no pass draws {}", source.name);
     }
-    let files = Files::read(Path::new(FOLDER)).expect("the folder is there");
+    let files = Files::read(Path::new(FOLDER)).expect("the shaders");
     let used: BTreeSet<&str> = SOURCES
         .iter()
         .flat_map(|source| {
@@ -157,7 +155,7 @@ fn every_shader_is_of_a_pass_and_every_file_of_a_shader() -> io::Result<()> {
         })
         .chain(["screen.vert".to_owned()])
         .filter(|name| files.has(name))
-        .flat_map(|name| files.folded(&name).expect("the build folded it"))
+        .flat_map(|name| files.folded(&name).expect("resolved includes"))
         .map(|piece| piece.file)
         .collect();
     let all: BTreeSet<&str> = files.names().collect();
@@ -165,11 +163,10 @@ fn every_shader_is_of_a_pass_and_every_file_of_a_shader() -> io::Result<()> {
     Ok(())
 }
 
-/// The structs of uniforms that passes fill, by the generated module: names and types as GLSL
-/// writes them.
+/// The generated structs of uniforms: names and types in GLSL.
 fn structs() -> BTreeMap<String, BTreeMap<String, String>> {
     let module = include_str!(concat!(env!("OUT_DIR"), "/shaders.rs"));
-    let (_, module) = module.split_once("pub mod uniforms").expect("it is there");
+    let (_, module) = module.split_once("pub mod uniforms").expect("the module");
     let structs = module.split("/// Uniforms of `").skip(1);
     structs
         .map(|text| {
@@ -192,17 +189,17 @@ fn structs() -> BTreeMap<String, BTreeMap<String, String>> {
 }
 
 #[test]
-fn every_uniform_of_a_struct_is_declared_with_its_type_and_every_declared_one_is_in_the_struct() {
+fn structs_and_shaders_have_the_same_uniforms() {
     let structs = structs();
     assert_eq!(structs.len(), SOURCES.len());
-    let files = Files::read(Path::new(FOLDER)).expect("the folder is there");
+    let files = Files::read(Path::new(FOLDER)).expect("the shaders");
     for (name, fields) in structs {
         let mut declared_anywhere = BTreeMap::new();
         for stage in [format!("{name}.vert"), format!("{name}.frag")] {
             if !files.has(&stage) {
                 continue;
             }
-            for piece in files.folded(&stage).expect("the build folded it") {
+            for piece in files.folded(&stage).expect("resolved includes") {
                 let mut uniforms = declared(&piece.lines.join("\n"), "uniform");
                 uniforms.retain(|_, kind| kind != "sampler2D");
                 if piece.file == stage {
@@ -229,7 +226,7 @@ fn the_ends_of_the_colour_table_are_its_outer_texels() {
     assert!((at(HOTTEST) - (1.0 - half)).abs() < 1e-5);
 }
 
-/// A pair that keeps to every rule.
+/// A pair that follows every rule.
 const GOOD: [&str; 2] = [
     "uniform vec4 world;\nout vec2 uv;\nflat out vec4 heat;\nvoid main() {\nuv = world.xy;\nheat = vec4(1.0);\ngl_Position = vec4(0.0);\n}\n",
     "in vec2 uv;\nflat in vec4 heat;\nuniform sampler2D noise;\nout vec4 light;\nvoid main() {\nlight = textureLod(noise, uv, 0.0) * heat * smoothstep(0.1, 0.4, uv.x);\n}\n",
@@ -243,11 +240,11 @@ fn pair(stages: [&str; 2]) -> Pair {
 }
 
 #[test]
-fn every_rule_can_be_broken() {
+fn every_rule_finds_its_violations() {
     for rule in RULES {
         assert_eq!(rule(&pair(GOOD)), Vec::<String>::new());
     }
-    // The rule of that number: the vertex or the fragment shader with one text for another.
+    // The index of a rule, whether the fragment shader changes, and a replacement that breaks it.
     for (rule, fragment, old, new) in [
         (0, false, "out vec2 uv", "out vec3 uv"),
         (0, false, "flat out vec4 heat", "out vec4 heat"),
@@ -279,7 +276,7 @@ fn every_rule_can_be_broken() {
     }
 }
 
-/// The complaints of the reference compiler of Khronos about a pair.
+/// The errors of the reference compiler of Khronos for a pair.
 fn validated(pair: &Pair, validator: &OsStr, folder: &Path) -> io::Result<String> {
     let mut files = Vec::new();
     for (kind, text) in ["vert", "frag"].iter().zip(&pair.stages) {
@@ -290,16 +287,16 @@ fn validated(pair: &Pair, validator: &OsStr, folder: &Path) -> io::Result<String
     // Linking compares what one stage gives with what the other takes.
     let output = Command::new(validator).arg("-l").args(&files).output()?;
     let said = String::from_utf8_lossy(&output.stdout);
-    let complaints = said.lines().filter(|line| {
+    let violations = said.lines().filter(|line| {
         let named = files.iter().any(|file| Path::new(line) == file);
         !named && !line.is_empty()
     });
-    Ok(complaints.collect::<Vec<_>>().join("\n"))
+    Ok(violations.collect::<Vec<_>>().join("\n"))
 }
 
-/// `cargo xtask test shaders` names the validator.
+/// `HEARTH_GLSLANG` is the path of the validator, which `cargo xtask test shaders` sets.
 #[test]
-#[ignore = "cargo xtask test shaders runs it, with the validator that it needs"]
+#[ignore = "cargo xtask test shaders runs it with the validator"]
 fn every_shader_is_valid_glsl() -> io::Result<()> {
     let validator = env::var_os("HEARTH_GLSLANG").unwrap_or_default();
     let folder = env::temp_dir().join(format!("hearth-shaders-{}", std::process::id()));
@@ -313,13 +310,13 @@ fn every_shader_is_valid_glsl() -> io::Result<()> {
         let said = validated(&pair, &validator, &folder)?;
         assert!(said.is_empty(), "{}: {said}", pair.name);
     }
-    // The validator finds what is wrong within a stage and between stages.
+    // The validator finds errors within a stage and between stages.
     for vertex in [
         "void main() { gl_Position = vec2(0.0); }",
         "out vec3 uv;\nflat out vec4 heat;\nvoid main() { uv = vec3(0.0); heat = vec4(0.0); gl_Position = heat; }",
     ] {
         let said = validated(&pair([vertex, GOOD[1]]), &validator, &folder)?;
-        assert!(said.contains("ERROR"), "of {vertex:?} it says {said:?}");
+        assert!(said.contains("ERROR"), "{vertex:?}: {said:?}");
     }
     fs::remove_dir_all(&folder)
 }

@@ -1,0 +1,40 @@
+//! Why a fire changes its level, as text for `stats`.
+
+use std::fmt::Write as _;
+
+use super::level::Level;
+use super::load::Load;
+
+/// The reason of a change to `level`: what takes how long \[ms\], and what changes.
+pub fn of_change(what: &str, ms: f64, load: &Load, level: Level) -> String {
+    let mut reason = String::new();
+    for (words, ms) in [(what, ms), (" for a frame of ", load.budget)] {
+        // Formatting a fraction would add 20 KB of code.
+        let tenths = (ms * 10.0).round() as u32;
+        let _ = write!(reason, "{words}{}.{} ms", tenths / 10, tenths % 10);
+    }
+    let number = |level: Level| load.particles.map(|numbers| numbers[level as usize]);
+    let _ = if let (Some(new), Some(old)) = (number(level), number(load.level))
+        && new != old
+    {
+        let (new, old) = (with_separator(new), with_separator(old));
+        write!(reason, ": {new} particles instead of {old}")
+    } else {
+        let than = if level < load.level {
+            "coarser"
+        } else {
+            "finer"
+        };
+        write!(reason, ": a {than} picture")
+    };
+    reason
+}
+
+/// A number of particles with a separator of thousands.
+fn with_separator(number: u32) -> String {
+    let mut text = number.to_string();
+    if number >= 1000 {
+        text.insert(text.len() - 3, ',');
+    }
+    text
+}

@@ -139,7 +139,7 @@ fn replace(scene: &mut Scene, list: &Untrusted, errors: &mut Vec<ValidationError
 /// fields, the object is removed.
 ///
 /// # Errors
-/// There is no such object, or every invalid field.
+/// There is no object with this id, or every invalid field.
 pub fn with_object(
     scene: &Scene,
     id: Option<u32>,

@@ -107,7 +107,7 @@ impl Fire {
     /// fields, removes the object. Returns the id of the last object.
     ///
     /// # Errors
-    /// There is no such object, or every field that is refused.
+    /// There is no object with this id, or every invalid field.
     #[wasm_bindgen(js_name = setObject)]
     pub fn set_object(
         &mut self,

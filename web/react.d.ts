@@ -220,15 +220,15 @@ export interface HearthFireAttributes {
   shifting?: number | `${number}` | undefined;
   /** Faster particles, which only an extreme fire needs. Largest speed of a particle. [m/s] Default in classic: 4, from 4 to 8. */
   'speed-limit'?: number | `${number}` | undefined;
-  /** The paper's fire, as its equation 1 stands: the kernel with the factor of three dimensions. Default in classic: false. */
+  /** The paper's fire, with equation 1 as printed: the kernel with the factor of three dimensions. Default in classic: false. */
   'printed-kernel'?: boolean | undefined;
-  /** The paper's fire, as its equation 3 stands: half the pressure force, not divided by the particle's own density. Default in classic: false. */
+  /** The paper's fire, with equation 3 as printed: half the pressure force, not divided by the particle's own density. Default in classic: false. */
   'printed-pressure'?: boolean | undefined;
-  /** The paper's fire, as its equation 4 stands: viscosity by the kernel's own Laplacian, which changes sign. Default in classic: false. */
+  /** The paper's fire, with equation 4 as printed: viscosity by the kernel's own Laplacian, which changes sign. Default in classic: false. */
   'printed-viscosity'?: boolean | undefined;
-  /** The paper's fire, as its equations 5 and 7 stand: force densities divided by the mass instead of the density, and no thermal buoyancy. Default in classic: false. */
+  /** The paper's fire, with equations 5 and 7 as printed: force densities divided by the mass instead of the density, and no thermal buoyancy. Default in classic: false. */
   'printed-divisor'?: boolean | undefined;
-  /** The paper's fire, as its equation 6 stands: forward Euler, the position moves with the old velocity. Default in classic: false. */
+  /** The paper's fire, with equation 6 as printed: forward Euler, the position moves with the old velocity. Default in classic: false. */
   'printed-euler'?: boolean | undefined;
 }
 

@@ -139,6 +139,7 @@ class Simulation {
    * @param {unknown} [value]
    */
   set(ids, value) {
+    /** @type {[string, any][]} */
     const values = typeof ids === 'string' ? [[ids, value]] : fields('values', ids);
     const [sent, columnsOfValues] = columns(values);
     this.#use((fire) => fire.set(sent, columnsOfValues), values);

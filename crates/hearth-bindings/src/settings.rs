@@ -3,9 +3,10 @@
 use hearth_core::params::{Input, ParamError, Parameters};
 use hearth_core::preset::{PRESETS, Preset};
 use hearth_core::scene::Scene;
+use js_sys::Array;
 
 use crate::check::one_of;
-use crate::{Untrusted, ValidationError, Values};
+use crate::{Record, Untrusted, ValidationError, Values};
 
 /// The id of the model.
 const MODEL: &str = "model";
@@ -139,7 +140,7 @@ fn replace(scene: &mut Scene, list: &Untrusted, errors: &mut Vec<ValidationError
 /// fields, the object is removed.
 ///
 /// # Errors
-/// There is no such object, or every invalid field.
+/// There is no object with this id, or every invalid field.
 pub fn with_object(
     scene: &Scene,
     id: Option<u32>,
@@ -191,6 +192,23 @@ pub fn objects(scene: &Scene, from: Option<&Parameters>) -> Untrusted {
         Untrusted::Object(fields)
     });
     Untrusted::List(list.collect())
+}
+
+/// The objects of a scene as plain objects with all of their properties.
+pub fn object_records(scene: &Scene) -> Array {
+    let records = Array::new();
+    for (id, kind, values) in scene.objects() {
+        let record = Record::new();
+        record.set_text("kind", kind.name);
+        record.set_number("id", id.into());
+        for property in kind.properties {
+            if let Some(param) = property.param(values.model()) {
+                record.set_value(property.name, param.get(values));
+            }
+        }
+        records.push(&record);
+    }
+    records
 }
 
 #[inline(never)]

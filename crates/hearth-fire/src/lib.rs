@@ -14,13 +14,13 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A [`Simulation`] holds the particles, [`Parameters`] their values, and [`preset`] names
-//! sets of values. Nothing here opens a window, starts a thread or reads a clock. The same
-//! seed gives the same bits on every machine, natively and in wasm.
+//! A [`Simulation`] is a fire, [`Parameters`] are its values, and [`preset`] has named sets of
+//! values. The crate opens no window, starts no thread and reads no clock. The same seed gives
+//! the same bits on every machine, natively and in wasm.
 
 pub use hearth_core::*;
 
-// The examples of the README run with those of the documentation.
+// Runs the examples of the README as doc tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct ReadMe;

@@ -99,15 +99,15 @@ impl Fire {
     }
 
     /// The objects as plain data.
-    pub fn objects(&self) -> JsValue {
-        settings::objects(self.simulation.scene(), None).to_js()
+    pub fn objects(&self) -> Array {
+        settings::object_records(self.simulation.scene())
     }
 
     /// Sets properties of the object of that id or, without an id, adds an object; without
     /// fields, removes the object. Returns the id of the last object.
     ///
     /// # Errors
-    /// There is no such object, or every field that is refused.
+    /// There is no object with this id, or every invalid field.
     #[wasm_bindgen(js_name = setObject)]
     pub fn set_object(
         &mut self,
@@ -158,22 +158,24 @@ fn columns(ids: &Array, values: &Array) -> Vec<(String, Untrusted)> {
     let mut pairs = Vec::new();
     for at in 0..ids.length() {
         let id = ids.get(at).as_string().unwrap_or_default();
-        let value = values.get(at);
-        pairs.push((
-            id,
-            object_list(&value).unwrap_or_else(|| Untrusted::scalar(&value)),
-        ));
+        pairs.push((id, value_of(&values.get(at))));
     }
     pairs
 }
 
-fn object_list(value: &JsValue) -> Option<Untrusted> {
-    let list = value.dyn_ref::<Array>()?.iter().map(|object| {
-        let pair: Array = object.unchecked_into();
-        let [names, values] = [0, 1].map(|at| pair.get(at).unchecked_into());
-        Untrusted::Object(columns(&names, &values))
-    });
-    Some(Untrusted::List(list.collect()))
+fn value_of(value: &JsValue) -> Untrusted {
+    if !Array::is_array(value) {
+        return Untrusted::scalar(value);
+    }
+    let list: &Array = value.unchecked_ref();
+    let mut objects = Vec::new();
+    for at in 0..list.length() {
+        let object: Array = list.get(at).unchecked_into();
+        let (names, values) = (object.get(0), object.get(1));
+        let fields = columns(names.unchecked_ref(), values.unchecked_ref());
+        objects.push(Untrusted::Object(fields));
+    }
+    Untrusted::List(objects)
 }
 
 /// The errors from which `web/sim.js` makes a `RangeError`.

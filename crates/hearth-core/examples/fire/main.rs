@@ -1,11 +1,11 @@
-//! Burns a fire and writes it as a sequence of PNG pictures, without a browser:
+//! Simulates a fire and writes a sequence of PNG pictures, without a browser:
 //!
 //! ```sh
 //! cargo run -p hearth-fire-core --release --example fire -- --frames 60 --out DIR
 //! ```
 //!
-//! Any parameter may follow as `id=value`. The pictures are drawn on the processor
-//! with what every user of the library has: positions, temperatures, soot.
+//! Parameters follow as `id=value`. The processor draws the pictures from the public readers of
+//! the library: positions, temperatures, soot.
 
 mod options;
 mod picture;
@@ -36,7 +36,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Burns as long as was asked for, and writes a picture of each frame.
+/// Simulates the frames and writes a picture of each.
 fn burn(options: &Options) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&options.out)
         .map_err(|error| format!("cannot make {}: {error}", options.out.display()))?;
@@ -78,7 +78,7 @@ mod tests {
 
     use super::*;
 
-    /// What a reader of PNGs makes of a file: its size and its pixels.
+    /// The size and the pixels of a PNG file.
     fn read(file: &Path) -> Result<(u32, u32, Vec<u8>), Box<dyn Error>> {
         let mut reader = png::Decoder::new(BufReader::new(File::open(file)?)).read_info()?;
         let mut rgb = vec![0; reader.output_buffer_size().ok_or("no size")?];

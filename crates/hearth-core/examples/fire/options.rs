@@ -1,4 +1,4 @@
-//! The command line: what may be asked for, and what is said of anything else.
+//! The options of the command line.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use hearth_core::Parameters;
 use hearth_core::params::Input;
 
-/// What a person reads who asks for help.
+/// The help.
 pub const HELP: &str = "\
 fire [OPTION...] [ID=VALUE...]
 
@@ -18,20 +18,20 @@ fire [OPTION...] [ID=VALUE...]
   ID=VALUE       any parameter, as fuel_power=400 or model=classic
 ";
 
-/// What a person asked for.
+/// The options.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// How many pictures.
+    /// Number of pictures.
     pub frames: u32,
-    /// Where they go.
+    /// Output folder.
     pub out: PathBuf,
-    /// Pictures for each second of fire.
+    /// Pictures per second of fire.
     pub fps: f64,
     /// Seconds of fire before the first one.
     pub start: f64,
     /// Height of a picture in pixels.
     pub height: u32,
-    /// What burns.
+    /// The values of the fire.
     pub parameters: Parameters,
 }
 
@@ -49,10 +49,10 @@ impl Default for Options {
 }
 
 impl Options {
-    /// Reads the arguments after the program's name.
+    /// Parses the arguments after the program's name.
     ///
     /// # Errors
-    /// The first that is wrong, in words that name what is allowed.
+    /// The first invalid argument. The message names the allowed values.
     pub fn parse(arguments: &[String]) -> Result<Options, Box<dyn Error>> {
         let mut options = Options::default();
         let mut values = Vec::new();
@@ -114,7 +114,7 @@ mod tests {
         assert_eq!((options.fps, options.start), (60.0, 0.0));
         assert_eq!(options.out, PathBuf::from("a/b"));
         assert_eq!(options.parameters.wind, 0.5);
-        // The model counts first, wherever it stands.
+        // The model is set first, at any position.
         let classic = parse("max_particles=200 model=classic")?;
         assert_eq!(classic.parameters.model(), Model::Classic);
         assert_eq!(classic.parameters.max_particles, 200);

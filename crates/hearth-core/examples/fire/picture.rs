@@ -1,9 +1,8 @@
-//! A picture of a fire: each particle spreads its light over the pixels that its
-//! kernel reaches, as in the simulation itself.
+//! A picture of a fire: each particle spreads its light over the pixels within its kernel, as
+//! in the simulation.
 //!
-//! What glows is soot: as hot as the gas, as bright as there is of it, in the
-//! colours that Planck's law gives for red, green and blue. Where fuel burns there is
-//! a little blue besides.
+//! Soot glows at the temperature of the gas, in proportion to its amount, in the colours of
+//! Planck's law for red, green and blue. Burning fuel adds a little blue.
 
 use hearth_core::kernel::Kernel;
 use hearth_core::params::Model;
@@ -17,16 +16,15 @@ const RADIATION: f32 = 0.014_388;
 const WHITE: f32 = 6500.0;
 /// The red light of one of this temperature \[K\] counts as 1.
 const BRIGHT: f32 = 1500.0;
-/// How much of a black body the gas is for its soot, and the gas of the classic
-/// model, which knows no soot.
+/// Emissivity of the gas per soot, and of the gas of the classic model, which has no soot.
 const SOOT: f32 = 4.0;
 const CLASSIC: f32 = 0.3;
-/// Light of the burning itself, for a full share of fuel burnt in a second.
+/// Light of the combustion, for a full share of fuel burnt in a second.
 const FLAME: Light = [0.003, 0.008, 0.025];
-/// Embers are small: in a pixel they count for more than they are.
+/// Weight of the light of embers, which are smaller than a pixel.
 const EMBER: f32 = 3.0;
 
-/// Red, green and blue light, as bright as it really is.
+/// Linear red, green and blue light.
 type Light = [f32; 3];
 
 /// Pixels, row by row from the top.
@@ -102,7 +100,7 @@ fn black_body(temperature: f32) -> Light {
     WAVELENGTHS.map(|wavelength| of_white(wavelength, temperature.max(1.0)) / bright)
 }
 
-/// A film that much light whitens but never overflows, in sRGB.
+/// A tone curve that maps bright light to white, in sRGB.
 fn develop(light: f32) -> u8 {
     let exposed = 1.0 - (-light).exp();
     let encoded = if exposed < 0.003_130_8 {
@@ -113,11 +111,11 @@ fn develop(light: f32) -> u8 {
     (255.0 * encoded).round() as u8
 }
 
-/// Where the domain lies in the picture.
+/// The viewport of the domain.
 struct Canvas {
     width: usize,
     height: usize,
-    /// Pixels of a metre.
+    /// Pixels per metre.
     scale: f32,
 }
 
@@ -128,7 +126,7 @@ impl Canvas {
         // A particle is at least a pixel, however small the picture.
         let kernel = Kernel::new(parameters.smoothing_length().max(1.0 / self.scale));
         let classic = parameters.model() == Model::Classic;
-        // Where particles end there is air, which counts as one more of them.
+        // Beyond the particles there is air, which counts as one more particle.
         let air = if classic {
             kernel.value(0.0) / parameters.rest_density
         } else {
@@ -143,8 +141,8 @@ impl Canvas {
         let (temperatures, densities) = (fire.temperatures(), fire.densities());
         let (soots, burning) = (fire.soots(), fire.burn_rates());
         for (i, position) in fire.positions().into_iter().enumerate() {
-            // All have the same mass, so the room that one takes is 1 to its density;
-            // a particle just born has none yet.
+            // All have the same mass, so the volume is the inverse of the density, which is 0 at
+            // birth.
             let volume = match densities[i] {
                 density if density > 0.0 => 1.0 / density,
                 _ => continue,

@@ -2,7 +2,7 @@
 //! that a coarse simulation dissipates (Fedkiw, Stam, Jensen, SIGGRAPH 2001),
 //! a = ε h (∇|ω|/|∇|ω|| × ω).
 //!
-//! It needs two difference passes over the pairs: for the curl ω of the velocity, and for
+//! It needs two more passes over the pairs: for the curl ω of the velocity, and for
 //! the gradient of its magnitude.
 
 use glam::Vec2;

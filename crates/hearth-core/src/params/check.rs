@@ -104,11 +104,10 @@ pub(super) fn nearest_id(id: &str) -> Option<&'static str> {
         .map(|(_, known)| known)
 }
 
-/// Levenshtein distance, in bytes, to the start of `requested`.
+/// Levenshtein distance, in bytes, to the first 64 of `requested`.
 fn edit_distance(known: &str, requested: &str) -> usize {
-    const LENGTH: usize = 64;
-    let requested = &requested.as_bytes()[..requested.len().min(LENGTH)];
-    let mut row: [usize; LENGTH + 1] = std::array::from_fn(|j| j);
+    let requested = &requested.as_bytes()[..requested.len().min(64)];
+    let mut row: Vec<usize> = (0..=requested.len()).collect();
     for (i, a) in known.bytes().enumerate() {
         let mut diagonal = row[0];
         row[0] = i + 1;

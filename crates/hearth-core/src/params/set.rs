@@ -181,8 +181,9 @@ impl Parameters {
 #[cold]
 #[inline(never)]
 fn unknown(id: &str, input: Input<'_>) -> ParamError {
+    let (start, dots) = abbreviated(id);
     ParamError {
-        id: <[&str; 2]>::from(abbreviated(id)).concat(),
+        id: format!("{start}{dots}"),
         value: input.to_string(),
         kind: ParamErrorKind::UnknownId {
             nearest: nearest_id(id),

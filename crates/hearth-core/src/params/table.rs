@@ -261,19 +261,19 @@ parameters! {
         shifting: number "Shifting" [""] Linear { Combustion(1.0, 0.2..=1.0) }
         /// Faster particles, which only an extreme fire needs. Largest speed of a particle.
         speed_limit: number "Speed limit" ["m/s"] Linear { Classic(4.0, 4.0..=8.0) }
-        /// The paper's fire, as its equation 1 stands: the kernel with the factor of three
+        /// The paper's fire, with equation 1 as printed: the kernel with the factor of three
         /// dimensions.
         printed_kernel: flag "Printed kernel (eq. 1)" { Classic(false) }
-        /// The paper's fire, as its equation 3 stands: half the pressure force, not divided
+        /// The paper's fire, with equation 3 as printed: half the pressure force, not divided
         /// by the particle's own density.
         printed_pressure: flag "Printed pressure (eq. 3)" { Classic(false) }
-        /// The paper's fire, as its equation 4 stands: viscosity by the kernel's own
+        /// The paper's fire, with equation 4 as printed: viscosity by the kernel's own
         /// Laplacian, which changes sign.
         printed_viscosity: flag "Printed viscosity (eq. 4)" { Classic(false) }
-        /// The paper's fire, as its equations 5 and 7 stand: force densities divided by the
+        /// The paper's fire, with equations 5 and 7 as printed: force densities divided by the
         /// mass instead of the density, and no thermal buoyancy.
         printed_divisor: flag "Printed divisor (eq. 5, 7)" { Classic(false) }
-        /// The paper's fire, as its equation 6 stands: forward Euler, the position moves
+        /// The paper's fire, with equation 6 as printed: forward Euler, the position moves
         /// with the old velocity.
         printed_euler: flag "Printed Euler (eq. 6)" { Classic(false) }
     }

@@ -168,7 +168,7 @@ fn changed_is_what_differs_from_the_defaults_of_the_model() {
         };
         let mut parameters = Parameters::new(here);
         assert_eq!(changed(&parameters), model);
-        // A value of the other model is none of this one's.
+        // A value of the other model is not one of this model.
         let hidden = |param: &&Param| param.domain(here).is_none();
         let param = PARAMETERS.iter().find(hidden).unwrap();
         set(

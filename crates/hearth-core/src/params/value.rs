@@ -224,7 +224,13 @@ impl fmt::Display for ParamError {
                 must_be(format_args!("{kind} from {min} to {max}{space}{unit}"))
             }
             ParamErrorKind::NotAChoice { choices } => {
-                must_be(format_args!("one of {}", choices.join(", ")))
+                // `join` costs 300 bytes of download.
+                let mut names = String::new();
+                for name in *choices {
+                    names.push_str(if names.is_empty() { "" } else { ", " });
+                    names.push_str(name);
+                }
+                must_be(format_args!("one of {names}"))
             }
             ParamErrorKind::NotAFlag => must_be(format_args!("true or false")),
             ParamErrorKind::NotAColour => {

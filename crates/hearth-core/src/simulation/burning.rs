@@ -8,15 +8,14 @@
 //! |---|---|
 //! | 4 | `Fire` |
 //! | 2, 2 | [`VERSION`]; number of embers |
-//! | 8 | [`digest`] of the values that it burnt with |
-//! | 4, 4 | `max_particles` that it burnt with; number of particles |
+//! | 8 | [`digest`] of its values |
+//! | 4, 4 | its `max_particles`; number of particles |
 //! | 8 | time \[s\] |
 //! | 4 × 6 | largest velocity, excess temperature and soot; of embers, velocity, size and life |
 //! | particles × 10 | x, y (2 each), u, v, temperature, fuel, oxygen, soot (1 each), column by column |
 //! | embers × 10 | x, y (2 each), u, v, temperature, size, age, life (1 each), column by column |
 //!
-//! A velocity is stored as the root of its quantised of the largest, so that slow gas loses
-//! little.
+//! A velocity is the root of its share of the largest, so that slow gas is precise.
 
 mod digest;
 mod format;
@@ -34,7 +33,7 @@ use format::{Bytes, Columns, EACH, EMBERS, HEADER, Header, MAGIC, quantised, qua
 pub use digest::digest;
 pub use format::VERSION;
 
-const NO_FIRE: &str = "these bytes are no burning fire";
+const NO_FIRE: &str = "the bytes are not a burning fire";
 /// Largest temperature of an ember \[K\].
 const MAX_EMBER_TEMPERATURE: f32 = 2500.0;
 

@@ -1,15 +1,15 @@
-//! The bytes of a burning fire: a head, then column by column.
+//! The format of a burning fire: a header, then column by column.
 
 use glam::Vec2;
 
-/// The version of the form.
+/// The version of the format.
 pub const VERSION: u16 = 1;
 
 pub(super) const MAGIC: &[u8; 4] = b"Fire";
 pub(super) const HEADER: usize = 56;
 /// Bytes of a particle, and of an ember.
 pub(super) const EACH: usize = 10;
-/// Most embers that are stored.
+/// Most stored embers.
 pub(super) const EMBERS: usize = 1000;
 /// Largest plausible time \[s\].
 const MAX_TIME: f64 = 1e6;

@@ -168,7 +168,7 @@ export function postable(value, depth = 0) {
     if (Array.isArray(value)) return depth > 0 ? value.slice(0, MAX_FIELDS).map((item) => postable(item, depth - 1)) : [];
     if (typeof value === 'object' && value !== null) {
       const names = depth > 0 ? Object.keys(value) : [];
-      if (names.length > MAX_FIELDS) return 'an object of more than 1000 fields';
+      if (names.length > MAX_FIELDS) return 'an object of more than a thousand fields';
       return Object.fromEntries(names.map((name) => {
         try {
           return [name, postable(/** @type {{[name: string]: unknown}} */ (value)[name], depth - 1)];

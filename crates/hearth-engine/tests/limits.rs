@@ -18,7 +18,7 @@ fn pixels(pixels: f64) -> Limits {
     Limits { fps, pixels }
 }
 
-/// Number of pictures in ten seconds on a display with that rate [Hz].
+/// Number of pictures in ten seconds on a display with that rate \[Hz\].
 fn drawn(limits: Limits, display: f64) -> u32 {
     let mut next = 0.0;
     let frames = (10.0 * display) as u32;

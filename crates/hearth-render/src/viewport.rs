@@ -29,7 +29,7 @@ pub struct Viewport {
 }
 
 impl Viewport {
-    /// The viewport of a picture [pixels] on a domain \[m\].
+    /// The viewport of a picture \[pixels\] on a domain \[m\].
     // `web/element/viewport.js` computes the same for pages.
     pub fn new(picture: [u32; 2], domain: [f32; 2], camera: Camera) -> Viewport {
         let aspect = picture[0] as f32 / picture[1].max(1) as f32;
@@ -99,7 +99,7 @@ mod tests {
 
     const DOMAIN: [f32; 2] = [1.2, 1.8];
 
-    /// Left, lower, right and upper edge of the domain in a picture [pixels].
+    /// Left, lower, right and upper edge of the domain in a picture \[pixels\].
     fn seen(picture: [u32; 2], fit: Fit, align: [f32; 2]) -> [f32; 4] {
         let viewport = Viewport::new(picture, DOMAIN, Camera { fit, align });
         let [width, height] = picture.map(|side| side as f32);

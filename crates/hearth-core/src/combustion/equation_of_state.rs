@@ -9,6 +9,7 @@ use crate::params::Physics;
 const LINEAR: f32 = 2e-3;
 
 /// θ, the specific volume relative to that of the surrounding air.
+#[inline(always)]
 pub(super) fn expansion(temperature: f32, values: &Physics) -> f32 {
     let ratio = temperature / values.ambient_temperature;
     let excess = ratio - 1.0;

@@ -107,7 +107,7 @@ fn untrusted(value: &Value) -> Untrusted {
     match value {
         Value::Null => Untrusted::Missing,
         Value::Bool(on) => Untrusted::Flag(*on),
-        Value::Number(number) => Untrusted::Number(number.as_f64().expect("a number")),
+        Value::Number(number) => Untrusted::Number(number.as_f64().unwrap_or(f64::NAN)),
         Value::String(text) => Untrusted::Text(text.clone()),
         Value::Array(list) => Untrusted::List(list.iter().map(untrusted).collect()),
         Value::Object(fields) => Untrusted::Object(
@@ -123,7 +123,7 @@ fn untrusted(value: &Value) -> Untrusted {
 fn read(file: &Value) -> Scene {
     let file = untrusted(file);
     let scene = settings::with_settings(&Scene::default(), file.fields());
-    scene.expect("the settings are valid")
+    scene.unwrap_or_else(|errors| panic!("{errors:?}"))
 }
 
 /// The same settings in version 1, in which the parameters describe the source.

@@ -102,7 +102,7 @@ test('each of many choices is selected from a list, by mouse, finger and keys', 
   await panel.value('display_mode', names[1], (value) => value === names[1]);
   assert.deepEqual(tab.problems, []);
 
-  const phone = await browser.open('index.html?model=classic', { width: 360, height: 640, touch: true });
+  const phone = await browser.open('index.html?model=classic', { width: 360, height: 640, ratio: 3, touch: true });
   await phone.burnt(0.3);
   const sheet = await new Panel(phone).mounted();
   await sheet.choose('display_mode', 'sprites');

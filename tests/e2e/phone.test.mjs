@@ -9,7 +9,7 @@ import { Panel, along, fractionOf } from './panel.mjs';
 import { table } from './site.mjs';
 
 const { entry } = await table();
-const PHONE = { width: 360, height: 640, ratio: 2, touch: true };
+const PHONE = { width: 360, height: 640, ratio: 3, touch: true };
 
 /** @type {Browser} */
 let browser;

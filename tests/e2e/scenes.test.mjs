@@ -23,7 +23,7 @@ async function openPage(query = 'scene=default', options = {}) {
   return { tab, panel: await new Panel(tab).mounted() };
 }
 
-const PHONE = { width: 360, height: 640, touch: true, pixels: 30_000 };
+const PHONE = { width: 360, height: 640, ratio: 3, touch: true, pixels: 30_000 };
 
 /** The name of the scene that has the focus. */
 const focused = (panel) => panel.in((root) => root.activeElement?.dataset.scene);

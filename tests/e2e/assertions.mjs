@@ -11,22 +11,25 @@ import assert from 'node:assert/strict';
  */
 export async function assertBurns(tab) {
   await tab.ready();
-  const first = (await tab.firePicture()).part(0.3, 0.4, 0.7, 1);
+  const first = lowerMiddle(await assertGlows(tab));
   // A page may paint many frames before a busy engine draws one picture.
   const time = await tab.fire((fire) => fire.stats?.time ?? 0);
   await tab.plays(time + 0.15);
-  const second = (await tab.firePicture()).part(0.3, 0.4, 0.7, 1);
-  assert.ok(first.glowing() > 0.02, `${first.glowing()} of the lower middle glows`);
-  assert.ok(first.difference(second) > 0.2, `the picture moved by ${first.difference(second)}`);
+  await tab.pictureUntil('the picture moves', (picture) => first.difference(lowerMiddle(picture)) > 0.2);
 }
 
 /**
  * The lower middle of the first fire glows.
  * @param {Tab} tab
+ * @returns its picture
  */
-export async function assertGlows(tab) {
-  const share = (await tab.firePicture()).part(0.3, 0.4, 0.7, 1).glowing();
-  assert.ok(share > 0.02, `${share} of the lower middle glows`);
+export function assertGlows(tab) {
+  return tab.pictureUntil('the lower middle glows', (picture) => lowerMiddle(picture).glowing() > 0.02);
+}
+
+/** @param {import('./picture.mjs').Picture} picture */
+function lowerMiddle(picture) {
+  return picture.part(0.3, 0.4, 0.7, 1);
 }
 
 /**

@@ -156,6 +156,9 @@ for (const kind of BROWSERS) {
     test('a lost context is reported, and the fire burns on when it is restored', async () => {
       const tab = await browser.open(recording(FIRE));
       await tab.burnt(1);
+      await tab.fire((fire) => {
+        fire.restored = new Promise((resolve) => fire.addEventListener('restored', resolve, { once: true }));
+      });
       await tab.loseContext(500);
       await tab.until('an error event', () => /** @type {any} */ (window).events.some(
         ({ type }) => type === 'error',
@@ -165,6 +168,7 @@ for (const kind of BROWSERS) {
         const glow = (await tab.firePicture()).part(0.3, 0.4, 0.7, 1).glowing();
         assert.ok(glow > 0.01, 'its last picture stays meanwhile');
       }
+      await tab.fire((fire) => fire.restored.then(() => undefined));
       await tab.burnt(await tab.fire((fire) => fire.stats.time) + 0.3);
       await assertBurns(tab);
       assert.equal(await tab.fire((fire) => fire.stats.engine), ENGINE[kind]);

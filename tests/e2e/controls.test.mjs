@@ -79,13 +79,10 @@ test('a choice takes the clicked name, and even a paused fire is redrawn', async
   const fire = await tab.firePicture();
   await panel.choose('display_mode', 'paper');
   await panel.value('display_mode', 'paper', (value) => value === 'paper');
-  await tab.frames(4);
-  const paper = await tab.firePicture();
-  assert.ok(fire.difference(paper) > 1, `the picture differs by ${fire.difference(paper)}`);
+  await tab.pictureUntil('the paper\'s discs', (picture) => fire.difference(picture) > 1);
   await panel.choose('display_mode', 'fire');
   await panel.value('display_mode', 'fire', (value) => value === 'fire');
-  await tab.frames(4);
-  assert.equal(fire.difference(await tab.firePicture()), 0);
+  await tab.pictureUntil('the same fire', (picture) => fire.difference(picture) === 0);
 });
 
 test('each of many choices is selected from a list, by mouse, finger and keys', async () => {
@@ -159,9 +156,9 @@ test('a colour is dragged out of its sliders, and stands behind the fire', async
   }
   const blue = /^#[0-3].[0-7].[a-f].$/;
   await panel.value('background', 'a bright blue', (value) => blue.test(value));
-  await tab.frames(4);
-  const corner = (await tab.firePicture()).part(0, 0, 0.05, 0.05);
-  assert.ok(corner.share((r, _, b) => b > 150 && b > 2 * r) > 0.9, 'the corner is blue');
+  await tab.pictureUntil('the corner is blue', (picture) => (
+    picture.part(0, 0, 0.05, 0.05).share((r, _, b) => b > 150 && b > 2 * r) > 0.9
+  ));
 });
 
 test('a seed is typed over the number, and the fire restarts from it', async () => {

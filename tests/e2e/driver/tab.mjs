@@ -10,6 +10,9 @@ import { Picture } from '../picture.mjs';
 /** Timeout of every wait [ms]: long, since only a hanging page reaches it. */
 export const PATIENCE = 60_000;
 
+/** Maximum number of pictures that a wait for a picture takes. */
+const PICTURES = 300;
+
 /** A page and its problems. */
 export class Tab {
   constructor() {
@@ -177,6 +180,21 @@ export class Tab {
       }
     });
     return this.picture(await this.rectangle('hearth-fire'));
+  }
+
+  /**
+   * Waits until the first fire on the screen is as `holds` requires, and returns its picture: an
+   * engine in a worker may draw many frames after the page's own.
+   * @param {string} what  Describes the condition in the failure's message.
+   * @param {(picture: Picture) => boolean} holds
+   */
+  async pictureUntil(what, holds) {
+    for (let left = PICTURES; left > 0; left -= 1) {
+      const picture = await this.firePicture();
+      if (holds(picture)) return picture;
+      await this.frames(1);
+    }
+    throw new Error(`not in ${PICTURES} pictures: ${what}`);
   }
 
   /**

@@ -50,9 +50,9 @@ async function oneRound(steps) {
   let rate = 0;
   let last;
   for (const fire of /** @type {any[]} */ ([...document.querySelectorAll('hearth-fire')])) {
-    const told = new Promise((resolve) => fire.addEventListener('stats', ({ detail }) => resolve(detail), { once: true }));
+    const reported = new Promise((resolve) => fire.addEventListener('stats', ({ detail }) => resolve(detail), { once: true }));
     await fire.step(steps);
-    last = await told;
+    last = await reported;
     rate += last.stepMs / last.stepLength;
   }
   return { rate, particles: last.particles, quality: last.quality };

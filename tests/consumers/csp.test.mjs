@@ -74,7 +74,7 @@ test('a policy without wasm causes an error, the poster and a message', async ()
       && message.checkVisibility() && message.textContent.length > 20;
   });
   assert.equal(await tab.fire((fire) => fire.ready.then(() => '', (error) => error.kind)), 'load');
-  // So the site above would have heard of a violation.
+  // So the site above would have reported a violation.
   assert.deepEqual(await tab.evaluate(() => /** @type {any} */ (window).violations), ['script-src wasm-eval']);
   await tab.frames(5);
   assert(refused.some((problem) => problem.endsWith('/report')), 'the browser reported no violation');

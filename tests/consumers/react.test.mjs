@@ -25,7 +25,7 @@ before(async () => {
 });
 after(() => server?.close());
 
-/** What a parameter is in the model of the page if nobody says otherwise. @param {string} id */
+/** What a parameter is in the model of the page without another value. @param {string} id */
 async function byDefault(id) {
   const { PARAMETERS } = await import(pathToFileURL(path.join(PACKAGE, 'parameters.js')).href);
   return PARAMETERS.find((one) => one.id === id).domains.classic.default;
@@ -46,7 +46,7 @@ test('a fire in strict mode burns, accepts properties and sends events', async (
   const tab = await open(server.resolvedUrls.local[0]);
   await tab.until('React has made the fire', () => document.querySelector('hearth-fire') !== null);
   await burnsWell(tab);
-  const told = () => tab.evaluate(() => /** @type {any} */ (window).page.told);
+  const observed = () => tab.evaluate(() => /** @type {any} */ (window).page.observed);
   const wish = (/** @type {object} */ wishes) => tab.evaluate((wanted) => /** @type {any} */ (window).page.wish(wanted), wishes);
   const value = (/** @type {string} */ id, /** @type {number} */ wanted) => tab.until(
     `${id} is ${wanted}`,
@@ -57,7 +57,7 @@ test('a fire in strict mode burns, accepts properties and sends events', async (
   await value('source_width', 0.3);
   await value('viscosity', 0.02);
   await value('max_particles', 500);
-  const first = await told();
+  const first = await observed();
   assert.equal(first.ready, 1);
   assert(first.stats.particles > 0);
   assert.equal(await tab.fire((fire) => fire.params.model), 'classic');
@@ -65,7 +65,7 @@ test('a fire in strict mode burns, accepts properties and sends events', async (
   await wish({ there: true, width: 0.5, viscosity: 0.03 });
   await value('source_width', 0.5);
   await value('viscosity', 0.03);
-  assert((await told()).changes.includes('source_width=0.5'));
+  assert((await observed()).changes.includes('source_width=0.5'));
 
   // What React no longer says is at its default again.
   await wish({ there: true });
@@ -78,8 +78,8 @@ test('a fire in strict mode burns, accepts properties and sends events', async (
   await wish({ there: false });
   await tab.until('it is gone', () => document.querySelector('hearth-fire') === null);
   await wish({ there: true, width: 0.2 });
-  await tab.until('another burns', () => /** @type {any} */ (window).page.told.ready === 2);
+  await tab.until('another burns', () => /** @type {any} */ (window).page.observed.ready === 2);
   await value('source_width', 0.2);
-  assert.deepEqual((await told()).errors, []);
+  assert.deepEqual((await observed()).errors, []);
   assert.deepEqual(tab.problems, []);
 });

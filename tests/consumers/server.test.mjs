@@ -16,7 +16,7 @@ before(async () => {
   root = await installed('react');
 });
 
-/** What a program prints, in the project; it must end by itself and complain of nothing. @param {string} program */
+/** What a program prints, in the project; it must end by itself without a warning. @param {string} program */
 async function node(program) {
   const { stdout, stderr } = await promisify(execFile)(
     process.execPath,

@@ -5,7 +5,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { Panel, along, entriesOf, mirrorOf, sharedPage } from './panel.mjs';
+import { Panel, along, entriesOf, controlOf, sharedPage } from './panel.mjs';
 import { table } from './site.mjs';
 
 const { PARAMETERS, defaultsOf } = await table();
@@ -25,9 +25,9 @@ async function openPage(options) {
   return { tab, panel: await new Panel(tab).mounted() };
 }
 
-/** What the mirror's control of a parameter shows. */
+/** What the accessible control of a parameter shows. */
 function shown(tab, id) {
-  return tab.page.$eval(mirrorOf(id), (control) => {
+  return tab.page.$eval(controlOf(id), (control) => {
     const { type, checked, value } = /** @type {HTMLInputElement} */ (control);
     return type === 'checkbox' ? checked : value;
   });
@@ -53,20 +53,20 @@ test('every parameter of the model has an accessible control with a name', async
 
 test('accessible sliders have the ranges of the model, also for keys', async () => {
   const { tab, panel } = await sharePage();
-  const range = (id) => tab.page.$eval(mirrorOf(id), (control) => {
+  const range = (id) => tab.page.$eval(controlOf(id), (control) => {
     const { min, max, value } = /** @type {HTMLInputElement} */ (control);
     return [min, max, value].map(Number);
   });
   for (const model of ['combustion', 'classic']) {
     const entries = entriesOf(PARAMETERS, model);
-    await tab.page.select(mirrorOf('model'), model);
+    await tab.page.select(controlOf('model'), model);
     await panel.value('model', model, (value) => value === model);
     for (const id of ['source_width', 'max_particles']) {
       const { min, max, default: value } = entries[id];
       assert.deepEqual(await range(id), [min, max, value], `${id} of ${model}`);
     }
     await tab.fire((fire, least) => fire.set('max_particles', least), entries.max_particles.min);
-    await tab.page.focus(mirrorOf('max_particles'));
+    await tab.page.focus(controlOf('max_particles'));
     await tab.key('ArrowLeft');
     await tab.frames(4);
     assert.equal((await range('max_particles'))[2], entries.max_particles.min);
@@ -78,7 +78,7 @@ test('an arrow key on an accessible slider changes the value, and egui shows it'
   const { tab, panel } = await sharePage();
   const rectangle = await panel.reveal('buoyancy');
   const picture = await tab.picture(rectangle);
-  await tab.page.focus(mirrorOf('buoyancy'));
+  await tab.page.focus(controlOf('buoyancy'));
   for (let press = 0; press < 10; press += 1) await tab.key('ArrowRight');
   await panel.value('buoyancy', 'more', (value) => value > DEFAULTS.buoyancy);
   await tab.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
@@ -95,7 +95,7 @@ test('accessible choices, flags, colours and seeds set the fire', async () => {
     ['background', '#204060'],
     ['seed', '4711'],
   ]) {
-    await tab.page.$eval(mirrorOf(String(id)), (control, to) => {
+    await tab.page.$eval(controlOf(String(id)), (control, to) => {
       const input = /** @type {HTMLInputElement} */ (control);
       if (typeof to === 'boolean') input.checked = to;
       else input.value = String(to);
@@ -113,7 +113,7 @@ test('accessible controls follow attributes of the fire', async () => {
     fire.setAttribute('printed-euler', '');
     fire.setAttribute('seed', '99');
   });
-  await tab.until('the mirror shows them', () => {
+  await tab.until('the accessible controls show them', () => {
     const of = (id) => /** @type {HTMLInputElement} */ (
       document.querySelector(`[data-parameter="${id}"]`)
     );
@@ -126,9 +126,9 @@ test('accessible controls follow the mouse on egui', async () => {
   const before = await shown(tab, 'viscosity');
   await panel.dragSlider('viscosity', 0.1, 0.9);
   await tab.until(
-    'the mirror’s slider has moved',
+    'the accessible slider has moved',
     (selector, old) => document.querySelector(selector).value !== old,
-    mirrorOf('viscosity'),
+    controlOf('viscosity'),
     before,
   );
 });
@@ -150,14 +150,14 @@ test('a lost context is reported until it is restored', async () => {
     extension.loseContext();
     /** @type {any} */ (window).giveBack = () => extension.restoreContext();
   });
-  await tab.until('the mirror says so', () => /context was lost/.test(
-    document.querySelector('.hearth-mirror [role="status"]')?.textContent ?? '',
+  await tab.until('the accessible controls report it', () => /context was lost/.test(
+    document.querySelector('.hearth-controls [role="status"]')?.textContent ?? '',
   ));
   await tab.frames(10);
   assert.ok((await rows()).y > top + 5, 'the panel says so above its rows');
   await tab.evaluate(() => /** @type {any} */ (window).giveBack());
-  await tab.until('the mirror says no more', () => (
-    document.querySelector('.hearth-mirror [role="status"]')?.textContent === ''
+  await tab.until('the accessible control has no reason', () => (
+    document.querySelector('.hearth-controls [role="status"]')?.textContent === ''
   ));
   await tab.frames(10);
   assert.equal((await rows()).y, top);

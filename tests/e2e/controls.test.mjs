@@ -108,31 +108,31 @@ test('each of many choices is selected from a list, by mouse, finger and keys', 
 
 test('a parameter without effect is dimmed and described, and can still be set', async () => {
   const { tab, panel } = await openPage();
-  const told = (id) => tab.page.$eval(`[data-parameter="${id}"]`, (control) => (
+  const reported = (id) => tab.page.$eval(`[data-parameter="${id}"]`, (control) => (
     document.getElementById(control.getAttribute('aria-describedby') ?? '')?.textContent
   ));
-  assert.equal(await told('hot_colour'), 'Only with palette custom');
+  assert.equal(await reported('hot_colour'), 'Only with palette custom');
   const swatch = await panel.reveal('hot_colour');
   const dim = await tab.picture(swatch);
   await panel.choose('palette', 'custom');
-  await tab.until('the mirror says no more', (id) => (
+  await tab.until('the accessible control has no reason', (id) => (
     document.querySelector(`[data-parameter="${id}"]`)?.closest('.idle') === null
   ), 'hot_colour');
-  assert.equal(await told('hot_colour'), '');
-  assert.equal(await told('background'), '');
+  assert.equal(await reported('hot_colour'), '');
+  assert.equal(await reported('background'), '');
   await tab.fire((fire) => fire.set('backdrop', 'bricks'));
-  assert.equal(await told('background'), 'Not with backdrop bricks and display fire');
+  assert.equal(await reported('background'), 'Not with backdrop bricks and display fire');
   await tab.fire((fire) => fire.restore('backdrop'));
   const lit = await tab.picture({ ...await panel.reveal('hot_colour'), width: swatch.width, height: swatch.height });
   const brightness = (picture) => picture.rgb.reduce((sum, x) => sum + x, 0);
   assert.ok(brightness(lit) > 1.1 * brightness(dim), 'it is brighter than it was');
 
   await tab.fire((fire) => fire.set('display_mode', 'density'));
-  await tab.until('the mirror knows', (id) => (
+  await tab.until('the accessible control has a reason', (id) => (
     document.querySelector(`[data-parameter="${id}"]`)?.closest('.idle') !== null
   ), 'bloom');
-  assert.equal(await told('bloom'), 'Only with display fire');
-  assert.equal(await told('exposure'), 'Only with display fire, paper or sprites');
+  assert.equal(await reported('bloom'), 'Only with display fire');
+  assert.equal(await reported('exposure'), 'Only with display fire, paper or sprites');
   await panel.dragSlider('bloom', 0.3, 0.8);
   const near = (value) => Math.abs(fractionOf(entry.bloom, value) - 0.8) < AIM;
   await panel.value('bloom', 'where the mouse let go', near);

@@ -89,7 +89,7 @@ for (const [about, before] of /** @type {[string, () => void][]} */ ([
 }
 
 /** What the first fire tells. */
-function told(tab) {
+function reported(tab) {
   return tab.fire((fire) => {
     const style = getComputedStyle(fire);
     return [style.getPropertyValue('--hearth-light'), style.getPropertyValue('--hearth-glow')].map((one) => one.trim());
@@ -98,9 +98,9 @@ function told(tab) {
 
 test('a fire reports its brightness and colour, and none while it does not burn', async () => {
   const tab = await browser.open(FIRE);
-  assert.deepEqual(await told(tab), ['', '']);
+  assert.deepEqual(await reported(tab), ['', '']);
   await tab.burnt(1);
-  const [light, glow] = await told(tab);
+  const [light, glow] = await reported(tab);
   assert.ok(Number(light) > 0 && Number(light) <= 1, light);
   assert.match(glow, /^#[0-9a-f]{6}$/);
   // Nothing of it stands in the element's own style, which is its page's.
@@ -117,7 +117,7 @@ test('a fire reports its brightness and colour, and none while it does not burn'
   await tab.fire((fire) => fire.set('model', 'classic'));
   await tab.until('no light without power', nothing);
   await tab.fire((fire) => fire.destroy());
-  assert.deepEqual(await told(tab), ['', '']);
+  assert.deepEqual(await reported(tab), ['', '']);
   assert.deepEqual(tab.problems, []);
 });
 

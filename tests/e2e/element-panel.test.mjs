@@ -5,7 +5,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { Panel, actionOf, along, fractionOf, mirrorOf } from './panel.mjs';
+import { Panel, actionOf, along, fractionOf, controlOf } from './panel.mjs';
 import { table } from './site.mjs';
 
 const { entry, DEFAULTS } = await table();
@@ -85,7 +85,7 @@ describe('its place', () => {
     assert.equal(folded.fire.height, 500);
     assert.ok(folded.button.y + folded.button.height <= 500);
     assert.equal(await panel.in((root) => root.querySelector('canvas[aria-hidden]').checkVisibility()
-      && root.querySelector('.hearth-mirror').checkVisibility()), false);
+      && root.querySelector('.hearth-controls').checkVisibility()), false);
     await pressFold(tab, panel);
     assert.deepEqual(await layout(panel), before);
     await panel.dragSlider('buoyancy', 0.3, 0.7);
@@ -183,24 +183,24 @@ describe('under hand and keys', () => {
   test('keys act in the panel only, and then the page does not hear them', async () => {
     const { tab, panel } = await openFire(400, 500, {
       before: () => {
-        /** @type {any} */ (window).heard = [];
+        /** @type {any} */ (window).received = [];
         window.addEventListener('DOMContentLoaded', () => document.addEventListener('keydown', (event) => (
-          /** @type {any} */ (window).heard.push(event.key)
+          /** @type {any} */ (window).received.push(event.key)
         )));
       },
     });
-    const heard = () => tab.evaluate(() => /** @type {any} */ (window).heard.splice(0));
+    const received = () => tab.evaluate(() => /** @type {any} */ (window).received.splice(0));
     const paused = () => tab.fire((fire) => fire.paused);
     for (const key of ['Space', 'h', 'r', '?']) await tab.key(key);
     assert.equal(await paused(), false);
-    assert.deepEqual(await heard(), [' ', 'h', 'r', '?']);
+    assert.deepEqual(await received(), [' ', 'h', 'r', '?']);
     // The page's own use of that key.
     await tab.until('the page has scrolled', () => window.scrollY > 0);
     await tab.evaluate(() => window.scrollTo(0, 0));
     await tab.page.focus('#before');
     await tab.key('Space');
     assert.equal(await paused(), false);
-    await heard();
+    await received();
 
     await tab.click(along(await panel.reveal('buoyancy'), 0.5));
     await tab.key('Space');
@@ -208,14 +208,14 @@ describe('under hand and keys', () => {
     await tab.key('Space');
     assert.equal(await paused(), false);
     await tab.key('x');
-    assert.deepEqual(await heard(), ['x']);
+    assert.deepEqual(await received(), ['x']);
     // A button that has the focus is what space presses.
     await tab.page.focus(panel.find(actionOf('reset')));
     await tab.key('Space');
     assert.equal(await paused(), false);
-    assert.deepEqual(await heard(), [' ']);
+    assert.deepEqual(await received(), [' ']);
 
-    await tab.page.focus(panel.find(mirrorOf('buoyancy')));
+    await tab.page.focus(panel.find(controlOf('buoyancy')));
     await tab.key('h');
     assert.equal((await layout(panel)).panel.height, 0);
     await tab.key('h');
@@ -224,7 +224,7 @@ describe('under hand and keys', () => {
     await panel.until('the keys are listed', (root) => root.querySelector('[data-card="help"] kbd'));
     await tab.key('Escape');
     assert.equal(await panel.in((root) => root.querySelector('.hearth-card')), null);
-    assert.deepEqual(await heard(), []);
+    assert.deepEqual(await received(), []);
   });
 });
 

@@ -65,7 +65,7 @@ test('calls to a removed fire take effect when it is inserted again', async () =
   assert.deepEqual(seen, { early: false, viscosity: 0.02 });
 });
 
-/** Whatever a worker says is heard half a second later, in the same order. */
+/** Whatever a worker says arrives half a second later, in the same order. */
 const beforeWorker = () => {
   const post = globalThis.postMessage.bind(globalThis);
   globalThis.postMessage = (/** @type {any} */ ...said) => void setTimeout(() => post(...said), 500);

@@ -135,7 +135,7 @@ describe('the client of the embedding page', () => {
       window.changes = [];
       window.early = fire.set('exposure', 1).then(() => fire.get('exposure'));
       fire.addEventListener('params-change', ({ detail }) => changes.push(detail.id));
-      fire.addEventListener('ready', () => (window.told = true));
+      fire.addEventListener('ready', () => (window.reported = true));
     `) });
     await tab.until('the client is there', () => 'fire' in window);
     assert.equal(await tab.evaluate(() => /** @type {any} */ (window).early), 1);
@@ -149,8 +149,8 @@ describe('the client of the embedding page', () => {
     assert.equal(value, 7);
     assert.deepEqual(refused, ['RangeError', 'exposure', entry.exposure.max]);
     await tab.until('its events come', () => {
-      const { changes, told } = /** @type {any} */ (window);
-      return told && changes.includes('seed') && changes.includes('exposure');
+      const { changes, reported } = /** @type {any} */ (window);
+      return reported && changes.includes('seed') && changes.includes('exposure');
     });
     const { methods, same } = await tab.evaluate(async () => {
       const { fire } = /** @type {any} */ (window);
@@ -262,14 +262,14 @@ describe('the client of the embedding page', () => {
     const seen = await tab.evaluate(async () => {
       const { fire } = /** @type {any} */ (window);
       await fire.ready();
-      const told = () => fire.call('subscribe', ['ready']).then((list) => list.includes('params-change'));
-      const heard = [];
-      const one = () => heard.push('one');
-      const other = { handleEvent: () => heard.push('other') };
-      const steps = [await told()];
+      const reported = () => fire.call('subscribe', ['ready']).then((list) => list.includes('params-change'));
+      const received = [];
+      const one = () => received.push('one');
+      const other = { handleEvent: () => received.push('other') };
+      const steps = [await reported()];
       const now = async (act) => {
         act();
-        steps.push(await told());
+        steps.push(await reported());
       };
       await now(() => fire.addEventListener('params-change', one));
       await now(() => fire.addEventListener('params-change', one));
@@ -284,12 +284,12 @@ describe('the client of the embedding page', () => {
       await now(() => fire.addEventListener('params-change', one, { signal: ends.signal }));
       await now(() => fire.addEventListener('params-change', other, { once: true }));
       await fire.set('exposure', 1);
-      steps.push(await told());
+      steps.push(await reported());
       await fire.set('exposure', 2);
-      return { heard, steps };
+      return { received, steps };
     });
     assert.deepEqual(seen, {
-      heard: ['other'],
+      received: ['other'],
       steps: [false, true, true, true, true, true, false, false, true, false, false, true, false],
     });
     assert.deepEqual(tab.problems, []);

@@ -139,7 +139,7 @@ for (const [at, { file, html, heading }] of EXAMPLES.entries()) {
       const fires = within.flatMap((one) => /** @type {any[]} */ ([...one.querySelectorAll('hearth-fire')]));
       if (fires.length === 0 || fires.some((fire) => fire.ready === undefined)) return false;
       for (const fire of fires) {
-        // One that nobody has scrolled to may wait.
+        // A fire below the fold may wait.
         if (fire.loading !== 'lazy') await fire.ready;
       }
       return true;

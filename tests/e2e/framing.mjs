@@ -71,10 +71,10 @@ export async function measure(browser, [width, height], query = '', moments = MO
     /** @type {{[scale in Scale]: number[]}[]} */
     const found = [];
     // The fire tells its time a few times a second, so the length of a step is found once.
-    let [made, told] = [tried, false];
+    let [made, reported] = [tried, false];
     await fire.step(tried);
-    fire.addEventListener('stats', () => { told = true; }, { once: true });
-    for (; !told; made += 1) await fire.step(1);
+    fire.addEventListener('stats', () => { reported = true; }, { once: true });
+    for (; !reported; made += 1) await fire.step(1);
     const step = fire.stats.time / made;
     for (let at = 0; at < moments; at += 1) {
       for (const ends = Math.round((burnt + at * apart) / step); made < ends;) {

@@ -5,7 +5,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { Panel, actionOf, along, mirrorOf } from './panel.mjs';
+import { Panel, actionOf, along, controlOf } from './panel.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -33,11 +33,11 @@ function countSaved() {
 
 test('space pauses and plays the fire, R restarts it', async () => {
   const { tab, panel } = await openPage();
-  // With the focus nowhere, on egui, and on a slider of the mirror.
+  // With the focus nowhere, on egui, and on an accessible slider.
   for (const focus of [
     async () => {},
     async () => tab.click(along(await panel.reveal('buoyancy'), 0.5)),
-    () => tab.page.focus(mirrorOf('buoyancy')),
+    () => tab.page.focus(controlOf('buoyancy')),
   ]) {
     await focus();
     await tab.key('Space');
@@ -102,10 +102,10 @@ test('keys that type or press something do only that', async () => {
   await tab.click(along(await panel.part('search'), 0.5));
   await tab.page.keyboard.type('s h?');
   await untouched('typed into the search');
-  await tab.page.focus(mirrorOf('background'));
+  await tab.page.focus(controlOf('background'));
   await tab.page.keyboard.type('s h?');
-  await untouched('typed into a field of the mirror');
-  await tab.page.focus(mirrorOf('model'));
+  await untouched('typed into an accessible field');
+  await tab.page.focus(controlOf('model'));
   await tab.key('s');
   await untouched('a choice');
   await tab.page.focus(actionOf('paste'));

@@ -229,7 +229,7 @@ test('the embed dialog shows the code of the current fire, and Escape closes it'
   assert.match(codes.element, /<hearth-fire preset="candle" exposure="0\.3" .*warm interactive><\/hearth-fire>/);
   assert.match(codes.iframe, /<iframe src="http.*embed\.html\?scene=candle&amp;exposure=0\.3"/);
   assert.match(codes.module, /^import 'hearth-fire';/);
-  // A key that is pressed in a dialog is none of the page's.
+  // The page ignores keys in a dialog.
   const before = await panelIs(tab);
   await tab.key('h');
   assert.equal(await panelIs(tab), before);

@@ -43,8 +43,8 @@ async function allocated(tab, place, pictures) {
     includeObjectsCollectedByMinorGC: true,
   });
   const counted = await tab.fire(async (fire, wanted) => {
-    const seen = { told: 0, pictures: 0 };
-    fire.addEventListener('stats', () => (seen.told += 1));
+    const seen = { reported: 0, pictures: 0 };
+    fire.addEventListener('stats', () => (seen.reported += 1));
     const { prototype } = ImageBitmapRenderingContext;
     const original = prototype.transferFromImageBitmap;
     await new Promise((resolve) => {
@@ -83,7 +83,7 @@ for (const place of ['worker', 'main']) {
       );
       await tab.burnt(1);
       await tab.plays((await tab.fire((fire) => fire.stats.time)) + 0.3);
-      const { bytes, pictures, told } = await allocated(tab, place, 100);
+      const { bytes, pictures, reported } = await allocated(tab, place, 100);
       // A time is a fraction, which V8 puts on the heap where it passes between the
       // browser, JavaScript and wasm.
       const boxed = /^__wbg_now|^js-to-wasm/;
@@ -91,8 +91,8 @@ for (const place of ['worker', 'main']) {
       const sum = ours.reduce((all, [, one]) => all + one, 0);
       const list = JSON.stringify(ours.slice(0, 8));
       // A message of what it says of itself has some forty fields.
-      const most = 6000 * (told + 1) + PICTURE[place] * pictures;
-      assert.ok(sum < most, `${sum} bytes in ${pictures} pictures and ${told} messages: ${list}`);
+      const most = 6000 * (reported + 1) + PICTURE[place] * pictures;
+      assert.ok(sum < most, `${sum} bytes in ${pictures} pictures and ${reported} messages: ${list}`);
       // A view or a list of arguments for a call of WebGL would be fifty bytes a frame.
       assert.ok(VIEWS.size > 0, 'wasm’s script has functions that give views');
       const drawing = ours.filter(([name]) => /^__wbg_(?!set|new|call|now)|^view$/.test(name));

@@ -155,7 +155,7 @@ describe('messages from anybody else', () => {
     const allow = `https://a.example,${fixture.fireOrigin},http://localhost:${new URL(fixture.pageOrigin).port}`;
     const tab = await fixture.open({ allow });
     await assertDeaf(tab);
-    const said = tab.problems.filter((problem) => problem.includes('does not allow'));
+    const said = tab.problems.filter((problem) => problem.includes('is ignored; the URL parameter “allow”'));
     assert.equal(said.length, 1);
     assert.match(said[0], new RegExp(fixture.pageOrigin));
   });
@@ -164,7 +164,7 @@ describe('messages from anybody else', () => {
     const wrong = ['*', 'null', '/', `${fixture.pageOrigin}/`, 'https://*.example', 'javascript:alert(1)'];
     const tab = await fixture.open({ allow: wrong.join(',') });
     await assertDeaf(tab);
-    const said = tab.problems.filter((problem) => problem.includes('“allow” wants exact origins'));
+    const said = tab.problems.filter((problem) => problem.includes('“allow” must list exact origins'));
     assert.equal(said.length, wrong.length);
     for (const [at, one] of wrong.entries()) assert.ok(said[at].includes(`“${one}”`), said[at]);
   });

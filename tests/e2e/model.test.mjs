@@ -108,12 +108,12 @@ test('a change of the model reports every value that differs', async () => {
       (name) => /** @type {any} */ (document.querySelector('hearth-fire')).model === name,
       now,
     );
-    const told = await events(tab, 'params-change');
-    assert.deepEqual([...new Set(told.map((one) => one.source))], [source]);
+    const sent = await events(tab, 'params-change');
+    assert.deepEqual([...new Set(sent.map((one) => one.source))], [source]);
     const other = defaultsOf(/** @type {string} */ (before));
     const differing = Object.entries(defaultsOf(/** @type {string} */ (now)))
       .filter(([id, value]) => other[id] !== value);
-    assert.deepEqual(Object.fromEntries(told.map(({ id, value }) => [id, value])), Object.fromEntries(differing));
+    assert.deepEqual(Object.fromEntries(sent.map(({ id, value }) => [id, value])), Object.fromEntries(differing));
   }
 });
 

@@ -158,11 +158,11 @@ for (const address of ['?paused', '?autoplay=false']) {
   test(`${address} in the address pauses the fire`, async () => {
     const tab = await browser.open(`index.html${address}&alt=Embers`);
     await tab.ready();
-    const told = () => tab.fire((fire) => ({ paused: fire.paused, alt: fire.alt, time: fire.stats?.time ?? 0 }));
-    const { paused, alt, time } = await told();
+    const reported = () => tab.fire((fire) => ({ paused: fire.paused, alt: fire.alt, time: fire.stats?.time ?? 0 }));
+    const { paused, alt, time } = await reported();
     assert.deepEqual({ paused, alt }, { paused: true, alt: 'Embers' });
     await tab.frames(10);
-    assert.equal((await told()).time, time);
+    assert.equal((await reported()).time, time);
     await assertGlows(tab);
     assert.deepEqual(tab.problems, []);
   });

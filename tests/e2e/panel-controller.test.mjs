@@ -6,7 +6,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { Panel, actionOf, along, mirrorOf } from './panel.mjs';
+import { Panel, actionOf, along, controlOf } from './panel.mjs';
 import { table } from './site.mjs';
 
 const { PARAMETERS, PRESETS } = await table();
@@ -178,7 +178,7 @@ describe('its place', () => {
     const open = () => tab.evaluate(() => /** @type {any} */ (document.getElementById('dialog')).open);
     await tab.click(along(await panel.reveal('fuel_power'), 0.5));
     await tab.key('Escape');
-    await tab.page.focus(mirrorOf('wind'));
+    await tab.page.focus(controlOf('wind'));
     await tab.key('Escape');
     await tab.frames(4);
     assert.equal(await open(), true);
@@ -240,24 +240,24 @@ describe('its place', () => {
     await tab.ready();
     const client = await tab.page.createCDPSession();
     await client.send('Emulation.setEmulatedMedia', { features: [{ name: 'forced-colors', value: 'active' }] });
-    await tab.until('the mirror stands', () => (
-      document.querySelector('.hearth-mirror.alone') && !document.querySelector('.hearth-panel canvas')
+    await tab.until('the accessible controls are shown', () => (
+      document.querySelector('.hearth-controls.alone') && !document.querySelector('.hearth-panel canvas')
     ));
-    assert.ok(await tab.page.$eval(mirrorOf('fuel_power'), (control) => control.getBoundingClientRect().width > 100));
+    assert.ok(await tab.page.$eval(controlOf('fuel_power'), (control) => control.getBoundingClientRect().width > 100));
     await client.send('Emulation.setEmulatedMedia', { features: [] });
     await tab.until('the panel is back', () => (
-      document.querySelector('.hearth-panel canvas') && !document.querySelector('.hearth-mirror.alone')
+      document.querySelector('.hearth-panel canvas') && !document.querySelector('.hearth-controls.alone')
     ));
   });
 });
 
 test('accessible controls have the panel’s groups, and each value is announced once', async () => {
   const { tab } = await openPage('');
-  const groups = await tab.page.$$eval('.hearth-mirror fieldset', (sets) => sets
+  const groups = await tab.page.$$eval('.hearth-controls fieldset', (sets) => sets
     .filter((set) => !(/** @type {any} */ (set).hidden))
     .map((set) => set.querySelector('legend')?.textContent));
   const used = PARAMETERS.filter(({ models }) => models.includes('combustion')).map(({ group }) => group);
   assert.deepEqual(groups, [...new Set(used)]);
-  const loud = await tab.page.$$eval('.hearth-mirror :is(output, [aria-live], [role=status])', (all) => all.length);
+  const loud = await tab.page.$$eval('.hearth-controls :is(output, [aria-live], [role=status])', (all) => all.length);
   assert.equal(loud, 1, 'only the line that says what went wrong speaks by itself');
 });

@@ -11,7 +11,7 @@ import { domainOf } from './site.mjs';
 /** @typedef {import('./picture.mjs').Rectangle} Rectangle */
 
 /** The selector of a parameter's accessible control. */
-export const mirrorOf = (/** @type {string} */ id) => `[data-parameter="${id}"]`;
+export const controlOf = (/** @type {string} */ id) => `[data-parameter="${id}"]`;
 
 /** The selector of an accessible button: pause, reset, reset-all, scenes, restore:viscosity … */
 export const actionOf = (/** @type {string} */ name) => `[data-action="${name}"]`;
@@ -87,7 +87,7 @@ export class Panel {
    * @returns {Promise<Rectangle>}  Where egui shows its control, in CSS pixels of the page.
    */
   async reveal(id) {
-    return this.pointAt(mirrorOf(id));
+    return this.pointAt(controlOf(id));
   }
 
   /**
@@ -110,10 +110,10 @@ export class Panel {
    */
   async standing(selector) {
     const rectangle = await this.until(`${selector} is in sight`, async (root, wanted) => {
-      const mirror = root.querySelector(wanted);
-      const first = mirror.dataset.rect;
+      const control = root.querySelector(wanted);
+      const first = control.dataset.rect;
       for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
-      return first !== undefined && first === mirror.dataset.rect && first;
+      return first !== undefined && first === control.dataset.rect && first;
     }, selector);
     const [x, y, width, height] = rectangle.split(' ').map(Number);
     return { x, y, width, height };
@@ -163,7 +163,7 @@ export class Panel {
 
   /** The text of the status line. */
   said() {
-    return this.in((root) => root.querySelector('.hearth-mirror [role="status"]')?.textContent);
+    return this.in((root) => root.querySelector('.hearth-controls [role="status"]')?.textContent);
   }
 
   /**

@@ -7,7 +7,7 @@ import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { onPageThread, simulateClock } from './clock.mjs';
 import { assertBurns, events, recording } from './assertions.mjs';
-import { Panel, along, mirrorOf } from './panel.mjs';
+import { Panel, along, controlOf } from './panel.mjs';
 import { table } from './site.mjs';
 
 const { DEFAULTS } = await table();
@@ -61,8 +61,8 @@ test('a burning fire changes its quality and burns on', async () => {
   }
   await tab.burnt(time + 0.5);
   await assertBurns(tab);
-  const told = (await events(tab, 'quality-change')).map(({ quality }) => quality);
-  assert.deepEqual(told, ['low', 'medium']);
+  const reported = (await events(tab, 'quality-change')).map(({ quality }) => quality);
+  assert.deepEqual(reported, ['low', 'medium']);
   assert.deepEqual(await events(tab, 'params-change'), []);
   assert.deepEqual(tab.problems, []);
 });
@@ -196,16 +196,16 @@ test('the panel and its accessible controls set the quality, and show a quality 
   const tab = await browser.open('index.html?scene=default&quality=medium', { width: 760, height: 600 });
   await tab.burnt(0.1);
   const panel = await new Panel(tab).mounted();
-  const mirror = '[data-action="quality"]';
-  const shown = () => tab.page.$eval(mirror, (control) => /** @type {any} */ (control).value);
-  await tab.until('the mirror shows it', (selector) => (
+  const control = '[data-action="quality"]';
+  const shown = () => tab.page.$eval(control, (element) => /** @type {any} */ (element).value);
+  await tab.until('the accessible control shows it', (selector) => (
     /** @type {any} */ (document.querySelector(selector)).value === 'medium'
-  ), mirror);
-  await panel.pointAt(mirror);
+  ), control);
+  await panel.pointAt(control);
   await tab.click(along(await panel.part('quality:low'), 0.5));
   await settles(tab, 'low');
   assert.equal(await shown(), 'low');
-  await tab.page.select(mirror, 'medium');
+  await tab.page.select(control, 'medium');
   await settles(tab, 'medium');
   // Unfolded, the header says what takes how long, and pushes down what is below it.
   const before = await panel.part('quality');
@@ -221,16 +221,16 @@ test('another quality does not remove the message that a visitor is reading', as
   await tab.burnt(0.1);
   await new Panel(tab).mounted();
   // Words in the header push down the rows below it.
-  const top = () => tab.page.$eval(mirrorOf('fuel_power'), (control) => (
+  const top = () => tab.page.$eval(controlOf('fuel_power'), (control) => (
     Number(/** @type {any} */ (control).dataset.rect?.split(' ')[1])
   ));
   const before = await top();
   await tab.fire((fire) => fire.setAttribute('quality', 'best'));
   await tab.frames(6);
-  const told = await top();
-  assert.ok(told > before + 10, `the row was at ${before}, and is at ${told} below the words`);
+  const reported = await top();
+  assert.ok(reported > before + 10, `the row was at ${before}, and is at ${reported} below the words`);
   await tab.fire((fire) => fire.setAttribute('quality', 'low'));
   await settles(tab, 'low');
   await tab.frames(6);
-  assert.equal(await top(), told);
+  assert.equal(await top(), reported);
 });

@@ -106,21 +106,21 @@ describe('the bar', () => {
   test('never shows the numbers of another quantity', async () => {
     const tab = await browser.open('<hearth-fire display-mode="temperature"></hearth-fire>');
     await labelled(tab, /^Temperature/);
-    const { kelvin, told } = await tab.fire(async (fire) => {
+    const { kelvin, reported } = await tab.fire(async (fire) => {
       const kelvin = fire.stats.scale[1];
       // Until all of them are made nothing is drawn: the picture stays that of the temperature.
       const made = fire.step(1500);
       await fire.set('display_mode', 'velocity');
       /** @type {unknown[]} */
-      const told = [];
-      fire.addEventListener('stats', ({ detail }) => told.push(detail.scale));
+      const reported = [];
+      fire.addEventListener('stats', ({ detail }) => reported.push(detail.scale));
       await made;
-      return { kelvin, told };
+      return { kelvin, reported };
     });
     assert.ok(kelvin > 100, `${kelvin} K could be a speed`);
-    const drawn = told.findIndex((scale) => scale !== null);
-    assert.ok(drawn > 0, `nothing is said until the speed is drawn, and then it is: ${JSON.stringify(told)}`);
-    for (const scale of told.slice(drawn)) assert.ok(scale?.[1] < 100, `${scale} m/s`);
+    const drawn = reported.findIndex((scale) => scale !== null);
+    assert.ok(drawn > 0, `nothing is said until the speed is drawn, and then it is: ${JSON.stringify(reported)}`);
+    for (const scale of reported.slice(drawn)) assert.ok(scale?.[1] < 100, `${scale} m/s`);
   });
 
   test('shows the range of the picture, and follows it', async () => {

@@ -165,8 +165,8 @@ test('one bad value refuses all of them, as set does, and nothing moves', async 
   }
   await tab.evaluate(() => /** @type {any} */ (window).clock(1));
   assert.deepEqual(await tab.fire((fire) => fire.params), before);
-  const told = await events(tab, 'error');
-  assert.ok(told.length >= 10 && told.every(({ kind, message }) => kind === 'bad-parameter' && message));
+  const reported = await events(tab, 'error');
+  assert.ok(reported.length >= 10 && reported.every(({ kind, message }) => kind === 'bad-parameter' && message));
   assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
 });
 

@@ -5,7 +5,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { Browser } from './driver.mjs';
-import { Panel, actionOf, along, mirrorOf } from './panel.mjs';
+import { Panel, actionOf, along, controlOf } from './panel.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -23,7 +23,7 @@ async function openPage(query = 'model=classic') {
 /** All values and settings, once the panel knows of nothing under way. */
 const look = (tab) => tab.fire(async (fire) => ({ config: await fire.exportConfig(), params: fire.params }));
 
-/** Waits until a button can be pressed, or cannot, as its mirror says. */
+/** Waits until a button can be pressed, or cannot, by its accessible control. */
 const can = (panel, action, able) => panel.until(
   `${action} is ${able ? 'on' : 'off'}`,
   (root, selector, wanted) => (
@@ -117,7 +117,7 @@ describe('one step back and forth', () => {
   test('counts a key that is held down on an accessible slider as one step', async () => {
     const { tab, panel } = await openPage();
     const first = await look(tab);
-    await tab.page.focus(mirrorOf('buoyancy'));
+    await tab.page.focus(controlOf('buoyancy'));
     for (let repeat = 0; repeat < 5; repeat += 1) await tab.page.keyboard.down('ArrowRight');
     await tab.page.keyboard.up('ArrowRight');
     await can(panel, 'undo', true);

@@ -167,9 +167,9 @@ test('an invalid colour is rejected by name, and the last one stays', async () =
     assert.deepEqual(said, ['RangeError', 'background', value]);
   }
   assert.equal(await tab.fire((fire) => fire.background), '#008080');
-  const told = await events(tab, 'error');
-  assert.equal(told.length, nonsense.length);
-  for (const { id, message } of told) {
+  const reported = await events(tab, 'error');
+  assert.equal(reported.length, nonsense.length);
+  for (const { id, message } of reported) {
     assert.equal(id, 'background');
     assert.match(message, /transparent.*#/);
   }

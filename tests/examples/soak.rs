@@ -24,7 +24,7 @@ const MINUTE: f64 = 60.0;
 const SECONDS: f64 = 2.0;
 const MODELS: [Model; 2] = [Model::Combustion, Model::Classic];
 /// A line tells how far it is every so many corners.
-const TOLD: usize = 20;
+const LISTED: usize = 20;
 /// So many of the corners that lean most on the guards are shown.
 const SHOWN: usize = 12;
 
@@ -159,7 +159,7 @@ fn tell(finished: &[Finished], corners: u32) {
             sweep::described(&last.parameters)
         );
     }
-    if finished.len().is_multiple_of(TOLD) {
+    if finished.len().is_multiple_of(LISTED) {
         let worst = finished
             .iter()
             .map(|f| f.outcome.clamped)

@@ -115,7 +115,7 @@ test('what is no change of a saturated red by much is no red flash', () => {
     [[1, 0.4, 0], [0.6, 0.24, 0]], // Orange.
     [[1, 0.4, 0], BLACK],
     [[0, 0, 1], [0, 1, 0]], // Far apart, and neither is red.
-    [[0.003, 0, 0], BLACK], // Which nobody sees.
+    [[0.003, 0, 0], BLACK], // Invisible.
   ]) {
     const { red } = film(700, between(5, one, other));
     assert.ok(red.flashes === 0, `${one} and ${other}: ${JSON.stringify(red)}`);

@@ -26,7 +26,7 @@ try {
   await painter.close();
 }
 
-// What nobody draws any more goes.
+// Removes the files of cases that no longer exist.
 for (const found of readdirSync(GOLDENS).filter((one) => one.endsWith('.png'))) {
   if (!(path.parse(found).name in all)) rmSync(path.join(GOLDENS, found));
 }

@@ -45,7 +45,7 @@ fn parameters_of_the_physics_change_the_classic_fire_and_others_do_not() {
     for param in used_by(Model::Classic) {
         // Nothing reaches the speed limit but gas that is lifted as printed.
         let wild = ("printed_divisor", Input::Flag(param.id == "speed_limit"));
-        // Whirls have a size where there are whirls.
+        // A vortex size has an effect only with vortices.
         let strength = if param.id == "turbulence_scale" {
             3.0
         } else {

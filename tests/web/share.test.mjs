@@ -20,7 +20,7 @@ const OTHERS = {
   seed: () => 4711,
 };
 
-/** Settings that a fire might export, and the hostile ones that nobody exports. */
+/** Settings that a fire might export, and hostile ones. */
 const CONFIGS = [
   { hearth: 1, values: {} },
   ...PRESETS.map(({ name }) => ({ hearth: 1, preset: name, values: {} })),

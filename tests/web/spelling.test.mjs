@@ -33,11 +33,11 @@ test('the suggestion ends a sentence', () => {
 test('an unknown attribute is reported once; those of HTML, frameworks and libraries are not', (context) => {
   const warn = context.mock.method(console, 'warn', () => {});
   for (const name of ['palete', 'palete', 'width', 'frobnicate']) warnOnce(name);
-  const told = warn.mock.calls.map(({ arguments: [words] }) => words);
-  assert.equal(told.length, 3);
-  assert.match(told[0], /<hearth-fire>.* palete; did you mean palette\?/);
-  assert.match(told[1], /did you mean .*domain-width.*\? .*style/);
-  assert.match(told[2], /no attribute frobnicate\.$/);
+  const reported = warn.mock.calls.map(({ arguments: [words] }) => words);
+  assert.equal(reported.length, 3);
+  assert.match(reported[0], /<hearth-fire>.* palete; did you mean palette\?/);
+  assert.match(reported[1], /did you mean .*domain-width.*\? .*style/);
+  assert.match(reported[2], /no attribute frobnicate\.$/);
   for (const name of [
     'class', 'id', 'title', 'lang', 'dir', 'hidden', 'slot', 'part', 'is', 'role', 'tabindex', 'nonce', 'draggable', 'inert',
     'popover', 'translate', 'contenteditable', 'enterkeyhint', 'inputmode', 'autofocus', 'accesskey', 'spellcheck',

@@ -14,7 +14,7 @@ const DEFAULTS = {
 const OWN = ['width', 'max_particles'];
 const PRESETS = { default: {}, windy: { wind: 7 }, old: { model: 'classic', viscosity: 9 } };
 const LARGEST = 5000;
-const ANEW = { replaces: true };
+const REPLACES = { replaces: true };
 
 /** A fire that answers in order, after a while, as the element does. */
 class Fire {
@@ -113,8 +113,8 @@ function deed(steps, fire, random) {
     () => steps.set('model', pick(['classic', 'combustion'])),
     () => steps.restore(id),
     () => steps.all(() => fire.restore('width', 'viscosity', 'wind', 'max_particles'), { replaces: false }),
-    () => steps.all(() => fire.importConfig({ preset: pick(Object.keys(PRESETS)) }), ANEW),
-    () => steps.all(() => fire.importConfig({ values: { max_particles: 3000, wind: 3 } }), ANEW),
+    () => steps.all(() => fire.importConfig({ preset: pick(Object.keys(PRESETS)) }), REPLACES),
+    () => steps.all(() => fire.importConfig({ values: { max_particles: 3000, wind: 3 } }), REPLACES),
   ])();
 }
 
@@ -184,8 +184,8 @@ describe('a step', () => {
     steps.press();
     await steps.set('viscosity', 5);
     await assert.rejects(steps.set('viscosity', LARGEST + 1), RangeError);
-    await assert.rejects(steps.all(() => fire.importConfig({ values: { nothing: 1 } }), ANEW), /nothing/);
-    await steps.all(() => fire.importConfig({}), ANEW);
+    await assert.rejects(steps.all(() => fire.importConfig({ values: { nothing: 1 } }), REPLACES), /nothing/);
+    await steps.all(() => fire.importConfig({}), REPLACES);
     assert.equal(steps.canUndo, false);
     // And what comes next goes on as if nothing had been.
     await steps.set('wind', 1);

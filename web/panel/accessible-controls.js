@@ -52,7 +52,7 @@ const DEFAULT_MODEL = /** @type {ModelName} */ (PARAMETERS.find(({ id }) => id =
  */
 export function mountAccessibleControls({ host, fire, controller, reveal }) {
   const root = document.createElement('div');
-  root.className = 'hearth-mirror';
+  root.className = 'hearth-controls';
   root.dir = 'ltr';
   root.setAttribute('role', 'group');
   root.setAttribute('aria-label', 'Fire controls');
@@ -265,7 +265,7 @@ function addQuality(root, set) {
   label.textContent = 'Quality';
   const control = document.createElement('select');
   made += 1;
-  control.id = `hearth-mirror-${made}`;
+  control.id = `hearth-controls-${made}`;
   label.htmlFor = control.id;
   control.dataset.action = 'quality';
   list({ choices: ['auto', 'low', 'medium', 'high'] }, control, (name) => set(String(name)));
@@ -287,7 +287,7 @@ function makeControl(parameter, set) {
   // The unit is part of a slider's value.
   label.textContent = parameter.label;
   made += 1;
-  label.htmlFor = `hearth-mirror-${made}`;
+  label.htmlFor = `hearth-controls-${made}`;
   const input = document.createElement('input');
   const select = document.createElement('select');
   const control = parameter.kind === 'choice' ? select : input;

@@ -31,7 +31,7 @@ export function worker() {
   }
 }
 
-/** A fire that starts burning; there is none. */
+/** No saved fires: the single file contains none. */
 export async function burning() {}
 
 /** The engine's script. */

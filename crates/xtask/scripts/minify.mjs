@@ -2,7 +2,7 @@
  * Makes the scripts and style sheets of the site small, each in its place:
  * `node minify.mjs FOLDER`, the folder with `package.json`. A visitor downloads code;
  * comments, long names and blanks are for those who read it in the checkout, and
- * the names between wasm and its script are nobody's.
+ * the names between wasm and its script are private.
  *
  * A script that only one other needs goes into that one: fewer files to fetch, and
  * they compress better together. What the package exports, a page or a worker begins

@@ -1,8 +1,8 @@
 //! The static site: the wasm modules, the files of `web/`, the page and examples.
 //!
 //! cargo compiles, and wasm-bindgen's command line binds the modules as a library of this
-//! program: `Cargo.lock` gives it the version of the bindings, and nobody has to install
-//! it. Every URL of the site is relative, so the folder works wherever it is put.
+//! program: `Cargo.lock` pins it to the version of the bindings. Every URL of the site is
+//! relative, so the folder works wherever it is put.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

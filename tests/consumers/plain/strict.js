@@ -1,4 +1,4 @@
-// Keeps what the browser and the fire complain about.
+// Records the problems that the browser and the fire report.
 window.violations = [];
 window.failures = [];
 document.addEventListener('securitypolicyviolation', ({ violatedDirective, blockedURI }) => {

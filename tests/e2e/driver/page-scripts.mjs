@@ -6,7 +6,7 @@
 /**
  * Runs in the page and in its workers, before any script of theirs: knows every
  * WebGL2 context, so that a test can lose one as a driver's crash would, and counts
- * what is held in contexts and by wasm. What nobody else holds may go.
+ * what is held in contexts and by wasm. Everything else may be collected.
  */
 export function rememberContexts() {
   const scope = /** @type {any} */ (globalThis);
@@ -85,9 +85,9 @@ export function answerPage(line) {
   channel.onmessage = ({ data }) => {
     if (data.ask) channel.postMessage({ answer: data.number, value: driven[data.ask](data.with) });
   };
-  const complain = (/** @type {string} */ problem) => channel.postMessage({ problem });
-  addEventListener('error', (event) => complain(event.message));
-  addEventListener('unhandledrejection', (event) => complain(String(event.reason)));
+  const report = (/** @type {string} */ problem) => channel.postMessage({ problem });
+  addEventListener('error', (event) => report(event.message));
+  addEventListener('unhandledrejection', (event) => report(String(event.reason)));
 }
 
 /**
@@ -152,7 +152,7 @@ export function followWorkers(origin) {
 }
 
 /**
- * Runs in a page whose browser tells nobody of its complaints: keeps them in
+ * Runs in a page whose browser reports no problems to its driver: keeps them in
  * `window.complaints`.
  */
 export function keepComplaints() {

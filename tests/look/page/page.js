@@ -74,12 +74,12 @@ async function still({ width, height, format, without, quality = 'medium', ...wi
   brush.destroy();
   brush.free();
   fire.free();
-  complain(context);
+  report(context);
   return packed(pixels);
 }
 
 /** Nothing that GL refused goes by unnoticed. */
-function complain(context) {
+function report(context) {
   const error = context.getError();
   if (error !== 0) throw new Error(`GL says ${error}`);
 }
@@ -113,12 +113,12 @@ async function inTurn(wishes, pictures, disturbance) {
     });
   }
   for (const brush of brushes) brush.destroy();
-  complain(context);
+  report(context);
   if (disturbance) painters.clear();
   return last;
 }
 
-/** How somebody else may leave a context behind. */
+/** States in which foreign code may leave a context. */
 const DISTURBANCES = {
   'tests on': (gl) => {
     for (const test of [gl.DEPTH_TEST, gl.STENCIL_TEST, gl.SCISSOR_TEST, gl.CULL_FACE]) gl.enable(test);
@@ -169,7 +169,7 @@ const DISTURBANCES = {
   },
 };
 /** What every host has to give back as it was: the renderer does not ask for it. */
-DISTURBANCES['a colour that nobody may draw'] = (gl) => gl.colorMask(true, false, true, true);
+DISTURBANCES['a colour without two channels'] = (gl) => gl.colorMask(true, false, true, true);
 const disturbances = () => Object.keys(DISTURBANCES);
 
 let film;
@@ -182,7 +182,7 @@ async function watch(wish) {
 /** Watches it until that time. */
 function until(seconds) {
   film.until(seconds);
-  complain(film.context);
+  report(film.context);
 }
 /** The same, and says what was seen. */
 function seen(seconds) {
@@ -198,7 +198,7 @@ async function glanced(wish, seconds) {
   brush.destroy();
   brush.free();
   fire.free();
-  complain(context);
+  report(context);
   return found;
 }
 

@@ -328,7 +328,7 @@ fn combustion_gas_follows_the_equations() {
     let two = [("domain_width", 0.25), ("domain_height", 6.0)];
     let three = [("domain_width", 0.5), ("domain_height", 6.0)];
     let low = [("domain_width", 6.0), ("domain_height", 0.2), ("wind", 1.0)];
-    let whirls = [("vorticity_confinement", 0.7), ("wind", -0.3)];
+    let vortices = [("vorticity_confinement", 0.7), ("wind", -0.3)];
     let closed = [("seam", 0.0), ("vorticity_confinement", 1.0)];
     let narrow = [&narrow[..], &two[1..]].concat();
     let scenes = [
@@ -340,7 +340,7 @@ fn combustion_gas_follows_the_equations() {
         (&three, 1002, Spread::Clumped),
         (&low, 1003, Spread::Even),
         (&low, 600, Spread::Clumped),
-        (&whirls, 1203, Spread::Even),
+        (&vortices, 1203, Spread::Even),
         (&closed, 801, Spread::Clumped),
     ];
     for (seed, (values, count, spread)) in (1..).zip(scenes) {

@@ -106,7 +106,7 @@ pub struct State {
 }
 
 impl State {
-    /// The state of a panel that has heard nothing from its fire.
+    /// The state of a panel without a message from its fire.
     pub fn new(measures: Measures) -> State {
         State {
             fire: Fire::default(),

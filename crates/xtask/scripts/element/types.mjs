@@ -107,9 +107,9 @@ function property({ name, type, accepts, ofClass, readonly }) {
 
 /** The comment of a signature. @param {import('../element.mjs').Signature} signature */
 function described({ doc, parameters }) {
-  const told = parameters.filter((one) => one.doc);
-  if (told.length === 0) return comment(doc, '  ');
-  const lines = [doc, ...told.map((one) => `@param ${one.name} ${one.doc}`)];
+  const documented = parameters.filter((one) => one.doc);
+  if (documented.length === 0) return comment(doc, '  ');
+  const lines = [doc, ...documented.map((one) => `@param ${one.name} ${one.doc}`)];
   return `  /**\n${lines.map((line) => `   * ${line}\n`).join('')}   */\n`;
 }
 

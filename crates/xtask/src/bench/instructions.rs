@@ -1,5 +1,5 @@
 //! How many instructions a step takes. Unlike its time, the number does not depend on what
-//! else the machine does, so growth can be told from noise.
+//! else the machine does, so growth is distinguishable from noise.
 
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -1,8 +1,8 @@
 import { useState } from 'react';
 import type { HearthErrorDetail, HearthStats } from 'hearth-fire';
 
-/** What the test asks for, and what the fire has told. */
-export interface Told {
+/** What the test asks for, and what the fire reports. */
+export interface Observed {
   ready: number;
   stats: HearthStats | null;
   changes: string[];
@@ -16,7 +16,7 @@ interface Wishes {
   paused?: boolean;
 }
 
-export function App({ told, onWishes }: { told: Told; onWishes(wish: (wishes: Wishes) => void): void }) {
+export function App({ observed, onWishes }: { observed: Observed; onWishes(wish: (wishes: Wishes) => void): void }) {
   const [{ there, width, viscosity, paused }, wish] = useState<Wishes>({
     there: true, width: 0.3, viscosity: 0.02, paused: false,
   });
@@ -32,10 +32,10 @@ export function App({ told, onWishes }: { told: Told; onWishes(wish: (wishes: Wi
       model="classic"
       paused={paused}
       alt="A fire"
-      onready={() => (told.ready += 1)}
-      onstats={({ detail }) => (told.stats = detail)}
-      onparams-change={({ detail }) => told.changes.push(`${detail.id}=${detail.value}`)}
-      onerror={({ detail }) => told.errors.push(detail)}
+      onready={() => (observed.ready += 1)}
+      onstats={({ detail }) => (observed.stats = detail)}
+      onparams-change={({ detail }) => observed.changes.push(`${detail.id}=${detail.value}`)}
+      onerror={({ detail }) => observed.errors.push(detail)}
     />
   );
 }

@@ -1,16 +1,16 @@
 import { StrictMode } from 'react';
 import { createRoot } from 'react-dom/client';
 import 'hearth-fire/react';
-import { App, type Told } from './app.js';
+import { App, type Observed } from './app.js';
 
-const told: Told = { ready: 0, stats: null, changes: [], errors: [] };
-const page = { told, wish: (wishes: object): void => console.error('too early', wishes) };
+const observed: Observed = { ready: 0, stats: null, changes: [], errors: [] };
+const page = { observed, wish: (wishes: object): void => console.error('too early', wishes) };
 Object.assign(window, { page });
 
 const root = document.getElementById('root');
 if (!root) throw new Error('there is no place for the fire');
 createRoot(root).render(
   <StrictMode>
-    <App told={told} onWishes={(wish) => (page.wish = wish as (wishes: object) => void)} />
+    <App observed={observed} onWishes={(wish) => (page.wish = wish as (wishes: object) => void)} />
   </StrictMode>,
 );

@@ -183,6 +183,8 @@ test('the pause button stops and continues time and picture', async () => {
     'the fire is paused',
     () => /** @type {any} */ (document.querySelector('hearth-fire')).stats.paused,
   );
+  // A picture may be on its way; this one follows it.
+  await tab.fire((fire) => fire.toBlob().then(() => undefined));
   const region = { x: 0, y: 0, width: 380, height: 600 };
   const [time, picture] = [await stat(tab, 'time'), await tab.picture(region)];
   await tab.frames(20);
@@ -266,6 +268,10 @@ test('the panel follows a model that the page sets', async () => {
   const { tab, panel } = await openPage();
   // As many particles as the classic model had: no event tells that they stay.
   await tab.fire((fire) => fire.set({ model: 'combustion', max_particles: 1000 }));
+  const own = PARAMETERS.filter(({ models }) => !models.includes('classic')).map(({ id }) => id);
+  await panel.until('a row of the other model', (_, ids) => (
+    ids.some((id) => /** @type {any} */ (window).panelRectangles?.[id])
+  ), own);
   await panel.dragSlider('fuel_power', 0.4, 0.8);
   const near = (value) => Math.abs(fractionOf(entriesOf(PARAMETERS, 'combustion').fuel_power, value) - 0.8) < AIM;
   await panel.value('fuel_power', 'where the mouse let go', near);

@@ -244,6 +244,8 @@ export function sharedPage(browser) {
     if (!page || page.tab !== browser().tab) {
       const tab = await browser().open('index.html?model=classic', { width: 760, height: 600 });
       await tab.ready();
+      // A reset would burn the fire warm, and fade into it.
+      await tab.fire((fire) => fire.removeAttribute('warm'));
       page = { tab, panel: await new Panel(tab).mounted() };
     }
     const { tab } = page;
@@ -255,7 +257,12 @@ export function sharedPage(browser) {
       await fire.restore();
       await fire.importConfig({ hearth: 2, values });
       await fire.pause();
+      // The answer follows the picture and the statistics of the new fire.
+      await fire.step(1);
     }, { model });
+    await page.panel.until(`the panel shows ${model}`, (root, name) => (
+      root.querySelector('[data-parameter="model"]').value === name
+    ), model);
     await tab.frames();
     return page;
   };

@@ -25,7 +25,7 @@ export type * from './parameters.js';
 
 /** The events of a fire. */
 export interface HearthFireEventMap extends Omit<HTMLElementEventMap, 'error'> {
-  /** The fire burns. */
+  /** The fire is shown or, out of sight, can be drawn. */
   ready: CustomEvent<null>;
   /** The fire plays again. */
   play: CustomEvent<null>;
@@ -39,9 +39,9 @@ export interface HearthFireEventMap extends Omit<HTMLElementEventMap, 'error'> {
   'quality-change': CustomEvent<HearthQualityDetail>;
   /** Measurements of the fire, about four times a second. */
   stats: CustomEvent<HearthStats>;
-  /** A value is refused, a file could not be loaded, or the browser cannot show the fire. */
+  /** A value is refused, a file could not be loaded, the fire has stopped, or the browser cannot show it. */
   error: CustomEvent<HearthErrorDetail>;
-  /** The graphics context was lost and is restored. */
+  /** The fire is back after its graphics context was lost or its engine has stopped. */
   restored: CustomEvent<null>;
 }
 
@@ -64,7 +64,7 @@ export class HearthFire extends HTMLElement {
   readonly stats: HearthStats | null;
   /** The level of detail of simulation and picture; `auto` follows the speed of the device. */
   quality: 'auto' | HearthQuality;
-  /** Resolves when the fire burns; rejects if it cannot. An element that is removed from the page gets a new promise. */
+  /** Resolves when the fire's picture is shown or, out of sight, when the fire can be drawn; rejects if it cannot. An element that is removed from the page gets a new promise. */
   readonly ready: Promise<void>;
   /** Whether the fire is paused. */
   paused: boolean;

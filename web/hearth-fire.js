@@ -27,18 +27,19 @@ import { seedOf } from './element/values.js';
 /**
  * A fire, simulated by smoothed particle hydrodynamics.
  *
- * @fires {null} ready  The fire burns.
+ * @fires {null} ready  The fire is shown or, out of sight, can be drawn.
  * @fires {null} play  The fire plays again.
  * @fires {null} pause  The fire is paused.
  * @fires {HearthChangeDetail} params-change  A parameter has changed, from any source.
  * @fires {HearthObjectsDetail} objects-change  An object was added, changed or removed.
  * @fires {HearthQualityDetail} quality-change  The quality has changed, to fit the speed of the device or on request.
  * @fires {HearthStats} stats  Measurements of the fire, about four times a second.
- * @fires {HearthErrorDetail} error  A value is refused, a file could not be loaded, or the browser cannot show the fire.
- * @fires {null} restored  The graphics context was lost and is restored.
+ * @fires {HearthErrorDetail} error  A value is refused, a file could not be loaded, the fire has stopped, or the browser cannot show it.
+ * @fires {null} restored  The fire is back after its graphics context was lost or its engine has stopped.
  * @slot poster  Content that is shown until the fire burns, and in browsers that cannot show it. The attribute `poster` applies if the slot is empty.
  * @csspart canvas  The canvas.
- * @csspart message  The message in a browser that cannot show the fire.
+ * @csspart message  The message that explains why there is no fire.
+ * @csspart retry  The button under that message that tries again.
  * @csspart play  The button that plays a fire that is paused for reduced motion, and pauses it again.
  * @csspart panel  The panel of sliders of the attribute `controls`.
  * @csspart scale  The colour bar of a display mode that shows a quantity.
@@ -128,8 +129,8 @@ export class HearthFire extends FireAttributes {
   }
 
   /**
-   * Resolves when the fire burns; rejects if it cannot. An element that is removed from the page gets a
-   * new promise.
+   * Resolves when the fire's picture is shown or, out of sight, when the fire can be drawn; rejects if it
+   * cannot. An element that is removed from the page gets a new promise.
    * @returns {Promise<void>}
    */
   get ready() {

@@ -234,7 +234,7 @@ export interface HearthFireAttributes {
 
 /** The events of `<hearth-fire>`. */
 export interface HearthFireListeners {
-  /** The fire burns. */
+  /** The fire is shown or, out of sight, can be drawn. */
   onready?: ((event: CustomEvent<null>) => void) | undefined;
   /** The fire plays again. */
   onplay?: ((event: CustomEvent<null>) => void) | undefined;
@@ -248,8 +248,8 @@ export interface HearthFireListeners {
   'onquality-change'?: ((event: CustomEvent<HearthQualityDetail>) => void) | undefined;
   /** Measurements of the fire, about four times a second. */
   onstats?: ((event: CustomEvent<HearthStats>) => void) | undefined;
-  /** A value is refused, a file could not be loaded, or the browser cannot show the fire. */
+  /** A value is refused, a file could not be loaded, the fire has stopped, or the browser cannot show it. */
   onerror?: ((event: CustomEvent<HearthErrorDetail>) => void) | undefined;
-  /** The graphics context was lost and is restored. */
+  /** The fire is back after its graphics context was lost or its engine has stopped. */
   onrestored?: ((event: CustomEvent<null>) => void) | undefined;
 }

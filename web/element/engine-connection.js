@@ -26,6 +26,10 @@ export class EngineConnection {
   #stop;
   #size = [0, 0, 0];
   #visible = false;
+  /** Whether it is known whether the element is visible. */
+  #known = false;
+  /** Whether the fire has sent a picture. */
+  pictured = false;
   /** @type {any} */
   #port;
   #fire = 0;
@@ -48,6 +52,7 @@ export class EngineConnection {
    * @param {object} on
    * @param {(message: Message) => void} on.message an event of the engine
    * @param {(frame: Drawn) => void} on.frame a frame of the fire
+   * @param {() => void} on.visible the fire has come into sight or gone out of it, or has another size
    * @param {() => void} on.start the fire exists and every earlier request is answered
    * @param {(reduced: boolean) => void} on.motion whether the visitor prefers reduced motion, when that changes
    */
@@ -59,11 +64,14 @@ export class EngineConnection {
       resized: (...size) => {
         this.#size = size;
         this.send('resize', ...size);
+        on.visible();
       },
       visible: (visible) => {
         this.#visible = visible;
+        this.#known = true;
         this.#observed();
         this.send('visible', visible);
+        on.visible();
       },
       motion: on.motion,
     });
@@ -72,6 +80,13 @@ export class EngineConnection {
   /** Whether the engine has the fire. */
   get live() {
     return this.#fire !== 0;
+  }
+
+  /** Whether the fire is out of sight or has no area, so that the engine draws no picture of it. */
+  get unseen() {
+    const [width, height] = this.#size;
+    // A browser observes nothing in a hidden page.
+    return document.hidden || (this.#known && !(this.#visible && width && height));
   }
 
   /** Where the engine runs; empty before it does. */
@@ -103,7 +118,7 @@ export class EngineConnection {
     const fire = port.open({
       onMessage: (message) => {
         // The fire is gone if its removal is answered, also with a refusal, or if its engine has stopped.
-        if (message.request === REMOVAL || (this.closed && message.kind === 'load')) {
+        if (message.request === REMOVAL || (this.closed && message.kind === 'stopped')) {
           port.close(fire);
           this.#requests.abandon(fire, new Error('the fire was removed'));
           this.#removed();
@@ -117,6 +132,7 @@ export class EngineConnection {
           if ('close' in frame) frame.close();
           return;
         }
+        this.pictured = true;
         this.#on.frame(frame);
         // The engine draws no more frames than the page shows.
         if (port.place === 'worker') requestAnimationFrame(this.#shown);

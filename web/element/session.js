@@ -13,8 +13,9 @@ import { ID_OF_ATTRIBUTE, setOrRemove, warmth } from './attributes.js';
 import { EngineConnection } from './engine-connection.js';
 import { PagePolicies } from './page-policies.js';
 import { Playback } from './playback.js';
+import { Readiness } from './readiness.js';
 import { Reports } from './reports.js';
-import { Requests, deferred, postable, quiet } from './requests.js';
+import { Requests, postable, quiet } from './requests.js';
 import { DEPTH, settings, settingsOfFile } from './settings.js';
 import { FireState } from './state.js';
 import { hexOf } from './values.js';
@@ -22,6 +23,9 @@ import { FireView } from './view.js';
 
 /** Simulated seconds before the frame of a fire that is paused for reduced motion. */
 const STILL_AFTER = 2;
+
+/** Simulated seconds, at most, before the first frame of a fire that follows a stopped one. */
+const WARMTH = 3;
 
 /** The session of one element. */
 export class FireSession {
@@ -34,7 +38,8 @@ export class FireSession {
   #loadsCss;
   /** Settles when the engine has freed all fires before this one. */
   #gone = Promise.resolve();
-  #announced = false;
+  /** Whether the fire follows a stopped one. */
+  #returns = false;
   /** Whether the `preset` attribute changes without a call to the engine. */
   #reflecting = false;
   /** @type {EngineConnection | null} */
@@ -43,7 +48,7 @@ export class FireSession {
   #drawable = true;
   /** The calls since the first transition. @type {import('./transition.js').Calls | undefined} */
   #calls;
-  #ready = deferred();
+  #ready = new Readiness();
   /** What the engine reported last. */
   state = new FireState();
   /** For code that is loaded on request and must not load it a second time. */
@@ -62,7 +67,7 @@ export class FireSession {
     this.#policies = new PagePolicies(this);
   }
 
-  /** Settles when the fire burns, or cannot. @returns {Promise<void>} */
+  /** Settles when the fire is presented, or cannot be. @returns {Promise<void>} */
   get ready() {
     return this.#ready.promise;
   }
@@ -212,16 +217,20 @@ export class FireSession {
     else if (!src) this.call('preset', this.fire.preset, 'src');
   }
 
-  /** Makes a fire. */
+  /** Makes a fire. The picture of a stopped one stays until it is followed by another. */
   #open() {
-    if (this.#ready.failed) this.#ready = deferred();
+    if (this.#ready.failed) this.#ready.renew();
     const { view, fire } = this;
-    const canvas = view.newCanvas();
-    view.show('loading');
-    if (fire.warm) view.fade();
+    const canvas = (this.#returns && view.canvas) || view.newCanvas();
+    if (!view.shows) view.show('loading');
+    if (this.#warmth()) view.fade();
     const connection = new EngineConnection(fire, canvas, this.#requests, {
       message: (message) => this.#receive(message, connection),
-      frame: (frame) => view.draw(frame),
+      frame: (frame) => {
+        view.draw(frame);
+        this.#present(connection);
+      },
+      visible: () => this.#present(connection),
       start: () => this.#begin(connection, still),
       motion: (reduced) => this.playback.follow(reduced),
     });
@@ -233,15 +242,24 @@ export class FireSession {
       this.#engine,
       () => this.#prepare(),
       ({ config, state }) => ({
-        ...this.state.start(fire, this.playback.paused, config), warm: fire.warm, state, view: view.camera,
+        ...this.state.start(fire, this.playback.paused, config), warm: this.#warmth(), state, view: view.camera,
       }),
-    ).catch((error) => connection.closed || this.#fail(error.kind ?? 'load', error.message));
+    ).catch((error) => {
+      if (connection.closed) return;
+      if (this.#returns) this.#stop(error.message);
+      else this.#fail(error.kind ?? 'load', error.message);
+    });
+  }
+
+  /** Simulated seconds before the first frame. A fire that follows a stopped one is as old, up to a limit. */
+  #warmth() {
+    return this.fire.warm || (this.#returns && Math.min(this.state.stats?.time ?? 0, WARMTH));
   }
 
   /** Loads what a fire starts with: its file and its burning state. Waits for the last event of the fire before. */
   async #prepare() {
     const { fire } = this;
-    const state = fire.warm && !fire.src ? burning(fire.preset) : undefined;
+    const state = this.#warmth() && !fire.src ? burning(fire.preset) : undefined;
     await this.#gone;
     let config;
     let src;
@@ -259,7 +277,7 @@ export class FireSession {
    * @param {boolean} still
    */
   async #begin(connection, still) {
-    if (this.fire.warm) {
+    if (this.#warmth()) {
       // The engine may treat the fire as invisible before.
       if (!document.hidden) await connection.observed;
       await this.call('warm').catch(() => {});
@@ -269,29 +287,47 @@ export class FireSession {
     if (!connection.live) return;
     this.view.show('shown');
     this.playback.offer();
-    this.#announced = true;
     this.view.drawn().then(() => this.#updateState(), () => {});
     this.#policies.burns();
+    this.#ready.await((message) => this.#stop(message));
+    this.#present(connection);
+  }
+
+  /**
+   * Reports that the fire is ready when its picture is shown, or, out of sight, when it can be drawn.
+   * @param {EngineConnection} connection
+   */
+  #present(connection) {
+    if (!this.#ready.awaited || !this.#drawable || !(connection.pictured || connection.unseen)) return;
+    // Later fires of this element are as warm as its attribute says.
+    if (this.#returns) this.send('warm', this.fire.warm);
+    this.#returns = false;
+    const type = this.#ready.announced ? 'restored' : 'ready';
     this.#ready.resolve();
-    this.reports.emit('ready');
+    this.reports.emit(type);
+  }
+
+  /** Ends the connection of a fire that is removed or has stopped. */
+  #end() {
+    this.#calls?.end?.();
+    this.#ready.cancel();
+    this.#drawable = true;
+    this.#connection?.close();
   }
 
   #close() {
-    this.#calls?.end?.();
-    // `ready` now stands for the next fire.
-    if (this.#announced) this.#ready = deferred();
-    this.#connection?.close();
+    this.#end();
+    if (this.#ready.announced) this.#ready.renew();
     // A connection without a fire has none to free; the fire before may still exist.
     const gone = this.#connection?.gone;
     this.#gone = this.#gone.then(() => gone);
     this.#connection = null;
-    this.#announced = false;
+    this.#returns = false;
     this.state.stats = null;
     this.#policies.end();
     this.view.dropCanvas();
     this.playback.offer('');
     this.view.show('loading');
-    this.#drawable = true;
     this.#updateState();
     this.#css?.light();
   }
@@ -307,7 +343,7 @@ export class FireSession {
     } else if (type === 'changed') {
       state.take(message);
       if (message.replaced && (this.fire.getAttribute('preset') ?? 'default') !== state.preset) this.reflectPreset(state.preset);
-      if (!this.#announced) return;
+      if (!this.#ready.announced) return;
       const { source } = message;
       for (const [id, value] of Object.entries(message.values)) reports.emit('params-change', { id, value, source });
       if (message.objects) reports.emit('objects-change', { objects: this.fire.objects, source });
@@ -325,7 +361,7 @@ export class FireSession {
     } else if (type === 'quality') {
       const { requested, quality, reason } = message;
       state.quality = requested;
-      if (this.#announced) reports.emit('quality-change', { quality, reason });
+      if (this.#ready.announced) reports.emit('quality-change', { quality, reason });
     } else if (type === 'state') {
       reports.emit(message.playing ? 'play' : 'pause');
     } else if (type === 'warming') {
@@ -333,7 +369,8 @@ export class FireSession {
     } else if (type === 'restored') {
       this.#drawable = true;
       this.#updateState();
-      reports.emit('restored');
+      if (this.#ready.announced && !this.#returns) reports.emit('restored');
+      this.#present(connection);
     } else if (message.kind === 'context-lost') {
       // The last frame stays visible.
       this.#drawable = false;
@@ -341,26 +378,55 @@ export class FireSession {
       reports.emit('error', { kind: message.kind, message: message.message });
     } else if (message.burns) {
       reports.warn(message.kind, message.message);
+    } else if (message.kind === 'stopped') {
+      this.#stop(message.message);
     } else if (type === 'error') {
       this.#fail(message.kind, message.message);
     }
   }
 
   /**
-   * There is no fire: shows the poster and the reason.
-   * @param {'unsupported' | 'load'} kind
+   * The fire has stopped: another one follows with its settings, unless it stops again and again.
+   * @param {string} message
+   */
+  #stop(message) {
+    const { stops, pause } = this.#ready.stop();
+    if (pause === Infinity) {
+      this.#fail('stopped', `The fire has stopped ${stops} times in a minute. ${message}`);
+      return;
+    }
+    const connection = this.#connection;
+    connection?.abandon(new EngineError('stopped', message));
+    this.#end();
+    this.#returns = true;
+    this.#updateState();
+    this.reports.warn('stopped', message);
+    // What failed at once has some time before it fails again.
+    setTimeout(() => connection === this.#connection && this.#open(), pause);
+  }
+
+  /**
+   * There is no fire: shows the poster, the reason, and a button that tries again.
+   * @param {'unsupported' | 'load' | 'stopped'} kind
    * @param {string} message
    */
   #fail(kind, message) {
-    this.view.show('failed', message);
+    const error = new EngineError(kind, message);
+    this.#connection?.abandon(error);
+    this.#end();
+    this.#returns = false;
+    this.view.show('failed', message, kind !== 'unsupported' && (() => this.#retry()));
     this.playback.offer('');
     this.#updateState();
     this.#policies.end();
-    const error = new EngineError(kind, message);
-    this.#connection?.abandon(error);
-    // A resolved `ready` stays resolved; a new one rejects.
-    if (this.#announced) this.#ready = deferred();
     this.#ready.reject(error);
     this.reports.warn(kind, message);
+  }
+
+  /** The visitor wants another fire in place of one that failed. */
+  #retry() {
+    this.#ready.forget();
+    this.#close();
+    this.#open();
   }
 }

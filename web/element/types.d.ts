@@ -41,7 +41,7 @@ export interface HearthRangeError extends RangeError {
 
 /** The detail of an `error` event. */
 export type HearthErrorDetail =
-  | { kind: 'unsupported' | 'load' | 'context-lost'; message: string }
+  | { kind: 'unsupported' | 'load' | 'context-lost' | 'stopped'; message: string }
   | {
       kind: 'bad-parameter';
       message: string;

@@ -30,7 +30,9 @@ canvas { display: block; }
   padding: 0.75em 1em; border-radius: 0.5em; background: rgb(20 16 14 / 0.9); color: #f4ece4;
   font: 0.95rem/1.45 system-ui, sans-serif; text-align: center; pointer-events: auto;
 }
-.message:empty { display: none; }
+.message p { margin: 0; }
+.message button { margin-block-start: 0.75em; font: inherit; }
+.root:not([data-state='failed']) .message { display: none; }
 `;
 
 /** The constructed style sheets of each document, by their text. @type {WeakMap<Document, Map<string, CSSStyleSheet>>} */
@@ -40,7 +42,7 @@ const SHEETS = new WeakMap();
  * Makes an element. HTML text is not parsed: a page's policy may forbid it.
  * @param {string} name
  * @param {{[attribute: string]: string}} attributes
- * @param {...Node} children
+ * @param {...(Node | string)} children
  */
 function make(name, attributes, ...children) {
   const made = document.createElement(name);
@@ -53,7 +55,8 @@ function make(name, attributes, ...children) {
 export class FireView {
   #host;
   #shadow;
-  #message = make('p', { class: 'message', part: 'message', role: 'status' });
+  #message = make('p', { part: 'message', role: 'status' });
+  #retry = /** @type {HTMLButtonElement} */ (make('button', { part: 'retry', type: 'button' }, 'Try again'));
   #poster = /** @type {HTMLImageElement} */ (make('img', { alt: '', hidden: '' }));
   #posterBox = make('div', { class: 'poster' }, make('slot', { name: 'poster' }, this.#poster));
   #alt = '';
@@ -72,7 +75,7 @@ export class FireView {
   /** How the domain fits the picture, and where it lies: shares from the left and from below. */
   camera = { fit: 'height', x: 0.5, y: 0 };
   /** What the shadow tree holds. */
-  root = make('div', { class: 'root', 'data-state': 'loading' }, make('div', { class: 'room' }), this.#posterBox, this.#message);
+  root = make('div', { class: 'root', 'data-state': 'loading' }, make('div', { class: 'room' }), this.#posterBox, make('div', { class: 'message' }, this.#message));
 
   /** @param {HTMLElement} host */
   constructor(host) {
@@ -224,10 +227,14 @@ export class FireView {
    * message (`failed`).
    * @param {'loading' | 'shown' | 'failed'} state
    * @param {string} [message]
+   * @param {(() => void) | false} [retry] what the button under the message does; without it there is none
    */
-  show(state, message = '') {
+  show(state, message = '', retry = false) {
     this.root.dataset.state = state;
     this.#message.textContent = message;
+    this.#retry.onclick = retry || null;
+    if (retry) this.#message.after(this.#retry);
+    else this.#retry.remove();
   }
 
   /**

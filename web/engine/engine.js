@@ -15,6 +15,7 @@
  * @typedef {string | URL | BufferSource | Promise<BufferSource>} Source URL or bytes of wasm
  */
 
+import { countdown } from './countdown.js';
 import { glue, wasm, worker } from './files.js';
 
 /** The smallest module that uses a SIMD instruction. */
@@ -26,13 +27,22 @@ const SIMD_MODULE = new Uint8Array([
 /** Lifetime of an engine without fires [ms]. */
 const IDLE_MS = 5000;
 
-/** Maximum time of starting a worker; then the main thread is used [ms]. */
-const WORKER_MS = 15_000;
+/** Maximum time of starting a worker; then the main thread is used [s]. */
+const WORKER_S = 15;
+
+/** Time from an answer of a worker to the next question [ms]. */
+const QUESTION_MS = 2000;
+
+/** Maximum time without an answer of a worker [s]. */
+const ANSWER_S = 10;
+
+/** Maximum time without a graphics context [s]. */
+const CONTEXT_S = 5;
 
 /** Why there is no fire, with a message for visitors. */
 export class EngineError extends Error {
   /**
-   * @param {'unsupported' | 'load'} kind
+   * @param {'unsupported' | 'load' | 'stopped'} kind
    * @param {string} message
    */
   constructor(kind, message) {
@@ -68,6 +78,11 @@ class EnginePort {
   #lastFire = 0;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #idle;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #question;
+  #unanswered = () => {};
+  /** Ends the wait for a lost context. @type {(() => void) | undefined} */
+  #contextless;
 
   /** @param {'worker' | 'main'} place where the engine runs */
   constructor(place) {
@@ -107,8 +122,26 @@ class EnginePort {
     if (this.place === 'worker') this.send(fire);
   }
 
+  /** Asks a worker whether it still runs; 0 is the number of no fire. */
+  ask() {
+    this.send(0);
+    this.#unanswered = countdown(ANSWER_S, () => this.fail(`it has not answered for ${ANSWER_S} seconds`));
+  }
+
+  /** The worker answers. */
+  answered() {
+    this.#unanswered();
+    this.#question = setTimeout(() => this.ask(), QUESTION_MS);
+  }
+
   /** @param {Message} message */
   deliver(message) {
+    if (message.kind === 'context-lost') {
+      this.#contextless ??= countdown(CONTEXT_S, () => this.fail('the browser has not restored its graphics context'));
+    } else if (message.type === 'restored') {
+      this.#contextless?.();
+      this.#contextless = undefined;
+    }
     this.#listeners.get(message.fire ?? 0)?.onMessage(message);
   }
 
@@ -120,19 +153,23 @@ class EnginePort {
   }
 
   /**
-   * Reports a defect of the engine or a lack of memory to all fires. The next fire gets a new
-   * engine.
+   * Ends an engine that has a defect, lacks memory, or does not answer, and reports it to all
+   * fires. The next fire gets a new engine.
    * @param {unknown} why
    */
   fail(why) {
     this.#retire();
     const message = `The fire's engine has stopped: ${why}`;
     for (const fire of [...this.#listeners.keys()]) {
-      this.deliver({ type: 'error', fire, kind: 'load', message });
+      this.deliver({ type: 'error', fire, kind: 'stopped', message });
     }
   }
 
   #retire() {
+    clearTimeout(this.#idle);
+    clearTimeout(this.#question);
+    this.#unanswered();
+    this.#contextless?.();
     if (current === this) opened = current = undefined;
     this.end();
     this.send = this.end = () => {};
@@ -225,13 +262,12 @@ function inWorker(compiled) {
   }
   const port = new EnginePort('worker');
   return new Promise((resolve) => {
+    let started = () => {};
     const giveUp = () => {
-      clearTimeout(patience);
+      started();
       thread.terminate();
       resolve(undefined);
     };
-    /** @type {ReturnType<typeof setTimeout> | undefined} */
-    let patience;
     thread.onerror = (event) => {
       event.preventDefault();
       giveUp();
@@ -241,7 +277,7 @@ function inWorker(compiled) {
         giveUp();
         return;
       }
-      clearTimeout(patience);
+      started();
       port.send = (message) => thread.postMessage(message);
       port.end = () => thread.terminate();
       thread.onerror = (event) => {
@@ -250,14 +286,16 @@ function inWorker(compiled) {
       };
       thread.onmessage = ({ data: event }) => {
         if (event.type === 'picture') port.draw(event.fire, event.bitmap);
+        else if (event.type === 'answer') port.answered();
         else if (event.type === 'stopped') port.fail(event.why);
         else port.deliver(event);
       };
+      port.ask();
       resolve(port);
     };
     compiled.then(({ module }) => {
       thread.postMessage({ type: 'start', module });
-      patience = setTimeout(giveUp, WORKER_MS);
+      started = countdown(WORKER_S, giveUp);
     }).catch(giveUp);
   });
 }

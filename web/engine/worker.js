@@ -37,7 +37,8 @@ async function start(module) {
 
 addEventListener('message', ({ data }) => {
   if (Array.isArray(data)) engine?.call(/** @type {any} */ (data));
-  // A number: the picture of that fire is shown.
+  // A number: the picture of that fire is shown. Zero asks for an answer.
+  else if (data === 0) postMessage({ type: 'answer' });
   else if (typeof data === 'number') engine?.shown(data);
   else start(data.module).then(
     () => postMessage({ type: 'started' }),

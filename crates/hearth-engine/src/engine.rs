@@ -17,6 +17,9 @@ use crate::requested::Requested;
 use crate::shared_canvas::{Canvas, SharedCanvas, Show};
 use crate::wall_clock::WallClock;
 
+const CONTEXT_LOST: &str =
+    "the graphics context was lost; the fire continues when it is restored";
+
 /// Draws any number of fires.
 #[wasm_bindgen]
 pub struct Engine {
@@ -128,8 +131,7 @@ impl Engine {
                 .map_err(|message| (ErrorKind::Unsupported, message))
         } else {
             self.canvas.lose();
-            let message = "the graphics context was lost; the fire continues when it is restored";
-            Err((ErrorKind::ContextLost, message.to_owned()))
+            Err((ErrorKind::ContextLost, CONTEXT_LOST.to_owned()))
         };
         let drawable = self.canvas.gpu().is_some();
         for fire in &mut self.fires {
@@ -166,7 +168,11 @@ impl Engine {
                 }
                 events.ready(id, &requested);
                 let mut fire = Fire::new(id, requested, &start);
-                fire.set_drawable(self.canvas.gpu().is_some());
+                let drawable = self.canvas.gpu().is_some();
+                fire.set_drawable(drawable);
+                if !drawable {
+                    events.error(id, ErrorKind::ContextLost, CONTEXT_LOST);
+                }
                 self.fires.push(Box::new(fire));
                 return Ok(Answer::Done);
             }

@@ -17,8 +17,7 @@ use crate::requested::Requested;
 use crate::shared_canvas::{Canvas, SharedCanvas, Show};
 use crate::wall_clock::WallClock;
 
-const CONTEXT_LOST: &str =
-    "the graphics context was lost; the fire continues when it is restored";
+const CONTEXT_LOST: &str = "the graphics context was lost; the fire continues when it is restored";
 
 /// Draws any number of fires.
 #[wasm_bindgen]

@@ -100,6 +100,22 @@ describe('the panel', () => {
     assert.deepEqual(other.problems, []);
   });
 
+  test('copies a report with version, settings, a link that opens the fire, and errors', async () => {
+    const { tab, panel, config, params } = await openPage();
+    await tab.fire((fire) => fire.set('gravity', 'x').catch(() => {}));
+    const report = await copied(tab, panel, 'report');
+    const version = await tab.fire((fire) => fire.constructor.version);
+    const lines = report.split('\n');
+    const value = (name) => lines.find((line) => line.startsWith(`${name}: `))?.slice(name.length + 2);
+    assert.equal(lines[0], `Hearth ${version}`);
+    assert.equal(value('Seed'), String(params.seed));
+    assert.deepEqual(JSON.parse(value('Settings')), config);
+    assert.match(lines.at(-1), /bad-parameter: .*gravity/);
+    const other = await browser.open(value('Link'));
+    await other.ready();
+    assert.deepEqual(await paramsOf(other), params);
+  });
+
   test('copies settings as JSON, imports them, and undoes the import', async () => {
     const { tab, panel, config, params } = await openPage();
     const json = await copied(tab, panel, 'json');

@@ -9,6 +9,7 @@ import { askForSettings, showKeys, showText } from './cards.js';
 import { showScenes } from './scenes.js';
 import { remember, remembered } from './memory.js';
 import { PARAMETERS, PRESETS } from '../parameters.js';
+import { Report } from './report.js';
 import { UndoHistory } from './undo-history.js';
 import { FILE as SHARE, elementCode, iframeCode, pageLink } from '../share.js';
 
@@ -39,11 +40,12 @@ const FIELDS = /** @type {const} */ (['default', 'min', 'max']);
 const CHANGES = ['ready', 'params-change', 'objects-change'];
 
 /** What the panel copies, in the order of the buttons. */
-export const COPIES = ['link', 'element', 'iframe', 'json'];
+export const COPIES = ['link', 'element', 'iframe', 'json', 'report'];
 
 /** Their labels. @type {{[what: string]: string}} */
 export const COPY_LABELS = {
   link: 'link', element: 'HTML of the element', iframe: 'HTML of an iframe', json: 'settings as JSON',
+  report: 'report for an issue',
 };
 
 /**
@@ -76,6 +78,7 @@ export class PanelController extends EventTarget {
   #script;
   #embed;
   #history;
+  #report;
   /** @type {number | undefined} */
   #doneEnds;
   #done = '';
@@ -108,6 +111,7 @@ export class PanelController extends EventTarget {
     /** The parameters that the panel shows, in this order; undefined means all. */
     this.only = known?.length ? known : undefined;
     this.#restoreQuality();
+    this.#report = new Report(fire);
     this.#history = new UndoHistory(fire, () => this.#changed(), modelDefault, (id) => this.defaultOf(id));
     for (const name of CHANGES) fire.addEventListener(name, this.#update);
     this.#update();
@@ -253,8 +257,9 @@ export class PanelController extends EventTarget {
   async copy(what) {
     const label = COPY_LABELS[what];
     const config = await this.#try(() => this.#fire.exportConfig());
-    if (!config) return;
-    const text = this.#textOf(what, config);
+    // A fire that has failed has a report alone.
+    const text = what === 'report' ? this.#report.text(this.#page && config && pageLink(config, this.#page), config) : config && this.#textOf(what, config);
+    if (!text) return;
     try {
       await navigator.clipboard.writeText(text);
       this.#notify(`copy:${what}`, `Copied: ${label}`);
@@ -302,6 +307,7 @@ export class PanelController extends EventTarget {
   /** Closes the card and stops listening. */
   close() {
     for (const name of CHANGES) this.#fire.removeEventListener(name, this.#update);
+    this.#report.close();
     clearTimeout(this.#doneEnds);
     this.#card?.close();
   }

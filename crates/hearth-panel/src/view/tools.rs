@@ -199,6 +199,8 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui, scrolls: bool) {
         copies(&state.controller, out, ui, control);
         ui.add_space(6.0);
         paste(&state.controller, out, ui, control);
+        ui.add_space(6.0);
+        report(&state.controller, out, ui, control);
     }
     if state.reveal.tools && scrolls {
         scroll_into_view(ui, rect.with_max_y(ui.cursor().top()));
@@ -240,22 +242,54 @@ fn copies(controller: &ControllerState, out: &mut Output, ui: &mut Ui, control: 
     }
 }
 
+/// A line with one button, which confirms its action.
+struct Line {
+    label: &'static str,
+    /// What the controller reports as done.
+    key: &'static str,
+    text: &'static str,
+    done: &'static str,
+    hint: &'static str,
+    command: Command,
+}
+
 fn paste(controller: &ControllerState, out: &mut Output, ui: &mut Ui, control: f32) {
-    let rect = labelled(ui, control, "Paste");
-    let done = controller.done == "paste";
-    let text = if done {
-        "Applied"
-    } else {
-        "Settings from JSON…"
+    let line = Line {
+        label: "Paste",
+        key: "paste",
+        text: "Settings from JSON…",
+        done: "Applied",
+        hint: "Apply settings that were copied as JSON",
+        command: Command::Paste,
     };
-    let face = Face {
-        lit: done,
-        ..Face::text(text)
+    line.show(controller, out, ui, control);
+}
+
+fn report(controller: &ControllerState, out: &mut Output, ui: &mut Ui, control: f32) {
+    let line = Line {
+        label: "Report",
+        key: "copy:report",
+        text: "Copy for an issue",
+        done: "Copied",
+        hint: "Version, browser, settings, measurements and the last errors",
+        command: Command::Copy("report"),
     };
-    let name = "action:paste";
-    let response = button::show(ui, rect, Id::unique(name), face);
-    out.place(ui, name, rect);
-    if response.clicked() {
-        out.send(Command::Paste);
+    line.show(controller, out, ui, control);
+}
+
+impl Line {
+    fn show(self, controller: &ControllerState, out: &mut Output, ui: &mut Ui, control: f32) {
+        let rect = labelled(ui, control, self.label);
+        let done = controller.done == self.key;
+        let face = Face {
+            lit: done,
+            ..Face::text(if done { self.done } else { self.text })
+        };
+        let name = format!("action:{}", self.key);
+        let response = button::show(ui, rect, Id::unique(&name), face).on_hover_text(self.hint);
+        out.place(ui, name, rect);
+        if response.clicked() {
+            out.send(self.command);
+        }
     }
 }

@@ -50,6 +50,8 @@ export interface HearthFire extends HearthProperties {}
 
 /** The class of `<hearth-fire>`. A fire, simulated by smoothed particle hydrodynamics. */
 export class HearthFire extends HTMLElement {
+  /** The version of this module. */
+  static readonly version: string;
   /** The URL of the wasm file, if it is not `wasm/hearth-engine_bg.wasm` beside this module. Set it before the first fire. */
   static wasmUrl: string | URL | undefined;
   /** Where the engine runs; `auto`: in a worker if workers can draw, else on the main thread. Set it before the first fire. */
@@ -70,7 +72,7 @@ export class HearthFire extends HTMLElement {
   paused: boolean;
   /** `false`: the fire is paused until `play()`. */
   autoplay: boolean;
-  /** The URL of a JSON file with settings, as `exportConfig()` returns them; empty without one. */
+  /** The URL of a JSON file with settings, as `exportConfig()` returns them; empty without one. A fire begins without a file that takes longer than two seconds, and takes it over when it arrives. */
   src: string;
   /** When the fire is loaded: `auto`, at once if it is visible, else when the page has loaded; `lazy`, when it comes near the window; `eager`, at once. */
   loading: 'auto' | 'lazy' | 'eager';

@@ -189,14 +189,21 @@ test('a fire that is added while the context is lost is ready when it can be see
   assert.equal(late, true);
 });
 
-test('a fire out of sight is ready without a picture', async () => {
-  const tab = await browser.open(`<div style="height: 4000px"></div>${FIRE}`, {});
-  const drawn = await tab.fire(async (fire) => {
+test('a fire out of sight is ready without a picture, and a picture of it is refused', async () => {
+  const tab = await browser.open(`<div style="height: 4000px"></div>${FIRE}`, { before: countByHand });
+  const [drawn, refused] = await tab.fire(async (fire) => {
     fire.loading = 'eager';
     await fire.ready;
-    return fire.shadowRoot.querySelector('.root').hasAttribute('data-drawn');
+    let waits = true;
+    const picture = fire.toBlob().then(() => 'a picture', ({ message }) => message).finally(() => (waits = false));
+    while (waits) {
+      /** @type {any} */ (window).count(1);
+      await new Promise((resolve) => setTimeout(resolve, 10));
+    }
+    return [fire.shadowRoot.querySelector('.root').hasAttribute('data-drawn'), await picture];
   });
   assert.equal(drawn, false);
+  assert.match(refused, /no frame: the fire is out of sight/);
 });
 
 test('a fire of a main thread whose engine throws is continued', async () => {

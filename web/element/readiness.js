@@ -3,7 +3,7 @@
  * fire is followed by another.
  */
 
-import { countdown } from '../engine/countdown.js';
+import { countdown } from '../engine/time-limit.js';
 import { deferred } from './requests.js';
 
 /** Maximum time from the first values of a visible fire to its picture [s]. */

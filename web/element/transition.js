@@ -41,7 +41,8 @@ export function run(calls, session, checked, how) {
   calls.transitions ??= new Transitions(session);
   const { transitions } = calls;
   for (const call of calls.splice(0)) transitions.record(call);
-  calls.push = (call) => transitions.record(call);
+  // Assigning fails where a page has frozen `Array.prototype`.
+  Object.defineProperty(calls, 'push', { value: (/** @type {Asked} */ call) => transitions.record(call) });
   calls.end = () => transitions.end();
   return transitions.run(checked, how);
 }

@@ -3,7 +3,7 @@
  */
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, test } from 'node:test';
-import { countdown } from '../../web/engine/countdown.js';
+import { countdown } from '../../web/engine/time-limit.js';
 
 const real = { setInterval, clearInterval, now: performance.now, document: globalThis.document };
 let now = 0;

@@ -92,8 +92,14 @@ for (const [what, call] of /** @type {[string, 'reset' | 'sparks'][]} */ ([['end
     assert.deepEqual(await tab.evaluate(() => Promise.all(/** @type {any} */ (window).answers)), ['stopped', 'stopped']);
     await assertReturns(tab);
     assert.deepEqual(await tab.fire((fire) => fire.params), before);
-    assert.match((await events(tab, 'error'))[0].message, /engine has stopped: it has not answered for 10 seconds/);
+    const [error] = await events(tab, 'error');
+    assert.match(error.message, /engine has stopped: it has not answered for 10 seconds/);
     assert.equal((await tab.living()).workers, 1);
+    assert.equal(error.version, await tab.fire((fire) => fire.constructor.version));
+    assert.equal(error.seed, 4);
+    const same = await browser.open(`index.html${error.settings}`);
+    await same.ready();
+    assert.deepEqual(await same.fire((fire) => fire.params), before);
   });
 }
 

@@ -5,13 +5,15 @@
  */
 
 import { timely } from '../engine/time-limit.js';
+import { VERSION } from '../generated/version.js';
+import { DEFAULTS } from './attributes.js';
 import { cut, refusal } from './requests.js';
 
 /** The reports of one element. */
 export class Reports {
   #fire;
 
-  /** @param {HTMLElement} fire */
+  /** @param {import('../hearth-fire.js').HearthFire} fire */
   constructor(fire) {
     this.#fire = fire;
   }
@@ -24,7 +26,20 @@ export class Reports {
   /** Reports an error as a warning in the console and as an event. @type {(kind: string, message: string, more?: object) => void} */
   warn(kind, message, more) {
     console.warn(`<hearth-fire>: ${message}`);
+    this.failure(kind, message, more);
+  }
+
+  /** Reports an error as an event, by default with what shows the same fire to a maintainer. @type {(kind: string, message: string, more?: object) => void} */
+  failure(kind, message, more = this.#same()) {
     this.emit('error', { kind, message, ...more });
+  }
+
+  /** The version, the seed, and the settings as the URL parameters of the page of Hearth. */
+  #same() {
+    const { params, objects } = this.#fire;
+    const values = Object.entries({ scene: 'default', ...params }).filter(([id, value]) => value !== /** @type {{[id: string]: unknown}} */ (DEFAULTS)[id]);
+    if (objects.length > 1) values.push(['objects', JSON.stringify(objects)]);
+    return { version: VERSION, seed: params.seed, settings: `?${new URLSearchParams(/** @type {any} */ (values))}` };
   }
 
   /** Reports refused values; returns the error that names them. @type {(errors: Refusal[]) => Error} */

@@ -369,7 +369,7 @@ export class FireSession {
       // The last frame stays visible.
       this.#drawable = false;
       this.#updateState();
-      reports.emit('error', { kind: message.kind, message: message.message });
+      reports.failure(message.kind, message.message);
     } else if (message.burns) {
       reports.warn(message.kind, message.message);
     } else if (message.kind === 'stopped') {

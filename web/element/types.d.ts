@@ -41,7 +41,15 @@ export interface HearthRangeError extends RangeError {
 
 /** The detail of an `error` event. */
 export type HearthErrorDetail =
-  | { kind: 'unsupported' | 'load' | 'context-lost' | 'stopped'; message: string }
+  | {
+      kind: 'unsupported' | 'load' | 'context-lost' | 'stopped';
+      message: string;
+      /** The version of Hearth. */
+      version: string;
+      seed: number;
+      /** URL parameters, with which the page of Hearth shows the same fire. */
+      settings: string;
+    }
   | {
       kind: 'bad-parameter';
       message: string;

@@ -61,6 +61,7 @@ fn run(command: Xtask) -> Result<ExitCode> {
             );
         }
         XtaskCmd::Package(_) => package::build()?,
+        XtaskCmd::Reproduce(_) => package::reproduce()?,
         XtaskCmd::Test(test) => {
             if !stages::run(test.skip_browser, &test.stage)? {
                 return Ok(ExitCode::FAILURE);

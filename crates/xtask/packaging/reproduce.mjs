@@ -46,6 +46,6 @@ async function release(checkout, to) {
 /** @param {string} cwd @param {string} program @param {string[]} words */
 function run(cwd, program, ...words) {
   const { CARGO_TARGET_DIR: _, ...env } = process.env;
-  if (cwd === copy) env.CARGO_HOME = path.join(scratch, 'cargo');
+  if (!cwd.startsWith(ROOT)) env.CARGO_HOME = path.join(scratch, 'cargo');
   return execFileSync(program, words, { cwd, env, encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'], shell: process.platform === 'win32' }).trim();
 }

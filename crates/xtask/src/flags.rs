@@ -44,6 +44,13 @@ xflags::xflags! {
             /// The seed of the corners.
             optional --seed number: u32
         }
+        /// Sends random values, messages, links and bytes to every decoder.
+        cmd fuzz {
+            /// How long each law is tried.
+            optional --minutes number: u32
+            /// The seed of the first case.
+            optional --seed number: u32
+        }
         /// Measures speed beside other programs and updates docs/evaluation.md.
         cmd bench {
             /// Counts the instructions of a step instead, and compares them with the recorded ones.
@@ -139,6 +146,7 @@ mod tests {
             "look default → scene: [\"default\"]",
             "goldens --snapshots default → name: [\"default\"], snapshots: true",
             "soak --seed 7 → corners: None, seed: Some(7)",
+            "fuzz --minutes 3 → minutes: Some(3), seed: None",
             "bench --yardstick=./other → yardstick: Some(\"./other\")",
             "bench --write --instructions → instructions: true, write: true",
             "package → Package",

@@ -90,15 +90,10 @@ pub(crate) fn compile(modules: &[&Module]) -> Result<()> {
     for module in modules {
         cargo = cargo.arg("--package").arg(module.package);
     }
-    let profile = modules.first().map(|module| module.profile);
-    cargo = cargo.args(
-        profile
-            .map(|profile| ["--profile", profile])
-            .into_iter()
-            .flatten(),
-    );
+    let profile = modules.first().map_or("dev", |module| module.profile);
+    cargo = cargo.args(["--profile", profile]);
     // Tests in wasm share the profile `dev`, and have no such flags.
-    if profile != Some("dev") {
+    if profile != "dev" {
         let (name, flags) = tools::portable_paths()?;
         cargo = cargo.env(name, flags);
     }

@@ -43,23 +43,21 @@ fn metadata(arguments: &[&str]) -> Result<serde_json::Value> {
 pub(crate) fn portable_paths() -> Result<(&'static str, String)> {
     const NAME: &str = "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS";
     let described = metadata(&["--filter-platform", WASM])?;
-    let folder = |value: &serde_json::Value| value.as_str().map(str::to_owned);
     let packages = described["packages"].as_array().into_iter().flatten();
     let foreign = packages.filter(|package| !package["source"].is_null());
     let unpacked = foreign.filter_map(|package| {
         let manifest = Path::new(package["manifest_path"].as_str()?);
-        Some(manifest.ancestors().nth(2)?.display().to_string())
+        manifest.ancestors().nth(2)?.to_str()
     });
+    let unpacked: BTreeSet<_> = unpacked.map(|from| (from, "")).collect();
     // The last flag that matches wins: the target folder is often inside the checkout.
     let own = [("workspace_root", ""), ("target_directory", "target")];
-    let own = own
-        .into_iter()
-        .filter_map(|(name, to)| Some((folder(&described[name])?, to)));
-    let unpacked: BTreeSet<_> = unpacked.map(|from| (from, "")).collect();
-    let flags = own.chain(unpacked).filter_map(|(from, to)| {
-        // cargo splits the variable at white space: a folder with white space keeps its name.
-        (!from.contains(char::is_whitespace)).then(|| format!("--remap-path-prefix={from}={to}"))
-    });
+    let own = own.map(|(name, to)| (described[name].as_str().unwrap_or_default(), to));
+    // cargo splits the variable at white space: a folder with white space keeps its name.
+    let folders = own.into_iter().chain(unpacked);
+    let flags = folders
+        .filter(|(from, _)| !from.contains(char::is_whitespace))
+        .map(|(from, to)| format!("--remap-path-prefix={from}={to}"));
     let present = env::var(NAME).into_iter();
     Ok((NAME, present.chain(flags).collect::<Vec<_>>().join(" ")))
 }

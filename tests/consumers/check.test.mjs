@@ -4,6 +4,7 @@
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { appendFile, readFile, rm, writeFile } from 'node:fs/promises';
+import { homedir } from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -16,6 +17,7 @@ const CHECK = fileURLToPath(new URL('../../crates/xtask/packaging/check.mjs', im
 const FAULTS = [
   ['a file that an entry point names and that is not there', (folder) => rm(path.join(folder, 'share.js')), /"\.\/share"\] names .*share\.js/],
   ['a file that nothing needs', (folder) => writeFile(path.join(folder, 'stray.js'), ''), /stray\.js/],
+  ['a folder of this machine', (folder) => appendFile(path.join(folder, 'README.md'), path.join(homedir(), 'x')), /README\.md contains/],
   ['a link that ends nowhere', (folder) => appendFile(path.join(folder, 'README.md'), '[a](gone.md)'), /links to gone\.md/],
   ['an event that custom-elements.json does not know', (folder) => edit(folder, 'hearth-fire.d.ts', 'ready: CustomEvent<null>;', 'steady: CustomEvent<null>;$&'), /steady/],
   ['a declaration that does not compile', (folder) => edit(folder, 'share.d.ts', 'URLSearchParams', 'URLSearchParms'), /URLSearchParms/],

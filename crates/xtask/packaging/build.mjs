@@ -22,6 +22,8 @@ const CARRIED = {
   // The panel draws its words with this font, which asks that its licence goes with it.
   'crates/hearth-panel/font/LICENCE.txt': 'LICENSE-FONT',
   'crates/xtask/packaging/README.npm.md': 'README.md',
+  'web/THIRD-PARTY.txt': 'THIRD-PARTY.txt',
+  'web/hearth-fire.cdx.json': 'hearth-fire.cdx.json',
 };
 
 const [site, out, version] = process.argv.slice(2);

@@ -1,7 +1,7 @@
 /**
  * Checks the package: `node check.mjs PACKAGE SCRATCH`. Every entry point exists, npm packs
- * exactly the files that they reach, without a warning, and a strict compiler accepts the
- * types.
+ * exactly the files that they reach, without a warning, no file names a folder of this
+ * machine, and a strict compiler accepts the types.
  */
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
@@ -9,6 +9,7 @@ import { cp, readFile, rm, stat, symlink, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
+import { machinePaths } from './bytes.mjs';
 import { pictures, reached, typesReached } from './graph.mjs';
 import { DOCS, beginningsOf, entries, typesOf } from './manifest.mjs';
 
@@ -21,7 +22,9 @@ const PAPERS = [
   'LICENSE-FONT',
   'LICENSE-MIT',
   'README.md',
+  'THIRD-PARTY.txt',
   'custom-elements.json',
+  'hearth-fire.cdx.json',
   'package.json',
   ...DOCS,
 ];
@@ -33,6 +36,7 @@ const manifest = JSON.parse(await readFile(path.join(folder, 'package.json'), 'u
 await entryPointsAreThere();
 await packsExactly();
 await linksEnd();
+assert.deepEqual(await machinePaths(folder), []);
 await typesCompile();
 console.log('The package is whole: entry points, files, links and types.');
 

@@ -9,7 +9,10 @@
 const INLINE = './hearth-fire.inline.js';
 
 /** What users of the package read. */
-export const DOCS = ['element', 'embedding', 'iframe', 'package', 'parameters', 'scenes', 'simulation'].map((name) => `docs/${name}.md`);
+export const DOCS = [
+  'SECURITY.md',
+  ...['element', 'embedding', 'iframe', 'package', 'parameters', 'scenes', 'simulation'].map((name) => `docs/${name}.md`),
+];
 
 /**
  * What is published.

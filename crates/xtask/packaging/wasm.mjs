@@ -15,8 +15,8 @@ const WASM_OPT = path.join(path.dirname(createRequire(import.meta.url).resolve('
 
 /** Shrinks the modules in a folder. @param {string} folder */
 export async function shrink(folder) {
-  for (const name of await readdir(folder)) {
-    if (!name.endsWith('.wasm') || name.startsWith('hearth-panel')) continue;
+  const names = (await readdir(folder)).filter((name) => name.endsWith('.wasm') && !name.startsWith('hearth-panel'));
+  await Promise.all(names.map(async (name) => {
     const file = path.join(folder, name);
     const { size: before } = await stat(file);
     // It reads from the module which instructions browsers may be given.
@@ -24,5 +24,5 @@ export async function shrink(folder) {
     await rename(`${file}.opt`, file);
     const { size: after } = await stat(file);
     console.log(`wasm-opt: ${name} ${before} → ${after} bytes`);
-  }
+  }));
 }

@@ -74,7 +74,7 @@ pub(crate) fn refresh(root: &Path) -> Result<Vec<String>> {
 /// The files of the element's class come last, because they name parameters.
 pub(crate) fn refresh_checkout() -> Result<Vec<String>> {
     let mut written = refresh(&crate::paths::root())?;
-    written.extend(crate::script::element_files()?.lines().map(str::to_owned));
+    written.extend(crate::script::derived_files()?.lines().map(str::to_owned));
     Ok(written)
 }
 

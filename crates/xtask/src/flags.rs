@@ -23,6 +23,8 @@ xflags::xflags! {
         }
         /// Builds the npm package in dist/npm.
         cmd package {}
+        /// Builds the last commit in another folder and compares the bytes.
+        cmd reproduce {}
         /// Checks everything, or only the named stages.
         cmd test {
             /// Skips the stages that need a browser.
@@ -40,6 +42,13 @@ xflags::xflags! {
             /// The number of corners of each model.
             optional --corners number: u32
             /// The seed of the corners.
+            optional --seed number: u32
+        }
+        /// Sends random values, messages, links and bytes to every decoder.
+        cmd fuzz {
+            /// How long each law is tried.
+            optional --minutes number: u32
+            /// The seed of the first case.
             optional --seed number: u32
         }
         /// Measures speed beside other programs and updates docs/evaluation.md.
@@ -124,43 +133,31 @@ mod tests {
 
     #[test]
     fn every_command_parses_its_options() {
-        for (line, parsed) in [
-            ("serve", "Serve { port: None, no_open: false }"),
-            ("serve --port 90 --no-open", "port: Some(90), no_open: true"),
-            ("serve --no-open --port=90", "port: Some(90), no_open: true"),
-            ("build", "Build { url: None }"),
-            (
-                "build --url https://a.example",
-                "Some(Base(\"https://a.example/\"))",
-            ),
-            (
-                "build --url=https://a.example/",
-                "Some(Base(\"https://a.example/\"))",
-            ),
-            (
-                "test --skip-browser lint",
-                "stage: [\"lint\"], skip_browser: true",
-            ),
-            ("validate plume puffing", "case: [\"plume\", \"puffing\"]"),
-            ("thumbnails candle", "scene: [\"candle\"]"),
-            ("look default", "scene: [\"default\"]"),
-            (
-                "goldens --snapshots default",
-                "name: [\"default\"], snapshots: true",
-            ),
-            ("soak --seed 7", "corners: None, seed: Some(7)"),
-            ("bench --yardstick=./other", "yardstick: Some(\"./other\")"),
-            (
-                "bench --write --instructions",
-                "instructions: true, write: true",
-            ),
-            ("package", "Package"),
-            ("poster", "Poster"),
-            ("showcase", "Showcase"),
-            ("burning", "Burning"),
-            ("size", "Size"),
-            ("codegen", "Codegen"),
+        for case in [
+            "serve → Serve { port: None, no_open: false }",
+            "serve --port 90 --no-open → port: Some(90), no_open: true",
+            "serve --no-open --port=90 → port: Some(90), no_open: true",
+            "build → Build { url: None }",
+            "build --url https://a.example → Some(Base(\"https://a.example/\"))",
+            "build --url=https://a.example/ → Some(Base(\"https://a.example/\"))",
+            "test --skip-browser lint → stage: [\"lint\"], skip_browser: true",
+            "validate plume puffing → case: [\"plume\", \"puffing\"]",
+            "thumbnails candle → scene: [\"candle\"]",
+            "look default → scene: [\"default\"]",
+            "goldens --snapshots default → name: [\"default\"], snapshots: true",
+            "soak --seed 7 → corners: None, seed: Some(7)",
+            "fuzz --minutes 3 → minutes: Some(3), seed: None",
+            "bench --yardstick=./other → yardstick: Some(\"./other\")",
+            "bench --write --instructions → instructions: true, write: true",
+            "package → Package",
+            "reproduce → Reproduce",
+            "poster → Poster",
+            "showcase → Showcase",
+            "burning → Burning",
+            "size → Size",
+            "codegen → Codegen",
         ] {
+            let (line, parsed) = case.split_once(" → ").unwrap_or_default();
             let command = parse(line);
             assert!(
                 command

@@ -61,6 +61,7 @@ fn run(command: Xtask) -> Result<ExitCode> {
             );
         }
         XtaskCmd::Package(_) => package::build()?,
+        XtaskCmd::Reproduce(_) => package::reproduce()?,
         XtaskCmd::Test(test) => {
             if !stages::run(test.skip_browser, &test.stage)? {
                 return Ok(ExitCode::FAILURE);
@@ -68,6 +69,7 @@ fn run(command: Xtask) -> Result<ExitCode> {
         }
         XtaskCmd::Validate(validate) => validate::run(&validate.case)?,
         XtaskCmd::Soak(soak) => validate::soak(soak.corners, soak.seed)?,
+        XtaskCmd::Fuzz(fuzz) => validate::fuzz(fuzz.minutes, fuzz.seed)?,
         XtaskCmd::Bench(bench) => bench::run(&bench)?,
         XtaskCmd::Look(look) => look::run(&look.scene)?,
         XtaskCmd::Goldens(goldens) => goldens::write(goldens.snapshots, &goldens.name)?,

@@ -24,22 +24,35 @@ pub(crate) fn build() -> Result<()> {
 
 /// Makes the package of the built site, and checks it.
 pub(crate) fn make() -> Result<()> {
-    npm::install(&packaging())?;
-    let (package, web, scripts) = (folder(), paths::site().join("web"), packaging());
+    npm::install(&scripts())?;
+    let (package, site, scripts) = (folder(), paths::site(), scripts());
     let scratch = tools::target()?.join("package-check");
     // The crates of the workspace have the version of the package.
     let version = env!("CARGO_PKG_VERSION");
     let sh = Shell::new()?;
-    cmd!(sh, "node {scripts}/build.mjs {web} {package} {version}").run()?;
+    cmd!(
+        sh,
+        "node {scripts}/build.mjs {site}/web {package} {version}"
+    )
+    .run()?;
     cmd!(sh, "node {scripts}/check.mjs {package} {scratch}").run()?;
+    cmd!(sh, "node {scripts}/again.mjs {site} {package} {scratch}").run()?;
     sizes(&package)
+}
+
+/// Builds the last commit in a folder with another name, and compares all that it releases with
+/// what this checkout releases.
+pub(crate) fn reproduce() -> Result<()> {
+    build()?;
+    let (sh, scripts) = (Shell::new()?, scripts());
+    Ok(cmd!(sh, "node {scripts}/reproduce.mjs").run()?)
 }
 
 /// Prints the download sizes of a package or a site's `web` folder; fails where one is
 /// over its ceiling.
 pub(crate) fn sizes(folder: &Path) -> Result<()> {
     script::tools()?;
-    let (sh, scripts) = (Shell::new()?, packaging());
+    let (sh, scripts) = (Shell::new()?, scripts());
     Ok(cmd!(sh, "node {scripts}/sizes.mjs {folder}").run()?)
 }
 
@@ -48,6 +61,7 @@ pub(crate) fn folder() -> PathBuf {
     paths::root().join("dist/npm")
 }
 
-fn packaging() -> PathBuf {
+/// The scripts that make and check it.
+pub(crate) fn scripts() -> PathBuf {
     paths::root().join("crates/xtask/packaging")
 }

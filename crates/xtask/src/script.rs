@@ -7,7 +7,7 @@ use anyhow::Result;
 use xshell::cmd;
 
 use crate::shell::Shell;
-use crate::{npm, paths};
+use crate::{npm, package, paths};
 
 /// Installs esbuild, which `scripts/` pins.
 pub(crate) fn tools() -> Result<()> {
@@ -39,11 +39,14 @@ pub(crate) fn check_types() -> Result<()> {
     Ok(())
 }
 
-/// Derives the files about the element from its class; returns those that it writes.
-pub(crate) fn element_files() -> Result<String> {
+/// Derives the files about the element from its class, and those about the code of others
+/// from `Cargo.lock`; returns those that it writes, a line each.
+pub(crate) fn derived_files() -> Result<String> {
     tools()?;
-    let (sh, scripts) = (Shell::new()?, folder());
-    Ok(cmd!(sh, "node {scripts}/element.mjs").read()?)
+    let (sh, scripts, packaging) = (Shell::new()?, folder(), package::scripts());
+    let element = cmd!(sh, "node {scripts}/element.mjs").read()?;
+    let legal = cmd!(sh, "node {packaging}/legal.mjs").read()?;
+    Ok(format!("{element}\n{legal}").trim().to_owned())
 }
 
 /// Runs a program that `scripts/` pins.

@@ -4,8 +4,7 @@
 //! program: `Cargo.lock` pins it to the version of the bindings. Every URL of the site is
 //! relative, so the folder works wherever it is put.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::thread;
 use std::time::Instant;
@@ -70,6 +69,9 @@ pub(crate) fn build() -> Result<()> {
             sh.copy_file(example, &examples)?;
         }
     }
+    for licence in ["LICENSE-APACHE", "LICENSE-MIT"] {
+        sh.copy_file(licence, &web)?;
+    }
     let html = sh.read_file("index.html")?;
     sh.write_file(site.join("index.html"), without_trunk_links(&html))?;
     println!(
@@ -88,8 +90,14 @@ pub(crate) fn compile(modules: &[&Module]) -> Result<()> {
     for module in modules {
         cargo = cargo.arg("--package").arg(module.package);
     }
-    let profile = modules.first().map(|module| ["--profile", module.profile]);
-    Ok(cargo.args(profile.into_iter().flatten()).run()?)
+    let profile = modules.first().map_or("dev", |module| module.profile);
+    cargo = cargo.args(["--profile", profile]);
+    // Tests in wasm share the profile `dev`, and have no such flags.
+    if profile != "dev" {
+        let (name, flags) = tools::portable_paths()?;
+        cargo = cargo.env(name, flags);
+    }
+    Ok(cargo.run()?)
 }
 
 /// Makes `name.js` and `name_bg.wasm` of the compiled `module`.
@@ -205,21 +213,6 @@ fn without_trunk_links(html: &str) -> String {
     }
     kept.push_str(rest);
     kept
-}
-
-/// Every file under `folder`, by its path there with `/` between, and its content.
-pub(crate) fn files(sh: &Shell, folder: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
-    let mut found = BTreeMap::new();
-    for path in sh.read_dir(folder)? {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        if path.is_dir() {
-            let below = files(sh, &path)?.into_iter();
-            found.extend(below.map(|(file, content)| (format!("{name}/{file}"), content)));
-        } else {
-            found.insert(name.into_owned(), fs::read(&path)?);
-        }
-    }
-    Ok(found)
 }
 
 #[cfg(test)]

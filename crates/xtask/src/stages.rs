@@ -93,6 +93,12 @@ const STAGES: &[Stage] = &[
     .needs("site"),
     Stage::new("size", "downloads stay small", size).needs("site"),
     Stage::new(
+        "package",
+        "the npm package is whole and reproducible, and names no folder of this machine",
+        package::make,
+    )
+    .needs("site"),
+    Stage::new(
         "library",
         "the headless library keeps its laws in Node, and the native bits",
         library::laws_in_node,
@@ -133,7 +139,7 @@ const STAGES: &[Stage] = &[
         "the npm package works in pages, bundlers, React and on servers",
         browser::consumers,
     )
-    .needs("site")
+    .needs("package")
     .in_browser(),
     Stage::new("trunk", "Trunk builds the same site", trunk::same_site).needs("site"),
     Stage::new(
@@ -208,6 +214,7 @@ mod tests {
     #[test]
     fn a_stage_brings_what_it_needs() -> Result<()> {
         assert_eq!(names(&["e2e"])?, ["site", "e2e"]);
+        assert_eq!(names(&["consumers"])?, ["site", "package", "consumers"]);
         assert_eq!(names(&["trunk-page"])?, ["site", "trunk", "trunk-page"]);
         assert_eq!(names(&["native", "format"])?, ["format", "native"]);
         assert_eq!(names(&[])?.len(), STAGES.len());

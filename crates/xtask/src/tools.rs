@@ -4,6 +4,7 @@
 //! `serve` and `build` need the wasm target and Node. Tests also need browsers with their
 //! drivers, wasm-bindgen's test runner, valgrind, the reference compiler of GLSL and Trunk.
 
+use std::collections::BTreeSet;
 use std::env;
 use std::path::{Path, PathBuf};
 
@@ -25,11 +26,40 @@ const NODE_MAJOR: u32 = 20;
 
 /// cargo's target folder, which the environment may have moved.
 pub(crate) fn target() -> Result<PathBuf> {
-    let sh = Shell::new()?;
-    let described = cmd!(sh, "cargo metadata --format-version 1 --no-deps").read()?;
-    let described: serde_json::Value = serde_json::from_str(&described)?;
-    let target = described["target_directory"].as_str().map(PathBuf::from);
+    let target = metadata(&["--no-deps"])?["target_directory"]
+        .as_str()
+        .map(PathBuf::from);
     target.context("cargo does not name its target folder")
+}
+
+fn metadata(arguments: &[&str]) -> Result<serde_json::Value> {
+    let sh = Shell::new()?;
+    let described = cmd!(sh, "cargo metadata --format-version 1 {arguments...}").read()?;
+    Ok(serde_json::from_str(&described)?)
+}
+
+/// A variable for cargo. It adds flags for wasm to those of `.cargo/config.toml`, which remove
+/// the folders of this machine from the file names in panic messages.
+pub(crate) fn portable_paths() -> Result<(&'static str, String)> {
+    const NAME: &str = "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS";
+    let described = metadata(&["--filter-platform", WASM])?;
+    let packages = described["packages"].as_array().into_iter().flatten();
+    let foreign = packages.filter(|package| !package["source"].is_null());
+    let unpacked = foreign.filter_map(|package| {
+        let manifest = Path::new(package["manifest_path"].as_str()?);
+        manifest.ancestors().nth(2)?.to_str()
+    });
+    let unpacked: BTreeSet<_> = unpacked.map(|from| (from, "")).collect();
+    // The last flag that matches wins: the target folder is often inside the checkout.
+    let own = [("workspace_root", ""), ("target_directory", "target")];
+    let own = own.map(|(name, to)| (described[name].as_str().unwrap_or_default(), to));
+    // cargo splits the variable at white space: a folder with white space keeps its name.
+    let folders = own.into_iter().chain(unpacked);
+    let flags = folders
+        .filter(|(from, _)| !from.contains(char::is_whitespace))
+        .map(|(from, to)| format!("--remap-path-prefix={from}={to}"));
+    let present = env::var(NAME).into_iter();
+    Ok((NAME, present.chain(flags).collect::<Vec<_>>().join(" ")))
 }
 
 /// Installs Rust's wasm target if it is missing.

@@ -1,6 +1,7 @@
 //! Long runs of the physics: `cargo xtask validate` compares it with theory and writes
 //! the table and its plots into `docs/evaluation.md` and `docs/validation`; `cargo xtask
-//! soak` drives fires to random corners of all ranges and back.
+//! soak` drives fires to random corners of all ranges and back; `cargo xtask fuzz` sends random
+//! values to every decoder.
 
 use anyhow::Result;
 use xshell::{Cmd, cmd};
@@ -39,13 +40,22 @@ pub(crate) fn run(names: &[String]) -> Result<()> {
 /// Runs that many corners of each model.
 pub(crate) fn soak(corners: Option<u32>, seed: Option<u32>) -> Result<()> {
     let sh = Shell::new()?;
-    let mut soak = example(&sh, "soak");
-    for (option, value) in [("--corners", corners), ("--seed", seed)] {
+    let options = [("--corners", corners), ("--seed", seed)].into_iter();
+    let given = options.filter_map(|(name, value)| Some([name.to_owned(), value?.to_string()]));
+    Ok(example(&sh, "soak").args(given.flatten()).run()?)
+}
+
+/// Tries every law of the decoders for that long, in Node and natively.
+pub(crate) fn fuzz(minutes: Option<u32>, seed: Option<u32>) -> Result<()> {
+    tools::node()?;
+    let sh = Shell::new()?;
+    for (name, value) in [("HEARTH_FUZZ_MINUTES", minutes), ("HEARTH_FUZZ_SEED", seed)] {
         if let Some(value) = value {
-            soak = soak.arg(option).arg(value.to_string());
+            sh.set_var(name, value.to_string());
         }
     }
-    Ok(soak.run()?)
+    cmd!(sh, "node --test tests/web/fuzz.test.mjs").run()?;
+    Ok(cmd!(sh, "cargo test --package hearth-tests --test fuzz").run()?)
 }
 
 /// A program of the tests' package.

@@ -52,12 +52,11 @@ pub(super) fn smoke(folder: &Path, address: Option<&str>) -> Result<()> {
         .run()?)
 }
 
-/// Makes the npm package of the built site, and lets every project of `tests/consumers`
-/// use it, in headless Chromium and in Node.
+/// Lets every project of `tests/consumers` use the npm package, in headless Chromium and in
+/// Node.
 pub(super) fn consumers() -> Result<()> {
     let chromium = tools::chromium()?;
     packages()?;
-    package::make()?;
     let sh = Shell::new()?;
     sh.change_dir("tests/consumers");
     Ok(cmd!(sh, "node run.mjs")

@@ -1,0 +1,57 @@
+/**
+ * The crates of other people that cargo compiles into the wasm modules, with what their
+ * packages say about them.
+ */
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
+
+const WASM = 'wasm32-unknown-unknown';
+const MODULES = ['hearth-engine', 'hearth-panel', 'hearth-sim'];
+
+/**
+ * @typedef {object} Crate
+ * @property {string} name
+ * @property {string} version
+ * @property {string} licence  An SPDX expression.
+ * @property {string[]} authors
+ * @property {string} folder  Where its files are.
+ * @property {string} checksum  The SHA-256 of its archive.
+ */
+
+/** The crates, by name and version. @param {string} root  The checkout. @returns {Crate[]} */
+export function compiled(root) {
+  const cargo = (/** @type {string[]} */ ...words) => (
+    execFileSync('cargo', words, { cwd: root, encoding: 'utf8', maxBuffer: 2 ** 28, stdio: ['ignore', 'pipe', 'inherit'] })
+  );
+  const tree = cargo(
+    'tree', '--target', WASM, '--edges', 'normal,no-proc-macro', '--prefix', 'none', '--no-dedupe', '--format', '{p}',
+    ...MODULES.flatMap((name) => ['--package', name]),
+  );
+  // A line is `name v1.2.3`, with a folder behind it for a crate of the workspace.
+  const wanted = new Set(tree.split('\n').map((line) => line.split(' ').slice(0, 2).join(' ')));
+  const { packages } = JSON.parse(cargo('metadata', '--format-version', '1', '--filter-platform', WASM));
+  const checksums = checksumsOf(readFileSync(path.join(root, 'Cargo.lock'), 'utf8'));
+  return packages
+    .filter(({ name, version, source }) => source && wanted.has(`${name} v${version}`))
+    .map(({ name, version, license, authors, manifest_path }) => ({
+      name,
+      version,
+      licence: license?.replaceAll('/', ' OR '),
+      authors: authors.map((author) => author.replace(/\s*<.*>/, '')),
+      folder: path.dirname(manifest_path),
+      checksum: checksums.get(`${name} ${version}`),
+    }))
+    .sort((a, b) => order(`${a.name} ${a.version}`, `${b.name} ${b.version}`));
+}
+
+/** The same order on every machine. @param {string} a @param {string} b */
+export function order(a, b) {
+  return a < b ? -1 : Number(a > b);
+}
+
+/** @param {string} lock @returns {Map<string, string>} */
+function checksumsOf(lock) {
+  const entry = /name = "(.*)"\r?\nversion = "(.*)"\r?\n(?:source = .*\r?\n)checksum = "(.*)"/g;
+  return new Map([...lock.matchAll(entry)].map(([, name, version, sum]) => [`${name} ${version}`, sum]));
+}

@@ -1,0 +1,111 @@
+/**
+ * Writes `web/THIRD-PARTY.txt`, the notices of other people's code in the wasm modules, and
+ * `web/hearth-fire.cdx.json`, the bill of materials. Prints the path of each file that was
+ * behind and is written. Both follow from `Cargo.lock`: the same on every machine.
+ */
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { compiled, order } from './crates.mjs';
+
+const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../..');
+const APACHE = text('LICENSE-APACHE');
+const FONT = { name: 'Ubuntu Light derivative Hearth', licence: 'LicenseRef-UFL-1.0' };
+
+/**
+ * The parts of the Rust standard library that wasm contains. Their versions are those of the
+ * compiler, and they bring no files: what they offer is the Apache License.
+ */
+const STANDARD = [
+  { name: 'Rust standard library', licence: 'MIT OR Apache-2.0', authors: ['The Rust Project contributors'] },
+  { name: 'compiler_builtins', licence: 'MIT AND Apache-2.0 WITH LLVM-exception', authors: ['The Rust Project contributors'] },
+  { name: 'cfg-if', licence: 'MIT OR Apache-2.0', authors: ['Alex Crichton'] },
+  { name: 'dlmalloc', licence: 'MIT OR Apache-2.0', authors: ['Alex Crichton'] },
+  { name: 'hashbrown', licence: 'MIT OR Apache-2.0', authors: ["Amanieu d'Antras"] },
+];
+
+const crates = compiled(ROOT);
+for (const [file, content] of [['web/THIRD-PARTY.txt', notices()], ['web/hearth-fire.cdx.json', materials()]]) {
+  const target = path.join(ROOT, file);
+  if (readdirSync(path.dirname(target)).includes(path.basename(file)) && text(file) === content) continue;
+  writeFileSync(target, content);
+  console.log(file);
+}
+
+/** Each text once, below the names of those whose text it is. */
+function notices() {
+  /** @type {Map<string, {licence: string, names: string[]}>} */
+  const owners = new Map();
+  const add = (/** @type {string} */ licence, /** @type {string} */ name) => {
+    // Copies differ in their line breaks.
+    const words = licence.replace(/\s+/g, ' ').trim();
+    owners.set(words, { licence, names: [...(owners.get(words)?.names ?? []), name] });
+  };
+  for (const one of STANDARD) add(APACHE, `${one.name}, ${one.licence}, by ${one.authors.join(', ')}`);
+  for (const one of crates) {
+    const by = one.authors.length ? `, by ${one.authors.join(', ')}` : '';
+    for (const licence of textsOf(one)) add(licence, `${one.name} ${one.version}, ${one.licence}${by}`);
+  }
+  add(text('crates/hearth-panel/font/LICENCE.txt'), `${FONT.name}, the font of the panel, a part of Ubuntu Light`);
+  const parts = [...owners.values()].map(({ licence, names }) => (
+    `${names.sort(order).join('\n')}\n\n${licence.replace(/^\n+/, '').trimEnd()}\n`
+  ));
+  const rule = `\n${'='.repeat(80)}\n\n`;
+  return [
+    'Third-party notices of Hearth\n\n'
+    + 'Hearth is licensed under MIT or Apache-2.0, at your option. Its wasm modules contain\n'
+    + 'the code below. Each licence follows the names of what it covers.\n',
+    ...parts.sort(order),
+  ].join(rule);
+}
+
+/**
+ * The texts that a crate asks to be passed on. Where its licence offers a choice, MIT's is
+ * enough, because it names the owners of the copyright.
+ * @param {import('./crates.mjs').Crate} one
+ */
+function textsOf({ name, licence, folder }) {
+  const files = readdirSync(folder).filter((file) => /^(LICEN[CS]E|COPYING|COPYRIGHT|NOTICE|UNLICENSE)/i.test(file));
+  const choice = / OR /.test(licence);
+  const mit = choice && files.some((file) => /MIT/i.test(file));
+  const unneeded = mit ? /APACHE|GPL|UNLICENSE|0BSD|ZLIB|BSD/i : /GPL/i;
+  const texts = files.filter((file) => !choice || !unneeded.test(file)).sort(order).map((file) => tidy(readFileSync(path.join(folder, file), 'utf8')));
+  if (texts.length) return texts;
+  if (!/Apache-2\.0/.test(licence)) throw new Error(`${name}: no file with its licence, ${licence}`);
+  return [APACHE];
+}
+
+/** CycloneDX 1.6, without a time or a number of its own. */
+function materials() {
+  const { name, license } = JSON.parse(text('web/package.json'));
+  const [, version] = /^version = "(.*)"/m.exec(text('Cargo.toml')) ?? [];
+  const licences = (/** @type {string} */ expression) => [{ expression }];
+  const content = {
+    bomFormat: 'CycloneDX',
+    specVersion: '1.6',
+    version: 1,
+    metadata: {
+      component: { type: 'library', 'bom-ref': `pkg:npm/${name}@${version}`, name, version, licenses: licences(license), purl: `pkg:npm/${name}@${version}` },
+    },
+    components: [
+      ...crates.map((one) => {
+        const purl = `pkg:cargo/${one.name}@${one.version}`;
+        const hashes = [{ alg: 'SHA-256', content: one.checksum }];
+        return { type: 'library', 'bom-ref': purl, name: one.name, version: one.version, hashes, licenses: licences(one.licence), purl };
+      }),
+      ...STANDARD.map(({ name: part, licence }) => ({ type: 'library', 'bom-ref': `rust:${part}`, name: part, group: 'rust', licenses: licences(licence) })),
+      { type: 'data', 'bom-ref': 'font', name: FONT.name, licenses: [{ license: { name: 'Ubuntu Font Licence 1.0' } }] },
+    ],
+  };
+  return `${JSON.stringify(content, null, 1)}\n`;
+}
+
+/** @param {string} file */
+function text(file) {
+  return tidy(readFileSync(path.join(ROOT, file), 'utf8'));
+}
+
+/** The same line ends and no blanks at them, so that equal texts are equal. @param {string} content */
+function tidy(content) {
+  return content.replace(/[^\S\n]+$/gm, '').replace(/^\uFEFF/, '');
+}

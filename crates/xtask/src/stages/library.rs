@@ -6,7 +6,7 @@ use anyhow::{Result, ensure};
 use xshell::cmd;
 
 use crate::shell::Shell;
-use crate::{paths, tools};
+use crate::{paths, script, tools};
 
 /// The laws of `hearth-fire/sim` in the built site, in Node.
 pub(super) fn laws_in_node() -> Result<()> {
@@ -19,7 +19,7 @@ pub(super) fn laws_in_node() -> Result<()> {
 
 /// The tests of scripts that need neither a browser nor a built site.
 pub(super) fn scripts_in_node() -> Result<()> {
-    tools::node()?;
+    script::tools()?;
     let sh = Shell::new()?;
     let tests = tests(&sh, "tests/web")?;
     Ok(cmd!(sh, "node --test --test-reporter spec {tests...}").run()?)

@@ -1,0 +1,69 @@
+//! The fires that pages open with: saved simulations in `web/burning`.
+#![cfg(not(target_arch = "wasm32"))]
+
+use std::fs;
+use std::path::Path;
+
+use hearth_core::burning::BurningError;
+use hearth_core::params::Input;
+use hearth_core::{Parameters, Preset, Simulation};
+
+/// The scenes that are stored.
+const STORED: [&str; 1] = ["fireside"];
+
+/// Gas above this temperature shines \[K\].
+const BRIGHT: f32 = 1000.0;
+
+fn stored(name: &str) -> Vec<u8> {
+    let file = format!("../web/burning/{name}.fire");
+    fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).expect("the stored fire")
+}
+
+fn values_of(name: &str) -> Parameters {
+    Preset::find(name).expect("the scene").parameters()
+}
+
+#[test]
+fn a_stored_fire_of_other_values_is_refused() {
+    for name in STORED {
+        let bytes = stored(name);
+        let mut values = values_of(name);
+        let mut own = Simulation::new(values.clone());
+        assert_eq!(own.restore_burning(&bytes), Ok(()), "{name}");
+        values
+            .set("fuel_power", Input::Number(123.0))
+            .expect("a power");
+        let refused = Simulation::new(values).restore_burning(&bytes);
+        assert_eq!(refused, Err(BurningError::OtherValues));
+    }
+}
+
+#[test]
+fn a_stored_fire_is_tall_at_every_quality() {
+    for name in STORED {
+        let bytes = stored(name);
+        for particles in [500.0, 1200.0, 3000.0, 6700.0] {
+            let mut values = values_of(name);
+            values
+                .set("max_particles", Input::Number(particles))
+                .expect("a number");
+            let floor = hearth_core::Burner::of(&values).bottom;
+            let height = values.domain_height;
+            let mut fire = Simulation::new(values);
+            let restored = fire.restore_burning(&bytes);
+            assert_eq!(restored, Ok(()), "{name} at {particles}");
+            let count = fire.count() as f64;
+            assert!(
+                (count / particles - 1.0).abs() < 0.1,
+                "{name}: {count} of {particles}"
+            );
+            let places = fire.positions().into_iter().zip(fire.temperatures());
+            let bright = places.filter(|&(_, kelvin)| kelvin > BRIGHT);
+            let top = bright.map(|(at, _)| at.y).fold(0.0, f32::max);
+            assert!(
+                top - floor > 0.25 * height,
+                "{name} at {particles}: {top} m"
+            );
+        }
+    }
+}

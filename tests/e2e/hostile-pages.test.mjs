@@ -187,7 +187,10 @@ test('a new engine needs no second download of the wasm', async () => {
     before: () => {
       // The life of an engine without fires.
       const { setTimeout } = window;
-      window.setTimeout = /** @type {any} */ ((act, time, ...rest) => setTimeout(act, time === 5000 ? 0 : time, ...rest));
+      window.setTimeout = /** @type {any} */ ((act, time, ...rest) => {
+        const ends = time === 5000 && /** @type {any} */ (window).ends;
+        return setTimeout(act, ends ? 0 : time, ...rest);
+      });
       // Ended workers.
       const { terminate } = Worker.prototype;
       Worker.prototype.terminate = function ended() {
@@ -198,6 +201,7 @@ test('a new engine needs no second download of the wasm', async () => {
   });
   await tab.burnt(0.2);
   await tab.evaluate(async () => {
+    /** @type {any} */ (window).ends = true;
     const removed = /** @type {any} */ (document.querySelector('hearth-fire'));
     await removed.destroy();
     removed.remove();
@@ -205,7 +209,11 @@ test('a new engine needs no second download of the wasm', async () => {
   });
   await tab.until('the engine has ended', () => /** @type {any} */ (window).ended);
   site.replace({ 'hearth-engine_bg.wasm': { drop: true } });
-  await tab.evaluate(() => document.body.append(/** @type {any} */ (window).removed));
+  await tab.evaluate(() => {
+    const page = /** @type {any} */ (window);
+    page.ends = false;
+    document.body.append(page.removed);
+  });
   await assertBurnsIn(tab, 'worker');
   site.replace({});
 });

@@ -42,7 +42,8 @@ export function run(calls, session, checked, how) {
   const { transitions } = calls;
   for (const call of calls.splice(0)) transitions.record(call);
   // Assigning fails where a page has frozen `Array.prototype`.
-  Object.defineProperty(calls, 'push', { value: (/** @type {Asked} */ call) => transitions.record(call) });
+  const push = (/** @type {Asked} */ call) => transitions.record(call);
+  Object.defineProperty(calls, 'push', { configurable: true, value: push });
   calls.end = () => transitions.end();
   return transitions.run(checked, how);
 }

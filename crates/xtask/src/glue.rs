@@ -3,10 +3,9 @@
 
 use std::cmp::Reverse;
 use std::collections::HashSet;
-use std::mem;
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use walrus::{ElementItems, Module, ModuleConfig};
 
 use crate::shell::Shell;
@@ -78,7 +77,7 @@ pub(crate) fn shorten(sh: &Shell, web: &Path) -> Result<()> {
             code = short(&code).with_context(|| format!("cannot shorten {}", script.display()))?;
             remove_dead(&mut module, &code);
         }
-        shorten_names(&mut module, &mut code);
+        shorten_names(&mut module, &mut code)?;
         module.emit_wasm_file(&wasm)?;
         sh.write_file(script, code)?;
     }
@@ -122,28 +121,30 @@ fn remove_dead(module: &mut Module, code: &str) {
 /// Gives each import and each private export a name of a letter or two. wasm-bindgen ends imports
 /// in a hash, so that several versions of a crate may meet in one module; sixteen random letters
 /// cannot be compressed.
-fn shorten_names(module: &mut Module, code: &mut String) {
+fn shorten_names(module: &mut Module, code: &mut String) -> Result<()> {
     let imports = module
         .imports
         .iter_mut()
         .map(|import| (&mut import.name, [" ", ": function"]));
-    let exports = module
+    let private = module
         .exports
         .iter_mut()
-        .map(|export| (&mut export.name, ["wasm.", ""]));
-    let private = exports.filter(|(name, _)| name.starts_with("__"));
+        .map(|export| (&mut export.name, ["wasm.", ""]))
+        .filter(|(name, _)| name.starts_with("__"));
     let mut names: Vec<_> = imports.chain(private).collect();
     // Longer names first: one may begin with another. Otherwise by name, so that the linker's
     // order does not matter.
     names.sort_by_cached_key(|(name, _)| (Reverse(name.len()), (*name).clone()));
     for (number, (name, [before, after])) in names.into_iter().enumerate() {
         let short = letters(number);
-        let long = mem::replace(name, short.clone());
-        *code = code.replace(
-            &format!("{before}{long}{after}"),
-            &format!("{before}{short}{after}"),
-        );
+        let long = format!("{before}{name}{after}");
+        // Wasm may export what the glue does not use.
+        let imported = !after.is_empty();
+        ensure!(!imported || code.contains(&long), "the glue lacks {name}");
+        *code = code.replace(&long, &format!("{before}{short}{after}"));
+        *name = short;
     }
+    Ok(())
 }
 
 /// A name of letters: a, b, … z, ba, bb, …

@@ -70,7 +70,7 @@ export class HearthFire extends HTMLElement {
   paused: boolean;
   /** `false`: the fire is paused until `play()`. */
   autoplay: boolean;
-  /** The URL of a JSON file with settings, as `exportConfig()` returns them; empty without one. */
+  /** The URL of a JSON file with settings, as `exportConfig()` returns them; empty without one. A fire begins without a file that takes longer than two seconds, and takes it over when it arrives. */
   src: string;
   /** When the fire is loaded: `auto`, at once if it is visible, else when the page has loaded; `lazy`, when it comes near the window; `eager`, at once. */
   loading: 'auto' | 'lazy' | 'eager';

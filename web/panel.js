@@ -14,6 +14,9 @@ import { listenToKeys } from './panel/keys.js';
 import { addSheet } from './panel/sheet.js';
 import { addStyle } from './panel/style.js';
 
+/** The maximum time until the panel's wasm arrives [ms]. */
+const WASM_MS = 120_000;
+
 /** How often a panel restarts after it lost its WebGL context. */
 const RESTARTS = 3;
 
@@ -28,7 +31,8 @@ let loading;
 function load() {
   loading ??= (async () => {
     const wasm = await import('./wasm/hearth-panel.js');
-    await wasm.default({ module_or_path: new URL('./wasm/hearth-panel_bg.wasm', import.meta.url) });
+    const url = new URL('./wasm/hearth-panel_bg.wasm', import.meta.url);
+    await wasm.default({ module_or_path: fetch(url, { signal: AbortSignal.timeout(WASM_MS) }) });
     return wasm;
   })().catch((error) => {
     loading = undefined;

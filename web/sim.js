@@ -323,6 +323,9 @@ if (Symbol.dispose) {
   });
 }
 
+/** The maximum time until the wasm arrives [ms]. */
+const WASM_MS = 60_000;
+
 /** @type {Promise<any>} The loaded wasm module, or undefined. */
 let module = Promise.resolve();
 
@@ -375,7 +378,7 @@ async function compiledFrom(url) {
     const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ files);
     return WebAssembly.compile(await readFile(new URL(href)));
   }
-  const response = await fetch(href);
+  const response = await fetch(href, { signal: AbortSignal.timeout(WASM_MS) });
   if (!response.ok) throw new Error(`${href} answers ${response.status}`);
   // Streaming needs the right content type.
   return response.headers.get('content-type') === 'application/wasm'

@@ -46,8 +46,9 @@ export class IframeFixture {
    * @param {object} [look]
    * @param {string} [look.style]  Of the page.
    * @param {string} [look.more]  HTML behind the iframe.
+   * @param {() => void} [look.before]  Runs in both pages before their scripts.
    */
-  open(query, { style = '', more = '' } = {}) {
+  open(query, { style = '', more = '', before } = {}) {
     const address = this.address(query).replaceAll('&', '&amp;');
     return this.browser.open(`<!doctype html>
       <meta charset="utf-8">
@@ -58,7 +59,7 @@ export class IframeFixture {
         ${style}
       </style>
       <script>(${keepMessages})('${this.fireOrigin}')</script>
-      <body><iframe src="${address}"></iframe>${more}</body>`);
+      <body><iframe src="${address}"></iframe>${more}</body>`, { before });
   }
 
   /**

@@ -33,6 +33,7 @@ const TYPES = {
  * @property {string | Uint8Array} [body]
  * @property {number} [keep]  Sends only its first bytes.
  * @property {boolean} [drop]  Closes the connection, like a broken network.
+ * @property {boolean} [silent]  Takes the request and never answers it.
  */
 /**
  * @typedef {object} Server
@@ -95,7 +96,8 @@ export async function serve(...folders) {
 
   const server = createServer(async (request, response) => {
     const url = new URL(request.url ?? '/', 'http://local');
-    const { status, type, headers, tag, body, keep, drop } = await answer(url, request.headers['if-none-match']);
+    const { status, type, headers, tag, body, keep, drop, silent } = await answer(url, request.headers['if-none-match']);
+    if (silent) return;
     if (drop) {
       request.socket.destroy();
     } else {

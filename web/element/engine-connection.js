@@ -151,11 +151,11 @@ export class EngineConnection {
     this.closed = true;
     this.reschedule();
     this.#stop();
+    this.#requests.disconnect();
     if (this.live) {
       this.gone = new Promise((resolve) => (this.#removed = resolve));
       this.send('remove');
     }
-    this.#requests.disconnect();
     this.#fire = 0;
   }
 

@@ -4,7 +4,8 @@
  * @typedef {import('./requests.js').Refusal} Refusal
  */
 
-import { refusal } from './requests.js';
+import { timely } from '../engine/time-limit.js';
+import { cut, refusal } from './requests.js';
 
 /** The reports of one element. */
 export class Reports {
@@ -34,16 +35,17 @@ export class Reports {
 
   /** Reports a refused attribute. @type {(id: string, value: string, allowed: string) => Error} */
   refuse(id, value, allowed) {
-    return this.refused([{ id, value, message: `${id} = ${value} is refused: it must be ${allowed}` }]);
+    return this.refused([{ id, value, message: `${id} = ${cut(value)} is refused: it must be ${allowed}` }]);
   }
 
   /**
-   * Warns if code that is loaded on request does not arrive.
+   * Warns if code that is loaded on request does not arrive in time.
    * @template T
-   * @param {Promise<T>} code
+   * @param {Promise<T>} loading
    * @param {string} what its name in the warning
    */
-  loads(code, what) {
+  loads(loading, what) {
+    const code = timely(loading);
     code.catch((why) => this.warn('load', `${what} could not be loaded: ${why}`));
     return code;
   }

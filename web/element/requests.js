@@ -2,25 +2,31 @@
  * Promises for the calls of an element.
  *
  * Each request has a number, which the engine's `done` or `refused` event carries. Calls made without
- * a fire wait here and are sent in order when there is one. A rejected promise without a handler is no
- * "unhandled rejection": a fire is decoration, and the refusal is also an event and a warning.
+ * a fire wait here and are sent in order when there is one, and so do calls while the engine has many
+ * unanswered sets. A rejected promise without a handler is no "unhandled rejection": a fire is
+ * decoration, and the refusal is also an event and a warning.
  *
  * @typedef {import('../engine/engine.js').Call} Call
  * @typedef {{id: string, value: unknown, message: string, min?: number, max?: number}} Refusal
  * @typedef {{promise: Promise<any>, resolve: (value?: unknown) => void, reject: (error: Error) => void, failed: boolean}} Deferred
  */
 
-/** The number of waiting calls from which on new calls replace older ones that set the same ids. */
+/**
+ * The number of unanswered sets from which on calls wait, and the number of waiting calls from which on
+ * new calls replace older ones that set the same ids.
+ */
 const MAX_WAITING = 500;
 
 /** Requests, waiting for a fire or for an answer. */
 export class Requests {
   #last = 0;
-  /** @type {Map<number, Deferred & {fire: number}>} */
+  /** @type {Map<number, Deferred & {fire: number, ids?: string}>} */
   #pending = new Map();
-  /** Calls that wait for a fire, models first. @type {{request: number, call: Call}[]} */
+  /** Calls that wait, without a fire models first. @type {{request: number, call: Call, ids?: string}[]} */
   #waiting = [];
   #models = 0;
+  /** The number of sets that the engine has not answered. */
+  #unanswered = 0;
   /** @type {((request: number, call: Call) => void) | undefined} */
   #send;
   #fire = 0;
@@ -32,31 +38,43 @@ export class Requests {
    */
   call(...call) {
     const request = ++this.#last;
-    const entry = Object.assign(deferred(), { fire: this.#fire });
+    const ids = idsOf(call);
+    const entry = Object.assign(deferred(), { fire: 0, ids });
     this.#pending.set(request, entry);
-    if (this.#send) {
-      this.#send(request, call);
-    } else {
-      this.#makeRoom(call, entry);
-      // The model decides which values are valid.
-      this.#waiting.splice(idsOf(call) === 'model' ? this.#models++ : this.#waiting.length, 0, { request, call });
-    }
+    this.#makeRoom(ids, entry);
+    // The model decides which values are valid.
+    const at = ids === 'model' && !this.#send ? this.#models++ : this.#waiting.length;
+    this.#waiting.splice(at, 0, { request, call, ids });
+    this.#flush(MAX_WAITING);
     return entry.promise;
   }
 
   /**
-   * Bounds the memory of a page that sets the same values of an unseen fire again and again: the oldest
-   * call that sets the same ids is dropped and settles as `entry` does.
-   * @type {(call: Call, entry: Deferred) => void}
+   * Bounds the memory and the work of a page that sets the same values again and again: the last
+   * waiting call that sets the same ids is dropped and settles as `entry` does.
+   * @type {(ids: string | undefined, entry: Deferred) => void}
    */
-  #makeRoom(call, entry) {
-    const ids = idsOf(call);
+  #makeRoom(ids, entry) {
     if (ids === undefined || this.#waiting.length < MAX_WAITING) return;
-    const at = this.#waiting.findIndex((waiting) => idsOf(waiting.call) === ids);
+    const at = this.#waiting.findLastIndex((waiting) => waiting.ids === ids);
     if (at < 0) return;
     const [{ request }] = this.#waiting.splice(at, 1);
     if (at < this.#models) this.#models -= 1;
     this.settle(request, undefined, entry.promise);
+  }
+
+  /** Sends the calls that wait until so many sets are unanswered. @param {number} max */
+  #flush(max) {
+    let sent = 0;
+    for (const { request, call, ids } of this.#send ? this.#waiting : []) {
+      if (this.#unanswered >= max) break;
+      const entry = this.#pending.get(request);
+      if (entry) entry.fire = this.#fire;
+      if (ids !== undefined) this.#unanswered += 1;
+      this.#send?.(request, call);
+      sent += 1;
+    }
+    this.#waiting.splice(0, sent);
   }
 
   /**
@@ -69,18 +87,15 @@ export class Requests {
     this.#fire = fire;
     this.#send = send;
     this.#models = 0;
-    const answers = this.#waiting.splice(0).map(({ request, call }) => {
-      const entry = this.#pending.get(request);
-      if (entry) entry.fire = fire;
-      send(request, call);
-      // Steps can take long, and nothing depends on them.
-      return call[0] === 'step' ? undefined : entry?.promise;
-    });
+    // Steps can take long, and nothing depends on them.
+    const answers = this.#waiting.map(({ request, call }) => call[0] === 'step' || this.#pending.get(request)?.promise);
+    this.#flush(Infinity);
     return Promise.allSettled(answers);
   }
 
-  /** There is no fire any more: new calls wait for the next one. */
+  /** There is no fire any more: it gets the calls before this one, and new calls wait for the next one. */
   disconnect() {
+    this.#flush(Infinity);
     this.#fire = 0;
     this.#send = undefined;
   }
@@ -96,6 +111,9 @@ export class Requests {
     this.#pending.delete(request);
     if (error) entry?.reject(error);
     else entry?.resolve(value);
+    // A fire's number is that of a call that was sent.
+    if (entry?.fire && entry.ids !== undefined) this.#unanswered -= 1;
+    this.#flush(MAX_WAITING);
   }
 
   /**
@@ -152,8 +170,14 @@ export function quiet(promise) {
   return promise;
 }
 
-/** The maximum number of fields of an object and items of a list; far more than there are parameters. */
+/** The maximum number of fields of an object, items of a list and characters of a text; far more than any value has. */
 const MAX_FIELDS = 1000;
+
+/** The maximum length of a text in a refusal, and of the name of a field. */
+const MAX_SHOWN = 100;
+
+/** The start of a long text: a refusal repeats no more of it. @param {string} text */
+export const cut = (text) => (text.length > MAX_SHOWN ? `${text.slice(0, MAX_SHOWN)}…` : text);
 
 /**
  * A copy of a value as plain data, which can be posted. A value that is no plain data becomes a
@@ -166,20 +190,23 @@ const MAX_FIELDS = 1000;
 export function postable(value, depth = 0) {
   try {
     if (Array.isArray(value)) return depth > 0 ? value.slice(0, MAX_FIELDS).map((item) => postable(item, depth - 1)) : [];
-    if (typeof value === 'object' && value !== null) {
-      const names = depth > 0 ? Object.keys(value) : [];
+    // The type of `document.all`, an object, is "undefined".
+    if (value === Object(value) && typeof value !== 'function') {
+      const names = depth > 0 ? Object.keys(/** @type {object} */ (value)) : [];
       if (names.length > MAX_FIELDS) return 'an object of more than a thousand fields';
       return Object.fromEntries(names.map((name) => {
         try {
-          return [name, postable(/** @type {{[name: string]: unknown}} */ (value)[name], depth - 1)];
+          return [cut(name), postable(/** @type {{[name: string]: unknown}} */ (value)[name], depth - 1)];
         } catch {
-          return [name, UNREADABLE];
+          return [cut(name), UNREADABLE];
         }
       }));
     }
   } catch {
     return UNREADABLE;
   }
+  // Wasm would keep the memory of a copy.
+  if (typeof value === 'string' && value.length > MAX_FIELDS) return 'a text of more than a thousand letters';
   return ['function', 'symbol', 'bigint'].includes(typeof value) ? `a ${typeof value}` : value;
 }
 

@@ -15,7 +15,8 @@ import { PagePolicies } from './page-policies.js';
 import { Playback } from './playback.js';
 import { Reports } from './reports.js';
 import { Requests, deferred, postable, quiet } from './requests.js';
-import { DEPTH, settings, settingsOfFile } from './settings.js';
+import { DEPTH, settings } from './settings.js';
+import { SourceFile } from './source-file.js';
 import { FireState } from './state.js';
 import { hexOf } from './values.js';
 import { FireView } from './view.js';
@@ -44,6 +45,7 @@ export class FireSession {
   /** The calls since the first transition. @type {import('./transition.js').Calls | undefined} */
   #calls;
   #ready = deferred();
+  #file = new SourceFile(this);
   /** What the engine reported last. */
   state = new FireState();
   /** For code that is loaded on request and must not load it a second time. */
@@ -69,6 +71,8 @@ export class FireSession {
 
   /** Calls the engine. @type {(...call: Call) => Promise<any>} */
   call(...call) {
+    // These replace every value, and so those of a file that has not arrived.
+    if (call[0] === 'import' || call[0] === 'preset') this.#file.drop();
     // A fire that failed answers nothing.
     const answer = this.#ready.failed ? this.ready : this.#requests.call(...call);
     this.#calls?.push([call, answer]);
@@ -115,8 +119,8 @@ export class FireSession {
   /** Calls a function of `capture.js` when the canvas shows a frame. @type {(name: 'toBlob' | 'captureStream', ...options: any) => Promise<any>} */
   capture(name, ...options) {
     const frame = this.ready.then(() => this.view.drawn());
-    const code = /** @type {Promise<{[name: string]: Function}>} */ (import('./capture.js'));
-    return quiet(Promise.all([frame, code]).then(([canvas, functions]) => functions[name](canvas, ...options)));
+    const code = /** @type {Promise<{[name: string]: Function}>} */ (this.reports.loads(import('./capture.js'), 'The code for pictures'));
+    return quiet(Promise.all([frame, code]).then(([canvas, functions]) => functions[name](canvas, this.#drawable, ...options)));
   }
 
   /** Sets the preset attribute and keeps the values. */
@@ -134,12 +138,17 @@ export class FireSession {
     if (!this.#connection) this.#open();
   }
 
+  /** Whether there is a fire, or was one. */
+  get begun() {
+    return this.state.started || Boolean(this.#connection?.live);
+  }
+
   /** An attribute has changed. @type {(name: string, value: string | null) => void} */
   attribute(name, value) {
     const id = ID_OF_ATTRIBUTE.get(name);
     this.#policies.change(name, value);
     // A fire that has not begun starts with its attributes, whatever their order.
-    const begun = this.state.started || this.#connection?.live;
+    const { begun } = this;
     if (id !== undefined) {
       if (name === 'model' && !begun) return;
       if (value !== null) this.set({ [id]: value }, 'attribute');
@@ -153,7 +162,7 @@ export class FireSession {
     } else if (name === 'paused') {
       if ((value !== null) !== this.playback.paused) this.playback.set(value !== null);
     } else if (name === 'src') {
-      if (begun) this.#changeFile();
+      this.#file.change();
     } else if (name === 'warm') {
       const seconds = warmth(this.fire);
       if (Number.isNaN(seconds)) this.reports.refuse(name, value ?? '', 'a number of seconds from 0 to 30');
@@ -203,15 +212,6 @@ export class FireSession {
     this.#css?.burning(burning);
   }
 
-  /** `src` has changed: applies the settings of the new file. */
-  async #changeFile() {
-    const { src } = this.fire;
-    const config = await settingsOfFile(src, this.reports);
-    if (src !== this.fire.src) return;
-    if (config !== undefined) this.call('import', config, 'src');
-    else if (!src) this.call('preset', this.fire.preset, 'src');
-  }
-
   /** Makes a fire. */
   #open() {
     if (this.#ready.failed) this.#ready = deferred();
@@ -232,8 +232,8 @@ export class FireSession {
       () => fire.loading,
       this.#engine,
       () => this.#prepare(),
-      ({ config, state }) => ({
-        ...this.state.start(fire, this.playback.paused, config), warm: fire.warm, state, view: view.camera,
+      (state) => ({
+        ...this.state.start(fire, this.playback.paused, this.#file.config), warm: fire.warm, state, view: view.camera,
       }),
     ).catch((error) => connection.closed || this.#fail(error.kind ?? 'load', error.message));
   }
@@ -242,15 +242,10 @@ export class FireSession {
   async #prepare() {
     const { fire } = this;
     const state = fire.warm && !fire.src ? burning(fire.preset) : undefined;
+    const file = this.state.started ? undefined : this.#file.begin();
     await this.#gone;
-    let config;
-    let src;
-    do {
-      src = fire.src;
-      config = this.state.started ? undefined : await settingsOfFile(src, this.reports);
-      // `src` may have changed meanwhile.
-    } while (src !== fire.src);
-    return { config, state: await state };
+    await file;
+    return state;
   }
 
   /**

@@ -3,7 +3,8 @@
  * their values.
  */
 
-import { postable } from './requests.js';
+import { timely } from '../engine/time-limit.js';
+import { cut, postable } from './requests.js';
 
 /** The maximum length of JSON text in characters, and of a file in bytes. */
 const MAX_LENGTH = 65_536;
@@ -33,19 +34,22 @@ export function settings(config, id = 'config') {
 }
 
 /**
- * The settings in a file; undefined, with a warning, if there are none.
+ * The settings in a file; undefined, with a warning, if there are none, and without one if nobody wants
+ * them any more.
  * @param {string} src its URL
  * @param {import('./reports.js').Reports} reports
+ * @param {AbortSignal} unwanted
  * @returns {Promise<unknown>}
  */
-export async function settingsOfFile(src, reports) {
+export async function settingsOfFile(src, reports, unwanted) {
   if (!src) return undefined;
-  const id = `src = "${src}"`;
+  const id = `src = "${cut(src)}"`;
   try {
-    const { textOf } = await import('./settings-file.js');
-    return settings(await textOf(src, MAX_LENGTH, id), id);
+    const { textOf } = await timely(import('./settings-file.js'));
+    return settings(await textOf(src, MAX_LENGTH, id, unwanted), id);
   } catch (error) {
     const { message } = /** @type {Error} */ (error);
+    if (unwanted.aborted) return undefined;
     if (error instanceof RangeError) reports.refused([{ id: 'src', value: src, message }]);
     else reports.warn('load', message);
     return undefined;

@@ -86,7 +86,10 @@ export interface HearthQualityDetail {
  * them on the prototype.
  */
 export interface HearthReflected {
-  /** The URL of a JSON file with settings, as `exportConfig()` returns them; empty without one. */
+  /**
+   * The URL of a JSON file with settings, as `exportConfig()` returns them; empty without one. A fire begins
+   * without a file that takes longer than two seconds, and takes it over when it arrives.
+   */
   src: string;
   /**
    * When the fire is loaded: `auto`, at once if it is visible, else when the page has loaded; `lazy`, when

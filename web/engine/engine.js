@@ -16,12 +16,16 @@
  */
 
 import { glue, wasm, worker } from './files.js';
+import { timely } from './time-limit.js';
 
 /** The smallest module that uses a SIMD instruction. */
 const SIMD_MODULE = new Uint8Array([
   0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15,
   253, 98, 11,
 ]);
+
+/** Maximum time until the wasm arrives [ms]. */
+const WASM_MS = 60_000;
 
 /** Lifetime of an engine without fires [ms]. */
 const IDLE_MS = 5000;
@@ -31,13 +35,15 @@ const WORKER_MS = 15_000;
 
 /** Why there is no fire, with a message for visitors. */
 export class EngineError extends Error {
+  // A field, because assigning fails where a page has frozen `Error.prototype`.
+  name = 'EngineError';
+
   /**
    * @param {'unsupported' | 'load'} kind
    * @param {string} message
    */
   constructor(kind, message) {
     super(message);
-    this.name = 'EngineError';
     this.kind = kind;
   }
 }
@@ -143,6 +149,8 @@ class EnginePort {
 let opened;
 /** @type {EnginePort | undefined} */
 let current;
+/** The wasm, kept so that a new engine needs no network. @type {ReturnType<typeof compile> | undefined} */
+let kept;
 
 /**
  * Connects to the page's engine. The first call loads it; after a failure the next call tries
@@ -152,7 +160,7 @@ let current;
  * @returns {Promise<EnginePort>}
  */
 export function connect(source, place = 'auto') {
-  opened ??= load(source ?? wasm(), place).then((port) => {
+  opened ??= load(source, place).then((port) => {
     current = port;
     return port;
   });
@@ -163,13 +171,14 @@ export function connect(source, place = 'auto') {
   return opening;
 }
 
-/** @type {(source: Source, place: Place) => Promise<EnginePort>} */
+/** @type {(source: Source | undefined, place: Place) => Promise<EnginePort>} */
 async function load(source, place) {
   const missing = missingFeature();
   if (missing) throw new EngineError('unsupported', missing);
   // The worker's script and the wasm load in parallel.
-  const compiled = compile(source);
-  compiled.catch(() => {});
+  kept ??= compile(source ?? wasm());
+  const compiled = kept;
+  compiled.catch(() => (kept = undefined));
   const port = (place !== 'main' && await inWorker(compiled)) || undefined;
   const { module, warning } = await compiled;
   if (!port && place === 'worker') {
@@ -186,14 +195,14 @@ async function load(source, place) {
  * @returns {Promise<{module: WebAssembly.Module, warning: string}>}
  */
 async function compile(source) {
-  const failed = (/** @type {unknown} */ why) => new EngineError('load', `The fire's engine could not be loaded: ${why}`);
+  const limit = AbortSignal.timeout(WASM_MS);
   try {
     const given = await source;
     if (typeof given !== 'string' && !(given instanceof URL)) {
       return { module: await WebAssembly.compile(given), warning: '' };
     }
     const url = new URL(given, document.baseURI).href;
-    const response = await fetch(url, { credentials: 'same-origin' });
+    const response = await fetch(url, { credentials: 'same-origin', signal: limit });
     if (!response.ok) throw new Error(`${url} gave ${response.status}`);
     const type = response.headers.get('content-type') ?? 'no type';
     if (/^application\/wasm\s*(;|$)/i.test(type)) {
@@ -206,7 +215,8 @@ async function compile(source) {
     const warning = `${url} is served as ${type} instead of application/wasm, so that the fire starts later.`;
     return { module: await WebAssembly.compile(bytes), warning };
   } catch (error) {
-    throw failed(error instanceof Error ? error.message : error);
+    const why = limit.aborted ? `no answer within ${WASM_MS / 1000} s` : error instanceof Error ? error.message : error;
+    throw new EngineError('load', `The fire's engine could not be loaded: ${why}`);
   }
 }
 
@@ -271,7 +281,7 @@ async function onMainThread(module) {
   const failed = (/** @type {unknown} */ error) => {
     throw new EngineError('load', `The fire's engine could not be loaded: ${error}`);
   };
-  const [{ default: init, Engine }, { start }] = await Promise.all([glue(), import('./main-thread.js')]).catch(failed);
+  const [{ default: init, Engine }, { start }] = await timely(Promise.all([glue(), import('./main-thread.js')])).catch(failed);
   await init({ module_or_path: module });
   const port = new EnginePort('main');
   try {

@@ -8,6 +8,9 @@
 
 import { BURNING } from '../generated/burning.js';
 
+/** The maximum time until a saved fire arrives [ms]. A fire without it burns for some seconds first. */
+const BURNING_MS = 5000;
+
 /**
  * The engine's wasm: its URL or its bytes.
  * @returns {import('./engine.js').Source}
@@ -25,7 +28,7 @@ export function wasm() {
 export async function burning(scene) {
   if (!Object.hasOwn(BURNING, scene)) return undefined;
   try {
-    const response = await fetch(BURNING[scene](), { credentials: 'same-origin' });
+    const response = await fetch(BURNING[scene](), { credentials: 'same-origin', signal: AbortSignal.timeout(BURNING_MS) });
     return response.ok ? new Uint8Array(await response.arrayBuffer()) : undefined;
   } catch {
     return undefined;

@@ -10,6 +10,9 @@
  */
 const added = new WeakMap();
 
+/** The maximum time that a panel waits for its styles [ms]. */
+const STYLE_MS = 10_000;
+
 /**
  * Adds the style sheet beside this file, once for each document or shadow root.
  *
@@ -42,6 +45,7 @@ function add(parent, href) {
   link.href = href;
   const styled = /** @type {Promise<void>} */ (new Promise((resolve) => {
     link.onload = link.onerror = () => resolve();
+    setTimeout(resolve, STYLE_MS);
   }));
   added.set(link, { users: 0, styled });
   parent.appendChild(link);

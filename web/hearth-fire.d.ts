@@ -50,6 +50,8 @@ export interface HearthFire extends HearthProperties {}
 
 /** The class of `<hearth-fire>`. A fire, simulated by smoothed particle hydrodynamics. */
 export class HearthFire extends HTMLElement {
+  /** The version of this module. */
+  static readonly version: string;
   /** The URL of the wasm file, if it is not `wasm/hearth-engine_bg.wasm` beside this module. Set it before the first fire. */
   static wasmUrl: string | URL | undefined;
   /** Where the engine runs; `auto`: in a worker if workers can draw, else on the main thread. Set it before the first fire. */

@@ -23,6 +23,7 @@ import { FireAttributes, ID_OF_PROPERTY, defineProperty, setOrRemove, upgradePro
 import { postable, quiet } from './element/requests.js';
 import { FireSession } from './element/session.js';
 import { seedOf } from './element/values.js';
+import { VERSION } from './generated/version.js';
 
 /**
  * A fire, simulated by smoothed particle hydrodynamics.
@@ -46,7 +47,15 @@ import { seedOf } from './element/values.js';
  * @cssproperty --hearth-glow  The colour of the light.
  * @cssstate burning  The fire is visible and plays.
  */
-export class HearthFire extends FireAttributes {
+class HearthFire extends FireAttributes {
+  /**
+   * The version of this module.
+   * @returns {string}
+   */
+  static get version() {
+    return VERSION;
+  }
+
   /**
    * The URL of the wasm file, if it is not `wasm/hearth-engine_bg.wasm` beside this module. Set it
    * before the first fire.
@@ -398,6 +407,11 @@ for (const [property, id] of ID_OF_PROPERTY) {
   ));
 }
 
-if (globalThis.customElements && !customElements.get('hearth-fire')) {
-  customElements.define('hearth-fire', HearthFire);
-}
+/** The class that another copy of this module has defined. */
+const other = /** @type {typeof HearthFire | undefined} */ (globalThis.customElements?.get('hearth-fire'));
+if (other) console.warn(`<hearth-fire>: version ${other.version} is defined already; version ${VERSION} exports that class.`);
+else globalThis.customElements?.define('hearth-fire', HearthFire);
+
+/** The class of the element, whichever copy of this module has defined it. */
+const Defined = other ?? HearthFire;
+export { Defined as HearthFire };

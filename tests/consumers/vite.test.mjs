@@ -54,12 +54,13 @@ async function inNode() {
   return positions;
 }
 
-test('what Vite builds burns', async () => {
+test('what Vite builds burns, in a worker under trusted types too', async () => {
   const input = Object.fromEntries(PAGES.map((name) => [name, path.join(root, `${name}.html`)]));
   // Below a folder of its own, as on many hosts.
   const options = { root, base: '/below/', logLevel: 'error', configFile: false };
   await vite.build({ ...options, build: { rollupOptions: { input } } });
-  const server = await vite.preview({ ...options, preview: { port: 0, host: '127.0.0.1' } });
+  const headers = { 'content-security-policy': "require-trusted-types-for 'script'; trusted-types hearth-fire" };
+  const server = await vite.preview({ ...options, preview: { port: 0, host: '127.0.0.1', headers } });
   servers.push(server);
   for (const name of PAGES) await burns(server.resolvedUrls.local[0], name);
 });

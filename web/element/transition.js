@@ -41,7 +41,9 @@ export function run(calls, session, checked, how) {
   calls.transitions ??= new Transitions(session);
   const { transitions } = calls;
   for (const call of calls.splice(0)) transitions.record(call);
-  calls.push = (call) => transitions.record(call);
+  // Assigning fails where a page has frozen `Array.prototype`.
+  const push = (/** @type {Asked} */ call) => transitions.record(call);
+  Object.defineProperty(calls, 'push', { configurable: true, value: push });
   calls.end = () => transitions.end();
   return transitions.run(checked, how);
 }

@@ -7,6 +7,7 @@
  */
 
 import { BURNING } from '../generated/burning.js';
+import { trustedWorker } from './trusted-worker.js';
 
 /** The maximum time until a saved fire arrives [ms]. A fire without it burns for some seconds first. */
 const BURNING_MS = 5000;
@@ -41,14 +42,18 @@ export async function burning(scene) {
  * @throws if the browser or the page's policy does not allow it
  */
 export function worker() {
+  return trustedWorker(start);
+}
+
+function start() {
   try {
     return new Worker(new URL('./worker.js', import.meta.url), { type: 'module', name: 'hearth' });
   } catch {
     // A page may not start a worker from another origin, but a worker that imports it. The URL is
     // not in the form that bundlers recognise, because they would copy it as an asset.
     const here = import.meta.url;
-    const start = `import ${JSON.stringify(new URL('./worker.js', here).href)};`;
-    const url = URL.createObjectURL(new Blob([start], { type: 'text/javascript' }));
+    const text = `import ${JSON.stringify(new URL('./worker.js', here).href)};`;
+    const url = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
     try {
       return new Worker(url, { type: 'module', name: 'hearth' });
     } finally {

@@ -5,6 +5,7 @@
 
 import WASM from 'inline:wasm';
 import WORKER from 'inline:worker';
+import { trustedWorker } from './engine/trusted-worker.js';
 
 /**
  * The engine's wasm. It lies deflated in the file, which saves an eighth of the
@@ -24,7 +25,7 @@ export function wasm() {
 export function worker() {
   const url = URL.createObjectURL(new Blob([WORKER], { type: 'text/javascript' }));
   try {
-    return new Worker(url, { name: 'hearth' });
+    return trustedWorker(() => new Worker(url, { name: 'hearth' }));
   } finally {
     // The browser has it by then.
     setTimeout(() => URL.revokeObjectURL(url), 60_000);

@@ -101,6 +101,12 @@ export function followWorkers(origin) {
   const line = `driver-${Math.random()}`;
   const channel = new BroadcastChannel(line);
   const workers = new Set();
+  // Before the page's own policy counts. A policy in a header may forbid it.
+  let trusted = (/** @type {string} */ url) => url;
+  try {
+    const policy = scope.trustedTypes?.createPolicy('driver', { createScriptURL: trusted });
+    if (policy) trusted = (url) => policy.createScriptURL(url);
+  } catch {}
   /** @type {Map<number, (value: number) => void>} */
   const waiting = new Map();
   channel.onmessage = ({ data }) => {
@@ -112,7 +118,7 @@ export function followWorkers(origin) {
       const of = new URL(url, document.baseURI);
       const type = options?.type ?? 'classic';
       const about = new URLSearchParams({ of: of.href, type, line });
-      super(of.origin === origin ? `/driver/worker.js?${about}` : url, options);
+      super(of.origin === origin ? trusted(`/driver/worker.js?${about}`) : url, options);
       workers.add(this);
     }
 

@@ -22,12 +22,19 @@ const PICTURE = { worker: 700, main: 250 };
 /** The engine's script of wasm. */
 const GLUE = 'web/wasm/hearth-engine.js';
 
-/** The functions in it that give a view of wasm's memory; how they are called means nothing. */
-const VIEWS = new Set(
-  [...readFileSync(path.join(SITE, GLUE), 'utf8').matchAll(
-    /function ([\w$]+)\([^)]*\)\{[^{}]*\(\)\.subarray\([^()]*\)\}/g,
-  )].map(([, name]) => name),
-);
+/**
+ * What a function in it does, by its name, which means nothing: gives a view of wasm's memory, or
+ * is imported by wasm and has this body.
+ * @type {Map<string, string>}
+ */
+const ROLES = new Map();
+const code = readFileSync(path.join(SITE, GLUE), 'utf8');
+for (const [, name] of code.matchAll(/function ([\w$]+)\([^)]*\)\{[^{}]*\(\)\.subarray\([^()]*\)\}/g)) {
+  ROLES.set(name, 'view');
+}
+for (const [, name, body] of code.matchAll(/[{,]([a-z]+):function\([^)]*\)\{(.*?)\}(?=,[a-z]+:function|\}\})/g)) {
+  ROLES.set(name, `import ${body}`);
+}
 
 /**
  * Bytes that each function of the site allocated on the engine's thread, the rubbish
@@ -62,7 +69,7 @@ async function allocated(tab, place, pictures) {
   const visit = (node) => {
     const { url, functionName } = node.callFrame;
     if (url.includes('/web/') || url.startsWith('wasm:')) {
-      const name = VIEWS.has(functionName) && url.endsWith(GLUE) ? 'view' : functionName;
+      const name = (url.endsWith(GLUE) && ROLES.get(functionName)) || functionName;
       bytes.set(name, (bytes.get(name) ?? 0) + node.selfSize);
     }
     for (const child of node.children) visit(child);
@@ -86,7 +93,7 @@ for (const place of ['worker', 'main']) {
       const { bytes, pictures, reported } = await allocated(tab, place, 100);
       // A time is a fraction, which V8 puts on the heap where it passes between the
       // browser, JavaScript and wasm.
-      const boxed = /^__wbg_now|^js-to-wasm/;
+      const boxed = /performance\.now|^js-to-wasm/;
       const ours = [...bytes].filter(([name]) => !boxed.test(name)).sort(([, a], [, b]) => b - a);
       const sum = ours.reduce((all, [, one]) => all + one, 0);
       const list = JSON.stringify(ours.slice(0, 8));
@@ -94,8 +101,10 @@ for (const place of ['worker', 'main']) {
       const most = 6000 * (reported + 1) + PICTURE[place] * pictures;
       assert.ok(sum < most, `${sum} bytes in ${pictures} pictures and ${reported} messages: ${list}`);
       // A view or a list of arguments for a call of WebGL would be fifty bytes a frame.
-      assert.ok(VIEWS.size > 0, 'wasm’s script has functions that give views');
-      const drawing = ours.filter(([name]) => /^__wbg_(?!set|new|call|now)|^view$/.test(name));
+      const roles = [...ROLES.values()];
+      assert.ok(roles.includes('view'), 'wasm’s script has functions that give views');
+      assert.ok(roles.some((role) => /^import .*drawArrays/.test(role)), 'wasm imports functions that draw');
+      const drawing = ours.filter(([name]) => /^import (?!.*(\]=|new |\.call\())|^view$/.test(name));
       for (const [name, size] of drawing) {
         assert.ok(size < 25 * pictures, `${name} makes ${size} bytes in ${pictures} pictures`);
       }

@@ -8,6 +8,7 @@ mod burning;
 mod codegen;
 mod evaluation;
 mod flags;
+mod glue;
 mod goldens;
 mod links;
 mod look;

@@ -4,7 +4,7 @@
 //! program: `Cargo.lock` pins it to the version of the bindings. Every URL of the site is
 //! relative, so the folder works wherever it is put.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::thread;
@@ -15,7 +15,7 @@ use wasm_bindgen_cli_support::Bindgen;
 use xshell::cmd;
 
 use crate::shell::Shell;
-use crate::{paths, script, tools};
+use crate::{glue, paths, script, tools};
 
 /// A crate that becomes a wasm module of the same name.
 pub(crate) struct Module {
@@ -61,7 +61,7 @@ pub(crate) fn build() -> Result<()> {
         bind(module, module.package, &wasm)?;
         keep_types(&sh, module.package, &wasm)?;
     }
-    shorten_imports(&sh, &web)?;
+    glue::shorten(&sh, &web)?;
     script::minify(&web)?;
     // Examples in folders of their own need packages.
     let examples = sh.create_dir(site.join("examples"))?;
@@ -115,7 +115,8 @@ pub(crate) fn bind(module: &Module, name: &str, into: &Path) -> Result<()> {
             bindgen
                 .typescript(true)
                 .omit_default_module_path(false)
-                .remove_name_section(true)
+                // `glue` finds dead functions by name, and then removes the names.
+                .remove_name_section(false)
                 .remove_producers_section(true)
                 .generate(into)
         })
@@ -129,47 +130,6 @@ fn keep_types(sh: &Shell, name: &str, wasm: &Path) -> Result<()> {
     sh.copy_file(wasm.join(format!("{name}.d.ts")), types)?;
     sh.remove_path(wasm.join(format!("{name}.d.ts")))?;
     Ok(sh.remove_path(wasm.join(format!("{name}_bg.wasm.d.ts")))?)
-}
-
-/// Shortens the names between each wasm module and its script, in both files.
-/// wasm-bindgen ends each in a hash, so that several versions of a crate may meet in one
-/// module; sixteen random letters cannot be compressed.
-pub(crate) fn shorten_imports(sh: &Shell, web: &Path) -> Result<()> {
-    for wasm in sh.read_dir(web.join("wasm"))? {
-        let name = wasm.file_name().unwrap_or_default().to_string_lossy();
-        let Some(name) = name.strip_suffix("_bg.wasm") else {
-            continue;
-        };
-        let mut config = walrus::ModuleConfig::new();
-        config
-            .generate_producers_section(false)
-            .generate_name_section(false);
-        let mut module = config.parse_file(&wasm)?;
-        let script = wasm.with_file_name(format!("{name}.js"));
-        let mut code = sh.read_file(&script)?;
-        let mut taken = BTreeSet::new();
-        for import in module.imports.iter_mut() {
-            let hash = |text: &str| text.len() == 16 && u64::from_str_radix(text, 16).is_ok();
-            let plain = match import.name.rsplit_once('_') {
-                Some((plain, end)) if hash(end) => plain,
-                _ => &import.name,
-            };
-            let mut short = plain.to_owned();
-            for number in 1.. {
-                if taken.insert(short.clone()) {
-                    break;
-                }
-                short = format!("{plain}{number}");
-            }
-            if short != import.name {
-                code = code.replace(&import.name, &short);
-                import.name = short;
-            }
-        }
-        module.emit_wasm_file(&wasm)?;
-        sh.write_file(script, code)?;
-    }
-    Ok(())
 }
 
 /// Copies a folder with everything in it.

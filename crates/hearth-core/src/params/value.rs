@@ -34,15 +34,15 @@ impl Colour {
         let digits = text.strip_prefix('#')?;
         let mut digits = digits.bytes().map(|digit| (digit as char).to_digit(16));
         let mut rgba = [255; 4];
-        let (channels, length) = match digits.len() {
-            3 => (3, 1),
-            6 => (3, 2),
-            8 => (4, 2),
+        let short = match digits.len() {
+            3 => true,
+            6 | 8 => false,
             _ => return None,
         };
-        for channel in &mut rgba[..channels] {
-            let high = digits.next()??;
-            let low = if length == 1 { high } else { digits.next()?? };
+        for channel in &mut rgba {
+            let Some(high) = digits.next() else { break };
+            let high = high?;
+            let low = if short { high } else { digits.next()?? };
             *channel = (16 * high + low) as u8;
         }
         // Every fully transparent colour is the same, so that it is written as `transparent`.

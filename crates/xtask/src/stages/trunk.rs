@@ -12,7 +12,7 @@ use xshell::Cmd;
 
 use super::browser;
 use crate::shell::Shell;
-use crate::{paths, script, site, tools};
+use crate::{glue, paths, script, site, tools};
 
 /// `trunk build --release` gives the files of the site.
 pub(super) fn same_site() -> Result<()> {
@@ -25,7 +25,7 @@ pub(super) fn same_site() -> Result<()> {
     let copy = tools::target()?.join("trunk-minified");
     sh.remove_path(&copy)?;
     site::copy_folder(&sh, &paths::trunk_site(), &copy)?;
-    site::shorten_imports(&sh, &copy.join("web"))?;
+    glue::shorten(&sh, &copy.join("web"))?;
     script::minify(&copy.join("web"))?;
     compare(&sh, &paths::site(), &copy)
 }

@@ -42,6 +42,7 @@ fn generate() -> Result<Vec<Generated>> {
         ("web/generated/burning.js", javascript::burning()),
         ("web/generated/between.js", javascript::between()),
         ("web/generated/objects.js", javascript::objects()),
+        ("web/generated/version.js", javascript::version()),
         ("web/parameters.d.ts", typescript::declarations(&scenes)),
         ("docs/element.md", stats::page()?),
         ("docs/parameters.md", markdown::reference()),

@@ -11,6 +11,7 @@ use std::thread;
 use std::time::Instant;
 
 use anyhow::{Context, Result, anyhow, ensure};
+use walrus::RawCustomSection;
 use wasm_bindgen_cli_support::Bindgen;
 use xshell::cmd;
 
@@ -131,7 +132,8 @@ fn keep_types(sh: &Shell, name: &str, wasm: &Path) -> Result<()> {
     Ok(sh.remove_path(wasm.join(format!("{name}_bg.wasm.d.ts")))?)
 }
 
-/// Shortens the names between each wasm module and its script, in both files.
+/// Shortens the names between each wasm module and its script, in both files, and writes the
+/// version into the module.
 /// wasm-bindgen ends each in a hash, so that several versions of a crate may meet in one
 /// module; sixteen random letters cannot be compressed.
 pub(crate) fn shorten_imports(sh: &Shell, web: &Path) -> Result<()> {
@@ -166,6 +168,11 @@ pub(crate) fn shorten_imports(sh: &Shell, web: &Path) -> Result<()> {
                 import.name = short;
             }
         }
+        // The element reads the version before it starts the module.
+        module.customs.add(RawCustomSection {
+            name: "hearth".to_owned(),
+            data: env!("CARGO_PKG_VERSION").into(),
+        });
         module.emit_wasm_file(&wasm)?;
         sh.write_file(script, code)?;
     }

@@ -111,7 +111,7 @@ impl Solver for Classic {
         }
         self.substeps = made;
         // Shorter steps keep the substeps stable; the fire burns more slowly.
-        self.cut = (made < substeps.count).then(|| made as f32 * substeps.length);
+        self.cut = (made < substeps.count).then_some(made as f32 * substeps.length);
         f64::from(self.length(values))
     }
 

@@ -475,7 +475,7 @@ export interface HearthStats {
   quality: 'low' | 'medium' | 'high';
   /** The reason of that level. */
   qualityReason: string;
-  /** What limits the number of particles: `quality low`, `quality medium`, `quality high` or `size`; empty if `max_particles` does, and in the classic model. */
+  /** What limits the number of particles: `quality low`, `quality medium`, `quality high`, `size` or, where more would take too long, `speed`; else empty. */
   limit: string;
   /** Mean number of neighbours of a particle. */
   neighbours: number;

@@ -46,7 +46,7 @@ export async function createSimulation(options = {}) {
   if (preset !== undefined) text('preset', preset);
   const [sent, columnsOfValues] = columns(values);
   const { Fire } = await loaded(wasm);
-  return new Simulation(() => new Fire(preset, sent, columnsOfValues), [['preset', preset], ...values]);
+  return new Simulation(() => new Fire(preset, sent, columnsOfValues), [['preset', preset], ...values], Fire);
 }
 
 /** A fire, step by step. */
@@ -54,12 +54,15 @@ class Simulation {
   /** @type {any} The simulation in wasm; undefined once it is freed or has trapped. */
   #fire;
   #gone = 'this simulation was freed';
+  #wasm;
 
   /**
    * @param {() => any} make
    * @param {any[][]} values the values of `make`
+   * @param {{panic: () => string}} wasm
    */
-  constructor(make, values) {
+  constructor(make, values, wasm) {
+    this.#wasm = wasm;
     this.#fire = this.#guard(make, values);
   }
 
@@ -310,7 +313,9 @@ class Simulation {
       if (!(cause instanceof WebAssembly.RuntimeError)) throw cause;
       this.#fire = undefined;
       this.#gone = 'this simulation has stopped for good';
-      throw new Error(`${this.#gone}; there may be no memory left for so many particles`, { cause });
+      // The allocator traps without a panic.
+      const why = this.#wasm.panic() || 'there may be no memory left for so many particles';
+      throw new Error(`${this.#gone}; ${why}`, { cause });
     }
   }
 }

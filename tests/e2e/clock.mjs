@@ -15,14 +15,15 @@ export const onPageThread = (body) => `${body}<script type="module">
 /**
  * Runs in the page before its scripts: frames follow each other without a pause, and the
  * time comes from their number. `window.clock.cost` is how much time passes whenever a
- * script reads the clock [ms]: work that reads it takes so long.
+ * script reads the clock [ms]: work that reads it takes so long. `window.clock.work` is the time
+ * that passed within frames.
  */
 export function simulateClock() {
   const FRAME = 1000 / 60;
   let [now, last] = [0, 0];
   /** @type {Map<number, FrameRequestCallback>} */
   let waiting = new Map();
-  const clock = { cost: 0, frames: 0 };
+  const clock = { cost: 0, frames: 0, work: 0 };
   /** @type {any} */ (window).clock = clock;
   performance.now = () => (now += clock.cost);
   const { port1, port2 } = new MessageChannel();
@@ -32,7 +33,9 @@ export function simulateClock() {
     if (due.size === 0) return;
     clock.frames += 1;
     now = (Math.floor(now / FRAME + 1e-6) + 1) * FRAME;
+    const start = now;
     for (const act of due.values()) act(now);
+    clock.work += now - start;
   };
   window.requestAnimationFrame = (act) => {
     last += 1;

@@ -314,3 +314,47 @@ fn parameters_are_live() {
     burn(&mut fire, 480);
     assert!(fire.count() < before / 4);
 }
+
+/// A classic fire whose steps need all substeps, with particles `apart` from each other.
+fn stiff(count: u32, apart: f32) -> Simulation {
+    let parameters = with([
+        ("gas_constant", Input::Number(6.0)),
+        ("viscosity", Input::Number(0.1)),
+        ("time_step", Input::Number(0.017)),
+        ("smoothing_radius", Input::Number(0.02)),
+        ("max_particles", Input::Number(20_000.0)),
+    ]);
+    let mut fire = Simulation::new(parameters);
+    let at = |i: u32| {
+        let [x, y] = [i % 100, i / 100].map(|cell| apart * cell as f32);
+        particle(x - 0.5 * 100.0 * apart, 0.3 + y, 0.0, 0.0)
+    };
+    let particles: Vec<Particle> = (0..count).map(at).collect();
+    assert_eq!(fire.set_particles(&particles), Ok(()));
+    fire
+}
+
+#[test]
+fn a_step_of_crowded_particles_is_short_instead_of_long_in_work() {
+    let mut fire = stiff(20_000, 1e-4);
+    for _ in 0..2 {
+        let before = fire.time();
+        fire.step();
+        let report = fire.report();
+        assert_eq!(report.substeps, 1);
+        assert!(report.length < 0.017 / 16.0, "{} s", report.length);
+        assert_eq!(fire.time() - before, f64::from(report.length));
+        assert_eq!(fire.step_length(), f64::from(report.length));
+        assert!(fire.particles().iter().all(|one| one.position.is_finite()));
+    }
+}
+
+#[test]
+fn a_step_of_usual_work_has_its_whole_length() {
+    let mut fire = stiff(2000, 0.01);
+    for _ in 0..3 {
+        fire.step();
+        assert!(fire.report().substeps > 4);
+        assert_eq!(fire.report().length, 0.017);
+    }
+}

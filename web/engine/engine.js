@@ -15,6 +15,7 @@
  * @typedef {string | URL | BufferSource | Promise<BufferSource>} Source URL or bytes of wasm
  */
 
+import { VERSION } from '../generated/version.js';
 import { glue, wasm, worker } from './files.js';
 import { countdown, timely } from './time-limit.js';
 
@@ -235,25 +236,37 @@ async function compile(source) {
   try {
     const given = await source;
     if (typeof given !== 'string' && !(given instanceof URL)) {
-      return { module: await WebAssembly.compile(given), warning: '' };
+      return checked(await WebAssembly.compile(given), '');
     }
     const url = new URL(given, document.baseURI).href;
     const response = await fetch(url, { credentials: 'same-origin', signal: limit });
     if (!response.ok) throw new Error(`${url} gave ${response.status}`);
     const type = response.headers.get('content-type') ?? 'no type';
     if (/^application\/wasm\s*(;|$)/i.test(type)) {
-      return { module: await WebAssembly.compileStreaming(response), warning: '' };
+      return checked(await WebAssembly.compileStreaming(response), '');
     }
     const bytes = await response.arrayBuffer();
     if (String.fromCharCode(...new Uint8Array(bytes.slice(0, 4))) !== '\0asm') {
       throw new Error(`${url} is no wasm file; it was served as ${type}`);
     }
     const warning = `${url} is served as ${type} instead of application/wasm, so that the fire starts later.`;
-    return { module: await WebAssembly.compile(bytes), warning };
+    return checked(await WebAssembly.compile(bytes), warning);
   } catch (error) {
     const why = limit.aborted ? `no answer within ${WASM_MS / 1000} s` : error instanceof Error ? error.message : error;
     throw new EngineError('load', `The fire's engine could not be loaded: ${why}`);
   }
+}
+
+/**
+ * A module of the element's version. A cache may hold an old wasm beside a new element.
+ * @param {WebAssembly.Module} module
+ * @param {string} warning
+ */
+function checked(module, warning) {
+  const [section] = WebAssembly.Module.customSections(module, 'hearth');
+  const version = section ? new TextDecoder().decode(section) : VERSION;
+  if (version !== VERSION) throw new Error(`its wasm has version ${version}, the element has version ${VERSION}`);
+  return { module, warning };
 }
 
 /**
@@ -296,7 +309,7 @@ function inWorker(compiled) {
       thread.onmessage = ({ data: event }) => {
         if (event.type === 'picture') port.draw(event.fire, event.bitmap);
         else if (event.type === 'answer') port.answered();
-        else if (event.type === 'stopped') port.fail(event.why);
+        else if (event.type === 'stopped') port.fail(event.at ? `${event.why} (${event.at})` : event.why);
         else port.deliver(event);
       };
       port.ask();

@@ -5,17 +5,19 @@
 
 /**
  * Runs an engine.
- * @param {new (post: Function, canvas: any, context: WebGL2RenderingContext | null, show: Function) => any} Engine
+ * @param {new (post: Function, canvas: any, context: WebGL2RenderingContext | null, show: Function, onPage: boolean) => any} Engine
  * @param {HTMLCanvasElement | OffscreenCanvas} canvas the canvas to draw on
  * @param {object} callbacks
  * @param {(message: object) => void} callbacks.post delivers a message
  * @param {(fire: number) => boolean} callbacks.show takes the picture of a fire from the canvas
  *   and returns whether it is already shown. It never throws
- * @param {(error: unknown) => void} callbacks.fail called when the engine has stopped
+ * @param {(reason: {why: string, at?: string}) => void} callbacks.fail called when the engine has
+ *   stopped
+ * @param {boolean} [onPage] whether the thread is the page's own, which the engine leaves most of
  * @throws if the browser cannot draw
  */
-export function runEngine(Engine, canvas, { post, show, fail }) {
-  let engine = new Engine(post, canvas, contextOf(canvas), show);
+export function runEngine(Engine, canvas, { post, show, fail }, onPage = false) {
+  let engine = new Engine(post, canvas, contextOf(canvas), show, onPage);
   let frame = 0;
 
   const stop = () => {
@@ -28,7 +30,7 @@ export function runEngine(Engine, canvas, { post, show, fail }) {
   };
   const failed = (/** @type {unknown} */ error) => {
     stop();
-    fail(error);
+    fail(reasonOf(error, Engine));
   };
   const requestFrame = (/** @type {boolean} */ needed) => {
     if (needed && frame === 0) frame = requestAnimationFrame(draw);
@@ -80,6 +82,25 @@ export function runEngine(Engine, canvas, { post, show, fail }) {
       stop()?.free();
     },
   };
+}
+
+/**
+ * Why an engine has stopped, and the place of a panic in its source. The allocator traps without
+ * a panic.
+ * @param {unknown} error
+ * @param {any} Engine
+ * @returns {{why: string, at?: string}}
+ */
+export function reasonOf(error, Engine) {
+  let why = String(error);
+  try {
+    const panic = /^panicked at (.+?):\n(.*)/s.exec(Engine.panic());
+    if (panic) return { why: panic[2], at: panic[1] };
+    if (/unreachable/i.test(why)) why = 'no memory is left';
+  } catch {
+    // The error itself has to do.
+  }
+  return { why };
 }
 
 /**

@@ -6,7 +6,7 @@ import { pictureCanvas, runEngine } from './loop.js';
 
 /**
  * Starts the engine. Calls and events are delivered later and in order, as with a worker.
- * @param {new (post: Function, canvas: any, context: WebGL2RenderingContext | null, show: Function) => any} Engine
+ * @param {new (post: Function, canvas: any, context: WebGL2RenderingContext | null, show: Function, onPage: boolean) => any} Engine
  * @param {import('./engine.js').Port} port the connection to it
  * @throws if the browser cannot draw
  */
@@ -19,8 +19,8 @@ export function start(Engine, port) {
       if (picture) port.draw(fire, picture);
       return true;
     },
-    fail: (error) => port.fail(error),
-  });
+    fail: ({ why, at }) => port.fail(at ? `${why} (${at})` : why),
+  }, true);
   const offscreen = pictureCanvas();
   // Some ports of WebKit have an `OffscreenCanvas` but cannot draw on it.
   const engine = (offscreen && attempt(() => run(offscreen))) ?? run(document.createElement('canvas'));

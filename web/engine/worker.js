@@ -31,7 +31,7 @@ async function start(module) {
         return true;
       }
     },
-    fail: (error) => postMessage({ type: 'stopped', why: String(error) }),
+    fail: (reason) => postMessage({ type: 'stopped', ...reason }),
   });
 }
 

@@ -7,6 +7,8 @@
 
 mod check;
 mod error;
+pub mod memory;
+pub mod panic;
 mod record;
 pub mod settings;
 mod untrusted;

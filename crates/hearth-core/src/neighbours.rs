@@ -17,11 +17,6 @@ use crate::grid::{Grid, Run};
 use crate::kernel;
 use crate::lanes::{self, LANES, Lanes};
 
-/// Most entries of the lists. The limit protects a browser's memory: many particles within a
-/// large smoothing radius would have thousands of neighbours each. A hundred thousand particles
-/// reach it at some 650 neighbours.
-const MAX_ENTRIES: usize = 1 << 24;
-
 /// Position of the lanes without a particle, in smoothing lengths: beyond every support.
 pub(crate) const FAR_AWAY: f32 = 1e6;
 
@@ -52,6 +47,11 @@ const MEMBERS: [([u32; LANES], usize); SUBSETS] = {
 
 /// Four particles with the data that every pass reads.
 pub(crate) trait Block: Copy {
+    /// Most entries of the lists. The limit protects a browser's memory and bounds the work of
+    /// a step: many particles within a large smoothing radius would have thousands of neighbours
+    /// each. A hundred thousand particles reach it at some 650 neighbours.
+    const MAX_ENTRIES: usize = 1 << 24;
+
     /// Positions, in smoothing lengths.
     fn position(&self) -> [Lanes; 2];
     /// The weight of each in the sums of its neighbours.
@@ -154,7 +154,7 @@ impl Neighbours {
     ) {
         let mut stride = runs.iter().map(Run::len).sum();
         let begin = self.used;
-        if begin + LANES * stride > MAX_ENTRIES {
+        if begin + LANES * stride > B::MAX_ENTRIES {
             (runs, stride) = (&[], 0);
         }
         let end = begin + LANES * stride;
@@ -283,6 +283,11 @@ impl Neighbours {
                 }
             }
         }
+    }
+
+    /// Number of entries that the last search needed, at most [`Block::MAX_ENTRIES`].
+    pub fn entries(&self) -> usize {
+        self.used
     }
 
     /// Mean and maximum number of neighbours of a particle in the last search. It counts them

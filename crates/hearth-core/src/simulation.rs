@@ -51,7 +51,8 @@ impl Simulation {
 
     /// Makes one step. Its length is [`time_step`](crate::params::Physics::time_step) in the
     /// classic model, and the longest stable one in the combustion model
-    /// ([`step_length`](Simulation::step_length)).
+    /// ([`step_length`](Simulation::step_length)). A classic step with too many pairs of
+    /// particles is shorter, so that the work of every step is bounded.
     pub fn step(&mut self) {
         self.step_in_stages(None, &mut |_| ());
     }
@@ -128,7 +129,8 @@ impl Simulation {
         self.time
     }
 
-    /// Length of a step \[s\]; in the combustion model, of the last one.
+    /// Length of the last step \[s\]; before the first one of the classic model, its
+    /// [`time_step`](crate::params::Physics::time_step).
     pub fn step_length(&self) -> f64 {
         self.solver.step_length(&self.scene)
     }

@@ -3,13 +3,15 @@
 //! `web/engine/loop.js` requests frames and listens to the canvas's context. Each method
 //! returns whether to request another frame, so no loop runs while all fires rest.
 
-use hearth_bindings::{Untrusted, ValidationError, settings};
+use hearth_bindings::{Untrusted, ValidationError, memory, panic, settings};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::WebGl2RenderingContext;
 
-use crate::budget::{STEPS_BUDGET_MS, share};
+use crate::budget::share;
+use crate::capacity::START;
 use crate::commands::Command;
+use crate::duty::{Duty, SHARE_OF_PAGE, SHARE_OF_WORKER};
 use crate::events::{ErrorKind, Events, Post};
 use crate::fire::Fire;
 use crate::pointer::PointerForce;
@@ -30,6 +32,9 @@ pub struct Engine {
     fires: Vec<Box<Fire>>,
     canvas: SharedCanvas,
     clock: WallClock,
+    duty: Duty,
+    /// Whether the thread is the page's own.
+    on_page: bool,
     events: Events,
 }
 
@@ -45,7 +50,8 @@ enum Answer {
 impl Engine {
     /// Creates an engine without fires that draws on `canvas` in its WebGL2 `context`, if the
     /// browser gives one. It posts events through `post(event)` and pictures through
-    /// `show(fire)`, which returns whether the picture is already shown.
+    /// `show(fire)`, which returns whether the picture is already shown. `on_page`: its thread is
+    /// the page's own, so it leaves most of it to the page.
     ///
     /// # Errors
     /// The browser has no WebGL2, or the driver rejects a shader.
@@ -55,20 +61,34 @@ impl Engine {
         canvas: Canvas,
         context: Option<WebGl2RenderingContext>,
         show: Show,
+        on_page: bool,
     ) -> Result<Engine, js_sys::Error> {
+        panic::record();
         let canvas = SharedCanvas::new(canvas, context, show)
             .map_err(|message| js_sys::Error::new(&message))?;
         Ok(Engine {
             fires: Vec::new(),
             canvas,
             clock: WallClock,
+            duty: Duty::new(if on_page {
+                SHARE_OF_PAGE
+            } else {
+                SHARE_OF_WORKER
+            }),
+            on_page,
             events: Events::new(post),
         })
+    }
+
+    /// The place and the text of the last panic; empty before the first.
+    pub fn panic() -> String {
+        panic::last()
     }
 
     /// Executes a call, `[fire, request, command, …arguments]`, and answers with an event.
     /// Returns whether to request a frame.
     pub fn call(&mut self, call: &JsValue) -> bool {
+        let start = self.clock.now();
         let call = Untrusted::of(call);
         let [fire, request, name, arguments @ ..] = call.list() else {
             return self.needs_frame();
@@ -82,6 +102,7 @@ impl Engine {
             Ok(Answer::Deferred) => {}
             Err(errors) => self.events.refused(fire, request, &errors),
         }
+        self.duty.spend(self.clock.now() - start);
         self.needs_frame()
     }
 
@@ -96,8 +117,14 @@ impl Engine {
 
     /// Processes a frame of the display at `now` \[ms\]. Returns whether to request another.
     pub fn frame(&mut self, now: f64) -> bool {
+        let start = self.clock.now();
+        let budget = self.duty.budget(start);
+        if budget <= 0.0 {
+            return self.needs_frame();
+        }
         let fires = self.fires.iter().filter(|f| f.needs_frame()).count();
-        let mut end = self.clock.now() + STEPS_BUDGET_MS;
+        let mut end = start + budget;
+        let mut drawing = 0.0;
         let mut left = fires;
         // The first fire gets most of a frame that is too short for all, so they take turns.
         if fires > 1 {
@@ -109,16 +136,19 @@ impl Engine {
             left -= 1;
             if fire.is_due(now) {
                 // The time of drawing does not shorten the steps of other fires.
-                end += fire.frame(
+                let drew = fire.frame(
                     now,
                     deadline,
-                    fires,
+                    (fires, self.duty.share()),
                     &self.canvas,
                     &self.clock,
                     &self.events,
                 );
+                end += drew;
+                drawing += drew;
             }
         }
+        self.duty.spend(self.clock.now() - start - drawing);
         self.needs_frame()
     }
 
@@ -146,6 +176,11 @@ impl Engine {
     }
 }
 
+/// Particles to reserve memory for. On a page's own thread a fire has fewer until it is measured.
+fn particles(wanted: u32, on_page: bool) -> u32 {
+    if on_page { wanted.min(START) } else { wanted }
+}
+
 impl Engine {
     fn needs_frame(&self) -> bool {
         self.fires.iter().any(|fire| fire.needs_frame())
@@ -165,8 +200,15 @@ impl Engine {
                 if !errors.is_empty() {
                     events.refused(id, 0, &errors);
                 }
+                if let Err(error) = memory::reserve(particles(
+                    requested.parameters().max_particles,
+                    self.on_page,
+                )) {
+                    events.error(id, ErrorKind::Memory, &error.message);
+                    return Ok(Answer::Done);
+                }
                 events.ready(id, &requested);
-                let mut fire = Fire::new(id, requested, &start);
+                let mut fire = Fire::new(id, requested, &start, self.on_page);
                 let drawable = self.canvas.gpu().is_some();
                 fire.set_drawable(drawable);
                 if !drawable {
@@ -185,6 +227,11 @@ impl Engine {
         let (fire, command) = fire;
         if let Some(requested) = fire.requested().after(&command) {
             let requested = requested?;
+            let [old, new] =
+                [fire.requested(), &requested].map(|one| one.parameters().max_particles);
+            if new > old {
+                memory::reserve(particles(new, self.on_page)).map_err(|error| vec![error])?;
+            }
             if let Command::Set { source, .. }
             | Command::Restore { source, .. }
             | Command::AddObject { source, .. }

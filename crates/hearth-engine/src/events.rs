@@ -34,13 +34,15 @@ extern "C" {
     fn deliver(this: &Post, of: &JsValue, event: &Record);
 }
 
-/// Kinds of errors of drawing.
+/// Kinds of errors of a fire.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ErrorKind {
     /// The browser cannot draw fires.
     Unsupported,
     /// The graphics context is lost. The browser may restore it.
     ContextLost,
+    /// There is no memory for the fire.
+    Memory,
 }
 
 /// Posts the events of an engine.
@@ -176,6 +178,7 @@ impl Events {
         let kind = match kind {
             ErrorKind::Unsupported => "unsupported",
             ErrorKind::ContextLost => "context-lost",
+            ErrorKind::Memory => "load",
         };
         self.post(&error(fire, kind, message));
     }

@@ -11,6 +11,7 @@ use hearth_render::{Camera, Fit};
 
 use crate::average::Averages;
 use crate::budget::RealTime;
+use crate::capacity::Capacity;
 use crate::commands::Start;
 use crate::events::Events;
 use crate::fire_frame::FireFrame;
@@ -43,6 +44,7 @@ pub struct Fire {
     drawn: bool,
     pub(crate) quality: Quality,
     grain: Grain,
+    capacity: Capacity,
     pub(crate) fire_frame: FireFrame,
     /// Whether there is a context to draw in.
     drawable: bool,
@@ -72,8 +74,9 @@ pub struct Fire {
 }
 
 impl Fire {
-    /// A fire before its first step. It is not visible and has no size.
-    pub fn new(id: u32, requested: Requested, start: &Start<'_>) -> Fire {
+    /// A fire before its first step. It is not visible and has no size. `on_page`: its thread is
+    /// the page's own.
+    pub fn new(id: u32, requested: Requested, start: &Start<'_>, on_page: bool) -> Fire {
         let guess = start.guess.unwrap_or(Level::Medium);
         let quality = Quality::new(start.quality, guess);
         let warm = Warm::new(start.warm, start.state.to_vec());
@@ -86,6 +89,7 @@ impl Fire {
             warm,
             quality,
             grain: Grain::of(start.side),
+            capacity: Capacity::new(on_page),
             fire_frame: FireFrame::default(),
             drawable: false,
             instances: Vec::new(),
@@ -132,6 +136,7 @@ impl Fire {
         if !requested.costs_like(old) {
             self.real_time.forget_losses();
             self.quality.skip();
+            self.capacity.forget();
         }
         let time = self.simulation.time();
         // The fire of another scene starts without gas of the previous one.

@@ -10,8 +10,10 @@
 
 // Logic that is tested without a browser.
 pub mod budget;
+pub mod capacity;
 pub mod commands;
 pub mod config;
+pub mod duty;
 pub mod grain;
 pub mod limits;
 pub mod pointer;

@@ -122,6 +122,12 @@ impl Quality {
         &self.reason
     }
 
+    /// The speed of the machine allows `now` particles of the `wanted` ones, because a step takes
+    /// that time of at most `max` \[ms\].
+    pub fn explain(&mut self, step: f64, max: f64, now: u32, wanted: u32) {
+        self.reason = reason::of_capacity(step, max, now, wanted);
+    }
+
     /// Starts after a pause: the interval before the next frame does not count.
     pub fn skip(&mut self) {
         self.last = None;
@@ -219,13 +225,15 @@ impl Quality {
             steps: rate * frame.time_scale * self.display * 1e-3,
             draw,
             budget: self.display / frame.fires.max(1) as f64,
+            share: frame.share,
             interval: window.intervals / window.frames,
             exceeds: false,
             late: false,
         };
         load.exceeds = if frame.particles.is_some() {
             // Rare frames slow a fire, too, independent of its steps.
-            let budget = STEPS_EXCEEDED * STEPS_BUDGET_MS / frame.fires.max(1) as f64;
+            let time = STEPS_BUDGET_MS.min(frame.share * self.display);
+            let budget = STEPS_EXCEEDED * time / frame.fires.max(1) as f64;
             let slowed = frame.slowed && !trial && load.steps > budget;
             load.expected(self.level) > EXCEEDED * load.budget || slowed
         } else {
@@ -234,7 +242,7 @@ impl Quality {
         // Frames within the budget come late because of the graphics card or the page. A fixed
         // number of particles leaves nothing to change if the steps cause it.
         let rare = load.interval > LATE * self.display;
-        let busy = (window.steps_ms + window.draw_ms) / window.frames;
+        let busy = (window.steps_ms / frame.share + window.draw_ms) / window.frames;
         let helps = frame.particles.is_some() || busy + self.display < load.interval;
         load.late = rare && helps && !load.exceeds;
         load

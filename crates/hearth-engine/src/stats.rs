@@ -25,7 +25,7 @@ pub struct Stat {
 
 /// Expands the table to [`STATS`] and, in wasm, to the function that fills an object.
 macro_rules! stats {
-    ($fire:ident, $canvas:ident => $(
+    ($fire:ident, $report:ident, $canvas:ident => $(
         $(#[doc = $doc:literal])+
         $name:literal : $kind:literal = $setter:ident($value:expr)
     )+) => {
@@ -39,6 +39,8 @@ macro_rules! stats {
         /// The statistics of a fire that is drawn on this canvas.
         #[cfg(target_arch = "wasm32")]
         pub(crate) fn of($fire: &Fire, $canvas: &SharedCanvas) -> Record {
+            // The report counts the neighbours again.
+            let $report = $fire.simulation.report();
             let record = Record::new();
             $( record.$setter($name, $value); )+
             record
@@ -46,7 +48,7 @@ macro_rules! stats {
     };
 }
 
-stats! { fire, canvas =>
+stats! { fire, report, canvas =>
     /// Pictures per second.
     "fps": "number" = set_number(fire.fps.fps())
     /// Number of particles.
@@ -67,7 +69,7 @@ stats! { fire, canvas =>
     /// Length of a step [s of fire].
     "stepLength": "number" = set_number(fire.averages.step_length)
     /// Number of substeps that the last step needed to be stable.
-    "substeps": "number" = set_number(fire.simulation.report().substeps.into())
+    "substeps": "number" = set_number(report.substeps.into())
     /// Time of a step on the processor [ms].
     "stepMs": "number" = set_number(fire.averages.step_ms())
     /// Time of drawing a picture on the processor [ms].
@@ -85,16 +87,16 @@ stats! { fire, canvas =>
     "quality": "'low' | 'medium' | 'high'" = set_text(fire.quality.level().name())
     /// The reason of that level.
     "qualityReason": "string" = set_text(fire.quality.reason())
-    /// What limits the number of particles: `quality low`, `quality medium`, `quality high` or
-    /// `size`; empty if `max_particles` does, and in the classic model.
+    /// What limits the number of particles: `quality low`, `quality medium`, `quality high`,
+    /// `size` or, where more would take too long, `speed`; else empty.
     "limit": "string" = set_text(fire.limited_by())
     /// Mean number of neighbours of a particle.
-    "neighbours": "number" = set_number(fire.simulation.report().mean_neighbours.into())
+    "neighbours": "number" = set_number(report.mean_neighbours.into())
     /// Quantities of the first and last colour, such as `[0, 2000]`, in the unit of the shown
     /// quantity; `null` if `display_mode` shows none.
     "scale": "[min: number, max: number] | null" = set_object(&scale(fire.measured()))
     /// Number of particles at the speed limit.
-    "atSpeedLimit": "number" = set_number(fire.simulation.report().speed_limited.into())
+    "atSpeedLimit": "number" = set_number(report.speed_limited.into())
     /// Whether the fire is paused.
     "paused": "boolean" = set_flag(!fire.playing)
     /// Format of the render targets.

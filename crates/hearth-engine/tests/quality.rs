@@ -1,6 +1,7 @@
 //! Adaptive quality on machines of every speed.
 
 use hearth_core::params::{Model, Param, Value};
+use hearth_engine::duty::SHARE_OF_WORKER;
 use hearth_engine::quality::{Frame, Level, Quality};
 
 /// A machine and its display.
@@ -65,6 +66,7 @@ impl Burning {
                 slowed: due_ms > 1.06 * steps_ms,
                 particles: particles.then(|| Level::ALL.map(Level::particles)),
                 fires: 1,
+                share: SHARE_OF_WORKER,
             });
             if changed {
                 let level = self.quality.level();

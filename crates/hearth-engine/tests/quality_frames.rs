@@ -1,5 +1,6 @@
 //! Adaptive quality with irregular frames: other displays, busy pages, coarse clocks.
 
+use hearth_engine::duty::SHARE_OF_WORKER;
 use hearth_engine::quality::{Frame, Level, Quality};
 
 /// Interval of a display of 60 Hz \[ms\].
@@ -34,6 +35,7 @@ fn idle() -> Frame {
         slowed: false,
         particles: Some(Level::ALL.map(Level::particles)),
         fires: 1,
+        share: SHARE_OF_WORKER,
     }
 }
 
@@ -173,6 +175,7 @@ fn several_fires_share_the_frame() {
             slowed: false,
             particles: Some(Level::ALL.map(Level::particles)),
             fires: 4,
+            share: SHARE_OF_WORKER,
         });
     }
     assert_eq!(quality.level(), Level::Low);

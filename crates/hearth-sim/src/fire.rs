@@ -1,6 +1,6 @@
 //! The simulation behind `web/sim.js`.
 
-use hearth_bindings::{Record, Untrusted, ValidationError, settings};
+use hearth_bindings::{Record, Untrusted, ValidationError, panic, settings};
 use hearth_core::params::PARAMETERS;
 use hearth_core::{Scene, Simulation};
 use js_sys::Array;
@@ -23,6 +23,7 @@ impl Fire {
     /// An unknown preset, or a value that is refused.
     #[wasm_bindgen(constructor)]
     pub fn new(preset: Option<String>, ids: Array, values: Array) -> Result<Fire, JsValue> {
+        panic::record();
         let scene = match preset {
             Some(name) => settings::preset(&name)
                 .map_err(|error| thrown(vec![error]))?
@@ -33,6 +34,11 @@ impl Fire {
         Ok(Fire {
             simulation: Simulation::new(scene),
         })
+    }
+
+    /// The place and the text of the last panic; empty before the first.
+    pub fn panic() -> String {
+        panic::last()
     }
 
     /// Makes this number of steps.

@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
-use walrus::{ElementItems, Module, ModuleConfig};
+use walrus::{ElementItems, Module, ModuleConfig, RawCustomSection};
 
 use crate::shell::Shell;
 
@@ -78,6 +78,11 @@ pub(crate) fn shorten(sh: &Shell, web: &Path) -> Result<()> {
             remove_dead(&mut module, &code);
         }
         shorten_names(&mut module, &mut code)?;
+        // The element reads the version before it starts the module.
+        module.customs.add(RawCustomSection {
+            name: "hearth".to_owned(),
+            data: env!("CARGO_PKG_VERSION").into(),
+        });
         module.emit_wasm_file(&wasm)?;
         sh.write_file(script, code)?;
     }

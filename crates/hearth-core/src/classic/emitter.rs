@@ -48,11 +48,12 @@ pub(crate) struct Emitter {
 }
 
 impl Emitter {
-    /// Emits the particles that are due in a step from `time`.
+    /// Emits the particles that are due at `time`, `passed` seconds after the last emission.
     pub fn emit(
         &mut self,
         particles: &mut Particles,
         values: &Physics,
+        passed: f32,
         random: &mut Random,
         time: f64,
     ) {
@@ -60,7 +61,7 @@ impl Emitter {
         let rate = values.emission_rate * (1.0 + values.emission_noise * flicker);
         // The backlog is at least the births of one step and a fraction of a birth.
         let max_backlog = 1.0 + rate * values.time_step.max(MAX_WAIT);
-        self.backlog = (self.backlog + rate * values.time_step).min(max_backlog);
+        self.backlog = (self.backlog + rate * passed).min(max_backlog);
         if self.backlog < 1.0 {
             return;
         }

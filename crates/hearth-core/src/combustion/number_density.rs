@@ -26,6 +26,10 @@ struct Block {
 }
 
 impl neighbours::Block for Block {
+    /// Gas fills the domain evenly: even twice the maximum number of particles stays below, at
+    /// any smoothing ratio.
+    const MAX_ENTRIES: usize = 1 << 23;
+
     #[inline(always)]
     fn position(&self) -> [Lanes; 2] {
         self.position

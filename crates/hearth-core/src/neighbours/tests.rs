@@ -35,9 +35,9 @@ fn lists_stop_at_their_limit() {
     let mut neighbours = Neighbours::default();
     neighbours.find(&mut blocks, &grid, 0.02);
     let stride = blocks.len() * LANES;
-    assert!((MAX_ENTRIES - stride..=MAX_ENTRIES).contains(&neighbours.used));
+    assert!((Four::MAX_ENTRIES - stride..=Four::MAX_ENTRIES).contains(&neighbours.used));
     let (mean, max) = neighbours.mean_and_max();
-    assert!(mean > 0.9 * 2.0 * MAX_ENTRIES as f32 * LANES as f32 / n as f32);
+    assert!(mean > 0.9 * 2.0 * Four::MAX_ENTRIES as f32 * LANES as f32 / n as f32);
     assert_eq!(max as usize, n - 1);
     // Particles beyond the limit still interact within their block.
     let last = blocks[blocks.len() - 1].sum.to_array();

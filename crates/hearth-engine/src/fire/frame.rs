@@ -37,12 +37,13 @@ struct Made {
 
 impl Fire {
     /// Makes the due steps until `deadline` \[ms\] and draws the picture. `now` is the time of
-    /// the frame \[ms\]. Returns the time of drawing \[ms\].
+    /// the frame \[ms\], in which so many `fires` have that `share` of the thread. Returns the time
+    /// of drawing \[ms\].
     pub fn frame(
         &mut self,
         now: f64,
         deadline: f64,
-        fires: usize,
+        (fires, share): (usize, f64),
         canvas: &SharedCanvas,
         clock: &WallClock,
         events: &Events,
@@ -75,6 +76,7 @@ impl Fire {
             let power = f64::from(self.simulation.power());
             smooth(&mut self.averages.power, power);
             self.stale = true;
+            self.measure(made.stages.iter().sum::<f64>() / steps, events);
         }
         if let Some(passed) = passed {
             let dropped = if self.clock.due(self.last_step) {
@@ -127,6 +129,7 @@ impl Fire {
                     .follows_level()
                     .then(|| Level::ALL.map(|level| self.particles(level))),
                 fires,
+                share,
             };
             if self.quality.frame(&frame) {
                 events.quality(self.id, &self.quality);

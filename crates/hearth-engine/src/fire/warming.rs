@@ -5,6 +5,7 @@ use hearth_core::Scene;
 use super::Fire;
 use crate::events::Events;
 use crate::quality::Level;
+use crate::requested::with_count;
 
 impl Fire {
     /// Sets the duration of the warm-up of new fires. The answer to `request` follows when the
@@ -33,7 +34,34 @@ impl Fire {
 
     /// The scene at the current level and size.
     pub(super) fn scene(&self) -> Scene {
-        self.requested.at(self.particles(self.quality.level()))
+        let scene = self.requested.at(self.particles(self.quality.level()));
+        if self.is_limited(scene.settings().max_particles) {
+            with_count(&scene, self.capacity.limit())
+        } else {
+            scene
+        }
+    }
+
+    /// Whether the speed of the machine limits that number of particles. The levels have limits
+    /// of their own.
+    fn is_limited(&self, particles: u32) -> bool {
+        particles > self.capacity.limit() && !self.requested.follows_level()
+    }
+
+    /// Follows the time of a step \[ms\] with the number of particles.
+    pub(super) fn measure(&mut self, step: f64, events: &Events) {
+        let wanted = self.requested.parameters().max_particles;
+        if self.requested.follows_level() {
+            return;
+        }
+        let count = self.simulation.count();
+        if let Some(step) = self.capacity.measure(step, count, wanted) {
+            let now = wanted.min(self.capacity.limit());
+            self.quality
+                .explain(step, self.capacity.max_step(), now, wanted);
+            events.quality(self.id, &self.quality);
+            self.adapt();
+        }
     }
 
     /// Number of particles at a level, unless a page set the number.
@@ -56,8 +84,10 @@ impl Fire {
     /// What limits the number of particles, as in `stats`; empty if a page set the number.
     pub(crate) fn limited_by(&self) -> &'static str {
         let level = self.quality.level();
-        if self.requested.follows_scene() {
-            let number = self.requested.parameters().max_particles;
+        let number = self.requested.parameters().max_particles;
+        if self.is_limited(number) {
+            "speed"
+        } else if self.requested.follows_scene() {
             if self.particles(level) < number {
                 "size"
             } else {

@@ -19,6 +19,8 @@ pub struct Load {
     pub draw: f64,
     /// Available time \[ms\].
     pub budget: f64,
+    /// Share of the thread that the engine takes.
+    pub share: f64,
     /// Interval between two frames \[ms\].
     pub interval: f64,
     /// Whether steps and drawing exceed the budget.
@@ -42,7 +44,7 @@ impl Load {
 
     /// Whether a level is expected to fit with room to spare.
     pub fn fits(&self, level: Level) -> bool {
-        self.expected(level) <= FITS * self.budget
+        self.expected(level) <= FITS.min(self.share) * self.budget
     }
 
     /// The highest level below this one that fits, or the lowest level; `None` at the lowest.

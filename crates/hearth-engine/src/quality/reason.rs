@@ -7,12 +7,7 @@ use super::load::Load;
 
 /// The reason of a change to `level`: what takes how long \[ms\], and what changes.
 pub fn of_change(what: &str, ms: f64, load: &Load, level: Level) -> String {
-    let mut reason = String::new();
-    for (words, ms) in [(what, ms), (" for a frame of ", load.budget)] {
-        // Formatting a fraction would add 20 KB of code.
-        let tenths = (ms * 10.0).round() as u32;
-        let _ = write!(reason, "{words}{}.{} ms", tenths / 10, tenths % 10);
-    }
+    let mut reason = of_times([(what, ms), (" for a frame of ", load.budget)]);
     let number = |level: Level| load.particles.map(|numbers| numbers[level as usize]);
     let _ = if let (Some(new), Some(old)) = (number(level), number(load.level))
         && new != old
@@ -28,6 +23,27 @@ pub fn of_change(what: &str, ms: f64, load: &Load, level: Level) -> String {
         write!(reason, ": a {than} picture")
     };
     reason
+}
+
+/// The reason of a number of particles `now`, instead of the `wanted` one: a step takes that time
+/// of at most `max` \[ms\].
+pub fn of_capacity(step: f64, max: f64, now: u32, wanted: u32) -> String {
+    let reason = of_times([("a step takes ", step), (" of at most ", max)]);
+    let [now, wanted] = [now, wanted].map(with_separator);
+    reason + ": " + &now + " of " + &wanted + " particles"
+}
+
+/// Two times with the words before each \[ms\].
+// Inlined into its callers, the engine would be larger.
+#[inline(never)]
+fn of_times(times: [(&str, f64); 2]) -> String {
+    let mut text = String::new();
+    for (words, ms) in times {
+        // Formatting a fraction would add 20 KB of code.
+        let tenths = (ms * 10.0).round() as u32;
+        let _ = write!(text, "{words}{}.{} ms", tenths / 10, tenths % 10);
+    }
+    text
 }
 
 /// A number of particles with a separator of thousands.

@@ -29,6 +29,8 @@ pub struct Frame {
     pub particles: Option<[u32; 3]>,
     /// Number of fires that share the frame.
     pub fires: usize,
+    /// Share of the thread that the engine takes.
+    pub share: f64,
 }
 
 /// Sums over frames.

@@ -1,0 +1,97 @@
+//! How many particles the machine steps in time.
+//!
+//! A page or a link may request more particles than the machine can step. The fire then has
+//! fewer, and its statistics say so; `params` keeps the requested number. On a page's own thread
+//! a fire starts with at most [`START`] and gets more if its steps leave room.
+
+/// Longest step on a page's own thread \[ms\].
+pub const MAX_STEP_OF_PAGE: f64 = 25.0;
+/// Longest step in a worker \[ms\].
+pub const MAX_STEP_OF_WORKER: f64 = 200.0;
+
+/// Most particles of a fire on a page's own thread before its steps are measured.
+pub const START: u32 = 10_000;
+/// Fewest particles, which both models allow.
+pub const MIN: u32 = 200;
+
+/// Frames of a measurement. The fastest counts: another process may slow one of them.
+const FRAMES: u32 = 3;
+/// Share of the longest step that fewer particles aim at.
+const AIM: f64 = 0.8;
+
+/// The largest number of particles of a fire.
+#[derive(Clone, Debug)]
+pub struct Capacity {
+    max_step: f64,
+    limit: u32,
+    /// Shortest step of the present measurement \[ms\], and its frames.
+    shortest: f64,
+    frames: u32,
+    /// Whether the number fell, after which it does not rise.
+    fell: bool,
+}
+
+impl Capacity {
+    /// The capacity of a page's own thread, or of a worker.
+    pub fn new(on_page: bool) -> Capacity {
+        let (max_step, limit) = if on_page {
+            (MAX_STEP_OF_PAGE, START)
+        } else {
+            (MAX_STEP_OF_WORKER, u32::MAX)
+        };
+        Capacity {
+            max_step,
+            limit,
+            shortest: f64::INFINITY,
+            frames: 0,
+            fell: false,
+        }
+    }
+
+    /// The largest number of particles.
+    pub fn limit(&self) -> u32 {
+        self.limit
+    }
+
+    /// The longest step \[ms\].
+    pub fn max_step(&self) -> f64 {
+        self.max_step
+    }
+
+    /// Measures again, because the work of a step changes.
+    pub fn forget(&mut self) {
+        (self.shortest, self.frames, self.fell) = (f64::INFINITY, 0, false);
+    }
+
+    /// Adds a frame whose steps of that many `particles` took `step` each \[ms\], in a fire that
+    /// requests `wanted`. Returns the measured time of a step if the limit changed \[ms\].
+    pub fn measure(&mut self, step: f64, particles: usize, wanted: u32) -> Option<f64> {
+        self.shortest = self.shortest.min(step);
+        self.frames += 1;
+        if self.frames < FRAMES {
+            return None;
+        }
+        let step = std::mem::replace(&mut self.shortest, f64::INFINITY);
+        self.frames = 0;
+        let old = self.limit.min(wanted);
+        let new = if step > self.max_step {
+            self.fell = true;
+            let fits = particles as f64 * AIM * self.max_step / step;
+            (fits as u32).max(MIN).min(old)
+        } else {
+            let more = wanted.min(old.saturating_mul(2));
+            // In the worst case each particle is a neighbour of each.
+            let ratio = f64::from(more) / f64::from(old);
+            if self.fell || ratio * ratio * step > self.max_step {
+                old
+            } else {
+                more
+            }
+        };
+        if new == old {
+            return None;
+        }
+        self.limit = new;
+        Some(step)
+    }
+}

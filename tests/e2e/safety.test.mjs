@@ -1,0 +1,162 @@
+/**
+ * Safety: a link cannot take the page's thread, and a fire without memory cannot take the other
+ * fires along.
+ */
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { onPageThread, simulateClock } from './clock.mjs';
+import { SITE } from './site.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+/** Opens a fire on the page's thread, whose scripts need so many milliseconds to read the clock. */
+async function onSlowPage(attributes, cost) {
+  const fire = `<script>clock.cost = ${cost}</script><hearth-fire max-pixels="10000" ${attributes}></hearth-fire>`;
+  const tab = await browser.open(onPageThread(fire), { before: simulateClock });
+  await tab.ready();
+  return tab;
+}
+
+test('an engine with steps of half a second leaves the page’s thread most of its time', async () => {
+  // A step reads the clock four times. Pictures, which do not count, wait for the requested steps.
+  const tab = await onSlowPage('max-particles="200" autoplay="false"', 0);
+  const share = await tab.fire(async (fire) => {
+    const { clock } = /** @type {any} */ (window);
+    const read = performance.now;
+    let frame = 0;
+    // The first reading of a frame, with which the engine begins, costs nothing.
+    performance.now = () => {
+      clock.cost = clock.frames === frame ? 130 : 0;
+      frame = clock.frames;
+      return read();
+    };
+    fire.step(100_000);
+    const frames = async (/** @type {number} */ count) => {
+      for (let left = count; left > 0; left -= 1) await new Promise(requestAnimationFrame);
+    };
+    await frames(200);
+    const [work, first] = [clock.work, clock.frames];
+    await frames(2000);
+    const worked = clock.work - work;
+    return worked / (worked + (clock.frames - first) * 1000 / 60);
+  });
+  assert.ok(share > 0.1 && share < 0.5, `the engine takes ${share} of the thread`);
+  assert.deepEqual(tab.problems, []);
+});
+
+const LIMITED = () => {
+  const { stats, params } = /** @type {any} */ (document.querySelector('hearth-fire'));
+  return stats?.limit === 'speed' && params.max_particles === 100_000;
+};
+
+test('on the page’s thread a number of particles that takes too long is reduced, kept in params, and explained', async () => {
+  const tab = await onSlowPage('max-particles="100000"', 10);
+  await tab.until('it is reduced', () => {
+    const { stats } = /** @type {any} */ (document.querySelector('hearth-fire'));
+    return stats?.particles > 0 && stats.particles < 7000;
+  });
+  assert.ok(await tab.evaluate(LIMITED));
+  const reason = await tab.fire((fire) => fire.stats.qualityReason);
+  assert.match(reason, /^a step takes [\d.]+ ms of at most 25\.0 ms: [\d,]+ of 100,000 particles$/);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('on the page’s thread a fire starts with at most ten thousand particles', async () => {
+  // Steps of eight milliseconds neither lower the number nor raise it.
+  const tab = await onSlowPage('max-particles="100000"', 2);
+  const first = await tab.fire((fire) => new Promise((resolve) => {
+    fire.addEventListener('stats', () => resolve(fire.stats.particles), { once: true });
+  }));
+  assert.ok(first < 11_000, `${first} particles`);
+  assert.equal(await tab.fire((fire) => fire.params.max_particles), 100_000);
+});
+
+test('wasm of another version is refused, and both versions are named', async () => {
+  const wasm = await readFile(path.join(SITE, 'web/wasm/hearth-engine_bg.wasm'));
+  const at = wasm.lastIndexOf('\u0006hearth') + 7;
+  const version = wasm.toString('latin1', at, at + 5);
+  assert.match(version, /^\d+\.\d+\.\d+$/);
+  wasm.write('9.8.7', at, 'latin1');
+  const tab = await browser.open('<hearth-fire></hearth-fire>', { files: { 'hearth-engine_bg.wasm': { body: wasm } } });
+  const { kind, message } = await tab.fire((fire) => fire.ready.catch((error) => ({ kind: error.kind, message: error.message })));
+  assert.equal(kind, 'load');
+  assert.ok(message.includes(`its wasm has version 9.8.7, the element has version ${version}`), message);
+});
+
+/** The engine's wasm with a memory of at most so many pages of 64 KiB. */
+async function withMemory(pages) {
+  const wasm = await readFile(path.join(SITE, 'web/wasm/hearth-engine_bg.wasm'));
+  const number = (/** @type {number} */ at) => {
+    let [value, shift, end] = [0, 0, at];
+    for (;;) {
+      const byte = wasm[end];
+      end += 1;
+      value |= (byte & 127) << shift;
+      shift += 7;
+      if (byte < 128) return { value, end };
+    }
+  };
+  const bytes = (/** @type {number} */ value) => {
+    const all = [];
+    for (let left = value; ; left >>= 7) {
+      if (left < 128) return [...all, left];
+      all.push((left & 127) | 128);
+    }
+  };
+  for (let at = 8; at < wasm.length;) {
+    const { value: size, end } = number(at + 1);
+    // The section of memories: one, without a maximum.
+    if (wasm[at] === 5) {
+      assert.deepEqual([...wasm.subarray(end, end + 2)], [1, 0]);
+      const { value: least } = number(end + 2);
+      const section = [1, 1, ...bytes(least), ...bytes(least + pages)];
+      return Buffer.concat([
+        wasm.subarray(0, at), Buffer.from([5, ...bytes(section.length), ...section]), wasm.subarray(end + size),
+      ]);
+    }
+    at = end + size;
+  }
+  throw new Error('the wasm has no memory');
+}
+
+test('a fire without memory for its particles refuses them in words, and all fires burn on', async () => {
+  const body = await withMemory(16 * 16);
+  const tab = await browser.open('<hearth-fire></hearth-fire><hearth-fire id="other"></hearth-fire>', {
+    files: { 'hearth-engine_bg.wasm': { body } },
+  });
+  await tab.burnt(0.2);
+  const message = await tab.fire((fire) => fire.set('max_particles', 100_000).then(() => '', (error) => error.message));
+  assert.match(message, /max_particles = 100000 is refused: it must be fewer, because the browser has no memory left/);
+  const times = await tab.evaluate(async () => {
+    const fires = /** @type {any[]} */ ([...document.querySelectorAll('hearth-fire')]);
+    const time = () => fires.map((fire) => fire.stats.time);
+    const start = time();
+    while (!time().every((now, at) => now > start[at] + 0.1)) await new Promise(requestAnimationFrame);
+    return fires.map((fire) => fire.params.max_particles);
+  });
+  assert.deepEqual(times, [3000, 3000]);
+});
+
+test('a fire for which there is no memory at all says so, and the others burn on', async () => {
+  const body = await withMemory(16 * 16);
+  const many = { body: '{"values": {"max_particles": 100000}}', type: 'application/json' };
+  const tab = await browser.open('<hearth-fire></hearth-fire>', {
+    files: { 'hearth-engine_bg.wasm': { body }, 'many.json': many },
+  });
+  await tab.burnt(0.2);
+  const message = await tab.evaluate(() => {
+    document.body.insertAdjacentHTML('beforeend', '<hearth-fire src="/many.json"></hearth-fire>');
+    const fire = /** @type {any} */ (document.body.lastElementChild);
+    return fire.ready.then(() => '', (/** @type {Error} */ error) => error.message);
+  });
+  assert.match(message, /max_particles = 100000 .*no memory left/);
+  await tab.burnt((await tab.fire((fire) => fire.stats.time)) + 0.1);
+});

@@ -6,7 +6,8 @@ use std::path::Path;
 
 use hearth_core::burning::BurningError;
 use hearth_core::params::Input;
-use hearth_core::{Parameters, Preset, Simulation};
+use hearth_core::preset::Preset;
+use hearth_core::{Parameters, Simulation};
 
 /// The scenes that are stored.
 const STORED: [&str; 1] = ["fireside"];
@@ -16,11 +17,12 @@ const BRIGHT: f32 = 1000.0;
 
 fn stored(name: &str) -> Vec<u8> {
     let file = format!("../web/burning/{name}.fire");
-    fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).expect("the stored fire")
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+    fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
 fn values_of(name: &str) -> Parameters {
-    Preset::find(name).expect("the scene").parameters()
+    Preset::find(name).map_or_else(|| panic!("there is no scene {name}"), Preset::parameters)
 }
 
 #[test]

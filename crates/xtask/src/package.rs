@@ -24,8 +24,8 @@ pub(crate) fn build() -> Result<()> {
 
 /// Makes the package of the built site, and checks it.
 pub(crate) fn make() -> Result<()> {
-    npm::install(&scripts())?;
-    let (package, site, scripts) = (folder(), paths::site(), scripts());
+    npm::install(&paths::packaging())?;
+    let (package, site, scripts) = (folder(), paths::site(), paths::packaging());
     let scratch = tools::target()?.join("package-check");
     // The crates of the workspace have the version of the package.
     let version = env!("CARGO_PKG_VERSION");
@@ -44,7 +44,7 @@ pub(crate) fn make() -> Result<()> {
 /// what this checkout releases.
 pub(crate) fn reproduce() -> Result<()> {
     build()?;
-    let (sh, scripts) = (Shell::new()?, scripts());
+    let (sh, scripts) = (Shell::new()?, paths::packaging());
     Ok(cmd!(sh, "node {scripts}/reproduce.mjs").run()?)
 }
 
@@ -52,16 +52,11 @@ pub(crate) fn reproduce() -> Result<()> {
 /// over its ceiling.
 pub(crate) fn sizes(folder: &Path) -> Result<()> {
     script::tools()?;
-    let (sh, scripts) = (Shell::new()?, scripts());
+    let (sh, scripts) = (Shell::new()?, paths::packaging());
     Ok(cmd!(sh, "node {scripts}/sizes.mjs {folder}").run()?)
 }
 
 /// Where the package is made.
 pub(crate) fn folder() -> PathBuf {
     paths::root().join("dist/npm")
-}
-
-/// The scripts that make and check it.
-pub(crate) fn scripts() -> PathBuf {
-    paths::root().join("crates/xtask/packaging")
 }

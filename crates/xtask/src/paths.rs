@@ -37,6 +37,11 @@ pub(crate) fn tools() -> PathBuf {
         .join("hearth/tools")
 }
 
+/// The scripts that make the package.
+pub(crate) fn packaging() -> PathBuf {
+    root().join("crates/xtask/packaging")
+}
+
 /// `path` relative to the checkout.
 pub(crate) fn shown(path: &Path) -> String {
     let path = path.strip_prefix(root()).unwrap_or(path);

@@ -7,7 +7,7 @@ use anyhow::Result;
 use xshell::cmd;
 
 use crate::shell::Shell;
-use crate::{npm, package, paths};
+use crate::{npm, paths};
 
 /// Installs esbuild, which `scripts/` pins.
 pub(crate) fn tools() -> Result<()> {
@@ -43,7 +43,7 @@ pub(crate) fn check_types() -> Result<()> {
 /// from `Cargo.lock`; returns those that it writes, a line each.
 pub(crate) fn derived_files() -> Result<String> {
     tools()?;
-    let (sh, scripts, packaging) = (Shell::new()?, folder(), package::scripts());
+    let (sh, scripts, packaging) = (Shell::new()?, folder(), paths::packaging());
     let element = cmd!(sh, "node {scripts}/element.mjs").read()?;
     let legal = cmd!(sh, "node {packaging}/legal.mjs").read()?;
     Ok(format!("{element}\n{legal}").trim().to_owned())

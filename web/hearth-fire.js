@@ -40,7 +40,7 @@ import { VERSION } from './generated/version.js';
  * @slot poster  Content that is shown until the fire burns, and in browsers that cannot show it. The attribute `poster` applies if the slot is empty.
  * @csspart canvas  The canvas.
  * @csspart message  The message that explains why there is no fire.
- * @csspart retry  The button under that message that tries again.
+ * @csspart retry  The button in that message that tries again.
  * @csspart play  The button that plays a fire that is paused for reduced motion, and pauses it again.
  * @csspart panel  The panel of sliders of the attribute `controls`.
  * @csspart scale  The colour bar of a display mode that shows a quantity.

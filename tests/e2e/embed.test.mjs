@@ -122,7 +122,7 @@ describe('a fire in an iframe', () => {
       await received(tab, 'hello');
       const { ok, error } = await call(tab, 'ready');
       assert.deepEqual([ok, error.kind], [false, 'load']);
-      const words = await inIframe(tab, (fire) => fire.shadowRoot.querySelector('[part=message]').textContent);
+      const words = await inIframe(tab, (fire) => fire.shadowRoot.querySelector('[role=status]').textContent);
       assert.equal(words, error.message);
     } finally {
       fixture.fireServer.replace({});

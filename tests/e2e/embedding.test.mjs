@@ -108,7 +108,7 @@ test('the events are those that the element sends, each in an example', () => {
 });
 
 test('the parts and the slot are those of the element, each in an example', () => {
-  const parts = [...has.parts, 'panel', 'play', 'scale'];
+  const parts = [...has.parts, 'panel', 'play', 'retry', 'scale'];
   const described = [...DOC.matchAll(/`::part\(([\w-]+)\)`/g)].map(([, name]) => name);
   assert.deepEqual(sorted(described), sorted(parts));
   for (const name of parts) assert.ok(CODE.includes(`::part(${name})`), name);

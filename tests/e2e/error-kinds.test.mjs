@@ -26,7 +26,7 @@ async function assertSaid(tab, kind, named) {
   assert.equal(errors[0].kind, kind);
   assert.match(errors[0].message, named);
   const seen = await tab.fire((fire) => ({
-    words: fire.shadowRoot.querySelector('[part=message]').textContent,
+    words: fire.shadowRoot.querySelector('[role=status]').textContent,
     poster: document.querySelector('#poster').checkVisibility(),
   }));
   assert.deepEqual(seen, { words: errors[0].message, poster: true });

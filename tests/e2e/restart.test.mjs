@@ -148,7 +148,7 @@ test('an engine that stops three times in a minute leaves a poster, words and a 
   await reported(tab, 3);
   assert.equal(await tab.fire((fire) => fire.ready.then(() => '', ({ kind }) => kind)), 'stopped');
   const seen = await tab.fire((fire) => ({
-    words: fire.shadowRoot.querySelector('[part=message]').textContent,
+    words: fire.shadowRoot.querySelector('[role=status]').textContent,
     poster: document.querySelector('[slot=poster]')?.checkVisibility(),
   }));
   assert.match(seen.words, /stopped 3 times in a minute.*not answered/);

@@ -175,7 +175,7 @@ test('in an iframe, wasm that never comes is reported to the page', async () => 
     assert.equal(answer.ok, false);
     assert.equal(answer.error.kind, 'load');
     assert.match(answer.error.message, /no answer within 60 s/);
-    assert.match(await inIframe(tab, (fire) => fire.shadowRoot.querySelector('[part=message]').textContent), /60 s/);
+    assert.match(await inIframe(tab, (fire) => fire.shadowRoot.querySelector('[role=status]').textContent), /60 s/);
   } finally {
     fixture.fireServer.replace({});
   }

@@ -296,9 +296,9 @@ export class FireSession {
     // Later fires of this element are as warm as its attribute says.
     if (this.#returns) this.send('warm', this.fire.warm);
     this.#returns = false;
-    const type = this.#ready.announced ? 'restored' : 'ready';
+    const { announced } = this.#ready;
     this.#ready.resolve();
-    this.reports.emit(type);
+    this.reports.emit(announced ? 'restored' : 'ready');
   }
 
   /** Ends the connection of a fire that is removed or has stopped. */

@@ -57,7 +57,7 @@ function make(name, attributes, ...children) {
 export class FireView {
   #host;
   #shadow;
-  #message = make('p', { part: 'message', role: 'status' });
+  #message = make('p', { role: 'status' });
   #retry = /** @type {HTMLButtonElement} */ (make('button', { part: 'retry', type: 'button' }, 'Try again'));
   #poster = /** @type {HTMLImageElement} */ (make('img', { alt: '', hidden: '' }));
   #posterBox = make('div', { class: 'poster' }, make('slot', { name: 'poster' }, this.#poster));
@@ -77,7 +77,7 @@ export class FireView {
   /** How the domain fits the picture, and where it lies: shares from the left and from below. */
   camera = { fit: 'height', x: 0.5, y: 0 };
   /** What the shadow tree holds. */
-  root = make('div', { class: 'root', 'data-state': 'loading' }, make('div', { class: 'room' }), this.#posterBox, make('div', { class: 'message' }, this.#message));
+  root = make('div', { class: 'root', 'data-state': 'loading' }, make('div', { class: 'room' }), this.#posterBox, make('div', { class: 'message', part: 'message' }, this.#message));
 
   /** @param {HTMLElement} host */
   constructor(host) {

@@ -100,7 +100,8 @@ test('an eager fire loads at once, a lazy one when it comes near the viewport', 
 
 test('the poster is shown until the first picture, and while there is no picture', async () => {
   const image = 'data:image/svg+xml,<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><rect width="1" height="1" fill="lime"/></svg>';
-  const body = `<hearth-fire poster='${image}' style="width: 200px; height: 200px"></hearth-fire>`;
+  // The message and its button cover a part of it.
+  const body = `<hearth-fire poster='${image}' style="width: 320px; height: 400px"></hearth-fire>`;
   const late = await browser.open(body, { without: 'hearth-engine_bg.wasm' });
   await late.fire((fire) => fire.ready.catch(() => {}));
   const lime = (picture) => picture.share((r, g) => g > 200 && r < 100);

@@ -136,6 +136,46 @@ test('an engine that answers each question after nine seconds goes on', async ()
   assert.deepEqual(await events(tab, 'error'), []);
 });
 
+test('a worker is asked one question at a time, whatever fires come and go', async () => {
+  const tab = await browser.open(BODY, {
+    before: () => {
+      const scope = /** @type {any} */ (window);
+      const { setTimeout } = window;
+      scope.setTimeout = (act, time, ...rest) => setTimeout(act, time === 2000 ? 20 : time, ...rest);
+      let unanswered = 0;
+      scope.most = scope.questions = 0;
+      const heard = new WeakSet();
+      const { postMessage } = Worker.prototype;
+      Worker.prototype.postMessage = function counted(message, ...rest) {
+        if (!heard.has(this)) {
+          this.addEventListener('message', ({ data }) => (unanswered -= Number(data.type === 'answer')));
+          heard.add(this);
+        }
+        if (message === 0) {
+          unanswered += 1;
+          scope.questions += 1;
+          scope.most = Math.max(scope.most, unanswered);
+        }
+        return postMessage.call(this, message, ...rest);
+      };
+    },
+  });
+  await tab.burnt(0.2);
+  const most = await tab.evaluate(async () => {
+    for (let round = 0; round < 10; round += 1) {
+      const fires = Array.from({ length: 8 }, () => /** @type {any} */ (document.createElement('hearth-fire')));
+      document.body.append(...fires);
+      await Promise.all(fires.map((fire) => fire.ready));
+      for (const fire of fires) fire.remove();
+    }
+    const scope = /** @type {any} */ (window);
+    const asked = scope.questions;
+    while (scope.questions < asked + 5) await new Promise(requestAnimationFrame);
+    return scope.most;
+  });
+  assert.equal(most, 1);
+});
+
 test('an engine that stops three times in a minute leaves a poster, words and a button', async () => {
   const tab = await browser.open(BODY, { before: countByHand, beforeWorker: mortal });
   await tab.burnt(0.3);

@@ -43,7 +43,7 @@ export class EngineConnection {
   observed = /** @type {Promise<void>} */ (new Promise((resolve) => (this.#observed = resolve)));
   /** Applies a changed `loading` attribute to a fire that is not loaded yet. */
   reschedule = () => {};
-  #shown = () => this.#port.shown(this.#fire);
+  #shown = () => this.live && this.#port.shown(this.#fire);
 
   /**
    * @param {HTMLElement} host

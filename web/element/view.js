@@ -28,11 +28,11 @@ canvas { display: block; }
 .message {
   position: absolute; inset: auto 5% 6%; box-sizing: border-box; inline-size: fit-content; max-inline-size: 32rem; margin: auto;
   padding: 0.75em 1em; border-radius: 0.5em; background: rgb(20 16 14 / 0.9); color: #f4ece4;
-  font: 0.95rem/1.45 system-ui, sans-serif; text-align: center; pointer-events: auto; overflow-wrap: anywhere;
+  font: 0.9rem/1.4 system-ui, sans-serif; text-align: center; pointer-events: auto; overflow-wrap: anywhere;
 }
 .message p { margin: 0; }
 .message button {
-  margin-block-start: 0.75em; padding: 0.5em 1em; border: 1px solid; border-radius: 0.5em; background: none; color: inherit; font: inherit;
+  margin-block-start: 0.5em; padding: 0.25em 1em; border: 1px solid; border-radius: 0.5em; background: none; color: inherit; font: inherit;
 }
 .root:not([data-state='failed']) .message { display: none; }
 `;

@@ -137,6 +137,7 @@ class EnginePort {
   /** The worker answers. */
   answered() {
     this.#unanswered();
+    clearTimeout(this.#question);
     this.#question = setTimeout(() => this.ask(), QUESTION_MS);
   }
 

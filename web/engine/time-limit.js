@@ -38,7 +38,10 @@ export function countdown(seconds, act) {
  * @returns {Promise<T>}
  */
 export function timely(code) {
-  return Promise.race([code, new Promise((_, reject) => {
-    setTimeout(() => reject(new Error(`no answer within ${CODE_MS / 1000} s`)), CODE_MS);
-  })]);
+  /** @type {ReturnType<typeof setTimeout>} */
+  let timer;
+  const late = new Promise((_, reject) => {
+    timer = setTimeout(() => reject(new Error(`no answer within ${CODE_MS / 1000} s`)), CODE_MS);
+  });
+  return Promise.race([code, late]).finally(() => clearTimeout(timer));
 }

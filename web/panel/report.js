@@ -3,8 +3,6 @@
  * settings, measurements and the last errors. It leaves the computer only when the visitor pastes it.
  */
 
-import { VERSION } from '../generated/version.js';
-
 /** The number of errors that are kept, the last ones. */
 const KEPT = 10;
 
@@ -39,7 +37,7 @@ export class Report {
   text(link, config) {
     const { params, objects, stats, quality } = this.#fire;
     return [
-      `Hearth ${VERSION}`,
+      `Hearth ${/** @type {typeof import('../hearth-fire.js').HearthFire} */ (this.#fire.constructor).version}`,
       `Browser: ${navigator.userAgent}`,
       `Screen: ${screen.width} × ${screen.height}, ${devicePixelRatio} device pixels per pixel; fire: ${this.#fire.clientWidth} × ${this.#fire.clientHeight}`,
       `Processors: ${navigator.hardwareConcurrency}`,

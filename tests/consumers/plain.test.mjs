@@ -68,7 +68,7 @@ test('custom-elements.json names what the element has', async () => {
   assert.deepEqual(names('attributes'), [...new Set(has.attributes)].sort());
   assert.deepEqual(names('slots'), has.slots.sort());
   // The playback button is loaded for reduced motion only.
-  assert.deepEqual(names('cssParts'), [...new Set([...has.cssParts, 'play'])].sort());
+  assert.deepEqual(names('cssParts'), [...new Set([...has.cssParts, 'play', 'retry'])].sort());
   const members = manifest.members.filter((one) => !one.static).map(({ name }) => name);
   // What the parts of the element have for each other, no one else calls.
   const inner = ['constructor', 'keepEarlyProperties', 'chosen'];

@@ -17,7 +17,9 @@ after(() => browser?.close());
 const CALM = 'paused interactive ember-rate="0" ember-size="0.02"';
 
 /** Where the middle of the source's foot is on the screen. */
-const source = (tab) => tab.fire((fire) => {
+const source = (tab) => tab.fire(async (fire) => {
+  // The engine answers in order: every earlier drag counts.
+  await fire.exportConfig();
   const { left, top } = fire.getBoundingClientRect();
   const { x, y } = fire.toPixels(fire.params.source_x, fire.params.source_height);
   return { x: left + x, y: top + y };

@@ -38,6 +38,7 @@ function countByHand() {
   scope.setTimeout = (act, time, ...rest) => setTimeout(act, time === 2000 ? 20 : time, ...rest);
   scope.clearInterval = (timer) => counts.delete(timer) || clearInterval(timer);
   performance.now = () => now;
+  scope.counting = () => counts.size > 0;
   scope.count = (seconds) => {
     for (; seconds > 0; seconds -= 1) {
       now += 1000;
@@ -131,7 +132,7 @@ test('an engine that answers each question after nine seconds goes on', async ()
     await count(tab, 9);
     // Workers answer in order.
     await tab.fire((fire) => fire.set('exposure', 1));
-    await tab.evaluate(() => new Promise((resolve) => setTimeout(resolve, 30)));
+    await tab.until('the next question', () => /** @type {any} */ (window).counting());
   }
   assert.deepEqual(await events(tab, 'error'), []);
 });
@@ -244,7 +245,7 @@ test('a fire out of sight is ready without a picture, and a picture of it is ref
     const picture = fire.toBlob().then(() => 'a picture', ({ message }) => message).finally(() => (waits = false));
     while (waits) {
       /** @type {any} */ (window).count(1);
-      await new Promise((resolve) => setTimeout(resolve, 10));
+      await new Promise(requestAnimationFrame);
     }
     return [fire.shadowRoot.querySelector('.root').hasAttribute('data-drawn'), await picture];
   });

@@ -91,6 +91,17 @@ test('wasm of another version is refused, and both versions are named', async ()
   assert.ok(message.includes(`its wasm has version 9.8.7, the element has version ${version}`), message);
 });
 
+test('a script of another version than its wasm is refused, and the version is named', async () => {
+  const glue = await readFile(path.join(SITE, 'web/wasm/hearth-engine.js'), 'utf8');
+  const version = /"(\d+\.\d+\.\d+)"/.exec(glue)?.[1] ?? '';
+  const tab = await browser.open('<hearth-fire></hearth-fire>', {
+    files: { 'hearth-engine.js': { body: glue.replaceAll(version, '9.8.7') } },
+  });
+  const { kind, message } = await tab.fire((fire) => fire.ready.catch((error) => ({ kind: error.kind, message: error.message })));
+  assert.equal(kind, 'load');
+  assert.ok(message.includes(`"${version}"`), message);
+});
+
 /** The engine's wasm with a memory of at most so many pages of 64 KiB. */
 async function withMemory(pages) {
   const wasm = await readFile(path.join(SITE, 'web/wasm/hearth-engine_bg.wasm'));

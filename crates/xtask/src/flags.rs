@@ -51,6 +51,11 @@ xflags::xflags! {
             /// The seed of the first case.
             optional --seed number: u32
         }
+        /// Fails graphics, network and engine in turn; a run of all sections updates docs/evaluation.md.
+        cmd faults {
+            /// A section; `network`, for instance.
+            repeated section: String
+        }
         /// Measures speed beside other programs and updates docs/evaluation.md.
         cmd bench {
             /// Counts the instructions of a step instead, and compares them with the recorded ones.

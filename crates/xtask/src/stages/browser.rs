@@ -74,6 +74,15 @@ pub(crate) fn run_script(name: &str, arguments: impl IntoIterator<Item = PathBuf
     Ok(script.args(arguments).run()?)
 }
 
+/// Builds the site and runs its faults in every browser.
+pub(crate) fn faults(arguments: impl IntoIterator<Item = PathBuf>) -> Result<()> {
+    let browsers = tools::other_browsers()?;
+    let sh = Shell::new()?;
+    let script = script(&sh, "faults.mjs", &paths::site())?.envs(browsers);
+    site::build()?;
+    Ok(script.args(arguments).run()?)
+}
+
 /// A script of `tests/e2e` with the browser and the site in `folder`.
 fn script<'a>(sh: &'a Shell, name: &str, folder: &Path) -> Result<Cmd<'a>> {
     let chromium = tools::chromium()?;

@@ -1,6 +1,6 @@
 /** Crashes of Chromium's process for graphics. */
 import { Browser } from '../driver.mjs';
-import { FIRE, outcome } from './outcome.mjs';
+import { FIRE, outcome, retry } from './outcome.mjs';
 
 const CRASHES = 10;
 
@@ -14,10 +14,7 @@ export async function* gpu() {
     for (let crash = 1; crash <= CRASHES; crash += 1) {
       await session.send('Browser.crashGpuProcess');
       yield await outcome(tab, `crash ${crash}`);
-      const failed = await tab.fire((fire) => fire.shadowRoot.querySelector('.root').matches('[data-state=failed]'));
-      if (!failed) continue;
-      // A visitor asks for another try.
-      await tab.fire((fire) => fire.shadowRoot.querySelector('[part=retry]')?.click());
+      await retry(tab);
     }
   } finally {
     await browser.close();

@@ -1,7 +1,7 @@
 /** A hundred lost contexts in each place that a browser has. */
 import { BROWSERS, Browser } from '../driver.mjs';
 import { onPageThread } from '../clock.mjs';
-import { FIRE, outcome, sleep } from './outcome.mjs';
+import { FIRE, outcome, retry, sleep } from './outcome.mjs';
 
 /** @typedef {import('./outcome.mjs').Finding} Finding */
 
@@ -26,6 +26,7 @@ export async function* losses() {
           await sleep((loss * 7) % 40);
           await tab.loseContext(loss % 10 === 0 ? 7000 : (loss * 13) % 300);
           yield await outcome(tab, fault);
+          await retry(tab);
         }
       } finally {
         await browser.close();

@@ -41,6 +41,11 @@ function look() {
   };
 }
 
+/** Presses the button of a fire that failed, as its visitor may. @param {Tab} tab */
+export function retry(tab) {
+  return tab.fire((fire) => fire.shadowRoot.querySelector('.root[data-state=failed] [part=retry]')?.click());
+}
+
 /** Whether the first fire is seen on its black page. @param {Tab} tab */
 async function glows(tab) {
   return (await tab.firePicture()).part(0.3, 0.4, 0.7, 1).glowing() > 0.02;
@@ -54,11 +59,9 @@ async function glows(tab) {
  */
 export async function outcome(tab, fault) {
   const start = Date.now();
-  /** @type {ReturnType<typeof look> | undefined} */
-  let seen;
   let [burnt, last] = [0, Infinity];
-  while (Date.now() < start + LIMIT_MS) {
-    seen = await tab.evaluate(look);
+  for (;;) {
+    const seen = await tab.evaluate(look);
     burnt += Math.max(seen.time - last, 0);
     last = seen.time;
     if (seen.shown && burnt > BURNT_S && await glows(tab)) return { fault, outcome: 'burns' };
@@ -68,7 +71,9 @@ export async function outcome(tab, fault) {
     if (!seen.defined && seen.poster && decided) {
       return { fault, outcome: 'told', detail: `the poster; ${tab.problems[0] ?? 'no script'}` };
     }
+    if (Date.now() > start + LIMIT_MS) {
+      return { fault, outcome: 'silent', detail: `${JSON.stringify(seen)}; ${tab.problems.slice(-3).join('; ')}` };
+    }
     await sleep(PAUSE_MS);
   }
-  return { fault, outcome: 'silent', detail: `${JSON.stringify(seen)}; ${tab.problems.slice(-3).join('; ')}` };
 }

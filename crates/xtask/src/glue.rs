@@ -18,17 +18,22 @@ const DEAD: [&str; 2] = ["wasm_bindgen::convert::closures::", "js_sys::futures::
 /// The start of the glue's loader, which reaches to the end.
 const LOADER: &str = "let wasmModule, wasmInstance, wasm;";
 
-/// The loader of a compiled module, which the caller has fetched. Each call replaces the instance:
-/// one that has panicked is damaged, and memory never shrinks. No object of an earlier instance
-/// may be used.
+/// The loader of a compiled module, which the caller has fetched. A `fresh` instance replaces the
+/// earlier one, which may be damaged by a panic, and whose memory never shrinks; no object of the
+/// earlier one may be used.
 const SHORT_LOADER: &str = "\
-let wasm;
-export default async ({ module_or_path }) => {
-  const made = await WebAssembly.instantiate(module_or_path, __wbg_get_imports());
-  wasm = made.exports;
-  wasm.__wbindgen_start();
-  return wasm;
-};
+let wasm, ready;
+export default ({ module_or_path, fresh }) => ready = !fresh && ready ||
+  WebAssembly.instantiate(module_or_path, __wbg_get_imports()).then(
+    (made) => {
+      wasm = made.exports;
+      wasm.__wbindgen_start();
+      return wasm;
+    },
+  ).catch((error) => {
+    ready = undefined;
+    throw error;
+  });
 ";
 
 /// Pieces of the glue that no browser with SIMD needs, and those without show a message instead of

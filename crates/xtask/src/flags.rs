@@ -29,6 +29,8 @@ xflags::xflags! {
         cmd test {
             /// Skips the stages that need a browser.
             optional --skip-browser
+            /// Runs also what passed before and is unchanged.
+            optional --all
             /// A stage; `format`, for instance.
             repeated stage: String
         }

@@ -65,7 +65,7 @@ fn run(command: Xtask) -> Result<ExitCode> {
         XtaskCmd::Package(_) => package::build()?,
         XtaskCmd::Reproduce(_) => package::reproduce()?,
         XtaskCmd::Test(test) => {
-            if !stages::run(test.skip_browser, &test.stage)? {
+            if !stages::run(test.skip_browser, test.all, &test.stage)? {
                 return Ok(ExitCode::FAILURE);
             }
         }

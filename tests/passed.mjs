@@ -59,7 +59,8 @@ function everywhere(counts) {
     if (!VARIABLES.test(name) || RESULTS.includes(name)) continue;
     add([name, value]);
     const kind = statSync(value, { throwIfNoEntry: false });
-    if (kind?.isDirectory()) for (const file of filesIn(value)) add([file, contents(file)]);
+    // Others name the folders of compilers, whose versions count.
+    if (name.startsWith('HEARTH_') && kind?.isDirectory()) for (const file of filesIn(value)) add([file, contents(file)]);
     if (kind?.isFile()) add([kind.size, kind.mtimeMs, version(value)]);
   }
   // Libraries and fonts that browsers draw with.

@@ -12,7 +12,7 @@ use xshell::cmd;
 
 use crate::shell::Shell;
 use crate::site::{self, Module};
-use crate::stages::{self, browser};
+use crate::stages::browser;
 use crate::{paths, tools};
 
 /// The renderer for tests, in the profile of the other browser tests, so that little of it
@@ -61,6 +61,6 @@ pub(crate) fn run_script(name: &str, arguments: impl Iterator<Item = PathBuf>) -
         .env("HEARTH_PAINTER", painter)
         .env("HEARTH_SHOWN", folder.join("shown"))
         // Only `run.mjs` reads it.
-        .env("HEARTH_PASSED", stages::passed("goldens.json")?)
+        .env("HEARTH_PASSED", tools::passed("goldens.json")?)
         .run()?)
 }

@@ -10,8 +10,6 @@ mod code;
 mod library;
 mod trunk;
 
-use std::path::PathBuf;
-
 use anyhow::{Result, bail, ensure};
 use xshell::cmd;
 
@@ -63,7 +61,7 @@ impl Stage {
             return (self.run)();
         }
         tools::node()?;
-        let (sh, name, store) = (Shell::new()?, self.name, passed("stages.json")?);
+        let (sh, name, store) = (Shell::new()?, self.name, tools::passed("stages.json")?);
         let digest = cmd!(sh, "node tests/passed.mjs {store} {name}").read()?;
         if digest.is_empty() {
             println!("passed before, unchanged: `cargo xtask test --all` runs it again");
@@ -184,16 +182,11 @@ const STAGES: &[Stage] = &[
     .in_browser(),
 ];
 
-/// The store of what passed; `tests/passed.mjs` reads and writes it.
-pub(crate) fn passed(store: &str) -> Result<PathBuf> {
-    Ok(tools::target()?.join("hearth-passed").join(store))
-}
-
 /// Runs the named stages, or every stage, and prints a report; returns whether all passed.
 /// With `all`, what passed before runs again.
 pub(crate) fn run(skip_browser: bool, all: bool, names: &[String]) -> Result<bool> {
     if all {
-        Shell::new()?.remove_path(passed("")?)?;
+        Shell::new()?.remove_path(tools::passed("")?)?;
     }
     let mut report = Report::default();
     for stage in chosen(names)? {

@@ -39,7 +39,7 @@ fn wasm_test(name: &str, driver: Option<PathBuf>) -> Result<()> {
 pub(super) fn end_to_end() -> Result<()> {
     let sh = Shell::new()?;
     let test =
-        script(&sh, "run.mjs", &paths::site())?.env("HEARTH_PASSED", super::passed("e2e.json")?);
+        script(&sh, "run.mjs", &paths::site())?.env("HEARTH_PASSED", tools::passed("e2e.json")?);
     Ok(test.envs(tools::other_browsers()?).run()?)
 }
 

@@ -71,6 +71,7 @@ pub(crate) fn build() -> Result<()> {
     for licence in ["LICENSE-APACHE", "LICENSE-MIT"] {
         sh.copy_file(licence, &web)?;
     }
+    sh.copy_file("bench.html", &site)?;
     let html = sh.read_file("index.html")?;
     sh.write_file(site.join("index.html"), without_trunk_links(&html))?;
     println!(

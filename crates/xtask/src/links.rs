@@ -13,9 +13,10 @@ use anyhow::{Result, bail, ensure};
 use crate::shell::Shell;
 
 /// The pages that links name, and their folders.
-const PAGES: [(&str, &str); 3] = [
+const PAGES: [(&str, &str); 4] = [
     ("index.html", ""),
     ("bench.html", ""),
+    ("printed.html", ""),
     ("web/embed.html", "web/"),
 ];
 

@@ -66,6 +66,8 @@ xflags::xflags! {
             optional --write
             /// A program to measure as well.
             optional --yardstick program: PathBuf
+            /// Measures the paper's tables on the site's own page instead.
+            optional --page
         }
         /// Draws the golden pictures again.
         cmd goldens {
@@ -112,6 +114,11 @@ impl Xtask {
             XtaskCmd::Bench(bench) if bench.write && !bench.instructions => {
                 Err(xflags::Error::new("--write needs --instructions"))
             }
+            XtaskCmd::Bench(bench)
+                if bench.page && (bench.instructions || bench.yardstick.is_some()) =>
+            {
+                Err(xflags::Error::new("--page takes no other option"))
+            }
             XtaskCmd::Bench(bench) if bench.instructions && bench.yardstick.is_some() => Err(
                 xflags::Error::new("--yardstick and --instructions exclude each other"),
             ),
@@ -156,6 +163,7 @@ mod tests {
             "fuzz --minutes 3 → minutes: Some(3), seed: None",
             "bench --yardstick=./other → yardstick: Some(\"./other\")",
             "bench --write --instructions → instructions: true, write: true",
+            "bench --page → page: true",
             "package → Package",
             "reproduce → Reproduce",
             "poster → Poster",
@@ -202,6 +210,7 @@ mod tests {
             ("soak --corners many", "--corners"),
             ("bench --write", "--instructions"),
             ("bench --instructions --yardstick x", "--yardstick"),
+            ("bench --page --yardstick x", "--page"),
         ] {
             let refused = parse(line).err().unwrap_or_default();
             assert!(refused.contains(named), "{line}: {refused}");

@@ -2,8 +2,9 @@
  * The paper's program, without drawing: particles are objects, and each looks at every other one, twice a
  * step. Numbers in brackets are the paper's equations.
  *
- * Two of them are corrected, or the gas would explode: the factor of the kernel is that of two dimensions (1),
- * and forces on a volume of gas are divided by its density (5, 7). Neither changes the time of a step.
+ * Three of them are corrected, or the gas would explode: the factor of the kernel is that of two dimensions
+ * (1), the Laplacian of the kernel never changes its sign (4), and forces on a volume of gas are divided by its
+ * density (5, 7). None changes the time of a step by much.
  */
 
 /**

@@ -147,16 +147,17 @@ impl Fire {
     #[wasm_bindgen(js_name = setParticles)]
     pub fn set_particles(&mut self, numbers: &[f32]) -> Result<(), JsValue> {
         let count = numbers.len() / particles::NUMBERS;
-        let checked = self.simulation.check_count(count);
-        let room = checked.and_then(|()| {
-            let what = "there is no memory left for so many";
-            let lacks = ParticleError { index: None, what };
-            memory::has_room(count).then_some(()).ok_or(lacks)
-        });
-        let set = room.and_then(|()| {
-            let particles = particles::particles(numbers);
-            self.simulation.set_particles(&particles)
-        });
+        let set = match self.simulation.check_count(count) {
+            Ok(()) if memory::has_room(count) => {
+                let particles = particles::particles(numbers);
+                self.simulation.set_particles(&particles)
+            }
+            Ok(()) => Err(ParticleError {
+                index: None,
+                what: "there is no memory left for so many",
+            }),
+            refused => refused,
+        };
         set.map_err(|refused| {
             let error = Record::new();
             error.set_text("message", &refused.to_string());

@@ -112,7 +112,7 @@ test('a fire without memory for its particles refuses them in words, and all fir
   });
   await tab.burnt(0.2);
   const message = await tab.fire((fire) => fire.set('max_particles', 100_000).then(() => '', (error) => error.message));
-  assert.match(message, /max_particles = 100000 is refused: it must be fewer, because the browser has no memory left/);
+  assert.match(message, /max_particles = 100000 is refused: it must be fewer, because there is no memory left/);
   const times = await tab.evaluate(async () => {
     const fires = /** @type {any[]} */ ([...document.querySelectorAll('hearth-fire')]);
     const time = () => fires.map((fire) => fire.stats.time);

@@ -29,7 +29,7 @@ pub fn reserve(
     Err(ValidationError::new(
         "max_particles",
         &Untrusted::Number(wanted.into()),
-        "fewer, because the browser has no memory left for so many",
+        "fewer, because there is no memory left for so many",
     ))
 }
 

@@ -87,7 +87,6 @@ test('tables in the documents have every row and column that the page measures',
   const lines = section.split('\n').filter((line) => line.startsWith('|')).map((line) => line.slice(2, -2).split(' | '));
   const { speeds, sizes } = tablesOf({ ...REPORT, speeds: [], sizes: [] });
   const heads = lines.flatMap((cells, at) => (cells[1] === speeds.cells[0][1] || cells[0] === sizes.cells[0][0] ? [at] : []));
-  if (lines.length === 0) return;
   assert.deepEqual(heads.map((at) => lines[at]), [speeds.cells[0], sizes.cells[0]]);
   const rows = lines.slice(heads[0] + 2, heads[1]);
   assert.deepEqual(rows.map(([count, model]) => [Number(count), model]), ALL.counts.flatMap((count) => ALL.models.map((model) => [count, model])));

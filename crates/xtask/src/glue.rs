@@ -166,7 +166,7 @@ fn write_version(module: &mut Module, code: &mut String) -> Result<()> {
         VERSION.clone_into(&mut import.module);
     }
     ensure!(
-        code.contains(VERSION),
+        code.contains(&format!("\"{VERSION}\":")),
         "the glue lacks the name of its module"
     );
     module.customs.add(RawCustomSection {

@@ -71,7 +71,9 @@ pub(crate) fn baselines() -> Result<()> {
 fn measure(yardstick: Option<&Path>) -> Result<()> {
     let chromium = tools::chromium()?;
     browser::packages()?;
-    evaluation::check("measured")?;
+    for section in ["compared", "measured"] {
+        evaluation::check(section)?;
+    }
     baselines()?;
     site::build()?;
     site::compile(&[&SCENES])?;
@@ -108,8 +110,10 @@ fn measure(yardstick: Option<&Path>) -> Result<()> {
         .run()?;
 
     let figures = Figures::read(&sh.read_file(file)?)?;
-    let measured = tables::all(&figures, &native_times(&sh, &criterion)?);
-    println!("{measured}");
+    let compared = tables::compared(&figures);
+    let measured = tables::cost(&figures, &native_times(&sh, &criterion)?);
+    println!("{compared}\n{measured}");
+    evaluation::write("compared", &compared)?;
     evaluation::write("measured", &measured)
 }
 

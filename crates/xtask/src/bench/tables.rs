@@ -6,18 +6,26 @@ use std::fmt::Write as _;
 use serde_json::Value;
 
 use super::figures::{BROWSER, Figures, Row, Time};
-use super::targets;
+use super::targets::{self, Target};
 
-/// What was measured, and criterion's times of a step.
-pub(super) fn all(figures: &Figures, native: &BTreeMap<String, f64>) -> String {
+/// Hearth beside other programs.
+pub(super) fn compared(figures: &Figures) -> String {
     let mut text = introduction(figures);
-    targets_table(&mut text, figures);
-    blocks_table(&mut text, figures);
+    targets_table(&mut text, targets::compared(figures));
+    left_out(&mut text, &figures.all["leftOut"]);
+    text
+}
+
+/// What steps, memory and the page cost, with criterion's times of a step.
+pub(super) fn cost(figures: &Figures, native: &BTreeMap<String, f64>) -> String {
+    let mut text = introduction(figures);
+    targets_table(&mut text, targets::absolute(figures));
+    text.push_str("| allocations a step | 0 | | | held by `tests/tests/allocation.rs` |\n");
     fires_table(&mut text, figures);
+    blocks_table(&mut text, figures);
     criterion_table(&mut text, native);
     memory_table(&mut text, figures);
     page_table(&mut text, &figures.all["page"]);
-    left_out(&mut text, &figures.all["leftOut"]);
     text
 }
 
@@ -47,13 +55,12 @@ fn introduction(figures: &Figures) -> String {
     text
 }
 
-fn targets_table(text: &mut String, figures: &Figures) {
+fn targets_table(text: &mut String, targets: impl IntoIterator<Item = Target>) {
     text.push_str(
-        "\n### Targets\n\n\
-         One wasm thread in Chromium where nothing else is said.\n\n\
+        "\nOne wasm thread in Chromium where nothing else is said.\n\n\
          | target | | median | best round | |\n|---|--:|--:|--:|---|\n",
     );
-    for target in targets::all(figures) {
+    for target in targets {
         let (what, bound) = (&target.what, &target.bound);
         let Some(Time { median, best }) = target.measured else {
             let _ = writeln!(text, "| {what} | {} |  |  | not measured |", bound.words());
@@ -68,7 +75,6 @@ fn targets_table(text: &mut String, figures: &Figures) {
         let [limit, median, best] = [bound.words(), bound.show(median), bound.show(best)];
         let _ = writeln!(text, "| {what} | {limit} | {median} | {best} | {reached} |");
     }
-    text.push_str("| allocations a step | 0 | | | held by `tests/tests/allocation.rs` |\n");
 }
 
 fn blocks_table(text: &mut String, figures: &Figures) {

@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use hearth_core::params::{Input, Model};
 use hearth_core::{Parameters, Simulation};
-use hearth_tests::fires::everything;
+use hearth_tests::fires::{everything, in_the_open, on_floor};
 
 struct Counting;
 
@@ -53,7 +53,8 @@ fn allocations(parameters: Parameters, steps: u32) -> (usize, usize) {
 
 #[test]
 fn a_warm_fire_allocates_nothing() {
-    for parameters in [Parameters::new(Model::Classic), everything()] {
+    let open = on_floor(in_the_open(everything(), 1500));
+    for parameters in [Parameters::new(Model::Classic), everything(), open] {
         // Briefly where each picture takes as long as a step.
         for (mode, steps) in [("fire", 2400), ("vorticity", 800)] {
             let mut parameters = parameters.clone();

@@ -252,3 +252,30 @@ fn edges_open_and_close_while_it_burns() {
         assert!(fire.positions().iter().all(|at| at.is_finite()));
     }
 }
+
+#[test]
+fn the_wind_blows_through_the_air_as_fast_as_it_is_set() {
+    for wind in [-0.5_f32, 0.5, 1.0, -2.0, 3.0] {
+        let mut fire = burn(
+            open(&[
+                ("fuel_power", 0.0),
+                ("source_width", 1.0),
+                ("domain_width", 2.0),
+                ("source_temperature", 500.0),
+                ("ember_rate", 0.0),
+                ("wind", wind.into()),
+            ]),
+            2.0,
+        );
+        let (mut sum, mut count) = (0.0, 0.0);
+        while fire.time() < 4.0 {
+            fire.step();
+            for velocity in fire.velocities() {
+                sum += f64::from(velocity.x);
+                count += 1.0;
+            }
+        }
+        let share = sum / count / f64::from(wind);
+        assert!((share - 1.0).abs() < 0.1, "{share} of {wind} m/s");
+    }
+}

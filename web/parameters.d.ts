@@ -79,7 +79,7 @@ export interface HearthParameters {
   detail: number;
   /** More contrast between bright and dim parts of the fire. Exponent that compresses the brightness of a black body. Default 0.35, from 0.15 to 1. */
   luminance_exponent: number;
-  /** Larger, softer particles. Drawn size of a particle. [m] Default in classic: 0.04, from 0.01 to 0.1. */
+  /** Larger, softer particles. Drawn size of a particle. [m] Default in classic: 0.04, from 0.0025 to 0.1. */
   particle_size: number;
   /** Colour of the coolest fire in the custom palette; transparent is black. Default "#8a12ff". */
   cool_colour: string;
@@ -247,7 +247,7 @@ export interface HearthProperties {
   detail: number;
   /** More contrast between bright and dim parts of the fire. Exponent that compresses the brightness of a black body. Default 0.35, from 0.15 to 1. */
   luminanceExponent: number;
-  /** Larger, softer particles. Drawn size of a particle. [m] Default in classic: 0.04, from 0.01 to 0.1. */
+  /** Larger, softer particles. Drawn size of a particle. [m] Default in classic: 0.04, from 0.0025 to 0.1. */
   particleSize: number;
   /** Colour of the coolest fire in the custom palette; transparent is black. Default "#8a12ff". */
   coolColour: string;

@@ -142,7 +142,7 @@ export interface HearthFireAttributes {
   detail?: number | `${number}` | undefined;
   /** More contrast between bright and dim parts of the fire. Exponent that compresses the brightness of a black body. Default 0.35, from 0.15 to 1. */
   'luminance-exponent'?: number | `${number}` | undefined;
-  /** Larger, softer particles. Drawn size of a particle. [m] Default in classic: 0.04, from 0.01 to 0.1. */
+  /** Larger, softer particles. Drawn size of a particle. [m] Default in classic: 0.04, from 0.0025 to 0.1. */
   'particle-size'?: number | `${number}` | undefined;
   /** Colour of the coolest fire in the custom palette; transparent is black. Default "#8a12ff". */
   'cool-colour'?: string | undefined;

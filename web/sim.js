@@ -314,7 +314,7 @@ class Simulation {
       this.#fire = undefined;
       this.#gone = 'this simulation has stopped for good';
       // The allocator traps without a panic.
-      const why = this.#wasm.panic() || 'there may be no memory left for so many particles';
+      const why = this.#wasm.panic() || 'there may be no memory left';
       throw new Error(`${this.#gone}; ${why}`, { cause });
     }
   }

@@ -3,15 +3,13 @@
  * picture, which axe-core cannot compute, is tested elsewhere.
  */
 import assert from 'node:assert/strict';
-import { readFile, readdir } from 'node:fs/promises';
-import { createRequire } from 'node:module';
+import { readdir } from 'node:fs/promises';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
+import { violations } from './axe.mjs';
 import { Browser } from './driver.mjs';
 import { Panel } from './panel.mjs';
 import { SITE } from './site.mjs';
-
-const AXE = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 const WIDE = { width: 1000, height: 640 };
 const PHONE = { width: 360, height: 640, touch: true };
@@ -23,23 +21,6 @@ before(async () => {
   browser = await Browser.launch();
 });
 after(() => browser?.close());
-
-/**
- * What axe-core finds wrong, a line each.
- * @param {import('./driver.mjs').Tab} tab
- * @returns {Promise<string[]>}
- */
-async function violations(tab) {
-  // Evaluated by the driver, whatever the page's policy allows.
-  await tab.evaluate(AXE);
-  return tab.evaluate(async () => {
-    const { axe } = /** @type {any} */ (window);
-    const { violations: found } = await axe.run(document, { resultTypes: ['violations'] });
-    return found.flatMap(({ id, help, nodes }) => nodes.map(({ target, failureSummary }) => (
-      `${id} (${help}) at ${target.flat().join(' ')}: ${failureSummary}`
-    )));
-  });
-}
 
 /** Waits until the strip of scenes is there. @param {import('./driver.mjs').Tab} tab */
 const strip = (tab) => tab.until('the strip of scenes', () => (

@@ -253,6 +253,37 @@ test('a fire out of sight is ready without a picture, and a picture of it is ref
   assert.match(refused, /no frame: the fire is out of sight/);
 });
 
+test('a fire of a main thread whose engine has damaged memory is continued with other memory', async () => {
+  const tab = await browser.open(`${BODY}<script type="module">
+    import { HearthFire } from '/web/hearth-fire.js';
+    HearthFire.engine = 'main';
+  </script>`, {
+    before: () => {
+      const { instantiate } = WebAssembly;
+      const scope = /** @type {any} */ (window);
+      scope.memories = [];
+      WebAssembly.instantiate = async (/** @type {any[]} */ ...of) => {
+        const made = /** @type {any} */ (await /** @type {any} */ (instantiate)(...of));
+        scope.memories.push(made.exports.memory);
+        return made;
+      };
+      const { prototype } = WebGL2RenderingContext;
+      const original = prototype.drawArraysInstanced;
+      prototype.drawArraysInstanced = function drawArraysInstanced(...call) {
+        if (scope.defect) new Uint8Array(scope.memories.at(-1).buffer).fill(255);
+        scope.defect = false;
+        return original.apply(this, call);
+      };
+    },
+  });
+  await tab.burnt(0.3);
+  await tab.evaluate(() => Object.assign(window, { defect: true }));
+  await tab.until('the fire is back', () => /** @type {any} */ (window).restored === 1);
+  assert.match((await events(tab, 'error'))[0].message, /engine has stopped/);
+  assert.equal(await tab.evaluate(() => new Set(/** @type {any} */ (window).memories).size), 2);
+  await assertBurns(tab);
+});
+
 test('a fire of a main thread whose engine throws is continued', async () => {
   const tab = await browser.open(`${BODY}<script type="module">
     import { HearthFire } from '/web/hearth-fire.js';

@@ -8,7 +8,10 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { onPageThread, simulateClock } from './clock.mjs';
+import { confined } from '../confined.mjs';
 import { SITE } from './site.mjs';
+
+const ENGINE = path.join(SITE, 'web/wasm/hearth-engine_bg.wasm');
 
 /** @type {Browser} */
 let browser;
@@ -80,7 +83,7 @@ test('on the page’s thread a fire starts with at most ten thousand particles',
 });
 
 test('wasm of another version is refused, and both versions are named', async () => {
-  const wasm = await readFile(path.join(SITE, 'web/wasm/hearth-engine_bg.wasm'));
+  const wasm = await readFile(ENGINE);
   const at = wasm.lastIndexOf('\u0006hearth') + 7;
   const version = wasm.toString('latin1', at, at + 5);
   assert.match(version, /^\d+\.\d+\.\d+$/);
@@ -91,50 +94,25 @@ test('wasm of another version is refused, and both versions are named', async ()
   assert.ok(message.includes(`its wasm has version 9.8.7, the element has version ${version}`), message);
 });
 
-/** The engine's wasm with a memory of at most so many pages of 64 KiB. */
-async function withMemory(pages) {
-  const wasm = await readFile(path.join(SITE, 'web/wasm/hearth-engine_bg.wasm'));
-  const number = (/** @type {number} */ at) => {
-    let [value, shift, end] = [0, 0, at];
-    for (;;) {
-      const byte = wasm[end];
-      end += 1;
-      value |= (byte & 127) << shift;
-      shift += 7;
-      if (byte < 128) return { value, end };
-    }
-  };
-  const bytes = (/** @type {number} */ value) => {
-    const all = [];
-    for (let left = value; ; left >>= 7) {
-      if (left < 128) return [...all, left];
-      all.push((left & 127) | 128);
-    }
-  };
-  for (let at = 8; at < wasm.length;) {
-    const { value: size, end } = number(at + 1);
-    // The section of memories: one, without a maximum.
-    if (wasm[at] === 5) {
-      assert.deepEqual([...wasm.subarray(end, end + 2)], [1, 0]);
-      const { value: least } = number(end + 2);
-      const section = [1, 1, ...bytes(least), ...bytes(least + pages)];
-      return Buffer.concat([
-        wasm.subarray(0, at), Buffer.from([5, ...bytes(section.length), ...section]), wasm.subarray(end + size),
-      ]);
-    }
-    at = end + size;
-  }
-  throw new Error('the wasm has no memory');
-}
+test('a script of another version than its wasm is refused, and the version is named', async () => {
+  const glue = await readFile(path.join(SITE, 'web/wasm/hearth-engine.js'), 'utf8');
+  const version = /"(\d+\.\d+\.\d+)"/.exec(glue)?.[1] ?? '';
+  const tab = await browser.open('<hearth-fire></hearth-fire>', {
+    files: { 'hearth-engine.js': { body: glue.replaceAll(version, '9.8.7') } },
+  });
+  const { kind, message } = await tab.fire((fire) => fire.ready.catch((error) => ({ kind: error.kind, message: error.message })));
+  assert.equal(kind, 'load');
+  assert.ok(message.includes(`"${version}"`), message);
+});
 
 test('a fire without memory for its particles refuses them in words, and all fires burn on', async () => {
-  const body = await withMemory(16 * 16);
+  const body = confined(await readFile(ENGINE), 18 * 2 ** 20);
   const tab = await browser.open('<hearth-fire></hearth-fire><hearth-fire id="other"></hearth-fire>', {
     files: { 'hearth-engine_bg.wasm': { body } },
   });
   await tab.burnt(0.2);
   const message = await tab.fire((fire) => fire.set('max_particles', 100_000).then(() => '', (error) => error.message));
-  assert.match(message, /max_particles = 100000 is refused: it must be fewer, because the browser has no memory left/);
+  assert.match(message, /max_particles = 100000 is refused: it must be fewer, because there is no memory left/);
   const times = await tab.evaluate(async () => {
     const fires = /** @type {any[]} */ ([...document.querySelectorAll('hearth-fire')]);
     const time = () => fires.map((fire) => fire.stats.time);
@@ -146,7 +124,7 @@ test('a fire without memory for its particles refuses them in words, and all fir
 });
 
 test('a fire for which there is no memory at all says so, and the others burn on', async () => {
-  const body = await withMemory(16 * 16);
+  const body = confined(await readFile(ENGINE), 18 * 2 ** 20);
   const many = { body: '{"values": {"max_particles": 100000}}', type: 'application/json' };
   const tab = await browser.open('<hearth-fire></hearth-fire>', {
     files: { 'hearth-engine_bg.wasm': { body }, 'many.json': many },

@@ -4,6 +4,10 @@
 //! This is a sample; `cargo xtask soak` goes to hundreds of corners.
 #![cfg(not(target_arch = "wasm32"))]
 
+use std::num::NonZero;
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+
 use hearth_core::params::{Input, Model, PARAMETERS, Param};
 use hearth_core::random::Random;
 use hearth_core::{Parameters, Simulation};
@@ -18,23 +22,39 @@ const SECONDS: f64 = 2.0;
 const LIT: f64 = 0.6;
 
 fn each_slider_at_either_end(model: Model, seconds: f64) {
-    for param in sweep::swept(model) {
-        for upper in [false, true] {
-            let parameters = sweep::at_end(model, param, upper);
-            let name = sweep::described(&parameters);
-            let outcome = sweep::burn(&mut Simulation::new(parameters), seconds);
-            assert_eq!(outcome.fault(), None, "{name}");
-        }
-    }
+    let ends = sweep::swept(model).flat_map(|param| [(param, false), (param, true)]);
+    on_all_cores(ends.collect(), |(param, upper)| {
+        let parameters = sweep::at_end(model, param, upper);
+        let name = sweep::described(&parameters);
+        let outcome = sweep::burn(&mut Simulation::new(parameters), seconds);
+        assert_eq!(outcome.fault(), None, "{name}");
+    });
 }
 
 fn random_corners(model: Model, corners: u32, seed: u32) {
     let mut random = Random::new(seed);
-    for _ in 0..corners {
-        let parameters = sweep::corner(model, &mut random);
+    let corners = (0..corners).map(|_| sweep::corner(model, &mut random));
+    on_all_cores(corners.collect(), |parameters| {
         let outcome = sweep::there_and_back(&parameters, SECONDS);
         assert_eq!(outcome.fault(), None, "{}", sweep::described(&parameters));
-    }
+    });
+}
+
+/// Runs each case once, on as many threads as the machine has cores: the last test of this
+/// file takes the longest, and would leave the others idle. A case that panics fails the test.
+fn on_all_cores<T: Send>(cases: Vec<T>, run: impl Fn(T) + Sync) {
+    let cores = thread::available_parallelism().map_or(1, NonZero::get);
+    let cases = Mutex::new(cases.into_iter());
+    let next = || cases.lock().unwrap_or_else(PoisonError::into_inner).next();
+    thread::scope(|scope| {
+        for _ in 0..cores {
+            scope.spawn(|| {
+                while let Some(case) = next() {
+                    run(case);
+                }
+            });
+        }
+    });
 }
 
 #[test]

@@ -67,13 +67,15 @@ export class Scale {
   }
 
   /**
-   * Shows the quantity of a display mode, or nothing.
+   * Shows the quantity of a display mode, or nothing. Until the next quantity is drawn, the picture and
+   * its bar stay.
    * @param {string} [mode]
    * @param {[number, number] | null} [range] the values of its first and its last colour
    */
   show(mode = '', range = null) {
     const quantity = Object.hasOwn(QUANTITIES, mode) && QUANTITIES[/** @type {keyof typeof QUANTITIES} */ (mode)];
-    this.#bar.hidden = !(quantity && range);
+    if (quantity && !range) return;
+    this.#bar.hidden = !quantity;
     if (!quantity || !range) return;
     const shown = `${mode} ${range}`;
     if (shown === this.#shown) return;

@@ -333,7 +333,7 @@ async function onMainThread(module) {
     throw new EngineError('load', `The fire's engine could not be loaded: ${error}`);
   };
   const [{ default: init, Engine }, { start }] = await timely(Promise.all([glue(), import('./main-thread.js')])).catch(failed);
-  await init({ module_or_path: module });
+  await init({ module_or_path: module, fresh: true });
   const port = new EnginePort('main');
   try {
     start(Engine, port);

@@ -29,7 +29,8 @@ export function runEngine(Engine, canvas, { post, show, fail }, onPage = false) 
     return ended;
   };
   const failed = (/** @type {unknown} */ error) => {
-    stop();
+    // Damaged memory cannot be freed.
+    stop()?.__destroy_into_raw();
     fail(reasonOf(error, Engine));
   };
   const requestFrame = (/** @type {boolean} */ needed) => {

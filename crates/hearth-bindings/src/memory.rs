@@ -3,23 +3,38 @@
 //! Wasm aborts where memory does not suffice, which ends every fire of a page. So a fire that
 //! grows first reserves what it will need, and is refused in words if the browser gives no more.
 
+use hearth_core::params::Parameters;
+
 use crate::{Untrusted, ValidationError};
 
 /// Memory of a particle with its neighbours and its copies for the renderer, rounded up \[B\].
 const BYTES_PER_PARTICLE: usize = 1024;
 
-/// Reserves the memory of that many particles of a fire. The allocator keeps it.
+/// Reserves the memory of a fire that changes from `old` to `new` values, for at most `limit`
+/// particles. The allocator keeps it.
 ///
 /// # Errors
-/// The browser gives no more memory.
-pub fn reserve(particles: u32) -> Result<(), ValidationError> {
-    let bytes = particles as usize * BYTES_PER_PARTICLE;
-    match Vec::<u8>::new().try_reserve_exact(bytes) {
-        Ok(()) => Ok(()),
-        Err(_) => Err(ValidationError::new(
-            "max_particles",
-            &Untrusted::Number(particles.into()),
-            "fewer, because the browser has no memory left for so many",
-        )),
+/// The fire grows or changes its model, and the browser gives no more memory.
+pub fn reserve(
+    old: Option<&Parameters>,
+    new: &Parameters,
+    limit: u32,
+) -> Result<(), ValidationError> {
+    let wanted = new.max_particles;
+    if old.is_some_and(|old| wanted <= old.max_particles && new.model() == old.model())
+        || has_room(wanted.min(limit) as usize)
+    {
+        return Ok(());
     }
+    Err(ValidationError::new(
+        "max_particles",
+        &Untrusted::Number(wanted.into()),
+        "fewer, because there is no memory left for so many",
+    ))
+}
+
+/// Whether the browser gives the memory of that many particles. The allocator keeps it.
+pub fn has_room(particles: usize) -> bool {
+    let bytes = particles * BYTES_PER_PARTICLE;
+    Vec::<u8>::new().try_reserve_exact(bytes).is_ok()
 }

@@ -202,10 +202,8 @@ impl Simulation {
     /// without a lifetime, or with fuel or oxygen not from 0 to 1 or soot not from 0 to 10.
     /// Nothing changes then.
     pub fn set_particles(&mut self, particles: &[Particle]) -> Result<(), ParticleError> {
+        self.check_count(particles.len())?;
         let solver = &mut self.solver;
-        if let Some(what) = solver.broken_count_rule(particles.len(), self.scene.settings()) {
-            return Err(ParticleError { index: None, what });
-        }
         let bounds = solver.bounds(self.scene.settings());
         for (index, particle) in particles.iter().enumerate() {
             if let Some(what) = particle.broken_rule(&bounds) {
@@ -217,5 +215,16 @@ impl Simulation {
         }
         solver.set_particles(particles, self.scene.settings());
         Ok(())
+    }
+
+    /// Checks whether [`set_particles`](Simulation::set_particles) accepts that many particles.
+    ///
+    /// # Errors
+    /// Too few or too many particles.
+    pub fn check_count(&self, particles: usize) -> Result<(), ParticleError> {
+        let broken = self
+            .solver
+            .broken_count_rule(particles, self.scene.settings());
+        broken.map_or(Ok(()), |what| Err(ParticleError { index: None, what }))
     }
 }

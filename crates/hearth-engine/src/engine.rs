@@ -176,9 +176,9 @@ impl Engine {
     }
 }
 
-/// Particles to reserve memory for. On a page's own thread a fire has fewer until it is measured.
-fn particles(wanted: u32, on_page: bool) -> u32 {
-    if on_page { wanted.min(START) } else { wanted }
+/// Maximum number of particles of a fire that is not measured yet: limited on a page's own thread.
+const fn limit(on_page: bool) -> u32 {
+    if on_page { START } else { u32::MAX }
 }
 
 impl Engine {
@@ -200,10 +200,8 @@ impl Engine {
                 if !errors.is_empty() {
                     events.refused(id, 0, &errors);
                 }
-                if let Err(error) = memory::reserve(particles(
-                    requested.parameters().max_particles,
-                    self.on_page,
-                )) {
+                let values = requested.parameters();
+                if let Err(error) = memory::reserve(None, values, limit(self.on_page)) {
                     events.error(id, ErrorKind::Memory, &error.message);
                     return Ok(Answer::Done);
                 }
@@ -227,11 +225,8 @@ impl Engine {
         let (fire, command) = fire;
         if let Some(requested) = fire.requested().after(&command) {
             let requested = requested?;
-            let [old, new] =
-                [fire.requested(), &requested].map(|one| one.parameters().max_particles);
-            if new > old {
-                memory::reserve(particles(new, self.on_page)).map_err(|error| vec![error])?;
-            }
+            let [old, new] = [fire.requested(), &requested].map(|one| one.parameters());
+            memory::reserve(Some(old), new, limit(self.on_page)).map_err(|error| vec![error])?;
             if let Command::Set { source, .. }
             | Command::Restore { source, .. }
             | Command::AddObject { source, .. }

@@ -268,7 +268,7 @@ impl Graphics for WebGl {
 
     fn largest_texture(&self) -> u32 {
         let max = Calls::of(&self.context).parameter(Context::MAX_TEXTURE_SIZE);
-        max.as_f64().map_or(1, |max| max as u32)
+        max.as_f64().unwrap_or_default() as u32
     }
 
     /// Getting an extension enables it.

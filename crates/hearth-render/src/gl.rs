@@ -137,7 +137,7 @@ impl Graphics for glow::Context {
         fn scissor(x: i32, y: i32, width: i32, height: i32) = gl => Gl::scissor(gl, x, y, width, height);
         fn draw_triangle() = gl => Gl::draw_arrays(gl, glow::TRIANGLES, 0, 3);
         fn draw_instances(vertices: i32, instances: i32) = gl => Gl::draw_arrays_instanced(gl, glow::TRIANGLES, 0, vertices, instances);
-        fn largest_texture() -> u32 = gl => Gl::get_parameter_i32(gl, glow::MAX_TEXTURE_SIZE).max(1) as u32;
+        fn largest_texture() -> u32 = gl => Gl::get_parameter_i32(gl, glow::MAX_TEXTURE_SIZE).max(0) as u32;
     }
 
     fn has_extension(&self, name: &str) -> bool {

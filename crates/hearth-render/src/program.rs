@@ -48,8 +48,11 @@ impl<G: Graphics> Compiling<G> {
         let pass = source.name;
         let handle = handle.ok_or(RenderError::Resource { pass })?;
         let linked = gl.is_linked(&handle);
+        let uniforms = gl.uniform_location(&handle, UNIFORMS);
+        // Without its uniforms a pass would draw nothing, and no error would say so.
+        let usable = linked && (uniforms.is_some() || source.floats == 0);
         // Reading a log waits for the compiler, so only failed programs do.
-        let log = (!linked).then(|| {
+        let log = (!usable).then(|| {
             let mut log = gl.program_log(&handle);
             for shader in shaders.iter().flatten() {
                 log += &gl.shader_log(shader);
@@ -67,7 +70,6 @@ impl<G: Graphics> Compiling<G> {
         for (unit, (name, _)) in source.samplers.iter().enumerate() {
             gl.set_sampler(gl.uniform_location(&handle, name).as_ref(), unit as i32);
         }
-        let uniforms = gl.uniform_location(&handle, UNIFORMS);
         Ok(Program { handle, uniforms })
     }
 }

@@ -12,6 +12,10 @@ use crate::noise;
 use crate::program::Programs;
 use crate::target::{Target, texture};
 
+/// Maximum side of a texture that every WebGL2 driver has at least: MAX_TEXTURE_SIZE in the table of
+/// limits of OpenGL ES 3.0.
+const MIN_LARGEST_TEXTURE: u32 = 2048;
+
 /// The shared resources of the renderers of one context.
 pub struct SharedResources<G: Graphics = glow::Context> {
     pub(crate) programs: Programs<G>,
@@ -50,7 +54,8 @@ impl<G: Graphics> SharedResources<G> {
         Ok(SharedResources {
             programs: Programs::new(gl)?,
             format,
-            max_side: gl.largest_texture(),
+            // A lost context answers nothing.
+            max_side: gl.largest_texture().max(MIN_LARGEST_TEXTURE),
             noise: {
                 let noise = texture(gl, "shade", glow::REPEAT)?;
                 let size = [noise::SIZE as u32; 2];

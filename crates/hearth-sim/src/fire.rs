@@ -1,7 +1,8 @@
 //! The simulation behind `web/sim.js`.
 
-use hearth_bindings::{Record, Untrusted, ValidationError, panic, settings};
-use hearth_core::params::PARAMETERS;
+use hearth_bindings::{Record, Untrusted, ValidationError, memory, panic, settings};
+use hearth_core::params::{PARAMETERS, Parameters};
+use hearth_core::simulation::ParticleError;
 use hearth_core::{Scene, Simulation};
 use js_sys::Array;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -30,10 +31,9 @@ impl Fire {
                 .scene(),
             None => Scene::default(),
         };
-        let scene = settings::with_values(&scene, &columns(&ids, &values)).map_err(thrown)?;
-        Ok(Fire {
-            simulation: Simulation::new(scene),
-        })
+        let scene = settings::with_values(&scene, &columns(&ids, &values));
+        let simulation = Simulation::new(affordable(None, scene)?);
+        Ok(Fire { simulation })
     }
 
     /// The place and the text of the last panic; empty before the first.
@@ -100,7 +100,8 @@ impl Fire {
             None if ids.length() == 0 => Ok(Scene::default()),
             None => settings::with_defaults(old, &columns(&ids, &Array::new())),
         };
-        self.simulation.set_scene(changed.map_err(thrown)?);
+        let scene = affordable(Some(self.simulation.parameters()), changed)?;
+        self.simulation.set_scene(scene);
         Ok(())
     }
 
@@ -142,11 +143,21 @@ impl Fire {
     /// Replaces all particles with these, of [`particles::NUMBERS`] numbers each.
     ///
     /// # Errors
-    /// As [`Simulation::set_particles`].
+    /// As [`Simulation::set_particles`], or there is no memory for so many.
     #[wasm_bindgen(js_name = setParticles)]
     pub fn set_particles(&mut self, numbers: &[f32]) -> Result<(), JsValue> {
-        let particles = particles::particles(numbers);
-        let set = self.simulation.set_particles(&particles);
+        let count = numbers.len() / particles::NUMBERS;
+        let set = match self.simulation.check_count(count) {
+            Ok(()) if memory::has_room(count) => {
+                let particles = particles::particles(numbers);
+                self.simulation.set_particles(&particles)
+            }
+            Ok(()) => Err(ParticleError {
+                index: None,
+                what: "there is no memory left for so many",
+            }),
+            refused => refused,
+        };
         set.map_err(|refused| {
             let error = Record::new();
             error.set_text("message", &refused.to_string());
@@ -156,6 +167,16 @@ impl Fire {
             Array::of1(&error).into()
         })
     }
+}
+
+/// The scene, with memory for its particles.
+fn affordable(
+    old: Option<&Parameters>,
+    scene: Result<Scene, Vec<ValidationError>>,
+) -> Result<Scene, JsValue> {
+    let scene = scene.map_err(thrown)?;
+    memory::reserve(old, scene.settings(), u32::MAX).map_err(|error| thrown(vec![error]))?;
+    Ok(scene)
 }
 
 /// Values by their ids, from two arrays of the same length. An array among the values is a

@@ -34,9 +34,19 @@ const CRITERION: [&str; 2] = ["fire", "block"];
 pub(crate) fn run(flags: &Bench) -> Result<()> {
     if flags.instructions {
         instructions::run(flags.write)
+    } else if flags.page {
+        page()
     } else {
         measure(flags.yardstick.as_deref())
     }
+}
+
+/// Presses the button of `bench.html` and records its tables.
+fn page() -> Result<()> {
+    evaluation::check("paper")?;
+    let tables = tools::target()?.join("hearth-paper.md");
+    browser::run_script("bench-page.mjs", [tables.clone()])?;
+    evaluation::write("paper", &Shell::new()?.read_file(tables)?)
 }
 
 /// Fails where a step takes far more instructions than recorded.

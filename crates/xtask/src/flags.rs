@@ -29,6 +29,8 @@ xflags::xflags! {
         cmd test {
             /// Skips the stages that need a browser.
             optional --skip-browser
+            /// Runs also what passed before and is unchanged.
+            optional --all
             /// A stage; `format`, for instance.
             repeated stage: String
         }
@@ -51,6 +53,11 @@ xflags::xflags! {
             /// The seed of the first case.
             optional --seed number: u32
         }
+        /// Fails graphics, network and engine in turn; a run of all sections updates docs/evaluation.md.
+        cmd faults {
+            /// A section; `network`, for instance.
+            repeated section: String
+        }
         /// Measures speed beside other programs and updates docs/evaluation.md.
         cmd bench {
             /// Counts the instructions of a step instead, and compares them with the recorded ones.
@@ -59,6 +66,8 @@ xflags::xflags! {
             optional --write
             /// A program to measure as well.
             optional --yardstick program: PathBuf
+            /// Measures the paper's tables on the site's own page instead.
+            optional --page
         }
         /// Draws the golden pictures again.
         cmd goldens {
@@ -105,6 +114,11 @@ impl Xtask {
             XtaskCmd::Bench(bench) if bench.write && !bench.instructions => {
                 Err(xflags::Error::new("--write needs --instructions"))
             }
+            XtaskCmd::Bench(bench)
+                if bench.page && (bench.instructions || bench.yardstick.is_some()) =>
+            {
+                Err(xflags::Error::new("--page takes no other option"))
+            }
             XtaskCmd::Bench(bench) if bench.instructions && bench.yardstick.is_some() => Err(
                 xflags::Error::new("--yardstick and --instructions exclude each other"),
             ),
@@ -149,6 +163,7 @@ mod tests {
             "fuzz --minutes 3 → minutes: Some(3), seed: None",
             "bench --yardstick=./other → yardstick: Some(\"./other\")",
             "bench --write --instructions → instructions: true, write: true",
+            "bench --page → page: true",
             "package → Package",
             "reproduce → Reproduce",
             "poster → Poster",
@@ -195,6 +210,7 @@ mod tests {
             ("soak --corners many", "--corners"),
             ("bench --write", "--instructions"),
             ("bench --instructions --yardstick x", "--yardstick"),
+            ("bench --page --yardstick x", "--page"),
         ] {
             let refused = parse(line).err().unwrap_or_default();
             assert!(refused.contains(named), "{line}: {refused}");

@@ -18,29 +18,37 @@ const DEAD: [&str; 2] = ["wasm_bindgen::convert::closures::", "js_sys::futures::
 /// The start of the glue's loader, which reaches to the end.
 const LOADER: &str = "let wasmModule, wasmInstance, wasm;";
 
-/// The loader of modules that the caller has fetched: wasm, once, of `module_or_path`, a compiled
-/// module or bytes.
+/// The loader of a compiled module, which the caller has fetched. A `fresh` instance replaces the
+/// earlier one, which may be damaged by a panic, and whose memory never shrinks; no object of the
+/// earlier one may be used.
 const SHORT_LOADER: &str = "\
 let wasm, ready;
-export default ({ module_or_path } = {}) => ready ??= WebAssembly.instantiate(module_or_path, __wbg_get_imports()).then(
-  (made) => {
-    wasm = (made.instance ?? made).exports;
-    wasm.__wbindgen_start();
-    return wasm;
-  },
-).catch((error) => {
-  ready = undefined;
-  throw error;
-});
+export default ({ module_or_path, fresh }) => ready = !fresh && ready ||
+  WebAssembly.instantiate(module_or_path, __wbg_get_imports()).then(
+    (made) => {
+      wasm = made.exports;
+      wasm.__wbindgen_start();
+      return wasm;
+    },
+  ).catch((error) => {
+    ready = undefined;
+    throw error;
+  });
 ";
 
 /// Pieces of the glue that no browser with SIMD needs, and those without show a message instead of
 /// a fire: from the first text to the second, and what replaces both.
-const PIECES: [[&str; 3]; 5] = [
+const PIECES: [[&str; 3]; 6] = [
     [
         "if (cachedDataViewMemory0 === null ||",
         ") {",
         "if (cachedDataViewMemory0?.buffer !== wasm.memory.buffer) {",
+    ],
+    // Another instance has another memory.
+    [
+        "if (cachedUint8ArrayMemory0 === null ||",
+        ") {",
+        "if (cachedUint8ArrayMemory0?.buffer !== wasm.memory.buffer) {",
     ],
     [
         "(typeof FinalizationRegistry === 'undefined')",
@@ -78,11 +86,7 @@ pub(crate) fn shorten(sh: &Shell, web: &Path) -> Result<()> {
             remove_dead(&mut module, &code);
         }
         shorten_names(&mut module, &mut code)?;
-        // The element reads the version before it starts the module.
-        module.customs.add(RawCustomSection {
-            name: "hearth".to_owned(),
-            data: env!("CARGO_PKG_VERSION").into(),
-        });
+        write_version(&mut module, &mut code)?;
         module.emit_wasm_file(&wasm)?;
         sh.write_file(script, code)?;
     }
@@ -149,6 +153,26 @@ fn shorten_names(module: &mut Module, code: &mut String) -> Result<()> {
         *code = code.replace(&long, &format!("{before}{short}{after}"));
         *name = short;
     }
+    Ok(())
+}
+
+/// Writes the version into the module, for the element to read before it starts the module, and as
+/// the name that wasm and glue give the glue: short names of other versions mean other functions,
+/// and a cache may hold an old file beside a new one.
+fn write_version(module: &mut Module, code: &mut String) -> Result<()> {
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+    for import in module.imports.iter_mut() {
+        *code = code.replace(&format!("\"{}\"", import.module), &format!("\"{VERSION}\""));
+        VERSION.clone_into(&mut import.module);
+    }
+    ensure!(
+        code.contains(&format!("\"{VERSION}\":")),
+        "the glue lacks the name of its module"
+    );
+    module.customs.add(RawCustomSection {
+        name: "hearth".to_owned(),
+        data: VERSION.into(),
+    });
     Ok(())
 }
 

@@ -13,7 +13,12 @@ use anyhow::{Result, bail, ensure};
 use crate::shell::Shell;
 
 /// The pages that links name, and their folders.
-const PAGES: [(&str, &str); 2] = [("index.html", ""), ("web/embed.html", "web/")];
+const PAGES: [(&str, &str); 4] = [
+    ("index.html", ""),
+    ("bench.html", ""),
+    ("printed.html", ""),
+    ("web/embed.html", "web/"),
+];
 
 /// The beginning of an address that previews read.
 const RELATIVE: &str = "content=\"./";

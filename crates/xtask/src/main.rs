@@ -7,6 +7,7 @@ mod bench;
 mod burning;
 mod codegen;
 mod evaluation;
+mod faults;
 mod flags;
 mod glue;
 mod goldens;
@@ -64,13 +65,14 @@ fn run(command: Xtask) -> Result<ExitCode> {
         XtaskCmd::Package(_) => package::build()?,
         XtaskCmd::Reproduce(_) => package::reproduce()?,
         XtaskCmd::Test(test) => {
-            if !stages::run(test.skip_browser, &test.stage)? {
+            if !stages::run(test.skip_browser, test.all, &test.stage)? {
                 return Ok(ExitCode::FAILURE);
             }
         }
         XtaskCmd::Validate(validate) => validate::run(&validate.case)?,
         XtaskCmd::Soak(soak) => validate::soak(soak.corners, soak.seed)?,
         XtaskCmd::Fuzz(fuzz) => validate::fuzz(fuzz.minutes, fuzz.seed)?,
+        XtaskCmd::Faults(faults) => faults::run(&faults.section)?,
         XtaskCmd::Bench(bench) => bench::run(&bench)?,
         XtaskCmd::Look(look) => look::run(&look.scene)?,
         XtaskCmd::Goldens(goldens) => goldens::write(goldens.snapshots, &goldens.name)?,

@@ -71,6 +71,9 @@ pub(crate) fn build() -> Result<()> {
     for licence in ["LICENSE-APACHE", "LICENSE-MIT"] {
         sh.copy_file(licence, &web)?;
     }
+    for page in ["bench.html", "printed.html"] {
+        sh.copy_file(page, &site)?;
+    }
     let html = sh.read_file("index.html")?;
     sh.write_file(site.join("index.html"), without_trunk_links(&html))?;
     println!(

@@ -2,7 +2,8 @@
 //!
 //! A stage that fails stops only the stages that need its result, so one run reports
 //! everything. Quick and strict stages come first. All stages share one target folder and
-//! one set of flags, so that little is compiled twice.
+//! one set of flags, so that little is compiled twice. A long stage that passed does not run
+//! again while nothing changes.
 
 pub(crate) mod browser;
 mod code;
@@ -10,9 +11,11 @@ mod library;
 mod trunk;
 
 use anyhow::{Result, bail, ensure};
+use xshell::cmd;
 
 use crate::report::Report;
-use crate::{bench, codegen, goldens, package, paths, script, site};
+use crate::shell::Shell;
+use crate::{bench, codegen, goldens, package, paths, script, site, tools};
 
 /// One check.
 struct Stage {
@@ -22,6 +25,8 @@ struct Stage {
     /// The stage whose result this one uses.
     needs: Option<&'static str>,
     in_browser: bool,
+    /// Takes long and makes nothing: it runs only where an input changed since it passed.
+    remembered: bool,
 }
 
 impl Stage {
@@ -32,6 +37,7 @@ impl Stage {
             run,
             needs: None,
             in_browser: false,
+            remembered: false,
         }
     }
 
@@ -43,6 +49,26 @@ impl Stage {
     const fn in_browser(mut self) -> Stage {
         self.in_browser = true;
         self
+    }
+
+    const fn remembered(mut self) -> Stage {
+        self.remembered = true;
+        self
+    }
+
+    fn run(&self) -> Result<()> {
+        if !self.remembered {
+            return (self.run)();
+        }
+        tools::node()?;
+        let (sh, name, store) = (Shell::new()?, self.name, tools::passed("stages.json")?);
+        let digest = cmd!(sh, "node tests/passed.mjs {store} {name}").read()?;
+        if digest.is_empty() {
+            println!("passed before, unchanged: `cargo xtask test --all` runs it again");
+            return Ok(());
+        }
+        (self.run)()?;
+        Ok(cmd!(sh, "node tests/passed.mjs {store} {name} {digest}").run()?)
     }
 }
 
@@ -73,7 +99,8 @@ const STAGES: &[Stage] = &[
         "native",
         "laws of the physics, and every unit test",
         code::native,
-    ),
+    )
+    .remembered(),
     Stage::new(
         "shaders",
         "the reference compiler accepts every shader",
@@ -103,7 +130,8 @@ const STAGES: &[Stage] = &[
         "the headless library keeps its laws in Node, and the native bits",
         library::laws_in_node,
     )
-    .needs("site"),
+    .needs("site")
+    .remembered(),
     Stage::new(
         "publish",
         "the crates could be published",
@@ -118,14 +146,16 @@ const STAGES: &[Stage] = &[
         "cost",
         "a step takes no more instructions than recorded",
         bench::instructions,
-    ),
-    Stage::new("wasm", "wasm gives the native bits", browser::wasm_in_node),
+    )
+    .remembered(),
+    Stage::new("wasm", "wasm gives the native bits", browser::wasm_in_node).remembered(),
     Stage::new(
         "browser",
         "shaders and canvases in headless Chromium",
         browser::wasm_in_chromium,
     )
-    .in_browser(),
+    .in_browser()
+    .remembered(),
     Stage::new("goldens", "fires match the golden pictures", goldens::check).in_browser(),
     Stage::new(
         "e2e",
@@ -140,7 +170,8 @@ const STAGES: &[Stage] = &[
         browser::consumers,
     )
     .needs("package")
-    .in_browser(),
+    .in_browser()
+    .remembered(),
     Stage::new("trunk", "Trunk builds the same site", trunk::same_site).needs("site"),
     Stage::new(
         "trunk-page",
@@ -151,14 +182,18 @@ const STAGES: &[Stage] = &[
     .in_browser(),
 ];
 
-/// Runs the named stages, or all of them, and prints a report; returns whether all passed.
-pub(crate) fn run(skip_browser: bool, names: &[String]) -> Result<bool> {
+/// Runs the named stages, or every stage, and prints a report; returns whether all passed.
+/// With `all`, what passed before runs again.
+pub(crate) fn run(skip_browser: bool, all: bool, names: &[String]) -> Result<bool> {
+    if all {
+        Shell::new()?.remove_path(tools::passed("")?)?;
+    }
     let mut report = Report::default();
     for stage in chosen(names)? {
         if stage.in_browser && skip_browser {
             report.skip(stage.name);
         } else {
-            report.stage(stage.name, stage.about, stage.needs, stage.run);
+            report.stage(stage.name, stage.about, stage.needs, || stage.run());
         }
     }
     print!("\n{}", report.summary());

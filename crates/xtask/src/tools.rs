@@ -32,6 +32,11 @@ pub(crate) fn target() -> Result<PathBuf> {
     target.context("cargo does not name its target folder")
 }
 
+/// The store of what passed; `tests/passed.mjs` reads and writes it.
+pub(crate) fn passed(store: &str) -> Result<PathBuf> {
+    Ok(target()?.join("hearth-passed").join(store))
+}
+
 fn metadata(arguments: &[&str]) -> Result<serde_json::Value> {
     let sh = Shell::new()?;
     let described = cmd!(sh, "cargo metadata --format-version 1 {arguments...}").read()?;

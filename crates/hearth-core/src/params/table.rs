@@ -152,7 +152,7 @@ parameters! {
         /// brightness of a black body.
         [Look] luminance_exponent: number "Luminance exponent" [""] Linear { Every(0.35, 0.15..=1.0) } when { display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// Larger, softer particles. Drawn size of a particle.
-        [Look] particle_size: number "Particle size" ["m"] Log { Classic(0.04, 0.01..=0.1) } when { display_mode: LIGHT }
+        [Look] particle_size: number "Particle size" ["m"] Log { Classic(0.04, 0.0025..=0.1) } when { display_mode: LIGHT }
         /// Colour of the coolest fire in the custom palette; transparent is black.
         [Look] cool_colour: colour "Cool colour" { Every(Colour::rgb(0x8a, 0x12, 0xff)) } when { palette: &["custom"], display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// Colour of the hottest fire in the custom palette; transparent is black.

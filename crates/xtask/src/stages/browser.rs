@@ -38,7 +38,8 @@ fn wasm_test(name: &str, driver: Option<PathBuf>) -> Result<()> {
 /// too.
 pub(super) fn end_to_end() -> Result<()> {
     let sh = Shell::new()?;
-    let test = script(&sh, "run.mjs", &paths::site())?;
+    let test =
+        script(&sh, "run.mjs", &paths::site())?.env("HEARTH_PASSED", tools::passed("e2e.json")?);
     Ok(test.envs(tools::other_browsers()?).run()?)
 }
 
@@ -70,6 +71,15 @@ pub(super) fn consumers() -> Result<()> {
 pub(crate) fn run_script(name: &str, arguments: impl IntoIterator<Item = PathBuf>) -> Result<()> {
     let sh = Shell::new()?;
     let script = script(&sh, name, &paths::site())?;
+    site::build()?;
+    Ok(script.args(arguments).run()?)
+}
+
+/// Builds the site and runs its faults in every browser.
+pub(crate) fn faults(arguments: impl IntoIterator<Item = PathBuf>) -> Result<()> {
+    let browsers = tools::other_browsers()?;
+    let sh = Shell::new()?;
+    let script = script(&sh, "faults.mjs", &paths::site())?.envs(browsers);
     site::build()?;
     Ok(script.args(arguments).run()?)
 }

@@ -1,0 +1,46 @@
+/**
+ * Faults of browser, graphics, network and engine, one after another: `cargo xtask faults`, or
+ * `cargo xtask faults losses gpu` for some sections. After each fault, the fire burns again or its
+ * visitor reads why not. The command fails if one fire does neither.
+ *
+ * The first argument is the file of the table; the others are sections.
+ */
+import { writeFileSync } from 'node:fs';
+import { calls } from './faults/calls.mjs';
+import { elements } from './faults/elements.mjs';
+import { gpu } from './faults/gpu.mjs';
+import { graphics } from './faults/graphics.mjs';
+import { losses } from './faults/losses.mjs';
+import { network } from './faults/network.mjs';
+import { patience } from './faults/patience.mjs';
+
+/** @type {{[section: string]: {find: () => AsyncGenerator<import('./faults/outcome.mjs').Finding>, what: string}}} */
+const SECTIONS = {
+  losses: { find: losses, what: 'lost contexts: 100 in each place of each browser' },
+  gpu: { find: gpu, what: 'crashes of the process for graphics (Chromium)' },
+  elements: { find: elements, what: 'groups of 20 elements that come and go (Chromium)' },
+  network: { find: network, what: 'files that fail, each in seven ways (Chromium)' },
+  graphics: { find: graphics, what: 'WebGL2 functions that fail, in worker and page (Chromium)' },
+  calls: { find: calls, what: 'groups of 40 random calls in each browser' },
+  patience: { find: patience, what: 'breakpoint, hidden tab, suspended computer, 20 times slower processor (Chromium)' },
+};
+
+const [file, ...names] = process.argv.slice(2);
+const unknown = names.filter((name) => !(name in SECTIONS));
+if (!file || unknown.length > 0) {
+  throw new Error(`the arguments are a file and sections (${Object.keys(SECTIONS).join(', ')}), not ${[file, ...unknown].join(', ')}`);
+}
+const rows = ['| fault | number | burns again | told in words | silent |', '|---|---:|---:|---:|---:|'];
+for (const [section, { find, what }] of Object.entries(SECTIONS)) {
+  if (names.length > 0 && !names.includes(section)) continue;
+  const counts = { burns: 0, told: 0, silent: 0 };
+  for await (const { fault, outcome, detail } of find()) {
+    counts[outcome] += 1;
+    if (outcome === 'silent') process.exitCode = 1;
+    console.log(`${section}: ${fault}: ${outcome}${detail ? ` (${detail})` : ''}`);
+  }
+  const { burns, told, silent } = counts;
+  rows.push(`| ${what} | ${burns + told + silent} | ${burns} | ${told} | ${silent} |`);
+  console.log(rows.at(-1));
+}
+writeFileSync(file, `${rows.join('\n')}\n`);

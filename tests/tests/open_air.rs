@@ -276,6 +276,6 @@ fn the_wind_blows_through_the_air_as_fast_as_it_is_set() {
             }
         }
         let share = sum / count / f64::from(wind);
-        assert!((share - 1.0).abs() < 0.1, "{share} of {wind} m/s");
+        assert!((share - 1.0).abs() < 0.05, "{share} of {wind} m/s");
     }
 }

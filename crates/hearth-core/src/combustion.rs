@@ -226,7 +226,7 @@ impl Solver for Combustion {
             let old = Old::new(&self.gas, &self.discretisation, parameters);
             self.gas = match &self.open {
                 None => resample::resample(&old, parameters, random),
-                Some(open) => open.resample(&old, parameters),
+                Some(open) => resample::resample_open(&old, parameters, open),
             };
             self.discretisation = discretisation;
         }

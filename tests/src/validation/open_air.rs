@@ -77,7 +77,7 @@ fn still_air() -> Outcome {
 
 /// Wind blows through the band of air as fast as it is set.
 fn wind() -> Outcome {
-    Outcome::rows([-0.5, 1.0, 2.0, 3.0].map(|wind| {
+    Outcome::rows([-0.5, 0.5, 1.0, 2.0, 3.0].map(|wind| {
         let (mean, deviation) = motion(unlit(1.0, wind), wind, 6.0);
         Row::new(
             format!("wind-{wind}"),

@@ -15,9 +15,8 @@ mod rim;
 use glam::Vec2;
 
 use super::burner::Burner;
-use super::gas::{Gas, Lattice};
+use super::gas::Gas;
 use super::pair::Context;
-use super::resample::Old;
 use crate::bounds::Bounds;
 use crate::params::{Edges, Floor as FloorChoice, Physics};
 use crate::scene::Scene;
@@ -112,24 +111,9 @@ impl OpenAir {
         self.update(gas, scene, per_cell);
     }
 
-    /// The gas of another spacing in the cells of this map.
-    pub fn resample(&self, old: &Old, values: &Physics) -> Gas {
-        let mut gas = Gas::none(values);
-        let corner = Vec2::new(self.map.layout.left, self.map.layout.bottom);
-        let size = Vec2::new(self.map.layout.columns as f32, self.map.layout.rows as f32);
-        let lattice = Lattice::even(
-            corner,
-            size * self.map.layout.cell,
-            old.lattice_spacing(self.spacing),
-        );
-        old.select(
-            &lattice,
-            self.capacity,
-            |place| self.map.holds(place),
-            &mut gas,
-        );
-        gas.set_mass_and_volume(values);
-        gas
+    /// Whether this air holds gas at a position.
+    pub fn holds(&self, place: Vec2) -> bool {
+        self.map.holds(place)
     }
 
     /// Updates the map.
@@ -161,6 +145,8 @@ impl OpenAir {
         self.exchange.remove(&self.map, gas);
         self.exchange
             .follow(&self.map, inflow.wind, self.since_exchange);
+        self.exchange
+            .blow(&self.map, gas, &inflow, self.since_exchange);
         self.exchange.fill(&self.map, gas, &inflow);
         self.since_exchange = 0.0;
     }

@@ -10,7 +10,7 @@
 
 use glam::{Vec2, Vec4};
 
-use super::air;
+use super::air::{self, OpenAir};
 use super::equation_of_state::expansion;
 use super::gas::{Gas, Lattice, lattice};
 use crate::Particle;
@@ -93,7 +93,24 @@ pub(super) fn resample(old: &Old, parameters: &Parameters, random: &mut Random) 
     old.select(
         &places,
         parameters.max_particles as usize,
-        |_| true,
+        &|_| true,
+        &mut gas,
+    );
+    gas.set_mass_and_volume(parameters);
+    gas
+}
+
+/// Gas of the spacing of `parameters` in `open` air with the state of `old` gas.
+pub(super) fn resample_open(old: &Old, parameters: &Parameters, open: &OpenAir) -> Gas {
+    let bounds = open.bounds();
+    let corner = Vec2::new(-0.5 * bounds.width, bounds.bottom);
+    let size = Vec2::new(bounds.width, bounds.height);
+    let spacing = parameters.spacing() * (1.0 / OVERSAMPLING).sqrt();
+    let mut gas = Gas::default();
+    old.select(
+        &Lattice::even(corner, size, spacing),
+        parameters.max_particles as usize,
+        &|place| open.holds(place),
         &mut gas,
     );
     gas.set_mass_and_volume(parameters);
@@ -163,18 +180,13 @@ impl<'a> Old<'a> {
         ((kept / self.air_density + area - common) / area).max(MIN_DENSITY)
     }
 
-    /// Spacing of a lattice for open air of this spacing \[m\].
-    pub fn lattice_spacing(&self, spacing: f32) -> f32 {
-        spacing * (1.0 / OVERSAMPLING).sqrt()
-    }
-
     /// Adds gas at points of a lattice in proportion to its density, only where `holds` is true,
     /// and at most `max_particles`.
     pub fn select(
         &self,
         places: &Lattice,
         max_particles: usize,
-        holds: impl Fn(Vec2) -> bool,
+        holds: &dyn Fn(Vec2) -> bool,
         gas: &mut Gas,
     ) {
         // Rounding errors for this row and for the next.

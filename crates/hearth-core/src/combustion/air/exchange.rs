@@ -1,9 +1,10 @@
 //! Births and deaths of air at the rim, and the velocity with which it crosses the rim.
 //!
 //! Gas that leaves the cells with air is removed. Air enters the ring wherever there is room:
-//! at the place that is farthest from all particles. A cell that gas reaches for the first time
-//! gets a lattice of air. Air that enters is at rest, or as fast as the wind, so suction alone
-//! accelerates it and its total pressure is that of the far air.
+//! at the place that is farthest from all particles. Wind brings a lattice of air through the
+//! ring, because births in gaps alone leave it too thin to keep its speed. A cell that gas
+//! reaches for the first time gets a lattice of air. Air that enters is at rest, or as fast as
+//! the wind, so suction alone accelerates it and its total pressure is that of the far air.
 
 use glam::Vec2;
 
@@ -23,6 +24,12 @@ const MOST: u32 = 3;
 const FULL: f32 = 1.11;
 /// A fresh cell with fewer particles than this share of a cell of air gets a lattice.
 const EMPTY: f32 = 0.34;
+/// Smallest distance of a particle that the wind brings from all others, in spacings, and how
+/// far inside of the ring it enters.
+const CLOSE: f32 = 0.5;
+const INTO: f32 = 0.1;
+/// Longest time for which the wind brings air at once \[s\]: the first exchange has no last one.
+const LONG: f32 = 0.1;
 /// Rate at which the velocity at the rim follows the gas inside [1/s].
 const FOLLOW: f32 = 30.0;
 
@@ -43,6 +50,8 @@ pub(super) struct Exchange {
     pub flow: Vec<Vec2>,
     /// The particles around one cell.
     nearby: Vec<Vec2>,
+    /// How far the wind has blown since its last column of particles, in spacings.
+    blown: f32,
 }
 
 /// The air that enters.
@@ -94,6 +103,7 @@ impl Exchange {
             momentum: vec![Vec2::ZERO; n],
             flow: vec![Vec2::ZERO; n],
             nearby: Vec::with_capacity(capacity),
+            blown: 0.0,
         }
     }
 
@@ -151,6 +161,36 @@ impl Exchange {
             } else {
                 *flow + (velocity - *flow) * share
             };
+        }
+    }
+
+    /// Lets the air in that the wind has brought in a time `dt`: a column of particles in each
+    /// cell of the ring that the wind enters, whenever it has blown as far as a spacing.
+    pub fn blow(&mut self, map: &Map, gas: &mut Gas, inflow: &Inflow, dt: f32) {
+        let (wind, spacing, side) = (inflow.wind.x, inflow.spacing, map.layout.cell);
+        self.blown += fast_min(wind.abs() * fast_min(dt, LONG) / spacing, MOST as f32);
+        let upwind = (if wind > 0.0 { -1 } else { 1 }, 0);
+        while self.blown >= 1.0 {
+            self.blown -= 1.0;
+            let into = (self.blown + INTO) * spacing;
+            for &cell in &map.rim {
+                let cell = cell as usize;
+                let enters = map.depth[map.layout.beside(cell, upwind)] == 0;
+                if !enters || map.fresh[cell] {
+                    continue;
+                }
+                self.gather(map, gas, cell, CLOSE * spacing);
+                let corner = map.layout.corner(cell);
+                let x = corner.x + if wind > 0.0 { into } else { side - into };
+                let row = cell / map.layout.columns;
+                for y in map.layout.points(row, spacing) {
+                    let place = Vec2::new(x, map.layout.bottom + (y as f32 + 0.5) * spacing);
+                    let free = self.room(place) > CLOSE * spacing * (CLOSE * spacing);
+                    if free && gas.len() < inflow.capacity {
+                        self.add(gas, inflow, cell, place, inflow.wind);
+                    }
+                }
+            }
         }
     }
 
@@ -219,18 +259,13 @@ impl Exchange {
         velocity: Vec2,
     ) {
         let Layout {
-            cell: side,
             columns,
             left,
             bottom,
             ..
         } = map.layout;
         let spacing = inflow.spacing;
-        // The same expression in every cell, so that no point is in two cells or in none.
-        let points = |index: usize| {
-            let point = |at: usize| (at as f32 * side / spacing + 0.5) as usize;
-            point(index)..point(index + 1)
-        };
+        let points = |index: usize| map.layout.points(index, spacing);
         let close = ROOM * spacing * (ROOM * spacing);
         for y in points(cell / columns) {
             for x in points(cell % columns) {

@@ -106,6 +106,14 @@ impl Layout {
         (cell as i32 + y * self.columns as i32 + x) as usize
     }
 
+    /// The points of the lattice of this spacing \[m\] over the map that a column or row of cells
+    /// has along its axis. Every point is in one of them.
+    pub fn points(&self, index: usize, spacing: f32) -> std::ops::Range<usize> {
+        // The same expression in every cell, so that no point is in two cells or in none.
+        let point = |at: usize| (at as f32 * self.cell / spacing + 0.5) as usize;
+        point(index)..point(index + 1)
+    }
+
     /// The cells inside the border, row by row.
     pub fn inner(&self) -> impl Iterator<Item = usize> + use<> {
         let columns = self.columns;

@@ -61,7 +61,7 @@ impl OpenAir {
         Some(Box::new(OpenAir {
             map: Map::new(layout),
             awake: Awake::new(&layout),
-            exchange: Exchange::new(&layout, capacity),
+            exchange: Exchange::new(capacity),
             rim: Rim::new(capacity),
             floor: Floor::new(capacity),
             spacing: values.spacing(),
@@ -99,16 +99,15 @@ impl OpenAir {
 
     /// Simulates the air around all gas that a caller has put in.
     pub fn surround(&mut self, gas: &Gas) {
-        self.awake.wake_all(&self.map.layout, &gas.position);
+        awake::wake(&mut self.map, gas, f32::NEG_INFINITY, 0.0);
         (self.steps, self.since_exchange) = (0, f32::INFINITY);
     }
 
     /// Takes over the gas of another map.
     pub fn adopt(&mut self, gas: &Gas, scene: &Scene) {
         let values = scene.settings();
-        let per_cell = Inflow::new(values, self.spacing, self.capacity).per_cell(&self.map.layout);
-        self.awake.wake_active(&self.map.layout, gas, values);
-        self.update(gas, scene, per_cell);
+        awake::wake(&mut self.map, gas, awake::hot(values), 0.0);
+        self.update(gas, scene);
     }
 
     /// Whether this air holds gas at a position.
@@ -117,12 +116,20 @@ impl OpenAir {
     }
 
     /// Updates the map.
-    fn update(&mut self, gas: &Gas, scene: &Scene, per_cell: f32) {
-        let sources = scene.sources().map(|source| awake_at(&Burner::of(source)));
-        let (map, awake) = (&mut self.map, &mut self.awake);
-        awake.wake(map, gas, scene.settings(), sources, self.since_map);
-        let counts = &self.exchange.counts;
-        map.fill(awake.inside(map, counts, per_cell, self.capacity as f32));
+    #[inline(never)]
+    fn update(&mut self, gas: &Gas, scene: &Scene) {
+        let (map, values) = (&mut self.map, scene.settings());
+        for cell in &mut map.cells {
+            cell.remaining -= self.since_map;
+        }
+        awake::wake(map, gas, awake::hot(values), awake::MIN_DEPTH);
+        for source in scene.sources() {
+            awake::wake_source(map, &awake_at(&Burner::of(source)));
+        }
+        let inflow = Inflow::new(values, self.spacing, self.capacity);
+        let per_cell = inflow.per_cell(&map.layout);
+        self.awake.spread(map, per_cell, self.capacity as f32);
+        map.fill();
         self.since_map = 0.0;
     }
 
@@ -138,16 +145,17 @@ impl OpenAir {
         let values = scene.settings();
         let inflow = Inflow::new(values, self.spacing, self.capacity);
         if step.is_multiple_of(MAP_STEPS) {
-            self.update(gas, scene, inflow.per_cell(&self.map.layout));
+            self.update(gas, scene);
         } else {
-            self.map.fresh.fill(false);
+            for cell in &mut self.map.cells {
+                cell.fresh = false;
+            }
         }
-        self.exchange.remove(&self.map, gas);
-        self.exchange
-            .follow(&self.map, inflow.wind, self.since_exchange);
-        self.exchange
-            .blow(&self.map, gas, &inflow, self.since_exchange);
-        self.exchange.fill(&self.map, gas, &inflow);
+        let (map, exchange) = (&mut self.map, &mut self.exchange);
+        exchange.remove(map, gas);
+        exchange::follow(map, inflow.wind, self.since_exchange);
+        exchange.blow(map, gas, &inflow, self.since_exchange);
+        exchange.fill(map, gas, &inflow);
         self.since_exchange = 0.0;
     }
 
@@ -175,7 +183,7 @@ impl OpenAir {
 
     /// Lets the ring follow the flow at the rim for `dt`.
     pub fn carry(&self, gas: &mut Gas, dt: f32) {
-        self.rim.carry(&self.map, &self.exchange.flow, gas, dt);
+        self.rim.carry(&self.map, gas, dt);
     }
 
     /// Keeps the gas above the floor.

@@ -7,7 +7,7 @@
 use glam::Vec2;
 
 use super::super::gas::Gas;
-use super::map::{Layout, Map};
+use super::map::{Layout, Map, measure};
 use crate::params::Physics;
 
 /// Width of the band of air around what is awake \[m\].
@@ -25,7 +25,7 @@ const FUELLED: f32 = 1e-3;
 /// Time for which a cell stays awake \[s\].
 const HOLD: f32 = 0.3;
 /// The outermost ring wakes no cell: noise there must not spread.
-const MIN_DEPTH: u8 = 2;
+pub(super) const MIN_DEPTH: f32 = 2.0;
 /// Distance to a cell that is awake where there is none.
 const FAR: f32 = 1e6;
 /// Share of the capacity that the cells below the ceiling may need.
@@ -33,14 +33,11 @@ const FULL: f32 = 0.97;
 /// Share of it below which the ceiling rises.
 const ROOM: f32 = 0.9;
 
-/// The cells that are awake, and the distance of the others to them.
+/// How far the cells sleep that would need too many particles.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Awake {
-    /// For how long each cell stays awake \[s\].
-    remaining: Vec<f32>,
     /// Distance to the nearest cell that is awake, in cells.
     distance: Vec<f32>,
-    inside: Vec<bool>,
     /// The first row in which all cells sleep.
     ceiling: usize,
     /// Share of the cells in reach that sleep.
@@ -54,85 +51,71 @@ pub(crate) struct Rectangle {
     pub high: Vec2,
 }
 
+/// Wakes the cells of gas that is hotter than this or otherwise active, at least this deep.
+#[inline(never)]
+pub(super) fn wake(map: &mut Map, gas: &Gas, hot: f32, min_depth: f32) {
+    for (state, &position) in gas.state.iter().zip(&gas.position) {
+        if state.x > hot || state.y > FUELLED || state.w > SOOTY {
+            let cell = map.layout.at(position);
+            if map.depth[cell] >= min_depth {
+                map.cells[cell].remaining = HOLD;
+            }
+        }
+    }
+}
+
+/// Temperature of the coldest gas that is active by its heat \[K\].
+pub(super) fn hot(values: &Physics) -> f32 {
+    values.ambient_temperature + HOT
+}
+
+/// Wakes the cells of a source.
+pub(super) fn wake_source(map: &mut Map, source: &Rectangle) {
+    let Layout { columns, .. } = map.layout;
+    let (low, high) = (map.layout.at(source.low), map.layout.at(source.high));
+    for row in low / columns..=high / columns {
+        for column in low % columns..=high % columns {
+            map.cells[row * columns + column].remaining = HOLD;
+        }
+    }
+}
+
 impl Awake {
     pub fn new(layout: &Layout) -> Awake {
-        let n = layout.len();
         Awake {
-            remaining: vec![0.0; n],
-            distance: vec![FAR; n],
-            inside: vec![false; n],
+            distance: vec![FAR; layout.len()],
             ceiling: layout.rows,
             asleep: 0.0,
         }
     }
 
-    /// Wakes the cells of active gas that the map does not know yet.
-    pub fn wake_active(&mut self, layout: &Layout, gas: &Gas, values: &Physics) {
-        for position in active(gas, values) {
-            self.remaining[layout.at(position)] = HOLD;
+    /// Finds the cells that are to hold gas, of at most `capacity` particles. `per_cell` is the
+    /// number of those of a cell of air.
+    pub fn spread(&mut self, map: &mut Map, per_cell: f32, capacity: f32) {
+        let (layout, distance) = (map.layout, &mut self.distance);
+        for (distance, cell) in distance.iter_mut().zip(&map.cells) {
+            *distance = if cell.remaining > 0.0 { 0.0 } else { FAR };
         }
-    }
-
-    /// Wakes the cells of all gas.
-    pub fn wake_all(&mut self, layout: &Layout, positions: &[Vec2]) {
-        for &position in positions {
-            self.remaining[layout.at(position)] = HOLD;
-        }
-    }
-
-    /// Wakes the cells of active gas and of the sources, after a time `dt`.
-    pub fn wake(
-        &mut self,
-        map: &Map,
-        gas: &Gas,
-        values: &Physics,
-        sources: impl Iterator<Item = Rectangle>,
-        dt: f32,
-    ) {
-        for remaining in &mut self.remaining {
-            *remaining -= dt;
-        }
-        for position in active(gas, values) {
-            let cell = map.layout.at(position);
-            if map.depth[cell] >= MIN_DEPTH {
-                self.remaining[cell] = HOLD;
-            }
-        }
-        for source in sources {
-            let Layout { columns, .. } = map.layout;
-            let (low, high) = (map.layout.at(source.low), map.layout.at(source.high));
-            for row in low / columns..=high / columns {
-                for column in low % columns..=high % columns {
-                    self.remaining[row * columns + column] = HOLD;
-                }
-            }
-        }
-    }
-
-    /// The cells that hold gas, of at most `capacity` particles. `counts` are the present
-    /// particles of the cells, and `per_cell` those of a cell of air.
-    pub fn inside(&mut self, map: &Map, counts: &[u32], per_cell: f32, capacity: f32) -> &[bool] {
-        self.measure(&map.layout);
-        let reach = (BAND / map.layout.cell).max(MIN_BAND) + RING;
-        let in_reach =
-            |distance: f32, depth: u8| distance <= reach + if depth > 0 { HYSTERESIS } else { 0.0 };
+        measure(distance, &layout, std::f32::consts::SQRT_2);
+        let reach = (BAND / layout.cell).max(MIN_BAND) + RING;
         let (mut needed, mut wanted, mut cells) = (0.0, 0.0, 0);
-        let mut ceiling = map.layout.rows;
-        for row in map.layout.inner_rows() {
-            for cell in map.layout.row(row) {
-                let inside = in_reach(self.distance[cell], map.depth[cell]);
-                self.inside[cell] = inside;
-                cells += u32::from(inside);
-                if inside {
-                    let present = map.depth[cell] > 0 && counts[cell] > 0;
-                    wanted += if present {
-                        counts[cell] as f32
+        let mut ceiling = layout.rows;
+        for row in layout.inner_rows() {
+            for at in layout.row(row) {
+                let cell = &mut map.cells[at];
+                let present = map.depth[at] > 0.0;
+                let stay = if present { HYSTERESIS } else { 0.0 };
+                cell.inside = distance[at] <= reach + stay;
+                if cell.inside {
+                    cells += 1;
+                    wanted += if present && cell.count > 0 {
+                        cell.count as f32
                     } else {
                         per_cell
                     };
                 }
             }
-            if wanted > FULL * capacity && ceiling == map.layout.rows {
+            if wanted > FULL * capacity && ceiling == layout.rows {
                 ceiling = row;
             }
             if row < self.ceiling {
@@ -145,52 +128,12 @@ impl Awake {
             self.ceiling += 1;
         }
         let mut sleeping = 0;
-        for row in self.ceiling.max(1)..map.layout.rows - 1 {
-            for cell in map.layout.row(row) {
-                sleeping += u32::from(self.inside[cell]);
-                self.inside[cell] = false;
-                self.remaining[cell] = 0.0;
-            }
+        for cell in &mut map.cells[self.ceiling.max(1) * layout.columns..] {
+            sleeping += u32::from(cell.inside);
+            (cell.inside, cell.remaining) = (false, 0.0);
         }
         self.asleep = sleeping as f32 / cells.max(1) as f32;
-        &self.inside
     }
-
-    /// Measures the distances: a chamfer distance of two sweeps (Borgefors 1986).
-    fn measure(&mut self, layout: &Layout) {
-        let columns = layout.columns;
-        let distance = &mut self.distance;
-        for (distance, &remaining) in distance.iter_mut().zip(&self.remaining) {
-            *distance = if remaining > 0.0 { 0.0 } else { FAR };
-        }
-        let nearest = |distance: &[f32], cell: usize, straight: [usize; 2], across: [usize; 2]| {
-            let straight = distance[straight[0]].min(distance[straight[1]]) + 1.0;
-            let across = distance[across[0]].min(distance[across[1]]) + std::f32::consts::SQRT_2;
-            distance[cell].min(straight).min(across)
-        };
-        for cell in layout.inner() {
-            let below = cell - columns;
-            distance[cell] = nearest(distance, cell, [cell - 1, below], [below - 1, below + 1]);
-        }
-        for cell in layout
-            .inner_rows()
-            .rev()
-            .flat_map(|row| layout.row(row).rev())
-        {
-            let above = cell + columns;
-            distance[cell] = nearest(distance, cell, [cell + 1, above], [above - 1, above + 1]);
-        }
-    }
-}
-
-/// The positions of active gas.
-fn active<'a>(gas: &'a Gas, values: &Physics) -> impl Iterator<Item = Vec2> + use<'a> {
-    let hot = values.ambient_temperature + HOT;
-    let all = gas.state.iter().zip(&gas.position);
-    all.filter_map(move |(state, &position)| {
-        let active = state.x > hot || state.y > FUELLED || state.w > SOOTY;
-        active.then_some(position)
-    })
 }
 
 #[cfg(test)]
@@ -209,22 +152,32 @@ mod tests {
     fn around(source: Rectangle, updates: u32, capacity: f32) -> (Map, Awake) {
         let layout = Layout::new(Vec2::new(2.0, 3.0), 0.4, 0.08, false);
         let (mut map, mut awake) = (Map::new(layout), Awake::new(&layout));
-        let gas = Gas::default();
         for _ in 0..updates {
-            awake.wake(&map, &gas, &with(&[]), [source].into_iter(), 0.01);
-            let counts = vec![0; layout.len()];
-            map.fill(awake.inside(&map, &counts, 9.0, capacity));
+            update(&mut map, &mut awake, Some(source), capacity);
         }
         (map, awake)
+    }
+
+    fn update(map: &mut Map, awake: &mut Awake, source: Option<Rectangle>, capacity: f32) {
+        if let Some(source) = source {
+            wake_source(map, &source);
+        }
+        awake.spread(map, 9.0, capacity);
+        map.fill();
+    }
+
+    fn live(map: &Map) -> Vec<usize> {
+        let cells = map.layout.inner();
+        cells.filter(|&cell| map.depth[cell] > 0.0).collect()
     }
 
     #[test]
     fn gas_is_around_a_source_and_nowhere_else() {
         let at = source(0.3, 0.8);
         let (map, _) = around(at, 1, 1e6);
-        assert!(!map.live.is_empty());
-        for &cell in &map.live {
-            let at = map.layout.corner(cell as usize) + Vec2::splat(0.04);
+        assert!(!live(&map).is_empty());
+        for cell in live(&map) {
+            let at = map.layout.corner(cell) + Vec2::splat(0.04);
             let reach = (RING + MIN_BAND + 1.0) * 0.08;
             assert!(
                 (at.x - 0.3).abs() < 0.1 + reach && (at.y - 0.8).abs() < 0.05 + reach,
@@ -238,30 +191,24 @@ mod tests {
     fn hot_gas_wakes_its_cell_for_a_while_and_the_outermost_ring_wakes_none() {
         let (mut map, mut awake) = around(source(0.0, 0.5), 1, 1e6);
         let values = with(&[]);
-        for (depth, wakes) in [(1, false), (2, true)] {
-            let cell = map
-                .live
-                .iter()
-                .find(|&&cell| map.depth[cell as usize] == depth);
-            let cell = *cell.expect("a cell") as usize;
+        for (depth, wakes) in [(1.0, false), (2.0, true)] {
+            let cells = live(&map);
+            let cell = cells.into_iter().find(|&cell| map.depth[cell] == depth);
+            let cell = cell.expect("a cell");
+            map.cells[cell].remaining = 0.0;
             let mut gas = Gas::default();
             gas.push(&crate::Particle {
                 temperature: values.ambient_temperature + 100.0,
                 ..crate::Particle::at(map.layout.corner(cell) + Vec2::splat(0.04))
             });
-            awake.wake(&map, &gas, &values, std::iter::empty(), 0.0);
-            assert_eq!(awake.remaining[cell] > 0.0, wakes, "depth {depth}");
+            wake(&mut map, &gas, hot(&values), MIN_DEPTH);
+            assert_eq!(map.cells[cell].remaining > 0.0, wakes, "depth {depth}");
         }
-        let counts = vec![0; map.layout.len()];
-        awake.wake(
-            &map,
-            &Gas::default(),
-            &values,
-            std::iter::empty(),
-            2.0 * HOLD,
-        );
-        map.fill(awake.inside(&map, &counts, 9.0, 1e6));
-        assert!(map.live.is_empty());
+        for cell in &mut map.cells {
+            cell.remaining -= 2.0 * HOLD;
+        }
+        update(&mut map, &mut awake, None, 1e6);
+        assert!(live(&map).is_empty());
     }
 
     #[test]
@@ -272,17 +219,15 @@ mod tests {
         };
         let (all, awake) = around(tall, 1, 1e6);
         assert_eq!(awake.asleep, 0.0);
-        let capacity = 9.0 * all.live.len() as f32 / 2.0;
+        let capacity = 9.0 * live(&all).len() as f32 / 2.0;
         let (map, mut awake) = around(tall, 3, capacity);
-        assert!(9.0 * map.live.len() as f32 <= capacity);
+        assert!(9.0 * live(&map).len() as f32 <= capacity);
         assert!(awake.asleep > 0.3 && awake.asleep < 0.7, "{}", awake.asleep);
-        let highest = |map: &Map| map.live.last().map_or(0, |&cell| cell as usize);
+        let highest = |map: &Map| live(map).last().copied();
         assert!(highest(&map) < highest(&all));
         let mut map = map;
         for _ in 0..200 {
-            awake.wake(&map, &Gas::default(), &with(&[]), [tall].into_iter(), 0.01);
-            let counts = vec![0; map.layout.len()];
-            map.fill(awake.inside(&map, &counts, 9.0, 1e6));
+            update(&mut map, &mut awake, Some(tall), 1e6);
         }
         assert_eq!((awake.asleep, highest(&map)), (0.0, highest(&all)));
     }

@@ -9,7 +9,7 @@
 use glam::Vec2;
 
 use super::super::gas::Gas;
-use super::map::{AROUND, Layout, Map};
+use super::map::{Cell, Layout, Map, NONE, RIM};
 use crate::Particle;
 use crate::extremes::fast_min;
 use crate::params::Physics;
@@ -33,21 +33,43 @@ const LONG: f32 = 0.1;
 /// Rate at which the velocity at the rim follows the gas inside [1/s].
 const FOLLOW: f32 = 30.0;
 
-/// No particle, at the end of a list.
-const NONE: u32 = u32::MAX;
+/// Finds the velocity at the rim after a time `dt`: that of the gas inside where it leaves, that
+/// of the far air where it enters.
+pub(super) fn follow(map: &mut Map, wind: Vec2, dt: f32) {
+    let share = fast_min(dt * FOLLOW, 1.0);
+    for at in map.layout.inner() {
+        let depth = map.depth[at];
+        if depth == 0.0 || depth > RIM {
+            continue;
+        }
+        let (mut momentum, mut count) = (Vec2::ZERO, 0);
+        map.layout.around(at, &mut |other| {
+            if map.depth[other] > depth {
+                momentum += map.cells[other].momentum;
+                count += map.cells[other].count;
+            }
+        });
+        let cell = &mut map.cells[at];
+        if count == 0 {
+            (momentum, count) = (cell.momentum, cell.count);
+        }
+        let inside = if count == 0 {
+            wind
+        } else {
+            momentum / count as f32
+        };
+        let enters = inside.dot(cell.outward) < 0.0;
+        let velocity = if enters { wind } else { inside };
+        let share = if cell.fresh { 1.0 } else { share };
+        cell.flow += (velocity - cell.flow) * share;
+    }
+}
 
-/// The particles of each cell, and the flow at the rim.
+/// The lists of the particles of each cell.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Exchange {
-    /// The first particle of each cell, and the next one of each particle.
-    first: Vec<u32>,
+    /// The next particle of the cell of each particle.
     next: Vec<u32>,
-    /// Number of particles of each cell.
-    pub counts: Vec<u32>,
-    /// Sum of their velocities [m/s].
-    momentum: Vec<Vec2>,
-    /// Velocity with which gas crosses the rim [m/s], in the cells of the rim.
-    pub flow: Vec<Vec2>,
     /// The particles around one cell.
     nearby: Vec<Vec2>,
     /// How far the wind has blown since its last column of particles, in spacings.
@@ -94,186 +116,148 @@ impl Inflow {
 }
 
 impl Exchange {
-    pub fn new(layout: &Layout, capacity: usize) -> Exchange {
-        let n = layout.len();
+    pub fn new(capacity: usize) -> Exchange {
         Exchange {
-            first: vec![NONE; n],
             next: Vec::with_capacity(capacity),
-            counts: vec![0; n],
-            momentum: vec![Vec2::ZERO; n],
-            flow: vec![Vec2::ZERO; n],
             nearby: Vec::with_capacity(capacity),
             blown: 0.0,
         }
     }
 
     /// Removes the gas outside, and lists the rest by cells.
-    pub fn remove(&mut self, map: &Map, gas: &mut Gas) {
-        self.first.fill(NONE);
+    pub fn remove(&mut self, map: &mut Map, gas: &mut Gas) {
         self.next.clear();
-        self.counts.fill(0);
-        self.momentum.fill(Vec2::ZERO);
+        for cell in &mut map.cells {
+            (cell.first, cell.count, cell.momentum) = (NONE, 0, Vec2::ZERO);
+        }
         gas.retain(|position, velocity| {
             let stays = map.holds(position);
             if stays {
-                self.list(map.layout.at(position), velocity);
+                let cell = map.layout.at(position);
+                self.list(&mut map.cells[cell], velocity);
             }
             stays
         });
     }
 
     /// Adds the next particle to the list of its cell.
-    fn list(&mut self, cell: usize, velocity: Vec2) {
+    fn list(&mut self, cell: &mut Cell, velocity: Vec2) {
         let index = self.next.len() as u32;
-        self.next.push(self.first[cell]);
-        self.first[cell] = index;
-        self.counts[cell] += 1;
-        self.momentum[cell] += velocity;
-    }
-
-    /// Finds the velocity at the rim after a time `dt`: that of the gas inside where it leaves,
-    /// that of the far air where it enters.
-    pub fn follow(&mut self, map: &Map, wind: Vec2, dt: f32) {
-        let share = fast_min(dt * FOLLOW, 1.0);
-        for &cell in &map.rim {
-            let cell = cell as usize;
-            let (mut momentum, mut count) = (Vec2::ZERO, 0);
-            for offset in AROUND {
-                let other = map.layout.beside(cell, offset);
-                if map.depth[other] > map.depth[cell] {
-                    momentum += self.momentum[other];
-                    count += self.counts[other];
-                }
-            }
-            if count == 0 {
-                (momentum, count) = (self.momentum[cell], self.counts[cell]);
-            }
-            let inside = if count == 0 {
-                wind
-            } else {
-                momentum / count as f32
-            };
-            let enters = inside.dot(map.outward[cell]) < 0.0;
-            let velocity = if enters { wind } else { inside };
-            let flow = &mut self.flow[cell];
-            *flow = if map.fresh[cell] {
-                velocity
-            } else {
-                *flow + (velocity - *flow) * share
-            };
-        }
+        self.next.push(cell.first);
+        cell.first = index;
+        cell.count += 1;
+        cell.momentum += velocity;
     }
 
     /// Lets the air in that the wind has brought in a time `dt`: a column of particles in each
     /// cell of the ring that the wind enters, whenever it has blown as far as a spacing.
-    pub fn blow(&mut self, map: &Map, gas: &mut Gas, inflow: &Inflow, dt: f32) {
-        let (wind, spacing, side) = (inflow.wind.x, inflow.spacing, map.layout.cell);
+    pub fn blow(&mut self, map: &mut Map, gas: &mut Gas, inflow: &Inflow, dt: f32) {
+        let (wind, spacing, layout) = (inflow.wind.x, inflow.spacing, map.layout);
         self.blown += fast_min(wind.abs() * fast_min(dt, LONG) / spacing, MOST as f32);
-        let upwind = (if wind > 0.0 { -1 } else { 1 }, 0);
         while self.blown >= 1.0 {
             self.blown -= 1.0;
             let into = (self.blown + INTO) * spacing;
-            for &cell in &map.rim {
-                let cell = cell as usize;
-                let enters = map.depth[map.layout.beside(cell, upwind)] == 0;
-                if !enters || map.fresh[cell] {
-                    continue;
-                }
-                self.gather(map, gas, cell, CLOSE * spacing);
-                let corner = map.layout.corner(cell);
-                let x = corner.x + if wind > 0.0 { into } else { side - into };
-                let row = cell / map.layout.columns;
-                for y in map.layout.points(row, spacing) {
-                    let place = Vec2::new(x, map.layout.bottom + (y as f32 + 0.5) * spacing);
-                    let free = self.room(place) > CLOSE * spacing * (CLOSE * spacing);
-                    if free && gas.len() < inflow.capacity {
-                        self.add(gas, inflow, cell, place, inflow.wind);
-                    }
+            for cell in layout.inner() {
+                let before = if wind > 0.0 { cell - 1 } else { cell + 1 };
+                let enters = map.depth[cell] > 0.0 && map.depth[before] == 0.0;
+                if enters && !map.cells[cell].fresh {
+                    let x = if wind > 0.0 { into } else { layout.cell - into };
+                    self.gather(map, gas, cell, inflow);
+                    let x = layout.corner(cell).x + x;
+                    self.add_column(map, gas, inflow, cell, x, inflow.wind, CLOSE);
                 }
             }
         }
     }
 
     /// Fills the fresh cells and the ring with air.
-    pub fn fill(&mut self, map: &Map, gas: &mut Gas, inflow: &Inflow) {
-        let per_cell = inflow.per_cell(&map.layout);
+    pub fn fill(&mut self, map: &mut Map, gas: &mut Gas, inflow: &Inflow) {
+        let layout = map.layout;
+        let per_cell = inflow.per_cell(&layout);
         let full = (FULL * per_cell) as u32;
-        for &cell in &map.live {
-            let cell = cell as usize;
-            if !map.fresh[cell] && map.depth[cell] > 1 {
+        for at in layout.inner() {
+            let (depth, cell) = (map.depth[at], map.cells[at]);
+            if depth == 0.0 || (!cell.fresh && depth > 1.0) {
                 continue;
             }
-            let lattice = map.fresh[cell] && (self.counts[cell] as f32) < EMPTY * per_cell;
-            if !lattice && self.counts[cell] >= full {
+            let lattice = cell.fresh && (cell.count as f32) < EMPTY * per_cell;
+            if !lattice && cell.count >= full {
                 continue;
             }
-            let velocity = if map.depth[cell] <= super::map::RIM {
-                self.flow[cell]
-            } else {
-                inflow.wind
-            };
-            self.gather(map, gas, cell, ROOM * inflow.spacing);
+            let velocity = if depth <= RIM { cell.flow } else { inflow.wind };
+            self.gather(map, gas, at, inflow);
             if lattice {
-                self.add_lattice(map, gas, inflow, cell, velocity);
+                for x in layout.points(at % layout.columns, inflow.spacing) {
+                    let x = layout.left + (x as f32 + 0.5) * inflow.spacing;
+                    self.add_column(map, gas, inflow, at, x, velocity, ROOM);
+                }
             } else {
-                self.add_to_gaps(map, gas, inflow, cell, velocity, full);
+                self.add_to_gaps(map, gas, inflow, at, velocity, full);
             }
         }
     }
 
-    /// Collects the particles of a cell and those less than `reach` outside of it.
-    fn gather(&mut self, map: &Map, gas: &Gas, cell: usize, reach: f32) {
+    /// Collects the particles of a cell and those around it.
+    #[inline(never)]
+    fn gather(&mut self, map: &Map, gas: &Gas, cell: usize, inflow: &Inflow) {
         self.nearby.clear();
+        let reach = ROOM * inflow.spacing;
         let low = map.layout.corner(cell) - Vec2::splat(reach);
         let high = low + Vec2::splat(map.layout.cell + 2.0 * reach);
-        for offset in AROUND.into_iter().chain([(0, 0)]) {
-            let mut particle = self.first[map.layout.beside(cell, offset)];
+        map.layout.around(cell, &mut |other| {
+            let mut particle = map.cells[other].first;
             while let Some(&position) = gas.position.get(particle as usize) {
                 if position.cmpge(low).all() && position.cmple(high).all() {
                     self.nearby.push(position);
                 }
                 particle = self.next[particle as usize];
             }
-        }
+        });
     }
 
     /// The square of the distance of a place to the nearest particle.
+    #[inline(never)]
     fn room(&self, place: Vec2) -> f32 {
         let squares = self.nearby.iter().map(|at| at.distance_squared(place));
         squares.fold(f32::MAX, fast_min)
     }
 
-    fn add(&mut self, gas: &mut Gas, inflow: &Inflow, cell: usize, place: Vec2, velocity: Vec2) {
-        inflow.bear(gas, place, velocity);
-        self.nearby.push(place);
-        self.list(cell, velocity);
+    /// Adds air to a cell, if there is room for another particle.
+    #[inline(never)]
+    fn add(
+        &mut self,
+        cell: &mut Cell,
+        gas: &mut Gas,
+        inflow: &Inflow,
+        place: Vec2,
+        velocity: Vec2,
+    ) {
+        if gas.len() < inflow.capacity {
+            inflow.bear(gas, place, velocity);
+            self.nearby.push(place);
+            self.list(cell, velocity);
+        }
     }
 
-    /// Adds air on the lattice of the whole map, except near present particles.
-    fn add_lattice(
+    /// Adds a column of the lattice of the whole map to a cell, except nearer than `close`
+    /// spacings to present particles.
+    #[expect(clippy::too_many_arguments)]
+    #[inline(never)]
+    fn add_column(
         &mut self,
-        map: &Map,
+        map: &mut Map,
         gas: &mut Gas,
         inflow: &Inflow,
         cell: usize,
+        x: f32,
         velocity: Vec2,
+        close: f32,
     ) {
-        let Layout {
-            columns,
-            left,
-            bottom,
-            ..
-        } = map.layout;
-        let spacing = inflow.spacing;
-        let points = |index: usize| map.layout.points(index, spacing);
-        let close = ROOM * spacing * (ROOM * spacing);
-        for y in points(cell / columns) {
-            for x in points(cell % columns) {
-                let offset = Vec2::new(x as f32 + 0.5, y as f32 + 0.5) * spacing;
-                let place = Vec2::new(left, bottom) + offset;
-                if gas.len() < inflow.capacity && self.room(place) > close {
-                    self.add(gas, inflow, cell, place, velocity);
-                }
+        let (layout, close) = (map.layout, close * inflow.spacing);
+        for y in layout.points(cell / layout.columns, inflow.spacing) {
+            let place = Vec2::new(x, layout.bottom + (y as f32 + 0.5) * inflow.spacing);
+            if self.room(place) > close * close {
+                self.add(&mut map.cells[cell], gas, inflow, place, velocity);
             }
         }
     }
@@ -281,7 +265,7 @@ impl Exchange {
     /// Adds air at the freest places of a cell.
     fn add_to_gaps(
         &mut self,
-        map: &Map,
+        map: &mut Map,
         gas: &mut Gas,
         inflow: &Inflow,
         cell: usize,
@@ -291,7 +275,7 @@ impl Exchange {
         let corner = map.layout.corner(cell);
         let step = map.layout.cell / PLACES as f32;
         for _ in 0..MOST {
-            if self.counts[cell] >= full || gas.len() >= inflow.capacity {
+            if map.cells[cell].count >= full {
                 return;
             }
             let (mut freest, mut room) = (None, ROOM * inflow.spacing * (ROOM * inflow.spacing));
@@ -306,7 +290,7 @@ impl Exchange {
             let Some(place) = freest else {
                 return;
             };
-            self.add(gas, inflow, cell, place, velocity);
+            self.add(&mut map.cells[cell], gas, inflow, place, velocity);
         }
     }
 }

@@ -8,23 +8,14 @@
 use glam::Vec2;
 
 use crate::bounds::Bounds;
+use crate::extremes::fast_min;
 
 /// Largest depth that the map distinguishes.
-pub(super) const DEEP: u8 = 5;
+pub(super) const DEEP: f32 = 5.0;
 /// Largest depth of a cell near the rim: deeper ones only hold ordinary gas.
-pub(super) const RIM: u8 = 3;
-
-/// The eight cells around a cell.
-pub(super) const AROUND: [(i32, i32); 8] = [
-    (-1, -1),
-    (0, -1),
-    (1, -1),
-    (-1, 0),
-    (1, 0),
-    (-1, 1),
-    (0, 1),
-    (1, 1),
-];
+pub(super) const RIM: f32 = 3.0;
+/// No particle, at the end of a list.
+pub(super) const NONE: u32 = u32::MAX;
 
 /// The place and size of the map.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -100,10 +91,15 @@ impl Layout {
         Vec2::new(self.left, self.bottom) + Vec2::new(column as f32, row as f32) * self.cell
     }
 
-    /// The cell that is this far from an inner cell.
-    #[inline]
-    pub fn beside(&self, cell: usize, (x, y): (i32, i32)) -> usize {
-        (cell as i32 + y * self.columns as i32 + x) as usize
+    /// Calls `each` with an inner cell and the eight around it.
+    // Inlined, its loops are unrolled in every caller.
+    #[inline(never)]
+    pub fn around(&self, cell: usize, each: &mut dyn FnMut(usize)) {
+        for middle in [cell - self.columns, cell, cell + self.columns] {
+            for other in middle - 1..=middle + 1 {
+                each(other);
+            }
+        }
     }
 
     /// The points of the lattice of this spacing \[m\] over the map that a column or row of cells
@@ -131,19 +127,45 @@ impl Layout {
     }
 }
 
-/// The depth of every cell.
+/// A cell.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cell {
+    /// For how long it stays awake \[s\].
+    pub remaining: f32,
+    /// Whether it is to hold gas.
+    pub inside: bool,
+    /// Whether gas came to it with the last change.
+    pub fresh: bool,
+    /// Unit vector to the outside, up to the depth [`RIM`].
+    pub outward: Vec2,
+    /// Velocity with which gas crosses the rim [m/s], up to the depth [`RIM`].
+    pub flow: Vec2,
+    /// Its first particle, the number of its particles, and the sum of their velocities [m/s].
+    pub first: u32,
+    pub count: u32,
+    pub momentum: Vec2,
+}
+
+impl Cell {
+    const EMPTY: Cell = Cell {
+        remaining: 0.0,
+        inside: false,
+        fresh: false,
+        outward: Vec2::ZERO,
+        flow: Vec2::ZERO,
+        first: NONE,
+        count: 0,
+        momentum: Vec2::ZERO,
+    };
+}
+
+/// All cells.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Map {
     pub layout: Layout,
-    pub depth: Vec<u8>,
-    /// Unit vector to the outside, in cells up to the depth [`RIM`].
-    pub outward: Vec<Vec2>,
-    /// Whether gas came to a cell with the last change.
-    pub fresh: Vec<bool>,
-    /// The cells with gas, and those of them up to the depth [`RIM`], in the order of their
-    /// indices.
-    pub live: Vec<u32>,
-    pub rim: Vec<u32>,
+    pub cells: Vec<Cell>,
+    /// The depth of each cell.
+    pub depth: Vec<f32>,
 }
 
 impl Map {
@@ -152,87 +174,40 @@ impl Map {
         let n = layout.len();
         Map {
             layout,
-            depth: vec![0; n],
-            outward: vec![Vec2::ZERO; n],
-            fresh: vec![false; n],
-            live: Vec::with_capacity(n),
-            rim: Vec::with_capacity(n),
+            cells: vec![Cell::EMPTY; n],
+            depth: vec![0.0; n],
         }
     }
 
-    /// Puts gas into the cells of which `inside` is true, and into no others.
-    pub fn fill(&mut self, inside: &[bool]) {
-        let Layout { columns, .. } = self.layout;
-        for (fresh, (&inside, &depth)) in self.fresh.iter_mut().zip(inside.iter().zip(&self.depth))
-        {
-            *fresh = inside && depth == 0;
+    /// Puts gas into the cells that are to hold gas, and into no others.
+    pub fn fill(&mut self) {
+        let Layout { columns, floor, .. } = self.layout;
+        for (cell, depth) in self.cells.iter_mut().zip(&mut self.depth) {
+            cell.fresh = cell.inside && *depth == 0.0;
+            *depth = if cell.inside { DEEP } else { 0.0 };
         }
-        // Two sweeps make the chessboard distance to a cell without gas. Below a floor it is deep.
-        let below = if self.layout.floor { DEEP } else { 0 };
-        self.depth[..columns].fill(below);
-        let step = |depth: &[u8], cell: usize, before: [usize; 4]| {
-            let least = before.map(|other| depth[other]).into_iter().min();
-            if inside[cell] {
-                DEEP.min(least.unwrap_or(0) + 1)
-            } else {
-                0
-            }
-        };
+        // Below a floor it is deep.
+        self.depth[..columns].fill(if floor { DEEP } else { 0.0 });
+        measure(&mut self.depth, &self.layout, 1.0);
+        if floor {
+            self.depth.copy_within(columns..2 * columns, 0);
+        }
         for cell in self.layout.inner() {
-            let before = [
-                cell - columns - 1,
-                cell - columns,
-                cell - columns + 1,
-                cell - 1,
-            ];
-            self.depth[cell] = step(&self.depth, cell, before);
-        }
-        let (rows, layout) = (self.layout.inner_rows(), self.layout);
-        for cell in rows.rev().flat_map(|row| layout.row(row).rev()) {
-            let after = [
-                cell + columns + 1,
-                cell + columns,
-                cell + columns - 1,
-                cell + 1,
-            ];
-            let back = step(&self.depth, cell, after);
-            self.depth[cell] = self.depth[cell].min(back);
-        }
-        if self.layout.floor {
-            let (border, inner) = self.depth.split_at_mut(columns);
-            border.copy_from_slice(&inner[..columns]);
-        }
-        self.list();
-    }
-
-    /// Lists the cells with gas, and finds where the outside is.
-    fn list(&mut self) {
-        self.live.clear();
-        self.rim.clear();
-        for cell in self.layout.inner() {
-            let depth = self.depth[cell];
-            if depth == 0 {
-                continue;
-            }
-            self.live.push(cell as u32);
-            if depth <= RIM {
-                self.rim.push(cell as u32);
-                let slope: Vec2 = AROUND
-                    .iter()
-                    .map(|&(x, y)| {
-                        let depth = self.depth[self.layout.beside(cell, (x, y))];
-                        Vec2::new(x as f32, y as f32) * f32::from(depth)
-                    })
-                    .sum();
-                self.outward[cell] = unit(-slope);
-            }
+            let side = |at: usize, step: usize| {
+                self.depth[at - step] + self.depth[at] + self.depth[at + step]
+            };
+            let slope = Vec2::new(
+                side(cell + 1, columns) - side(cell - 1, columns),
+                side(cell + columns, 1) - side(cell - columns, 1),
+            );
+            self.cells[cell].outward = unit(-slope);
         }
     }
 
     /// Whether there is gas at a position.
     pub fn holds(&self, position: Vec2) -> bool {
         let cell = self.layout.at(position);
-        self.depth[cell] > 0 && cell >= self.layout.columns
+        self.depth[cell] > 0.0 && cell >= self.layout.columns
     }
 
     /// The depth at a position, interpolated between the centres of the cells.
@@ -254,10 +229,25 @@ impl Map {
         let (column, x) = part(position.x - left, columns);
         let (row, y) = part(position.y - bottom, rows);
         let first = row * columns + column;
-        let depth = |cell: usize| f32::from(self.depth[cell]);
-        let mix = |cell: usize| depth(cell) + (depth(cell + 1) - depth(cell)) * x;
+        let depth = &self.depth;
+        let mix = |cell: usize| depth[cell] + (depth[cell + 1] - depth[cell]) * x;
         let (lower, upper) = (mix(first), mix(first + columns));
         lower + (upper - lower) * y
+    }
+}
+
+/// Lowers each distance to that of the way through other inner cells, with steps of 1 along the
+/// axes and `across` along diagonals, by two sweeps (Borgefors 1986).
+#[inline(never)]
+pub(super) fn measure(distance: &mut [f32], layout: &Layout, across: f32) {
+    for _ in 0..2 {
+        for cell in layout.inner() {
+            let below = cell - layout.columns;
+            let straight = fast_min(distance[cell - 1], distance[below]) + 1.0;
+            let diagonal = fast_min(distance[below - 1], distance[below + 1]) + across;
+            distance[cell] = fast_min(distance[cell], fast_min(straight, diagonal));
+        }
+        distance.reverse();
     }
 }
 
@@ -283,12 +273,11 @@ mod tests {
     fn filled(floor: bool, from: Vec2, to: Vec2) -> Map {
         let mut map = Map::new(layout(floor));
         let half = Vec2::splat(0.05);
-        let mut inside = vec![false; map.layout.len()];
         for cell in map.layout.inner() {
             let at = map.layout.corner(cell) + half;
-            inside[cell] = at.cmpge(from).all() && at.cmple(to).all();
+            map.cells[cell].inside = at.cmpge(from).all() && at.cmple(to).all();
         }
-        map.fill(&inside);
+        map.fill();
         map
     }
 
@@ -325,8 +314,8 @@ mod tests {
         for cell in map.layout.inner() {
             let at = map.layout.corner(cell) + Vec2::splat(0.05);
             let to_edge = (0.7 - at.x.abs()).min(at.y).min(1.2 - at.y);
-            let expected = ((to_edge / 0.1).round() + 1.0).clamp(0.0, f32::from(DEEP));
-            let depth = f32::from(map.depth[cell]);
+            let expected = ((to_edge / 0.1).round() + 1.0).clamp(0.0, DEEP);
+            let depth = map.depth[cell];
             assert!((depth - expected).abs() <= 1.0, "{depth} at {at}");
             assert!((map.depth_at(at) - depth).abs() < 1e-4);
         }
@@ -336,20 +325,20 @@ mod tests {
     fn the_normal_points_outward_and_a_floor_is_no_outside() {
         let map = filled(true, Vec2::new(-0.6, 0.0), Vec2::new(0.6, 1.0));
         let at = |x, y| map.layout.at(Vec2::new(x, y));
-        let left = map.outward[at(-0.55, 0.45)];
+        let outward = |x, y| map.cells[at(x, y)].outward;
+        let left = outward(-0.55, 0.45);
         assert!(left.distance(Vec2::NEG_X) < 1e-4, "{left}");
-        assert!(map.outward[at(0.0, 0.95)].distance(Vec2::Y) < 1e-4);
+        assert!(outward(0.0, 0.95).distance(Vec2::Y) < 1e-4);
         assert_eq!(map.depth[at(0.05, 0.05)], DEEP);
-        assert!(map.outward[at(-0.55, 0.05)].distance(Vec2::NEG_X) < 1e-4);
+        assert!(outward(-0.55, 0.05).distance(Vec2::NEG_X) < 1e-4);
     }
 
     #[test]
     fn cells_that_gas_enters_are_fresh_once() {
         let mut map = filled(false, Vec2::new(-0.5, 0.0), Vec2::new(0.5, 1.0));
-        let fresh = |map: &Map| map.fresh.iter().filter(|&&fresh| fresh).count();
-        assert_eq!(fresh(&map), map.live.len());
-        let inside: Vec<bool> = map.depth.iter().map(|&depth| depth > 0).collect();
-        map.fill(&inside);
+        let fresh = |map: &Map| map.cells.iter().filter(|cell| cell.fresh).count();
+        assert_eq!(fresh(&map), 10 * 10);
+        map.fill();
         assert_eq!(fresh(&map), 0);
     }
 }

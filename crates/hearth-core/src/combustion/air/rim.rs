@@ -77,7 +77,7 @@ impl Rim {
     /// would take for a gap.
     pub fn turn_shift(&self, map: &Map, gas: &mut Gas) {
         for near in &self.near {
-            let outward = map.outward[near.cell as usize];
+            let outward = map.cells[near.cell as usize].outward;
             // A shift goes down the gradient.
             let gradient = &mut gas.concentration_gradient[near.index as usize];
             let inward = fast_min(gradient.dot(outward), 0.0);
@@ -86,14 +86,14 @@ impl Rim {
     }
 
     /// Lets the ring follow the flow at the rim for `dt`.
-    pub fn carry(&self, map: &Map, flow: &[glam::Vec2], gas: &mut Gas, dt: f32) {
+    pub fn carry(&self, map: &Map, gas: &mut Gas, dt: f32) {
         let relaxation = fast_min(RELAXATION * dt, 1.0);
         for near in &self.near {
             let cell = near.cell as usize;
             // Gas that has just left has no flow, and the next exchange removes it.
-            if near.live < 1.0 && map.depth[cell] > 0 {
+            if near.live < 1.0 && map.depth[cell] > 0.0 {
                 let velocity = &mut gas.velocity[near.index as usize];
-                *velocity += (flow[cell] - *velocity) * ((1.0 - near.live) * relaxation);
+                *velocity += (map.cells[cell].flow - *velocity) * ((1.0 - near.live) * relaxation);
             }
         }
     }

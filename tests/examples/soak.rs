@@ -1,0 +1,180 @@
+//! Burns every scene for a minute, and drives many fires to random corners of all
+//! ranges, and back.
+//!
+//! `soak [--corners N] [--seed S]`: N corners of each model, of two simulated
+//! seconds. Prints how it goes, every corner that fails with all its values,
+//! and the corners that lean most on the guards. `cargo xtask soak` calls it.
+
+use std::io::{self, Write as _};
+use std::process::ExitCode;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::thread;
+use std::time::Instant;
+
+use hearth_core::params::Model;
+use hearth_core::preset::PRESETS;
+use hearth_core::random::Random;
+use hearth_core::{Parameters, Simulation};
+use hearth_tests::sweep::{self, Outcome};
+
+/// Simulated time of a scene [s].
+const MINUTE: f64 = 60.0;
+/// Simulated time at a corner [s].
+const SECONDS: f64 = 2.0;
+const MODELS: [Model; 2] = [Model::Combustion, Model::Classic];
+/// A line tells how far it is every so many corners.
+const LISTED: usize = 20;
+/// So many of the corners that lean most on the guards are shown.
+const SHOWN: usize = 12;
+
+/// A corner and its outcome.
+struct Finished {
+    corner: u32,
+    parameters: Parameters,
+    outcome: Outcome,
+}
+
+fn main() -> ExitCode {
+    let (corners, seed) = match asked() {
+        Ok(asked) => asked,
+        Err(text) => {
+            eprintln!("error: {text}");
+            return ExitCode::FAILURE;
+        }
+    };
+    let start = Instant::now();
+    let dark = scenes();
+    let mut finished = run(corners, seed);
+    let failed = finished
+        .iter()
+        .filter(|f| f.outcome.fault().is_some())
+        .count();
+    finished.sort_by(|a, b| b.outcome.clamped.total_cmp(&a.outcome.clamped));
+    println!("\nMost particles at a guard:");
+    for f in finished.iter().take(SHOWN) {
+        let share = 100.0 * f.outcome.clamped;
+        println!("{share:6.2} %  {}", sweep::described(&f.parameters));
+    }
+    println!(
+        "\n{} corners of each model, {failed} failed, in {:.0} min",
+        corners,
+        start.elapsed().as_secs_f64() / 60.0
+    );
+    if failed == 0 && dark == 0 {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    }
+}
+
+/// Burns every scene for a minute of fire; returns how many failed.
+fn scenes() -> u32 {
+    let mut failed = 0;
+    println!("Scenes: particles at a guard, steps of particles in a second of the clock, its time");
+    for preset in PRESETS {
+        let parameters = preset.parameters();
+        let clock = MINUTE / f64::from(parameters.time_scale);
+        let start = Instant::now();
+        let outcome = sweep::burn(&mut Simulation::new(parameters), MINUTE);
+        let (work, time) = (outcome.work / clock, start.elapsed().as_secs_f64() / clock);
+        let (name, clamped) = (preset.name, 100.0 * outcome.clamped);
+        println!("{name:20}{clamped:8.3} %{work:12.0}{time:8.3} s");
+        if let Some(fault) = outcome.fault() {
+            println!("FAILED {name}: {fault}");
+            failed += 1;
+        }
+    }
+    failed
+}
+
+/// How many corners, and the seed.
+fn asked() -> Result<(u32, u32), String> {
+    let (mut corners, mut seed) = (500, 1);
+    let mut arguments = std::env::args().skip(1);
+    while let Some(argument) = arguments.next() {
+        let value = arguments.next().unwrap_or_default();
+        let number = value
+            .parse()
+            .map_err(|_| format!("{argument} wants a whole number, not \"{value}\""))?;
+        match argument.as_str() {
+            "--corners" => corners = number,
+            "--seed" => seed = number,
+            other => return Err(format!("there is no option {other}")),
+        }
+    }
+    Ok((corners, seed))
+}
+
+/// Runs all corners on all cores.
+fn run(corners: u32, seed: u32) -> Vec<Finished> {
+    let next = AtomicU32::new(0);
+    let finished = Mutex::new(Vec::new());
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| {
+        for _ in 0..cores {
+            scope.spawn(|| {
+                loop {
+                    let corner = next.fetch_add(1, Ordering::Relaxed);
+                    if corner >= 2 * corners {
+                        return;
+                    }
+                    let done = visit(corner, seed);
+                    if let Ok(mut finished) = finished.lock() {
+                        finished.push(done);
+                        tell(&finished, corners);
+                    }
+                }
+            });
+        }
+    });
+    finished.into_inner().unwrap_or_default()
+}
+
+/// Corners of the two models take turns, each from a generator of its own, so
+/// that one can be run again without those before it.
+fn visit(corner: u32, seed: u32) -> Finished {
+    // Seeds that lie side by side begin alike.
+    let mixed = seed.wrapping_add(corner).wrapping_mul(0x9E37_79B9);
+    let mut random = Random::new(mixed);
+    let mut random = Random::new(random.bits());
+    let parameters = sweep::corner(MODELS[corner as usize % 2], &mut random);
+    let outcome = sweep::there_and_back(&parameters, SECONDS);
+    Finished {
+        corner,
+        parameters,
+        outcome,
+    }
+}
+
+/// Says what the last one brought, where that is news.
+fn tell(finished: &[Finished], corners: u32) {
+    let mut text = String::new();
+    if let Some(last) = finished.last()
+        && let Some(fault) = last.outcome.fault()
+    {
+        text = format!(
+            "FAILED corner {}: {fault}; {}\n",
+            last.corner,
+            sweep::described(&last.parameters)
+        );
+    }
+    if finished.len().is_multiple_of(LISTED) {
+        let worst = finished
+            .iter()
+            .map(|f| f.outcome.clamped)
+            .fold(0.0, f64::max);
+        let failed = finished
+            .iter()
+            .filter(|f| f.outcome.fault().is_some())
+            .count();
+        text += &format!(
+            "{} of {}: {failed} failed, at most {:.2} % at a guard\n",
+            finished.len(),
+            2 * corners,
+            100.0 * worst
+        );
+    }
+    // One write, so that lines do not mix.
+    let _ = io::stdout().lock().write_all(text.as_bytes());
+}

@@ -184,13 +184,19 @@ export interface HearthFireAttributes {
   'domain-height'?: number | `${number}` | undefined;
   /** Open sides, walls, or periodic sides. Particles at the left and the right edge leave, are stopped, or enter on the other side. The floor stops them, unless the sides are open; the top is always open. Default in classic: "open". */
   walls?: "open" | "solid" | "periodic" | undefined;
+  /** A fire in the open, or in a closed box. Open: air surrounds the fire, smoke leaves, and fresh air enters. Periodic: gas that leaves on one side of the domain enters on the other. Default in combustion: "periodic". */
+  edges?: "open" | "periodic" | undefined;
+  /** A fire that stands on a floor, or one that draws air from below. A solid floor is at the lower edge of the picture. Default in combustion: "none". */
+  floor?: "none" | "solid" | undefined;
   /** A fire that fades at the top and the bottom of the picture. Share of the height, at either end, in which gas becomes fresh air again. With 0 the domain is periodic without fresh air, and has neither wind nor buoyancy, because nothing would stop the gas. Default in combustion: 0.07, from 0 to 0.2. */
   seam?: number | `${number}` | undefined;
   /** Another variation of the same fire. Seed of the random generator: the same seed gives the same fire. Default 1. */
   seed?: number | `${number}` | 'auto' | undefined;
   /** The same fire at lower cost and accuracy. Length of one step, which is divided further for stability. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
   'time-step'?: number | `${number}` | undefined;
-  /** A finer fire that takes more work. Classic: largest number of particles. Combustion: approximate number of particles of air and gas. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
+  /** A coarser fire that takes less work. Distance of neighbouring particles in air. [m] Default in combustion: 0.0268, from 0.002 to 0.2. */
+  spacing?: number | `${number}` | undefined;
+  /** A finer fire that takes more work. Classic and open edges: largest number of particles; with open edges, the highest air sleeps beyond it. Periodic edges: approximate number of particles of air and gas. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
   'max-particles'?: number | `${number}` | undefined;
   /** A smoother, wider fire that takes more work. Smoothing length h: particles interact up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
   'smoothing-radius'?: number | `${number}` | undefined;

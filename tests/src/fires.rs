@@ -45,6 +45,34 @@ pub fn everything() -> Parameters {
     ])
 }
 
+/// The same fire in the open, with at most `max_particles`: coarse, which is quick.
+///
+/// # Panics
+/// As [`with`].
+pub fn in_the_open(mut parameters: Parameters, max_particles: u32) -> Parameters {
+    for (id, value) in [
+        ("edges", Input::Text("open")),
+        ("spacing", Input::Number(0.04)),
+        ("max_particles", Input::Number(max_particles.into())),
+    ] {
+        if let Err(refusal) = parameters.set(id, value) {
+            panic!("{refusal}");
+        }
+    }
+    parameters
+}
+
+/// The same on a solid floor.
+///
+/// # Panics
+/// As [`with`].
+pub fn on_floor(mut parameters: Parameters) -> Parameters {
+    if let Err(refusal) = parameters.set("floor", Input::Text("solid")) {
+        panic!("{refusal}");
+    }
+    parameters
+}
+
 fn numbers<'a>(values: &'a [(&'a str, f64)]) -> impl Iterator<Item = (&'a str, Input<'a>)> {
     values.iter().map(|&(id, value)| (id, Input::Number(value)))
 }

@@ -100,6 +100,14 @@ pub fn fingerprints() -> String {
             ]),
         ),
         ("everything", fires::everything()),
+        ("open", fires::in_the_open(fires::everything(), 1500)),
+        (
+            "open, few on a floor",
+            fires::on_floor(fires::in_the_open(
+                fires::combustion(&[("source_height", 0.0), ("wind", -0.7)]),
+                400,
+            )),
+        ),
     ];
     let lit = presets.chain(others);
     let lit = lit.map(|(name, parameters)| (name, fingerprint(parameters)));

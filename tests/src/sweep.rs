@@ -7,9 +7,13 @@
 
 use std::fmt::Write as _;
 
-use hearth_core::params::{Choice, Input, Kind, Model, PARAMETERS, Param, Role, Walls};
+use hearth_core::params::{
+    Choice, Edges, Floor, Input, Kind, Model, PARAMETERS, Param, Role, Walls,
+};
 use hearth_core::random::Random;
 use hearth_core::{Parameters, Particle, Simulation, Vec2};
+
+use crate::fires;
 
 /// Share of all steps of all particles that a guard may hold.
 pub const MAX_CLAMPED: f64 = 0.05;
@@ -35,6 +39,9 @@ const MOST_STEPS: f64 = 200_000.0;
 /// there is, and few enough for a test.
 pub const PARTICLES: (f64, f64) = (1000.0, 1500.0);
 
+/// Spacings of a corner \[m\], from and to.
+const SPACINGS: (f64, f64) = (0.03, 0.08);
+
 /// Whether a parameter only says how a fire is shown or how fast it is played.
 pub fn is_shown_only(param: &Param) -> bool {
     param.role != Role::Physics
@@ -58,6 +65,8 @@ pub fn end(model: Model, param: &Param, upper: bool) -> f64 {
     let end = if upper { max } else { min };
     if param.id == "max_particles" {
         end.min(if upper { PARTICLES.1 } else { PARTICLES.0 })
+    } else if param.id == "spacing" {
+        if upper { SPACINGS.1 } else { SPACINGS.0 }
     } else {
         end
     }
@@ -93,6 +102,15 @@ pub fn corner(model: Model, random: &mut Random) -> Parameters {
     }
     let seed = f64::from(random.bits());
     set(&mut parameters, "seed", Input::Number(seed));
+    parameters
+}
+
+/// A corner of the combustion model in the open, in the air or on a floor.
+pub fn open_corner(random: &mut Random) -> Parameters {
+    let mut parameters = corner(Model::Combustion, random);
+    let floor = Floor::NAMES[random.bits() as usize % Floor::NAMES.len()];
+    set(&mut parameters, "floor", Input::Text(floor));
+    set(&mut parameters, "edges", Input::Text("open"));
     parameters
 }
 
@@ -143,7 +161,11 @@ pub fn there_and_back(parameters: &Parameters, seconds: f64) -> Outcome {
     let mut fire = Simulation::new(parameters.clone());
     let mut outcome = burn(&mut fire, seconds);
     if outcome.broken.is_none() {
-        fire.set_parameters(usual(model));
+        let mut usual = usual(model);
+        if parameters.edges == Edges::Open {
+            usual = fires::in_the_open(usual, 3000);
+        }
+        fire.set_parameters(usual);
         outcome.broken = recovers(&mut fire).map(|fault| format!("afterwards, {fault}"));
     }
     outcome
@@ -182,9 +204,8 @@ pub fn burn(fire: &mut Simulation, seconds: f64) -> Outcome {
 
 /// What is wrong with the fire as it is now.
 fn fault(fire: &Simulation) -> Option<String> {
-    let p = fire.parameters();
-    let inside =
-        |at: Vec2| at.x.abs() <= 0.5 * p.domain_width && (0.0..=p.domain_height).contains(&at.y);
+    let [low, high] = fire.extent();
+    let inside = |at: Vec2| at.cmpge(low).all() && at.cmple(high).all();
     for particle in fire.particles() {
         let [x, y] = particle.velocity.to_array();
         let Particle {

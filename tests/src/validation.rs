@@ -15,6 +15,7 @@ pub mod flame;
 pub mod kernel;
 pub mod measure;
 pub mod not_reached;
+pub mod open_air;
 pub mod plot;
 pub mod plume;
 mod record;
@@ -83,6 +84,7 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
         stability::CASES,
         flame::CASES,
         plume::CASES,
+        open_air::CASES,
     ]
     .into_iter()
     .flatten()

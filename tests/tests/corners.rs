@@ -78,6 +78,30 @@ fn the_combustion_fire_is_stable_at_random_corners_and_recovers() {
 }
 
 #[test]
+fn the_open_fire_is_stable_at_random_corners_and_recovers() {
+    let mut random = Random::new(2027);
+    for _ in 0..12 {
+        let parameters = sweep::open_corner(&mut random);
+        let outcome = sweep::there_and_back(&parameters, SECONDS);
+        assert_eq!(outcome.fault(), None, "{}", sweep::described(&parameters));
+    }
+}
+
+#[test]
+fn the_open_fire_is_stable_at_both_ends_of_each_parameter() {
+    for param in sweep::swept(Model::Combustion) {
+        for upper in [false, true] {
+            let mut parameters = fires::in_the_open(sweep::usual(Model::Combustion), 1500);
+            let end = Input::Number(sweep::end(Model::Combustion, param, upper));
+            assert_eq!(parameters.set(param.id, end), Ok(()));
+            let name = sweep::described(&parameters);
+            let outcome = sweep::burn(&mut Simulation::new(parameters), LIT);
+            assert_eq!(outcome.fault(), None, "{name}");
+        }
+    }
+}
+
+#[test]
 fn the_printed_equations_stay_finite_alone_and_combined() {
     let printed = |p: &&Param| p.id.starts_with("printed_");
     let flags: Vec<&str> = PARAMETERS.iter().filter(printed).map(|p| p.id).collect();

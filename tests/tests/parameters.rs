@@ -17,6 +17,7 @@ fn others(model: Model, param: &Param) -> Vec<Input<'static>> {
         _ if param.id == "max_particles" && model == Model::Combustion => {
             vec![Input::Number(1200.0)]
         }
+        _ if param.id == "spacing" => vec![Input::Number(0.05)],
         _ => [domain.range.0, domain.range.1].map(Input::Number).to_vec(),
     }
 }
@@ -75,6 +76,9 @@ fn parameters_of_the_physics_change_the_combustion_fire_and_others_do_not() {
         };
         let burnt = |more: Option<(&'static str, Input<'static>)>| {
             let mut parameters = fires::combustion(&[("turbulence", strength)]);
+            if ["floor", "spacing"].contains(&param.id) {
+                parameters = fires::in_the_open(parameters, 1500);
+            }
             assert_eq!(parameters.set_all(more), Ok(()), "{}", param.id);
             let fire = fires::burn(parameters, 0.6);
             (fire.particles(), fire.embers().to_vec())

@@ -5,6 +5,9 @@ use glam::Vec2;
 /// The rectangle in which the fire burns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bounds {
+    /// The middle of the lower edge is at x = 0 and this height \[m\]; 0 with a periodic lower
+    /// edge.
+    pub bottom: f32,
     pub width: f32,
     pub height: f32,
     /// Whether the left and the right edge are identified.
@@ -17,7 +20,8 @@ impl Bounds {
     /// Whether `position` is inside. NaN is outside.
     #[inline]
     pub fn contains(&self, position: Vec2) -> bool {
-        position.x.abs() <= 0.5 * self.width && (0.0..=self.height).contains(&position.y)
+        position.x.abs() <= 0.5 * self.width
+            && (0.0..=self.height).contains(&(position.y - self.bottom))
     }
 
     /// Maps a position beyond a periodic edge back into the domain.
@@ -67,6 +71,7 @@ mod tests {
     #[test]
     fn wrapping_keeps_the_position_modulo_the_period() {
         let bounds = Bounds {
+            bottom: 0.0,
             width: 1.2,
             height: 0.7,
             periodic_x: true,

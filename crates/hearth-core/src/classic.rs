@@ -19,7 +19,7 @@ use crate::extremes::fast_min;
 use crate::forces::BodyForce;
 use crate::instance::{ClassicParticle, Instance, Measured, numbered};
 use crate::kernel::Kernel;
-use crate::params::{DisplayMode, Parameters, Physics, Walls};
+use crate::params::{DisplayMode, Physics, Walls};
 use crate::particle::Particle;
 use crate::random::Random;
 use crate::report::{Stage, StepReport};
@@ -117,7 +117,8 @@ impl Solver for Classic {
 
     /// Removes the particles outside of a smaller domain; solid walls would move them onto each
     /// other.
-    fn adapt(&mut self, values: &Parameters, _random: &mut Random) {
+    fn adapt(&mut self, scene: &Scene, _random: &mut Random) {
+        let values = scene.settings();
         let bounds = bounds(values);
         self.particles.retain(|one| bounds.contains(one.position()));
     }
@@ -163,6 +164,10 @@ impl Solver for Classic {
 
     fn count(&self) -> usize {
         self.particles.len()
+    }
+
+    fn capacity(&self, _values: &Physics) -> usize {
+        self.count()
     }
 
     fn by_id(&self) -> Vec<usize> {
@@ -239,6 +244,7 @@ fn kernel(values: &Physics) -> Kernel {
 /// The domain of the classic model, with an open top.
 pub(crate) fn bounds(values: &Physics) -> Bounds {
     Bounds {
+        bottom: 0.0,
         width: values.domain_width,
         height: values.domain_height,
         periodic_x: values.walls == Walls::Periodic,

@@ -1,10 +1,12 @@
-//! The combustion model: air that fills the domain, and a burner in it.
+//! The combustion model: air in the open or in a closed domain, and burners in it.
 //!
 //! Fuel flows in, mixes and burns, and the hot gas rises. Nothing is scripted: the taper, flicker
-//! and puffing of the flame follow from the equations. One step is: neighbour grid → number density and pressure → pair interactions → vorticity
-//! confinement → body forces → time step → embers → velocity → combustion → burner → seam →
+//! and puffing of the flame follow from the equations. One step is: births and deaths of open air
+//! → neighbour grid → number density and pressure → pair interactions → vorticity confinement →
+//! body forces → time step → embers → velocity → combustion → burners → seam of a closed domain →
 //! position.
 
+mod air;
 mod burner;
 mod chemistry;
 mod embers;
@@ -14,8 +16,10 @@ mod gas;
 mod interactions;
 mod number_density;
 mod pair;
+mod picture;
 mod resample;
 mod seam;
+mod step;
 mod time_step;
 mod vorticity_confinement;
 
@@ -24,39 +28,48 @@ use glam::Vec2;
 use crate::bounds::Bounds;
 use crate::forces::BodyForce;
 use crate::grid::Grid;
-use crate::instance::{GasParticle, Instance, Measured, numbered};
-use crate::kernel::Kernel;
+use crate::instance::{Instance, Measured};
 use crate::neighbours::Neighbours;
-use crate::params::{DisplayMode, Parameters, Physics};
+use crate::params::{DisplayMode, Edges, Physics};
 use crate::particle::Particle;
 use crate::random::Random;
 use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
 use crate::solver::Solver;
 
+use air::OpenAir;
 pub use burner::Burner;
 pub use embers::Ember;
-use embers::{Air, Embers};
-pub(crate) use gas::{Gas, bounds};
+use embers::Embers;
+pub(crate) use gas::Gas;
+use gas::periodic_bounds;
 use interactions::Interactions;
 use number_density::NumberDensity;
-use pair::Context;
-use resample::Discretisation;
+use resample::{Discretisation, Old};
 use time_step::Motion;
 pub(crate) use time_step::sound_speed;
 use vorticity_confinement::VorticityConfinement;
 
-/// Gas that is hotter \[K\] or has more soot is visible.
-const VISIBLE_TEMPERATURE: f32 = 400.0;
-const VISIBLE_SOOT: f32 = 0.002;
-
-/// The error for a number of particles that does not match the smoothing length.
+/// The errors for a number of particles that does not match the smoothing length, and for one
+/// that open air cannot hold.
 const WRONG_COUNT: &str = "there must be from half to twice max_particles of them";
+const TOO_MANY: &str = "there must be at most max_particles of them";
+
+/// The rectangle that holds the gas of a fire with these values that was
+/// [`made_with`](Combustion::made_with) this.
+pub(crate) fn bounds(values: &Physics, made_with: u32) -> Bounds {
+    match Discretisation::made_with(made_with, values) {
+        Discretisation::Open { spacing } => air::layout(values, spacing).bounds(),
+        Discretisation::Periodic { .. } => periodic_bounds(values),
+    }
+}
 
 /// The gas of the combustion model and the state of its solver.
 #[derive(Clone, Debug)]
 pub(crate) struct Combustion {
     gas: Gas,
+    /// The edges of open air; `None` in a closed domain.
+    open: Option<Box<OpenAir>>,
     grid: Grid,
     neighbours: Neighbours,
     number_density: NumberDensity,
@@ -77,10 +90,17 @@ pub(crate) struct Combustion {
 }
 
 impl Combustion {
-    /// Air at rest.
-    pub fn new(parameters: &Parameters, random: &mut Random) -> Combustion {
-        Combustion {
-            gas: Gas::air(parameters, parameters.spacing(), random),
+    /// Air at rest, or in the wind.
+    pub fn new(scene: &Scene, random: &mut Random) -> Combustion {
+        let parameters = scene.settings();
+        let mut open = OpenAir::new(parameters);
+        let gas = match &mut open {
+            None => Gas::air(parameters, parameters.spacing(), random),
+            Some(open) => open.air(scene),
+        };
+        let mut combustion = Combustion {
+            gas,
+            open,
             grid: Grid::default(),
             neighbours: Neighbours::default(),
             number_density: NumberDensity::default(),
@@ -94,26 +114,54 @@ impl Combustion {
             preheat: 0.0,
             clamped_shifts: 0,
             length: 0.0,
-        }
+        };
+        combustion.reserve(parameters);
+        combustion
     }
 
-    /// Continues from the particles and embers of a fire whose `max_particles` was `made_with`.
-    /// If this fire's is different, the gas is resampled.
+    /// Makes room for all particles that open air may have, so that births allocate nothing.
+    fn reserve(&mut self, values: &Physics) {
+        let Some(open) = &self.open else {
+            return;
+        };
+        let (capacity, reach) = (
+            values.max_particles as usize,
+            2.0 * values.smoothing_length(),
+        );
+        self.gas.reserve(capacity);
+        self.grid.reserve(capacity, &open.bounds(), reach);
+        let blocks = self.grid.max_blocks(capacity);
+        self.number_density.reserve(blocks);
+        self.interactions.reserve(blocks);
+        self.vorticity_confinement.reserve(blocks);
+    }
+
+    /// Continues from the particles and embers of a fire that was [`made_with`](Self::made_with)
+    /// this. If this fire's is different, the gas is resampled.
     pub fn resume(
         &mut self,
         particles: &[Particle],
         embers: Vec<Ember>,
         made_with: u32,
-        parameters: &Parameters,
+        scene: &Scene,
         random: &mut Random,
     ) {
-        self.set_particles(particles, parameters);
+        self.set_particles(particles, scene.settings());
         self.embers = Embers::of(embers);
-        self.discretisation = Discretisation {
-            particles: made_with,
-            ..Discretisation::of(parameters)
-        };
-        self.adapt(parameters, random);
+        self.discretisation = Discretisation::made_with(made_with, scene.settings());
+        self.adapt(scene, random);
+    }
+
+    /// What a fire needs to be resampled besides its values: `max_particles` or, in open air, the
+    /// bits of the spacing.
+    pub fn made_with(&self) -> u32 {
+        self.discretisation.as_number()
+    }
+
+    /// The rectangle of the gas at present.
+    fn present_bounds(&self, values: &Physics) -> Bounds {
+        let open = self.open.as_ref();
+        open.map_or_else(|| periodic_bounds(values), |open| open.bounds())
     }
 
     /// All particles, in no particular order.
@@ -128,7 +176,7 @@ impl Combustion {
 
     /// Throws embers from a position; none from outside of the domain.
     pub fn throw_embers(&mut self, place: Vec2, count: u32, values: &Physics, random: &mut Random) {
-        if bounds(values).contains(place) {
+        if self.present_bounds(values).contains(place) {
             self.embers.throw_from(place, count, values, random);
         }
     }
@@ -153,62 +201,12 @@ impl Solver for Combustion {
         user: Option<&dyn BodyForce>,
         on_stage: &mut dyn FnMut(Stage),
     ) -> f64 {
-        let parameters = scene.settings();
-        let values: &Physics = parameters;
-        let kernel = Kernel::new(parameters.smoothing_length());
-        let sound = sound_speed(values, scene.power());
-        let bounds = bounds(values);
-        let gas = &mut self.gas;
-
-        let grid = &mut self.grid;
-        let positions = gas.position.iter().copied();
-        let new_indices = grid.sort(positions, &bounds, kernel.support());
-        gas.reorder(new_indices);
-        on_stage(Stage::Sort);
-        let context = Context {
-            kernel: &kernel,
-            values,
-            sound,
-            mass: gas.mass,
-        };
-        let neighbours = &mut self.neighbours;
-        self.number_density.sum(gas, grid, neighbours, &context);
-        on_stage(Stage::Density);
-        self.interactions.sum(gas, grid, neighbours, &context);
-        let (packed, strength) = (self.interactions.packed(), values.vorticity_confinement);
-        let confinement = &mut self.vorticity_confinement;
-        confinement.add(gas, grid, neighbours, packed, &kernel, strength);
-        forces::add_all(gas, values, time, user);
-        on_stage(Stage::Forces);
-
-        let dt = time_step::max_stable_step(gas, values, kernel.smoothing_length(), sound);
-        let air = Air {
-            gas,
-            grid: &self.grid,
-            bounds: &bounds,
-            kernel: &kernel,
-        };
-        self.embers.drift(&air, values, random, dt);
-        self.motion = time_step::accelerate(gas, sound, dt);
-        let hottest = scene.sources().map(|source| source.source_temperature);
-        self.power = chemistry::react(gas, values, hottest.fold(0.0, f32::max), dt);
-        self.preheat = 0.0;
-        for source in scene.sources() {
-            if let Some(burner) = Burner::new(source, parameters.spacing()) {
-                self.preheat += burner.feed(gas, source, time, dt) / dt;
-            }
-        }
-        seam::relax_to_air(gas, values, parameters.spacing(), dt);
-        let (h, max_speed) = (kernel.smoothing_length(), self.motion.max_speed);
-        self.clamped_shifts = time_step::advance(gas, &bounds, values.shifting, h, max_speed, dt);
-        self.length = dt;
-        on_stage(Stage::Integrate);
-        f64::from(dt)
+        f64::from(self.make_step(scene, random, time, user, on_stage))
     }
 
-    /// Resamples the gas if the domain or the number of particles changed.
-    fn adapt(&mut self, parameters: &Parameters, random: &mut Random) {
-        let discretisation = Discretisation::of(parameters);
+    /// Resamples the gas if the domain or the spacing of the particles changed.
+    fn adapt(&mut self, scene: &Scene, random: &mut Random) {
+        let parameters = scene.settings();
         // A new air temperature changes all gas at once; otherwise all of the old air would rise
         // or sink.
         let difference = parameters.ambient_temperature - self.air;
@@ -216,29 +214,51 @@ impl Solver for Combustion {
             self.gas.add_temperature(difference);
             self.air = parameters.ambient_temperature;
         }
+        let discretisation = Discretisation::of(parameters);
+        let fits = self.open.as_ref().is_some_and(|open| open.fits(parameters));
+        if discretisation != self.discretisation || !fits {
+            self.open = OpenAir::new(parameters);
+            if let Some(open) = &mut self.open {
+                open.adopt(&self.gas, scene);
+            }
+        }
         if discretisation != self.discretisation {
-            self.gas = resample::resample(&self.gas, &self.discretisation, parameters, random);
+            let old = Old::new(&self.gas, &self.discretisation, parameters);
+            self.gas = match &self.open {
+                None => resample::resample(&old, parameters, random),
+                Some(open) => resample::resample_open(&old, parameters, open),
+            };
             self.discretisation = discretisation;
         }
         self.gas.set_mass(parameters);
+        self.reserve(parameters);
     }
 
     fn set_particles(&mut self, particles: &[Particle], values: &Physics) {
         self.gas = Gas::of(particles, values);
+        if let Some(open) = &mut self.open {
+            open.surround(&self.gas);
+        }
+        self.reserve(values);
         self.embers = Embers::default();
         self.motion = Motion::default();
         (self.power, self.preheat, self.length) = (0.0, 0.0, 0.0);
     }
 
     fn broken_count_rule(&self, count: usize, values: &Physics) -> Option<&'static str> {
-        // The smoothing length follows `max_particles`.
-        let expected = values.max_particles as usize;
-        let allowed = expected.div_ceil(2)..=2 * expected;
-        (!allowed.contains(&count)).then_some(WRONG_COUNT)
+        let most = values.max_particles as usize;
+        match values.edges {
+            Edges::Open => (count > most).then_some(TOO_MANY),
+            Edges::Periodic => {
+                // The smoothing length follows `max_particles`.
+                let allowed = most.div_ceil(2)..=2 * most;
+                (!allowed.contains(&count)).then_some(WRONG_COUNT)
+            }
+        }
     }
 
     fn bounds(&self, values: &Physics) -> Bounds {
-        bounds(values)
+        self.present_bounds(values)
     }
 
     fn sound_speed(&self, scene: &Scene) -> f32 {
@@ -268,6 +288,7 @@ impl Solver for Combustion {
             length: self.length,
             power: self.power,
             preheat: self.preheat,
+            asleep: self.open.as_ref().map_or(0.0, |open| open.asleep()),
         }
     }
 
@@ -275,12 +296,19 @@ impl Solver for Combustion {
         self.gas.len()
     }
 
+    fn capacity(&self, values: &Physics) -> usize {
+        match self.open {
+            Some(_) => values.max_particles as usize,
+            None => self.count(),
+        }
+    }
+
     fn by_id(&self) -> Vec<usize> {
         self.gas.by_id()
     }
 
     fn id(&self, i: usize) -> u64 {
-        self.gas.id[i].into()
+        self.gas.id[i]
     }
 
     fn particle(&self, i: usize, time: f64) -> Particle {
@@ -288,7 +316,7 @@ impl Solver for Combustion {
     }
 
     fn density(&self, i: usize) -> f32 {
-        self.gas.mass / self.gas.volume[i]
+        self.gas.density(i)
     }
 
     fn pressure(&self, i: usize) -> f32 {
@@ -296,44 +324,10 @@ impl Solver for Combustion {
     }
 
     fn write_fire(&self, out: &mut Vec<Instance>) {
-        let gas = &self.gas;
-        out.extend((0..gas.len()).filter_map(|i| {
-            let [temperature, _, _, soot] = gas.state[i].to_array();
-            let visible = temperature > VISIBLE_TEMPERATURE || soot > VISIBLE_SOOT;
-            visible.then(|| {
-                Instance::from(GasParticle {
-                    position: gas.position[i],
-                    velocity: gas.velocity[i],
-                    temperature,
-                    volume: gas.volume[i],
-                    soot,
-                    burn_rate: gas.burn[i],
-                })
-            })
-        }));
+        self.gas.write_visible(out);
     }
 
-    // Inlined into a loop, it becomes a loop per mode.
-    #[inline(never)]
     fn measured(&self, i: usize, _values: &Physics, mode: DisplayMode) -> Measured {
-        let gas = &self.gas;
-        let [temperature, fuel, _, soot] = gas.state[i].to_array();
-        let value = match mode {
-            DisplayMode::Particles | DisplayMode::Temperature => temperature,
-            DisplayMode::Density => self.density(i),
-            DisplayMode::Pressure => gas.pressure[i],
-            DisplayMode::Velocity => gas.velocity[i].length(),
-            DisplayMode::Fuel => fuel,
-            DisplayMode::Soot | DisplayMode::Sprites => soot,
-            _ => 0.0,
-        };
-        Measured {
-            position: gas.position[i],
-            velocity: gas.velocity[i],
-            temperature,
-            volume: gas.volume[i],
-            number: numbered(gas.id[i].into(), mode),
-            value,
-        }
+        self.gas.measured(i, mode)
     }
 }

@@ -112,6 +112,25 @@ impl Grid {
         &self.new_indices
     }
 
+    /// Makes room for so many particles in these bounds, so that a later sort allocates nothing.
+    pub fn reserve(&mut self, particles: usize, bounds: &Bounds, reach: f32) {
+        self.resize(bounds, reach, particles);
+        let bins = self.bins * self.rows + 1;
+        self.starts.reserve(bins.saturating_sub(self.starts.len()));
+        self.new_indices
+            .reserve(particles.saturating_sub(self.new_indices.len()));
+        self.blocks
+            .reserve((self.rows + 1).saturating_sub(self.blocks.len()));
+        let members = self.max_blocks(particles);
+        self.members
+            .reserve(members.saturating_sub(self.members.len()));
+    }
+
+    /// Most blocks of so many particles.
+    pub fn max_blocks(&self, particles: usize) -> usize {
+        particles / LANES + self.rows
+    }
+
     fn form_blocks(&mut self) {
         let (mut blocks, mut members) = (
             std::mem::take(&mut self.blocks),
@@ -145,7 +164,7 @@ impl Grid {
         self.scale = Lanes::new([bin, bin, bin, row]);
         // Rounding to the nearest integer takes fewer instructions than rounding down.
         let middle = -self.left * bin - 0.5;
-        self.offset = Lanes::new([middle, middle, middle, -0.5]);
+        self.offset = Lanes::new([middle, middle, middle, -bounds.bottom * row - 0.5]);
         self.last = Lanes::new([bins - 1.0, bins - 1.0, bins - 1.0, rows - 1.0]);
     }
 

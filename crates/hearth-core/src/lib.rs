@@ -35,6 +35,7 @@ mod lanes;
 mod neighbourhood;
 mod neighbours;
 mod noise;
+mod order;
 pub mod params;
 mod particle;
 pub mod preset;

@@ -38,7 +38,7 @@ pub(crate) fn measure(instances: &mut Vec<Instance>, bounds: &Bounds, h: f32, vo
     let cell = |one: &Instance| {
         (
             axis_x.cell(one[0] + 0.5 * bounds.width),
-            axis_y.cell(one[1]),
+            axis_y.cell(one[1] - bounds.bottom),
         )
     };
 

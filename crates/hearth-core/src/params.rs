@@ -17,7 +17,7 @@ mod table;
 mod tests;
 mod value;
 
-pub use choices::{Backdrop, Choice, DisplayMode, Layers, Model, Palette, Walls};
+pub use choices::{Backdrop, Choice, DisplayMode, Edges, Floor, Layers, Model, Palette, Walls};
 pub use entry::{Condition, Description, Domain, Kind, Role, Scale, conditions_in_words};
 pub use quantity::Quantity;
 pub use set::Parameters;

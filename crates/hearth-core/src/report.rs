@@ -23,6 +23,9 @@ pub struct StepReport {
     /// Power that heated the gas of the source, besides that of the combustion [kW/m];
     /// zero in the classic model.
     pub preheat: f32,
+    /// Share of the air around the fire that is left out, because `max_particles` are reached;
+    /// zero in the classic model and in a closed domain.
+    pub asleep: f32,
 }
 
 /// The stages of a step, in their order.

@@ -39,10 +39,9 @@ impl Simulation {
     }
 
     fn of(scene: Scene) -> Simulation {
-        let parameters = scene.settings();
-        let mut random = Random::new(parameters.seed);
+        let mut random = Random::new(scene.settings().seed);
         Simulation {
-            solver: AnySolver::new(parameters, &mut random),
+            solver: AnySolver::new(&scene, &mut random),
             random,
             scene,
             time: 0.0,
@@ -79,7 +78,7 @@ impl Simulation {
     /// Starts again: time zero, the generator at its seed.
     pub fn reset(&mut self) {
         self.random = Random::new(self.scene.settings().seed);
-        self.solver = AnySolver::new(self.scene.settings(), &mut self.random);
+        self.solver = AnySolver::new(&self.scene, &mut self.random);
         self.time = 0.0;
     }
 
@@ -121,7 +120,7 @@ impl Simulation {
         if reseeded || self.parameters().model() != self.solver.model() {
             self.reset();
         }
-        self.solver.adapt(self.scene.settings(), &mut self.random);
+        self.solver.adapt(&self.scene, &mut self.random);
     }
 
     /// Simulated time since the start \[s\].
@@ -157,6 +156,7 @@ impl Simulation {
     /// [`DisplayMode`].
     pub fn write_instances(&self, out: &mut Vec<Instance>) {
         out.clear();
+        out.reserve(self.solver.capacity(self.scene.settings()));
         match self.scene.settings().display_mode {
             DisplayMode::Fire | DisplayMode::Paper => self.solver.write_fire(out),
             mode => self.write_measured(mode, out),

@@ -3,7 +3,7 @@
 use crate::bounds::Bounds;
 use crate::forces::BodyForce;
 use crate::instance::{Instance, Measured};
-use crate::params::{DisplayMode, Parameters, Physics};
+use crate::params::{DisplayMode, Physics};
 use crate::particle::Particle;
 use crate::random::Random;
 use crate::report::{Stage, StepReport};
@@ -64,7 +64,7 @@ solver! {
         ) -> f64;
 
         /// Applies changed values.
-        fn adapt(parameters: &Parameters, random: &mut Random);
+        fn adapt(scene: &Scene, random: &mut Random);
 
         /// Replaces all particles.
         fn set_particles(particles: &[Particle], values: &Physics);
@@ -88,6 +88,9 @@ solver! {
 
         /// Number of particles.
         fn count() -> usize;
+
+        /// Most particles for which a reader makes room at once.
+        fn capacity(values: &Physics) -> usize;
 
         /// The indices of all particles in the order of their ids, the order of birth.
         fn by_id() -> Vec<usize>;

@@ -53,6 +53,8 @@ stats! { fire, report, canvas =>
     "fps": "number" = set_number(fire.fps.fps())
     /// Number of particles.
     "particles": "number" = set_number(fire.simulation.count() as f64)
+    /// Share of the air around the fire that is left out, because `max_particles` are reached.
+    "asleep": "number" = set_number(report.asleep.into())
     /// Number of glowing embers.
     "embers": "number" = set_number(fire.simulation.embers().len() as f64)
     /// Age of the fire [s].

@@ -1,6 +1,6 @@
 //! Closed, doubly periodic boxes of gas: no burner, no seam, no gravity.
 
-use hearth_core::params::Input;
+use hearth_core::params::{Edges, Input};
 use hearth_core::random::Random;
 use hearth_core::{Parameters, Particle, Simulation, Vec2};
 
@@ -44,7 +44,9 @@ impl GasBox {
             ("diffusion", 0.0),
             ("gas_expansion", 0.0),
         ];
-        combustion(closed.iter().chain(values).copied())
+        let mut parameters = combustion(closed.iter().chain(values).copied());
+        set(&mut parameters, "edges", "periodic");
+        parameters
     }
 
     /// Its gas at rest on the lattice, each particle moved by up to `jitter`
@@ -83,6 +85,46 @@ pub(super) fn combustion<'a>(values: impl IntoIterator<Item = (&'a str, f64)>) -
         .into_iter()
         .map(|(id, value)| (id, Input::Number(value)));
     fires::with(model.into_iter().chain(values))
+}
+
+/// The same in open air, in a frame and with particles of this spacing \[m\].
+pub(super) fn open<'a>(
+    frame: (f64, f64),
+    spacing: f64,
+    values: impl IntoIterator<Item = (&'a str, f64)>,
+) -> Parameters {
+    let fixed = [
+        ("domain_width", frame.0),
+        ("domain_height", frame.1),
+        ("spacing", spacing),
+        // More than any case needs.
+        ("max_particles", 20_000.0),
+    ];
+    let mut parameters = combustion(fixed.into_iter().chain(values));
+    set(&mut parameters, "edges", "open");
+    parameters
+}
+
+/// The same on a floor.
+pub(super) fn on_floor(mut parameters: Parameters) -> Parameters {
+    set(&mut parameters, "floor", "solid");
+    parameters
+}
+
+fn set(parameters: &mut Parameters, id: &str, choice: &str) {
+    if let Err(refusal) = parameters.set(id, Input::Text(choice)) {
+        panic!("{refusal}");
+    }
+}
+
+/// Mass of a particle [kg/m].
+pub(super) fn mass(fire: &Simulation) -> f64 {
+    let p = fire.parameters();
+    let area = match p.edges {
+        Edges::Open => f64::from(p.spacing()).powi(2),
+        Edges::Periodic => f64::from(p.domain_width * p.domain_height) / fire.count() as f64,
+    };
+    f64::from(p.ambient_density) * area
 }
 
 /// Puts `gas` into `simulation`.

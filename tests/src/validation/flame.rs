@@ -2,7 +2,7 @@
 
 use hearth_core::{Parameters, Simulation};
 
-use super::boxes::combustion;
+use super::boxes::{combustion, on_floor, open};
 use super::measure::{fit, signal};
 use super::plot::{Plot, Series};
 use super::record::{Record, SEEDS, delivered, mean_spectrum, watch};
@@ -150,23 +150,24 @@ const PUFFING_SECONDS: f64 = 40.0;
 /// Time after which the first plume has risen through the domain \[s\].
 const SETTLED: f64 = 6.0;
 
-/// A burner of this width \[m\] in a domain that scales with it, at a power
-/// that keeps the flame's height over its width.
+/// A burner of this width \[m\] in a frame of open air that scales with it, at a power that
+/// keeps the flame's height over its width. Air is drawn in at half a width above it.
 fn puffing(width: f64) -> Outcome {
     let scale = width / 0.4;
     let record = |seed| {
         watch(
-            combustion([
-                ("seed", seed),
-                ("source_width", width),
-                ("domain_width", 3.0 * width),
-                // Tall enough that no flame reaches the seam.
-                ("domain_height", 6.0 * width),
-                ("source_height", 0.25 * scale),
-                ("fuel_power", (220.0 * scale.powf(1.5)).min(600.0)),
-                ("stiffness", 6.0 * scale.sqrt().min(1.0)),
-                ("max_particles", 4000.0),
-            ]),
+            on_floor(open(
+                // Tall enough that no flame reaches the end of the air.
+                (3.0 * width, 6.0 * width),
+                0.067 * width,
+                [
+                    ("seed", seed),
+                    ("source_width", width),
+                    ("source_height", 0.25 * scale),
+                    ("fuel_power", (220.0 * scale.powf(1.5)).min(600.0)),
+                    ("stiffness", 6.0 * scale.sqrt().min(1.0)),
+                ],
+            )),
             SETTLED,
             PUFFING_SECONDS,
         )
@@ -174,7 +175,7 @@ fn puffing(width: f64) -> Outcome {
     let records = SEEDS.map(record);
     let expected = planar_frequency(records[0].fire.parameters());
     let mean = |of: &dyn Fn(&Record) -> Vec<(f64, f64)>| mean_spectrum(&records.each_ref().map(of));
-    let spectrum = mean(&|record| record.breath_spectrum(width));
+    let spectrum = mean(&|record| record.breath_spectrum(0.5 * width));
     let light = mean(&|record| record.light_spectrum(width));
     let lowest = 0.25 * expected;
     let measured = signal::peak(&spectrum, lowest);
@@ -391,13 +392,11 @@ fn flame_height() -> Outcome {
     let theory = |power: f64| 0.035 * power.powf(2.0 / 3.0);
     let points = [50.0, 80.0, 130.0, 210.0].map(|power| {
         let record = watch(
-            combustion([
-                ("fuel_power", power),
-                ("source_width", 0.2),
-                ("domain_width", 1.4),
-                ("domain_height", 2.4),
-                ("max_particles", 4000.0),
-            ]),
+            on_floor(open(
+                (1.4, 2.4),
+                0.029,
+                [("fuel_power", power), ("source_width", 0.2)],
+            )),
             3.0,
             12.0,
         );

@@ -3,7 +3,7 @@
 
 use hearth_core::{Parameters, Simulation};
 
-use super::boxes::run;
+use super::boxes::{mass, run};
 use super::measure::field::{Field, Sampler};
 use super::measure::signal;
 
@@ -41,6 +41,8 @@ pub(super) struct Record {
     pub rise: Field,
     /// Mean velocity to the right [m/s].
     pub drift: Field,
+    /// Mean flux of heat upward, fluctuations included [kW/m²].
+    pub heat_flux: Field,
     /// Mean power that came out of the burner [kW/m]: what burned, and what
     /// unburned fuel there is more of in the end.
     pub delivered: f64,
@@ -51,11 +53,9 @@ pub(super) struct Record {
 /// Heat that the fuel in the domain will set free [kJ/m].
 fn stock(fire: &Simulation) -> f64 {
     let p = fire.parameters();
-    let area = f64::from(p.domain_width * p.domain_height);
-    let mass = f64::from(p.ambient_density) * area / fire.count() as f64;
     let heat = f64::from(p.flame_rise) * (1.0 + f64::from(p.air_demand));
     let fuel: f64 = fire.fuels().into_iter().map(f64::from).sum();
-    mass * fuel * heat
+    mass(fire) * fuel * heat
 }
 
 /// Power that comes out of the burner over `seconds` [kW/m]: what burns, and
@@ -98,6 +98,7 @@ pub(super) fn watch(parameters: Parameters, settle: f64, seconds: f64) -> Record
         temperature: vec![0.0; cells],
         rise: vec![0.0; cells],
         drift: vec![0.0; cells],
+        heat_flux: vec![0.0; cells],
         delivered: 0.0,
         sampler,
         fire,
@@ -125,6 +126,7 @@ pub(super) fn watch(parameters: Parameters, settle: f64, seconds: f64) -> Record
         &mut record.temperature,
         &mut record.rise,
         &mut record.drift,
+        &mut record.heat_flux,
     ];
     for value in means.into_iter().flatten() {
         *value /= n;
@@ -160,6 +162,7 @@ impl Record {
                 (&mut first.temperature, &other.temperature),
                 (&mut first.rise, &other.rise),
                 (&mut first.drift, &other.drift),
+                (&mut first.heat_flux, &other.heat_flux),
             ];
             for (sum, more) in pairs {
                 for (sum, more) in sum.iter_mut().zip(more) {
@@ -174,6 +177,7 @@ impl Record {
             &mut first.temperature,
             &mut first.rise,
             &mut first.drift,
+            &mut first.heat_flux,
         ];
         for value in sums.into_iter().flatten() {
             *value /= n;
@@ -185,20 +189,30 @@ impl Record {
     fn look(&mut self) {
         let fire = &self.fire;
         let p = fire.parameters();
-        let area = p.domain_width * p.domain_height;
-        let mass = p.ambient_density * area / fire.count() as f32;
+        let mass = mass(fire) as f32;
+        // Where there is no gas, there is air at rest.
+        let air = p.ambient_temperature;
+        let half = 0.5 * p.domain_width;
         let places = fire.positions().into_iter().zip(fire.densities());
         let state = fire.temperatures().into_iter().zip(fire.soots());
-        let particles = places.zip(state).zip(fire.velocities()).map(
-            |(((position, density), (temperature, soot)), velocity)| {
-                (
-                    position,
-                    mass / density,
-                    [temperature, soot, velocity.y, velocity.x],
-                )
-            },
-        );
-        let [temperature, soot, rise, along] = self.sampler.sample(particles);
+        let inside = places
+            .zip(state)
+            .zip(fire.velocities())
+            .filter(|(((position, _), _), _)| position.x.abs() <= half);
+        let particles = inside.map(|(((position, density), (temperature, soot)), velocity)| {
+            let excess = temperature - air;
+            let heat_flux = density * velocity.y * excess;
+            (
+                position,
+                mass / density,
+                [excess, soot, velocity.y, velocity.x, heat_flux],
+            )
+        });
+        let [excess, soot, rise, along, heat_flux] = self.sampler.sample(particles);
+        let temperature: Field = excess
+            .iter()
+            .map(|excess| excess + f64::from(air))
+            .collect();
         let columns = self.sampler.columns;
         let mut light = vec![0.0; self.sampler.rows];
         let mut tip = 0.0;
@@ -225,6 +239,7 @@ impl Record {
             (&mut self.temperature, temperature),
             (&mut self.rise, rise),
             (&mut self.drift, along),
+            (&mut self.heat_flux, heat_flux),
         ] {
             for (sum, now) in sum.iter_mut().zip(now) {
                 *sum += now;
@@ -282,6 +297,13 @@ impl Record {
         let row = self.sampler.row(self.base + height);
         let swing: Vec<f64> = self.breath.iter().map(|breath| breath[row]).collect();
         signal::spectrum(&swing, RATE, 8.0, 8.0)
+    }
+
+    /// The integral of a field over a row \[m\].
+    pub fn over(&self, field: &Field, row: usize) -> f64 {
+        let columns = self.sampler.columns;
+        let values = &field[row * columns..(row + 1) * columns];
+        values.iter().sum::<f64>() * self.sampler.cell
     }
 
     /// A row of a field with its places \[m\].

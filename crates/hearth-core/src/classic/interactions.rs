@@ -76,6 +76,7 @@ mod tests {
     use crate::random::Random;
 
     const BOUNDS: Bounds = Bounds {
+        bottom: 0.0,
         width: 1.0,
         height: 1.0,
         periodic_x: true,

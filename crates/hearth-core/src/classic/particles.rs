@@ -8,6 +8,7 @@ use std::ops::{Deref, DerefMut};
 use glam::Vec2;
 
 use crate::lanes::Lanes;
+use crate::order::in_order;
 use crate::particle::Particle;
 
 /// The state of a particle. One struct, because sorting moves all of it.
@@ -116,29 +117,7 @@ impl Particles {
     // Inlined, its code doubles.
     #[inline(never)]
     pub fn by_id(&self) -> Vec<usize> {
-        // A radix sort: the standard library's sort is 3 KB of the headless library's download,
-        // and slower.
-        let mut order: Vec<usize> = (0..self.len()).collect();
-        let mut sorted = order.clone();
-        let mut byte = 0;
-        while byte < 8 && self.next_id >> (8 * byte) != 0 {
-            let digit = |i: usize| (self[i].id >> (8 * byte)) as usize & 0xff;
-            let mut starts = [0; 257];
-            for &i in &order {
-                starts[digit(i) + 1] += 1;
-            }
-            for at in 1..starts.len() {
-                starts[at] += starts[at - 1];
-            }
-            for &i in &order {
-                let start = &mut starts[digit(i)];
-                sorted[*start] = i;
-                *start += 1;
-            }
-            std::mem::swap(&mut order, &mut sorted);
-            byte += 1;
-        }
-        order
+        in_order(self.len(), self.next_id, |i| self[i].id)
     }
 }
 

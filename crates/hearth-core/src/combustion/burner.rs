@@ -8,7 +8,7 @@ use super::chemistry::{HEAT_CAPACITY, heat_of_combustion};
 use super::gas::Gas;
 use crate::extremes::{fast_max, fast_min};
 use crate::noise::perlin;
-use crate::params::{Parameters, Physics};
+use crate::params::{Edges, Floor, Parameters, Physics};
 use crate::source;
 
 /// Height of the block, in spacings of the particles.
@@ -44,8 +44,8 @@ pub struct Burner {
 }
 
 impl Burner {
-    /// The burner of these parameters, clamped to the domain between the seams and to a minimum
-    /// width.
+    /// The burner of these parameters, clamped to the frame, between the seams of periodic
+    /// edges, and to a minimum width.
     pub fn of(parameters: &Parameters) -> Burner {
         Burner::at(parameters, parameters.spacing())
     }
@@ -57,7 +57,11 @@ impl Burner {
 
     fn at(values: &Physics, spacing: f32) -> Burner {
         let height = ROWS * spacing;
-        let (low, high) = (values.seam, 1.0 - values.seam);
+        let seam = match values.edges {
+            Edges::Periodic => values.seam,
+            Edges::Open => 0.0,
+        };
+        let (low, high) = (seam, 1.0 - seam);
         let highest = (high * values.domain_height - height).max(0.0);
         let lowest = (low * values.domain_height).min(highest);
         let bottom = values.source_height.max(lowest).min(highest);
@@ -66,7 +70,7 @@ impl Burner {
             .max(MIN_WIDTH * spacing)
             .min(values.domain_width);
         let (half_width, edge) = (0.5 * width, 0.5 * values.domain_width);
-        let middle = source::middle(values, width, values.seam * values.domain_width);
+        let middle = source::middle(values, width, seam * values.domain_width);
         Burner {
             middle,
             half_width,
@@ -95,7 +99,13 @@ impl Burner {
     /// Sets the temperature, oxygen and velocity of the gas in the block. Returns the heat
     /// [kJ/m].
     fn condition(&self, gas: &mut Gas, values: &Physics, dt: f32) -> f32 {
-        let relaxation = (VELOCITY_RELAXATION * dt).min(1.0);
+        // A floor supplies no gas, so a burner on it must not drag the gas along.
+        let on_floor = values.floor == Floor::Solid && self.bottom < self.top - self.bottom;
+        let relaxation = if on_floor && values.edges == Edges::Open {
+            0.0
+        } else {
+            (VELOCITY_RELAXATION * dt).min(1.0)
+        };
         let hot = values
             .source_temperature
             .max(PILOT_FACTOR * values.ignition_temperature);

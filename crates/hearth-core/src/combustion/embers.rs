@@ -157,6 +157,8 @@ pub(crate) struct Air<'a> {
     pub grid: &'a Grid,
     pub bounds: &'a Bounds,
     pub kernel: &'a Kernel,
+    /// Velocity where there is no gas [m/s].
+    pub wind: Vec2,
 }
 
 impl Air<'_> {
@@ -175,7 +177,7 @@ impl Air<'_> {
         if weights > 0.0 {
             sum / weights
         } else {
-            Vec2::ZERO
+            self.wind
         }
     }
 }

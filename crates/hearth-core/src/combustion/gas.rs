@@ -1,6 +1,6 @@
 //! The gas that fills the domain, and its lattice at the start.
 //!
-//! Every particle has the same mass and its own volume. Each property is an array, sorted by
+//! With open edges, particles are born and removed. Every particle has the same mass and its own volume. Each property is an array, sorted by
 //! grid cell at every step; readers get copies in the order of the ids.
 
 use glam::{Vec2, Vec4};
@@ -9,7 +9,8 @@ use super::equation_of_state::expansion;
 use crate::Particle;
 use crate::bounds::Bounds;
 use crate::extremes::fast_max;
-use crate::params::Physics;
+use crate::order::in_order;
+use crate::params::{Edges, Physics};
 use crate::random::Random;
 
 /// The diffusing quantities: temperature \[K\], fuel, oxygen, soot. One vector, because they
@@ -29,7 +30,9 @@ pub(crate) struct Gas {
     pub position: Vec<Vec2>,
     pub velocity: Vec<Vec2>,
     pub state: Vec<State>,
-    pub id: Vec<u32>,
+    /// Numbers of birth.
+    pub id: Vec<u64>,
+    next_id: u64,
     /// Mass of each particle [kg/m].
     pub mass: f32,
 
@@ -51,11 +54,27 @@ pub(crate) struct Gas {
     scratch: Scratch,
 }
 
+/// The body for each array with a value per particle.
+macro_rules! for_each_array {
+    ($gas:expr, $array:ident => $body:expr) => {{
+        let gas = &mut *$gas;
+        for_each_array!(@each gas, $array, $body;
+            position velocity state id acceleration change expansion number_density volume
+            pressure concentration_gradient burn);
+    }};
+    (@each $gas:ident, $array:ident, $body:expr; $($name:ident)+) => {
+        $({
+            let $array = &mut $gas.$name;
+            $body
+        })+
+    };
+}
+
 #[derive(Clone, Debug, Default)]
 struct Scratch {
     vector: Vec<Vec2>,
     state: Vec<State>,
-    id: Vec<u32>,
+    id: Vec<u64>,
 }
 
 impl Gas {
@@ -73,6 +92,22 @@ impl Gas {
         gas
     }
 
+    /// No gas.
+    pub fn none(values: &Physics) -> Gas {
+        let mut gas = Gas::default();
+        gas.set_mass(values);
+        gas
+    }
+
+    /// Makes room for so many particles.
+    pub fn reserve(&mut self, capacity: usize) {
+        let more = capacity.saturating_sub(self.len());
+        for_each_array!(self, array => array.reserve(more));
+        self.scratch.vector.reserve(capacity);
+        self.scratch.state.reserve(capacity);
+        self.scratch.id.reserve(capacity);
+    }
+
     /// Gas of these particles.
     pub fn of(particles: &[Particle], values: &Physics) -> Gas {
         let mut gas = Gas::default();
@@ -84,7 +119,8 @@ impl Gas {
     }
 
     pub fn push(&mut self, particle: &Particle) {
-        self.id.push(self.len() as u32);
+        self.id.push(self.next_id);
+        self.next_id += 1;
         self.position.push(particle.position);
         self.velocity.push(particle.velocity);
         self.state.push(Vec4::new(
@@ -102,10 +138,40 @@ impl Gas {
         self.burn.push(0.0);
     }
 
-    /// Sets the mass of a particle, so that all fill the domain with air.
+    /// Adds a particle of this volume \[m²\] to gas that is burning.
+    pub fn bear(&mut self, particle: &Particle, volume: f32) {
+        self.push(particle);
+        self.volume.push(volume);
+    }
+
+    /// Keeps the particles for which `stays` is true, in their order. It gets their positions
+    /// and velocities.
+    pub fn retain(&mut self, mut stays: impl FnMut(Vec2, Vec2) -> bool) {
+        let mut kept = 0;
+        for i in 0..self.len() {
+            if stays(self.position[i], self.velocity[i]) {
+                // Everything else is computed anew in every step.
+                self.position[kept] = self.position[i];
+                self.velocity[kept] = self.velocity[i];
+                self.state[kept] = self.state[i];
+                self.volume[kept] = self.volume[i];
+                self.id[kept] = self.id[i];
+                kept += 1;
+            }
+        }
+        for_each_array!(self, array => array.truncate(kept));
+    }
+
+    /// Sets the mass of a particle: with open edges that of air at the `spacing`, else so that
+    /// all fill the domain with air.
     pub fn set_mass(&mut self, values: &Physics) {
-        let area = values.domain_width * values.domain_height;
-        self.mass = values.ambient_density * area / self.len().max(1) as f32;
+        self.mass = match values.edges {
+            Edges::Open => values.ambient_density * values.spacing() * values.spacing(),
+            Edges::Periodic => {
+                let area = values.domain_width * values.domain_height;
+                values.ambient_density * area / self.len().max(1) as f32
+            }
+        };
     }
 
     /// Sets the mass of a particle and estimates the volumes, which the next step computes.
@@ -114,8 +180,13 @@ impl Gas {
         self.volume.clear();
         self.volume
             .extend(self.state.iter().map(|state| expansion(state.x, values)));
-        let area = values.domain_width * values.domain_height;
-        let share = area / self.volume.iter().sum::<f32>().max(1e-6);
+        let share = match values.edges {
+            Edges::Open => values.spacing() * values.spacing(),
+            Edges::Periodic => {
+                let area = values.domain_width * values.domain_height;
+                area / self.volume.iter().sum::<f32>().max(1e-6)
+            }
+        };
         for volume in &mut self.volume {
             *volume *= share;
         }
@@ -159,12 +230,7 @@ impl Gas {
     // Inlined, its code would be in every reader.
     #[inline(never)]
     pub fn by_id(&self) -> Vec<usize> {
-        // The ids are a permutation of the indices.
-        let mut order = vec![0; self.len()];
-        for (i, &id) in self.id.iter().enumerate() {
-            order[id as usize] = i;
-        }
-        order
+        in_order(self.len(), self.next_id, |i| self.id[i])
     }
 }
 
@@ -172,6 +238,21 @@ impl Gas {
 pub(crate) struct Lattice {
     pub points: Vec<Vec2>,
     pub columns: usize,
+}
+
+impl Lattice {
+    /// A lattice of this spacing over a rectangle.
+    pub fn even(corner: Vec2, size: Vec2, spacing: f32) -> Lattice {
+        let [columns, rows] = (size / spacing).to_array().map(|count| count as usize);
+        let point = |at: usize| {
+            let cell = Vec2::new((at % columns) as f32, (at / columns) as f32);
+            corner + (cell + 0.5) * spacing
+        };
+        Lattice {
+            points: (0..columns * rows).map(point).collect(),
+            columns,
+        }
+    }
 }
 
 /// A lattice of this spacing, slightly disturbed. The number of rows gives the nearest number
@@ -183,7 +264,7 @@ pub(crate) fn lattice(values: &Physics, spacing: f32, random: &mut Random) -> La
     let rows = ((count / columns as f32 + ROUNDING) as usize).max(1);
     let cell = Vec2::new(width / columns as f32, height / rows as f32);
     let corner = Vec2::new(-0.5 * width, 0.0);
-    let bounds = bounds(values);
+    let bounds = periodic_bounds(values);
     let mut points = Vec::with_capacity(columns * rows);
     for row in 0..rows {
         for column in 0..columns {
@@ -202,9 +283,10 @@ fn scatter<T: Copy + Default>(values: &mut Vec<T>, scratch: &mut Vec<T>, new_ind
     std::mem::swap(values, scratch);
 }
 
-/// The domain of the combustion model, periodic in both directions.
-pub(crate) fn bounds(values: &Physics) -> Bounds {
+/// The closed domain of the combustion model, periodic in both directions.
+pub(super) fn periodic_bounds(values: &Physics) -> Bounds {
     Bounds {
+        bottom: 0.0,
         width: values.domain_width,
         height: values.domain_height,
         periodic_x: true,
@@ -260,7 +342,7 @@ pub(crate) mod tests {
             assert!(
                 gas.position
                     .iter()
-                    .all(|&at| bounds(&parameters).contains(at))
+                    .all(|&at| periodic_bounds(&parameters).contains(at))
             );
         }
     }

@@ -55,6 +55,15 @@ pub(super) struct Interactions {
 }
 
 impl Interactions {
+    /// Makes room for so many blocks of particles.
+    pub fn reserve(&mut self, blocks: usize) {
+        let particles = LANES * blocks + 1;
+        self.packed
+            .reserve(particles.saturating_sub(self.packed.len()));
+        let more = particles.saturating_sub(self.accumulators.len());
+        self.accumulators.reserve(more);
+    }
+
     /// Sums acceleration, diffusion and concentration gradient over the pairs.
     pub fn sum(&mut self, gas: &mut Gas, grid: &Grid, neighbours: &Neighbours, context: &Context) {
         let kernel = context.kernel;
@@ -140,9 +149,9 @@ impl Interactions {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::combustion::gas::bounds;
+    use crate::combustion::gas::periodic_bounds as bounds;
     use crate::combustion::gas::tests::{random_gas, with};
-    use crate::combustion::number_density::NumberDensity;
+    use crate::combustion::number_density::{self, NumberDensity};
     use crate::kernel::Kernel;
     use crate::params::Parameters;
 
@@ -159,7 +168,8 @@ mod tests {
         let positions = gas.position.clone().into_iter();
         let reach = context.kernel.support();
         gas.reorder(grid.sort(positions, &bounds(parameters), reach));
-        NumberDensity::default().sum(&mut gas, &grid, &mut neighbours, &context);
+        let mean = NumberDensity::default().sum(&mut gas, &grid, &mut neighbours, &context);
+        number_density::apply(&mut gas, mean, context.sound);
         Interactions::default().sum(&mut gas, &grid, &neighbours, &context);
         gas
     }

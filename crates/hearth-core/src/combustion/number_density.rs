@@ -3,9 +3,9 @@
 //! Hot gas expands. Each particle has the weight y = m θ, and the number density Y = Σ yⱼ Wᵢⱼ
 //! does not depend on the mixture. So the volume V = y/Y and the pressure p = c₀² (Y − Ȳ) are
 //! smooth across the edge of a flame, where p(ρ, T) would act as an artificial surface tension (density-independent SPH: Saitoh & Makino,
-//! ApJ 768, 2013). Ȳ is the mean over the particles: the uniform pressure of hot gas in a closed
-//! domain moves nothing, but its noise would damp every instability. Pressure below the mean
-//! attracts particles, and shifting spreads them again; so shifting cannot be turned off.
+//! ApJ 768, 2013). In a closed domain, Ȳ is the mean over the particles: the uniform pressure of
+//! hot gas moves nothing, but its noise would damp every instability. In open air, Ȳ is the density
+//! of the air. Pressure below Ȳ attracts particles, and shifting spreads them again; so shifting cannot be turned off.
 
 use super::equation_of_state::expansion;
 use super::gas::Gas;
@@ -51,14 +51,20 @@ pub(super) struct NumberDensity {
 }
 
 impl NumberDensity {
-    /// Finds all pairs of sorted gas, and computes number density, volume and pressure.
+    /// Makes room for so many blocks of particles.
+    pub fn reserve(&mut self, blocks: usize) {
+        self.blocks
+            .reserve(blocks.saturating_sub(self.blocks.len()));
+    }
+
+    /// Finds all pairs of sorted gas, and computes the number density. Returns its mean.
     pub fn sum(
         &mut self,
         gas: &mut Gas,
         grid: &Grid,
         neighbours: &mut Neighbours,
         context: &Context,
-    ) {
+    ) -> f32 {
         let Context { kernel, values, .. } = *context;
         for (theta, state) in gas.expansion.iter_mut().zip(&gas.state) {
             *theta = expansion(state.x, values);
@@ -91,11 +97,14 @@ impl NumberDensity {
                 sum += f64::from(number_density);
             }
         }
-        let mean = (sum / gas.len().max(1) as f64) as f32;
-        let sound = context.sound;
-        for (i, &number_density) in gas.number_density.iter().enumerate() {
-            gas.volume[i] = gas.mass * gas.expansion[i] / number_density;
-            gas.pressure[i] = sound * sound * (number_density - mean);
-        }
+        (sum / gas.len().max(1) as f64) as f32
+    }
+}
+
+/// Computes volume and pressure from the number density; the pressure is zero at `reference`.
+pub(super) fn apply(gas: &mut Gas, reference: f32, sound: f32) {
+    for (i, &number_density) in gas.number_density.iter().enumerate() {
+        gas.volume[i] = gas.mass * gas.expansion[i] / number_density;
+        gas.pressure[i] = sound * sound * (number_density - reference);
     }
 }

@@ -10,13 +10,14 @@
 
 use glam::{Vec2, Vec4};
 
+use super::air::{self, OpenAir};
 use super::equation_of_state::expansion;
-use super::gas::{Gas, lattice};
+use super::gas::{Gas, Lattice, lattice};
 use crate::Particle;
 use crate::bounds::Bounds;
 use crate::grid::Grid;
 use crate::kernel::Kernel;
-use crate::params::{Parameters, Physics};
+use crate::params::{Edges, Parameters, Physics};
 use crate::random::Random;
 
 /// Points of the lattice per particle of cold air, for compressed gas.
@@ -25,105 +26,146 @@ const OVERSAMPLING: f32 = 1.04;
 const MIN_DENSITY: f32 = 0.05;
 /// Largest error that is passed on.
 const MAX_ERROR: f32 = 1.0;
+/// Plausible spacings of stored gas \[m\].
+const MIN_SPACING: f32 = 1e-4;
+const MAX_SPACING: f32 = 1.0;
 
-/// The division of the domain into particles. A change resamples the gas.
+/// The division of the gas into particles. A change resamples the gas.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Discretisation {
-    pub width: f32,
-    pub height: f32,
-    pub particles: u32,
+pub(super) enum Discretisation {
+    /// So many particles fill a closed domain \[m\].
+    Periodic {
+        width: f32,
+        height: f32,
+        particles: u32,
+    },
+    /// Particles of air have this spacing \[m\].
+    Open { spacing: f32 },
 }
 
 impl Discretisation {
     pub fn of(values: &Physics) -> Discretisation {
-        Discretisation {
-            width: values.domain_width,
-            height: values.domain_height,
-            particles: values.max_particles,
+        match values.edges {
+            Edges::Open => Discretisation::Open {
+                spacing: values.spacing(),
+            },
+            Edges::Periodic => Discretisation::Periodic {
+                width: values.domain_width,
+                height: values.domain_height,
+                particles: values.max_particles,
+            },
+        }
+    }
+
+    /// The particles as one number, besides the values.
+    pub fn as_number(&self) -> u32 {
+        match *self {
+            Discretisation::Periodic { particles, .. } => particles,
+            Discretisation::Open { spacing } => spacing.to_bits(),
+        }
+    }
+
+    /// The discretisation with that [number](Self::as_number); that of the values if it is not
+    /// plausible.
+    pub fn made_with(number: u32, values: &Physics) -> Discretisation {
+        match Discretisation::of(values) {
+            Discretisation::Periodic { width, height, .. } => Discretisation::Periodic {
+                width,
+                height,
+                particles: number,
+            },
+            Discretisation::Open { spacing } => {
+                let stored = f32::from_bits(number);
+                let plausible = (MIN_SPACING..=MAX_SPACING).contains(&stored);
+                Discretisation::Open {
+                    spacing: if plausible { stored } else { spacing },
+                }
+            }
         }
     }
 }
 
-/// Gas for the domain and number of particles of `parameters` with the state of `old` gas.
-pub(super) fn resample(
-    old: &Gas,
-    old_discretisation: &Discretisation,
-    parameters: &Parameters,
-    random: &mut Random,
-) -> Gas {
-    let sampler = Sampler::new(old, old_discretisation, parameters);
-    let spacing = parameters.spacing() * (sampler.mean_density(parameters) / OVERSAMPLING).sqrt();
+/// Gas for the closed domain and number of particles of `parameters` with the state of `old` gas.
+pub(super) fn resample(old: &Old, parameters: &Parameters, random: &mut Random) -> Gas {
+    let spacing = parameters.spacing() * (old.mean_density(parameters) / OVERSAMPLING).sqrt();
     let places = lattice(parameters, spacing, random);
     let mut gas = Gas::default();
-    let max_particles = parameters.max_particles as usize;
-    // Rounding errors for this row and for the next.
-    let mut error = vec![0.0_f32; places.columns + 2];
-    let mut next = error.clone();
-    for row in places.points.chunks(places.columns) {
-        for (column, &place) in row.iter().enumerate() {
-            let (particle, density) = sampler.at(place);
-            let target = density / OVERSAMPLING + error[column + 1];
-            let taken = target > 0.5;
-            let remainder = target - f32::from(u8::from(taken));
-            let remainder = remainder.clamp(-MAX_ERROR, MAX_ERROR);
-            error[column + 2] += remainder * (7.0 / 16.0);
-            next[column] += remainder * (3.0 / 16.0);
-            next[column + 1] += remainder * (5.0 / 16.0);
-            next[column + 2] += remainder * (1.0 / 16.0);
-            if taken && gas.len() < max_particles {
-                gas.push(&particle);
-            }
-        }
-        std::mem::swap(&mut error, &mut next);
-        next.fill(0.0);
-    }
+    old.select(
+        &places,
+        parameters.max_particles as usize,
+        &|_| true,
+        &mut gas,
+    );
+    gas.set_mass_and_volume(parameters);
+    gas
+}
+
+/// Gas of the spacing of `parameters` in `open` air with the state of `old` gas.
+pub(super) fn resample_open(old: &Old, parameters: &Parameters, open: &OpenAir) -> Gas {
+    let bounds = open.bounds();
+    let corner = Vec2::new(-0.5 * bounds.width, bounds.bottom);
+    let size = Vec2::new(bounds.width, bounds.height);
+    let spacing = parameters.spacing() * (1.0 / OVERSAMPLING).sqrt();
+    let mut gas = Gas::default();
+    old.select(
+        &Lattice::even(corner, size, spacing),
+        parameters.max_particles as usize,
+        &|place| open.holds(place),
+        &mut gas,
+    );
     gas.set_mass_and_volume(parameters);
     gas
 }
 
 /// Interpolates the old gas.
-struct Sampler<'a> {
-    old: &'a Gas,
+pub(super) struct Old<'a> {
+    gas: &'a Gas,
     bounds: Bounds,
     grid: Grid,
     order: Vec<usize>,
     kernel: Kernel,
-    /// Number density of particles in air, in the old domain [1/m²].
+    /// Number density of particles in air [1/m²].
     air_density: f32,
     air: f32,
 }
 
-impl<'a> Sampler<'a> {
-    fn new(
-        old: &'a Gas,
-        old_discretisation: &Discretisation,
-        parameters: &Parameters,
-    ) -> Sampler<'a> {
-        let bounds = Bounds {
-            width: old_discretisation.width,
-            height: old_discretisation.height,
-            periodic_x: true,
-            periodic_y: true,
+impl<'a> Old<'a> {
+    /// Gas of that discretisation.
+    pub fn new(gas: &'a Gas, discretisation: &Discretisation, values: &Physics) -> Old<'a> {
+        let (bounds, spacing, air_density) = match *discretisation {
+            Discretisation::Periodic { width, height, .. } => {
+                let bounds = Bounds {
+                    bottom: 0.0,
+                    width,
+                    height,
+                    periodic_x: true,
+                    periodic_y: true,
+                };
+                let spacing = (width * height / gas.len().max(1) as f32).sqrt();
+                let states = gas.state.iter();
+                let room: f32 = states.map(|state| expansion(state.x, values)).sum();
+                (bounds, spacing, room / (width * height))
+            }
+            Discretisation::Open { spacing } => {
+                let bounds = air::layout(values, spacing).bounds();
+                (bounds, spacing, 1.0 / (spacing * spacing))
+            }
         };
-        let spacing =
-            (old_discretisation.width * old_discretisation.height / old.len().max(1) as f32).sqrt();
-        let kernel = Kernel::new(parameters.smoothing_ratio * spacing);
+        let kernel = Kernel::new(values.smoothing_ratio * spacing);
         let mut grid = Grid::default();
-        let mut order = vec![0; old.len()];
-        let places = grid.sort(old.position.iter().copied(), &bounds, kernel.support());
+        let mut order = vec![0; gas.len()];
+        let places = grid.sort(gas.position.iter().copied(), &bounds, kernel.support());
         for (i, &place) in places.iter().enumerate() {
             order[place as usize] = i;
         }
-        let states = old.state.iter();
-        let room: f32 = states.map(|state| expansion(state.x, parameters)).sum();
-        Sampler {
-            old,
+        Old {
+            gas,
             bounds,
             grid,
             order,
             kernel,
-            air_density: room / (old_discretisation.width * old_discretisation.height),
-            air: parameters.ambient_temperature,
+            air_density,
+            air: values.ambient_temperature,
         }
     }
 
@@ -131,11 +173,46 @@ impl<'a> Sampler<'a> {
     fn mean_density(&self, parameters: &Parameters) -> f32 {
         let (width, height) = (parameters.domain_width, parameters.domain_height);
         let stays = |at: &&Vec2| at.x.abs() <= 0.5 * width && at.y <= height;
-        let kept = self.old.position.iter().filter(stays).count() as f32;
+        let kept = self.gas.position.iter().filter(stays).count() as f32;
         let common = width.min(self.bounds.width) * height.min(self.bounds.height);
         let area = width * height;
         // Particles that a caller put in may all be outside.
         ((kept / self.air_density + area - common) / area).max(MIN_DENSITY)
+    }
+
+    /// Adds gas at points of a lattice in proportion to its density, only where `holds` is true,
+    /// and at most `max_particles`.
+    pub fn select(
+        &self,
+        places: &Lattice,
+        max_particles: usize,
+        holds: &dyn Fn(Vec2) -> bool,
+        gas: &mut Gas,
+    ) {
+        // Rounding errors for this row and for the next.
+        let mut error = vec![0.0_f32; places.columns + 2];
+        let mut next = error.clone();
+        for row in places.points.chunks(places.columns) {
+            for (column, &place) in row.iter().enumerate() {
+                if !holds(place) {
+                    continue;
+                }
+                let (particle, density) = self.at(place);
+                let target = density / OVERSAMPLING + error[column + 1];
+                let taken = target > 0.5;
+                let remainder = target - f32::from(u8::from(taken));
+                let remainder = remainder.clamp(-MAX_ERROR, MAX_ERROR);
+                error[column + 2] += remainder * (7.0 / 16.0);
+                next[column] += remainder * (3.0 / 16.0);
+                next[column + 1] += remainder * (5.0 / 16.0);
+                next[column + 2] += remainder * (1.0 / 16.0);
+                if taken && gas.len() < max_particles {
+                    gas.push(&particle);
+                }
+            }
+            std::mem::swap(&mut error, &mut next);
+            next.fill(0.0);
+        }
     }
 
     /// The state of the gas at a position, and its density relative to air.
@@ -151,10 +228,10 @@ impl<'a> Sampler<'a> {
         let mut weights = 0.0;
         self.grid.candidates(place, &mut |run, shift| {
             for &j in &self.order[run] {
-                let distance = (place - shift).distance(self.old.position[j]);
+                let distance = (place - shift).distance(self.gas.position[j]);
                 let weight = self.kernel.value(distance);
-                velocity += self.old.velocity[j] * weight;
-                state += self.old.state[j] * weight;
+                velocity += self.gas.velocity[j] * weight;
+                state += self.gas.state[j] * weight;
                 weights += weight;
             }
         });
@@ -181,16 +258,9 @@ mod tests {
     }
 
     fn taken_over(old: &Gas, old_discretisation: &Parameters, parameters: &Parameters) -> Gas {
-        resample(
-            old,
-            &discretisation(old_discretisation),
-            parameters,
-            &mut Random::new(4),
-        )
-    }
-
-    fn discretisation(parameters: &Parameters) -> Discretisation {
-        Discretisation::of(parameters)
+        let discretisation = Discretisation::of(old_discretisation);
+        let old = Old::new(old, &discretisation, parameters);
+        resample(&old, parameters, &mut Random::new(4))
     }
 
     #[test]

@@ -118,7 +118,7 @@ pub(crate) fn advance(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::combustion::gas::bounds;
+    use crate::combustion::gas::periodic_bounds as bounds;
     use crate::combustion::gas::tests::{random_gas, with};
     use crate::params::Parameters;
 

@@ -125,6 +125,12 @@ pub(super) struct VorticityConfinement {
 }
 
 impl VorticityConfinement {
+    /// Makes room for so many blocks of particles.
+    pub fn reserve(&mut self, blocks: usize) {
+        self.blocks
+            .reserve(blocks.saturating_sub(self.blocks.len()));
+    }
+
     /// Adds the force of that strength ε to the accelerations.
     pub fn add(
         &mut self,
@@ -169,10 +175,10 @@ impl VorticityConfinement {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::combustion::gas::bounds;
+    use crate::combustion::gas::periodic_bounds as bounds;
     use crate::combustion::gas::tests::{random_gas, with};
     use crate::combustion::interactions::Interactions;
-    use crate::combustion::number_density::NumberDensity;
+    use crate::combustion::number_density::{self, NumberDensity};
     use crate::combustion::pair::Context;
 
     #[test]
@@ -189,7 +195,8 @@ mod tests {
         let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
         let positions = gas.position.clone().into_iter();
         gas.reorder(grid.sort(positions, &bounds(&parameters), kernel.support()));
-        NumberDensity::default().sum(&mut gas, &grid, &mut neighbours, &context);
+        let mean = NumberDensity::default().sum(&mut gas, &grid, &mut neighbours, &context);
+        number_density::apply(&mut gas, mean, context.sound);
         let mut interactions = Interactions::default();
         interactions.sum(&mut gas, &grid, &neighbours, &context);
         let before = gas.acceleration.clone();

@@ -15,6 +15,7 @@ fn cloud(n: usize, bounds: &Bounds, seed: u32) -> Vec<Vec2> {
 
 fn bounds_to_test() -> [(u32, Bounds); 8] {
     let bounds = |width, height, periodic_x, periodic_y| Bounds {
+        bottom: 0.0,
         width,
         height,
         periodic_x,

@@ -22,6 +22,7 @@ impl Block for Four {
 #[test]
 fn lists_stop_at_their_limit() {
     let bounds = Bounds {
+        bottom: 0.0,
         width: 1.0,
         height: 1.0,
         periodic_x: false,

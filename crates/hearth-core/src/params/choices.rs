@@ -68,6 +68,22 @@ choices! {
         Periodic = "periodic",
     }
 
+    /// The boundary condition of the combustion model's air.
+    Edges {
+        /// Air without a box: gas leaves, and fresh air enters.
+        Open = "open",
+        /// A closed box whose opposite edges are identified.
+        Periodic = "periodic",
+    }
+
+    /// What is below the air of the combustion model.
+    Floor {
+        /// Air.
+        None = "none",
+        /// A solid floor at the lower edge of the frame.
+        Solid = "solid",
+    }
+
     /// The visible layers.
     Layers {
         /// Fire and smoke.

@@ -8,7 +8,7 @@
 
 use std::ops::Deref;
 
-use super::choices::{Backdrop, Choice, DisplayMode, Layers, Model, Palette, Walls};
+use super::choices::{Backdrop, Choice, DisplayMode, Edges, Floor, Layers, Model, Palette, Walls};
 use super::declare::parameters;
 use super::entry::{Description, Domain, Kind, Role, Scale};
 use super::slot::Slot;
@@ -44,6 +44,10 @@ const SMOKY: &[&str] = &["both", "smoke"];
 
 /// The layers without light.
 const DARK: &[&str] = &["smoke"];
+
+/// The edges of the combustion model's air.
+const OPEN: &[&str] = &["open"];
+const PERIODIC: &[&str] = &["periodic"];
 
 /// The backdrop.
 const WALL: &[&str] = &["bricks"];
@@ -206,11 +210,18 @@ parameters! {
         /// leave, are stopped, or enter on the other side. The floor stops them, unless the
         /// sides are open; the top is always open.
         walls: (choice Walls) "Walls" { Classic(Open) }
+        /// A fire in the open, or in a closed box. Open: air surrounds the fire, smoke leaves,
+        /// and fresh air enters. Periodic: gas that leaves on one side of the domain enters on
+        /// the other.
+        edges: (choice Edges) "Edges" { Combustion(Periodic) }
+        /// A fire that stands on a floor, or one that draws air from below. A solid floor is at
+        /// the lower edge of the picture.
+        floor: (choice Floor) "Floor" { Combustion(None) } when { edges: OPEN }
         /// A fire that fades at the top and the bottom of the picture. Share of the height, at
         /// either end, in which gas becomes fresh air again. With 0 the domain is periodic
         /// without fresh air, and has neither wind nor buoyancy, because nothing would stop the
         /// gas.
-        seam: number "Seam" [""] Linear { Combustion(0.07, 0.0..=0.2) }
+        seam: number "Seam" [""] Linear { Combustion(0.07, 0.0..=0.2) } when { edges: PERIODIC }
     }
     "Time" {
         /// Another variation of the same fire. Seed of the random generator: the same seed
@@ -221,7 +232,10 @@ parameters! {
         time_step: number "Time step" ["s"] Log { Classic(1.0 / 240.0, 0.002..=0.017) }
     }
     "Physics" {
-        /// A finer fire that takes more work. Classic: largest number of particles. Combustion:
+        /// A coarser fire that takes less work. Distance of neighbouring particles in air.
+        spacing: number "Spacing" ["m"] Log { Combustion(0.0268, 0.002..=0.2) } when { edges: OPEN }
+        /// A finer fire that takes more work. Classic and open edges: largest number of
+        /// particles; with open edges, the highest air sleeps beyond it. Periodic edges:
         /// approximate number of particles of air and gas.
         max_particles: integer "Particles" [""] Log { Classic(1000, 100.0..=100_000.0) Combustion(3000, 200.0..=100_000.0) }
         /// A smoother, wider fire that takes more work. Smoothing length h: particles interact

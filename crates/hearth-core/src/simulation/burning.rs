@@ -9,7 +9,7 @@
 //! | 4 | `Fire` |
 //! | 2, 2 | [`VERSION`]; number of embers |
 //! | 8 | [`digest`] of its values |
-//! | 4, 4 | its `max_particles`; number of particles |
+//! | 4, 4 | its `max_particles` or, with open edges, its spacing \[m\]; number of particles |
 //! | 8 | time \[s\] |
 //! | 4 × 6 | largest velocity, excess temperature and soot; of embers, velocity, size and life |
 //! | particles × 10 | x, y (2 each), u, v, temperature, fuel, oxygen, soot (1 each), column by column |
@@ -28,6 +28,7 @@ use super::Simulation;
 use crate::combustion::Ember;
 use crate::particle::Particle;
 use crate::random::Random;
+use crate::solver::Solver;
 use format::{Bytes, Columns, EACH, EMBERS, HEADER, Header, MAGIC, quantised, quantised_signed};
 
 pub use digest::digest;
@@ -60,7 +61,7 @@ impl std::error::Error for BurningError {}
 impl Simulation {
     /// This fire as bytes; `None` in the classic model.
     pub fn burning(&self) -> Option<Vec<u8>> {
-        self.solver.combustion()?;
+        let gas = self.solver.combustion()?;
         let (particles, air) = (self.particles(), self.scene.settings().ambient_temperature);
         let embers = &self.embers()[..self.embers().len().min(EMBERS)];
         let max = |all: &mut dyn Iterator<Item = f32>| all.fold(0.0, f32::max);
@@ -80,7 +81,7 @@ impl Simulation {
         out.extend(VERSION.to_le_bytes());
         out.extend((embers.len() as u16).to_le_bytes());
         out.extend(digest(&self.scene).to_le_bytes());
-        out.extend(self.scene.settings().max_particles.to_le_bytes());
+        out.extend(gas.made_with().to_le_bytes());
         out.extend((particles.len() as u32).to_le_bytes());
         out.extend(self.time.to_le_bytes());
         for scale in scales {
@@ -128,17 +129,15 @@ impl Simulation {
     }
 
     fn write_positions(&self, out: &mut Vec<u8>, positions: impl Iterator<Item = Vec2> + Clone) {
-        let (width, height) = (
-            self.scene.settings().domain_width,
-            self.scene.settings().domain_height,
-        );
+        let bounds = self.solver.bounds(self.scene.settings());
         let coordinate = |part: f32| (part * 65_536.0).clamp(0.0, 65_535.0) as u16;
         out.extend(
             positions
                 .clone()
-                .flat_map(|at| coordinate(at.x / width + 0.5).to_le_bytes()),
+                .flat_map(|at| coordinate(at.x / bounds.width + 0.5).to_le_bytes()),
         );
-        out.extend(positions.flat_map(|at| coordinate(at.y / height).to_le_bytes()));
+        let part = |at: Vec2| coordinate((at.y - bounds.bottom) / bounds.height);
+        out.extend(positions.flat_map(|at| part(at).to_le_bytes()));
     }
 
     /// Continues from these bytes, with this fire's seed, resampled to its number of particles.
@@ -159,7 +158,7 @@ impl Simulation {
         let parameters = self.scene.settings();
         let [velocity, hot, sooty, flight, size, life] = header.scales;
         let air = parameters.ambient_temperature;
-        let domain = Vec2::new(parameters.domain_width, parameters.domain_height);
+        let bounds = crate::combustion::bounds(parameters, header.made_with);
 
         let columns = Columns::of(&mut bytes, header.particles);
         let particles: Vec<Particle> = (0..header.particles)
@@ -169,10 +168,9 @@ impl Simulation {
                 fuel: columns.share(3, i),
                 oxygen: columns.share(4, i),
                 soot: columns.share(5, i) * sooty,
-                ..Particle::at(columns.position(i, domain))
+                ..Particle::at(columns.position(i, &bounds))
             })
             .collect();
-        let bounds = crate::combustion::bounds(parameters);
         for particle in &particles {
             if let Some(what) = particle.broken_rule(&bounds) {
                 return Err(BurningError::Damaged(what));
@@ -180,7 +178,7 @@ impl Simulation {
         }
         let columns = Columns::of(&mut bytes, header.embers);
         let embers = (0..header.embers).map(|i| Ember {
-            position: columns.position(i, domain),
+            position: columns.position(i, &bounds),
             velocity: columns.velocity(i, flight),
             temperature: columns.share(2, i) * MAX_EMBER_TEMPERATURE,
             size: columns.share(3, i) * size,
@@ -194,7 +192,7 @@ impl Simulation {
             &particles,
             embers.collect(),
             header.made_with,
-            parameters,
+            &self.scene,
             &mut self.random,
         );
         self.time = header.time;

@@ -2,8 +2,9 @@
 
 use crate::classic::Classic;
 use crate::combustion::Combustion;
-use crate::params::{Model, Parameters};
+use crate::params::Model;
 use crate::random::Random;
+use crate::scene::Scene;
 use crate::solver::Either;
 
 /// The solver of either model.
@@ -13,10 +14,10 @@ impl AnySolver {
     /// The solver at the start of a fire.
     // Inlined into its three callers, it costs a kilobyte of download.
     #[inline(never)]
-    pub fn new(parameters: &Parameters, random: &mut Random) -> AnySolver {
-        match parameters.model() {
+    pub fn new(scene: &Scene, random: &mut Random) -> AnySolver {
+        match scene.settings().model() {
             Model::Classic => Either::Classic(Classic::default()),
-            Model::Combustion => Either::Combustion(Combustion::new(parameters, random)),
+            Model::Combustion => Either::Combustion(Combustion::new(scene, random)),
         }
     }
 

@@ -15,6 +15,15 @@ impl Simulation {
         self.solver.combustion().map_or(0.0, Combustion::power)
     }
 
+    /// Lower left and upper right corner of the rectangle that the gas can reach \[m\]: the
+    /// domain or, with open edges, a larger one around the frame.
+    pub fn extent(&self) -> [Vec2; 2] {
+        let bounds = self.solver.bounds(self.parameters());
+        let half = 0.5 * bounds.width;
+        let top = bounds.bottom + bounds.height;
+        [Vec2::new(-half, bounds.bottom), Vec2::new(half, top)]
+    }
+
     /// The embers; none in the classic model.
     pub fn embers(&self) -> &[Ember] {
         self.solver.combustion().map_or(&[], Combustion::embers)

@@ -4,7 +4,7 @@
 use glam::Vec2;
 
 use crate::forces::{BodyForce, LocalGas};
-use crate::params::Physics;
+use crate::params::{Edges, Physics};
 
 /// Buoyancy of hot gas in the air of the domain.
 pub(super) struct Buoyancy {
@@ -15,9 +15,9 @@ pub(super) struct Buoyancy {
 }
 
 impl Buoyancy {
-    /// `None` in a domain without a seam, where nothing would stop rising gas.
+    /// `None` in a closed domain without a seam, where nothing would stop rising gas.
     pub fn new(values: &Physics) -> Option<Buoyancy> {
-        (values.seam != 0.0).then_some(Buoyancy {
+        (values.edges == Edges::Open || values.seam != 0.0).then_some(Buoyancy {
             air: values.ambient_temperature,
             strength: values.buoyancy * values.gravity,
         })

@@ -4,7 +4,7 @@
 use glam::Vec2;
 
 use crate::forces::{BodyForce, LocalGas};
-use crate::params::Physics;
+use crate::params::{Edges, Physics};
 
 /// Time in which the wind accelerates all of the air \[s\].
 const RESPONSE_TIME: f32 = 0.3;
@@ -15,9 +15,10 @@ pub(super) struct Wind {
 }
 
 impl Wind {
-    /// The wind for gas of these velocities; `None` in a domain without a seam.
+    /// The wind for gas of these velocities; `None` in a domain without a seam, and in open air,
+    /// into which the wind blows.
     pub fn new(values: &Physics, velocities: &[Vec2]) -> Option<Wind> {
-        if values.seam == 0.0 {
+        if values.edges == Edges::Open || values.seam == 0.0 {
             return None;
         }
         let sum: f64 = velocities.iter().map(|v| f64::from(v.x)).sum();

@@ -5,7 +5,7 @@ use crate::scene::Scene;
 
 /// A hash of all values that affect the gas. Values at their default are not hashed, so that a
 /// new parameter changes no digest. Nor are the seed, which has no effect on a burning fire, and
-/// the number of particles, to which a fire can be resampled.
+/// the number and the spacing of the particles, to which a fire can be resampled.
 pub fn digest(scene: &Scene) -> u64 {
     let model = scene.settings().model().name();
     let start = fnv(0xcbf2_9ce4_8422_2325, model.as_bytes());
@@ -22,7 +22,8 @@ pub fn digest(scene: &Scene) -> u64 {
 /// Continues a hash with these values.
 fn with_values(mut hash: u64, parameters: &Parameters) -> u64 {
     for (param, value) in parameters.changed() {
-        if param.role != Role::Physics || param.id == "seed" || param.id == "max_particles" {
+        let resampled = ["seed", "max_particles", "spacing"].contains(&param.id);
+        if param.role != Role::Physics || resampled {
             continue;
         }
         hash = fnv(hash, param.id.as_bytes());

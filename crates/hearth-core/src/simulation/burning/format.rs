@@ -2,6 +2,8 @@
 
 use glam::Vec2;
 
+use crate::bounds::Bounds;
+
 /// The version of the format.
 pub const VERSION: u16 = 1;
 
@@ -115,13 +117,14 @@ impl<'a> Columns<'a> {
         f32::from(byte) / 255.0
     }
 
-    pub fn position(&self, i: usize, domain: Vec2) -> Vec2 {
+    pub fn position(&self, i: usize, bounds: &Bounds) -> Vec2 {
         let part = |axis: usize| {
             let two = self.positions[axis].get(2 * i..2 * i + 2);
             let [low, high] = two.and_then(|two| two.try_into().ok()).unwrap_or([0; 2]);
             (f32::from(u16::from_le_bytes([low, high])) + 0.5) / 65_536.0
         };
-        Vec2::new(part(0) - 0.5, part(1)) * domain
+        let at = Vec2::new(part(0) - 0.5, part(1)) * Vec2::new(bounds.width, bounds.height);
+        at + Vec2::new(0.0, bounds.bottom)
     }
 
     pub fn velocity(&self, i: usize, largest: f32) -> Vec2 {

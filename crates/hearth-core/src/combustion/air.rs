@@ -1,0 +1,209 @@
+//! Open air: gas in a band around what is active, and nothing beyond.
+//!
+//! A [map](map) of cells says where gas is simulated: around sources and around
+//! [active gas](awake). The [rim](rim) of the band is a reservoir at the pressure of the far
+//! air. Gas that leaves is removed, and fresh air [enters](exchange) at rest or in the wind, so
+//! the number of particles follows the fire. The air has no box, and a [floor](floor) only where
+//! the settings have one.
+
+mod awake;
+mod exchange;
+mod floor;
+mod map;
+mod rim;
+
+use glam::Vec2;
+
+use super::burner::Burner;
+use super::gas::Gas;
+use super::pair::Context;
+use crate::bounds::Bounds;
+use crate::params::{Edges, Floor as FloorChoice, Physics};
+use crate::scene::Scene;
+use awake::{Awake, Rectangle};
+use exchange::{Exchange, Inflow};
+use floor::Floor;
+use map::{Layout, Map};
+use rim::Rim;
+
+/// How far gas is simulated beyond the frame, in heights of the frame and in cells: nobody sees
+/// where it ends.
+const MARGIN: f32 = 0.15;
+const MIN_MARGIN: f32 = 2.0;
+/// Steps from one exchange of gas to the next, and from one map to the next.
+const EXCHANGE_STEPS: u32 = 4;
+const MAP_STEPS: u32 = 8;
+
+/// The open air around a fire.
+#[derive(Clone, Debug)]
+pub(super) struct OpenAir {
+    map: Map,
+    awake: Awake,
+    exchange: Exchange,
+    rim: Rim,
+    floor: Floor,
+    spacing: f32,
+    capacity: usize,
+    steps: u32,
+    /// Time since the last exchange and since the last map \[s\].
+    since_exchange: f32,
+    since_map: f32,
+}
+
+impl OpenAir {
+    /// The air of these values; `None` with periodic edges.
+    pub fn new(values: &Physics) -> Option<Box<OpenAir>> {
+        if values.edges == Edges::Periodic {
+            return None;
+        }
+        let layout = layout(values, values.spacing());
+        let capacity = values.max_particles as usize;
+        Some(Box::new(OpenAir {
+            map: Map::new(layout),
+            awake: Awake::new(&layout),
+            exchange: Exchange::new(capacity),
+            rim: Rim::new(capacity),
+            floor: Floor::new(capacity),
+            spacing: values.spacing(),
+            capacity,
+            steps: 0,
+            since_exchange: f32::INFINITY,
+            since_map: 0.0,
+        }))
+    }
+
+    /// Whether these values have the same map.
+    pub fn fits(&self, values: &Physics) -> bool {
+        self.map.layout == layout(values, values.spacing())
+            && self.capacity == values.max_particles as usize
+            && self.spacing == values.spacing()
+    }
+
+    /// The rectangle that the gas may reach.
+    pub fn bounds(&self) -> Bounds {
+        self.map.layout.bounds()
+    }
+
+    /// Share of the air around the fire that sleeps, because there would be more particles than
+    /// `max_particles`.
+    pub fn asleep(&self) -> f32 {
+        self.awake.asleep
+    }
+
+    /// The air around the sources.
+    pub fn air(&mut self, scene: &Scene) -> Gas {
+        let mut gas = Gas::none(scene.settings());
+        self.breathe(&mut gas, scene, 0.0);
+        gas
+    }
+
+    /// Simulates the air around all gas that a caller has put in.
+    pub fn surround(&mut self, gas: &Gas) {
+        awake::wake(&mut self.map, gas, f32::NEG_INFINITY, 0.0);
+        (self.steps, self.since_exchange) = (0, f32::INFINITY);
+    }
+
+    /// Takes over the gas of another map.
+    pub fn adopt(&mut self, gas: &Gas, scene: &Scene) {
+        let values = scene.settings();
+        awake::wake(&mut self.map, gas, awake::hot(values), 0.0);
+        self.update(gas, scene);
+    }
+
+    /// Whether this air holds gas at a position.
+    pub fn holds(&self, place: Vec2) -> bool {
+        self.map.holds(place)
+    }
+
+    /// Updates the map.
+    #[inline(never)]
+    fn update(&mut self, gas: &Gas, scene: &Scene) {
+        let (map, values) = (&mut self.map, scene.settings());
+        for cell in &mut map.cells {
+            cell.remaining -= self.since_map;
+        }
+        awake::wake(map, gas, awake::hot(values), awake::MIN_DEPTH);
+        for source in scene.sources() {
+            awake::wake_source(map, &awake_at(&Burner::of(source)));
+        }
+        let inflow = Inflow::new(values, self.spacing, self.capacity);
+        let per_cell = inflow.per_cell(&map.layout);
+        self.awake.spread(map, per_cell, self.capacity as f32);
+        map.fill();
+        self.since_map = 0.0;
+    }
+
+    /// Removes what has left, and lets air in, after a step of the length `dt`.
+    pub fn breathe(&mut self, gas: &mut Gas, scene: &Scene, dt: f32) {
+        self.since_exchange += dt;
+        self.since_map += dt;
+        let step = self.steps;
+        self.steps = step.wrapping_add(1);
+        if !step.is_multiple_of(EXCHANGE_STEPS) {
+            return;
+        }
+        let values = scene.settings();
+        let inflow = Inflow::new(values, self.spacing, self.capacity);
+        if step.is_multiple_of(MAP_STEPS) {
+            self.update(gas, scene);
+        } else {
+            for cell in &mut self.map.cells {
+                cell.fresh = false;
+            }
+        }
+        let (map, exchange) = (&mut self.map, &mut self.exchange);
+        exchange.remove(map, gas);
+        exchange::follow(map, inflow.wind, self.since_exchange);
+        exchange.blow(map, gas, &inflow, self.since_exchange);
+        exchange.fill(map, gas, &inflow);
+        self.since_exchange = 0.0;
+    }
+
+    /// Finds the sorted particles near the outside and near the floor, and adds the gas in the
+    /// floor to the number densities.
+    pub fn find_edges(&mut self, gas: &mut Gas, context: &Context) {
+        self.rim.find(&self.map, gas);
+        if self.map.layout.floor {
+            self.floor.find(gas, context.kernel);
+            self.floor
+                .add_number_density(gas, context.values.ambient_density);
+        }
+    }
+
+    /// Weakens the pressure towards the outside.
+    pub fn taper_pressure(&self, gas: &mut Gas) {
+        self.rim.taper_pressure(gas);
+    }
+
+    /// Adds the forces of the floor, and turns shifts back at the outside.
+    pub fn resist(&self, gas: &mut Gas, context: &Context) {
+        self.floor.resist(gas, context);
+        self.rim.turn_shift(&self.map, gas);
+    }
+
+    /// Lets the ring follow the flow at the rim for `dt`.
+    pub fn carry(&self, gas: &mut Gas, dt: f32) {
+        self.rim.carry(&self.map, gas, dt);
+    }
+
+    /// Keeps the gas above the floor.
+    pub fn hold(&self, gas: &mut Gas) {
+        self.floor.hold(gas, self.spacing);
+    }
+}
+
+/// The map of these values for particles of this spacing \[m\].
+pub(super) fn layout(values: &Physics, spacing: f32) -> Layout {
+    let cell = 2.0 * values.smoothing_ratio * spacing;
+    let frame = Vec2::new(values.domain_width, values.domain_height);
+    let margin = (MARGIN * frame.y).max(MIN_MARGIN * cell);
+    Layout::new(frame, margin, cell, values.floor == FloorChoice::Solid)
+}
+
+/// The cells of a source are awake.
+fn awake_at(burner: &Burner) -> Rectangle {
+    Rectangle {
+        low: Vec2::new(burner.middle - burner.half_width, burner.bottom),
+        high: Vec2::new(burner.middle + burner.half_width, burner.top),
+    }
+}

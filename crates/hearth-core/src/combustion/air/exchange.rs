@@ -1,0 +1,296 @@
+//! Births and deaths of air at the rim, and the velocity with which it crosses the rim.
+//!
+//! Gas that leaves the cells with air is removed. Air enters the ring wherever there is room:
+//! at the place that is farthest from all particles. Wind brings a lattice of air through the
+//! ring, because births in gaps alone leave it too thin to keep its speed. A cell that gas
+//! reaches for the first time gets a lattice of air. Air that enters is at rest, or as fast as
+//! the wind, so suction alone accelerates it and its total pressure is that of the far air.
+
+use glam::Vec2;
+
+use super::super::gas::Gas;
+use super::map::{Cell, Layout, Map, NONE, RIM};
+use crate::Particle;
+use crate::extremes::fast_min;
+use crate::params::Physics;
+
+/// Smallest distance of a birth from all particles, in spacings.
+const ROOM: f32 = 0.85;
+/// Places of a cell along each axis, of which a birth takes the freest.
+const PLACES: u32 = 5;
+/// Most births of a cell at once.
+const MOST: u32 = 3;
+/// Most particles of a cell with births, relative to those of a cell of air.
+const FULL: f32 = 1.11;
+/// A fresh cell with fewer particles than this share of a cell of air gets a lattice.
+const EMPTY: f32 = 0.34;
+/// Smallest distance of a particle that the wind brings from all others, in spacings, and how
+/// far inside of the ring it enters.
+const CLOSE: f32 = 0.5;
+const INTO: f32 = 0.1;
+/// Longest time for which the wind brings air at once \[s\]: the first exchange has no last one.
+const LONG: f32 = 0.1;
+/// Rate at which the velocity at the rim follows the gas inside [1/s].
+const FOLLOW: f32 = 30.0;
+
+/// Finds the velocity at the rim after a time `dt`: that of the gas inside where it leaves, that
+/// of the far air where it enters.
+pub(super) fn follow(map: &mut Map, wind: Vec2, dt: f32) {
+    let share = fast_min(dt * FOLLOW, 1.0);
+    for at in map.layout.inner() {
+        let depth = map.depth[at];
+        if depth == 0.0 || depth > RIM {
+            continue;
+        }
+        let (mut momentum, mut count) = (Vec2::ZERO, 0);
+        map.layout.around(at, &mut |other| {
+            if map.depth[other] > depth {
+                momentum += map.cells[other].momentum;
+                count += map.cells[other].count;
+            }
+        });
+        let cell = &mut map.cells[at];
+        if count == 0 {
+            (momentum, count) = (cell.momentum, cell.count);
+        }
+        let inside = if count == 0 {
+            wind
+        } else {
+            momentum / count as f32
+        };
+        let enters = inside.dot(cell.outward) < 0.0;
+        let velocity = if enters { wind } else { inside };
+        let share = if cell.fresh { 1.0 } else { share };
+        cell.flow += (velocity - cell.flow) * share;
+    }
+}
+
+/// The lists of the particles of each cell.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Exchange {
+    /// The next particle of the cell of each particle.
+    next: Vec<u32>,
+    /// The particles around one cell.
+    nearby: Vec<Vec2>,
+    /// How far the wind has blown since its last column of particles, in spacings.
+    blown: f32,
+}
+
+/// The air that enters.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Inflow {
+    pub temperature: f32,
+    pub wind: Vec2,
+    /// Distance of particles of air \[m\].
+    pub spacing: f32,
+    /// Most particles of the gas.
+    pub capacity: usize,
+}
+
+impl Inflow {
+    pub fn new(values: &Physics, spacing: f32, capacity: usize) -> Inflow {
+        Inflow {
+            temperature: values.ambient_temperature,
+            wind: Vec2::new(values.wind, 0.0),
+            spacing,
+            capacity,
+        }
+    }
+
+    /// Number of particles of a cell of air.
+    pub fn per_cell(&self, layout: &Layout) -> f32 {
+        let columns = layout.cell / self.spacing;
+        columns * columns
+    }
+
+    /// Adds a particle at a position. There must be room for it.
+    fn bear(&self, gas: &mut Gas, position: Vec2, velocity: Vec2) {
+        let volume = self.spacing * self.spacing;
+        let air = Particle {
+            temperature: self.temperature,
+            velocity,
+            ..Particle::at(position)
+        };
+        gas.bear(&air, volume);
+    }
+}
+
+impl Exchange {
+    pub fn new(capacity: usize) -> Exchange {
+        Exchange {
+            next: Vec::with_capacity(capacity),
+            nearby: Vec::with_capacity(capacity),
+            blown: 0.0,
+        }
+    }
+
+    /// Removes the gas outside, and lists the rest by cells.
+    pub fn remove(&mut self, map: &mut Map, gas: &mut Gas) {
+        self.next.clear();
+        for cell in &mut map.cells {
+            (cell.first, cell.count, cell.momentum) = (NONE, 0, Vec2::ZERO);
+        }
+        gas.retain(|position, velocity| {
+            let stays = map.holds(position);
+            if stays {
+                let cell = map.layout.at(position);
+                self.list(&mut map.cells[cell], velocity);
+            }
+            stays
+        });
+    }
+
+    /// Adds the next particle to the list of its cell.
+    fn list(&mut self, cell: &mut Cell, velocity: Vec2) {
+        let index = self.next.len() as u32;
+        self.next.push(cell.first);
+        cell.first = index;
+        cell.count += 1;
+        cell.momentum += velocity;
+    }
+
+    /// Lets the air in that the wind has brought in a time `dt`: a column of particles in each
+    /// cell of the ring that the wind enters, whenever it has blown as far as a spacing.
+    pub fn blow(&mut self, map: &mut Map, gas: &mut Gas, inflow: &Inflow, dt: f32) {
+        let (wind, spacing, layout) = (inflow.wind.x, inflow.spacing, map.layout);
+        self.blown += fast_min(wind.abs() * fast_min(dt, LONG) / spacing, MOST as f32);
+        while self.blown >= 1.0 {
+            self.blown -= 1.0;
+            let into = (self.blown + INTO) * spacing;
+            for cell in layout.inner() {
+                let before = if wind > 0.0 { cell - 1 } else { cell + 1 };
+                let enters = map.depth[cell] > 0.0 && map.depth[before] == 0.0;
+                if enters && !map.cells[cell].fresh {
+                    let x = if wind > 0.0 { into } else { layout.cell - into };
+                    self.gather(map, gas, cell, inflow);
+                    let x = layout.corner(cell).x + x;
+                    self.add_column(map, gas, inflow, cell, x, inflow.wind, CLOSE);
+                }
+            }
+        }
+    }
+
+    /// Fills the fresh cells and the ring with air.
+    pub fn fill(&mut self, map: &mut Map, gas: &mut Gas, inflow: &Inflow) {
+        let layout = map.layout;
+        let per_cell = inflow.per_cell(&layout);
+        let full = (FULL * per_cell) as u32;
+        for at in layout.inner() {
+            let (depth, cell) = (map.depth[at], map.cells[at]);
+            if depth == 0.0 || (!cell.fresh && depth > 1.0) {
+                continue;
+            }
+            let lattice = cell.fresh && (cell.count as f32) < EMPTY * per_cell;
+            if !lattice && cell.count >= full {
+                continue;
+            }
+            let velocity = if depth <= RIM { cell.flow } else { inflow.wind };
+            self.gather(map, gas, at, inflow);
+            if lattice {
+                for x in layout.points(at % layout.columns, inflow.spacing) {
+                    let x = layout.left + (x as f32 + 0.5) * inflow.spacing;
+                    self.add_column(map, gas, inflow, at, x, velocity, ROOM);
+                }
+            } else {
+                self.add_to_gaps(map, gas, inflow, at, velocity, full);
+            }
+        }
+    }
+
+    /// Collects the particles of a cell and those around it.
+    #[inline(never)]
+    fn gather(&mut self, map: &Map, gas: &Gas, cell: usize, inflow: &Inflow) {
+        self.nearby.clear();
+        let reach = ROOM * inflow.spacing;
+        let low = map.layout.corner(cell) - Vec2::splat(reach);
+        let high = low + Vec2::splat(map.layout.cell + 2.0 * reach);
+        map.layout.around(cell, &mut |other| {
+            let mut particle = map.cells[other].first;
+            while let Some(&position) = gas.position.get(particle as usize) {
+                if position.cmpge(low).all() && position.cmple(high).all() {
+                    self.nearby.push(position);
+                }
+                particle = self.next[particle as usize];
+            }
+        });
+    }
+
+    /// The square of the distance of a place to the nearest particle.
+    #[inline(never)]
+    fn room(&self, place: Vec2) -> f32 {
+        let squares = self.nearby.iter().map(|at| at.distance_squared(place));
+        squares.fold(f32::MAX, fast_min)
+    }
+
+    /// Adds air to a cell, if there is room for another particle.
+    #[inline(never)]
+    fn add(
+        &mut self,
+        cell: &mut Cell,
+        gas: &mut Gas,
+        inflow: &Inflow,
+        place: Vec2,
+        velocity: Vec2,
+    ) {
+        if gas.len() < inflow.capacity {
+            inflow.bear(gas, place, velocity);
+            self.nearby.push(place);
+            self.list(cell, velocity);
+        }
+    }
+
+    /// Adds a column of the lattice of the whole map to a cell, except nearer than `close`
+    /// spacings to present particles.
+    #[expect(clippy::too_many_arguments)]
+    #[inline(never)]
+    fn add_column(
+        &mut self,
+        map: &mut Map,
+        gas: &mut Gas,
+        inflow: &Inflow,
+        cell: usize,
+        x: f32,
+        velocity: Vec2,
+        close: f32,
+    ) {
+        let (layout, close) = (map.layout, close * inflow.spacing);
+        for y in layout.points(cell / layout.columns, inflow.spacing) {
+            let place = Vec2::new(x, layout.bottom + (y as f32 + 0.5) * inflow.spacing);
+            if self.room(place) > close * close {
+                self.add(&mut map.cells[cell], gas, inflow, place, velocity);
+            }
+        }
+    }
+
+    /// Adds air at the freest places of a cell.
+    fn add_to_gaps(
+        &mut self,
+        map: &mut Map,
+        gas: &mut Gas,
+        inflow: &Inflow,
+        cell: usize,
+        velocity: Vec2,
+        full: u32,
+    ) {
+        let corner = map.layout.corner(cell);
+        let step = map.layout.cell / PLACES as f32;
+        for _ in 0..MOST {
+            if map.cells[cell].count >= full {
+                return;
+            }
+            let (mut freest, mut room) = (None, ROOM * inflow.spacing * (ROOM * inflow.spacing));
+            for index in 0..PLACES * PLACES {
+                let (x, y) = ((index % PLACES) as f32, (index / PLACES) as f32);
+                let place = corner + Vec2::new(x + 0.5, y + 0.5) * step;
+                let here = self.room(place);
+                if here > room {
+                    (freest, room) = (Some(place), here);
+                }
+            }
+            let Some(place) = freest else {
+                return;
+            };
+            self.add(&mut map.cells[cell], gas, inflow, place, velocity);
+        }
+    }
+}

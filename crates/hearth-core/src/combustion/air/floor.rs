@@ -1,0 +1,182 @@
+//! A solid floor at y = 0: a half space of gas at the pressure of each particle near it.
+//!
+//! The kernel is integrated over the half space in advance, so the floor needs no particles
+//! (Adami, Hu & Adams 2012 without gravity; Chiron, De Leffe et al. 2019 for the integrals).
+//! With the distance d, the normal n, W₁ = −dΓ/dd and K = ∫ |W'|/r over the half space:
+//!
+//! ```text
+//! Y += ρ₀ Γ     ∇C −= W₁ n     a += (2 V p/m) W₁ n − 2 (ν + C_s² h |v|) K v
+//!                                   − ½ α c₀ h K min(v·n, 0) n
+//! ```
+
+use super::super::gas::Gas;
+use super::super::pair::Context;
+use crate::extremes::{fast_max, fast_min};
+use crate::kernel::Kernel;
+
+/// Intervals of the tables, over distances of 0 to 2 smoothing lengths.
+const INTERVALS: usize = 32;
+/// Share of the kernel beyond a plane.
+#[rustfmt::skip]
+const GAMMA: [f32; INTERVALS + 1] = [
+    0.5, 0.457446, 0.415348, 0.374144, 0.334237, 0.295998, 0.259741, 0.22574, 0.194203, 0.165291,
+    0.139095, 0.115663, 0.094968, 0.0769462, 0.0614666, 0.048369, 0.0374416, 0.0284628, 0.0211944,
+    0.0154171, 0.0109125, 0.00748354, 0.00494094, 0.00311749, 0.00185882, 0.00103255, 0.000522305,
+    0.000232841, 8.62669e-5, 2.39408e-5, 3.8974e-6, 1.75785e-7, 0.0,
+];
+/// W₁ h.
+#[rustfmt::skip]
+const SLOPE: [f32; INTERVALS + 1] = [
+    0.682093, 0.678416, 0.667555, 0.649919, 0.626086, 0.596752, 0.562704, 0.524798, 0.483933,
+    0.44104, 0.397052, 0.352897, 0.309472, 0.267621, 0.228114, 0.191614, 0.158623, 0.129368,
+    0.103778, 0.081702, 0.0629497, 0.0472979, 0.0344969, 0.0242755, 0.0163462, 0.0104109,
+    0.00616586, 0.00330727, 0.00153708, 0.00056969, 0.000139756, 1.25214e-5, 0.0,
+];
+/// K h².
+#[rustfmt::skip]
+const FRICTION: [f32; INTERVALS + 1] = [
+    1.42857, 1.31076, 1.19476, 1.08178, 0.972719, 0.86833, 0.769194, 0.675814, 0.588562, 0.507762,
+    0.433613, 0.366281, 0.305807, 0.252198, 0.205329, 0.165021, 0.130929, 0.102537, 0.0791149,
+    0.0600074, 0.0446033, 0.0323777, 0.0228398, 0.0155652, 0.0101591, 0.00627942, 0.00361149,
+    0.00188361, 0.000851411, 0.000307458, 7.34095e-5, 6.44697e-6, 0.0,
+];
+
+/// Smallest distance of a particle from the floor, in spacings.
+const MIN_DISTANCE: f32 = 0.15;
+
+/// A particle near the floor.
+#[derive(Clone, Copy, Debug)]
+struct Near {
+    index: u32,
+    /// Γ.
+    gamma: f32,
+    /// W₁ [1/m].
+    slope: f32,
+    /// K [1/m²].
+    friction: f32,
+}
+
+/// The particles near the floor.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Floor {
+    near: Vec<Near>,
+}
+
+impl Floor {
+    pub fn new(capacity: usize) -> Floor {
+        Floor {
+            near: Vec::with_capacity(capacity),
+        }
+    }
+
+    /// Finds the particles near the floor. The order of the gas must not change until they are
+    /// used.
+    pub fn find(&mut self, gas: &Gas, kernel: &Kernel) {
+        let h = kernel.smoothing_length();
+        let to_interval = INTERVALS as f32 / kernel.support();
+        self.near.clear();
+        for (index, position) in gas.position.iter().enumerate() {
+            if position.y < kernel.support() {
+                let at = fast_max(position.y, 0.0) * to_interval;
+                let interval = (at as usize).min(INTERVALS - 1);
+                let part = at - interval as f32;
+                let value = |table: &[f32; INTERVALS + 1]| {
+                    table[interval] + (table[interval + 1] - table[interval]) * part
+                };
+                self.near.push(Near {
+                    index: index as u32,
+                    gamma: value(&GAMMA),
+                    slope: value(&SLOPE) / h,
+                    friction: value(&FRICTION) / (h * h),
+                });
+            }
+        }
+    }
+
+    /// Adds the gas in the floor to the number densities.
+    pub fn add_number_density(&self, gas: &mut Gas, air_density: f32) {
+        for near in &self.near {
+            gas.number_density[near.index as usize] += air_density * near.gamma;
+        }
+    }
+
+    /// Adds the pressure and friction of the floor to the accelerations.
+    pub fn resist(&self, gas: &mut Gas, context: &Context) {
+        let Context {
+            kernel,
+            values,
+            sound,
+            mass,
+        } = *context;
+        let h = kernel.smoothing_length();
+        let eddy = values.eddy_viscosity * values.eddy_viscosity * h;
+        let damping = 0.5 * values.artificial_viscosity * sound * h;
+        for near in &self.near {
+            let i = near.index as usize;
+            let velocity = gas.velocity[i];
+            let viscosity = values.kinematic_viscosity + eddy * velocity.length();
+            let acceleration = &mut gas.acceleration[i];
+            *acceleration -= velocity * (2.0 * viscosity * near.friction);
+            acceleration.y += 2.0 * gas.volume[i] / mass * gas.pressure[i] * near.slope
+                - damping * near.friction * fast_min(velocity.y, 0.0);
+            gas.concentration_gradient[i].y -= near.slope;
+        }
+    }
+
+    /// Keeps the gas above the floor.
+    pub fn hold(&self, gas: &mut Gas, spacing: f32) {
+        let lowest = MIN_DISTANCE * spacing;
+        for near in &self.near {
+            let i = near.index as usize;
+            if gas.position[i].y < lowest {
+                gas.position[i].y = lowest;
+                gas.velocity[i].y = fast_max(gas.velocity[i].y, 0.0);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The integral of `f` of the distance, over the half space beyond `d`.
+    fn integral(f: impl Fn(f64) -> f64, d: f64) -> f64 {
+        const N: u32 = 400;
+        let step = 2.0 / f64::from(N);
+        let at = |i: u32| (f64::from(i) + 0.5) * step;
+        let beyond = (0..N).map(at).map(|e| d + e);
+        beyond
+            .map(|e| {
+                (0..N)
+                    .map(|j| 2.0 * f(e.hypot(at(j))) * step * step)
+                    .sum::<f64>()
+            })
+            .sum()
+    }
+
+    #[test]
+    fn the_tables_are_the_integrals_of_the_kernel() {
+        let kernel = Kernel::new(1.0);
+        let w = |r: f64| f64::from(kernel.value(r as f32));
+        let steepness = |r: f64| -f64::from(kernel.gradient_over_r(r as f32));
+        for interval in [0, 3, 8, 15, 24, 32] {
+            let d = 2.0 * interval as f64 / INTERVALS as f64;
+            let gamma = integral(w, d);
+            assert!(
+                (gamma - f64::from(GAMMA[interval])).abs() < 2e-3,
+                "Γ({d}) = {gamma}"
+            );
+            let slope = (integral(w, d) - integral(w, d + 1e-3)) / 1e-3;
+            assert!(
+                (slope - f64::from(SLOPE[interval])).abs() < 5e-3,
+                "W₁({d}) = {slope}"
+            );
+            let friction = integral(steepness, d);
+            assert!(
+                (friction - f64::from(FRICTION[interval])).abs() < 1e-2,
+                "K({d}) = {friction}"
+            );
+        }
+    }
+}

@@ -1,0 +1,344 @@
+//! A map of square cells over all places that may hold gas.
+//!
+//! A cell is as wide as the support of the kernel. Its depth is its chessboard distance to the
+//! nearest cell without gas: 0 without gas, 1 in the outermost ring, up to [`DEEP`]. A border of
+//! cells without gas surrounds the map, so a cell's neighbours need no check. Below a floor,
+//! the border mirrors the lowest cells.
+
+use glam::Vec2;
+
+use crate::bounds::Bounds;
+use crate::extremes::fast_min;
+
+/// Largest depth that the map distinguishes.
+pub(super) const DEEP: f32 = 5.0;
+/// Largest depth of a cell near the rim: deeper ones only hold ordinary gas.
+pub(super) const RIM: f32 = 3.0;
+/// No particle, at the end of a list.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// The place and size of the map.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Layout {
+    /// Side of a cell \[m\].
+    pub cell: f32,
+    /// Cells per metre.
+    per_metre: f32,
+    /// Number of columns and rows, the border included.
+    pub columns: usize,
+    pub rows: usize,
+    /// Lower left corner of the border \[m\].
+    pub left: f32,
+    pub bottom: f32,
+    /// Whether a floor closes the map at y = 0.
+    pub floor: bool,
+}
+
+impl Layout {
+    /// The layout for a frame of this size \[m\] that is surrounded by `margin` \[m\], and on
+    /// a floor not below it.
+    pub fn new(frame: Vec2, margin: f32, cell: f32, floor: bool) -> Layout {
+        let cells = |length: f32| (length / cell).ceil().max(1.0) as usize;
+        let below = if floor { 0 } else { cells(margin) };
+        let columns = cells(frame.x + 2.0 * margin) + 2;
+        Layout {
+            cell,
+            per_metre: 1.0 / cell,
+            columns,
+            rows: below + cells(frame.y + margin) + 2,
+            left: -0.5 * columns as f32 * cell,
+            bottom: -(below as f32 + 1.0) * cell,
+            floor,
+        }
+    }
+
+    /// Number of cells.
+    pub fn len(&self) -> usize {
+        self.columns * self.rows
+    }
+
+    /// The rectangle of all cells, the border included: gas that leaves comes so far until it
+    /// is removed.
+    pub fn bounds(&self) -> Bounds {
+        let top = self.bottom + self.rows as f32 * self.cell;
+        let bottom = if self.floor { 0.0 } else { self.bottom };
+        Bounds {
+            bottom,
+            width: self.columns as f32 * self.cell,
+            height: top - bottom,
+            periodic_x: false,
+            periodic_y: false,
+        }
+    }
+
+    /// The cell at a position. NaN and positions outside are in the border.
+    #[inline]
+    pub fn at(&self, position: Vec2) -> usize {
+        let column = self.index(position.x - self.left, self.columns);
+        let row = self.index(position.y - self.bottom, self.rows);
+        row * self.columns + column
+    }
+
+    #[inline]
+    fn index(&self, along: f32, count: usize) -> usize {
+        // A cast saturates, so a negative number and NaN become 0.
+        ((along * self.per_metre) as usize).min(count - 1)
+    }
+
+    /// Lower left corner of a cell \[m\].
+    pub fn corner(&self, cell: usize) -> Vec2 {
+        let (column, row) = (cell % self.columns, cell / self.columns);
+        Vec2::new(self.left, self.bottom) + Vec2::new(column as f32, row as f32) * self.cell
+    }
+
+    /// Calls `each` with an inner cell and the eight around it.
+    // Inlined, its loops are unrolled in every caller.
+    #[inline(never)]
+    pub fn around(&self, cell: usize, each: &mut dyn FnMut(usize)) {
+        for middle in [cell - self.columns, cell, cell + self.columns] {
+            for other in middle - 1..=middle + 1 {
+                each(other);
+            }
+        }
+    }
+
+    /// The points of the lattice of this spacing \[m\] over the map that a column or row of cells
+    /// has along its axis. Every point is in one of them.
+    pub fn points(&self, index: usize, spacing: f32) -> std::ops::Range<usize> {
+        // The same expression in every cell, so that no point is in two cells or in none.
+        let point = |at: usize| (at as f32 * self.cell / spacing + 0.5) as usize;
+        point(index)..point(index + 1)
+    }
+
+    /// The cells inside the border, row by row.
+    pub fn inner(&self) -> impl Iterator<Item = usize> + use<> {
+        let columns = self.columns;
+        (1..self.rows - 1).flat_map(move |row| row * columns + 1..(row + 1) * columns - 1)
+    }
+
+    /// The rows inside the border.
+    pub fn inner_rows(&self) -> std::ops::Range<usize> {
+        1..self.rows - 1
+    }
+
+    /// The inner cells of a row.
+    pub fn row(&self, row: usize) -> std::ops::Range<usize> {
+        row * self.columns + 1..(row + 1) * self.columns - 1
+    }
+}
+
+/// A cell.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cell {
+    /// For how long it stays awake \[s\].
+    pub remaining: f32,
+    /// Whether it is to hold gas.
+    pub inside: bool,
+    /// Whether gas came to it with the last change.
+    pub fresh: bool,
+    /// Unit vector to the outside, up to the depth [`RIM`].
+    pub outward: Vec2,
+    /// Velocity with which gas crosses the rim [m/s], up to the depth [`RIM`].
+    pub flow: Vec2,
+    /// Its first particle, the number of its particles, and the sum of their velocities [m/s].
+    pub first: u32,
+    pub count: u32,
+    pub momentum: Vec2,
+}
+
+impl Cell {
+    const EMPTY: Cell = Cell {
+        remaining: 0.0,
+        inside: false,
+        fresh: false,
+        outward: Vec2::ZERO,
+        flow: Vec2::ZERO,
+        first: NONE,
+        count: 0,
+        momentum: Vec2::ZERO,
+    };
+}
+
+/// All cells.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Map {
+    pub layout: Layout,
+    pub cells: Vec<Cell>,
+    /// The depth of each cell.
+    pub depth: Vec<f32>,
+}
+
+impl Map {
+    /// A map without gas.
+    pub fn new(layout: Layout) -> Map {
+        let n = layout.len();
+        Map {
+            layout,
+            cells: vec![Cell::EMPTY; n],
+            depth: vec![0.0; n],
+        }
+    }
+
+    /// Puts gas into the cells that are to hold gas, and into no others.
+    pub fn fill(&mut self) {
+        let Layout { columns, floor, .. } = self.layout;
+        for (cell, depth) in self.cells.iter_mut().zip(&mut self.depth) {
+            cell.fresh = cell.inside && *depth == 0.0;
+            *depth = if cell.inside { DEEP } else { 0.0 };
+        }
+        // Below a floor it is deep.
+        self.depth[..columns].fill(if floor { DEEP } else { 0.0 });
+        measure(&mut self.depth, &self.layout, 1.0);
+        if floor {
+            self.depth.copy_within(columns..2 * columns, 0);
+        }
+        for cell in self.layout.inner() {
+            let side = |at: usize, step: usize| {
+                self.depth[at - step] + self.depth[at] + self.depth[at + step]
+            };
+            let slope = Vec2::new(
+                side(cell + 1, columns) - side(cell - 1, columns),
+                side(cell + columns, 1) - side(cell - columns, 1),
+            );
+            self.cells[cell].outward = unit(-slope);
+        }
+    }
+
+    /// Whether there is gas at a position.
+    pub fn holds(&self, position: Vec2) -> bool {
+        let cell = self.layout.at(position);
+        self.depth[cell] > 0.0 && cell >= self.layout.columns
+    }
+
+    /// The depth at a position, interpolated between the centres of the cells.
+    #[inline]
+    pub fn depth_at(&self, position: Vec2) -> f32 {
+        let Layout {
+            per_metre,
+            columns,
+            rows,
+            left,
+            bottom,
+            ..
+        } = self.layout;
+        let part = |along: f32, count: usize| {
+            let at = (along * per_metre - 0.5).max(0.0);
+            let index = (at as usize).min(count - 2);
+            (index, (at - index as f32).min(1.0))
+        };
+        let (column, x) = part(position.x - left, columns);
+        let (row, y) = part(position.y - bottom, rows);
+        let first = row * columns + column;
+        let depth = &self.depth;
+        let mix = |cell: usize| depth[cell] + (depth[cell + 1] - depth[cell]) * x;
+        let (lower, upper) = (mix(first), mix(first + columns));
+        lower + (upper - lower) * y
+    }
+}
+
+/// Lowers each distance to that of the way through other inner cells, with steps of 1 along the
+/// axes and `across` along diagonals, by two sweeps (Borgefors 1986).
+#[inline(never)]
+pub(super) fn measure(distance: &mut [f32], layout: &Layout, across: f32) {
+    for _ in 0..2 {
+        for cell in layout.inner() {
+            let below = cell - layout.columns;
+            let straight = fast_min(distance[cell - 1], distance[below]) + 1.0;
+            let diagonal = fast_min(distance[below - 1], distance[below + 1]) + across;
+            distance[cell] = fast_min(distance[cell], fast_min(straight, diagonal));
+        }
+        distance.reverse();
+    }
+}
+
+/// The unit vector along `vector`; zero for zero.
+fn unit(vector: Vec2) -> Vec2 {
+    let length = vector.length();
+    if length > 0.0 {
+        vector / length
+    } else {
+        Vec2::ZERO
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn layout(floor: bool) -> Layout {
+        Layout::new(Vec2::new(1.0, 1.4), 0.3, 0.1, floor)
+    }
+
+    /// A map with gas in every cell whose centre is in the rectangle.
+    fn filled(floor: bool, from: Vec2, to: Vec2) -> Map {
+        let mut map = Map::new(layout(floor));
+        let half = Vec2::splat(0.05);
+        for cell in map.layout.inner() {
+            let at = map.layout.corner(cell) + half;
+            map.cells[cell].inside = at.cmpge(from).all() && at.cmple(to).all();
+        }
+        map.fill();
+        map
+    }
+
+    #[test]
+    fn the_frame_and_its_margin_are_inside_and_the_floor_is_at_zero() {
+        for floor in [false, true] {
+            let bounds = layout(floor).bounds();
+            assert!(bounds.width >= 1.8 - 1e-5 && bounds.width < 2.01);
+            assert!((bounds.bottom - if floor { 0.0 } else { -0.4 }).abs() < 1e-5);
+            assert!(bounds.bottom + bounds.height >= 1.7 - 1e-5);
+        }
+    }
+
+    #[test]
+    fn a_position_is_in_its_cell_and_any_other_in_the_border() {
+        let layout = layout(false);
+        for cell in layout.inner() {
+            assert_eq!(layout.at(layout.corner(cell) + Vec2::splat(0.05)), cell);
+        }
+        let inner: Vec<usize> = layout.inner().collect();
+        for at in [
+            Vec2::new(-9.0, 0.5),
+            Vec2::new(0.0, 9.0),
+            Vec2::new(f32::NAN, 0.5),
+            Vec2::new(0.0, f32::NEG_INFINITY),
+        ] {
+            assert!(!inner.contains(&layout.at(at)), "{at}");
+        }
+    }
+
+    #[test]
+    fn the_depth_is_the_distance_to_the_outside() {
+        let map = filled(false, Vec2::new(-0.7, 0.0), Vec2::new(0.7, 1.2));
+        for cell in map.layout.inner() {
+            let at = map.layout.corner(cell) + Vec2::splat(0.05);
+            let to_edge = (0.7 - at.x.abs()).min(at.y).min(1.2 - at.y);
+            let expected = ((to_edge / 0.1).round() + 1.0).clamp(0.0, DEEP);
+            let depth = map.depth[cell];
+            assert!((depth - expected).abs() <= 1.0, "{depth} at {at}");
+            assert!((map.depth_at(at) - depth).abs() < 1e-4);
+        }
+    }
+
+    #[test]
+    fn the_normal_points_outward_and_a_floor_is_no_outside() {
+        let map = filled(true, Vec2::new(-0.6, 0.0), Vec2::new(0.6, 1.0));
+        let at = |x, y| map.layout.at(Vec2::new(x, y));
+        let outward = |x, y| map.cells[at(x, y)].outward;
+        let left = outward(-0.55, 0.45);
+        assert!(left.distance(Vec2::NEG_X) < 1e-4, "{left}");
+        assert!(outward(0.0, 0.95).distance(Vec2::Y) < 1e-4);
+        assert_eq!(map.depth[at(0.05, 0.05)], DEEP);
+        assert!(outward(-0.55, 0.05).distance(Vec2::NEG_X) < 1e-4);
+    }
+
+    #[test]
+    fn cells_that_gas_enters_are_fresh_once() {
+        let mut map = filled(false, Vec2::new(-0.5, 0.0), Vec2::new(0.5, 1.0));
+        let fresh = |map: &Map| map.cells.iter().filter(|cell| cell.fresh).count();
+        assert_eq!(fresh(&map), 10 * 10);
+        map.fill();
+        assert_eq!(fresh(&map), 0);
+    }
+}

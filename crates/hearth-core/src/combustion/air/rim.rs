@@ -1,0 +1,106 @@
+//! The rim: gas near the outside, whose pressure and motion are those of the far air.
+//!
+//! ```text
+//! live = clamp((depth − 0.75)/0.75, 0, 1)     w = smoothstep(1.5, 2.5, depth)
+//! p = w c₀² (Y − ρ₀)                          v += (1 − live) min(1, 100 Δt) (v_flow − v)
+//! ```
+//!
+//! In the ring, p = 0 makes the cut-off kernels harmless: their forces vanish, and the noise of
+//! births and deaths makes pressure only where w is small. Forces are not damped: suction must
+//! act wherever the pressure has a gradient.
+
+use super::super::gas::Gas;
+use super::map::{Map, RIM};
+use crate::extremes::fast_min;
+
+/// Depths between which the motion becomes that of the gas.
+const LIVE: (f32, f32) = (0.75, 1.5);
+/// Depths between which the pressure becomes that of the gas.
+const PRESSURE: (f32, f32) = (1.5, 2.5);
+/// Rate at which the ring relaxes to the velocity at the rim [1/s].
+const RELAXATION: f32 = 100.0;
+
+/// A particle near the outside.
+#[derive(Clone, Copy, Debug)]
+struct Near {
+    index: u32,
+    cell: u32,
+    /// The share of its pressure that acts.
+    weight: f32,
+    /// 1 where it moves by the forces, 0 where with the flow at the rim.
+    live: f32,
+}
+
+/// The particles near the outside, in the order of the gas.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Rim {
+    near: Vec<Near>,
+}
+
+impl Rim {
+    pub fn new(capacity: usize) -> Rim {
+        Rim {
+            near: Vec::with_capacity(capacity),
+        }
+    }
+
+    /// Finds the particles near the outside. The order of the gas must not change until they
+    /// are used.
+    pub fn find(&mut self, map: &Map, gas: &Gas) {
+        self.near.clear();
+        for (index, &position) in gas.position.iter().enumerate() {
+            let cell = map.layout.at(position);
+            if map.depth[cell] > RIM {
+                continue;
+            }
+            let depth = map.depth_at(position);
+            if depth < PRESSURE.1 {
+                let weight = share(depth, PRESSURE);
+                self.near.push(Near {
+                    index: index as u32,
+                    cell: cell as u32,
+                    weight: weight * weight * (3.0 - 2.0 * weight),
+                    live: share(depth, LIVE),
+                });
+            }
+        }
+    }
+
+    /// Weakens the pressure towards the outside.
+    pub fn taper_pressure(&self, gas: &mut Gas) {
+        for near in &self.near {
+            gas.pressure[near.index as usize] *= near.weight;
+        }
+    }
+
+    /// Removes the outward part of the shifts: there are no particles outside, which shifting
+    /// would take for a gap.
+    pub fn turn_shift(&self, map: &Map, gas: &mut Gas) {
+        for near in &self.near {
+            let outward = map.cells[near.cell as usize].outward;
+            // A shift goes down the gradient.
+            let gradient = &mut gas.concentration_gradient[near.index as usize];
+            let inward = fast_min(gradient.dot(outward), 0.0);
+            *gradient -= outward * (inward * (1.0 - near.weight));
+        }
+    }
+
+    /// Lets the ring follow the flow at the rim for `dt`.
+    pub fn carry(&self, map: &Map, gas: &mut Gas, dt: f32) {
+        let relaxation = fast_min(RELAXATION * dt, 1.0);
+        for near in &self.near {
+            let cell = near.cell as usize;
+            // Gas that has just left has no flow, and the next exchange removes it.
+            if near.live < 1.0 && map.depth[cell] > 0.0 {
+                let velocity = &mut gas.velocity[near.index as usize];
+                *velocity += (map.cells[cell].flow - *velocity) * ((1.0 - near.live) * relaxation);
+            }
+        }
+    }
+}
+
+/// How far `depth` is between two depths, from 0 to 1.
+#[inline]
+fn share(depth: f32, (from, to): (f32, f32)) -> f32 {
+    ((depth - from) / (to - from)).clamp(0.0, 1.0)
+}

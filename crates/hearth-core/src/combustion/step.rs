@@ -1,0 +1,103 @@
+//! A step of the combustion model.
+
+use glam::Vec2;
+
+use super::burner::Burner;
+use super::embers::Air;
+use super::pair::Context;
+use super::{Combustion, chemistry, forces, number_density, seam, sound_speed, time_step};
+use crate::forces::BodyForce;
+use crate::kernel::Kernel;
+use crate::params::Physics;
+use crate::random::Random;
+use crate::report::Stage;
+use crate::scene::Scene;
+
+impl Combustion {
+    /// Makes one step from `time`, with the force `user` besides the model's own. Returns its
+    /// length \[s\].
+    pub(super) fn make_step(
+        &mut self,
+        scene: &Scene,
+        random: &mut Random,
+        time: f64,
+        user: Option<&dyn BodyForce>,
+        on_stage: &mut dyn FnMut(Stage),
+    ) -> f32 {
+        let parameters = scene.settings();
+        let values: &Physics = parameters;
+        let kernel = Kernel::new(parameters.smoothing_length());
+        let sound = sound_speed(values, scene.power());
+        let bounds = self.present_bounds(values);
+        let gas = &mut self.gas;
+        let mut open = self.open.as_deref_mut();
+
+        if let Some(open) = &mut open {
+            open.breathe(gas, scene, self.length);
+        }
+        let grid = &mut self.grid;
+        let positions = gas.position.iter().copied();
+        let new_indices = grid.sort(positions, &bounds, kernel.support());
+        gas.reorder(new_indices);
+        on_stage(Stage::Sort);
+        let context = Context {
+            kernel: &kernel,
+            values,
+            sound,
+            mass: gas.mass,
+        };
+        let neighbours = &mut self.neighbours;
+        let mean = self.number_density.sum(gas, grid, neighbours, &context);
+        match &mut open {
+            None => number_density::apply(gas, mean, sound),
+            Some(open) => {
+                open.find_edges(gas, &context);
+                number_density::apply(gas, values.ambient_density, sound);
+                open.taper_pressure(gas);
+            }
+        }
+        on_stage(Stage::Density);
+        self.interactions.sum(gas, grid, neighbours, &context);
+        if let Some(open) = &open {
+            open.resist(gas, &context);
+        }
+        let (packed, strength) = (self.interactions.packed(), values.vorticity_confinement);
+        let confinement = &mut self.vorticity_confinement;
+        confinement.add(gas, grid, neighbours, packed, &kernel, strength);
+        forces::add_all(gas, values, time, user);
+        on_stage(Stage::Forces);
+
+        let dt = time_step::max_stable_step(gas, values, kernel.smoothing_length(), sound);
+        let air = Air {
+            gas,
+            grid: &self.grid,
+            bounds: &bounds,
+            kernel: &kernel,
+            wind: Vec2::new(values.wind, 0.0),
+        };
+        self.embers.drift(&air, values, random, dt);
+        self.motion = time_step::accelerate(gas, sound, dt);
+        if let Some(open) = &open {
+            open.carry(gas, dt);
+        }
+        let hottest = scene.sources().map(|source| source.source_temperature);
+        self.power = chemistry::react(gas, values, hottest.fold(0.0, f32::max), dt);
+        self.preheat = 0.0;
+        for source in scene.sources() {
+            if let Some(burner) = Burner::new(source, parameters.spacing()) {
+                self.preheat += burner.feed(gas, source, time, dt) / dt;
+            }
+        }
+        if open.is_none() {
+            seam::relax_to_air(gas, values, parameters.spacing(), dt);
+        }
+        let (h, max_speed) = (kernel.smoothing_length(), self.motion.max_speed);
+        self.clamped_shifts = time_step::advance(gas, &bounds, values.shifting, h, max_speed, dt);
+        if let Some(open) = &open {
+            open.hold(gas);
+        }
+        self.length = dt;
+        on_stage(Stage::Integrate);
+        dt
+    }
+}

@@ -115,9 +115,9 @@ export interface HearthParameters {
   ember_life_max: number;
   /** Smoke that reaches higher. Time in which smoke, which is cold soot, decays to about a third. [s] Default in combustion: 1.5, from 0.1 to 10. */
   smoke_life: number;
-  /** More space beside the fire, in a wider view. Width of the simulated domain. In the combustion model, gas that leaves on one side enters on the other. [m] Default 1.2, from 0.1 to 6. */
+  /** More space beside the fire, in a wider view. Width of the frame, which the picture fits. Classic and periodic edges: width of the simulated domain. [m] Default 1.2, from 0.1 to 6. */
   domain_width: number;
-  /** More space above the fire, in a wider view. Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
+  /** More space above the fire, in a wider view. Height of the frame, which the picture fits. Classic and periodic edges: height of the simulated domain. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
   domain_height: number;
   /** Open sides, walls, or periodic sides. Particles at the left and the right edge leave, are stopped, or enter on the other side. The floor stops them, unless the sides are open; the top is always open. Default in classic: "open". */
   walls: "open" | "solid" | "periodic";
@@ -131,9 +131,9 @@ export interface HearthParameters {
   seed: number;
   /** The same fire at lower cost and accuracy. Length of one step, which is divided further for stability. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
   time_step: number;
-  /** A coarser fire that takes less work. Distance of neighbouring particles in air. [m] Default in combustion: 0.0268, from 0.002 to 0.2. */
+  /** A coarser fire that takes less work. Distance of neighbouring particles in air. Until it is set, it follows the frame, the number of particles and the quality. [m] Default in combustion: 0.0268, from 0.0003 to 0.5. */
   spacing: number;
-  /** A finer fire that takes more work. Classic and open edges: largest number of particles; with open edges, the highest air sleeps beyond it. Periodic edges: approximate number of particles of air and gas. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
+  /** A finer fire that takes more work. Classic, and open edges with a `spacing`: largest number of particles; with open edges, the highest air sleeps beyond it. Without a `spacing`, and periodic edges: number of particles that would fill the frame. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
   max_particles: number;
   /** A smoother, wider fire that takes more work. Smoothing length h: particles interact up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
   smoothing_radius: number;
@@ -283,9 +283,9 @@ export interface HearthProperties {
   emberLifeMax: number;
   /** Smoke that reaches higher. Time in which smoke, which is cold soot, decays to about a third. [s] Default in combustion: 1.5, from 0.1 to 10. */
   smokeLife: number;
-  /** More space beside the fire, in a wider view. Width of the simulated domain. In the combustion model, gas that leaves on one side enters on the other. [m] Default 1.2, from 0.1 to 6. */
+  /** More space beside the fire, in a wider view. Width of the frame, which the picture fits. Classic and periodic edges: width of the simulated domain. [m] Default 1.2, from 0.1 to 6. */
   domainWidth: number;
-  /** More space above the fire, in a wider view. Height of the simulated domain; the picture fits it. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
+  /** More space above the fire, in a wider view. Height of the frame, which the picture fits. Classic and periodic edges: height of the simulated domain. [m] Default in combustion: 1.8, from 0.1 to 6. Default in classic: 1.5, from 0.1 to 6. */
   domainHeight: number;
   /** Open sides, walls, or periodic sides. Particles at the left and the right edge leave, are stopped, or enter on the other side. The floor stops them, unless the sides are open; the top is always open. Default in classic: "open". */
   walls: "open" | "solid" | "periodic";
@@ -299,9 +299,9 @@ export interface HearthProperties {
   seed: number;
   /** The same fire at lower cost and accuracy. Length of one step, which is divided further for stability. [s] Default in classic: 0.004166667, from 0.002 to 0.017. */
   timeStep: number;
-  /** A coarser fire that takes less work. Distance of neighbouring particles in air. [m] Default in combustion: 0.0268, from 0.002 to 0.2. */
+  /** A coarser fire that takes less work. Distance of neighbouring particles in air. Until it is set, it follows the frame, the number of particles and the quality. [m] Default in combustion: 0.0268, from 0.0003 to 0.5. */
   spacing: number;
-  /** A finer fire that takes more work. Classic and open edges: largest number of particles; with open edges, the highest air sleeps beyond it. Periodic edges: approximate number of particles of air and gas. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
+  /** A finer fire that takes more work. Classic, and open edges with a `spacing`: largest number of particles; with open edges, the highest air sleeps beyond it. Without a `spacing`, and periodic edges: number of particles that would fill the frame. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
   maxParticles: number;
   /** A smoother, wider fire that takes more work. Smoothing length h: particles interact up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
   smoothingRadius: number;

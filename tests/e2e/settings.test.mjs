@@ -221,3 +221,45 @@ test('a fire that is removed while its file loads starts from it when it is inse
   assert.equal(params[1].bloom, 0.5);
   assert.equal(params[1].model, DEFAULTS.model);
 });
+
+test('an element from before open air keeps its frame and resolution, and is told once about its seam', async () => {
+  const tab = await browser.open(
+    '<hearth-fire edges="open" seam="0.03" domain-width="2.4" max-particles="5000" paused></hearth-fire>',
+  );
+  await tab.ready();
+  const opened = await state(tab);
+  const spacing = Math.sqrt((2.4 * 1.8) / 5000);
+  assert.ok(Math.abs(opened.params.spacing / spacing - 1) < 0.002, `${opened.params.spacing}`);
+  assert.deepEqual(opened.config.values, { domain_width: 2.4, edges: 'open', seam: 0.03, max_particles: 5000 });
+  await tab.fire((fire) => fire.set('seam', 0.1));
+  const told = tab.problems.filter((problem) => problem.includes('seam'));
+  assert.equal(told.length, 1, told.join('\n'));
+  assert.match(told[0], /seam has no effect with open edges/);
+  // A number that is set later means the same, and a named spacing makes it a cap.
+  const attributes = [['max-particles', '3200', Math.sqrt((2.4 * 1.8) / 3200)], ['spacing', '0.05', 0.05], ['max-particles', '900', 0.05]];
+  for (const [name, value, expected] of attributes) {
+    const { params } = await tab.fire(async (fire, name, value) => {
+      fire.setAttribute(name, value);
+      await fire.exportConfig();
+      return { params: fire.params };
+    }, name, value);
+    assert.ok(Math.abs(params.spacing / expected - 1) < 0.002, `${name}="${value}": ${params.spacing}`);
+  }
+  tab.problems.length = 0;
+});
+
+test('a fire that follows a stopped one keeps whether its spacing is set', async () => {
+  const tab = await browser.open('<hearth-fire edges="open" paused></hearth-fire>');
+  await tab.ready();
+  for (const [spacing, stated] of [[undefined, {}], [0.03, { spacing: 0.03 }]]) {
+    const values = await tab.fire(async (fire, spacing) => {
+      if (spacing !== undefined) await fire.set({ spacing });
+      const parent = fire.parentNode;
+      fire.remove();
+      parent.append(fire);
+      await fire.ready;
+      return (await fire.exportConfig()).values;
+    }, spacing);
+    assert.deepEqual(values, { edges: 'open', ...stated });
+  }
+});

@@ -9,7 +9,7 @@
 
 import { EngineError } from '../engine/engine.js';
 import { burning } from '../engine/files.js';
-import { ID_OF_ATTRIBUTE, setOrRemove, warmth } from './attributes.js';
+import { DEFAULTS, ID_OF_ATTRIBUTE, setOrRemove, warmth } from './attributes.js';
 import { EngineConnection } from './engine-connection.js';
 import { PagePolicies } from './page-policies.js';
 import { Playback } from './playback.js';
@@ -41,6 +41,8 @@ export class FireSession {
   #gone = Promise.resolve();
   /** Whether the fire follows a stopped one. */
   #returns = false;
+  /** Whether the console has told that a seam has no effect. */
+  #toldSeam = false;
   /** Whether the `preset` attribute changes without a call to the engine. */
   #reflecting = false;
   /** @type {EngineConnection | null} */
@@ -334,9 +336,11 @@ export class FireSession {
     if (connection.closed && !['ready', 'changed', 'done', 'refused'].includes(type)) return;
     if (type === 'ready') {
       state.take(message);
+      this.#tellSeam(message.values);
     } else if (type === 'changed') {
       state.take(message);
       if (message.replaced && (this.fire.getAttribute('preset') ?? 'default') !== state.preset) this.reflectPreset(state.preset);
+      this.#tellSeam(message.values);
       if (!this.#ready.announced) return;
       const { source } = message;
       for (const [id, value] of Object.entries(message.values)) reports.emit('params-change', { id, value, source });
@@ -377,6 +381,14 @@ export class FireSession {
     } else if (type === 'error') {
       this.#fail(message.kind, message.message);
     }
+  }
+
+  /** Tells once that open edges have no seam, as settings from before open air may have one. @type {(values: {seam?: number}) => void} */
+  #tellSeam({ seam = DEFAULTS.seam }) {
+    const { model, edges } = this.state.params;
+    if (this.#toldSeam || seam === DEFAULTS.seam || model !== 'combustion' || edges !== 'open') return;
+    this.#toldSeam = true;
+    console.warn('<hearth-fire>: seam has no effect with open edges; edges="periodic" has a seam.');
   }
 
   /**

@@ -19,6 +19,8 @@ export class FireState {
   #kept = {};
   /** Whether the page set the number of particles, as the engine reports it. */
   #countIsSet = false;
+  /** The same of the spacing of particles. */
+  #spacingIsSet = false;
   /** Whether the engine has reported the values of a fire. */
   started = false;
   /** @type {PresetName} */
@@ -29,13 +31,14 @@ export class FireState {
   stats = null;
 
   /** Takes over the values of a message. @param {Message} message */
-  take({ type, values, objects, replaced, ownNumber, preset }) {
+  take({ type, values, objects, replaced, ownNumber, ownSpacing, preset }) {
     if (type === 'ready') this.started = true;
     else if (replaced) this.#kept = {};
     else if ('model' in values) this.#kept = this.params;
     this.params = { ...this.params, ...values };
     this.objects = objects ?? this.objects;
     this.#countIsSet = ownNumber;
+    this.#spacingIsSet = ownSpacing;
     this.preset = preset;
   }
 
@@ -48,7 +51,8 @@ export class FireState {
   start(fire, paused, config) {
     const { preset, params, objects, quality } = this;
     if (this.started) {
-      return { preset, kept: this.#kept, values: { ...params, objects }, ownNumber: this.#countIsSet, quality, paused };
+      const own = { ownNumber: this.#countIsSet, ownSpacing: this.#spacingIsSet };
+      return { preset, kept: this.#kept, values: { ...params, objects }, ...own, quality, paused };
     }
     const model = fire.getAttribute('model');
     return { preset: fire.getAttribute('preset') ?? undefined, config, values: model === null ? {} : { model }, quality, paused };

@@ -20,6 +20,9 @@ const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp:
 /** The parameter that decides which others exist. */
 const MODEL = 'model';
 
+/** The parameter that decides which others of the combustion model exist. */
+const EDGES = 'edges';
+
 /** The parameters that decide whether others have an effect. */
 const CONDITIONS = new Set(PARAMETERS.flatMap(({ when, unless }) => Object.keys({ ...when, ...unless })));
 
@@ -153,11 +156,13 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     shows.set(id, () => {
       const domain = domainOf(parameter);
       const value = read(id);
-      row.hidden = !domain;
-      restore.hidden = !domain || id === MODEL || value === controller.defaultOf(id);
-      if (domain) show(value, domain);
       const isChosen = (/** @type {[string, string[]]} */ [of, names]) => names.includes(String(read(/** @type {Id} */ (of))));
       const missing = Object.entries(parameter.when ?? {}).filter((chosen) => !isChosen(chosen));
+      // As on the panel, each kind of edges has its own parameters.
+      const isUsed = domain && missing.every(([of]) => of !== EDGES);
+      row.hidden = !isUsed;
+      restore.hidden = !isUsed || id === MODEL || value === controller.defaultOf(id);
+      if (domain) show(value, domain);
       const excluded = Object.entries(parameter.unless ?? {});
       const isExcluded = excluded.length > 0 && excluded.every(isChosen);
       const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map(inWords).join(' and ');

@@ -13,8 +13,10 @@
 /** The maximum number of steps. */
 const MAX_STEPS = 200;
 
-/** The number of particles: it follows the quality until it is set. */
+/** The number of particles and their spacing: the resolution follows the quality until one is set. */
 const COUNT = 'max_particles';
+const SPACING = 'spacing';
+const RESOLUTION = /** @type {const} */ ([COUNT, SPACING]);
 
 const MODEL = 'model';
 
@@ -36,7 +38,7 @@ const MODEL = 'model';
  *
  * @typedef {object} Side
  * @property {Values} values  The values of the step, or all values.
- * @property {boolean} [named]  Whether the number of particles is set.
+ * @property {boolean} [named]  Whether the number or the spacing of a step that changes it is set.
  * @property {HearthConfig} [config]  The settings, if all may have changed.
  * @property {Map<ModelName, Values>} [kept]  The last known values of the other models: settings hold those
  *   of one model.
@@ -103,10 +105,10 @@ export class UndoHistory {
    */
   restore(id) {
     const target = () => this.#resetTo(id, this.#fire.params[MODEL]);
-    // The default number of particles follows the quality again.
-    const isDefault = () => target() === this.#defaultOf(id, this.#fire.params[MODEL]);
+    // The default number of particles follows the quality again, and any spacing of a scene does.
+    const isDefault = () => id === SPACING || target() === this.#defaultOf(id, this.#fire.params[MODEL]);
     const act = () => (isDefault() ? this.#fire.restore(id) : this.#fire.set(id, /** @type {Value} */ (target())));
-    return this.#one({ id, named: id !== COUNT || !isDefault(), target, act });
+    return this.#one({ id, named: !ofResolution(id) || !isDefault(), target, act });
   }
 
   /**
@@ -167,11 +169,11 @@ export class UndoHistory {
     const after = { values: { [MODEL]: model, [id]: value }, named };
     this.#pending.set(id, { value, count: pending.count + 1 });
     // The answers are in order, so these are the settings before the change.
-    const config = id === COUNT ? this.#fire.exportConfig() : undefined;
+    const config = ofResolution(id) ? this.#fire.exportConfig() : undefined;
     const answer = this.#started(Promise.resolve(act()));
     try {
       await answer;
-      const wasNamed = id !== COUNT || (await config)?.values[COUNT] !== undefined;
+      const wasNamed = !ofResolution(id) || (await config)?.values[id] !== undefined;
       this.#record({ id, gesture, before: { ...before, named: wasNamed }, after });
     } finally {
       const left = this.#pending.get(id);
@@ -220,13 +222,16 @@ export class UndoHistory {
     const now = fire.params;
     const moved = values[MODEL] !== now[MODEL];
     const changes = { ...values };
+    const isNamed = (/** @type {Id} */ id) => (config ? id in config.values : named);
     for (const [id, value] of entries(values)) {
-      // Settings restore whether the number is set.
-      const isRight = id === COUNT ? !named || (config && !moved) : !moved && value === now[id];
+      // Settings restore whether the resolution is set.
+      const isRight = ofResolution(id) ? !isNamed(id) || (config && !moved) : !moved && value === now[id];
       if (isRight) delete changes[id];
     }
     if (Object.keys(changes).length > 0) await fire.set(changes);
-    if ((moved || !config) && !named && COUNT in values) await fire.restore(COUNT);
+    for (const id of RESOLUTION) {
+      if ((moved || !config) && !isNamed(id) && id in values) await fire.restore(id);
+    }
   }
 
   /**
@@ -250,7 +255,7 @@ export class UndoHistory {
   async #snapshot() {
     const config = await this.#fire.exportConfig();
     const values = this.#fire.params;
-    return { values, named: COUNT in config.values, config, kept: new Map(this.#kept) };
+    return { values, config, kept: new Map(this.#kept) };
   }
 
   /**
@@ -285,6 +290,11 @@ export class UndoHistory {
 /** @type {(values: Values) => [Id, Value][]} */
 function entries(values) {
   return /** @type {[Id, Value][]} */ (Object.entries(values));
+}
+
+/** Whether the resolution follows the quality until this parameter is set. @type {(id: Id) => boolean} */
+function ofResolution(id) {
+  return id === COUNT || id === SPACING;
 }
 
 /** Whether a step that changes one value changes nothing. @param {Step} step */

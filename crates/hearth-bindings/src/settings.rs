@@ -29,6 +29,20 @@ pub fn with_values(scene: &Scene, values: Values<'_>) -> Result<Scene, Vec<Valid
     changed(scene, values, false)
 }
 
+/// The scene of a document: a preset with these values, all of them or none. Its resolution is
+/// [completed](Preset::complete).
+///
+/// # Errors
+/// Every invalid value.
+pub fn document(preset: &Preset, values: Values<'_>) -> Result<Scene, Vec<ValidationError>> {
+    let mut scene = with_values(&preset.scene(), values)?;
+    let names = |name: &str| values.iter().any(|(id, _)| id == name);
+    let mut settings = scene.settings().clone();
+    preset.complete(&mut settings, names("spacing"), names("max_particles"));
+    scene.set_settings(settings);
+    Ok(scene)
+}
+
 /// `scene` with the defaults of the parameters with these ids, all of them or none. The id
 /// `objects` restores one source.
 ///

@@ -229,6 +229,8 @@ pub struct Start<'a> {
     pub values: Values<'a>,
     /// Whether the page set the number of particles, which then ignores the quality.
     pub count_overridden: bool,
+    /// Whether the page set the spacing, which then ignores the quality.
+    pub spacing_overridden: bool,
     /// The requested level of quality; `None`: adaptive.
     pub quality: Option<Level>,
     /// A guess of the level for this device.
@@ -251,6 +253,7 @@ impl<'a> Argument<'a> for Start<'a> {
             kept: value.field("kept").fields(),
             values: value.field("values").fields(),
             count_overridden: Argument::read(value.field("ownNumber")),
+            spacing_overridden: Argument::read(value.field("ownSpacing")),
             quality: level("quality"),
             guess: level("guess"),
             paused: Argument::read(value.field("paused")),

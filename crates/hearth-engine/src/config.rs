@@ -9,6 +9,10 @@
 //! holds its differences from the preset, other objects those from the defaults. Version 1 has
 //! no objects: its `values` hold the parameters of its one source, which version 2 also reads.
 //! The later of two values of one property wins.
+//!
+//! `values` without `spacing` state the resolution of open air as the number of particles that would
+//! fill the frame, as files from before open air do: `max_particles` or, without it, that of the
+//! preset.
 
 use hearth_bindings::settings::{self, OBJECTS};
 use hearth_bindings::{Argument, Check, Form, Untrusted, ValidationError, Values};
@@ -16,7 +20,7 @@ use hearth_core::params::{Input, Model, PARAMETERS};
 use hearth_core::preset::PRESETS;
 use hearth_core::scene::KINDS;
 
-use crate::requested::{COUNT, Requested};
+use crate::requested::{COUNT, Requested, SPACING};
 
 /// The version of the format.
 pub const VERSION: u32 = 2;
@@ -95,20 +99,23 @@ impl<'a> Config<'a> {
             None => Requested::default(),
         };
         let scene = settings::with_settings(&base.scene, self.fields)?;
-        let sets_count = self.values.iter().any(|(id, _)| id == COUNT);
-        Ok(Requested {
-            count_overridden: sets_count && scene.settings().model() == Model::Combustion,
+        let combustion = scene.settings().model() == Model::Combustion;
+        let sets = |name: &str| combustion && self.values.iter().any(|(id, _)| id == name);
+        let mut requested = Requested {
+            count_overridden: sets(COUNT),
+            spacing_overridden: sets(SPACING),
             scene,
             ..base
-        })
+        };
+        requested.follow_frame();
+        Ok(requested)
     }
 }
 
 /// Writes settings that [`Config::parse`] reads: the preset and the differences from it.
 pub fn export(requested: &Requested) -> Untrusted {
     let now = requested.parameters();
-    let preset = requested.preset_scene();
-    let preset = preset.settings();
+    let preset = &requested.preset().parameters();
     let mut base = preset.clone();
     // Each model has its own defaults.
     let set = base.set("model", Input::Text(now.model.name()));
@@ -120,7 +127,12 @@ pub fn export(requested: &Requested) -> Untrusted {
         let of_source = has_source && properties.any(|one| one.id == param.id);
         let before = if param.id == "model" { preset } else { &base };
         let value = param.get(now);
-        let differs = value != param.get(before) || param.id == COUNT && requested.exports_count();
+        let differs = match param.id {
+            // A spacing that follows the frame is not stated.
+            SPACING => requested.spacing_overridden,
+            COUNT => value != param.get(before) || requested.exports_count(),
+            _ => value != param.get(before),
+        };
         // The properties of the first source are written with the objects.
         if differs && !of_source && param.domain(now.model()).is_some() {
             values.push(Untrusted::named(param.id, Untrusted::of_value(value)));

@@ -200,8 +200,8 @@ impl Engine {
                 if !errors.is_empty() {
                     events.refused(id, 0, &errors);
                 }
-                let values = requested.parameters();
-                if let Err(error) = memory::reserve(None, values, limit(self.on_page)) {
+                let values = requested.completed();
+                if let Err(error) = memory::reserve(None, &values, limit(self.on_page)) {
                     events.error(id, ErrorKind::Memory, &error.message);
                     return Ok(Answer::Done);
                 }
@@ -225,8 +225,8 @@ impl Engine {
         let (fire, command) = fire;
         if let Some(requested) = fire.requested().after(&command) {
             let requested = requested?;
-            let [old, new] = [fire.requested(), &requested].map(|one| one.parameters());
-            memory::reserve(Some(old), new, limit(self.on_page)).map_err(|error| vec![error])?;
+            let [old, new] = [fire.requested(), &requested].map(Requested::completed);
+            memory::reserve(Some(&old), &new, limit(self.on_page)).map_err(|error| vec![error])?;
             if let Command::Set { source, .. }
             | Command::Restore { source, .. }
             | Command::AddObject { source, .. }

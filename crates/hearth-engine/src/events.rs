@@ -2,9 +2,9 @@
 //!
 //! | type | other fields |
 //! |---|---|
-//! | `ready` | `fire`; `values`: all of them; `ownNumber`, `preset` |
+//! | `ready` | `fire`; `values`: all of them; `ownNumber`, `ownSpacing`, `preset` |
 //! | `done` | `fire`, `request`; `value`: the result, if the command has one |
-//! | `changed` | `fire`, `source`; `values`: those that changed; `replaced`: whether the values of both models were; `ownNumber`, `preset` |
+//! | `changed` | `fire`, `source`; `values`: those that changed; `replaced`: whether the values of both models were; `ownNumber`, `ownSpacing`, `preset` |
 //! | `refused` | `fire`, `request`; `errors`: id, value, message and, for a number, min and max |
 //! | `stats` | `fire`; `stats`: see [`stats`](crate::stats) |
 //! | `quality` | `fire`; `requested`: auto or a level; `quality`: the level; `reason` |
@@ -13,7 +13,8 @@
 //! | `error` | `fire`; `kind`: unsupported, context-lost, load; `message`; `burns`: whether the fire burns nevertheless |
 //! | `restored` | `fire`: its lost context is restored |
 //!
-//! `ownNumber`: whether a page set the number of particles, which then ignores the quality.
+//! `ownNumber`, `ownSpacing`: whether a page set the number of particles, or their spacing, which then
+//! ignores the quality.
 
 use hearth_bindings::settings::{OBJECTS, objects};
 use hearth_bindings::{Record, ValidationError};
@@ -83,7 +84,8 @@ impl Events {
         let event = event("changed", fire);
         event.set_flag("replaced", replaced);
         event.set_text("source", source);
-        let same = old.preset == new.preset && old.count_overridden == new.count_overridden;
+        let state = |one: &Requested| (one.preset, one.count_overridden, one.spacing_overridden);
+        let same = state(old) == state(new);
         if self.put_values(&event, new, Some(old)) || replaced || !same {
             self.post(&event);
         }
@@ -107,6 +109,7 @@ impl Events {
             any = true;
         }
         event.set_flag("ownNumber", requested.count_overridden);
+        event.set_flag("ownSpacing", requested.spacing_overridden);
         event.set_text("preset", requested.preset);
         any
     }

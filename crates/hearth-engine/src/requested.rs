@@ -10,8 +10,9 @@ use hearth_core::{Parameters, Scene, Simulation};
 
 use crate::quality::Level;
 
-/// The parameter that follows the quality unless a page sets it.
+/// The parameters of the resolution, which follows the quality unless a page sets one of them.
 pub(crate) const COUNT: &str = "max_particles";
+pub(crate) const SPACING: &str = "spacing";
 
 /// Requested settings.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +22,9 @@ pub struct Requested {
     /// Whether a page set the combustion model's number of particles. The fire then keeps it at
     /// every quality, even the default number.
     pub count_overridden: bool,
+    /// Whether a page set the spacing of particles in open air. The fire then keeps it at every
+    /// quality, and the number of particles is a cap.
+    pub spacing_overridden: bool,
     /// The preset that the settings started from.
     pub preset: &'static str,
 }
@@ -30,6 +34,7 @@ impl Default for Requested {
         Requested {
             scene: Scene::default(),
             count_overridden: false,
+            spacing_overridden: false,
             preset: PRESETS[0].name,
         }
     }
@@ -45,13 +50,13 @@ impl Requested {
         Ok(Requested {
             scene: preset.scene(),
             preset: preset.name,
-            count_overridden: false,
+            ..Requested::default()
         })
     }
 
-    /// The scene of the preset without changes.
-    pub fn preset_scene(&self) -> Scene {
-        Preset::find(self.preset).map_or_else(Scene::default, Preset::scene)
+    /// The preset.
+    pub fn preset(&self) -> &'static Preset {
+        Preset::find(self.preset).unwrap_or(&PRESETS[0])
     }
 
     /// The parameters.
@@ -64,27 +69,61 @@ impl Requested {
         self.count_overridden && self.parameters().model() == Model::Combustion
     }
 
-    /// Whether the number of particles follows the level.
+    /// Whether a page set the resolution: the number of particles, or their spacing.
+    fn is_fixed(&self) -> bool {
+        self.count_overridden || self.spacing_overridden && self.parameters().has_open_edges()
+    }
+
+    /// Whether the resolution follows the level.
     pub fn follows_level(&self) -> bool {
-        self.parameters().model() == Model::Combustion
-            && !self.count_overridden
-            && self.parameters().max_particles == Level::Medium.particles()
+        let (values, preset) = (self.parameters(), self.preset());
+        let own = preset.names(COUNT) && values.get(COUNT) == preset.parameters().get(COUNT);
+        values.model() == Model::Combustion && !self.is_fixed() && !own
     }
 
-    /// Whether the number of particles comes from the scene.
+    /// Whether the resolution is that of the scene, which names its number of particles.
     pub fn follows_scene(&self) -> bool {
-        self.parameters().model() == Model::Combustion
-            && !self.count_overridden
-            && !self.follows_level()
+        self.parameters().model() == Model::Combustion && !self.is_fixed() && !self.follows_level()
     }
 
-    /// The scene, with that number of particles unless a page set the number.
-    pub fn at(&self, particles: u32) -> Scene {
-        if self.follows_level() || self.follows_scene() {
-            with_count(&self.scene, particles)
+    /// The number of particles that would fill the frame, without a limit of the device: that of
+    /// the medium level if it follows the level.
+    pub fn number(&self) -> u32 {
+        if self.follows_level() {
+            Level::Medium.particles()
         } else {
-            self.scene.clone()
+            self.completed().frame_particles()
         }
+    }
+
+    /// The parameters with the resolution that follows from what the page and the preset name.
+    pub fn completed(&self) -> Parameters {
+        let mut values = self.parameters().clone();
+        let (spacing, count) = (self.spacing_overridden, self.count_overridden);
+        self.preset().complete(&mut values, spacing, count);
+        values
+    }
+
+    /// Follows the frame and the number of particles with the spacing, unless a page set it.
+    pub fn follow_frame(&mut self) {
+        let now = self.completed().spacing;
+        if self.parameters().has_open_edges() && now != self.parameters().spacing {
+            let mut settings = self.parameters().clone();
+            let set = settings.set(SPACING, Input::Number(now.into()));
+            debug_assert_eq!(set, Ok(()));
+            self.scene.set_settings(settings);
+        }
+    }
+
+    /// The scene, with that number of particles in its frame unless a page set the resolution.
+    pub fn at(&self, particles: u32) -> Scene {
+        let mut values = self.completed();
+        if particles != self.number() && (self.follows_level() || self.follows_scene()) {
+            values.set_frame_particles(particles);
+        }
+        let mut scene = self.scene.clone();
+        scene.set_settings(values);
+        scene
     }
 
     /// Whether frames cost as much as those of `other` at the same level. If not, measured
@@ -92,17 +131,22 @@ impl Requested {
     pub fn costs_like(&self, other: &Requested) -> bool {
         let cost = |requested: &Requested| {
             let values = requested.parameters();
-            (values.model(), values.max_particles, values.time_scale)
+            let resolution = (values.max_particles, values.frame_particles());
+            (values.model(), resolution, values.time_scale)
         };
         cost(self) == cost(other) && self.follows_level() == other.follows_level()
     }
 }
 
-/// A scene with another number of particles.
+/// A scene with fewer particles in its frame, and no higher cap.
 pub(crate) fn with_count(scene: &Scene, particles: u32) -> Scene {
     let mut settings = scene.settings().clone();
-    let set = settings.set(COUNT, Input::Number(particles.into()));
-    debug_assert_eq!(set, Ok(()));
+    let cap = settings.max_particles;
+    settings.set_frame_particles(particles);
+    if settings.max_particles > cap {
+        let set = settings.set(COUNT, Input::Number(cap.into()));
+        debug_assert_eq!(set, Ok(()));
+    }
     let mut new = scene.clone();
     new.set_settings(settings);
     new

@@ -88,8 +88,9 @@ impl Warm {
     /// The scene to simulate now for a requested scene: with fewer particles in the first part.
     pub fn coarse(&self, requested: &Scene) -> Scene {
         let settings = requested.settings();
-        let few = (settings.max_particles / COARSENING).max(MIN_COARSE);
-        let fewer = settings.model() == Model::Combustion && few < settings.max_particles;
+        let full = settings.frame_particles();
+        let few = (full / COARSENING).max(MIN_COARSE);
+        let fewer = settings.model() == Model::Combustion && few < full;
         if self.left > FINE_DURATION && fewer {
             with_count(requested, few)
         } else {

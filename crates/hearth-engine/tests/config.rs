@@ -81,7 +81,7 @@ fn import_restores_every_exported_change() {
                 };
                 // Only numbers are changed.
                 if parameters.set(param.id, Input::Number(one_end)).is_ok() {
-                    requested.scene.set_settings(parameters);
+                    requested = set(&requested, param.id, Untrusted::Number(one_end));
                 }
             }
             let back = imported(&export(&requested));

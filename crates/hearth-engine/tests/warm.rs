@@ -109,3 +109,27 @@ fn without_a_duration_there_is_no_warm_up() {
     warm.set(0.1);
     assert!(!warmed(&mut warm, &values).1.is_empty());
 }
+
+#[test]
+fn open_air_warms_up_with_a_coarse_spacing() {
+    let mut values = with(&[]);
+    assert_eq!(values.set("edges", Input::Text("open")), Ok(()));
+    values.set_frame_particles(3000);
+    let (fire, counts) = warmed(&mut Warm::new(2.0, Vec::new()), &values);
+    let most = |counts: &[usize]| counts.iter().copied().max();
+    assert!(most(&counts[..20]) < Some(1000), "{counts:?}");
+    assert!((2000..=6000).contains(&fire.count()), "{}", fire.count());
+    assert_eq!(fire.parameters().spacing(), values.spacing());
+    assert!(flame(&fire) > 0.3, "{} m", flame(&fire));
+    // Its saved fire starts another one at any spacing.
+    let bytes = fire.burning().unwrap_or_default();
+    for particles in [1200, 3000, 6700] {
+        let mut other = values.clone();
+        other.set_frame_particles(particles);
+        let mut warm = Warm::new(2.0, bytes.clone());
+        let mut resumed = Simulation::new(other.clone());
+        assert_eq!(warm.begin(&mut resumed, &other.clone().into()), None);
+        assert!(!warm.is_on() && resumed.time() >= 2.0);
+        assert_eq!(resumed.parameters().spacing(), other.spacing());
+    }
+}

@@ -14,6 +14,12 @@ const COSTLY: &[(&str, f64)] = &[
     ("stiffness", 9.0),
 ];
 
+/// Number of particles in the frame from which a `spacing` is costly.
+const COSTLY_IN_FRAME: u32 = 10_000;
+
+/// Smallest share of sleeping air that counts.
+const ASLEEP: f64 = 0.005;
+
 /// From this fraction of the requested number on, the number of particles counts as it.
 const NEARLY: f64 = 0.95;
 
@@ -25,9 +31,17 @@ pub fn costly_from(param: &Param) -> Option<f64> {
         .map(|&(_, from)| from)
 }
 
-/// The number of particles, and the requested one if that is another.
+/// The number of particles, and the requested one if that is another. In open air, the number
+/// follows from the fire, and the text has the share that sleeps.
 pub fn particles(fire: &Fire) -> String {
     let now = fire.stats.particles;
+    if fire.parameters.has_open_edges() {
+        let text = format!("{} particles", count_text(now));
+        return match fire.stats.asleep {
+            share if share < ASLEEP => text,
+            share => format!("{text} ({} % asleep)", significant(100.0 * share, 2)),
+        };
+    }
     let requested = f64::from(fire.parameters.max_particles);
     let quality = &*fire.stats.quality;
     if now >= NEARLY * requested || now == 0.0 {
@@ -65,7 +79,10 @@ pub fn note(fire: &Fire, param: &Param, value: f64) -> Option<String> {
             count_text(fire.stats.particles)
         ));
     }
-    let costly = costly_from(param).is_some_and(|from| value >= from);
+    let costly = match param.id {
+        "spacing" => fire.parameters.frame_particles() >= COSTLY_IN_FRAME,
+        _ => costly_from(param).is_some_and(|from| value >= from),
+    };
     match (costly, speed(fire)) {
         (true, Some(speed)) => Some(format!("Expensive value: the fire runs at {speed}")),
         _ => None,

@@ -2,6 +2,7 @@
 
 use hearth_bindings::{Record, Untrusted, ValidationError, memory, panic, settings};
 use hearth_core::params::{PARAMETERS, Parameters};
+use hearth_core::preset::PRESETS;
 use hearth_core::simulation::ParticleError;
 use hearth_core::{Scene, Simulation};
 use js_sys::Array;
@@ -18,20 +19,19 @@ pub struct Fire {
 
 #[wasm_bindgen]
 impl Fire {
-    /// A fire of the preset with these values and objects.
+    /// A fire of the preset with these values and objects. Without a `spacing` among them, the
+    /// resolution of open air is the number of particles that would fill the frame.
     ///
     /// # Errors
     /// An unknown preset, or a value that is refused.
     #[wasm_bindgen(constructor)]
     pub fn new(preset: Option<String>, ids: Array, values: Array) -> Result<Fire, JsValue> {
         panic::record();
-        let scene = match preset {
-            Some(name) => settings::preset(&name)
-                .map_err(|error| thrown(vec![error]))?
-                .scene(),
-            None => Scene::default(),
+        let preset = match preset {
+            Some(name) => settings::preset(&name).map_err(|error| thrown(vec![error]))?,
+            None => &PRESETS[0],
         };
-        let scene = settings::with_values(&scene, &columns(&ids, &values));
+        let scene = settings::document(preset, &columns(&ids, &values));
         let simulation = Simulation::new(affordable(None, scene)?);
         Ok(Fire { simulation })
     }

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use hearth_core::Parameters;
-use hearth_core::params::Input;
+use hearth_core::params::{IN_FRAME, Input};
 
 /// The help.
 pub const HELP: &str = "\
@@ -77,10 +77,13 @@ impl Options {
                 _ => return Err(format!("there is no \"{argument}\"\n\n{HELP}").into()),
             }
         }
+        let [spacing, number] =
+            ["spacing", "max_particles"].map(|id| values.iter().any(|(known, _)| *known == id));
         options.parameters.set_all(values).map_err(|errors| {
             let said: Vec<_> = errors.iter().map(ToString::to_string).collect();
             said.join("\n")
         })?;
+        options.parameters.complete(spacing, number, IN_FRAME);
         Ok(options)
     }
 }

@@ -3,15 +3,10 @@
 use std::ops::Deref;
 
 use super::check::nearest_id;
-use super::choices::{Edges, Model};
+use super::choices::Model;
 use super::entry::Condition;
-use super::table::{PARAMETERS, Param, Physics, Values};
+use super::table::{PARAMETERS, Param, Values};
 use super::value::{Input, ParamError, ParamErrorKind, Value, abbreviated};
-use crate::extremes::fast_max;
-
-/// Largest number of particles of open air that could fill the frame: a finer `spacing` would
-/// ask for more memory than a page has.
-const MAX_IN_FRAME: f32 = 200_000.0;
 
 /// The id of the model, which decides the domains of the other parameters.
 const MODEL: &str = "model";
@@ -161,28 +156,6 @@ impl Parameters {
         };
         self.current.slot(param.field).put(present.get(param.field));
         self.other.slot(param.field).put(absent.get(param.field));
-    }
-}
-
-impl Physics {
-    /// Distance of neighbouring particles in gas at the density of the air \[m\].
-    pub fn spacing(&self) -> f32 {
-        let frame = self.domain_width * self.domain_height;
-        match (self.model, self.edges) {
-            (Model::Classic, _) => libm::sqrtf(self.particle_mass / self.rest_density),
-            (Model::Combustion, Edges::Periodic) => libm::sqrtf(frame / self.max_particles as f32),
-            (Model::Combustion, Edges::Open) => {
-                fast_max(self.spacing, libm::sqrtf(frame / MAX_IN_FRAME))
-            }
-        }
-    }
-
-    /// Smoothing length h, half of the support radius \[m\].
-    pub fn smoothing_length(&self) -> f32 {
-        match self.model {
-            Model::Classic => self.smoothing_radius,
-            Model::Combustion => self.smoothing_ratio * self.spacing(),
-        }
     }
 }
 

@@ -200,12 +200,12 @@ parameters! {
         smoke_life: number "Smoke life" ["s"] Log { Combustion(1.5, 0.1..=10.0) }
     }
     "World" {
-        /// More space beside the fire, in a wider view. Width of the simulated domain. In the
-        /// combustion model, gas that leaves on one side enters on the other.
-        domain_width: number "Width" ["m"] Log { Every(1.2, 0.1..=6.0) }
-        /// More space above the fire, in a wider view. Height of the simulated domain; the
-        /// picture fits it.
-        domain_height: number "Height" ["m"] Log { Classic(1.5, 0.1..=6.0) Combustion(1.8, 0.1..=6.0) }
+        /// More space beside the fire, in a wider view. Width of the frame, which the picture fits.
+        /// Classic and periodic edges: width of the simulated domain.
+        domain_width: number "Frame width" ["m"] Log { Every(1.2, 0.1..=6.0) }
+        /// More space above the fire, in a wider view. Height of the frame, which the picture
+        /// fits. Classic and periodic edges: height of the simulated domain.
+        domain_height: number "Frame height" ["m"] Log { Classic(1.5, 0.1..=6.0) Combustion(1.8, 0.1..=6.0) }
         /// Open sides, walls, or periodic sides. Particles at the left and the right edge
         /// leave, are stopped, or enter on the other side. The floor stops them, unless the
         /// sides are open; the top is always open.
@@ -232,11 +232,12 @@ parameters! {
         time_step: number "Time step" ["s"] Log { Classic(1.0 / 240.0, 0.002..=0.017) }
     }
     "Physics" {
-        /// A coarser fire that takes less work. Distance of neighbouring particles in air.
-        spacing: number "Spacing" ["m"] Log { Combustion(0.0268, 0.002..=0.2) } when { edges: OPEN }
-        /// A finer fire that takes more work. Classic and open edges: largest number of
-        /// particles; with open edges, the highest air sleeps beyond it. Periodic edges:
-        /// approximate number of particles of air and gas.
+        /// A coarser fire that takes less work. Distance of neighbouring particles in air. Until it
+        /// is set, it follows the frame, the number of particles and the quality.
+        spacing: number "Spacing" ["m"] Log { Combustion(0.0268, 0.0003..=0.5) } when { edges: OPEN }
+        /// A finer fire that takes more work. Classic, and open edges with a `spacing`: largest
+        /// number of particles; with open edges, the highest air sleeps beyond it. Without a
+        /// `spacing`, and periodic edges: number of particles that would fill the frame.
         max_particles: integer "Particles" [""] Log { Classic(1000, 100.0..=100_000.0) Combustion(3000, 200.0..=100_000.0) }
         /// A smoother, wider fire that takes more work. Smoothing length h: particles interact
         /// up to twice this distance.

@@ -1,6 +1,6 @@
 //! The types of the presets.
 
-use crate::params::{Input, Parameters};
+use crate::params::{IN_FRAME, Input, Parameters};
 use crate::scene::Scene;
 
 /// A named set of values that differ from the defaults.
@@ -23,12 +23,19 @@ pub struct Caption {
 }
 
 impl Preset {
-    /// Its values.
+    /// Its values, with their resolution.
     pub fn parameters(&self) -> Parameters {
         let mut parameters = Parameters::default();
         let set = parameters.set_all(self.values.iter().copied());
         debug_assert!(set.is_ok(), "preset {}: {set:?}", self.name);
+        let [spacing, number] = ["spacing", "max_particles"].map(|id| self.names(id));
+        parameters.complete(spacing, number, IN_FRAME);
         parameters
+    }
+
+    /// Whether it sets this parameter.
+    pub fn names(&self, id: &str) -> bool {
+        self.values.iter().any(|(known, _)| *known == id)
     }
 
     /// Its scene: these values, with one source.

@@ -35,7 +35,7 @@ impl Fire {
     /// The scene at the current level and size.
     pub(super) fn scene(&self) -> Scene {
         let scene = self.requested.at(self.particles(self.quality.level()));
-        if self.is_limited(scene.settings().max_particles) {
+        if self.is_limited(scene.settings().frame_particles()) {
             with_count(&scene, self.capacity.limit())
         } else {
             scene
@@ -50,11 +50,16 @@ impl Fire {
 
     /// Follows the time of a step \[ms\] with the number of particles.
     pub(super) fn measure(&mut self, step: f64, events: &Events) {
-        let wanted = self.requested.parameters().max_particles;
         if self.requested.follows_level() {
             return;
         }
-        let count = self.simulation.count();
+        let wanted = self.requested.number();
+        // Open air holds fewer particles than would fill its frame, and the limit is one of those.
+        let values = self.simulation.parameters();
+        let count = match values.has_open_edges() {
+            true => values.frame_particles() as usize,
+            false => self.simulation.count(),
+        };
         if let Some(step) = self.capacity.measure(step, count, wanted) {
             let now = wanted.min(self.capacity.limit());
             self.quality
@@ -68,7 +73,7 @@ impl Fire {
     pub(super) fn particles(&self, level: Level) -> u32 {
         let exact = self.quality.requested().is_some();
         if self.requested.follows_scene() {
-            let number = self.requested.parameters().max_particles;
+            let number = self.requested.number();
             if exact {
                 number
             } else {
@@ -84,7 +89,7 @@ impl Fire {
     /// What limits the number of particles, as in `stats`; empty if a page set the number.
     pub(crate) fn limited_by(&self) -> &'static str {
         let level = self.quality.level();
-        let number = self.requested.parameters().max_particles;
+        let number = self.requested.number();
         if self.is_limited(number) {
             "speed"
         } else if self.requested.follows_scene() {

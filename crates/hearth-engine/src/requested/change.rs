@@ -3,7 +3,7 @@
 use hearth_bindings::{Untrusted, ValidationError, settings};
 use hearth_core::params::Model;
 
-use super::{COUNT, Requested};
+use super::{COUNT, Requested, SPACING};
 use crate::commands::{Command, Start};
 use crate::config::Config;
 
@@ -22,9 +22,11 @@ impl Requested {
             }
         }
         requested.count_overridden |= start.count_overridden;
+        requested.spacing_overridden |= start.spacing_overridden;
         for values in [start.kept, start.values] {
             settings::set_valid(&mut requested.scene, values, &mut errors);
         }
+        requested.follow_frame();
         (requested, errors)
     }
 
@@ -41,21 +43,22 @@ impl Requested {
         };
         let (scene, overridden) = match command {
             _ if let Some((id, sent)) = object => {
-                (settings::with_object(&self.scene, id, sent), None)
+                (settings::with_object(&self.scene, id, sent), [None; 2])
             }
             Command::Set { values, .. } => {
-                let named = values.iter().any(|(id, _)| id == COUNT);
+                let names = |name: &str| values.iter().any(|(id, _)| id == name);
                 let set = settings::with_values(&self.scene, values);
-                (set, named.then_some(true))
+                (set, [COUNT, SPACING].map(|id| names(id).then_some(true)))
             }
             Command::Restore { ids, .. } => {
-                let named = ids.iter().any(|id| id.text() == COUNT);
+                let names = |name: &str| ids.iter().any(|id| id.text() == name);
+                let named = [COUNT, SPACING].map(|id| names(id).then_some(false));
                 let ids: Vec<_> = ids
                     .iter()
                     .map(|id| (id.text().to_owned(), Untrusted::Missing))
                     .collect();
                 let restored = settings::with_defaults(&self.scene, &ids);
-                (restored, named.then_some(false))
+                (restored, named)
             }
             Command::Preset { name, .. } => return Some(Requested::of_preset(name)),
             Command::Import { config, .. } => return Some(Config::requested_by(config)),
@@ -64,12 +67,15 @@ impl Requested {
         Some(scene.map(|scene| {
             // The classic model's number never follows the quality.
             let combustion = scene.settings().model() == Model::Combustion;
-            let overridden = overridden.filter(|_| combustion);
-            Requested {
+            let [count, spacing] = overridden.map(|named| named.filter(|_| combustion));
+            let mut requested = Requested {
                 scene,
-                count_overridden: overridden.unwrap_or(self.count_overridden),
+                count_overridden: count.unwrap_or(self.count_overridden),
+                spacing_overridden: spacing.unwrap_or(self.spacing_overridden),
                 preset: self.preset,
-            }
+            };
+            requested.follow_frame();
+            requested
         }))
     }
 }

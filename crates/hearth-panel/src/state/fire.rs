@@ -6,10 +6,13 @@
 
 use std::collections::{BTreeMap, VecDeque};
 
-use hearth_core::params::{Domain, Input, Model, PARAMETERS, Param, ParamError, Parameters, Value};
+use hearth_core::params::{Domain, Input, PARAMETERS, Param, ParamError, Parameters, Value};
 
 /// The id of the parameter that selects the model.
 pub const MODEL: &str = "model";
+
+/// The id of the parameter that selects the edges of the air.
+const EDGES: &str = "edges";
 
 /// The qualities that a fire can be set to, as its API names them.
 pub const QUALITIES: [&str; 4] = ["auto", "low", "medium", "high"];
@@ -46,6 +49,8 @@ pub struct Stats {
     pub fps: f64,
     /// Number of live particles.
     pub particles: f64,
+    /// Share of the air that sleeps because of the largest number of particles.
+    pub asleep: f64,
     /// Duration of a step [ms].
     pub step_ms: f64,
     /// Steps per frame.
@@ -132,12 +137,13 @@ impl Fire {
         param.any_domain(self.parameters.model())
     }
 
-    /// The parameters of the present model, without the model itself.
-    pub fn used(&self) -> impl Iterator<Item = &'static Param> + use<> {
-        let model: Model = self.parameters.model();
-        PARAMETERS
-            .iter()
-            .filter(move |param| param.id != MODEL && param.domain(model).is_some())
+    /// The parameters of the present model and of its edges, without the model itself.
+    pub fn used(&self) -> impl Iterator<Item = &'static Param> + '_ {
+        PARAMETERS.iter().filter(|param| {
+            let mut unmet = param.unmet_conditions(&self.parameters);
+            let used = param.domain(self.parameters.model()).is_some();
+            used && param.id != MODEL && unmet.all(|(id, _)| *id != EDGES)
+        })
     }
 
     /// Checks a value without setting it.
@@ -216,6 +222,8 @@ impl Fire {
 
 #[cfg(test)]
 mod tests {
+    use hearth_core::params::Model;
+
     use super::*;
 
     fn classic() -> Fire {
@@ -223,6 +231,18 @@ mod tests {
             parameters: Parameters::new(Model::Classic),
             scene: Parameters::new(Model::Classic),
             ..Fire::default()
+        }
+    }
+
+    #[test]
+    fn each_kind_of_edges_has_its_own_parameters() {
+        let mut fire = Fire::default();
+        for (edges, open) in [("open", true), ("periodic", false)] {
+            fire.receive(EDGES, Input::Text(edges));
+            for (id, shown) in [("floor", open), ("spacing", open), ("seam", !open)] {
+                assert_eq!(fire.used().any(|param| param.id == id), shown, "{id}");
+            }
+            assert!(fire.used().any(|param| param.id == "domain_width"));
         }
     }
 

@@ -284,6 +284,7 @@ fn stats(value: &JsValue) -> Stats {
     Stats {
         fps: number("fps"),
         particles: number("particles"),
+        asleep: number("asleep"),
         step_ms: number("stepMs"),
         steps_per_frame: number("stepsPerFrame"),
         draw_ms: number("drawMs"),

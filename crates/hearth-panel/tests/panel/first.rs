@@ -223,6 +223,40 @@ fn measurements_are_shown_as_they_are() {
 }
 
 #[test]
+fn open_air_shows_its_particles_and_the_share_that_sleeps() {
+    let mut harness = Harness::of_model(Model::Combustion, TALL);
+    harness
+        .panel
+        .state
+        .fire
+        .receive("edges", Input::Text("open"));
+    let mut stats = Stats {
+        particles: 742.0,
+        ..Stats::default()
+    };
+    let texts = texts_with(&mut harness, stats.clone());
+    assert!(
+        texts.iter().any(|text| text == "742 particles"),
+        "{texts:?}"
+    );
+    stats.asleep = 0.12;
+    let texts = texts_with(&mut harness, stats.clone());
+    let words = "742 particles (12 % asleep)";
+    assert!(texts.iter().any(|text| text == words), "{texts:?}");
+    // A fine spacing is expensive, as many particles are.
+    (stats.slowed, stats.time_scale) = (true, 0.3);
+    harness
+        .panel
+        .state
+        .fire
+        .receive("spacing", Input::Number(0.01));
+    harness.reveal("spacing");
+    let texts = texts_with(&mut harness, stats);
+    let note = "Expensive value: the fire runs at 0.3 × real time";
+    assert!(texts.iter().any(|text| text == note), "{texts:?}");
+}
+
+#[test]
 fn the_classic_model_explains_its_number_of_particles() {
     let mut harness = Harness::new(TALL);
     harness.reveal("max_particles");

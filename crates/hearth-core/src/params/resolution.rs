@@ -1,0 +1,144 @@
+//! The resolution of a fire: a spacing, or the number of particles that would fill the frame.
+//!
+//! With open edges the resolution is the length `spacing`, and `max_particles` is a cap. Settings
+//! that do not name `spacing` state the resolution as a number of particles of the frame, as the
+//! closed domain does. So settings from before open edges keep their framing and their resolution,
+//! and need no version.
+
+use super::choices::{Edges, Model};
+use super::set::Parameters;
+use super::table::{Param, Physics};
+use super::value::Input;
+use crate::extremes::{fast_max, fast_min};
+use crate::preset::Preset;
+
+/// Fewest and most particles of open air that could fill the frame: a finer `spacing` would ask
+/// for more memory than a page has, and a coarser one would leave no fire.
+const MIN_IN_FRAME: f32 = 200.0;
+const MAX_IN_FRAME: f32 = 200_000.0;
+
+/// Number of particles of a frame whose settings name neither `spacing` nor `max_particles`.
+pub const IN_FRAME: u32 = 3000;
+
+impl Physics {
+    /// Distance of neighbouring particles in gas at the density of the air \[m\].
+    pub fn spacing(&self) -> f32 {
+        let frame = self.domain_width * self.domain_height;
+        match (self.model, self.edges) {
+            (Model::Classic, _) => libm::sqrtf(self.particle_mass / self.rest_density),
+            (Model::Combustion, Edges::Periodic) => libm::sqrtf(frame / self.max_particles as f32),
+            (Model::Combustion, Edges::Open) => {
+                let [min, max] = [MAX_IN_FRAME, MIN_IN_FRAME].map(|n| libm::sqrtf(frame / n));
+                fast_max(fast_min(self.spacing, max), min)
+            }
+        }
+    }
+
+    /// Smoothing length h, half of the support radius \[m\].
+    pub fn smoothing_length(&self) -> f32 {
+        match self.model {
+            Model::Classic => self.smoothing_radius,
+            Model::Combustion => self.smoothing_ratio * self.spacing(),
+        }
+    }
+
+    /// The resolution as a number: the particles of air that would fill the frame. In the classic
+    /// model, the largest number of particles.
+    pub fn frame_particles(&self) -> u32 {
+        if self.has_open_edges() {
+            let spacing = self.spacing();
+            let number = self.domain_width * self.domain_height / (spacing * spacing);
+            libm::roundf(number) as u32
+        } else {
+            self.max_particles
+        }
+    }
+
+    /// Whether the air has no box, so that `spacing` is the resolution.
+    pub fn has_open_edges(&self) -> bool {
+        self.model == Model::Combustion && self.edges == Edges::Open
+    }
+}
+
+impl Parameters {
+    /// Sets the resolution at which that number of particles would fill the frame. With open
+    /// edges, this sets `spacing`, and `max_particles` to twice the number, because a fire moves
+    /// air beyond the frame, too.
+    #[inline(never)]
+    pub fn set_frame_particles(&mut self, particles: u32) {
+        if self.has_open_edges() {
+            let frame = f64::from(self.domain_width) * f64::from(self.domain_height);
+            self.set_within("spacing", libm::sqrt(frame / f64::from(particles.max(1))));
+            self.set_within("max_particles", 2.0 * f64::from(particles));
+        } else {
+            self.set_within("max_particles", particles.into());
+        }
+    }
+
+    /// Completes the resolution of settings, of which `spacing` and `max_particles` tell whether a
+    /// document, a page or a caller names the parameter. If `spacing` is not named, the resolution
+    /// is the one at which `max_particles` would fill the frame, or `in_frame` if that is not named
+    /// either. A cap that is not named is large enough for twice the frame.
+    ///
+    /// Readers call it once, after all values of a document are set. `set` alone never does.
+    pub fn complete(&mut self, spacing: bool, max_particles: bool, in_frame: u32) {
+        if self.model != Model::Combustion {
+            return;
+        }
+        let number = if max_particles {
+            self.max_particles
+        } else {
+            in_frame
+        };
+        if !self.has_open_edges() || !spacing {
+            self.set_frame_particles(number);
+        } else if !max_particles {
+            let enough = self.frame_particles().saturating_mul(2);
+            if self.max_particles < enough {
+                self.set_within("max_particles", enough.into());
+            }
+        }
+        // The default is a rounded length.
+        let is_default = ["domain_width", "domain_height"].map(|id| self.is_default(id));
+        if !spacing && number == IN_FRAME && is_default == [true; 2] {
+            let restored = self.restore("spacing");
+            debug_assert_eq!(restored, Ok(()));
+        }
+    }
+
+    /// Sets a number, clamped to the range of its parameter.
+    fn set_within(&mut self, id: &'static str, number: f64) {
+        if let Some(param) = Param::find(id) {
+            let (min, max) = param.any_domain(self.model).range;
+            let set = self.set(id, Input::Number(number.clamp(min, max)));
+            debug_assert_eq!(set, Ok(()));
+        }
+    }
+
+    fn is_default(&self, id: &str) -> bool {
+        Param::find(id).is_some_and(|param| param.get(self) == param.any_domain(self.model).default)
+    }
+}
+
+impl Preset {
+    /// [Completes](Parameters::complete) settings that started from this preset. If it names its
+    /// `spacing`, settings without one keep it in the same frame, and have as many particles in
+    /// another. If it names its number of particles, a closed domain keeps that.
+    pub fn complete(&self, settings: &mut Parameters, spacing: bool, max_particles: bool) {
+        let base = self.parameters();
+        let own = self.names("spacing");
+        let id = "max_particles";
+        let number = !own && self.names(id) && settings.get(id) == base.get(id);
+        let frame = |values: &Parameters| (values.domain_width, values.domain_height);
+        let kept = own && !spacing && !max_particles && frame(settings) == frame(&base);
+        if kept {
+            settings.set_within("spacing", base.spacing.into());
+        }
+        let in_frame = if own {
+            base.frame_particles()
+        } else {
+            IN_FRAME
+        };
+        settings.complete(spacing || kept, max_particles || number, in_frame);
+    }
+}

@@ -66,6 +66,19 @@ impl Awake {
         }
     }
 
+    /// Continues the state of another layout with the same size of cells. A layout that ends
+    /// lower has the ceiling at its end.
+    pub fn continue_from(&mut self, old: &Awake, (from, to): (&Layout, &Layout)) {
+        for (cell, same) in to.common(from) {
+            self.remaining[cell] = old.remaining[same];
+        }
+        if old.ceiling < from.rows {
+            let ceiling = old.ceiling as isize + to.lowest() - from.lowest();
+            self.ceiling = (ceiling.max(0) as usize).min(to.rows);
+        }
+        self.asleep = old.asleep;
+    }
+
     /// Wakes the cells of active gas that the map does not know yet.
     pub fn wake_active(&mut self, layout: &Layout, gas: &Gas, values: &Physics) {
         for position in active(gas, values) {
@@ -207,7 +220,7 @@ mod tests {
 
     /// The map around a source after that many updates with this capacity.
     fn around(source: Rectangle, updates: u32, capacity: f32) -> (Map, Awake) {
-        let layout = Layout::new(Vec2::new(2.0, 3.0), 0.4, 0.08, false);
+        let layout = Layout::new(1.4, 0.4, 3.4, 0.08, false);
         let (mut map, mut awake) = (Map::new(layout), Awake::new(&layout));
         let gas = Gas::default();
         for _ in 0..updates {

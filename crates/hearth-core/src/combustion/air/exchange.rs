@@ -97,6 +97,14 @@ impl Exchange {
         }
     }
 
+    /// Continues the flow of another layout with the same size of cells.
+    pub fn continue_from(&mut self, old: &Exchange, (from, to): (&Layout, &Layout)) {
+        for (cell, same) in to.common(from) {
+            self.flow[cell] = old.flow[same];
+            self.counts[cell] = old.counts[same];
+        }
+    }
+
     /// Removes the gas outside, and lists the rest by cells.
     pub fn remove(&mut self, map: &Map, gas: &mut Gas) {
         self.first.fill(NONE);

@@ -1,11 +1,14 @@
 // Noise advection: the offset of each of two patterns since its start. It is the offset at the
-// gas's position in the last picture, plus the displacement since then.
+// gas's position in the last picture, which may show another part of the world, plus the
+// displacement since then.
 
 in vec2 uv;
 
 uniform sampler2D flow;           // weight, weight × velocity
 uniform sampler2D carried_before; // the output of this pass in the last picture
 uniform vec2 step_time; // time since the last picture / size of the picture [s/m]
+uniform vec2 before_scale;  // from a position in this picture to that in the last one
+uniform vec2 before_offset;
 uniform vec2 kept;      // of each pattern: 0 if it restarts in this picture, else 1
 
 out vec4 carried; // in sizes of the picture: first pattern, second pattern
@@ -15,5 +18,6 @@ const float THIN = 0.1; // weight below which gas advects less: the rim of a fla
 void main() {
     vec4 gas = texture(flow, uv);
     vec2 moved = gas.yz / max(gas.x, THIN) * step_time;
-    carried = texture(carried_before, uv - moved) * kept.xxyy + moved.xyxy;
+    vec2 place = (uv - moved) * before_scale + before_offset;
+    carried = texture(carried_before, place) * kept.xxyy / before_scale.xyxy + moved.xyxy;
 }

@@ -12,6 +12,9 @@ uniform sampler2D carried;      // offsets of two advected noise patterns, in si
 uniform vec4 field_range;       // range of weight, weight × kK, × soot, × burning in the field
 uniform float source_width;     // [m]
 uniform float per_domain_width; // [1/m]
+uniform float closed;           // 1: the domain ends at its edges; 0: open air
+uniform float picture_height;   // before it is enlarged, in heights of the domain
+uniform float picture_bottom;   // its lower edge above the floor, in heights of the domain
 uniform vec2 tiles;             // noise tiles per metre
 uniform float risen;            // rise of the patterns without advection, in tiles
 uniform vec4 pattern_starts;    // offsets of the patterns in the tile
@@ -37,7 +40,7 @@ const float LEVEL_BIAS = 0.5;
 const float GROWN = 0.8;         // height of full displacement above the source, in source widths
 const float FOOT = 0.35;         // share of that displacement at the source
 const float FULL = 1.25;         // 1 / weight of gas without air
-// The domain is periodic in x: gas fades between these distances from its middle, in widths of the
+// A closed domain is periodic in x: gas fades between these distances from its middle, in widths of the
 // domain,
 const float SIDE = 0.36;
 const float SIDE_END = 0.48;
@@ -100,8 +103,8 @@ void main() {
     float kilokelvin = mix(air, gas.y / weight, share);
     float up = domain_height(uv);
     float soot = gas.z / weight * share * smoothstep(INVISIBLE, VISIBLE, around)
-               * (1.0 - smoothstep(SIDE, SIDE_END, abs(place.x) * per_domain_width))
-               * (1.0 - smoothstep(TOP, TOP_END, max(up, uv.y))) * clamp(up * per_soft_floor, 0.0, 1.0);
+               * (1.0 - closed * smoothstep(SIDE, SIDE_END, abs(place.x) * per_domain_width))
+               * (1.0 - closed * smoothstep(TOP, TOP_END, max(up, (up - picture_bottom) / picture_height))) * clamp(up * per_soft_floor, 0.0, 1.0);
 
     float rim = 2.0 * (place.x - source.x) / source_width;
     float base = smoothstep(0.0, BASE, above - BOWL * min(rim * rim, MAX_BOWL) + RAGGED_BASE * broad.w * min(detail, 1.0));

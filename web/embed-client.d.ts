@@ -26,11 +26,13 @@ export type FrameOption =
   | 'loading'
   | 'max-pixels'
   | 'objects'
+  | 'pan'
   | 'paused'
   | 'quality'
   | 'reduced-motion'
   | 'touch-action'
-  | 'warm';
+  | 'warm'
+  | 'zoom';
 
 /** The events of an embedded fire. */
 export interface FrameFireEventMap {

@@ -66,6 +66,10 @@ export interface HearthFireAttributes {
   fit?: 'height' | 'contain' | 'cover' | 'width' | undefined;
   /** Where the domain lies in the picture, in the keywords of CSS's `object-position`: `left`, `center` or `right`, and `top`, `center` or `bottom`. The default is `center bottom`. */
   align?: string | undefined;
+  /** How much the picture is enlarged, from 1 to 10. It changes the view, not the fire. Gestures of an interactive fire change it too. */
+  zoom?: number | undefined;
+  /** Which part of the enlarged picture is seen: two numbers from 0 to 1, its position from the left and from below. The default is `0.5 0.5`, the middle. */
+  pan?: string | undefined;
   /** What touches of an interactive fire do to the page, as CSS's `touch-action`. The default is `pan-y`. */
   'touch-action'?: string | undefined;
   /** Shows the panel of sliders inside the element, for all parameters or for a list of them. Its code is loaded on request. */

@@ -144,6 +144,7 @@ export class EngineConnection {
     const { view, ...started } = start(prepared);
     this.send('add', { side: this.#size[2], guess: guess(), ...started });
     this.send('view', view.fit, view.x, view.y);
+    this.send('zoom', view.zoom, view.panX, view.panY);
     this.send('resize', ...this.#size);
     this.send('visible', this.#visible);
     answered = this.#requests.connect(fire, (request, call) => this.#call(request, call));

@@ -4,7 +4,7 @@
  */
 
 import { CHOICES, OBSERVED } from './attributes.js';
-import { alignment } from './viewport.js';
+import { MAX_ZOOM, alignment, panning } from './viewport.js';
 
 const LIMITS = ['fps-limit', 'max-pixels'];
 
@@ -112,6 +112,8 @@ export class PagePolicies {
       this.#listen();
     } else if (name === 'fit' || name === 'align') {
       this.#frame();
+    } else if (name === 'zoom' || name === 'pan') {
+      this.#enlarge();
     } else if (name === 'touch-action') {
       this.#touch(value ?? '');
     } else if (name === 'controls') {
@@ -155,8 +157,23 @@ export class PagePolicies {
       return;
     }
     const [x, y] = position;
-    this.#view.camera = { fit, x, y };
+    Object.assign(this.#view.camera, { fit, x, y });
     this.#session.send('view', fit, x, y);
+  }
+
+  /** Applies `zoom` and `pan`. */
+  #enlarge() {
+    const { zoom, pan } = this.#fire;
+    const position = panning(pan || '0.5 0.5');
+    if (!(zoom >= 1 && zoom <= MAX_ZOOM)) {
+      this.#reports.refuse('zoom', zoom, `a number from 1 to ${MAX_ZOOM}`);
+    } else if (!position) {
+      this.#reports.refuse('pan', pan, 'two numbers from 0 to 1');
+    } else {
+      const [panX, panY] = position;
+      Object.assign(this.#view.camera, { zoom, panX, panY });
+      this.#session.send('zoom', zoom, panX, panY);
+    }
   }
 
   /** @param {string} action */

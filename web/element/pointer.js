@@ -1,10 +1,12 @@
 /**
  * A pointer on a fire: it carries gas along, twice as fast while it is pressed; a click throws sparks;
- * a drag that begins on the source moves the source.
+ * a drag that begins on the source moves the source. Other gestures enlarge the picture.
  *
  * @typedef {import('../hearth-fire.js').HearthPoint} Point
  * @typedef {{x: number, y: number, held: number | undefined, clicks: boolean}} Press
  */
+
+import { listenToZoom } from './zoom.js';
 
 /** Maximum time between two events of one movement [ms]. */
 const PAUSE_MS = 200;
@@ -56,11 +58,14 @@ export function listenToPointer(session, signal) {
     return near ? metres.x - source.x : undefined;
   };
 
+  const movesPicture = listenToZoom(session, isForFire, signal);
   const leave = (/** @type {PointerEvent} */ event) => last.delete(event.pointerId);
   const press = (/** @type {PointerEvent} */ event) => {
     if (event.button !== 0 || !isForFire(event)) return;
     const { x, y, inside } = locate(event);
     if (!inside) return;
+    // What moves the picture holds nothing and is no click.
+    if (movesPicture(event)) return pressed.clear();
     const held = grip(event);
     pressed.set(event.pointerId, { x, y, held, clicks: true });
     if (held === undefined) return;
@@ -80,6 +85,7 @@ export function listenToPointer(session, signal) {
     session.call('set', { source_x: x }, 'pointer').catch(() => {});
   };
   const follow = (/** @type {PointerEvent} */ event) => {
+    if (movesPicture(event)) return last.clear();
     const at = locate(event);
     const press = pressed.get(event.pointerId);
     if (press && Math.hypot(at.x - press.x, at.y - press.y) > CLICK_PX) press.clicks = false;
@@ -136,7 +142,7 @@ export function listenToPointer(session, signal) {
  */
 function sourceOf(params) {
   const { model, domain_width: across, domain_height: up, source_width: wide } = params;
-  const seam = model === 'combustion' ? params.seam : 0;
+  const seam = model === 'combustion' && params.edges === 'periodic' ? params.seam : 0;
   const half = Math.min(wide, across) / 2;
   const max = Math.max((0.5 - seam) * across - half, 0);
   /** @type {(value: number, low: number, high: number) => number} */

@@ -141,6 +141,17 @@ export interface HearthReflected {
    * `right`, and `top`, `center` or `bottom`. The default is `center bottom`.
    */
   align: string;
+  /**
+   * How much the picture is enlarged, from 1 to 10. It changes the view, not the fire. Gestures of an
+   * interactive fire change it too.
+   * @default 1
+   */
+  zoom: number;
+  /**
+   * Which part of the enlarged picture is seen: two numbers from 0 to 1, its position from the left and
+   * from below. The default is `0.5 0.5`, the middle.
+   */
+  pan: string;
   /** What touches of an interactive fire do to the page, as CSS's `touch-action`. The default is `pan-y`. */
   touchAction: string;
   /**

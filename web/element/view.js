@@ -74,8 +74,8 @@ export class FireView {
   #properties;
   /** @type {HTMLCanvasElement | undefined} */
   canvas;
-  /** How the domain fits the picture, and where it lies: shares from the left and from below. */
-  camera = { fit: 'height', x: 0.5, y: 0 };
+  /** @type {import('./viewport.js').Camera} */
+  camera = { fit: 'height', x: 0.5, y: 0, zoom: 1, panX: 0.5, panY: 0.5 };
   /** What the shadow tree holds. */
   root = make('div', { class: 'root', 'data-state': 'loading' }, make('div', { class: 'room' }), this.#posterBox, make('div', { class: 'message', part: 'message' }, this.#message));
 

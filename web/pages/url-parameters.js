@@ -28,8 +28,8 @@ const MAX_COUNT = 200;
  * what a visitor's browser fetches.
  */
 export const OPTIONS = [
-  'align', 'alt', 'autoplay', 'controls', 'fit', 'fps-limit', 'interactive', 'loading', 'max-pixels', 'objects', 'paused',
-  'quality', 'reduced-motion', 'touch-action', 'warm',
+  'align', 'alt', 'autoplay', 'controls', 'fit', 'fps-limit', 'interactive', 'loading', 'max-pixels', 'objects', 'pan', 'paused',
+  'quality', 'reduced-motion', 'touch-action', 'warm', 'zoom',
 ];
 
 /** All names of the fire. */

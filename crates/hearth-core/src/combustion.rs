@@ -38,6 +38,7 @@ use crate::scene::Scene;
 use crate::solver::Solver;
 
 use air::OpenAir;
+pub(crate) use air::Seen;
 pub use burner::Burner;
 pub use embers::Ember;
 use embers::Embers;
@@ -56,10 +57,10 @@ const WRONG_COUNT: &str = "there must be from half to twice max_particles of the
 const TOO_MANY: &str = "there must be at most max_particles of them";
 
 /// The rectangle that holds the gas of a fire with these values that was
-/// [`made_with`](Combustion::made_with) this.
+/// [`made_with`](Combustion::made_with) this, whatever is seen.
 pub(crate) fn bounds(values: &Physics, made_with: u32) -> Bounds {
     match Discretisation::made_with(made_with, values) {
-        Discretisation::Open { spacing } => air::layout(values, spacing).bounds(),
+        Discretisation::Open { spacing } => air::layout(values, None, spacing).bounds(),
         Discretisation::Periodic { .. } => periodic_bounds(values),
     }
 }
@@ -70,6 +71,8 @@ pub(crate) struct Combustion {
     gas: Gas,
     /// The edges of open air; `None` in a closed domain.
     open: Option<Box<OpenAir>>,
+    /// The part of the world that is seen.
+    seen: Option<Seen>,
     grid: Grid,
     neighbours: Neighbours,
     number_density: NumberDensity,
@@ -93,7 +96,7 @@ impl Combustion {
     /// Air at rest, or in the wind.
     pub fn new(scene: &Scene, random: &mut Random) -> Combustion {
         let parameters = scene.settings();
-        let mut open = OpenAir::new(parameters);
+        let mut open = OpenAir::new(parameters, None);
         let gas = match &mut open {
             None => Gas::air(parameters, parameters.spacing(), random),
             Some(open) => open.air(scene),
@@ -101,6 +104,7 @@ impl Combustion {
         let mut combustion = Combustion {
             gas,
             open,
+            seen: None,
             grid: Grid::default(),
             neighbours: Neighbours::default(),
             number_density: NumberDensity::default(),
@@ -134,6 +138,29 @@ impl Combustion {
         self.number_density.reserve(blocks);
         self.interactions.reserve(blocks);
         self.vorticity_confinement.reserve(blocks);
+    }
+
+    /// Sets which part of the world is seen: open air reaches beyond it.
+    pub fn see(&mut self, seen: Option<Seen>, scene: &Scene) {
+        self.seen = seen;
+        self.fit_open_air(scene);
+        self.reserve(scene.settings());
+    }
+
+    /// Makes the map of open air anew if the values, or what is seen, ask for another.
+    fn fit_open_air(&mut self, scene: &Scene) {
+        let values = scene.settings();
+        let fits = |open: &OpenAir| open.fits(values, self.seen);
+        if self.open.as_deref().is_some_and(fits) {
+            return;
+        }
+        let old = std::mem::replace(&mut self.open, OpenAir::new(values, self.seen));
+        if let Some(open) = &mut self.open {
+            match old {
+                Some(old) if open.has_cells_of(&old) => open.continue_from(&old),
+                _ => open.adopt(&self.gas, scene),
+            }
+        }
     }
 
     /// Continues from the particles and embers of a fire that was [`made_with`](Self::made_with)
@@ -215,15 +242,12 @@ impl Solver for Combustion {
             self.air = parameters.ambient_temperature;
         }
         let discretisation = Discretisation::of(parameters);
-        let fits = self.open.as_ref().is_some_and(|open| open.fits(parameters));
-        if discretisation != self.discretisation || !fits {
-            self.open = OpenAir::new(parameters);
-            if let Some(open) = &mut self.open {
-                open.adopt(&self.gas, scene);
-            }
-        }
         if discretisation != self.discretisation {
-            let old = Old::new(&self.gas, &self.discretisation, parameters);
+            self.open = None;
+        }
+        self.fit_open_air(scene);
+        if discretisation != self.discretisation {
+            let old = Old::new(&self.gas, &self.discretisation, parameters, self.seen);
             self.gas = match &self.open {
                 None => resample::resample(&old, parameters, random),
                 Some(open) => resample::resample_open(&old, parameters, open),

@@ -8,6 +8,7 @@ mod readers;
 
 use glam::Vec2;
 
+use crate::combustion::Seen;
 use crate::forces::BodyForce;
 use crate::instance::Instance;
 use crate::neighbourhood;
@@ -30,6 +31,8 @@ pub struct Simulation {
     solver: AnySolver,
     random: Random,
     time: f64,
+    /// The part of the world that is seen.
+    seen: Option<Seen>,
 }
 
 impl Simulation {
@@ -45,6 +48,7 @@ impl Simulation {
             random,
             scene,
             time: 0.0,
+            seen: None,
         }
     }
 
@@ -80,6 +84,18 @@ impl Simulation {
         self.random = Random::new(self.scene.settings().seed);
         self.solver = AnySolver::new(&self.scene, &mut self.random);
         self.time = 0.0;
+        self.see(self.seen);
+    }
+
+    /// Sets which part of the world is seen, by its lower left and upper right corner \[m\];
+    /// `None`: the frame alone. With open edges there is gas up to a margin beyond the frame and
+    /// beyond what is seen, as far as 4 heights of the frame. A change keeps every particle; gas
+    /// beyond a smaller part is removed with the next steps.
+    pub fn see(&mut self, seen: Option<[Vec2; 2]>) {
+        self.seen = seen;
+        if let Some(combustion) = self.solver.combustion_mut() {
+            combustion.see(seen, &self.scene);
+        }
     }
 
     /// The settings.

@@ -40,8 +40,12 @@ pub type Metres = Within<-1000, 1000>;
 /// A component of the velocity of a pointer [m/s].
 pub type Speed = Within<-20, 20>;
 
-/// Alignment of the domain in the picture, as a share of the free space.
+/// Alignment of the domain in the picture, or of the part that is seen, as a share of the free
+/// space.
 pub type Align = Within<0, 1>;
+
+/// Magnification of the picture.
+pub type Zoom = Within<1, 10>;
 
 /// An argument of a command.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -161,6 +165,8 @@ commands! { 'a
     "sparks" Sparks { x: Metres, y: Metres, count: Whole<1, 200> }
     /// Sets how the domain fits the picture, and its alignment from the left and from below.
     "view" View { fit: NamedFit, x: Align, y: Align }
+    /// Enlarges a part of the picture at that position from the left and from below.
+    "zoom" Zoom { zoom: Zoom, x: Align, y: Align }
     /// Fixes the level of quality, or makes it adaptive.
     "quality" Quality { quality: RequestedLevel }
     /// Plays.

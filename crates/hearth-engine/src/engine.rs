@@ -267,7 +267,8 @@ impl Engine {
                 fire.apply_force(PointerForce::new(pair(x.0, y.0), pair(u.0, v.0)));
             }
             Command::Sparks { x, y, count } => fire.throw_sparks(x.0 as f32, y.0 as f32, count.0),
-            Command::View { fit, x, y } => fire.set_camera(fit.0, [x.0 as f32, y.0 as f32]),
+            Command::View { fit, x, y } => fire.set_fit(fit.0, [x.0 as f32, y.0 as f32]),
+            Command::Zoom { zoom, x, y } => fire.set_zoom(zoom.0 as f32, [x.0 as f32, y.0 as f32]),
             Command::Quality { quality } => fire.request_quality(quality.0, events),
             Command::Play {} => fire.set_playing(true, events),
             Command::Pause {} => fire.set_playing(false, events),

@@ -4,10 +4,11 @@ mod frame;
 mod warming;
 
 use glam::Vec2;
+use hearth_bindings::memory;
 use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
 use hearth_core::{Instance, Parameters, Simulation, burning};
-use hearth_render::{Camera, Fit};
+use hearth_render::{Camera, Fit, Viewport};
 
 use crate::average::Averages;
 use crate::budget::RealTime;
@@ -22,6 +23,9 @@ use crate::pointer::PointerForce;
 use crate::quality::{Level, Quality};
 use crate::requested::{Requested, adapt};
 use crate::warm::Warm;
+
+/// Memory of the largest map of open air, in particles.
+const MAP_IN_PARTICLES: usize = 4096;
 
 /// Work since the last picture. The simulation also runs in frames without a picture.
 #[derive(Default)]
@@ -165,6 +169,7 @@ impl Fire {
     fn adapt(&mut self) {
         let scene = self.warm.coarse(&self.scene());
         adapt(&mut self.simulation, scene);
+        self.see();
         self.stale = true;
     }
 
@@ -177,6 +182,7 @@ impl Fire {
             self.quality.skip();
             self.adapt();
         }
+        self.see();
         self.follow_stage(was_on_stage);
     }
 
@@ -216,9 +222,38 @@ impl Fire {
     }
 
     /// Sets how the domain fits the picture.
-    pub fn set_camera(&mut self, fit: Fit, align: [f32; 2]) {
-        self.camera = Camera { fit, align };
+    pub fn set_fit(&mut self, fit: Fit, align: [f32; 2]) {
+        self.camera = Camera {
+            fit,
+            align,
+            ..self.camera
+        };
         self.stale = true;
+        self.see();
+    }
+
+    /// Enlarges a part of the picture.
+    pub fn set_zoom(&mut self, zoom: f32, pan: [f32; 2]) {
+        self.camera = Camera {
+            zoom,
+            pan,
+            ..self.camera
+        };
+        self.stale = true;
+    }
+
+    /// Tells the simulation what the picture shows before it is enlarged.
+    fn see(&mut self) {
+        let (width, height) = self.size;
+        // The map of what is seen needs less memory than so many particles.
+        if width == 0 || height == 0 || !memory::has_room(MAP_IN_PARTICLES) {
+            return;
+        }
+        let values = self.requested.parameters();
+        let domain = [values.domain_width, values.domain_height];
+        let viewport = Viewport::new([width, height], domain, self.camera.zoomed_out());
+        self.simulation
+            .see(Some(viewport.corners().map(Vec2::from)));
     }
 
     /// Counts a picture in flight as shown.

@@ -284,6 +284,7 @@ fn arguments_of_view_sparks_and_stir_are_checked() {
     let zero = || number(0.0);
     let fits = "one of height, contain, cover, width";
     let part = "a number from 0 to 1";
+    let zoom = "a number from 1 to 10";
     let place = "a number from -1000 to 1000";
     let count = "a whole number from 1 to 200";
     let speed = "a number from -20 to 20";
@@ -293,6 +294,9 @@ fn arguments_of_view_sparks_and_stir_are_checked() {
         ("view", vec![text("cover"), number(1.1), zero()], "x", part),
         ("view", vec![text("cover"), zero(), nan()], "y", part),
         ("view", vec![text("cover"), zero()], "y", part),
+        ("zoom", vec![zero(), zero(), zero()], "zoom", zoom),
+        ("zoom", vec![number(10.1), zero(), zero()], "zoom", zoom),
+        ("zoom", vec![number(2.0), zero(), nan()], "y", part),
         ("sparks", vec![zero(), zero(), zero()], "count", count),
         (
             "sparks",

@@ -1,6 +1,6 @@
 //! The camera: which part of the world a picture shows.
 
-/// How the domain fits the picture.
+/// How the domain, the frame of the scene, fits the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Fit {
     /// The picture is as high as the domain.
@@ -24,7 +24,7 @@ impl Fit {
     ];
 }
 
-/// Fit and alignment of the domain in the picture.
+/// Fit and alignment of the domain in the picture, and the enlarged part of that picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// How the domain fits the picture.
@@ -32,6 +32,18 @@ pub struct Camera {
     /// Alignment from the left and from below, 0 to 1, of a domain that is smaller or larger
     /// than the picture.
     pub align: [f32; 2],
+    /// Magnification of the picture, 1 or more.
+    pub zoom: f32,
+    /// Which part of the enlarged picture is seen: its position from the left and from below,
+    /// 0 to 1.
+    pub pan: [f32; 2],
+}
+
+impl Camera {
+    /// This camera without its magnification: it shows all that zoom and pan can show.
+    pub fn zoomed_out(self) -> Camera {
+        Camera { zoom: 1.0, ..self }
+    }
 }
 
 impl Default for Camera {
@@ -39,6 +51,8 @@ impl Default for Camera {
         Camera {
             fit: Fit::default(),
             align: [0.5, 0.0],
+            zoom: 1.0,
+            pan: [0.5; 2],
         }
     }
 }

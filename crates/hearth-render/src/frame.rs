@@ -1,6 +1,6 @@
 //! A frame: the data of its passes about the fire, the picture and the camera.
 
-use hearth_core::params::{Backdrop, Colour, DisplayMode, Layers, Model};
+use hearth_core::params::{Backdrop, Colour, DisplayMode, Edges, Layers, Model};
 use hearth_core::{Parameters, Source};
 
 use crate::bounds::ParticleBounds;
@@ -34,6 +34,8 @@ pub struct Frame<'a> {
     pub format: TargetFormat,
     /// Position of the world in the picture.
     pub viewport: Viewport,
+    /// Position of the world in the last picture.
+    pub before: Viewport,
     /// Age of the fire \[s\].
     pub time: f64,
     /// Number of particles.
@@ -57,7 +59,7 @@ impl<'a> Frame<'a> {
     pub fn new(
         parameters: &'a Parameters,
         (layout, format): (Layout, TargetFormat),
-        (viewport, time): (Viewport, f64),
+        (viewport, before, time): (Viewport, Viewport, f64),
         ([particles, embers], bounds): ([usize; 2], &ParticleBounds),
         motion: Motion,
     ) -> Frame<'a> {
@@ -70,6 +72,7 @@ impl<'a> Frame<'a> {
             layout,
             format,
             viewport,
+            before,
             time,
             particles,
             embers,
@@ -92,6 +95,12 @@ impl<'a> Frame<'a> {
     /// Whether it shows a fire of `model`.
     pub fn burns_as(&self, model: Model) -> bool {
         self.shows(DisplayMode::Fire) && self.parameters.model() == model
+    }
+
+    /// Whether the gas ends at the edges of the domain. Open air reaches beyond the picture.
+    pub fn is_closed(&self) -> bool {
+        let parameters = self.parameters;
+        parameters.model() == Model::Classic || parameters.edges == Edges::Periodic
     }
 
     /// Whether it shows a quantity of the gas as a field.

@@ -54,3 +54,4 @@ pub use motion::{CarriedNoise, Motion};
 pub use renderer::{Renderer, View};
 pub use resolution::ResolutionLimits;
 pub use shared::SharedResources;
+pub use viewport::Viewport;

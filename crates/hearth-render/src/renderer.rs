@@ -50,8 +50,8 @@ pub struct Renderer<G: Graphics = glow::Context> {
     bounds: ParticleBounds,
     motion: Motion,
     carried: Option<CarriedNoise>,
-    /// Camera of the last picture.
-    camera: Option<Camera>,
+    /// Position of the world in the last picture.
+    viewport: Option<Viewport>,
     /// Index of the newest of the two targets of the noise advection.
     newest: usize,
     /// Position of the drawn backdrop: its foot, and the picture's floor and size.
@@ -93,7 +93,7 @@ impl<G: Graphics> Renderer<G> {
             bounds: ParticleBounds::of(&[], &[]),
             motion: Motion::default(),
             carried: None,
-            camera: None,
+            viewport: None,
             newest: 0,
             scenery: None,
             measured: None,
@@ -182,14 +182,7 @@ impl<G: Graphics> Renderer<G> {
         };
         let domain = [parameters.domain_width, parameters.domain_height];
         let viewport = Viewport::new(layout.picture, domain, view.camera);
-        // The offsets of the noise belong to the part of the world in the last picture.
-        if self
-            .camera
-            .replace(view.camera)
-            .is_some_and(|before| before != view.camera)
-        {
-            self.motion.advection.forget();
-        }
+        let before = self.viewport.replace(viewport).unwrap_or(viewport);
         for capability in [
             glow::DEPTH_TEST,
             glow::STENCIL_TEST,
@@ -206,7 +199,7 @@ impl<G: Graphics> Renderer<G> {
         let mut frame = Frame::new(
             parameters,
             (layout, self.shared.format),
-            (viewport, view.time),
+            (viewport, before, view.time),
             ([self.particles.count(), self.embers.count()], &self.bounds),
             self.motion,
         );

@@ -26,6 +26,9 @@ pub struct Viewport {
     pub zoom: f32,
     /// Width divided by height of the picture.
     pub aspect: f32,
+    /// Height of the picture before it is enlarged in heights of the domain, and the height of
+    /// its lower edge above the floor.
+    pub whole: [f32; 2],
 }
 
 impl Viewport {
@@ -44,15 +47,32 @@ impl Viewport {
         };
         let metres = [high * aspect, high];
         let [left, lower] = camera.align;
+        let floor = [
+            left + width / metres[0].max(f32::MIN_POSITIVE) * (0.5 - left),
+            (1.0 - height / high) * lower,
+        ];
+        let zoom = camera.zoom.max(1.0);
+        let hidden = camera.pan.map(|pan| pan * (1.0 - 1.0 / zoom));
         Viewport {
-            metres,
-            floor: [
-                left + width / metres[0].max(f32::MIN_POSITIVE) * (0.5 - left),
-                (1.0 - height / high) * lower,
-            ],
-            zoom: high / height,
+            metres: metres.map(|side| side / zoom),
+            floor: [0, 1].map(|axis| (floor[axis] - hidden[axis]) * zoom),
+            zoom: high / height / zoom,
             aspect,
+            whole: [high / height, -floor[1] * high / height],
         }
+    }
+
+    /// Lower left and upper right corner of the part of the world in the picture \[m\].
+    pub fn corners(self) -> [[f32; 2]; 2] {
+        let corner = |at: f32| [0, 1].map(|axis| (at - self.floor[axis]) * self.metres[axis]);
+        [corner(0.0), corner(1.0)]
+    }
+
+    /// The position in an earlier picture of a position in this one, both 0–1: scale and offset.
+    pub fn before(self, earlier: Viewport) -> [[f32; 2]; 2] {
+        let scale = [0, 1].map(|axis| self.metres[axis] / earlier.metres[axis]);
+        let offset = [0, 1].map(|axis| earlier.floor[axis] - self.floor[axis] * scale[axis]);
+        [scale, offset]
     }
 
     /// Metres to clip coordinates: scale and offset.
@@ -99,9 +119,17 @@ mod tests {
 
     const DOMAIN: [f32; 2] = [1.2, 1.8];
 
+    fn camera(fit: Fit, align: [f32; 2]) -> Camera {
+        Camera {
+            fit,
+            align,
+            ..Camera::default()
+        }
+    }
+
     /// Left, lower, right and upper edge of the domain in a picture \[pixels\].
     fn seen(picture: [u32; 2], fit: Fit, align: [f32; 2]) -> [f32; 4] {
-        let viewport = Viewport::new(picture, DOMAIN, Camera { fit, align });
+        let viewport = Viewport::new(picture, DOMAIN, camera(fit, align));
         let [width, height] = picture.map(|side| side as f32);
         let [[sx, sy], [ox, oy]] = viewport.to_clip();
         let pixel = |x: f32, y: f32| {
@@ -154,22 +182,61 @@ mod tests {
 
     #[test]
     fn a_picture_higher_than_the_domain_shows_the_world_above_or_below() {
-        let beyond = |fit, y| {
-            let align = [0.5, y];
-            Viewport::new([300, 900], DOMAIN, Camera { fit, align }).shows_beyond()
-        };
+        let beyond =
+            |fit, y| Viewport::new([300, 900], DOMAIN, camera(fit, [0.5, y])).shows_beyond();
         for fit in [Fit::Contain, Fit::Width] {
             assert_eq!(beyond(fit, 0.0), [true, false]);
             assert_eq!(beyond(fit, 0.5), [true, true]);
             assert_eq!(beyond(fit, 1.0), [false, true]);
         }
         for (_, fit) in Fit::ALL {
-            let wide = |y| {
-                let align = [0.5, y];
-                Viewport::new([900, 300], DOMAIN, Camera { fit, align }).shows_beyond()
-            };
+            let wide = |y| Viewport::new([900, 300], DOMAIN, camera(fit, [0.5, y])).shows_beyond();
             assert_eq!([wide(0.0), wide(1.0)], [[false; 2]; 2], "{fit:?}");
         }
+    }
+
+    #[test]
+    fn zoom_and_pan_show_a_part_of_the_picture() {
+        for (_, fit) in Fit::ALL {
+            let all = camera(fit, [0.5, 0.25]);
+            let [low, high] = Viewport::new([900, 300], DOMAIN, all).corners();
+            for pan in [[0.0, 0.0], [0.5, 0.5], [1.0, 0.3]] {
+                let camera = Camera {
+                    zoom: 4.0,
+                    pan,
+                    ..all
+                };
+                assert_eq!(camera.zoomed_out().zoom, 1.0);
+                let [from, to] = Viewport::new([900, 300], DOMAIN, camera).corners();
+                for axis in [0, 1] {
+                    let side = high[axis] - low[axis];
+                    let part = low[axis] + 0.75 * pan[axis] * side;
+                    assert!((from[axis] - part).abs() < 1e-4, "{fit:?} {pan:?}");
+                    assert!((to[axis] - part - side / 4.0).abs() < 1e-4);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_place_keeps_its_metres_in_an_earlier_picture() {
+        let camera = |zoom, pan| Camera {
+            zoom,
+            pan,
+            ..Camera::default()
+        };
+        let one = Viewport::new([900, 300], DOMAIN, camera(1.0, [0.5; 2]));
+        let other = Viewport::new([900, 300], DOMAIN, camera(3.0, [0.2, 0.9]));
+        let [scale, offset] = other.before(one);
+        for at in [0.0, 0.3, 1.0] {
+            for axis in [0, 1] {
+                let metres = (at - other.floor[axis]) * other.metres[axis];
+                let before = at * scale[axis] + offset[axis];
+                let then = (before - one.floor[axis]) * one.metres[axis];
+                assert!((metres - then).abs() < 1e-4);
+            }
+        }
+        assert_eq!(one.before(one), [[1.0; 2], [0.0; 2]]);
     }
 
     #[test]

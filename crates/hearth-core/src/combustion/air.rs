@@ -18,6 +18,7 @@ use super::burner::Burner;
 use super::gas::Gas;
 use super::pair::Context;
 use crate::bounds::Bounds;
+use crate::extremes::{fast_max, fast_min};
 use crate::params::{Edges, Floor as FloorChoice, Physics};
 use crate::scene::Scene;
 use awake::{Awake, Rectangle};
@@ -26,13 +27,23 @@ use floor::Floor;
 use map::{Layout, Map};
 use rim::Rim;
 
-/// How far gas is simulated beyond the frame, in heights of the frame and in cells: nobody sees
-/// where it ends.
+/// How far gas is simulated beyond the frame and what is seen, in heights of the frame and in
+/// cells: nobody sees where it ends. Below its upper end, slow eddies linger.
 const MARGIN: f32 = 0.15;
+const MARGIN_ABOVE: f32 = 0.3;
 const MIN_MARGIN: f32 = 2.0;
+/// How far gas is simulated at most beyond the frame, in heights of the frame.
+const MAX_BEYOND: f32 = 4.0;
+/// Most cells beyond those of the frame and its smallest margin.
+const MAX_CELLS: usize = 65_536;
+/// Smallest share of the margin where there would be more cells.
+const MIN_SHARE: f32 = 0.01;
 /// Steps from one exchange of gas to the next, and from one map to the next.
 const EXCHANGE_STEPS: u32 = 4;
 const MAP_STEPS: u32 = 8;
+
+/// Lower left and upper right corner of the part of the world that is seen \[m\].
+pub(crate) type Seen = [Vec2; 2];
 
 /// The open air around a fire.
 #[derive(Clone, Debug)]
@@ -52,11 +63,11 @@ pub(super) struct OpenAir {
 
 impl OpenAir {
     /// The air of these values; `None` with periodic edges.
-    pub fn new(values: &Physics) -> Option<Box<OpenAir>> {
+    pub fn new(values: &Physics, seen: Option<Seen>) -> Option<Box<OpenAir>> {
         if values.edges == Edges::Periodic {
             return None;
         }
-        let layout = layout(values, values.spacing());
+        let layout = layout(values, seen, values.spacing());
         let capacity = values.max_particles as usize;
         Some(Box::new(OpenAir {
             map: Map::new(layout),
@@ -73,8 +84,8 @@ impl OpenAir {
     }
 
     /// Whether these values have the same map.
-    pub fn fits(&self, values: &Physics) -> bool {
-        self.map.layout == layout(values, values.spacing())
+    pub fn fits(&self, values: &Physics, seen: Option<Seen>) -> bool {
+        self.map.layout == layout(values, seen, values.spacing())
             && self.capacity == values.max_particles as usize
             && self.spacing == values.spacing()
     }
@@ -108,6 +119,23 @@ impl OpenAir {
         let values = scene.settings();
         awake::wake(&mut self.map, gas, awake::hot(values), 0.0);
         self.update(gas, scene);
+    }
+
+    /// Continues another map with the same cells, of which there may be more or fewer.
+    pub fn continue_from(&mut self, old: &OpenAir) {
+        let layouts = (&old.map.layout, &self.map.layout);
+        self.awake.continue_from(&old.awake, layouts);
+        self.exchange.continue_from(&old.exchange);
+        self.map.continue_from(&old.map);
+        self.steps = old.steps;
+        self.since_exchange = old.since_exchange;
+        self.since_map = old.since_map;
+    }
+
+    /// Whether another map has cells of the same size.
+    pub fn has_cells_of(&self, other: &OpenAir) -> bool {
+        let (one, other) = (self.map.layout, other.map.layout);
+        one.cell == other.cell && one.floor == other.floor
     }
 
     /// Whether this air holds gas at a position.
@@ -192,12 +220,32 @@ impl OpenAir {
     }
 }
 
-/// The map of these values for particles of this spacing \[m\].
-pub(super) fn layout(values: &Physics, spacing: f32) -> Layout {
+/// The map of these values for particles of this spacing \[m\]: of the frame and what is seen,
+/// and a margin.
+pub(super) fn layout(values: &Physics, seen: Option<Seen>, spacing: f32) -> Layout {
     let cell = 2.0 * values.smoothing_ratio * spacing;
-    let frame = Vec2::new(values.domain_width, values.domain_height);
-    let margin = (MARGIN * frame.y).max(MIN_MARGIN * cell);
-    Layout::new(frame, margin, cell, values.floor == FloorChoice::Solid)
+    let (half, height) = (0.5 * values.domain_width, values.domain_height);
+    let [low, high] = seen.unwrap_or([Vec2::ZERO; 2]);
+    // NaN shows nothing beyond the frame.
+    let beyond = |length: f32, margin: f32| {
+        fast_min(fast_max(length, 0.0), MAX_BEYOND * height) + margin * height
+    };
+    let side = beyond(fast_max(-low.x, high.x) - half, MARGIN);
+    let (below, above) = (
+        beyond(-low.y, MARGIN),
+        beyond(high.y - height, MARGIN_ABOVE),
+    );
+    let floor = values.floor == FloorChoice::Solid;
+    let mut share = 1.0;
+    loop {
+        let reach = |beyond: f32| fast_max(share * beyond, MIN_MARGIN * cell);
+        let (side, above) = (half + reach(side), height + reach(above));
+        let layout = Layout::new(side, reach(below), above, cell, floor);
+        if layout.len() <= MAX_CELLS || share < MIN_SHARE {
+            return layout;
+        }
+        share *= 0.5;
+    }
 }
 
 /// The cells of a source are awake.

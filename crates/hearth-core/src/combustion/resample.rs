@@ -10,7 +10,7 @@
 
 use glam::{Vec2, Vec4};
 
-use super::air::{self, OpenAir};
+use super::air::{self, OpenAir, Seen};
 use super::equation_of_state::expansion;
 use super::gas::{Gas, Lattice, lattice};
 use crate::Particle;
@@ -131,7 +131,12 @@ pub(super) struct Old<'a> {
 
 impl<'a> Old<'a> {
     /// Gas of that discretisation.
-    pub fn new(gas: &'a Gas, discretisation: &Discretisation, values: &Physics) -> Old<'a> {
+    pub fn new(
+        gas: &'a Gas,
+        discretisation: &Discretisation,
+        values: &Physics,
+        seen: Option<Seen>,
+    ) -> Old<'a> {
         let (bounds, spacing, air_density) = match *discretisation {
             Discretisation::Periodic { width, height, .. } => {
                 let bounds = Bounds {
@@ -147,7 +152,7 @@ impl<'a> Old<'a> {
                 (bounds, spacing, room / (width * height))
             }
             Discretisation::Open { spacing } => {
-                let bounds = air::layout(values, spacing).bounds();
+                let bounds = air::layout(values, seen, spacing).bounds();
                 (bounds, spacing, 1.0 / (spacing * spacing))
             }
         };
@@ -259,7 +264,7 @@ mod tests {
 
     fn taken_over(old: &Gas, old_discretisation: &Parameters, parameters: &Parameters) -> Gas {
         let discretisation = Discretisation::of(old_discretisation);
-        let old = Old::new(old, &discretisation, parameters);
+        let old = Old::new(old, &discretisation, parameters, None);
         resample(&old, parameters, &mut Random::new(4))
     }
 

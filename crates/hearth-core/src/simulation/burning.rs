@@ -25,10 +25,10 @@ use std::fmt;
 use glam::Vec2;
 
 use super::Simulation;
+use crate::bounds::Bounds;
 use crate::combustion::Ember;
 use crate::particle::Particle;
 use crate::random::Random;
-use crate::solver::Solver;
 use format::{Bytes, Columns, EACH, EMBERS, HEADER, Header, MAGIC, quantised, quantised_signed};
 
 pub use digest::digest;
@@ -59,11 +59,15 @@ impl fmt::Display for BurningError {
 impl std::error::Error for BurningError {}
 
 impl Simulation {
-    /// This fire as bytes; `None` in the classic model.
+    /// This fire as bytes, with the gas in and around its frame; `None` in the classic model.
     pub fn burning(&self) -> Option<Vec<u8>> {
         let gas = self.solver.combustion()?;
-        let (particles, air) = (self.particles(), self.scene.settings().ambient_temperature);
-        let embers = &self.embers()[..self.embers().len().min(EMBERS)];
+        let air = self.scene.settings().ambient_temperature;
+        let bounds = crate::combustion::bounds(self.scene.settings(), gas.made_with());
+        let (mut particles, mut embers) = (self.particles(), self.embers().to_vec());
+        particles.retain(|one| bounds.contains(one.position));
+        embers.retain(|one| bounds.contains(one.position));
+        embers.truncate(EMBERS);
         let max = |all: &mut dyn Iterator<Item = f32>| all.fold(0.0, f32::max);
         let speed = |velocity: Vec2| velocity.abs().max_element();
         let scales = [
@@ -87,7 +91,7 @@ impl Simulation {
         for scale in scales {
             out.extend(scale.to_le_bytes());
         }
-        self.write_positions(&mut out, particles.iter().map(|one| one.position));
+        write_positions(&mut out, &bounds, particles.iter().map(|one| one.position));
         out.extend(
             particles
                 .iter()
@@ -106,7 +110,7 @@ impl Simulation {
         out.extend(particles.iter().map(|one| quantised(one.fuel, 1.0)));
         out.extend(particles.iter().map(|one| quantised(one.oxygen, 1.0)));
         out.extend(particles.iter().map(|one| quantised(one.soot, sooty)));
-        self.write_positions(&mut out, embers.iter().map(|one| one.position));
+        write_positions(&mut out, &bounds, embers.iter().map(|one| one.position));
         out.extend(
             embers
                 .iter()
@@ -126,18 +130,6 @@ impl Simulation {
         out.extend(embers.iter().map(|one| quantised(one.age, life)));
         out.extend(embers.iter().map(|one| quantised(one.lifetime, life)));
         Some(out)
-    }
-
-    fn write_positions(&self, out: &mut Vec<u8>, positions: impl Iterator<Item = Vec2> + Clone) {
-        let bounds = self.solver.bounds(self.scene.settings());
-        let coordinate = |part: f32| (part * 65_536.0).clamp(0.0, 65_535.0) as u16;
-        out.extend(
-            positions
-                .clone()
-                .flat_map(|at| coordinate(at.x / bounds.width + 0.5).to_le_bytes()),
-        );
-        let part = |at: Vec2| coordinate((at.y - bounds.bottom) / bounds.height);
-        out.extend(positions.flat_map(|at| part(at).to_le_bytes()));
     }
 
     /// Continues from these bytes, with this fire's seed, resampled to its number of particles.
@@ -198,6 +190,21 @@ impl Simulation {
         self.time = header.time;
         Ok(())
     }
+}
+
+fn write_positions(
+    out: &mut Vec<u8>,
+    bounds: &Bounds,
+    positions: impl Iterator<Item = Vec2> + Clone,
+) {
+    let coordinate = |part: f32| (part * 65_536.0).clamp(0.0, 65_535.0) as u16;
+    out.extend(
+        positions
+            .clone()
+            .flat_map(|at| coordinate(at.x / bounds.width + 0.5).to_le_bytes()),
+    );
+    let part = |at: Vec2| coordinate((at.y - bounds.bottom) / bounds.height);
+    out.extend(positions.flat_map(|at| part(at).to_le_bytes()));
 }
 
 #[cfg(test)]

@@ -57,6 +57,7 @@ impl Fire {
             if let Some(message) = self.warm.begin(&mut self.simulation, &scene) {
                 events.warn(self.id, message);
             }
+            self.see();
             // A saved fire is drawn before its first step.
             self.stale = true;
         }

@@ -21,7 +21,10 @@ impl Pass for AdvectNoise {
 
     fn uniforms(frame: &Frame, _: usize) -> uniforms::AdvectNoise {
         let advection = &frame.motion.advection;
+        let [before_scale, before_offset] = frame.viewport.before(frame.before);
         uniforms::AdvectNoise {
+            before_scale,
+            before_offset,
             step_time: frame.viewport.metres.map(|side| advection.elapsed / side),
             kept: advection.kept,
         }

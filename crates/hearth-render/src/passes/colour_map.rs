@@ -1,6 +1,6 @@
 //! Maps the field of a measured quantity to colours.
 
-use hearth_core::params::Model;
+use hearth_core::params::{DisplayMode, Model};
 
 use super::accumulate::MAX_WEIGHT;
 use crate::frame::Frame;
@@ -13,6 +13,9 @@ use crate::shaders::uniforms;
 const OPAQUE_CLASSIC: f32 = 0.65;
 const OPAQUE_COMBUSTION: f32 = 0.45;
 
+/// Half the width of open air, in pictures.
+const OPEN: f32 = 1e3;
+
 /// Colours of the mean quantity.
 pub struct ColourMap;
 
@@ -21,7 +24,7 @@ impl Pass for ColourMap {
     const TARGET: Image = Image::Picture;
     const LOAD: Load = Load::Clear;
     const BLEND: Blend = Blend::Over;
-    const DRAW: Draw = Draw::Reach;
+    const DRAW: Draw = Draw::All;
     type Uniforms = uniforms::ColourMap;
 
     fn applies(frame: &Frame) -> bool {
@@ -38,10 +41,31 @@ impl Pass for ColourMap {
             field_used: frame.field_used(),
             field_edge: frame.field_edge(),
             floor_x: frame.viewport.floor[0],
-            half_width: 0.5 * frame.parameters.domain_width / width,
+            half_width: if frame.is_closed() {
+                0.5 * frame.parameters.domain_width / width
+            } else {
+                OPEN
+            },
             per_fade: width / frame.kernel.radius,
             per_cover: MAX_WEIGHT / opaque,
+            far_air: far_air(frame),
             two_sided: frame.two_sided(),
         }
     }
+}
+
+/// The displayed quantity of far air, as a share of the span; −1 in a closed domain.
+fn far_air(frame: &Frame) -> f32 {
+    if frame.is_closed() {
+        return -1.0;
+    }
+    let values = frame.parameters;
+    let quantity = match values.display_mode {
+        DisplayMode::Temperature => values.ambient_temperature,
+        DisplayMode::Density => values.ambient_density,
+        DisplayMode::Velocity => values.wind.abs(),
+        _ => 0.0,
+    };
+    let [from, per_span] = frame.span();
+    ((quantity - from) * per_span).clamp(0.0, 1.0)
 }

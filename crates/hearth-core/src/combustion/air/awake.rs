@@ -89,6 +89,16 @@ impl Awake {
         }
     }
 
+    /// Continues the state of another layout with the same size of cells. A layout that ends
+    /// lower has the ceiling at its end.
+    pub fn continue_from(&mut self, old: &Awake, (from, to): (&Layout, &Layout)) {
+        if old.ceiling < from.rows {
+            let ceiling = old.ceiling as isize + to.lowest() - from.lowest();
+            self.ceiling = (ceiling.max(0) as usize).min(to.rows);
+        }
+        self.asleep = old.asleep;
+    }
+
     /// Finds the cells that are to hold gas, of at most `capacity` particles. `per_cell` is the
     /// number of those of a cell of air.
     pub fn spread(&mut self, map: &mut Map, per_cell: f32, capacity: f32) {
@@ -150,7 +160,7 @@ mod tests {
 
     /// The map around a source after that many updates with this capacity.
     fn around(source: Rectangle, updates: u32, capacity: f32) -> (Map, Awake) {
-        let layout = Layout::new(Vec2::new(2.0, 3.0), 0.4, 0.08, false);
+        let layout = Layout::new(1.4, 0.4, 3.4, 0.08, false);
         let (mut map, mut awake) = (Map::new(layout), Awake::new(&layout));
         for _ in 0..updates {
             update(&mut map, &mut awake, Some(source), capacity);

@@ -124,6 +124,11 @@ impl Exchange {
         }
     }
 
+    /// Continues the column of wind of another map.
+    pub fn continue_from(&mut self, old: &Exchange) {
+        self.blown = old.blown;
+    }
+
     /// Removes the gas outside, and lists the rest by cells.
     pub fn remove(&mut self, map: &mut Map, gas: &mut Gas) {
         self.next.clear();

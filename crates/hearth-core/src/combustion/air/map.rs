@@ -35,21 +35,42 @@ pub(crate) struct Layout {
 }
 
 impl Layout {
-    /// The layout for a frame of this size \[m\] that is surrounded by `margin` \[m\], and on
-    /// a floor not below it.
-    pub fn new(frame: Vec2, margin: f32, cell: f32, floor: bool) -> Layout {
+    /// The layout for places up to `side` \[m\] from the middle, and from `below` the floor to
+    /// `above` it \[m\]; a solid floor has nothing below. The corners of the cells are at whole
+    /// multiples of `cell`, so that layouts of one size of cells have the same cells.
+    pub fn new(side: f32, below: f32, above: f32, cell: f32, floor: bool) -> Layout {
         let cells = |length: f32| (length / cell).ceil().max(1.0) as usize;
-        let below = if floor { 0 } else { cells(margin) };
-        let columns = cells(frame.x + 2.0 * margin) + 2;
+        let below = if floor { 0 } else { cells(below) };
+        let side = cells(side) + 1;
         Layout {
             cell,
             per_metre: 1.0 / cell,
-            columns,
-            rows: below + cells(frame.y + margin) + 2,
-            left: -0.5 * columns as f32 * cell,
+            columns: 2 * side,
+            rows: below + cells(above) + 2,
+            left: -(side as f32) * cell,
             bottom: -(below as f32 + 1.0) * cell,
             floor,
         }
+    }
+
+    /// The pairs of inner cells of this layout and of another with the same size of cells that
+    /// are the same place.
+    pub fn common(&self, other: &Layout) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let (own, other) = (*self, *other);
+        let aside = other.columns as isize / 2 - own.columns as isize / 2;
+        let lower = other.lowest() - own.lowest();
+        own.inner().filter_map(move |cell| {
+            let column = (cell % own.columns) as isize + aside;
+            let row = (cell / own.columns) as isize + lower;
+            let is_inner = (1..other.columns as isize - 1).contains(&column)
+                && (1..other.rows as isize - 1).contains(&row);
+            is_inner.then(|| (cell, row as usize * other.columns + column as usize))
+        })
+    }
+
+    /// The number of the border's lower rows below y = 0.
+    pub fn lowest(&self) -> isize {
+        (-self.bottom * self.per_metre + 0.5) as isize
     }
 
     /// Number of cells.
@@ -204,6 +225,21 @@ impl Map {
         }
     }
 
+    /// Continues another map with cells of the same size.
+    pub fn continue_from(&mut self, old: &Map) {
+        for (cell, same) in self.layout.common(&old.layout) {
+            self.cells[cell] = Cell {
+                inside: old.depth[same] > 0.0,
+                first: NONE,
+                ..old.cells[same]
+            };
+        }
+        self.fill();
+        for cell in &mut self.cells {
+            cell.fresh = false;
+        }
+    }
+
     /// Whether there is gas at a position.
     pub fn holds(&self, position: Vec2) -> bool {
         let cell = self.layout.at(position);
@@ -266,7 +302,7 @@ mod tests {
     use super::*;
 
     fn layout(floor: bool) -> Layout {
-        Layout::new(Vec2::new(1.0, 1.4), 0.3, 0.1, floor)
+        Layout::new(0.8, 0.3, 1.7, 0.1, floor)
     }
 
     /// A map with gas in every cell whose centre is in the rectangle.
@@ -282,7 +318,7 @@ mod tests {
     }
 
     #[test]
-    fn the_frame_and_its_margin_are_inside_and_the_floor_is_at_zero() {
+    fn all_places_are_inside_and_the_floor_is_at_zero() {
         for floor in [false, true] {
             let bounds = layout(floor).bounds();
             assert!(bounds.width >= 1.8 - 1e-5 && bounds.width < 2.01);
@@ -305,6 +341,20 @@ mod tests {
             Vec2::new(0.0, f32::NEG_INFINITY),
         ] {
             assert!(!inner.contains(&layout.at(at)), "{at}");
+        }
+    }
+
+    #[test]
+    fn common_cells_of_two_layouts_are_the_same_place() {
+        for floor in [false, true] {
+            let (small, large) = (layout(floor), Layout::new(2.0, 1.1, 1.75, 0.1, floor));
+            for (one, other) in [(small, large), (large, small)] {
+                let pairs: Vec<_> = one.common(&other).collect();
+                assert_eq!(pairs.len(), small.inner().count());
+                for (cell, same) in pairs {
+                    assert!(one.corner(cell).distance(other.corner(same)) < 1e-5);
+                }
+            }
         }
     }
 

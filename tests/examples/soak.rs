@@ -1,8 +1,8 @@
 //! Burns every scene for a minute, and drives many fires to random corners of all
 //! ranges, and back.
 //!
-//! `soak [--corners N] [--seed S]`: N corners of each model, of two simulated
-//! seconds. Prints how it goes, every corner that fails with all its values,
+//! `soak [--corners N] [--seed S]`: N corners of each model, and of the combustion model in the
+//! open, of two simulated seconds. Prints how it goes, every corner that fails with all its values,
 //! and the corners that lean most on the guards. `cargo xtask soak` calls it.
 
 use std::io::{self, Write as _};
@@ -22,7 +22,12 @@ use hearth_tests::sweep::{self, Outcome};
 const MINUTE: f64 = 60.0;
 /// Simulated time at a corner [s].
 const SECONDS: f64 = 2.0;
-const MODELS: [Model; 2] = [Model::Combustion, Model::Classic];
+/// How a random corner is found: the corners of these take turns.
+const CORNERS: [fn(&mut Random) -> Parameters; 3] = [
+    |random| sweep::corner(Model::Combustion, random),
+    |random| sweep::corner(Model::Classic, random),
+    sweep::open_corner,
+];
 /// A line tells how far it is every so many corners.
 const LISTED: usize = 20;
 /// So many of the corners that lean most on the guards are shown.
@@ -57,7 +62,7 @@ fn main() -> ExitCode {
         println!("{share:6.2} %  {}", sweep::described(&f.parameters));
     }
     println!(
-        "\n{} corners of each model, {failed} failed, in {:.0} min",
+        "\n{} corners of each model and of open air, {failed} failed, in {:.0} min",
         corners,
         start.elapsed().as_secs_f64() / 60.0
     );
@@ -116,7 +121,7 @@ fn run(corners: u32, seed: u32) -> Vec<Finished> {
             scope.spawn(|| {
                 loop {
                     let corner = next.fetch_add(1, Ordering::Relaxed);
-                    if corner >= 2 * corners {
+                    if corner >= CORNERS.len() as u32 * corners {
                         return;
                     }
                     let done = visit(corner, seed);
@@ -131,14 +136,14 @@ fn run(corners: u32, seed: u32) -> Vec<Finished> {
     finished.into_inner().unwrap_or_default()
 }
 
-/// Corners of the two models take turns, each from a generator of its own, so
+/// Runs a corner. Each has a generator of its own, so
 /// that one can be run again without those before it.
 fn visit(corner: u32, seed: u32) -> Finished {
     // Seeds that lie side by side begin alike.
     let mixed = seed.wrapping_add(corner).wrapping_mul(0x9E37_79B9);
     let mut random = Random::new(mixed);
     let mut random = Random::new(random.bits());
-    let parameters = sweep::corner(MODELS[corner as usize % 2], &mut random);
+    let parameters = CORNERS[corner as usize % CORNERS.len()](&mut random);
     let outcome = sweep::there_and_back(&parameters, SECONDS);
     Finished {
         corner,
@@ -171,7 +176,7 @@ fn tell(finished: &[Finished], corners: u32) {
         text += &format!(
             "{} of {}: {failed} failed, at most {:.2} % at a guard\n",
             finished.len(),
-            2 * corners,
+            CORNERS.len() as u32 * corners,
             100.0 * worst
         );
     }

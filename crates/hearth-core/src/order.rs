@@ -1,9 +1,7 @@
 //! The order of birth.
 
 /// The indices from 0 to `len` in the order of their ids, all less than `next_id`.
-// Inlined, its code is in both models.
-#[inline(never)]
-pub(crate) fn in_order(len: usize, next_id: u64, id: impl Fn(usize) -> u64) -> Vec<usize> {
+pub(crate) fn in_order(len: usize, next_id: u64, id: &dyn Fn(usize) -> u64) -> Vec<usize> {
     // A radix sort: the standard library's sort is 3 KB of the headless library's download,
     // and slower.
     let mut order: Vec<usize> = (0..len).collect();

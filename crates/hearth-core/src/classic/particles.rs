@@ -117,7 +117,7 @@ impl Particles {
     // Inlined, its code doubles.
     #[inline(never)]
     pub fn by_id(&self) -> Vec<usize> {
-        in_order(self.len(), self.next_id, |i| self[i].id)
+        in_order(self.len(), self.next_id, &|i| self[i].id)
     }
 }
 

@@ -101,11 +101,10 @@ impl Gas {
 
     /// Makes room for so many particles.
     pub fn reserve(&mut self, capacity: usize) {
-        let more = capacity.saturating_sub(self.len());
-        for_each_array!(self, array => array.reserve(more));
-        self.scratch.vector.reserve(capacity);
-        self.scratch.state.reserve(capacity);
-        self.scratch.id.reserve(capacity);
+        for_each_array!(self, array => make_room(array, capacity));
+        make_room(&mut self.scratch.vector, capacity);
+        make_room(&mut self.scratch.state, capacity);
+        make_room(&mut self.scratch.id, capacity);
     }
 
     /// Gas of these particles.
@@ -154,7 +153,6 @@ impl Gas {
                 self.position[kept] = self.position[i];
                 self.velocity[kept] = self.velocity[i];
                 self.state[kept] = self.state[i];
-                self.volume[kept] = self.volume[i];
                 self.id[kept] = self.id[i];
                 kept += 1;
             }
@@ -230,8 +228,15 @@ impl Gas {
     // Inlined, its code would be in every reader.
     #[inline(never)]
     pub fn by_id(&self) -> Vec<usize> {
-        in_order(self.len(), self.next_id, |i| self.id[i])
+        in_order(self.len(), self.next_id, &|i| self.id[i])
     }
+}
+
+/// Makes room for so many items.
+// Inlined, it would be in the code once for each array.
+#[inline(never)]
+pub(super) fn make_room<T>(array: &mut Vec<T>, capacity: usize) {
+    array.reserve(capacity.saturating_sub(array.len()));
 }
 
 /// Points that fill the domain, row by row.
@@ -244,14 +249,14 @@ impl Lattice {
     /// A lattice of this spacing over a rectangle.
     pub fn even(corner: Vec2, size: Vec2, spacing: f32) -> Lattice {
         let [columns, rows] = (size / spacing).to_array().map(|count| count as usize);
-        let point = |at: usize| {
-            let cell = Vec2::new((at % columns) as f32, (at / columns) as f32);
-            corner + (cell + 0.5) * spacing
-        };
-        Lattice {
-            points: (0..columns * rows).map(point).collect(),
-            columns,
+        let mut points = Vec::with_capacity(columns * rows);
+        for row in 0..rows {
+            for column in 0..columns {
+                let cell = Vec2::new(column as f32, row as f32);
+                points.push(corner + (cell + 0.5) * spacing);
+            }
         }
+        Lattice { points, columns }
     }
 }
 

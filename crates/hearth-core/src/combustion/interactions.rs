@@ -12,7 +12,7 @@ mod viscosity;
 
 use glam::{Vec2, Vec4};
 
-use super::gas::Gas;
+use super::gas::{Gas, make_room};
 use super::pair::{Broadcast, Context, PackedParticle, Pair};
 use crate::grid::Grid;
 use crate::interaction::{PairInteraction, Rates};
@@ -58,10 +58,8 @@ impl Interactions {
     /// Makes room for so many blocks of particles.
     pub fn reserve(&mut self, blocks: usize) {
         let particles = LANES * blocks + 1;
-        self.packed
-            .reserve(particles.saturating_sub(self.packed.len()));
-        let more = particles.saturating_sub(self.accumulators.len());
-        self.accumulators.reserve(more);
+        make_room(&mut self.packed, particles);
+        make_room(&mut self.accumulators, particles);
     }
 
     /// Sums acceleration, diffusion and concentration gradient over the pairs.

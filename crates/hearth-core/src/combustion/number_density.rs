@@ -8,7 +8,7 @@
 //! of the air. Pressure below Ȳ attracts particles, and shifting spreads them again; so shifting cannot be turned off.
 
 use super::equation_of_state::expansion;
-use super::gas::Gas;
+use super::gas::{Gas, make_room};
 use super::pair::Context;
 use crate::grid::Grid;
 use crate::lanes::{LANES, Lanes};
@@ -53,8 +53,7 @@ pub(super) struct NumberDensity {
 impl NumberDensity {
     /// Makes room for so many blocks of particles.
     pub fn reserve(&mut self, blocks: usize) {
-        self.blocks
-            .reserve(blocks.saturating_sub(self.blocks.len()));
+        make_room(&mut self.blocks, blocks);
     }
 
     /// Finds all pairs of sorted gas, and computes the number density. Returns its mean.

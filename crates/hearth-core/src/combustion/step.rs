@@ -92,9 +92,14 @@ impl Combustion {
             seam::relax_to_air(gas, values, parameters.spacing(), dt);
         }
         let (h, max_speed) = (kernel.smoothing_length(), self.motion.max_speed);
-        self.clamped_shifts = time_step::advance(gas, &bounds, values.shifting, h, max_speed, dt);
-        if let Some(open) = &open {
-            open.hold(gas);
+        self.clamped_shifts = time_step::advance(gas, values.shifting, h, max_speed, dt);
+        match &open {
+            Some(open) => open.hold(gas),
+            None => {
+                for position in &mut gas.position {
+                    *position = bounds.wrap(*position);
+                }
+            }
         }
         self.length = dt;
         on_stage(Stage::Integrate);

@@ -9,7 +9,6 @@
 use glam::Vec2;
 
 use super::gas::Gas;
-use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::Physics;
 use crate::time_step::Stability;
@@ -95,14 +94,7 @@ pub(crate) fn accelerate(gas: &mut Gas, sound: f32, dt: f32) -> Motion {
 
 /// Moves every particle with its new velocity, and shifts it down the concentration gradient.
 /// Returns the number of shifts that [`MAX_DISPLACEMENT`] clamped.
-pub(crate) fn advance(
-    gas: &mut Gas,
-    bounds: &Bounds,
-    shifting: f32,
-    h: f32,
-    max_speed: f32,
-    dt: f32,
-) -> u32 {
+pub(crate) fn advance(gas: &mut Gas, shifting: f32, h: f32, max_speed: f32, dt: f32) -> u32 {
     let shift = fast_min(SHIFT * shifting * h * max_speed * dt, MAX_SHIFT * h * h);
     let max_displacement = MAX_DISPLACEMENT * h;
     let mut clamped = 0;
@@ -110,7 +102,7 @@ pub(crate) fn advance(
         let displacement = gas.concentration_gradient[i] * -shift;
         clamped += u32::from(displacement.length_squared() > max_displacement * max_displacement);
         let displacement = displacement.clamp_length_max(max_displacement);
-        gas.position[i] = bounds.wrap(gas.position[i] + gas.velocity[i] * dt + displacement);
+        gas.position[i] = gas.position[i] + gas.velocity[i] * dt + displacement;
     }
     clamped
 }
@@ -118,7 +110,6 @@ pub(crate) fn advance(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::combustion::gas::periodic_bounds as bounds;
     use crate::combustion::gas::tests::{random_gas, with};
     use crate::params::Parameters;
 
@@ -173,13 +164,13 @@ mod tests {
         let (h, before) = (parameters.smoothing_length(), gas.position.clone());
         gas.position[0] = Vec2::new(0.1, 0.9);
         gas.position[1] = Vec2::new(0.1, 0.9);
-        advance(&mut gas, &bounds(&parameters), 1.0, h, 2.0, 1e-3);
+        advance(&mut gas, 1.0, h, 2.0, 1e-3);
         assert!(gas.position[0].x < 0.1);
         assert!((gas.position[1].y - 0.9 - MAX_DISPLACEMENT * h).abs() < 1e-5);
         let mut still = random_gas(&parameters, 2);
         still.velocity.fill(Vec2::ZERO);
         still.concentration_gradient.fill(Vec2::new(1.0, 0.0));
-        advance(&mut still, &bounds(&parameters), 0.0, h, 2.0, 1e-3);
+        advance(&mut still, 0.0, h, 2.0, 1e-3);
         assert_eq!(still.position, before);
     }
 }

@@ -57,8 +57,8 @@ pub(super) fn wake(map: &mut Map, gas: &Gas, hot: f32, min_depth: f32) {
     for (state, &position) in gas.state.iter().zip(&gas.position) {
         if state.x > hot || state.y > FUELLED || state.w > SOOTY {
             let cell = map.layout.at(position);
-            if map.depth[cell] >= min_depth {
-                map.cells[cell].remaining = HOLD;
+            if map.depth(cell) >= min_depth {
+                map.cell(cell).remaining = HOLD;
             }
         }
     }
@@ -72,10 +72,10 @@ pub(super) fn hot(values: &Physics) -> f32 {
 /// Wakes the cells of a source.
 pub(super) fn wake_source(map: &mut Map, source: &Rectangle) {
     let Layout { columns, .. } = map.layout;
-    let (low, high) = (map.layout.at(source.low), map.layout.at(source.high));
-    for row in low / columns..=high / columns {
-        for column in low % columns..=high % columns {
-            map.cells[row * columns + column].remaining = HOLD;
+    let (low, high) = (map.layout.place(source.low), map.layout.place(source.high));
+    for row in low.1..=high.1 {
+        for cell in &mut map.cells[row * columns..][low.0..=high.0] {
+            cell.remaining = HOLD;
         }
     }
 }
@@ -112,8 +112,8 @@ impl Awake {
         let mut ceiling = layout.rows;
         for row in layout.inner_rows() {
             for at in layout.row(row) {
-                let cell = &mut map.cells[at];
-                let present = map.depth[at] > 0.0;
+                let present = map.depth(at) > 0.0;
+                let cell = map.cell(at);
                 let stay = if present { HYSTERESIS } else { 0.0 };
                 cell.inside = distance[at] <= reach + stay;
                 if cell.inside {
@@ -148,6 +148,7 @@ impl Awake {
 
 #[cfg(test)]
 mod tests {
+    use super::super::map::tests::corner;
     use super::*;
     use crate::combustion::gas::tests::with;
 
@@ -187,7 +188,7 @@ mod tests {
         let (map, _) = around(at, 1, 1e6);
         assert!(!live(&map).is_empty());
         for cell in live(&map) {
-            let at = map.layout.corner(cell) + Vec2::splat(0.04);
+            let at = corner(&map.layout, cell) + Vec2::splat(0.04);
             let reach = (RING + MIN_BAND + 1.0) * 0.08;
             assert!(
                 (at.x - 0.3).abs() < 0.1 + reach && (at.y - 0.8).abs() < 0.05 + reach,
@@ -209,7 +210,7 @@ mod tests {
             let mut gas = Gas::default();
             gas.push(&crate::Particle {
                 temperature: values.ambient_temperature + 100.0,
-                ..crate::Particle::at(map.layout.corner(cell) + Vec2::splat(0.04))
+                ..crate::Particle::at(corner(&map.layout, cell) + Vec2::splat(0.04))
             });
             wake(&mut map, &gas, hot(&values), MIN_DEPTH);
             assert_eq!(map.cells[cell].remaining > 0.0, wakes, "depth {depth}");

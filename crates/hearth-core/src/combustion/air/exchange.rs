@@ -38,18 +38,18 @@ const FOLLOW: f32 = 30.0;
 pub(super) fn follow(map: &mut Map, wind: Vec2, dt: f32) {
     let share = fast_min(dt * FOLLOW, 1.0);
     for at in map.layout.inner() {
-        let depth = map.depth[at];
+        let depth = map.depth(at);
         if depth == 0.0 || depth > RIM {
             continue;
         }
         let (mut momentum, mut count) = (Vec2::ZERO, 0);
         map.layout.around(at, &mut |other| {
-            if map.depth[other] > depth {
+            if map.depth(other) > depth {
                 momentum += map.cells[other].momentum;
                 count += map.cells[other].count;
             }
         });
-        let cell = &mut map.cells[at];
+        let cell = map.cell(at);
         if count == 0 {
             (momentum, count) = (cell.momentum, cell.count);
         }
@@ -139,7 +139,7 @@ impl Exchange {
             let stays = map.holds(position);
             if stays {
                 let cell = map.layout.at(position);
-                self.list(&mut map.cells[cell], velocity);
+                self.list(map.cell(cell), velocity);
             }
             stays
         });
@@ -162,14 +162,17 @@ impl Exchange {
         while self.blown >= 1.0 {
             self.blown -= 1.0;
             let into = (self.blown + INTO) * spacing;
-            for cell in layout.inner() {
-                let before = if wind > 0.0 { cell - 1 } else { cell + 1 };
-                let enters = map.depth[cell] > 0.0 && map.depth[before] == 0.0;
-                if enters && !map.cells[cell].fresh {
-                    let x = if wind > 0.0 { into } else { layout.cell - into };
-                    self.gather(map, gas, cell, inflow);
-                    let x = layout.corner(cell).x + x;
-                    self.add_column(map, gas, inflow, cell, x, inflow.wind, CLOSE);
+            for row in layout.inner_rows() {
+                for cell in layout.row(row) {
+                    let before = if wind > 0.0 { cell - 1 } else { cell + 1 };
+                    let enters = map.depth(cell) > 0.0 && map.depth(before) == 0.0;
+                    if enters && !map.cells[cell].fresh {
+                        let corner = layout.corner((cell - row * layout.columns, row));
+                        let x = if wind > 0.0 { into } else { layout.cell - into };
+                        self.gather(map, gas, cell, corner, inflow);
+                        let at = (cell, row);
+                        self.add_column(map, gas, inflow, at, corner.x + x, inflow.wind, CLOSE);
+                    }
                 }
             }
         }
@@ -180,34 +183,37 @@ impl Exchange {
         let layout = map.layout;
         let per_cell = inflow.per_cell(&layout);
         let full = (FULL * per_cell) as u32;
-        for at in layout.inner() {
-            let (depth, cell) = (map.depth[at], map.cells[at]);
-            if depth == 0.0 || (!cell.fresh && depth > 1.0) {
-                continue;
-            }
-            let lattice = cell.fresh && (cell.count as f32) < EMPTY * per_cell;
-            if !lattice && cell.count >= full {
-                continue;
-            }
-            let velocity = if depth <= RIM { cell.flow } else { inflow.wind };
-            self.gather(map, gas, at, inflow);
-            if lattice {
-                for x in layout.points(at % layout.columns, inflow.spacing) {
-                    let x = layout.left + (x as f32 + 0.5) * inflow.spacing;
-                    self.add_column(map, gas, inflow, at, x, velocity, ROOM);
+        for row in layout.inner_rows() {
+            for (column, at) in (1..).zip(layout.row(row)) {
+                let (depth, cell) = (map.depth(at), *map.cell(at));
+                if depth == 0.0 || (!cell.fresh && depth > 1.0) {
+                    continue;
                 }
-            } else {
-                self.add_to_gaps(map, gas, inflow, at, velocity, full);
+                let lattice = cell.fresh && (cell.count as f32) < EMPTY * per_cell;
+                if !lattice && cell.count >= full {
+                    continue;
+                }
+                let velocity = if depth <= RIM { cell.flow } else { inflow.wind };
+                let corner = layout.corner((column, row));
+                self.gather(map, gas, at, corner, inflow);
+                if lattice {
+                    for x in layout.points(column, inflow.spacing) {
+                        let x = layout.left + (x as f32 + 0.5) * inflow.spacing;
+                        self.add_column(map, gas, inflow, (at, row), x, velocity, ROOM);
+                    }
+                } else {
+                    self.add_to_gaps(map, gas, inflow, at, corner, velocity, full);
+                }
             }
         }
     }
 
     /// Collects the particles of a cell and those around it.
     #[inline(never)]
-    fn gather(&mut self, map: &Map, gas: &Gas, cell: usize, inflow: &Inflow) {
+    fn gather(&mut self, map: &Map, gas: &Gas, cell: usize, corner: Vec2, inflow: &Inflow) {
         self.nearby.clear();
         let reach = ROOM * inflow.spacing;
-        let low = map.layout.corner(cell) - Vec2::splat(reach);
+        let low = corner - Vec2::splat(reach);
         let high = low + Vec2::splat(map.layout.cell + 2.0 * reach);
         map.layout.around(cell, &mut |other| {
             let mut particle = map.cells[other].first;
@@ -253,34 +259,35 @@ impl Exchange {
         map: &mut Map,
         gas: &mut Gas,
         inflow: &Inflow,
-        cell: usize,
+        (cell, row): (usize, usize),
         x: f32,
         velocity: Vec2,
         close: f32,
     ) {
         let (layout, close) = (map.layout, close * inflow.spacing);
-        for y in layout.points(cell / layout.columns, inflow.spacing) {
+        for y in layout.points(row, inflow.spacing) {
             let place = Vec2::new(x, layout.bottom + (y as f32 + 0.5) * inflow.spacing);
             if self.room(place) > close * close {
-                self.add(&mut map.cells[cell], gas, inflow, place, velocity);
+                self.add(map.cell(cell), gas, inflow, place, velocity);
             }
         }
     }
 
     /// Adds air at the freest places of a cell.
+    #[expect(clippy::too_many_arguments)]
     fn add_to_gaps(
         &mut self,
         map: &mut Map,
         gas: &mut Gas,
         inflow: &Inflow,
         cell: usize,
+        corner: Vec2,
         velocity: Vec2,
         full: u32,
     ) {
-        let corner = map.layout.corner(cell);
         let step = map.layout.cell / PLACES as f32;
         for _ in 0..MOST {
-            if map.cells[cell].count >= full {
+            if map.cell(cell).count >= full {
                 return;
             }
             let (mut freest, mut room) = (None, ROOM * inflow.spacing * (ROOM * inflow.spacing));
@@ -295,7 +302,7 @@ impl Exchange {
             let Some(place) = freest else {
                 return;
             };
-            self.add(&mut map.cells[cell], gas, inflow, place, velocity);
+            self.add(map.cell(cell), gas, inflow, place, velocity);
         }
     }
 }

@@ -95,9 +95,16 @@ impl Layout {
     /// The cell at a position. NaN and positions outside are in the border.
     #[inline]
     pub fn at(&self, position: Vec2) -> usize {
+        let (column, row) = self.place(position);
+        row * self.columns + column
+    }
+
+    /// Its column and row.
+    #[inline]
+    pub fn place(&self, position: Vec2) -> (usize, usize) {
         let column = self.index(position.x - self.left, self.columns);
         let row = self.index(position.y - self.bottom, self.rows);
-        row * self.columns + column
+        (column, row)
     }
 
     #[inline]
@@ -106,9 +113,8 @@ impl Layout {
         ((along * self.per_metre) as usize).min(count - 1)
     }
 
-    /// Lower left corner of a cell \[m\].
-    pub fn corner(&self, cell: usize) -> Vec2 {
-        let (column, row) = (cell % self.columns, cell / self.columns);
+    /// Lower left corner of the cell in a column and row \[m\].
+    pub fn corner(&self, (column, row): (usize, usize)) -> Vec2 {
         Vec2::new(self.left, self.bottom) + Vec2::new(column as f32, row as f32) * self.cell
     }
 
@@ -215,13 +221,13 @@ impl Map {
         }
         for cell in self.layout.inner() {
             let side = |at: usize, step: usize| {
-                self.depth[at - step] + self.depth[at] + self.depth[at + step]
+                self.depth(at - step) + self.depth(at) + self.depth(at + step)
             };
             let slope = Vec2::new(
                 side(cell + 1, columns) - side(cell - 1, columns),
                 side(cell + columns, 1) - side(cell - columns, 1),
             );
-            self.cells[cell].outward = unit(-slope);
+            self.cell(cell).outward = unit(-slope);
         }
     }
 
@@ -240,10 +246,24 @@ impl Map {
         }
     }
 
+    /// The depth of a cell; 0 of none.
+    // An index that may panic would double the code of the map: hence this and `cell`.
+    #[inline]
+    pub fn depth(&self, cell: usize) -> f32 {
+        self.depth.get(cell).copied().unwrap_or(0.0)
+    }
+
+    /// A cell; that at the lower left corner instead of none.
+    #[inline]
+    pub fn cell(&mut self, cell: usize) -> &mut Cell {
+        let within = cell < self.cells.len();
+        &mut self.cells[if within { cell } else { 0 }]
+    }
+
     /// Whether there is gas at a position.
     pub fn holds(&self, position: Vec2) -> bool {
         let cell = self.layout.at(position);
-        self.depth[cell] > 0.0 && cell >= self.layout.columns
+        self.depth(cell) > 0.0 && cell >= self.layout.columns
     }
 
     /// The depth at a position, interpolated between the centres of the cells.
@@ -265,8 +285,10 @@ impl Map {
         let (column, x) = part(position.x - left, columns);
         let (row, y) = part(position.y - bottom, rows);
         let first = row * columns + column;
-        let depth = &self.depth;
-        let mix = |cell: usize| depth[cell] + (depth[cell + 1] - depth[cell]) * x;
+        let mix = |cell: usize| {
+            let depth = self.depth(cell);
+            depth + (self.depth(cell + 1) - depth) * x
+        };
         let (lower, upper) = (mix(first), mix(first + columns));
         lower + (upper - lower) * y
     }
@@ -279,9 +301,14 @@ pub(super) fn measure(distance: &mut [f32], layout: &Layout, across: f32) {
     for _ in 0..2 {
         for cell in layout.inner() {
             let below = cell - layout.columns;
-            let straight = fast_min(distance[cell - 1], distance[below]) + 1.0;
-            let diagonal = fast_min(distance[below - 1], distance[below + 1]) + across;
-            distance[cell] = fast_min(distance[cell], fast_min(straight, diagonal));
+            // An index that may panic would double this code.
+            let at = |cell: usize| distance.get(cell).copied().unwrap_or(0.0);
+            let straight = fast_min(at(cell - 1), at(below)) + 1.0;
+            let diagonal = fast_min(at(below - 1), at(below + 1)) + across;
+            let least = fast_min(straight, diagonal);
+            if let Some(distance) = distance.get_mut(cell) {
+                *distance = fast_min(*distance, least);
+            }
         }
         distance.reverse();
     }
@@ -298,8 +325,12 @@ fn unit(vector: Vec2) -> Vec2 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
+
+    pub fn corner(layout: &Layout, cell: usize) -> Vec2 {
+        layout.corner((cell % layout.columns, cell / layout.columns))
+    }
 
     fn layout(floor: bool) -> Layout {
         Layout::new(0.8, 0.3, 1.7, 0.1, floor)
@@ -310,7 +341,7 @@ mod tests {
         let mut map = Map::new(layout(floor));
         let half = Vec2::splat(0.05);
         for cell in map.layout.inner() {
-            let at = map.layout.corner(cell) + half;
+            let at = corner(&map.layout, cell) + half;
             map.cells[cell].inside = at.cmpge(from).all() && at.cmple(to).all();
         }
         map.fill();
@@ -331,7 +362,7 @@ mod tests {
     fn a_position_is_in_its_cell_and_any_other_in_the_border() {
         let layout = layout(false);
         for cell in layout.inner() {
-            assert_eq!(layout.at(layout.corner(cell) + Vec2::splat(0.05)), cell);
+            assert_eq!(layout.at(corner(&layout, cell) + Vec2::splat(0.05)), cell);
         }
         let inner: Vec<usize> = layout.inner().collect();
         for at in [
@@ -362,7 +393,7 @@ mod tests {
     fn the_depth_is_the_distance_to_the_outside() {
         let map = filled(false, Vec2::new(-0.7, 0.0), Vec2::new(0.7, 1.2));
         for cell in map.layout.inner() {
-            let at = map.layout.corner(cell) + Vec2::splat(0.05);
+            let at = corner(&map.layout, cell) + Vec2::splat(0.05);
             let to_edge = (0.7 - at.x.abs()).min(at.y).min(1.2 - at.y);
             let expected = ((to_edge / 0.1).round() + 1.0).clamp(0.0, DEEP);
             let depth = map.depth[cell];

@@ -166,7 +166,7 @@ export class PagePolicies {
     const { zoom, pan } = this.#fire;
     const position = panning(pan || '0.5 0.5');
     if (!(zoom >= 1 && zoom <= MAX_ZOOM)) {
-      this.#reports.refuse('zoom', zoom, `a number from 1 to ${MAX_ZOOM}`);
+      this.#reports.refuse('zoom', this.#fire.getAttribute('zoom') ?? '', `a number from 1 to ${MAX_ZOOM}`);
     } else if (!position) {
       this.#reports.refuse('pan', pan, 'two numbers from 0 to 1');
     } else {

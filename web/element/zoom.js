@@ -38,7 +38,7 @@ export function listenToZoom({ fire, view }, isForFire, signal) {
       const edge = pan * (1 - 1 / zoom) + from[axis] / zoom - to[axis] / next;
       return hidden > 0 ? Math.max(0, Math.min(1, edge / hidden)).toFixed(4) : '0.5';
     }).join(' ');
-    if (next === zoom && pan === `${panX.toFixed(4)} ${panY.toFixed(4)}`) return false;
+    if (next === zoom && (hidden === 0 || pan === `${panX.toFixed(4)} ${panY.toFixed(4)}`)) return false;
     before ??= ['zoom', 'pan'].map((name) => fire.getAttribute(name));
     fire.setAttribute('pan', pan);
     fire.setAttribute('zoom', String(Math.round(next * 1e4) / 1e4));

@@ -7,8 +7,8 @@ in vec2 uv;
 uniform sampler2D flow;           // weight, weight × velocity
 uniform sampler2D carried_before; // the output of this pass in the last picture
 uniform vec2 step_time; // time since the last picture / size of the picture [s/m]
-uniform vec2 before_scale;  // from a position in this picture to that in the last one
-uniform vec2 before_offset;
+uniform vec2 before_scale;  // from a position in this picture to that in the last one: the factor
+uniform vec2 before_offset; // and the offset of that position
 uniform vec2 kept;      // of each pattern: 0 if it restarts in this picture, else 1
 
 out vec4 carried; // in sizes of the picture: first pattern, second pattern

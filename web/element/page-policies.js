@@ -4,7 +4,7 @@
  */
 
 import { CHOICES, OBSERVED } from './attributes.js';
-import { MAX_ZOOM, alignment, panning } from './viewport.js';
+import { alignment, panning } from './viewport.js';
 
 const LIMITS = ['fps-limit', 'max-pixels'];
 
@@ -165,8 +165,9 @@ export class PagePolicies {
   #enlarge() {
     const { zoom, pan } = this.#fire;
     const position = panning(pan || '0.5 0.5');
-    if (!(zoom >= 1 && zoom <= MAX_ZOOM)) {
-      this.#reports.refuse('zoom', zoom, `a number from 1 to ${MAX_ZOOM}`);
+    const { maxZoom } = this.#view;
+    if (!(zoom >= 1 && zoom <= maxZoom)) {
+      this.#reports.refuse('zoom', this.#fire.getAttribute('zoom') ?? '', `a number from 1 to ${maxZoom}`);
     } else if (!position) {
       this.#reports.refuse('pan', pan, 'two numbers from 0 to 1');
     } else {

@@ -74,6 +74,8 @@ export class FireView {
   #properties;
   /** @type {HTMLCanvasElement | undefined} */
   canvas;
+  /** How much the picture is enlarged at most. */
+  maxZoom = 10;
   /** @type {import('./viewport.js').Camera} */
   camera = { fit: 'height', x: 0.5, y: 0, zoom: 1, panX: 0.5, panY: 0.5 };
   /** What the shadow tree holds. */

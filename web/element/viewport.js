@@ -10,9 +10,6 @@
  * @property {number} panY and from below
  */
 
-/** How much a picture is enlarged at most. */
-export const MAX_ZOOM = 10;
-
 /** @type {{[word: string]: number}} */
 const HORIZONTAL = { left: 0, center: 0.5, right: 1 };
 /** @type {{[word: string]: number}} */

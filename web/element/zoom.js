@@ -4,9 +4,6 @@
  * before. They write the attributes `zoom` and `pan`. A wheel without Ctrl scrolls the page.
  */
 
-import { setOrRemove } from './attributes.js';
-import { MAX_ZOOM } from './viewport.js';
-
 /** Zoom of a wheel that turns by a pixel, and pixels of a line. */
 const PER_PIXEL = 1.005;
 const LINE_PX = 16;
@@ -19,7 +16,7 @@ const LINE_PX = 16;
  * @returns {(event: PointerEvent) => boolean} whether a pointer moves the picture, not the gas
  */
 export function listenToZoom({ fire, view }, isForFire, signal) {
-  /** The attributes before the first gesture. @type {(string | null)[] | undefined} */
+  /** The attributes before the first gesture. @type {{zoom: any, pan: any} | undefined} */
   let before;
   /** The positions of the fingers, and of a mouse with Shift. @type {Map<number, {x: number, y: number}>} */
   const moving = new Map();
@@ -32,14 +29,14 @@ export function listenToZoom({ fire, view }, isForFire, signal) {
   /** Enlarges the picture; what was at the place `from` comes to the place `to`. */
   const enlarge = (/** @type {number} */ factor, /** @type {number[]} */ from, to = from) => {
     const { zoom, panX, panY } = view.camera;
-    const next = Math.max(1, Math.min(MAX_ZOOM, zoom * factor));
+    const next = Math.max(1, Math.min(view.maxZoom, zoom * factor));
     const hidden = 1 - 1 / next;
     const pan = [panX, panY].map((pan, axis) => {
       const edge = pan * (1 - 1 / zoom) + from[axis] / zoom - to[axis] / next;
       return hidden > 0 ? Math.max(0, Math.min(1, edge / hidden)).toFixed(4) : '0.5';
     }).join(' ');
-    if (next === zoom && pan === `${panX.toFixed(4)} ${panY.toFixed(4)}`) return false;
-    before ??= ['zoom', 'pan'].map((name) => fire.getAttribute(name));
+    if (next === zoom && (hidden === 0 || pan === `${panX.toFixed(4)} ${panY.toFixed(4)}`)) return false;
+    before ??= { zoom: fire.getAttribute('zoom'), pan: fire.getAttribute('pan') };
     fire.setAttribute('pan', pan);
     fire.setAttribute('zoom', String(Math.round(next * 1e4) / 1e4));
     return true;
@@ -75,7 +72,7 @@ export function listenToZoom({ fire, view }, isForFire, signal) {
   }
   fire.addEventListener('dblclick', (event) => {
     if (!before || !isForFire(event)) return;
-    for (const [at, name] of ['zoom', 'pan'].entries()) setOrRemove(fire, name, before[at]);
+    Object.assign(fire, before);
     before = undefined;
   }, { signal });
   return moves;

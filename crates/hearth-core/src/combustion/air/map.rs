@@ -383,7 +383,7 @@ pub(super) mod tests {
                 let pairs: Vec<_> = one.common(&other).collect();
                 assert_eq!(pairs.len(), small.inner().count());
                 for (cell, same) in pairs {
-                    assert!(one.corner(cell).distance(other.corner(same)) < 1e-5);
+                    assert!(corner(&one, cell).distance(corner(&other, same)) < 1e-5);
                 }
             }
         }

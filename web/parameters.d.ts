@@ -5,7 +5,7 @@
 export type ModelName = "classic" | "combustion";
 
 /** The name of a preset. */
-export type PresetName = "default" | "bonfire-in-wind" | "campfire" | "candle" | "fireside" | "forge" | "gas-burner" | "ghost-fire" | "match" | "smoke-stack" | "torch" | "wall-of-fire" | "classic" | "paper-buoyancy" | "paper-fire" | "paper-smoothing" | "paper-stiffness" | "seed";
+export type PresetName = "default" | "bonfire-in-wind" | "campfire" | "candle" | "fireside" | "forge" | "gas-burner" | "ghost-fire" | "match" | "smoke-stack" | "torch" | "wall-of-fire" | "classic" | "paper-buoyancy" | "paper-fire" | "paper-smoothing" | "paper-stiffness" | "paper-viscosity" | "seed";
 
 /** The value of every parameter, by its id. */
 export interface HearthParameters {

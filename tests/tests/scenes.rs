@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 use hearth_bindings::{Untrusted, settings};
-use hearth_core::params::Model;
+use hearth_core::params::{Input, Model};
 use hearth_core::preset::{PRESETS, Preset};
 use hearth_core::scene::KINDS;
 use hearth_core::{Parameters, Particle, Scene, Simulation};
@@ -100,6 +100,18 @@ fn the_papers_scenes_show_the_effect_of_their_parameter() {
     assert!(wide > 1.1 * width, "{wide} {width}");
     let (plain, clustered) = (gaps(scene("paper-fire")), gaps(scene("paper-smoothing")));
     assert!(clustered < 0.8 * plain, "{clustered} {plain}");
+}
+
+#[test]
+fn the_viscosity_of_the_paper_widens_the_fire_as_printed_and_narrows_it_corrected() {
+    let (width, _) = shape(scene("paper-fire"));
+    let mut viscous = scene("paper-viscosity");
+    let (printed, _) = shape(viscous.clone());
+    assert!(printed > 1.4 * width, "{printed} {width}");
+    let set = viscous.set("printed_viscosity", Input::Flag(false));
+    assert_eq!(set, Ok(()));
+    let (corrected, _) = shape(viscous);
+    assert!(corrected < 0.9 * width, "{corrected} {width}");
 }
 
 /// Plain data as JavaScript sends it.

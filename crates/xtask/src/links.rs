@@ -13,10 +13,11 @@ use anyhow::{Result, bail, ensure};
 use crate::shell::Shell;
 
 /// The pages that links name, and their folders.
-const PAGES: [(&str, &str); 4] = [
+const PAGES: [(&str, &str); 5] = [
     ("index.html", ""),
     ("bench.html", ""),
     ("printed.html", ""),
+    ("figures.html", ""),
     ("web/embed.html", "web/"),
 ];
 

@@ -71,7 +71,7 @@ pub(crate) fn build() -> Result<()> {
     for licence in ["LICENSE-APACHE", "LICENSE-MIT"] {
         sh.copy_file(licence, &web)?;
     }
-    for page in ["bench.html", "printed.html"] {
+    for page in ["bench.html", "printed.html", "figures.html"] {
         sh.copy_file(page, &site)?;
     }
     let html = sh.read_file("index.html")?;

@@ -360,6 +360,31 @@ pub static PRESETS: &[Preset] = &[
         ],
     },
     Preset {
+        name: "paper-viscosity",
+        values: &[
+            ("model", Input::Text("classic")),
+            ("emission_rate", Input::Number(2500.0)),
+            ("source_width", Input::Number(0.24)),
+            ("lifetime_max", Input::Number(1.2)),
+            ("display_mode", Input::Text("paper")),
+            ("source_height", Input::Number(0.2)),
+            ("emission_speed", Input::Number(0.5)),
+            ("emission_spread", Input::Number(0.3)),
+            ("emission_noise", Input::Number(0.0)),
+            ("taper", Input::Number(0.6)),
+            ("lifetime_min", Input::Number(0.4)),
+            ("particle_size", Input::Number(0.03)),
+            ("buoyancy", Input::Number(0.12)),
+            ("thermal_buoyancy", Input::Number(0.02)),
+            ("domain_height", Input::Number(1.5)),
+            ("smoothing_radius", Input::Number(0.022)),
+            ("particle_mass", Input::Number(0.00015)),
+            ("gas_constant", Input::Number(0.6)),
+            ("viscosity", Input::Number(0.016)),
+            ("printed_viscosity", Input::Flag(true)),
+        ],
+    },
+    Preset {
         name: "seed",
         values: &[
             ("model", Input::Text("classic")),
@@ -449,7 +474,7 @@ pub static CAPTIONS: &[Caption] = &[
     },
     Caption {
         label: "Paper, plain",
-        description: "The classic model drawn as in the paper: the fire that three other scenes change.",
+        description: "The classic model drawn as in the paper: the fire that four other scenes change.",
     },
     Caption {
         label: "Paper, smoothing",
@@ -458,6 +483,10 @@ pub static CAPTIONS: &[Caption] = &[
     Caption {
         label: "Paper, stiffness",
         description: "As Paper, plain, with a ten times larger gas constant: the fire is wider.",
+    },
+    Caption {
+        label: "Paper, viscosity",
+        description: "As Paper, plain, with more viscosity, in the force as the paper prints it: the fire spreads to both sides.",
     },
     Caption {
         label: "Seed",

@@ -1,0 +1,49 @@
+/**
+ * The page of the paper's figures. A figure is measured when it first comes into sight, by the library, so its numbers
+ * are the same on every machine; a fire out of sight rests.
+ */
+
+import '../hearth-fire.js';
+import { addCell } from './cells.js';
+import { showColours } from './colours.js';
+import { COMPARISONS } from './comparisons.js';
+import { addCounts } from './counts.js';
+import { showLoop } from './loop.js';
+
+/** @type {(selector: string) => any} */
+const find = (selector) => document.querySelector(selector);
+
+/** @param {unknown} error */
+const complain = (error) => {
+  find('#status').textContent = `A figure could not be made: ${error instanceof Error ? error.message : error}.`;
+};
+
+/** Acts once, when the element comes into sight. @param {Element} element @param {() => void} act */
+function inSight(element, act) {
+  const observer = new IntersectionObserver((entries) => {
+    if (!entries.some((entry) => entry.isIntersecting)) return;
+    observer.disconnect();
+    act();
+  });
+  observer.observe(element);
+}
+
+for (const [id, cells] of Object.entries(COMPARISONS)) {
+  const fires = find(`[aria-labelledby="${id}"] .fires`);
+  for (const cell of cells) {
+    const measure = addCell(fires, cell, complain);
+    inSight(fires.lastElementChild, measure);
+  }
+}
+
+const colours = find('#colours');
+inSight(colours, () => {
+  showColours(find('#colours hearth-fire'), find('#scale'), find('#kelvin'), find('#colour')).catch(complain);
+});
+
+for (const list of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('.loop'))) {
+  const fire = list.closest('figure')?.querySelector('hearth-fire');
+  if (fire) showLoop(list, fire, list.dataset.model === 'classic' ? 'classic' : 'combustion');
+}
+
+addCounts(find('#counts'), location.search, complain);

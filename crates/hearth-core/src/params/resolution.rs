@@ -67,8 +67,9 @@ impl Parameters {
     #[inline(never)]
     pub fn set_frame_particles(&mut self, particles: u32) {
         if self.has_open_edges() {
-            let frame = f64::from(self.domain_width) * f64::from(self.domain_height);
-            self.set_within("spacing", libm::sqrt(frame / f64::from(particles.max(1))));
+            let frame = self.domain_width * self.domain_height;
+            let spacing = libm::sqrtf(frame / particles.max(1) as f32);
+            self.set_within("spacing", spacing.into());
             self.set_within("max_particles", 2.0 * f64::from(particles));
         } else {
             self.set_within("max_particles", particles.into());
@@ -110,7 +111,8 @@ impl Parameters {
     fn set_within(&mut self, id: &'static str, number: f64) {
         if let Some(param) = Param::find(id) {
             let (min, max) = param.any_domain(self.model).range;
-            let set = self.set(id, Input::Number(number.clamp(min, max)));
+            // `clamp` may panic with its limits, whose words are many kilobytes of code.
+            let set = self.set(id, Input::Number(number.max(min).min(max)));
             debug_assert_eq!(set, Ok(()));
         }
     }

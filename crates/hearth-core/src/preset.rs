@@ -4,6 +4,7 @@
 //! of all of them, so this crate reads no file.
 
 mod definition;
+mod resolution;
 // Generated code.
 #[rustfmt::skip]
 mod scenes;

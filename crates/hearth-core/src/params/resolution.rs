@@ -10,7 +10,6 @@ use super::set::Parameters;
 use super::table::{Param, Physics};
 use super::value::Input;
 use crate::extremes::{fast_max, fast_min};
-use crate::preset::Preset;
 
 /// Fewest and most particles of open air that could fill the frame: a finer `spacing` would ask
 /// for more memory than a page has, and a coarser one would leave no fire.
@@ -108,7 +107,7 @@ impl Parameters {
     }
 
     /// Sets a number, clamped to the range of its parameter.
-    fn set_within(&mut self, id: &'static str, number: f64) {
+    pub(crate) fn set_within(&mut self, id: &'static str, number: f64) {
         if let Some(param) = Param::find(id) {
             let (min, max) = param.any_domain(self.model).range;
             // `clamp` may panic with its limits, whose words are many kilobytes of code.
@@ -119,28 +118,5 @@ impl Parameters {
 
     fn is_default(&self, id: &str) -> bool {
         Param::find(id).is_some_and(|param| param.get(self) == param.any_domain(self.model).default)
-    }
-}
-
-impl Preset {
-    /// [Completes](Parameters::complete) settings that started from this preset. If it names its
-    /// `spacing`, settings without one keep it in the same frame, and have as many particles in
-    /// another. If it names its number of particles, a closed domain keeps that.
-    pub fn complete(&self, settings: &mut Parameters, spacing: bool, max_particles: bool) {
-        let base = self.parameters();
-        let own = self.names("spacing");
-        let id = "max_particles";
-        let number = !own && self.names(id) && settings.get(id) == base.get(id);
-        let frame = |values: &Parameters| (values.domain_width, values.domain_height);
-        let kept = own && !spacing && !max_particles && frame(settings) == frame(&base);
-        if kept {
-            settings.set_within("spacing", base.spacing.into());
-        }
-        let in_frame = if own {
-            base.frame_particles()
-        } else {
-            IN_FRAME
-        };
-        settings.complete(spacing || kept, max_particles || number, in_frame);
     }
 }

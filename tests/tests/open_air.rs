@@ -193,9 +193,8 @@ fn another_spacing_keeps_the_fire() {
         );
         before = after;
     }
-    // The air around gas that has just cooled is not taken over.
     let now = fire.count() as f64 / count as f64;
-    assert!((now - 1.0).abs() < 0.3, "{now} times as many");
+    assert!((now - 1.0).abs() < 0.2, "{now} times as many");
     let power = burn_on(&mut fire, 0.5);
     assert!((power / 220.0 - 1.0).abs() < 0.25, "{power} kW/m");
 }

@@ -220,10 +220,12 @@ fn the_air_follows_a_source_that_jumps() {
 
 #[test]
 fn a_stored_fire_continues_at_any_spacing() {
-    let fire = burn(open(&[]), 1.5);
+    // Room for the particles of the finest spacing.
+    let open = |spacing| open(&[("spacing", spacing), ("max_particles", 8000.0)]);
+    let fire = burn(open(0.0268), 1.5);
     let bytes = fire.burning().unwrap_or_default();
     for spacing in [0.04, 0.03, 0.055] {
-        let mut other = Simulation::new(open(&[("spacing", spacing)]));
+        let mut other = Simulation::new(open(spacing));
         assert_eq!(other.restore_burning(&bytes), Ok(()));
         let (before, after) = (heat(&fire), heat(&other));
         assert!(

@@ -44,9 +44,9 @@ test('every parameter of the model has an accessible control with a name', async
   for (const [at, { id, label }] of PARAMETERS.entries()) {
     assert.ok(names[at]?.includes(label), `${id} is called ${names[at]}`);
   }
-  for (const model of ['combustion', 'classic']) {
-    await tab.fire((fire, name) => fire.set('model', name), model);
-    const used = PARAMETERS.filter(({ models }) => models.includes(model)).map(({ id }) => id);
+  for (const [model, edges] of [['combustion', 'open'], ['combustion', 'periodic'], ['classic', 'periodic']]) {
+    await tab.fire((fire, values) => fire.set(values), { model, edges });
+    const used = Object.values(entriesOf(PARAMETERS, model, edges)).filter((one) => one.used).map(({ id }) => id);
     assert.deepEqual(await panel.controls(), used);
   }
 });

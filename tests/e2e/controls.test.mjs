@@ -292,6 +292,19 @@ test('reset all resets the active model and leaves the other one unchanged', asy
   assert.deepEqual({ model, wind }, { model: 'classic', wind: 1.5 });
 });
 
+test('with open edges the spacing has a slider', async () => {
+  const { tab, panel } = await openPage('combustion');
+  await tab.fire((fire) => fire.set('edges', 'open'));
+  const { spacing } = entriesOf(PARAMETERS, 'combustion', 'open');
+  const before = await tab.fire((fire) => fire.params);
+  await panel.dragSlider('spacing', fractionOf(spacing, before.spacing), 0.8);
+  const near = (value) => Math.abs(fractionOf(spacing, value) - 0.8) < AIM;
+  const value = await panel.value('spacing', 'at 0.8 of its slider', near);
+  const now = await tab.fire((fire) => fire.params);
+  assert.deepEqual({ ...now, max_particles: 0 }, { ...before, spacing: value, max_particles: 0 });
+  assert.deepEqual(tab.problems, []);
+});
+
 for (const model of ['combustion', 'classic']) {
   test(`every slider of the ${model} model moves its own value and no other`, async () => {
     const { tab, panel } = await openPage(model);

@@ -18,13 +18,13 @@ export const actionOf = (/** @type {string} */ name) => `[data-action="${name}"]
 
 /**
  * The parameters by id, with their ranges and defaults in a model, and whether that model
- * uses them.
- * @param {any[]} PARAMETERS @param {string} model
+ * uses them with these edges.
+ * @param {any[]} PARAMETERS @param {string} model @param {string} [edges]
  */
-export function entriesOf(PARAMETERS, model) {
+export function entriesOf(PARAMETERS, model, edges = 'periodic') {
   return Object.fromEntries(PARAMETERS.map((one) => [
     one.id,
-    { ...one, ...domainOf(one, model), used: one.models.includes(model) },
+    { ...one, ...domainOf(one, model), used: one.models.includes(model) && (one.when?.edges ?? [edges]).includes(edges) },
   ]));
 }
 

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { cappedSize } from '../../web/element/visibility.js';
-import { alignment, viewportOf } from '../../web/element/viewport.js';
+import { alignment, panning, viewportOf } from '../../web/element/viewport.js';
 
 test('an alignment is one or two words of object-position, in any order', () => {
   for (const [words, shares] of /** @type {[string, [number, number] | undefined][]} */ ([
@@ -20,7 +20,7 @@ test('each fit scales the domain to the picture, and the alignment places it', (
   ])) {
     for (const x of [0, 0.5, 1]) {
       for (const y of [0, 0.5, 1]) {
-        const place = viewportOf({ fit, x, y }, 1, 2, 300, 200);
+        const place = viewportOf({ fit, x, y, zoom: 1, panX: 0.3, panY: 0.9 }, 1, 2, 300, 200);
         assert.equal(place.scale, scale, fit);
         // The domain's own point at these shares is the picture's.
         assert.equal(place.left + (x - 0.5) * scale, 300 * x, `${fit} ${x}`);
@@ -28,6 +28,22 @@ test('each fit scales the domain to the picture, and the alignment places it', (
       }
     }
   }
+});
+
+test('a zoom enlarges the picture, and the pan is the part of it that is seen', () => {
+  const camera = { fit: 'height', x: 0.5, y: 0 };
+  for (const pan of [0, 0.25, 1]) {
+    const { scale, left, bottom } = viewportOf({ ...camera, zoom: 4, panX: pan, panY: pan }, 1, 2, 300, 200);
+    assert.equal(scale, 400);
+    // The middle of the floor is at 150 and 0 pixels before; three quarters of the picture are hidden.
+    assert.equal(left, 4 * 150 - 3 * 300 * pan);
+    assert.equal(bottom, 0 - 3 * 200 * pan);
+  }
+});
+
+test('a pan is two numbers from 0 to 1', () => {
+  assert.deepEqual(panning(' 0  0.75 '), [0, 0.75]);
+  for (const words of ['', '0.5', '0 0 0', '0 1.1', '-1 0', 'left bottom']) assert.equal(panning(words), undefined, words);
 });
 
 test('a canvas has at most two pixels for a CSS pixel, one and a half on touch screens', () => {

@@ -68,7 +68,7 @@ test('on the page’s thread a number of particles that takes too long is reduce
   });
   assert.ok(await tab.evaluate(LIMITED));
   const reason = await tab.fire((fire) => fire.stats.qualityReason);
-  assert.match(reason, /^a step takes [\d.]+ ms of at most 25\.0 ms: [\d,]+ of 100,000 particles$/);
+  assert.match(reason, /^a step takes [\d.]+ ms of at most 16\.0 ms: [\d,]+ of 100,000 particles$/);
   assert.deepEqual(tab.problems, []);
 });
 

@@ -121,7 +121,7 @@ export interface HearthParameters {
   domain_height: number;
   /** Open sides, walls, or periodic sides. Particles at the left and the right edge leave, are stopped, or enter on the other side. The floor stops them, unless the sides are open; the top is always open. Default in classic: "open". */
   walls: "open" | "solid" | "periodic";
-  /** A fire in the open, or in a closed box. Open: air surrounds the fire, smoke leaves, and fresh air enters. Periodic: gas that leaves on one side of the domain enters on the other. Default in combustion: "periodic". */
+  /** A fire in the open, or in a closed box. Open: air surrounds the fire, smoke leaves, and fresh air enters. Periodic: gas that leaves on one side of the domain enters on the other. Default in combustion: "open". */
   edges: "open" | "periodic";
   /** A fire that stands on a floor, or one that draws air from below. A solid floor is at the lower edge of the picture. Default in combustion: "none". */
   floor: "none" | "solid";
@@ -133,7 +133,7 @@ export interface HearthParameters {
   time_step: number;
   /** A coarser fire that takes less work. Distance of neighbouring particles in air. Until it is set, it follows the frame, the number of particles and the quality. [m] Default in combustion: 0.0268, from 0.0003 to 0.5. */
   spacing: number;
-  /** A finer fire that takes more work. Classic, and open edges with a `spacing`: largest number of particles; with open edges, the highest air sleeps beyond it. Without a `spacing`, and periodic edges: number of particles that would fill the frame. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
+  /** A finer fire that takes more work. Classic, and open edges with a `spacing`: largest number of particles; with open edges, the highest air sleeps beyond it. Without a `spacing`, and periodic edges: number of particles that would fill the frame. Default in combustion: 6000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
   max_particles: number;
   /** A smoother, wider fire that takes more work. Smoothing length h: particles interact up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
   smoothing_radius: number;
@@ -289,7 +289,7 @@ export interface HearthProperties {
   domainHeight: number;
   /** Open sides, walls, or periodic sides. Particles at the left and the right edge leave, are stopped, or enter on the other side. The floor stops them, unless the sides are open; the top is always open. Default in classic: "open". */
   walls: "open" | "solid" | "periodic";
-  /** A fire in the open, or in a closed box. Open: air surrounds the fire, smoke leaves, and fresh air enters. Periodic: gas that leaves on one side of the domain enters on the other. Default in combustion: "periodic". */
+  /** A fire in the open, or in a closed box. Open: air surrounds the fire, smoke leaves, and fresh air enters. Periodic: gas that leaves on one side of the domain enters on the other. Default in combustion: "open". */
   edges: "open" | "periodic";
   /** A fire that stands on a floor, or one that draws air from below. A solid floor is at the lower edge of the picture. Default in combustion: "none". */
   floor: "none" | "solid";
@@ -301,7 +301,7 @@ export interface HearthProperties {
   timeStep: number;
   /** A coarser fire that takes less work. Distance of neighbouring particles in air. Until it is set, it follows the frame, the number of particles and the quality. [m] Default in combustion: 0.0268, from 0.0003 to 0.5. */
   spacing: number;
-  /** A finer fire that takes more work. Classic, and open edges with a `spacing`: largest number of particles; with open edges, the highest air sleeps beyond it. Without a `spacing`, and periodic edges: number of particles that would fill the frame. Default in combustion: 3000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
+  /** A finer fire that takes more work. Classic, and open edges with a `spacing`: largest number of particles; with open edges, the highest air sleeps beyond it. Without a `spacing`, and periodic edges: number of particles that would fill the frame. Default in combustion: 6000, from 200 to 100000. Default in classic: 1000, from 100 to 100000. */
   maxParticles: number;
   /** A smoother, wider fire that takes more work. Smoothing length h: particles interact up to twice this distance. [m] Default in classic: 0.026, from 0.005 to 0.1. */
   smoothingRadius: number;

@@ -20,14 +20,17 @@ pub fn with_numbers(values: &[(&str, f64)]) -> Parameters {
     with(numbers(values))
 }
 
-/// The combustion model's defaults with 1000 particles, which is quick, and
-/// with these numbers changed.
+/// The combustion model's defaults in a closed domain with 1000 particles,
+/// which is quick, and with these numbers changed.
 ///
 /// # Panics
 /// As [`with`].
 pub fn combustion(values: &[(&str, f64)]) -> Parameters {
-    let few = [("max_particles", 1000.0)];
-    changed(Model::Combustion, numbers(&few).chain(numbers(values)))
+    let closed = [
+        ("edges", Input::Text("periodic")),
+        ("max_particles", Input::Number(1000.0)),
+    ];
+    changed(Model::Combustion, closed.into_iter().chain(numbers(values)))
 }
 
 /// A combustion fire that uses all that its model has.

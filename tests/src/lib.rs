@@ -129,8 +129,7 @@ fn kept(name: &str, particles: Option<u32>) -> u64 {
     let bytes = include_bytes!("../../web/burning/fireside.fire");
     let mut parameters = Preset::find(name).map_or_else(Parameters::default, Preset::parameters);
     if let Some(number) = particles {
-        let set = parameters.set("max_particles", Input::Number(number.into()));
-        debug_assert!(set.is_ok());
+        parameters.set_frame_particles(number);
     }
     let mut fire = Simulation::new(parameters);
     match fire.restore_burning(bytes) {

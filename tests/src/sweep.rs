@@ -72,10 +72,11 @@ pub fn end(model: Model, param: &Param, upper: bool) -> f64 {
     }
 }
 
-/// The model's defaults with fewer particles in the combustion model, so that
-/// it is quick.
+/// The model's defaults with fewer particles in the combustion model and a
+/// closed domain, so that it is quick.
 pub fn usual(model: Model) -> Parameters {
     let mut parameters = Parameters::new(model);
+    set(&mut parameters, "edges", Input::Text("periodic"));
     let min = Input::Number(PARTICLES.0);
     set(&mut parameters, "max_particles", min);
     parameters
@@ -89,9 +90,10 @@ pub fn at_end(model: Model, param: &Param, upper: bool) -> Parameters {
     parameters
 }
 
-/// Each slider at one of its ends.
+/// Each slider at one of its ends, in a closed domain.
 pub fn corner(model: Model, random: &mut Random) -> Parameters {
     let mut parameters = Parameters::new(model);
+    set(&mut parameters, "edges", Input::Text("periodic"));
     for param in swept(model) {
         let end = end(model, param, random.bits() & 1 == 1);
         set(&mut parameters, param.id, Input::Number(end));

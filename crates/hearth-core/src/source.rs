@@ -27,6 +27,7 @@ mod tests {
 
     fn of(model: Model, values: &[(&str, f64)]) -> (Source, Parameters) {
         let mut parameters = Parameters::new(model);
+        assert_eq!(parameters.set("edges", Input::Text("periodic")), Ok(()));
         for &(id, value) in values {
             assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
         }

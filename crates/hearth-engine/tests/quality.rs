@@ -1,6 +1,6 @@
 //! Adaptive quality on machines of every speed.
 
-use hearth_core::params::{Model, Param, Value};
+use hearth_core::params::{IN_FRAME, Parameters};
 use hearth_engine::duty::SHARE_OF_WORKER;
 use hearth_engine::quality::{Frame, Level, Quality};
 
@@ -88,9 +88,10 @@ fn settled(machine: Machine, guess: Level) -> Level {
 
 #[test]
 fn the_medium_level_has_the_default_number_of_particles() {
-    let param = Param::find("max_particles").expect("a parameter");
-    let default = param.any_domain(Model::Combustion).default;
-    assert_eq!(default, Value::Integer(Level::Medium.particles()));
+    assert_eq!(IN_FRAME, Level::Medium.particles());
+    // The default spacing has three digits.
+    let default = f64::from(Parameters::default().frame_particles());
+    assert!((default / f64::from(IN_FRAME) - 1.0).abs() < 3e-3);
 }
 
 #[test]

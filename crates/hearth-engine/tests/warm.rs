@@ -1,14 +1,16 @@
 //! The warm-up of fires.
 
-use hearth_core::params::{Input, Model, Parameters};
+use hearth_core::params::{IN_FRAME, Input, Model, Parameters};
 use hearth_core::{Burner, Simulation};
 use hearth_engine::warm::Warm;
 
 fn with(values: &[(&str, f64)]) -> Parameters {
     let mut parameters = Parameters::new(Model::Combustion);
+    let named = |id| values.iter().any(|&(name, _)| name == id);
     for &(id, value) in values {
         assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
     }
+    parameters.complete(named("spacing"), named("max_particles"), IN_FRAME);
     parameters
 }
 
@@ -49,13 +51,18 @@ fn a_warm_fire_has_a_tall_flame() {
 fn the_warm_up_uses_few_particles_until_its_last_part() {
     let values = with(&[("max_particles", 3000.0)]);
     let (fire, counts) = warmed(&mut Warm::new(2.0, Vec::new()), &values);
-    assert!((700..=760).contains(&counts[0]), "{}", counts[0]);
-    assert!((2800..=3000).contains(&fire.count()), "{}", fire.count());
+    assert!(
+        4 * counts[0] < fire.count(),
+        "{} of {}",
+        counts[0],
+        fire.count()
+    );
     // Small fires and short warm-ups use all particles.
     for (seconds, particles) in [(2.0, 500.0), (0.5, 1200.0)] {
         let values = with(&[("max_particles", particles)]);
-        let (fire, counts) = warmed(&mut Warm::new(seconds, Vec::new()), &values);
-        assert!(counts.iter().all(|count| *count == fire.count()));
+        let (_, counts) = warmed(&mut Warm::new(seconds, Vec::new()), &values);
+        let grows = |pair: &[usize]| pair[1] as f64 > 1.2 * pair[0] as f64;
+        assert!(!counts.windows(2).any(grows), "{particles}: {counts:?}");
     }
     let (_, counts) = warmed(
         &mut Warm::new(0.2, Vec::new()),

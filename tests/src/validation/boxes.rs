@@ -1,6 +1,6 @@
 //! Closed, doubly periodic boxes of gas: no burner, no seam, no gravity.
 
-use hearth_core::params::{Edges, Input};
+use hearth_core::params::{Edges, IN_FRAME, Input};
 use hearth_core::random::Random;
 use hearth_core::{Parameters, Particle, Simulation, Vec2};
 
@@ -44,9 +44,7 @@ impl GasBox {
             ("diffusion", 0.0),
             ("gas_expansion", 0.0),
         ];
-        let mut parameters = combustion(closed.iter().chain(values).copied());
-        set(&mut parameters, "edges", "periodic");
-        parameters
+        gas("periodic", closed.iter().chain(values).copied())
     }
 
     /// Its gas at rest on the lattice, each particle moved by up to `jitter`
@@ -80,11 +78,21 @@ impl GasBox {
 /// # Panics
 /// If a value is invalid, because the case is wrong.
 pub(super) fn combustion<'a>(values: impl IntoIterator<Item = (&'a str, f64)>) -> Parameters {
-    let model = [("model", Input::Text("combustion"))];
-    let values = values
-        .into_iter()
-        .map(|(id, value)| (id, Input::Number(value)));
-    fires::with(model.into_iter().chain(values))
+    gas("open", values)
+}
+
+fn gas<'a>(edges: &str, values: impl IntoIterator<Item = (&'a str, f64)>) -> Parameters {
+    let model = [
+        ("model", Input::Text("combustion")),
+        ("edges", Input::Text(edges)),
+    ];
+    let values: Vec<_> = values.into_iter().collect();
+    let numbers = values.iter().map(|&(id, value)| (id, Input::Number(value)));
+    let mut parameters = fires::with(model.into_iter().chain(numbers));
+    let [spacing, number] =
+        ["spacing", "max_particles"].map(|id| values.iter().any(|&(name, _)| name == id));
+    parameters.complete(spacing, number, IN_FRAME);
+    parameters
 }
 
 /// The same in open air, in a frame and with particles of this spacing \[m\].
@@ -100,9 +108,7 @@ pub(super) fn open<'a>(
         // More than any case needs.
         ("max_particles", 20_000.0),
     ];
-    let mut parameters = combustion(fixed.into_iter().chain(values));
-    set(&mut parameters, "edges", "open");
-    parameters
+    combustion(fixed.into_iter().chain(values))
 }
 
 /// The same on a floor.

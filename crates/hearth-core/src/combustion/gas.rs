@@ -305,9 +305,12 @@ pub(crate) mod tests {
     use crate::params::{Input, Model, Parameters};
 
     /// The combustion model's defaults with these numbers changed.
+    /// The defaults in a closed domain of 3000 particles, with these values changed.
     pub fn with(values: &[(&str, f64)]) -> Parameters {
         let mut parameters = Parameters::new(Model::Combustion);
-        for &(id, value) in values {
+        let closed = [("max_particles", 3000.0)];
+        assert_eq!(parameters.set("edges", Input::Text("periodic")), Ok(()));
+        for &(id, value) in closed.iter().chain(values) {
             assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
         }
         parameters

@@ -213,7 +213,7 @@ parameters! {
         /// A fire in the open, or in a closed box. Open: air surrounds the fire, smoke leaves,
         /// and fresh air enters. Periodic: gas that leaves on one side of the domain enters on
         /// the other.
-        edges: (choice Edges) "Edges" { Combustion(Periodic) }
+        edges: (choice Edges) "Edges" { Combustion(Open) }
         /// A fire that stands on a floor, or one that draws air from below. A solid floor is at
         /// the lower edge of the picture.
         floor: (choice Floor) "Floor" { Combustion(None) } when { edges: OPEN }
@@ -238,7 +238,7 @@ parameters! {
         /// A finer fire that takes more work. Classic, and open edges with a `spacing`: largest
         /// number of particles; with open edges, the highest air sleeps beyond it. Without a
         /// `spacing`, and periodic edges: number of particles that would fill the frame.
-        max_particles: integer "Particles" [""] Log { Classic(1000, 100.0..=100_000.0) Combustion(3000, 200.0..=100_000.0) }
+        max_particles: integer "Particles" [""] Log { Classic(1000, 100.0..=100_000.0) Combustion(6000, 200.0..=100_000.0) }
         /// A smoother, wider fire that takes more work. Smoothing length h: particles interact
         /// up to twice this distance.
         smoothing_radius: number "Smoothing radius" ["m"] Log { Classic(0.026, 0.005..=0.1) }

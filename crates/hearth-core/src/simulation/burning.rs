@@ -210,13 +210,16 @@ fn write_positions(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::params::{Input, Model, Parameters};
+    use crate::params::{IN_FRAME, Input, Model, Parameters};
 
+    /// The defaults with these values changed and room for twice the particles of the frame.
     fn with(values: &[(&str, f64)]) -> Parameters {
         let mut parameters = Parameters::new(Model::Combustion);
         for &(id, value) in values {
             assert_eq!(parameters.set(id, Input::Number(value)), Ok(()));
         }
+        let number = values.iter().any(|&(id, _)| id == "max_particles");
+        parameters.complete(false, number, IN_FRAME);
         parameters
     }
 
@@ -259,7 +262,9 @@ mod tests {
         let mut other = Simulation::new(values);
         assert_eq!(other.restore_burning(&bytes), Ok(()));
         assert_eq!((other.time(), other.count()), (fire.time(), fire.count()));
-        assert_eq!(other.embers().len(), fire.embers().len());
+        // Embers beyond the bounds are left out.
+        let lost = fire.embers().len() - other.embers().len();
+        assert!(50 * lost < fire.embers().len(), "{lost}");
         let hottest = |fire: &Simulation| fire.temperatures().into_iter().fold(0.0, f32::max);
         assert!((hottest(&fire) - hottest(&other)).abs() < 5.0);
         for (before, after) in fire.particles().iter().zip(other.particles()) {
@@ -296,8 +301,8 @@ mod tests {
                 fire
             });
             assert_eq!(one.particles(), other.particles());
-            let count = one.count() as f64;
-            assert!((count / n - 1.0).abs() < 0.06, "{count} of {n}");
+            let found = f64::from(one.parameters().frame_particles());
+            assert!((found / n - 1.0).abs() < 0.01, "{found} for {n}");
             assert!(one.temperatures().iter().any(|&kelvin| kelvin > 1000.0));
         }
     }

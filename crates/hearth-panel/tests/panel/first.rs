@@ -192,6 +192,12 @@ fn texts_with(harness: &mut Harness, stats: Stats) -> Vec<String> {
 #[test]
 fn measurements_are_shown_as_they_are() {
     let mut harness = Harness::of_model(Model::Combustion, TALL);
+    for (id, input) in [
+        ("edges", Input::Text("periodic")),
+        ("max_particles", Input::Number(3000.0)),
+    ] {
+        harness.panel.state.fire.receive(id, input);
+    }
     let stats = Stats {
         fps: 60.0,
         particles: 1176.0,
@@ -229,7 +235,7 @@ fn open_air_shows_its_particles_and_the_share_that_sleeps() {
         .panel
         .state
         .fire
-        .receive("edges", Input::Text("open"));
+        .receive("max_particles", Input::Number(3000.0));
     let mut stats = Stats {
         particles: 742.0,
         ..Stats::default()

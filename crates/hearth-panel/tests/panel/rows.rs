@@ -242,6 +242,13 @@ fn press_every_button(mut harness: Harness) {
         assert_ne!(harness.value(param.id), before, "{}", param.id);
         let last = harness.panel.take_commands().pop();
         assert_eq!(last, Some(Command::Set(param.id, harness.value(param.id))));
+        // Other parameters depend on the choice.
+        let words = before.to_string();
+        harness
+            .panel
+            .state
+            .fire
+            .receive(param.id, Input::Text(&words));
     }
 }
 

@@ -102,6 +102,24 @@ fn the_open_fire_is_stable_at_both_ends_of_each_parameter() {
 }
 
 #[test]
+fn the_open_fire_goes_on_when_a_parameter_jumps_to_either_end_and_back() {
+    let usual = fires::in_the_open(sweep::usual(Model::Combustion), 2500);
+    let mut burning = Simulation::new(usual.clone());
+    sweep::burn(&mut burning, 1.0);
+    let ends = sweep::swept(Model::Combustion).flat_map(|param| [(param, false), (param, true)]);
+    on_all_cores(ends.collect(), |(param, upper)| {
+        let mut fire = burning.clone();
+        let end = Input::Number(sweep::end(Model::Combustion, param, upper));
+        assert_eq!(fire.set(param.id, end), Ok(()));
+        let outcome = sweep::burn(&mut fire, 0.3);
+        assert_eq!(outcome.fault(), None, "{} at {end}", param.id);
+        fire.set_parameters(usual.clone());
+        let outcome = sweep::burn(&mut fire, 0.3);
+        assert_eq!(outcome.fault(), None, "{} back from {end}", param.id);
+    });
+}
+
+#[test]
 fn the_printed_equations_stay_finite_alone_and_combined() {
     let printed = |p: &&Param| p.id.starts_with("printed_");
     let flags: Vec<&str> = PARAMETERS.iter().filter(printed).map(|p| p.id).collect();

@@ -20,6 +20,8 @@ pub mod plot;
 pub mod plume;
 mod record;
 pub mod row;
+pub mod settings;
+pub mod soot;
 pub mod stability;
 pub mod table;
 pub mod viscous;
@@ -85,6 +87,8 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
         flame::CASES,
         plume::CASES,
         open_air::CASES,
+        soot::CASES,
+        settings::CASES,
     ]
     .into_iter()
     .flatten()

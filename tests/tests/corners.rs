@@ -21,6 +21,9 @@ const SECONDS: f64 = 2.0;
 /// fire is lit and its first puff has risen. The corners burn longer.
 const LIT: f64 = 0.6;
 
+/// Simulated time after a parameter of a burning fire jumps \[s\]: a pulse crosses the fire.
+const JUMP: f64 = 0.15;
+
 fn each_slider_at_either_end(model: Model, seconds: f64) {
     let ends = sweep::swept(model).flat_map(|param| [(param, false), (param, true)]);
     on_all_cores(ends.collect(), |(param, upper)| {
@@ -99,6 +102,24 @@ fn the_open_fire_is_stable_at_both_ends_of_each_parameter() {
             assert_eq!(outcome.fault(), None, "{name}");
         }
     }
+}
+
+#[test]
+fn the_open_fire_goes_on_when_a_parameter_jumps_to_either_end_and_back() {
+    let usual = fires::in_the_open(sweep::usual(Model::Combustion), 2500);
+    let mut burning = Simulation::new(usual.clone());
+    sweep::burn(&mut burning, 1.0);
+    let ends = sweep::swept(Model::Combustion).flat_map(|param| [(param, false), (param, true)]);
+    on_all_cores(ends.collect(), |(param, upper)| {
+        let mut fire = burning.clone();
+        let end = Input::Number(sweep::end(Model::Combustion, param, upper));
+        assert_eq!(fire.set(param.id, end), Ok(()));
+        let outcome = sweep::burn(&mut fire, JUMP);
+        assert_eq!(outcome.fault(), None, "{} at {end}", param.id);
+        fire.set_parameters(usual.clone());
+        let outcome = sweep::burn(&mut fire, JUMP);
+        assert_eq!(outcome.fault(), None, "{} back from {end}", param.id);
+    });
 }
 
 #[test]

@@ -169,6 +169,76 @@ fn particles_that_are_put_in_burn_on() {
     assert!(other.set_particles(&crowd).is_err());
 }
 
+#[test]
+fn a_fire_that_starts_again_is_as_calm_as_before() {
+    for width in [1.0, 1.2, 1.3, 1.35, 1.4, 1.6, 2.0] {
+        for floor in [false, true] {
+            let values = open(&[("domain_width", width)]);
+            let values = if floor { on_floor(values) } else { values };
+            let mut fire = burn(values.clone(), 2.0);
+            let bytes = fire.burning().unwrap_or_default();
+            let [mut put_in, mut restored] = [(); 2].map(|()| Simulation::new(values.clone()));
+            assert_eq!(put_in.set_particles(&fire.particles()), Ok(()));
+            assert_eq!(restored.restore_burning(&bytes), Ok(()));
+            let expected = fastest(&mut fire, 0.5);
+            for fire in [&mut put_in, &mut restored] {
+                let speed = fastest(fire, 0.5);
+                // A pulse that focuses in the fire doubles the speed.
+                assert!(
+                    speed < 1.25 * expected,
+                    "{speed} m/s for {expected} m/s in a frame {width} m wide"
+                );
+            }
+        }
+    }
+}
+
+/// Burns on; the largest speed [m/s].
+fn fastest(fire: &mut Simulation, seconds: f64) -> f32 {
+    let (until, mut speed) = (fire.time() + seconds, 0.0_f32);
+    while fire.time() < until {
+        fire.step();
+        assert_eq!(fire.report().clamped, 0, "at {} s", fire.time());
+        speed = speed.max(fire.report().max_speed);
+    }
+    speed
+}
+
+/// The largest distance of a place around the source to the nearest particle, in spacings.
+fn largest_gap(fire: &Simulation) -> f32 {
+    let (positions, spacing) = (fire.positions(), fire.parameters().spacing());
+    let lowest = fire.extent()[0].y.max(-2.0 * spacing);
+    let places = (0..400).map(|at| {
+        let place = Vec2::new((at % 20) as f32 - 9.5, (at / 20) as f32);
+        Vec2::new(0.0, lowest + 0.5 * spacing) + place * (0.5 * spacing)
+    });
+    let gap = |place: Vec2| {
+        let squares = positions.iter().map(|at| at.distance_squared(place));
+        squares.fold(f32::MAX, f32::min).sqrt()
+    };
+    places.map(gap).fold(0.0, f32::max) / spacing
+}
+
+#[test]
+fn air_fills_what_another_floor_or_kernel_opens() {
+    let mut fire = burn(open(&[("source_height", 0.0)]), 1.5);
+    let changes = [
+        ("floor", Input::Text("solid")),
+        ("floor", Input::Text("none")),
+        ("smoothing_ratio", Input::Number(2.0)),
+        ("smoothing_ratio", Input::Number(1.3)),
+    ];
+    for (id, input) in changes {
+        assert_eq!(fire.set(id, input), Ok(()));
+        fire.step();
+        // Hot gas takes twice the room of air.
+        let gap = largest_gap(&fire);
+        assert!(gap < 2.5, "{gap} spacings after another {id}");
+        let power = burn_on(&mut fire, 0.5);
+        assert!((power / 220.0 - 1.0).abs() < 0.25, "{power} kW/m");
+    }
+}
+
 /// Heat in the gas above the air's, per metre [kJ/m].
 fn heat(fire: &Simulation) -> f64 {
     let p = fire.parameters();

@@ -158,7 +158,8 @@ impl Combustion {
         if let Some(open) = &mut self.open {
             match old {
                 Some(old) if open.has_cells_of(&old) => open.continue_from(&old),
-                _ => open.adopt(&self.gas, scene),
+                Some(_) => open.surround(&self.gas, values),
+                None => open.adopt(&self.gas, scene),
             }
         }
     }
@@ -261,7 +262,7 @@ impl Solver for Combustion {
     fn set_particles(&mut self, particles: &[Particle], values: &Physics) {
         self.gas = Gas::of(particles, values);
         if let Some(open) = &mut self.open {
-            open.surround(&self.gas);
+            open.surround(&self.gas, values);
         }
         self.reserve(values);
         self.embers = Embers::default();

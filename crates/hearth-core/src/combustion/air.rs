@@ -59,6 +59,8 @@ pub(super) struct OpenAir {
     /// Time since the last exchange and since the last map \[s\].
     since_exchange: f32,
     since_map: f32,
+    /// For how long no cell loses its gas \[s\].
+    kept: f32,
 }
 
 impl OpenAir {
@@ -80,6 +82,7 @@ impl OpenAir {
             steps: 0,
             since_exchange: f32::INFINITY,
             since_map: 0.0,
+            kept: 0.0,
         }))
     }
 
@@ -108,13 +111,16 @@ impl OpenAir {
         gas
     }
 
-    /// Simulates the air around all gas that a caller has put in.
-    pub fn surround(&mut self, gas: &Gas) {
-        awake::wake(&mut self.map, gas, f32::NEG_INFINITY, 0.0);
+    /// Holds this gas, and fills the rest of the map around what is active. A wider band around all of it would end the pull
+    /// of its rim everywhere at once: a pulse, which focuses in the middle of a fire.
+    pub fn surround(&mut self, gas: &Gas, values: &Physics) {
+        self.map.occupy(gas);
+        awake::wake(&mut self.map, gas, awake::hot(values), 0.0);
         (self.steps, self.since_exchange) = (0, f32::INFINITY);
+        self.kept = awake::HOLD;
     }
 
-    /// Takes over the gas of another map.
+    /// Finds the cells that are to hold gas of another discretisation, which is resampled.
     pub fn adopt(&mut self, gas: &Gas, scene: &Scene) {
         let values = scene.settings();
         awake::wake(&mut self.map, gas, awake::hot(values), 0.0);
@@ -130,6 +136,7 @@ impl OpenAir {
         self.steps = old.steps;
         self.since_exchange = old.since_exchange;
         self.since_map = old.since_map;
+        self.kept = old.kept;
     }
 
     /// Whether another map has cells of the same size.
@@ -150,13 +157,15 @@ impl OpenAir {
         for cell in &mut map.cells {
             cell.remaining -= self.since_map;
         }
+        self.kept -= self.since_map;
         awake::wake(map, gas, awake::hot(values), awake::MIN_DEPTH);
         for source in scene.sources() {
             awake::wake_source(map, &awake_at(&Burner::of(source)));
         }
         let inflow = Inflow::new(values, self.spacing, self.capacity);
         let per_cell = inflow.per_cell(&map.layout);
-        self.awake.spread(map, per_cell, self.capacity as f32);
+        let kept = self.kept > 0.0;
+        self.awake.spread(map, per_cell, self.capacity as f32, kept);
         map.fill();
         self.since_map = 0.0;
     }

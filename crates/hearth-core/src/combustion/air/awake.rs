@@ -23,7 +23,7 @@ const HOT: f32 = 40.0;
 const SOOTY: f32 = 0.02;
 const FUELLED: f32 = 1e-3;
 /// Time for which a cell stays awake \[s\].
-const HOLD: f32 = 0.3;
+pub(super) const HOLD: f32 = 0.3;
 /// The outermost ring wakes no cell: noise there must not spread.
 pub(super) const MIN_DEPTH: f32 = 2.0;
 /// Distance to a cell that is awake where there is none.
@@ -100,22 +100,22 @@ impl Awake {
     }
 
     /// Finds the cells that are to hold gas, of at most `capacity` particles. `per_cell` is the
-    /// number of those of a cell of air.
-    pub fn spread(&mut self, map: &mut Map, per_cell: f32, capacity: f32) {
+    /// number of those of a cell of air. If gas is `kept`, no cell below the ceiling loses it.
+    pub fn spread(&mut self, map: &mut Map, per_cell: f32, capacity: f32, kept: bool) {
         let (layout, distance) = (map.layout, &mut self.distance);
         for (distance, cell) in distance.iter_mut().zip(&map.cells) {
             *distance = if cell.remaining > 0.0 { 0.0 } else { FAR };
         }
         measure(distance, &layout, std::f32::consts::SQRT_2);
         let reach = (BAND / layout.cell).max(MIN_BAND) + RING;
+        let farthest = if kept { FAR } else { reach + HYSTERESIS };
         let (mut needed, mut wanted, mut cells) = (0.0, 0.0, 0);
         let mut ceiling = layout.rows;
         for row in layout.inner_rows() {
             for at in layout.row(row) {
                 let present = map.depth(at) > 0.0;
                 let cell = map.cell(at);
-                let stay = if present { HYSTERESIS } else { 0.0 };
-                cell.inside = distance[at] <= reach + stay;
+                cell.inside = distance[at] <= if present { farthest } else { reach };
                 if cell.inside {
                     cells += 1;
                     wanted += if present && cell.count > 0 {
@@ -173,7 +173,7 @@ mod tests {
         if let Some(source) = source {
             wake_source(map, &source);
         }
-        awake.spread(map, 9.0, capacity);
+        awake.spread(map, 9.0, capacity, false);
         map.fill();
     }
 

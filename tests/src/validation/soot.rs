@@ -1,0 +1,130 @@
+//! Soot at the edges of what is seen: it leaves, and does not come back.
+
+use hearth_core::{Simulation, Vec2};
+
+use super::boxes::{mass, open, run};
+use super::{Case, Expected, Outcome, Pace, Row};
+
+pub(super) const CASES: &[Case] = &[
+    Case {
+        name: "soot-frame",
+        pace: Pace::Long(70),
+        run: || soot("the default frame", "frame", (1.2, 1.8)),
+    },
+    Case {
+        name: "soot-wide",
+        pace: Pace::Long(70),
+        run: || soot("a wide view", "wide", (4.3, 1.8)),
+    },
+    Case {
+        name: "soot-tall",
+        pace: Pace::Long(70),
+        run: || soot("a tall view", "tall", (1.2, 2.6)),
+    },
+];
+
+/// Looks a second.
+const RATE: f64 = 60.0;
+/// Time of lighting, and of looking \[s\].
+const SETTLE: f64 = 3.0;
+const SECONDS: f64 = 60.0;
+/// Rows of the upper half of the view.
+const ROWS: usize = 10;
+/// Share of the soot that leaves, below which a row's flux counts as none.
+const NOTHING: f64 = 1e-3;
+
+/// The soot inside of a rectangle that is seen.
+#[derive(Default)]
+struct Edges {
+    /// The particles of the last look: id, whether each was inside, and whether it was above.
+    last: Vec<(u64, bool, bool)>,
+    /// Soot that came in, the part of it from above, and soot that went out, in particles of pure
+    /// soot.
+    entered: f64,
+    from_above: f64,
+    left: f64,
+    /// Soot times rise in the outer tenths of each row, summed over the looks [m/s].
+    rise: [f64; ROWS],
+}
+
+impl Edges {
+    fn look(&mut self, fire: &Simulation, (width, height): (f32, f32)) {
+        let mut now = Vec::with_capacity(fire.count());
+        let mut soots = Vec::with_capacity(fire.count());
+        let each = fire.ids().into_iter().zip(fire.particles());
+        for (id, particle) in each {
+            let Vec2 { x, y } = particle.position;
+            let inside = x.abs() < 0.5 * width && (0.0..height).contains(&y);
+            now.push((id, inside, y >= height));
+            soots.push(f64::from(particle.soot));
+            let up = (y / height - 0.5) * 2.0 * ROWS as f32;
+            if inside && up >= 0.0 && x.abs() > 0.4 * width {
+                let row = (up as usize).min(ROWS - 1);
+                self.rise[row] += f64::from(particle.soot * particle.velocity.y);
+            }
+        }
+        for (&(id, inside, _), soot) in now.iter().zip(soots) {
+            let Ok(at) = self.last.binary_search_by_key(&id, |one| one.0) else {
+                continue;
+            };
+            match (self.last[at], inside) {
+                ((_, false, above), true) => {
+                    self.entered += soot;
+                    self.from_above += if above { soot } else { 0.0 };
+                }
+                ((_, true, _), false) => self.left += soot,
+                _ => {}
+            }
+        }
+        self.last = now;
+    }
+}
+
+/// Watches the soot of the default fire in a frame as high as the default's, in a view of this
+/// size \[m\].
+fn soot(view: &str, id: &str, size: (f32, f32)) -> Outcome {
+    let parameters = open((1.2, 1.8), 0.0268, []);
+    let mut fire = Simulation::new(parameters);
+    let (width, height) = size;
+    fire.see(Some([
+        Vec2::new(-0.5 * width, 0.0),
+        Vec2::new(0.5 * width, height),
+    ]));
+    let mut came = run(&mut fire, SETTLE, Simulation::step);
+    let mut edges = Edges::default();
+    for look in 1..=(SECONDS * RATE) as u32 {
+        let until = SETTLE + f64::from(look) / RATE;
+        came &= run(&mut fire, until, Simulation::step);
+        edges.look(&fire, size);
+    }
+    let unless_ended = |measured: f64| if came { measured } else { f64::NAN };
+    // What rises at v crosses a row, which is this high, in so many looks.
+    let row = f64::from(height) / (2.0 * ROWS as f64);
+    let falls = edges.rise.map(|rise| -rise / RATE / row / edges.left);
+    let falling = falls.iter().filter(|&&share| share > NOTHING).count();
+    let most = falls.into_iter().fold(0.0, f64::max);
+    let kilograms = edges.left * mass(&fire);
+    Outcome::rows([
+        Row::new(
+            format!("soot-enters-{id}"),
+            format!("soot that enters {view} over its edges / soot that leaves, 60 s"),
+            Expected::AtMost(0.02),
+            unless_ended(edges.entered / edges.left),
+        )
+        .noting(format!(
+            "{kilograms:.2} kg/m in units of `soot` leave; {:.2} % come back from above, the rest \
+             from the sides",
+            100.0 * edges.from_above / edges.left
+        )),
+        Row::new(
+            format!("soot-falls-{id}"),
+            format!("rows of the upper half of {view} whose outer tenths carry soot down"),
+            Expected::AtMost(0.0),
+            unless_ended(falling as f64),
+        )
+        .noting(format!(
+            "at most {:.2} % of the soot that leaves",
+            100.0 * most
+        )),
+    ])
+}

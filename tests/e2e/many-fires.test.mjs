@@ -130,7 +130,7 @@ test('of thirty fires, those out of sight cost nothing', async () => {
 });
 
 test('the page’s thread hardly works while ten thousand particles burn', async () => {
-  const tab = await browser.open('<hearth-fire max-particles="10000"></hearth-fire>');
+  const tab = await browser.open('<hearth-fire edges="periodic" max-particles="10000"></hearth-fire>');
   await tab.burnt(0.3);
   const { engine, particles } = await tab.fire((fire) => fire.stats);
   assert.equal(engine, 'worker');

@@ -21,7 +21,7 @@ export const actionOf = (/** @type {string} */ name) => `[data-action="${name}"]
  * uses them with these edges.
  * @param {any[]} PARAMETERS @param {string} model @param {string} [edges]
  */
-export function entriesOf(PARAMETERS, model, edges = 'periodic') {
+export function entriesOf(PARAMETERS, model, edges = 'open') {
   return Object.fromEntries(PARAMETERS.map((one) => [
     one.id,
     { ...one, ...domainOf(one, model), used: one.models.includes(model) && (one.when?.edges ?? [edges]).includes(edges) },

@@ -224,13 +224,13 @@ test('a fire that is removed while its file loads starts from it when it is inse
 
 test('an element from before open air keeps its frame and resolution, and is told once about its seam', async () => {
   const tab = await browser.open(
-    '<hearth-fire edges="open" seam="0.03" domain-width="2.4" max-particles="5000" paused></hearth-fire>',
+    '<hearth-fire seam="0.03" domain-width="2.4" max-particles="5000" paused></hearth-fire>',
   );
   await tab.ready();
   const opened = await state(tab);
   const spacing = Math.sqrt((2.4 * 1.8) / 5000);
   assert.ok(Math.abs(opened.params.spacing / spacing - 1) < 0.002, `${opened.params.spacing}`);
-  assert.deepEqual(opened.config.values, { domain_width: 2.4, edges: 'open', seam: 0.03, max_particles: 5000 });
+  assert.deepEqual(opened.config.values, { domain_width: 2.4, seam: 0.03, max_particles: 5000 });
   await tab.fire((fire) => fire.set('seam', 0.1));
   const told = tab.problems.filter((problem) => problem.includes('seam'));
   assert.equal(told.length, 1, told.join('\n'));

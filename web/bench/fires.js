@@ -54,6 +54,8 @@ export function addFire(parent, model, count) {
   const fire = document.createElement('hearth-fire');
   const values = {
     model,
+    // A closed domain holds exactly so many.
+    edges: 'periodic',
     'max-particles': count,
     'max-pixels': SIDE * SIDE,
     quality: 'medium',

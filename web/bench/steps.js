@@ -93,7 +93,7 @@ export async function classicStep(count, pause) {
  * @param {() => Promise<void>} pause
  */
 export async function combustionStep(count, pause) {
-  const sim = await createSimulation({ model: 'combustion', params: { max_particles: count } });
+  const sim = await createSimulation({ model: 'combustion', params: { edges: 'periodic', max_particles: count } });
   try {
     for (let left = COMBUSTION_STEPS; left > 0; left -= 10) {
       sim.step(10);

@@ -99,7 +99,6 @@ pub static PRESETS: &[Preset] = &[
             ("ember_life_max", Input::Number(3.0)),
             ("domain_width", Input::Number(1.6)),
             ("domain_height", Input::Number(1.6)),
-            ("seam", Input::Number(0.03)),
             ("spacing", Input::Number(0.035777)),
             ("max_particles", Input::Number(4000.0)),
         ],

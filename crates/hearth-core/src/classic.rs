@@ -95,7 +95,7 @@ impl Solver for Classic {
     ) -> f64 {
         let values: &Physics = scene.settings();
         self.emitters
-            .resize_with(scene.objects().len(), Emitter::default);
+            .resize_with(scene.sources().count(), Emitter::default);
         for (emitter, source) in self.emitters.iter_mut().zip(scene.sources()) {
             let passed = self.cut.unwrap_or(source.time_step);
             emitter.emit(&mut self.particles, source, passed, random, time);

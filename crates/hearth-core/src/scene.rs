@@ -13,6 +13,7 @@ mod tests;
 
 use crate::params::{Input, ParamError, ParamErrorKind, Parameters, Solid};
 
+pub(crate) use distance::RoundedBox;
 pub use kinds::{KINDS, Kind, Property};
 pub use object::Object;
 use object::Values;

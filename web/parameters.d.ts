@@ -378,8 +378,35 @@ export interface HearthSource {
   taper?: number;
 }
 
+/** A body that gas flows around and does not enter. */
+export interface HearthSolid {
+  kind: "solid";
+  /** A whole number from 1, unique in its scene; without one it gets the next. */
+  id?: number;
+  /** A disc, a rectangle or a line. Shape of the solid. Default "circle". */
+  shape?: "circle" | "box" | "line";
+  /** A solid farther to the right, or below 0 to the left. Position of its centre. [m] Default 0, from -10 to 10. */
+  x?: number;
+  /** A solid that is higher. Height of its centre above the lower edge of the frame. [m] Default 0.5, from -10 to 10. */
+  y?: number;
+  /** A solid that is turned. Angle of its width from the horizontal, counterclockwise. [°] Default 0, from -360 to 360. */
+  angle?: number;
+  /** A larger solid. Diameter of a circle, width of a box, length of a line. [m] Default 0.2, from 0.002 to 10. */
+  width?: number;
+  /** A thicker solid. Height of a box, thickness of a line. [m] Default 0.1, from 0.002 to 10. */
+  height?: number;
+  /** A rounder box. Radius of its corners, at most half of its smaller side. [m] Default 0, from 0 to 5. */
+  corner?: number;
+  /** Another appearance. Material that is drawn; `none` is invisible. Default "stone". */
+  material?: "stone" | "wood" | "iron" | "brick" | "coal" | "wax" | "glass" | "none";
+  /** A surface that heats or cools the gas. Adiabatic: no heat passes. Fixed: it keeps its temperature. Default "adiabatic". */
+  thermal?: "adiabatic" | "fixed";
+  /** A hotter surface. Temperature of the surface. [K] Default 293, from 250 to 2500. */
+  temperature?: number;
+}
+
 /** An object of a scene. */
-export type HearthObject = HearthSource;
+export type HearthObject = HearthSource | HearthSolid;
 
 /** Any id of a parameter. */
 export type ParameterId = keyof HearthParameters;

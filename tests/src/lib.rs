@@ -13,7 +13,7 @@ pub mod validation;
 
 use hearth_core::params::{Input, PARAMETERS, Parameters};
 use hearth_core::preset::{PRESETS, Preset};
-use hearth_core::{Particle, Simulation};
+use hearth_core::{Particle, Scene, Simulation};
 
 /// Steps in a fingerprinted run: about four seconds of the classic fire, so that
 /// particles have been born, have pushed each other, and have died; two of the
@@ -116,9 +116,44 @@ pub fn fingerprints() -> String {
         ("kept", kept(FIRESIDE, None)),
         ("kept coarse", kept(FIRESIDE, Some(1200))),
     ];
+    let around = [
+        ("solids", around_solids(fires::combustion(&[]))),
+        (
+            "solids in the open",
+            around_solids(fires::in_the_open(fires::combustion(&[]), 800)),
+        ),
+        ("classic solids", around_solids(fires::with([]))),
+    ];
     lit.chain(kept)
+        .chain(around)
         .map(|(name, print)| format!("{name} {print:016x}\n"))
         .collect()
+}
+
+/// The fingerprint of a fire around solids of every shape, one of which moves.
+fn around_solids(parameters: Parameters) -> u64 {
+    let mut scene = Scene::new(parameters);
+    for (shape, x) in [("circle", -0.2), ("box", 0.2), ("line", 0.0)] {
+        let added = scene.add(&[
+            ("kind", Input::Text("solid")),
+            ("shape", Input::Text(shape)),
+            ("thermal", Input::Text("fixed")),
+            ("x", Input::Number(x)),
+            ("y", Input::Number(0.6)),
+            ("angle", Input::Number(30.0)),
+        ]);
+        debug_assert!(added.is_ok(), "{added:?}");
+    }
+    let mut fire = Simulation::new(scene.clone());
+    for step in 0..20 {
+        let moved = scene.change(3, &[("x", Input::Number(0.2 + 0.005 * f64::from(step)))]);
+        debug_assert_eq!(moved, Ok(()));
+        fire.set_scene(scene.clone());
+        for _ in 0..10 {
+            fire.step();
+        }
+    }
+    fingerprint_of(fire, STEPS / 10)
 }
 
 /// The scene that is kept burning.

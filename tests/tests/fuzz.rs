@@ -52,7 +52,15 @@ const TEXTS: [&str; 22] = [
 ];
 
 /// Choices of parameters, presets and kinds.
-const CHOICES: [&str; 6] = ["source", "black-body", "high", "fire", "seed", "clear"];
+const CHOICES: [&str; 7] = [
+    "source",
+    "solid",
+    "black-body",
+    "high",
+    "fire",
+    "seed",
+    "clear",
+];
 
 /// Names of fields of settings.
 const FIELDS: [&str; 7] = [
@@ -104,7 +112,10 @@ fn one_of<'a, T>(random: &mut Random, all: &'a [T]) -> &'a T {
 fn name(random: &mut Random) -> String {
     match below(random, 8) {
         0..4 => one_of(random, PARAMETERS).id.to_owned(),
-        4 | 5 => one_of(random, KINDS[0].properties).name.to_owned(),
+        4 | 5 => {
+            let kind = one_of(random, KINDS);
+            one_of(random, kind.properties).name.to_owned()
+        }
         6 => (*one_of(random, &FIELDS)).to_owned(),
         _ => text(random),
     }
@@ -211,7 +222,8 @@ fn untrusted(json: &Json) -> Untrusted {
 
 /// Every value of a scene is one that its own table accepts, and the scene has a legal size.
 fn is_valid(scene: &Scene) {
-    assert!(scene.objects().len() <= MAX_OBJECTS);
+    assert!(scene.sources().count() <= MAX_OBJECTS);
+    assert!(scene.solids().count() <= MAX_OBJECTS);
     let mut copy = scene.settings().clone();
     for param in PARAMETERS {
         let present = param.get(scene.settings());

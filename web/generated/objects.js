@@ -18,3 +18,7 @@ export const SOURCE = {
   life_max: 'lifetime_max',
   taper: 'taper',
 };
+
+/** The presets with other objects than a source.
+ * @type {string[]} */
+export const FURNISHED = [];

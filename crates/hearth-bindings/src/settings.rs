@@ -2,7 +2,7 @@
 
 use hearth_core::params::{Input, ParamError, Parameters};
 use hearth_core::preset::{PRESETS, Preset};
-use hearth_core::scene::Scene;
+use hearth_core::scene::{Object, Scene};
 use js_sys::Array;
 
 use crate::check::one_of;
@@ -177,30 +177,26 @@ pub fn with_object(
     }
 }
 
-/// The objects of a scene as data. With `from`, the first object has only the properties that
-/// differ from these settings, the others those that differ from the defaults, and ids are left
+/// The objects of a scene as data. With `from`, the first source has only the properties that
+/// differ from these settings, the other objects those that differ from the defaults, and ids are left
 /// out if they are 1, 2, 3 and so on.
 pub fn objects(scene: &Scene, from: Option<&Parameters>) -> Untrusted {
-    let counted = |(index, (id, ..)): (usize, (u32, _, _))| id as usize == index + 1;
+    let counted = |(index, object): (usize, Object<'_>)| object.id as usize == index + 1;
     let with_ids = from.is_none() || !scene.objects().enumerate().all(counted);
-    let mut defaults = None;
-    let list = scene.objects().enumerate();
-    let list = list.map(|(index, (id, kind, values))| {
-        let mut fields = vec![Untrusted::named("kind", Untrusted::Text(kind.name.into()))];
+    let list = scene.objects().map(|object| {
+        let kind = Untrusted::Text(object.kind.name.into());
+        let mut fields = vec![Untrusted::named("kind", kind)];
         if with_ids {
-            fields.push(Untrusted::named("id", Untrusted::Number(id.into())));
+            fields.push(Untrusted::named("id", Untrusted::Number(object.id.into())));
         }
-        let model = values.model();
-        let from = match index {
-            0 => from,
-            _ => from.map(|_| &*defaults.get_or_insert_with(|| Parameters::new(model))),
-        };
-        for property in kind.properties {
-            if let Some(param) = property.param(model) {
-                let value = param.get(values);
-                if from.is_none_or(|from| param.get(from) != value) {
-                    fields.push(Untrusted::named(property.name, Untrusted::of_value(value)));
-                }
+        let preset = from.filter(|_| object.is_first_source());
+        for (name, param, value) in object.properties() {
+            let before = match preset {
+                Some(preset) => param.get(preset),
+                None => param.any_domain(object.model()).default,
+            };
+            if from.is_none() || value != before {
+                fields.push(Untrusted::named(name, Untrusted::of_value(value)));
             }
         }
         Untrusted::Object(fields)
@@ -211,14 +207,12 @@ pub fn objects(scene: &Scene, from: Option<&Parameters>) -> Untrusted {
 /// The objects of a scene as plain objects with all of their properties.
 pub fn object_records(scene: &Scene) -> Array {
     let records = Array::new();
-    for (id, kind, values) in scene.objects() {
+    for object in scene.objects() {
         let record = Record::new();
-        record.set_text("kind", kind.name);
-        record.set_number("id", id.into());
-        for property in kind.properties {
-            if let Some(param) = property.param(values.model()) {
-                record.set_value(property.name, param.get(values));
-            }
+        record.set_text("kind", object.kind.name);
+        record.set_number("id", object.id.into());
+        for (name, _, value) in object.properties() {
+            record.set_value(name, value);
         }
         records.push(&record);
     }

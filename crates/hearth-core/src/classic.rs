@@ -13,6 +13,7 @@ mod interactions;
 mod pair;
 mod pairs;
 mod particles;
+mod solids;
 
 use crate::bounds::Bounds;
 use crate::extremes::fast_min;
@@ -24,6 +25,7 @@ use crate::particle::Particle;
 use crate::random::Random;
 use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
+use crate::solids::Solids;
 use crate::solver::Solver;
 
 use block_force::BlockForce;
@@ -31,7 +33,7 @@ use emitter::Emitter;
 pub(crate) use emitter::place as source;
 use integrate::{Motion, Substeps};
 use pairs::Pairs;
-use particles::Particles;
+use particles::{ParticleState, Particles};
 
 /// Most particles that a caller may put in, and the error for more.
 const MAX_PARTICLES: usize = 400_000;
@@ -48,6 +50,7 @@ pub(crate) struct Classic {
     pairs: Pairs,
     /// One for each source.
     emitters: Vec<Emitter>,
+    solids: Solids,
     motion: Motion,
     substeps: u32,
     /// Length of the last step if its work ended it early \[s\].
@@ -55,6 +58,15 @@ pub(crate) struct Classic {
 }
 
 impl Classic {
+    /// No particles yet.
+    pub fn new(scene: &Scene) -> Classic {
+        let values: &Physics = scene.settings();
+        Classic {
+            solids: Solids::of(scene, &bounds(values), values.smoothing_radius),
+            ..Classic::default()
+        }
+    }
+
     /// Length of the last step or, before the first, of the next \[s\].
     fn length(&self, values: &Physics) -> f32 {
         self.cut.unwrap_or(values.time_step)
@@ -79,7 +91,8 @@ impl Classic {
         interactions::sum(pairs, &kernel, values, substeps.viscosity);
         on_stage(Stage::Forces);
         self.motion = integrate::integrate(particles, pairs, forces, values, substeps.length);
-        integrate::bound(particles, values.walls, &bounds);
+        integrate::bound(particles, values, &self.solids, &bounds);
+        self.solids.pass(substeps.length);
         on_stage(Stage::Integrate);
     }
 }
@@ -95,7 +108,7 @@ impl Solver for Classic {
     ) -> f64 {
         let values: &Physics = scene.settings();
         self.emitters
-            .resize_with(scene.objects().len(), Emitter::default);
+            .resize_with(scene.sources().count(), Emitter::default);
         for (emitter, source) in self.emitters.iter_mut().zip(scene.sources()) {
             let passed = self.cut.unwrap_or(source.time_step);
             emitter.emit(&mut self.particles, source, passed, random, time);
@@ -121,13 +134,18 @@ impl Solver for Classic {
         let values = scene.settings();
         let bounds = bounds(values);
         self.particles.retain(|one| bounds.contains(one.position()));
+        self.solids.update(scene, &bounds, values.smoothing_radius);
+        solids::hold(&mut self.particles, &self.solids, values);
+        self.particles.retain(ParticleState::is_alive);
     }
 
-    fn set_particles(&mut self, particles: &[Particle], _values: &Physics) {
+    fn set_particles(&mut self, particles: &[Particle], values: &Physics) {
         self.particles.clear();
         for &particle in particles {
             self.particles.push(particle);
         }
+        solids::hold(&mut self.particles, &self.solids, values);
+        self.particles.retain(ParticleState::is_alive);
         self.motion = Motion::default();
         self.cut = None;
     }

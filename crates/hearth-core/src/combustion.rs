@@ -1,4 +1,4 @@
-//! The combustion model: air in the open or in a closed domain, and burners in it.
+//! The combustion model: air in the open or in a closed domain, and burners and solids in it.
 //!
 //! Fuel flows in, mixes and burns, and the hot gas rises. Nothing is scripted: the taper, flicker
 //! and puffing of the flame follow from the equations. One step is: births and deaths of open air
@@ -19,9 +19,11 @@ mod pair;
 mod picture;
 mod resample;
 mod seam;
+mod settle;
 mod step;
 mod time_step;
 mod vorticity_confinement;
+mod walls;
 
 use glam::Vec2;
 
@@ -35,6 +37,7 @@ use crate::particle::Particle;
 use crate::random::Random;
 use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
+use crate::solids::Solids;
 use crate::solver::Solver;
 
 use air::OpenAir;
@@ -47,9 +50,11 @@ use gas::periodic_bounds;
 use interactions::Interactions;
 use number_density::NumberDensity;
 use resample::{Discretisation, Old};
+pub use settle::Removed;
 use time_step::Motion;
 pub(crate) use time_step::sound_speed;
 use vorticity_confinement::VorticityConfinement;
+use walls::Walls;
 
 /// The errors for a number of particles that does not match the smoothing length, and for one
 /// that open air cannot hold.
@@ -84,6 +89,9 @@ pub(crate) struct Combustion {
     /// Temperature of the air in the gas \[K\].
     air: f32,
     motion: Motion,
+    solids: Solids,
+    walls: Walls,
+    removed: Removed,
     /// Power of the combustion in the last step, and of the heating at the sources [kW/m].
     power: f32,
     preheat: f32,
@@ -97,9 +105,12 @@ impl Combustion {
     pub fn new(scene: &Scene, random: &mut Random) -> Combustion {
         let parameters = scene.settings();
         let mut open = OpenAir::new(parameters, None);
+        let bounds = open.as_ref().map(|open| open.bounds());
+        let bounds = bounds.unwrap_or_else(|| periodic_bounds(parameters));
+        let solids = Solids::of(scene, &bounds, 2.0 * parameters.smoothing_length());
         let gas = match &mut open {
             None => Gas::air(parameters, parameters.spacing(), random),
-            Some(open) => open.air(scene),
+            Some(open) => open.air(scene, &solids),
         };
         let mut combustion = Combustion {
             gas,
@@ -114,17 +125,24 @@ impl Combustion {
             discretisation: Discretisation::of(parameters),
             air: parameters.ambient_temperature,
             motion: Motion::default(),
+            solids,
+            walls: Walls::default(),
+            removed: Removed::default(),
             power: 0.0,
             preheat: 0.0,
             clamped_shifts: 0,
             length: 0.0,
         };
+        combustion.settle_lattice(parameters);
         combustion.reserve(parameters);
         combustion
     }
 
     /// Makes room for all particles that open air may have, so that births allocate nothing.
     fn reserve(&mut self, values: &Physics) {
+        if self.open.is_some() || !self.solids.is_empty() {
+            self.walls.reserve(self.capacity(values));
+        }
         let Some(open) = &self.open else {
             return;
         };
@@ -214,6 +232,11 @@ impl Combustion {
         self.power
     }
 
+    /// The gas that solids have taken the place of.
+    pub fn removed(&self) -> Removed {
+        self.removed
+    }
+
     /// Writes the embers for the renderer.
     pub fn write_embers(&self, out: &mut Vec<Instance>) {
         self.embers.write_instances(out);
@@ -247,7 +270,8 @@ impl Solver for Combustion {
             self.open = None;
         }
         self.fit_open_air(scene);
-        if discretisation != self.discretisation {
+        let resampled = discretisation != self.discretisation;
+        if resampled {
             let old = Old::new(&self.gas, &self.discretisation, parameters, self.seen);
             self.gas = match &self.open {
                 None => resample::resample(&old, parameters, random),
@@ -256,6 +280,13 @@ impl Solver for Combustion {
             self.discretisation = discretisation;
         }
         self.gas.set_mass(parameters);
+        let bounds = self.present_bounds(parameters);
+        let support = 2.0 * parameters.smoothing_length();
+        self.solids.update(scene, &bounds, support);
+        if resampled {
+            self.settle_lattice(parameters);
+        }
+        self.settle(parameters, parameters.spacing());
         self.reserve(parameters);
     }
 
@@ -264,6 +295,7 @@ impl Solver for Combustion {
         if let Some(open) = &mut self.open {
             open.surround(&self.gas, values);
         }
+        self.settle(values, values.spacing());
         self.reserve(values);
         self.embers = Embers::default();
         self.motion = Motion::default();

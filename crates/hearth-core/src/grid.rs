@@ -12,7 +12,7 @@
 #[cfg(test)]
 mod tests;
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use glam::Vec2;
 
@@ -213,8 +213,19 @@ impl Grid {
             .map(|&[start, end]| start as usize..end as usize)
     }
 
+    /// The particles of one block.
+    pub fn members_of(&self, block: usize) -> Range<usize> {
+        let [start, end] = self.members[block];
+        start as usize..end as usize
+    }
+
+    /// The rows between two y.
+    pub fn rows_between(&self, from: f32, to: f32) -> RangeInclusive<usize> {
+        self.indices([0.0; 3], from).1..=self.indices([0.0; 3], to).1
+    }
+
     /// The particles of a row in the bins between two x.
-    fn particles_between(&self, row: usize, from: f32, to: f32) -> Range<usize> {
+    pub fn particles_between(&self, row: usize, from: f32, to: f32) -> Range<usize> {
         let base = row * self.bins;
         let ([first, last, _], _) = self.indices([from, to, 0.0], 0.0);
         self.starts[base + first] as usize..self.starts[base + last + 1] as usize

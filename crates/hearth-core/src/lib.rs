@@ -43,11 +43,12 @@ pub mod random;
 mod report;
 pub mod scene;
 pub mod simulation;
+mod solids;
 mod solver;
 mod source;
 mod time_step;
 
-pub use combustion::{Burner, Ember};
+pub use combustion::{Burner, Ember, Removed};
 pub use forces::{BodyForce, LocalGas};
 pub use glam::Vec2;
 pub use instance::Instance;

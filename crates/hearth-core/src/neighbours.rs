@@ -224,6 +224,53 @@ impl Neighbours {
         });
     }
 
+    /// Removes the pairs that a solid parts from the lists and from the sums of the first pass.
+    /// Passes by [`sum`](Self::sum) still visit them. `planes` gives the solids near a particle,
+    /// after sorting: normal, distance and number. `parts` tells whether a solid is between two
+    /// positions. Lengths are in smoothing lengths.
+    pub fn part<B: Block, P: Iterator<Item = (Vec2, f32, u32)>>(
+        &mut self,
+        blocks: &mut [B],
+        grid: &Grid,
+        planes: impl Fn(usize) -> P,
+        parts: impl Fn(u32, Vec2, Vec2) -> bool,
+    ) {
+        let entries = &mut self.entries;
+        for sweep in &mut self.sweeps {
+            let block = sweep.block as usize;
+            for (lane, one) in grid.members_of(block).enumerate() {
+                for (normal, distance, solid) in planes(one) {
+                    let from = place(&blocks[block], lane) - sweep.shift;
+                    // A solid is convex: it lies behind the plane of its nearest point.
+                    let plane = Lanes::splat(normal.dot(from) - distance);
+                    let mut rest = |number: usize, mut mask: u32| {
+                        let [x, y] = blocks[number].position();
+                        let mut behind = (x * normal.x + y * normal.y).less_mask(plane) & mask;
+                        while behind != 0 {
+                            let other = behind.trailing_zeros() as usize;
+                            behind &= behind - 1;
+                            let to = place(&blocks[number], other);
+                            if parts(solid, from + sweep.shift, to + sweep.shift) {
+                                mask -= 1 << other;
+                                subtract(blocks, (block, lane), (number, other), from.distance(to));
+                            }
+                        }
+                        mask
+                    };
+                    if sweep.own {
+                        sweep.inner[lane] = rest(block, sweep.inner[lane].into()) as u8;
+                    }
+                    let begin = sweep.begin as usize + lane * sweep.stride as usize;
+                    for entry in &mut entries[begin..begin + sweep.counts[lane] as usize] {
+                        let number = *entry as usize / SUBSETS;
+                        let mask = rest(number, *entry % SUBSETS as u32);
+                        *entry = (number * SUBSETS) as u32 + mask;
+                    }
+                }
+            }
+        }
+    }
+
     /// Adds `pairs` to the sums of both ends of every pair.
     pub fn sum<const N: usize, P: PairSum<N>>(&self, pairs: &P, blocks: &mut [P::Block]) {
         for sweep in &self.sweeps {
@@ -306,6 +353,24 @@ impl Neighbours {
         let mean = sum as f32 / self.particles.max(1) as f32;
         (mean, counts.iter().copied().max().unwrap_or(0))
     }
+}
+
+/// Takes back the kernels of a pair, each a block and a lane, from the sums of the first pass.
+#[inline(never)]
+fn subtract<B: Block>(blocks: &mut [B], one: (usize, usize), other: (usize, usize), q: f32) {
+    let w = kernel::w(q);
+    for ((block, lane), (from, from_lane)) in [(one, other), (other, one)] {
+        let weight = blocks[from].weight().to_array()[from_lane];
+        let mut sums = blocks[block].sum().to_array();
+        sums[lane] -= w * weight;
+        *blocks[block].sum() = Lanes::new(sums);
+    }
+}
+
+/// The position in a lane.
+fn place(block: &impl Block, lane: usize) -> Vec2 {
+    let [x, y] = block.position().map(|at| at.to_array()[lane]);
+    Vec2::new(x, y)
 }
 
 #[inline(always)]

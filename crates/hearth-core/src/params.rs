@@ -2,7 +2,8 @@
 //!
 //! [`PARAMETERS`] states each parameter once, in `params/table.rs`. From the table come the
 //! structs, the defaults, the one validator ([`Parameters::set`]), the sliders, the
-//! attributes, URL and JSON keys, the TypeScript types and `docs/parameters.md`.
+//! attributes, URL and JSON keys, the TypeScript types and `docs/parameters.md`. [`SOLID`] states the
+//! properties of a solid in the same way.
 
 mod check;
 mod choices;
@@ -13,15 +14,21 @@ mod quantity;
 mod resolution;
 mod set;
 mod slot;
+mod solid;
 mod table;
 #[cfg(test)]
 mod tests;
 mod value;
 
-pub use choices::{Backdrop, Choice, DisplayMode, Edges, Floor, Layers, Model, Palette, Walls};
+pub use choices::{
+    Backdrop, Choice, DisplayMode, Edges, Floor, Layers, Material, Model, Palette, Shape, Thermal,
+    Walls,
+};
 pub use entry::{Condition, Description, Domain, Kind, Role, Scale, conditions_in_words};
 pub use quantity::Quantity;
 pub use resolution::IN_FRAME;
 pub use set::Parameters;
+pub use solid::{SOLID, Solid};
+pub(crate) use solid::{SOLID_NAMES, SOLID_PROPERTIES};
 pub use table::{DESCRIPTIONS, PARAMETERS, Param, Physics, Values};
 pub use value::{Colour, Input, ParamError, ParamErrorKind, Value};

@@ -1,19 +1,24 @@
 //! A scene: the settings of a fire and the objects in it.
 //!
-//! The objects are sources. The parameters of a source (`source_x`, `fuel_power`, …) *are* the
-//! properties of the first one: setting either sets both. Every other source has separate
-//! properties. [`KINDS`] lists the properties of each kind; their ranges, defaults and units
-//! are those of the parameters.
+//! The objects are sources and solids. The parameters of a source (`source_x`, `fuel_power`, …)
+//! *are* the properties of the first one: setting either sets both. Every other source has
+//! separate properties, whose ranges, defaults and units are those of the parameters. No property
+//! of a solid is a parameter. [`KINDS`] lists the properties of each kind.
 
+mod distance;
 mod kinds;
+mod object;
 #[cfg(test)]
 mod tests;
 
-use crate::params::{Input, ParamError, ParamErrorKind, Parameters};
+use crate::params::{Input, ParamError, ParamErrorKind, Parameters, Solid};
 
+pub(crate) use distance::RoundedBox;
 pub use kinds::{KINDS, Kind, Property};
+pub use object::Object;
+use object::Values;
 
-/// Most objects of a scene.
+/// Most objects of a kind in a scene.
 pub const MAX_OBJECTS: usize = 64;
 
 /// Largest id of an object.
@@ -29,16 +34,14 @@ pub struct Scene {
     settings: Parameters,
     /// The values of the first source are in `settings`, which keep them while there is no
     /// source.
-    sources: Vec<Source>,
+    objects: Vec<Stored>,
 }
 
-/// A source: its id and its settings.
+/// An object: its id and its values.
 #[derive(Clone, Debug, PartialEq)]
-struct Source {
+struct Stored {
     id: u32,
-    /// The settings with this source's properties; `None` for the first source, whose properties
-    /// are in the scene's settings.
-    values: Option<Box<Parameters>>,
+    values: Values,
 }
 
 /// The unchecked fields of an object: its `kind`, optionally its `id`, and its properties.
@@ -61,9 +64,9 @@ impl Scene {
     pub fn new(settings: Parameters) -> Scene {
         Scene {
             settings,
-            sources: vec![Source {
+            objects: vec![Stored {
                 id: 1,
-                values: None,
+                values: Values::FirstSource,
             }],
         }
     }
@@ -78,9 +81,11 @@ impl Scene {
     #[inline(never)]
     pub fn set_settings(&mut self, settings: Parameters) {
         self.settings = settings;
-        for (index, source) in self.sources.iter_mut().enumerate() {
-            if let Some(values) = source.values.as_deref_mut() {
-                *values = values_of_source(&self.settings, values, index);
+        let mut index = 1;
+        for object in &mut self.objects {
+            if let Values::Source(values) = &mut object.values {
+                **values = values_of_source(&self.settings, values, index);
+                index += 1;
             }
         }
     }
@@ -88,9 +93,19 @@ impl Scene {
     /// The settings of each source, in the order of the objects. Every source has a different
     /// seed.
     pub fn sources(&self) -> impl Iterator<Item = &Parameters> {
-        self.sources
-            .iter()
-            .map(|one| one.values.as_deref().unwrap_or(&self.settings))
+        let all = self.objects.iter();
+        all.filter_map(|one| one.values.of_source(&self.settings))
+    }
+
+    /// The solids, in the order of the objects.
+    pub fn solids(&self) -> impl Iterator<Item = &Solid> {
+        self.solids_by_id().map(|(_, solid)| solid)
+    }
+
+    /// The solids with their ids, in the order of the objects.
+    pub fn solids_by_id(&self) -> impl Iterator<Item = (u32, &Solid)> {
+        let all = self.objects.iter();
+        all.filter_map(|one| Some((one.id, one.values.of_solid()?)))
     }
 
     /// Total power of the sources [kW/m], in the combustion model.
@@ -98,13 +113,10 @@ impl Scene {
         self.sources().map(|values| values.fuel_power).sum()
     }
 
-    /// The objects, in order: the id, the kind, and the settings of the object, in which its
-    /// properties are the [parameters](Property::id) of the kind.
-    pub fn objects(&self) -> impl ExactSizeIterator<Item = (u32, &'static Kind, &Parameters)> {
-        self.sources.iter().map(|one| {
-            let values = one.values.as_deref().unwrap_or(&self.settings);
-            (one.id, &KINDS[0], values)
-        })
+    /// The objects, in order.
+    pub fn objects(&self) -> impl ExactSizeIterator<Item = Object<'_>> {
+        let all = self.objects.iter();
+        all.map(|one| Object::new(one.id, &one.values, &self.settings))
     }
 
     /// Adds an object and returns its id. Missing properties have their defaults or, in the only
@@ -114,7 +126,7 @@ impl Scene {
     /// Every invalid field. Nothing changes then.
     pub fn add(&mut self, fields: &Fields<'_>) -> Result<u32, Vec<ParamError>> {
         self.transact(&mut |new, errors| new.insert(fields, errors))?;
-        Ok(self.sources.last().map_or(0, |last| last.id))
+        Ok(self.objects.last().map_or(0, |last| last.id))
     }
 
     /// Changes properties of an object, all of them or none.
@@ -137,19 +149,27 @@ impl Scene {
     /// There is no object with this id.
     pub fn remove(&mut self, id: u32) -> Result<(), Vec<ParamError>> {
         self.transact(&mut |new, errors| {
-            if let Some(index) = new.find(id, errors) {
-                new.sources.remove(index);
-                let first = new.sources.first_mut();
-                if let Some(values) = first.and_then(|first| first.values.take()) {
-                    new.set_settings(with_properties_of(&new.settings, &values));
-                }
+            if let Some(index) = new.find(id, errors)
+                && new.objects.remove(index).values == Values::FirstSource
+            {
+                new.promote();
             }
         })
     }
 
+    /// Makes the next source the first.
+    fn promote(&mut self) {
+        let is_source = |one: &&mut Stored| matches!(one.values, Values::Source(_));
+        if let Some(next) = self.objects.iter_mut().find(is_source)
+            && let Values::Source(values) = std::mem::replace(&mut next.values, Values::FirstSource)
+        {
+            self.set_settings(with_properties_of(&self.settings, &values));
+        }
+    }
+
     /// Removes all objects. The settings keep the values of the first source for the next one.
     pub fn clear(&mut self) {
-        self.sources.clear();
+        self.objects.clear();
     }
 
     /// Applies `act` to a copy, and keeps the copy if there is no error.
@@ -172,14 +192,14 @@ impl Scene {
     /// Adds an object and appends its errors.
     #[inline(never)]
     fn insert(&mut self, fields: &Fields<'_>, errors: &mut Vec<ParamError>) {
-        let index = self.sources.len();
-        let is_free = |id: f64| self.sources.iter().all(|one| f64::from(one.id) != id);
+        let index = self.objects.len();
+        let is_free = |id: f64| self.objects.iter().all(|one| f64::from(one.id) != id);
         let free = (1..).find(|&id| is_free(f64::from(id)));
-        let mut kind = Input::Text("undefined");
+        let mut name = Input::Text("undefined");
         let mut id = Input::Number(free.unwrap_or_default().into());
         for &(field, input) in fields {
             match field {
-                KIND => kind = input,
+                KIND => name = input,
                 ID => id = input,
                 _ => {}
             }
@@ -188,11 +208,16 @@ impl Scene {
             Input::Number(x) if is_free(x) && (1.0..=MAX_ID).contains(&x) => x as u32,
             _ => 0,
         };
-        let problem = if index >= MAX_OBJECTS {
-            let count = Input::Number(index as f64 + 1.0);
-            Some(("length", count, "at most 64"))
-        } else if kind != Input::Text(KINDS[0].name) {
-            Some((KIND, kind, KINDS[0].name))
+        let kind = KINDS.iter().find(|one| name == Input::Text(one.name));
+        let of_kind = self
+            .objects()
+            .filter(|one| one.kind.name == kind.map_or("", |kind| kind.name));
+        let count = of_kind.count();
+        let problem = if count >= MAX_OBJECTS {
+            let count = Input::Number(count as f64 + 1.0);
+            Some(("length", count, "at most 64 of each kind"))
+        } else if kind.is_none() {
+            Some((KIND, name, "source or solid"))
         } else if id != Input::Number(number.into()) {
             let words = "a whole number from 1 to 1000000 that no other object has";
             Some((ID, id, words))
@@ -207,30 +232,34 @@ impl Scene {
             errors.push(must_be(name, input, words));
             return;
         }
-        let values = (index > 0).then(|| {
-            let defaults = Parameters::new(self.settings.model());
-            Box::new(values_of_source(&self.settings, &defaults, index))
-        });
-        self.sources.push(Source { id: number, values });
+        let values = match (kind.map(|kind| kind.name), count) {
+            (Some("solid"), _) => Values::Solid(Box::default()),
+            (_, 0) => Values::FirstSource,
+            (_, index) => {
+                let defaults = Parameters::new(self.settings.model());
+                Values::Source(Box::new(values_of_source(&self.settings, &defaults, index)))
+            }
+        };
+        self.objects.push(Stored { id: number, values });
         self.write(index, fields, errors);
     }
 
     /// Writes properties of the object at `index`.
     #[inline(never)]
     fn write(&mut self, index: usize, fields: &Fields<'_>, errors: &mut Vec<ParamError>) {
-        let Some(source) = self.sources.get_mut(index) else {
+        let Some(object) = self.objects.get_mut(index) else {
             return;
         };
-        let id = Input::Number(source.id.into());
-        let values = source.values.as_deref_mut().unwrap_or(&mut self.settings);
+        let id = Input::Number(object.id.into());
+        let kind = object.values.kind();
         for &(field, input) in fields {
-            let known = [(KIND, Input::Text(KINDS[0].name)), (ID, id)];
+            let known = [(KIND, Input::Text(kind.name)), (ID, id)];
             if known.contains(&(field, input)) {
                 continue;
             }
-            match KINDS[0].property(field) {
+            match kind.property(field) {
                 Some(property) => {
-                    if let Err(mut error) = values.set(property.id, input) {
+                    if let Err(mut error) = object.values.set(property, input, &mut self.settings) {
                         error.id = path(index, field);
                         errors.push(error);
                     }
@@ -238,14 +267,14 @@ impl Scene {
                 None => errors.push(must_be(
                     path(index, "property"),
                     Input::Text(field),
-                    KINDS[0].allowed,
+                    kind.allowed,
                 )),
             }
         }
     }
 
     fn find(&self, id: u32, errors: &mut Vec<ParamError>) -> Option<usize> {
-        let index = self.sources.iter().position(|one| one.id == id);
+        let index = self.objects.iter().position(|one| one.id == id);
         if index.is_none() {
             let words = "the id of an object";
             errors.push(must_be(ID.to_owned(), Input::Number(id.into()), words));

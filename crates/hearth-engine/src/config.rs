@@ -5,7 +5,7 @@
 //! it. Settings hold nothing about the device. The file of a scene has the same format, with a
 //! label and a description.
 //!
-//! `objects` is the whole list, and missing if it is the preset's one source. The first object
+//! `objects` is the whole list, and missing if it is the preset's. The first source
 //! holds its differences from the preset, other objects those from the defaults. Version 1 has
 //! no objects: its `values` hold the parameters of its one source, which version 2 also reads.
 //! The later of two values of one property wins.
@@ -120,10 +120,10 @@ pub fn export(requested: &Requested) -> Untrusted {
     // Each model has its own defaults.
     let set = base.set("model", Input::Text(now.model.name()));
     debug_assert_eq!(set, Ok(()));
-    let has_source = requested.scene.objects().len() > 0;
+    let has_source = requested.scene.sources().next().is_some();
     let mut values = Vec::new();
     for param in PARAMETERS {
-        let mut properties = KINDS.iter().flat_map(|kind| kind.properties);
+        let mut properties = KINDS[0].properties.iter();
         let of_source = has_source && properties.any(|one| one.id == param.id);
         let before = if param.id == "model" { preset } else { &base };
         let value = param.get(now);
@@ -148,8 +148,8 @@ pub fn export(requested: &Requested) -> Untrusted {
     }
     fields.push(Untrusted::named("values", Untrusted::Object(values)));
     let objects = settings::objects(&requested.scene, Some(&base));
-    // One source without properties is that of the preset.
-    if !matches!(objects.list(), [one] if one.fields().len() == 1) {
+    let of_preset = requested.preset().scene();
+    if objects != settings::objects(&of_preset, Some(of_preset.settings())) {
         fields.push(Untrusted::named(OBJECTS, objects));
     }
     Untrusted::Object(fields)

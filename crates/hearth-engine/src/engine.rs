@@ -240,7 +240,7 @@ impl Engine {
             }
             if let Command::AddObject { .. } = command {
                 let added = fire.requested().scene.objects().last();
-                let id = added.map_or(0, |(id, ..)| id);
+                let id = added.map_or(0, |object| object.id);
                 events.answer(fire.id(), request, &id.into());
                 return Ok(Answer::Deferred);
             }

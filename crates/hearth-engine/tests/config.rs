@@ -253,6 +253,10 @@ fn import_restores_objects_with_their_ids() {
         ("id".to_owned(), Untrusted::Number(7.0)),
         ("width".to_owned(), Untrusted::Number(0.05)),
     ];
+    let solid = vec![("kind", text("solid")), ("shape", text("box"))];
+    let solids = Untrusted::List(vec![self::object(solid)]);
+    let solids = set(&Requested::default(), "objects", solids);
+    assert_eq!(solids.scene.solids().count(), 1);
     let command = Command::AddObject {
         object,
         source: "test",
@@ -267,7 +271,7 @@ fn import_restores_objects_with_their_ids() {
         panic!("refused");
     };
     let none = set(&two, "objects", Untrusted::List(vec![]));
-    for requested in [&two, &three, &fewer, &none] {
+    for requested in [&two, &three, &fewer, &none, &solids] {
         let back = imported(&export(requested));
         assert_eq!(back.scene, requested.scene, "{:?}", export(requested));
     }

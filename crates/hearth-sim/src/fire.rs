@@ -127,7 +127,7 @@ impl Fire {
         let changed = settings::with_object(self.simulation.scene(), id, fields.as_deref());
         self.simulation.set_scene(changed.map_err(thrown)?);
         let last = self.simulation.scene().objects().last();
-        Ok(last.map_or(0, |(id, ..)| id))
+        Ok(last.map_or(0, |object| object.id))
     }
 
     /// The ids of the particles.

@@ -8,10 +8,12 @@ use super::block_force::{BlockForce, Four};
 use super::equation_of_state::DENSITY_FLOOR;
 use super::pairs::{Block, Pairs};
 use super::particles::{ParticleState, Particles};
+use super::solids::hold;
 use crate::bounds::Bounds;
 use crate::extremes::fast_max;
 use crate::lanes::{LANES, Lanes, Real, transposed};
 use crate::params::{Physics, Walls};
+use crate::solids::Solids;
 use crate::time_step::{Stability, diffusion_limit};
 
 /// Most substeps. The stability limits require more only for extreme parameters, where a higher
@@ -159,14 +161,16 @@ fn advance(
     }
 }
 
-/// Applies the walls and removes particles that have died or left.
-pub(crate) fn bound(particles: &mut Particles, walls: Walls, bounds: &Bounds) {
+/// Applies the walls and the solids, and removes particles that have died or left.
+pub(crate) fn bound(particles: &mut Particles, values: &Physics, solids: &Solids, bounds: &Bounds) {
+    let walls = values.walls;
     if walls != Walls::Open {
         for particle in particles.iter_mut() {
             apply_walls(walls, bounds, particle);
         }
     }
-    particles.retain(|one| one.age < one.lifetime && bounds.contains(one.position()));
+    hold(particles, solids, values);
+    particles.retain(|one| one.is_alive() && bounds.contains(one.position()));
 }
 
 fn apply_walls(walls: Walls, bounds: &Bounds, particle: &mut ParticleState) {

@@ -40,6 +40,11 @@ impl ParticleState {
         Vec2::new(x, y)
     }
 
+    /// Whether its life has not ended.
+    pub fn is_alive(&self) -> bool {
+        self.age < self.lifetime
+    }
+
     /// The particle as callers read it.
     pub fn particle(&self) -> Particle {
         Particle {

@@ -3,12 +3,11 @@
 //! A [map](map) of cells says where gas is simulated: around sources and around
 //! [active gas](awake). The [rim](rim) of the band is a reservoir at the pressure of the far
 //! air. Gas that leaves is removed, and fresh air [enters](exchange) at rest or in the wind, so
-//! the number of particles follows the fire. The air has no box, and a [floor](floor) only where
-//! the settings have one.
+//! the number of particles follows the fire. The air has no box, and a floor only where the
+//! settings have one.
 
 mod awake;
 mod exchange;
-mod floor;
 mod map;
 mod rim;
 
@@ -16,14 +15,13 @@ use glam::Vec2;
 
 use super::burner::Burner;
 use super::gas::Gas;
-use super::pair::Context;
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Edges, Floor as FloorChoice, Physics};
 use crate::scene::Scene;
+use crate::solids::Solids;
 use awake::{Awake, Rectangle};
 use exchange::{Exchange, Inflow};
-use floor::Floor;
 use map::{Layout, Map};
 use rim::Rim;
 
@@ -52,7 +50,6 @@ pub(super) struct OpenAir {
     awake: Awake,
     exchange: Exchange,
     rim: Rim,
-    floor: Floor,
     spacing: f32,
     capacity: usize,
     steps: u32,
@@ -76,7 +73,6 @@ impl OpenAir {
             awake: Awake::new(&layout),
             exchange: Exchange::new(capacity),
             rim: Rim::new(capacity),
-            floor: Floor::new(capacity),
             spacing: values.spacing(),
             capacity,
             steps: 0,
@@ -105,9 +101,9 @@ impl OpenAir {
     }
 
     /// The air around the sources.
-    pub fn air(&mut self, scene: &Scene) -> Gas {
+    pub fn air(&mut self, scene: &Scene, solids: &Solids) -> Gas {
         let mut gas = Gas::none(scene.settings());
-        self.breathe(&mut gas, scene, 0.0);
+        self.breathe(&mut gas, scene, solids, 0.0);
         gas
     }
 
@@ -162,8 +158,7 @@ impl OpenAir {
         for source in scene.sources() {
             awake::wake_source(map, &awake_at(&Burner::of(source)));
         }
-        let inflow = Inflow::new(values, self.spacing, self.capacity);
-        let per_cell = inflow.per_cell(&map.layout);
+        let per_cell = exchange::per_cell(&map.layout, self.spacing);
         let kept = self.kept > 0.0;
         self.awake.spread(map, per_cell, self.capacity as f32, kept);
         map.fill();
@@ -171,7 +166,7 @@ impl OpenAir {
     }
 
     /// Removes what has left, and lets air in, after a step of the length `dt`.
-    pub fn breathe(&mut self, gas: &mut Gas, scene: &Scene, dt: f32) {
+    pub fn breathe(&mut self, gas: &mut Gas, scene: &Scene, solids: &Solids, dt: f32) {
         self.since_exchange += dt;
         self.since_map += dt;
         let step = self.steps;
@@ -180,7 +175,7 @@ impl OpenAir {
             return;
         }
         let values = scene.settings();
-        let inflow = Inflow::new(values, self.spacing, self.capacity);
+        let inflow = Inflow::new(values, self.spacing, self.capacity, solids);
         if step.is_multiple_of(MAP_STEPS) {
             self.update(gas, scene);
         } else {
@@ -196,15 +191,14 @@ impl OpenAir {
         self.since_exchange = 0.0;
     }
 
-    /// Finds the sorted particles near the outside and near the floor, and adds the gas in the
-    /// floor to the number densities.
-    pub fn find_edges(&mut self, gas: &mut Gas, context: &Context) {
+    /// Whether there is a floor.
+    pub fn has_floor(&self) -> bool {
+        self.map.layout.floor
+    }
+
+    /// Finds the sorted particles near the outside.
+    pub fn find_rim(&mut self, gas: &Gas) {
         self.rim.find(&self.map, gas);
-        if self.map.layout.floor {
-            self.floor.find(gas, context.kernel);
-            self.floor
-                .add_number_density(gas, context.values.ambient_density);
-        }
     }
 
     /// Weakens the pressure towards the outside.
@@ -212,20 +206,14 @@ impl OpenAir {
         self.rim.taper_pressure(gas);
     }
 
-    /// Adds the forces of the floor, and turns shifts back at the outside.
-    pub fn resist(&self, gas: &mut Gas, context: &Context) {
-        self.floor.resist(gas, context);
+    /// Turns shifts back at the outside.
+    pub fn turn_shift(&self, gas: &mut Gas) {
         self.rim.turn_shift(&self.map, gas);
     }
 
     /// Lets the ring follow the flow at the rim for `dt`.
     pub fn carry(&self, gas: &mut Gas, dt: f32) {
         self.rim.carry(&self.map, gas, dt);
-    }
-
-    /// Keeps the gas above the floor.
-    pub fn hold(&self, gas: &mut Gas) {
-        self.floor.hold(gas, self.spacing);
     }
 }
 

@@ -7,11 +7,13 @@ use glam::Vec2;
 
 use super::gas::Gas;
 use crate::bounds::Bounds;
+use crate::extremes::fast_min;
 use crate::grid::Grid;
 use crate::instance::{EmberParticle, Instance};
 use crate::kernel::Kernel;
 use crate::params::Physics;
 use crate::random::Random;
+use crate::solids::{Body, Solids};
 
 /// A spark.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,6 +48,8 @@ const USER_EJECTION_SPEED: Vec2 = Vec2::new(0.9, 2.2);
 const MAX_EMBERS: usize = 4000;
 /// Smallest size, as a share of the parameter.
 const MIN_SIZE: f32 = 0.4;
+/// Share of its speed that an ember keeps when it bounces.
+const BOUNCE: f32 = 0.5;
 /// Longest time whose births may wait for flames \[s\].
 const MAX_WAIT: f32 = 1.0 / 30.0;
 
@@ -85,6 +89,13 @@ impl Embers {
             let relative = ember.temperature / 1500.0;
             let lost = values.radiative_cooling * relative * relative * relative * relative * dt;
             ember.temperature = (ember.temperature - lost).max(values.ambient_temperature);
+        }
+        for ember in &mut self.alive {
+            for body in &air.solids.bodies {
+                if body.may_touch(ember.position, 0.0) {
+                    bounce(ember, body);
+                }
+            }
         }
         // Embers that leave the domain are removed; they do not come back over a periodic edge.
         self.alive
@@ -144,6 +155,17 @@ impl Embers {
     }
 }
 
+/// Returns an ember that is in a solid to its surface.
+fn bounce(ember: &mut Ember, body: &Body) {
+    let (distance, normal) = body.shape.distance(ember.position);
+    if distance < 0.0 {
+        ember.position -= normal * distance;
+        let wall = body.velocity_at(ember.position);
+        let inward = fast_min((ember.velocity - wall).dot(normal), 0.0);
+        ember.velocity -= normal * (inward * (1.0 + BOUNCE));
+    }
+}
+
 /// A random particle of the flames.
 fn random_flame(gas: &Gas, random: &mut Random) -> Option<usize> {
     let hot = || (0..gas.len()).filter(|&i| gas.state[i].x > FLAME_TEMPERATURE);
@@ -159,6 +181,7 @@ pub(crate) struct Air<'a> {
     pub kernel: &'a Kernel,
     /// Velocity where there is no gas [m/s].
     pub wind: Vec2,
+    pub solids: &'a Solids,
 }
 
 impl Air<'_> {

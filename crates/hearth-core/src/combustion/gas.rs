@@ -35,6 +35,8 @@ pub(crate) struct Gas {
     next_id: u64,
     /// Mass of each particle [kg/m].
     pub mass: f32,
+    /// Particles that a closed domain lacks because of solids.
+    pub missing: usize,
 
     // Computed at every step.
     pub acceleration: Vec<Vec2>,
@@ -160,6 +162,11 @@ impl Gas {
         for_each_array!(self, array => array.truncate(kept));
     }
 
+    /// Removes a particle. The last one takes its place.
+    pub fn remove(&mut self, i: usize) {
+        for_each_array!(self, array => _ = array.swap_remove(i));
+    }
+
     /// Sets the mass of a particle: with open edges that of air at the `spacing`, else so that
     /// all fill the domain with air.
     pub fn set_mass(&mut self, values: &Physics) {
@@ -167,7 +174,7 @@ impl Gas {
             Edges::Open => values.ambient_density * values.spacing() * values.spacing(),
             Edges::Periodic => {
                 let area = values.domain_width * values.domain_height;
-                values.ambient_density * area / self.len().max(1) as f32
+                values.ambient_density * area / (self.len() + self.missing).max(1) as f32
             }
         };
     }

@@ -150,8 +150,10 @@ mod tests {
     use crate::combustion::gas::periodic_bounds as bounds;
     use crate::combustion::gas::tests::{random_gas, with};
     use crate::combustion::number_density::{self, NumberDensity};
+    use crate::combustion::walls::Walls;
     use crate::kernel::Kernel;
     use crate::params::Parameters;
+    use crate::solids::Solids;
 
     /// Gas in random motion with its interactions summed.
     fn summed(parameters: &Parameters, seed: u32) -> Gas {
@@ -166,7 +168,8 @@ mod tests {
         let positions = gas.position.clone().into_iter();
         let reach = context.kernel.support();
         gas.reorder(grid.sort(positions, &bounds(parameters), reach));
-        let mean = NumberDensity::default().sum(&mut gas, &grid, &mut neighbours, &context);
+        let bare = (&Walls::default(), &Solids::default());
+        let mean = NumberDensity::default().sum(&mut gas, &grid, &mut neighbours, &context, bare);
         number_density::apply(&mut gas, mean, context.sound);
         Interactions::default().sum(&mut gas, &grid, &neighbours, &context);
         gas

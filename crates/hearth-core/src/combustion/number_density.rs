@@ -7,12 +7,16 @@
 //! hot gas moves nothing, but its noise would damp every instability. In open air, Ȳ is the density
 //! of the air. Pressure below Ȳ attracts particles, and shifting spreads them again; so shifting cannot be turned off.
 
+use glam::Vec2;
+
 use super::equation_of_state::expansion;
 use super::gas::{Gas, make_room};
 use super::pair::Context;
+use super::walls::{self, Walls};
 use crate::grid::Grid;
 use crate::lanes::{LANES, Lanes};
 use crate::neighbours::{self, FAR_AWAY, Neighbours};
+use crate::solids::Solids;
 
 /// Four particles for the neighbour search.
 #[derive(Clone, Copy, Debug, Default)]
@@ -56,13 +60,15 @@ impl NumberDensity {
         make_room(&mut self.blocks, blocks);
     }
 
-    /// Finds all pairs of sorted gas, and computes the number density. Returns its mean.
+    /// Finds all pairs of sorted gas that no solid parts, and computes the number density without
+    /// the walls. Returns its mean with walls that have this mean.
     pub fn sum(
         &mut self,
         gas: &mut Gas,
         grid: &Grid,
         neighbours: &mut Neighbours,
         context: &Context,
+        (walls, solids): (&Walls, &Solids),
     ) -> f32 {
         let Context { kernel, values, .. } = *context;
         for (theta, state) in gas.expansion.iter_mut().zip(&gas.state) {
@@ -85,7 +91,18 @@ impl NumberDensity {
                 sum: Lanes::ZERO,
             };
         }
-        neighbours.find(&mut self.blocks, grid, kernel.smoothing_length());
+        let h = kernel.smoothing_length();
+        neighbours.find(&mut self.blocks, grid, h);
+        if walls.any_thin() {
+            let planes = |one: usize| {
+                let all = walls.thin_near(one);
+                all.map(|(normal, distance, solid)| (normal, distance * inverse_h, solid))
+            };
+            let parts = |solid: u32, one: Vec2, other: Vec2| {
+                walls::crosses(solids, solid, one * h, other * h)
+            };
+            neighbours.part(&mut self.blocks, grid, planes, parts);
+        }
 
         let each = gas.mass * kernel.w_norm();
         let mut sum = 0.0;
@@ -96,7 +113,9 @@ impl NumberDensity {
                 sum += f64::from(number_density);
             }
         }
-        (sum / gas.len().max(1) as f64) as f32
+        // Σ (Y − Γ Ȳ) = Σ Ȳ (1 − Γ)
+        let free = gas.len().max(1) as f64 - walls.gamma();
+        (sum / if free > 1.0 { free } else { 1.0 }) as f32
     }
 }
 

@@ -33,8 +33,9 @@ impl Combustion {
         let mut open = self.open.as_deref_mut();
 
         if let Some(open) = &mut open {
-            open.breathe(gas, scene, self.length);
+            open.breathe(gas, scene, &self.solids, self.length);
         }
+        let (walls, solids) = (&mut self.walls, &mut self.solids);
         let grid = &mut self.grid;
         let positions = gas.position.iter().copied();
         let new_indices = grid.sort(positions, &bounds, kernel.support());
@@ -47,19 +48,25 @@ impl Combustion {
             mass: gas.mass,
         };
         let neighbours = &mut self.neighbours;
-        let mean = self.number_density.sum(gas, grid, neighbours, &context);
-        match &mut open {
-            None => number_density::apply(gas, mean, sound),
-            Some(open) => {
-                open.find_edges(gas, &context);
-                number_density::apply(gas, values.ambient_density, sound);
-                open.taper_pressure(gas);
-            }
+        let has_floor = open.as_ref().is_some_and(|open| open.has_floor());
+        walls.find(gas, grid, solids, has_floor, &kernel);
+        let number_density = &mut self.number_density;
+        let mean = number_density.sum(gas, grid, neighbours, &context, (walls, solids));
+        let reference = match &open {
+            None => mean,
+            Some(_) => values.ambient_density,
+        };
+        walls.add_number_density(gas, reference);
+        number_density::apply(gas, reference, sound);
+        if let Some(open) = &mut open {
+            open.find_rim(gas);
+            open.taper_pressure(gas);
         }
         on_stage(Stage::Density);
         self.interactions.sum(gas, grid, neighbours, &context);
+        walls.resist(gas, solids, &context);
         if let Some(open) = &open {
-            open.resist(gas, &context);
+            open.turn_shift(gas);
         }
         let (packed, strength) = (self.interactions.packed(), values.vorticity_confinement);
         let confinement = &mut self.vorticity_confinement;
@@ -74,6 +81,7 @@ impl Combustion {
             bounds: &bounds,
             kernel: &kernel,
             wind: Vec2::new(values.wind, 0.0),
+            solids,
         };
         self.embers.drift(&air, values, random, dt);
         self.motion = time_step::accelerate(gas, sound, dt);
@@ -93,12 +101,11 @@ impl Combustion {
         }
         let (h, max_speed) = (kernel.smoothing_length(), self.motion.max_speed);
         self.clamped_shifts = time_step::advance(gas, values.shifting, h, max_speed, dt);
-        match &open {
-            Some(open) => open.hold(gas),
-            None => {
-                for position in &mut gas.position {
-                    *position = bounds.wrap(*position);
-                }
+        walls.hold(gas, solids, parameters.spacing());
+        solids.pass(dt);
+        if open.is_none() {
+            for position in &mut gas.position {
+                *position = bounds.wrap(*position);
             }
         }
         self.length = dt;

@@ -180,6 +180,8 @@ mod tests {
     use crate::combustion::interactions::Interactions;
     use crate::combustion::number_density::{self, NumberDensity};
     use crate::combustion::pair::Context;
+    use crate::combustion::walls::Walls;
+    use crate::solids::Solids;
 
     #[test]
     fn it_accelerates_vortices_and_not_uniform_flow() {
@@ -195,7 +197,8 @@ mod tests {
         let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
         let positions = gas.position.clone().into_iter();
         gas.reorder(grid.sort(positions, &bounds(&parameters), kernel.support()));
-        let mean = NumberDensity::default().sum(&mut gas, &grid, &mut neighbours, &context);
+        let bare = (&Walls::default(), &Solids::default());
+        let mean = NumberDensity::default().sum(&mut gas, &grid, &mut neighbours, &context, bare);
         number_density::apply(&mut gas, mean, context.sound);
         let mut interactions = Interactions::default();
         interactions.sum(&mut gas, &grid, &neighbours, &context);

@@ -2,6 +2,7 @@
 
 use super::choices::Model;
 use super::entry::{Description, Domain, Kind};
+use super::solid::{SOLID, SOLID_DESCRIPTIONS};
 use super::table::{DESCRIPTIONS, PARAMETERS, Param};
 use super::value::{Colour, Input, ParamError, ParamErrorKind, Value};
 
@@ -13,11 +14,10 @@ impl Param {
 
     /// The label and documentation.
     pub fn description(&self) -> &'static Description {
-        let at = PARAMETERS
-            .iter()
-            .position(|param| std::ptr::eq(param, self))
-            .unwrap_or_default();
-        &DESCRIPTIONS[at]
+        let all = PARAMETERS.iter().zip(DESCRIPTIONS);
+        let mut all = all.chain(SOLID.iter().zip(SOLID_DESCRIPTIONS));
+        let found = all.find(|(param, _)| std::ptr::eq(*param, self));
+        found.map_or(&DESCRIPTIONS[0], |(_, description)| description)
     }
 
     /// Default and range in `model`; `None` if the model does not use it.
@@ -34,7 +34,7 @@ impl Param {
     }
 
     /// Checks `input` against the kind and the range. It is the only validator.
-    pub(super) fn check(&self, model: Model, input: Input<'_>) -> Result<Value, ParamError> {
+    pub(crate) fn check(&self, model: Model, input: Input<'_>) -> Result<Value, ParamError> {
         let (min, max) = self.any_domain(model).range;
         let in_range = |whole: bool| {
             input

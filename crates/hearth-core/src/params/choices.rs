@@ -84,6 +84,44 @@ choices! {
         Solid = "solid",
     }
 
+    /// The shape of a solid.
+    Shape {
+        /// A disc.
+        Circle = "circle",
+        /// A rectangle, with round corners if it has a corner radius.
+        Box = "box",
+        /// A line with round ends.
+        Line = "line",
+    }
+
+    /// The material of a solid, which decides its picture.
+    Material {
+        /// Stone.
+        Stone = "stone",
+        /// Wood.
+        Wood = "wood",
+        /// Iron.
+        Iron = "iron",
+        /// Bricks.
+        Brick = "brick",
+        /// Coal.
+        Coal = "coal",
+        /// Wax.
+        Wax = "wax",
+        /// Glass.
+        Glass = "glass",
+        /// Nothing: the solid is invisible.
+        None = "none",
+    }
+
+    /// The thermal boundary condition at a solid.
+    Thermal {
+        /// No heat passes.
+        Adiabatic = "adiabatic",
+        /// The surface keeps a temperature.
+        Fixed = "fixed",
+    }
+
     /// The visible layers.
     Layers {
         /// Fire and smoke.

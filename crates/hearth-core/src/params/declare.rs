@@ -65,8 +65,17 @@ macro_rules! parameters {
 
             // On a copy: one mutable table of slots is half the code of two tables.
             #[inline(never)]
-            pub(super) fn get(&self, field: Field) -> Value {
-                self.clone().slot(field).value()
+            pub(super) fn get(&self, param: &Param) -> Value {
+                let field = param.field.map(|field| self.clone().slot(field).value());
+                field.unwrap_or(param.domains[0].default)
+            }
+
+            /// Writes a value to the field of `param`.
+            #[inline(never)]
+            pub(super) fn put(&mut self, param: &Param, value: Value) {
+                if let Some(field) = param.field {
+                    self.slot(field).put(value);
+                }
             }
 
             /// These values in a set with this present model.
@@ -88,7 +97,7 @@ macro_rules! parameters {
                 };
                 for param in PARAMETERS {
                     if let Some(domain) = param.domain(model) {
-                        values.slot(param.field).put(domain.default);
+                        values.put(param, domain.default);
                     }
                 }
                 values.belonging_to(model)
@@ -110,7 +119,7 @@ macro_rules! parameters {
                     },
                 )+ ],
                 role: parameters!(@role $($role)?),
-                field: Field::$($shown)? $($id)?,
+                field: Some(Field::$($shown)? $($id)?),
             },
         )+)+ ];
 
@@ -170,4 +179,68 @@ macro_rules! parameters {
     (@slot (choice $type:ident), $x:expr) => { Slot::Choice(&mut $x) };
 }
 
-pub(super) use parameters;
+/// Expands the table of an object's properties to the struct of its values, its entries, their
+/// descriptions and their names as text. An entry is one of [`parameters!`].
+macro_rules! properties {
+    ($(#[$about:meta])* $object:ident: $entries:ident, $descriptions:ident, $named:ident, $allowed:ident;
+        $( #[doc = $first_doc:literal] $(#[doc = $doc:literal])* $([$role:ident])?
+        $id:ident : $kind:tt $label:literal $([$unit:literal])? $($scale:ident)?
+            { $domain:tt } $(when { $( $choice:ident : $names:expr ),+ })?
+    )+) => {
+        $(#[$about])*
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct $object { $(
+            #[doc = $first_doc]
+            $(#[doc = $doc])*
+            pub $id: parameters!(@type $kind),
+        )+ }
+
+        impl Default for $object {
+            fn default() -> Self {
+                $object { $( $id: parameters!(@default $kind, $domain), )+ }
+            }
+        }
+
+        impl $object {
+            /// The fields in the order of the table.
+            fn slots(&mut self) -> impl Iterator<Item = Slot<'_>> {
+                [ $( parameters!(@slot $kind, self.$id), )+ ].into_iter()
+            }
+        }
+
+        /// Every property, in the order of a panel.
+        pub static $entries: &[Param] = &[ $( Param {
+            id: stringify!($id),
+            group: "",
+            unit: concat!($($unit)?),
+            kind: parameters!(@kind $kind $($scale)?),
+            domains: &[Domain {
+                model: None,
+                default: parameters!(@value $kind, parameters!(@default $kind, $domain)),
+                range: parameters!(@range $kind, $domain),
+            }],
+            role: parameters!(@role $($role)?),
+            field: None,
+        }, )+ ];
+
+        /// The label and documentation of each property, in the same order.
+        pub(super) static $descriptions: &[Description] = &[ $( Description {
+            label: $label,
+            doc: concat!($first_doc, $($doc),*).trim_ascii(),
+            when: &[ $($( (stringify!($choice), $names) ),+)? ],
+            unless: &[],
+        }, )+ ];
+
+        /// The properties by name.
+        pub(crate) const $named: &[Property] = &[ $( Property {
+            name: stringify!($id),
+            id: stringify!($id),
+            table: $entries,
+        }, )+ ];
+
+        /// The names of the fields, as text for an error.
+        pub(crate) const $allowed: &str = concat!("one of kind" $(, ", ", stringify!($id))+);
+    };
+}
+
+pub(super) use {parameters, properties};

@@ -137,10 +137,10 @@ impl Parameters {
         let shared = domain.is_some_and(|domain| domain.model.is_none());
         let before = self.model;
         if domain.is_some() {
-            self.current.slot(param.field).put(value);
+            self.current.put(param, value);
         }
         if shared || domain.is_none() {
-            self.other.slot(param.field).put(value);
+            self.other.put(param, value);
         }
         if self.model != before {
             std::mem::swap(&mut self.current, &mut self.other);
@@ -154,8 +154,8 @@ impl Parameters {
             true => (&source.current, &source.other),
             false => (&source.other, &source.current),
         };
-        self.current.slot(param.field).put(present.get(param.field));
-        self.other.slot(param.field).put(absent.get(param.field));
+        self.current.put(param, present.get(param));
+        self.other.put(param, absent.get(param));
     }
 }
 
@@ -178,8 +178,8 @@ impl Param {
     /// model.
     pub fn get(&self, parameters: &Parameters) -> Value {
         match self.domain(parameters.model) {
-            Some(_) => parameters.current.get(self.field),
-            None => parameters.other.get(self.field),
+            Some(_) => parameters.current.get(self),
+            None => parameters.other.get(self),
         }
     }
 

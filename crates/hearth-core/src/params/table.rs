@@ -29,7 +29,8 @@ pub struct Param {
     pub domains: &'static [Domain],
     /// The part of Hearth that reads it.
     pub role: Role,
-    pub(super) field: Field,
+    /// Its field in [`Values`]; `None` for a property of an object that is not a source.
+    pub(super) field: Option<Field>,
 }
 
 /// The displays of light, which depend on its brightness and its colours.

@@ -10,6 +10,8 @@ pub struct Preset {
     pub name: &'static str,
     /// The values that differ from the defaults.
     pub values: &'static [(&'static str, Input<'static>)],
+    /// The fields of its objects besides its source.
+    pub objects: &'static [&'static [(&'static str, Input<'static>)]],
 }
 
 /// The label and description of a preset. A separate array, so that a build without text does
@@ -38,8 +40,13 @@ impl Preset {
         self.values.iter().any(|(known, _)| *known == id)
     }
 
-    /// Its scene: these values, with one source.
+    /// Its scene: these values, with one source and its other objects.
     pub fn scene(&self) -> Scene {
-        Scene::new(self.parameters())
+        let mut scene = Scene::new(self.parameters());
+        for fields in self.objects {
+            let added = scene.add(fields);
+            debug_assert!(added.is_ok(), "preset {}: {added:?}", self.name);
+        }
+        scene
     }
 }

@@ -9,6 +9,7 @@ pub static PRESETS: &[Preset] = &[
         name: "default",
         values: &[
         ],
+        objects: &[],
     },
     Preset {
         name: "bonfire-in-wind",
@@ -30,6 +31,7 @@ pub static PRESETS: &[Preset] = &[
             ("spacing", Input::Number(0.037417)),
             ("max_particles", Input::Number(8000.0)),
         ],
+        objects: &[],
     },
     Preset {
         name: "campfire",
@@ -53,6 +55,7 @@ pub static PRESETS: &[Preset] = &[
             ("domain_height", Input::Number(1.8)),
             ("spacing", Input::Number(0.032863)),
         ],
+        objects: &[],
     },
     Preset {
         name: "candle",
@@ -77,6 +80,7 @@ pub static PRESETS: &[Preset] = &[
             ("eddy_viscosity", Input::Number(0.3)),
             ("diffusion", Input::Number(0.001)),
         ],
+        objects: &[],
     },
     Preset {
         name: "fireside",
@@ -102,6 +106,7 @@ pub static PRESETS: &[Preset] = &[
             ("spacing", Input::Number(0.035777)),
             ("max_particles", Input::Number(4000.0)),
         ],
+        objects: &[],
     },
     Preset {
         name: "forge",
@@ -128,6 +133,7 @@ pub static PRESETS: &[Preset] = &[
             ("spacing", Input::Number(0.032762)),
             ("gas_expansion", Input::Number(0.5)),
         ],
+        objects: &[],
     },
     Preset {
         name: "gas-burner",
@@ -156,6 +162,7 @@ pub static PRESETS: &[Preset] = &[
             ("kinematic_viscosity", Input::Number(0.005)),
             ("diffusion", Input::Number(0.001)),
         ],
+        objects: &[],
     },
     Preset {
         name: "ghost-fire",
@@ -178,6 +185,7 @@ pub static PRESETS: &[Preset] = &[
             ("domain_height", Input::Number(1.6)),
             ("spacing", Input::Number(0.024221)),
         ],
+        objects: &[],
     },
     Preset {
         name: "match",
@@ -204,6 +212,7 @@ pub static PRESETS: &[Preset] = &[
             ("eddy_viscosity", Input::Number(0.25)),
             ("diffusion", Input::Number(0.0005)),
         ],
+        objects: &[],
     },
     Preset {
         name: "smoke-stack",
@@ -225,6 +234,7 @@ pub static PRESETS: &[Preset] = &[
             ("domain_height", Input::Number(2.2)),
             ("spacing", Input::Number(0.034254)),
         ],
+        objects: &[],
     },
     Preset {
         name: "torch",
@@ -246,6 +256,7 @@ pub static PRESETS: &[Preset] = &[
             ("domain_height", Input::Number(1.3)),
             ("spacing", Input::Number(0.020817)),
         ],
+        objects: &[],
     },
     Preset {
         name: "wall-of-fire",
@@ -265,12 +276,14 @@ pub static PRESETS: &[Preset] = &[
             ("domain_height", Input::Number(1.1)),
             ("spacing", Input::Number(0.028402)),
         ],
+        objects: &[],
     },
     Preset {
         name: "classic",
         values: &[
             ("model", Input::Text("classic")),
         ],
+        objects: &[],
     },
     Preset {
         name: "paper-buoyancy",
@@ -294,6 +307,7 @@ pub static PRESETS: &[Preset] = &[
             ("particle_mass", Input::Number(0.00015)),
             ("gas_constant", Input::Number(0.6)),
         ],
+        objects: &[],
     },
     Preset {
         name: "paper-fire",
@@ -317,6 +331,7 @@ pub static PRESETS: &[Preset] = &[
             ("particle_mass", Input::Number(0.00015)),
             ("gas_constant", Input::Number(0.6)),
         ],
+        objects: &[],
     },
     Preset {
         name: "paper-smoothing",
@@ -340,6 +355,7 @@ pub static PRESETS: &[Preset] = &[
             ("particle_mass", Input::Number(0.00015)),
             ("gas_constant", Input::Number(0.6)),
         ],
+        objects: &[],
     },
     Preset {
         name: "paper-stiffness",
@@ -363,6 +379,7 @@ pub static PRESETS: &[Preset] = &[
             ("particle_mass", Input::Number(0.00015)),
             ("gas_constant", Input::Number(6.0)),
         ],
+        objects: &[],
     },
     Preset {
         name: "paper-viscosity",
@@ -388,6 +405,7 @@ pub static PRESETS: &[Preset] = &[
             ("viscosity", Input::Number(0.016)),
             ("printed_viscosity", Input::Flag(true)),
         ],
+        objects: &[],
     },
     Preset {
         name: "seed",
@@ -416,6 +434,7 @@ pub static PRESETS: &[Preset] = &[
             ("gas_constant", Input::Number(2.0)),
             ("viscosity", Input::Number(0.0002)),
         ],
+        objects: &[],
     },
 ];
 

@@ -1,9 +1,10 @@
 //! THE table of objects: each kind and its properties.
 //!
-//! A property is a parameter of the settings with a value per source. The parameter gives its
-//! label, unit, range, default and doc.
+//! A property of a source is a parameter of the settings with a value per source. The parameter
+//! gives its label, unit, range, default and doc. [`SOLID`](crate::params::SOLID) gives those of
+//! a solid's properties.
 
-use crate::params::{Model, Param};
+use crate::params::{Model, PARAMETERS, Param, SOLID_NAMES, SOLID_PROPERTIES};
 
 /// A kind of object.
 #[derive(Debug)]
@@ -23,11 +24,14 @@ pub struct Kind {
 pub struct Property {
     /// Its name.
     pub name: &'static str,
-    /// The parameter whose value it is in the first source.
+    /// The id of its entry: of a source's property, the parameter whose value it is in the
+    /// first source.
     pub id: &'static str,
+    /// The table of its entry.
+    pub(crate) table: &'static [Param],
 }
 
-/// A kind whose error of an unknown property lists all of its properties.
+/// A kind with parameters as properties, whose error of an unknown property lists all of its properties.
 macro_rules! kind {
     ($kind:literal, $doc:literal, $first:literal = $first_id:literal
         $(, $name:literal = $id:literal)*) => {
@@ -36,15 +40,17 @@ macro_rules! kind {
             doc: $doc,
             allowed: concat!("one of ", $first $(, ", ", $name)*),
             properties: &[
-                Property { name: $first, id: $first_id },
-                $(Property { name: $name, id: $id },)*
+                Property { name: $first, id: $first_id, table: PARAMETERS },
+                $(Property { name: $name, id: $id, table: PARAMETERS },)*
             ],
         }
     };
 }
 
 /// Every kind of object.
-pub static KINDS: &[Kind] = &[kind!(
+pub static KINDS: &[Kind] = &[SOURCE, SOLID];
+
+const SOURCE: Kind = kind!(
     "source",
     "Where fuel comes into the air, or where the classic model's particles are born.",
     "x" = "source_x",
@@ -61,7 +67,14 @@ pub static KINDS: &[Kind] = &[kind!(
     "life_min" = "lifetime_min",
     "life_max" = "lifetime_max",
     "taper" = "taper"
-)];
+);
+
+const SOLID: Kind = Kind {
+    name: "solid",
+    doc: "A body that gas flows around and does not enter.",
+    allowed: SOLID_NAMES,
+    properties: SOLID_PROPERTIES,
+};
 
 impl Kind {
     /// The property with this name.
@@ -72,8 +85,13 @@ impl Kind {
 }
 
 impl Property {
-    /// The parameter, if `model` uses it.
+    /// Its entry.
+    pub fn entry(&self) -> Option<&'static Param> {
+        self.table.iter().find(|param| param.id == self.id)
+    }
+
+    /// Its entry, if `model` uses it.
     pub fn param(&self, model: Model) -> Option<&'static Param> {
-        Param::find(self.id).filter(|param| param.domain(model).is_some())
+        self.entry().filter(|param| param.domain(model).is_some())
     }
 }

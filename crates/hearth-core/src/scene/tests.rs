@@ -7,15 +7,15 @@ fn number(x: f64) -> Input<'static> {
 }
 
 const SOURCE: (&str, Input<'static>) = ("kind", Input::Text("source"));
+const SOLID: (&str, Input<'static>) = ("kind", Input::Text("solid"));
 
 fn value(scene: &Scene, index: usize, name: &str) -> Option<Value> {
-    let (_, kind, values) = scene.objects().nth(index)?;
-    let param = kind.property(name)?.param(values.model())?;
-    Some(param.get(values))
+    let mut properties = scene.objects().nth(index)?.properties();
+    properties.find(|one| one.0 == name).map(|one| one.2)
 }
 
 fn ids(scene: &Scene) -> Vec<u32> {
-    scene.objects().map(|(id, ..)| id).collect()
+    scene.objects().map(|object| object.id).collect()
 }
 
 fn words(refused: Result<impl Sized, Vec<ParamError>>) -> String {
@@ -25,14 +25,22 @@ fn words(refused: Result<impl Sized, Vec<ParamError>>) -> String {
 }
 
 #[test]
-fn every_property_is_a_parameter_and_of_one_name() {
-    let mut seen = Vec::new();
+fn every_property_has_an_entry_and_one_name() {
     for kind in KINDS {
+        let mut seen = Vec::new();
         for property in kind.properties {
-            assert!(Param::find(property.id).is_some(), "{}", property.id);
+            assert!(property.entry().is_some(), "{}", property.id);
+            let is_source = kind.name == "source";
+            assert_eq!(
+                is_source,
+                Param::find(property.id).is_some(),
+                "{}",
+                property.id
+            );
             assert!(!seen.contains(&property.id), "{}", property.id);
             assert!(!seen.contains(&property.name), "{}", property.name);
             seen.extend([property.id, property.name]);
+            assert!(kind.allowed.contains(property.name));
         }
     }
 }
@@ -111,11 +119,11 @@ fn an_error_names_object_property_value_and_range_and_changes_nothing() {
     let cases: &[(&Fields<'_>, &str)] = &[
         (
             &[],
-            "objects[1].kind = \"undefined\" is refused: it must be source",
+            "objects[1].kind = \"undefined\" is refused: it must be source or solid",
         ),
         (
-            &[("kind", text("solid"))],
-            "objects[1].kind = \"solid\" is refused: it must be source",
+            &[("kind", text("stone"))],
+            "objects[1].kind = \"stone\" is refused: it must be source or solid",
         ),
         (
             &[SOURCE, ("power", number(700.0))],
@@ -125,6 +133,20 @@ fn an_error_names_object_property_value_and_range_and_changes_nothing() {
             &[SOURCE, ("pwer", number(7.0))],
             "objects[1].property = \"pwer\" is refused: it must be one of x, y, width, power, rate, \
              speed, spread, noise, temperature, oxygen, birth_temperature, life_min, life_max, taper",
+        ),
+        (
+            &[SOLID, ("width", number(0.0))],
+            "objects[1].width = 0 is refused: it must be a number from 0.002 to 10 m",
+        ),
+        (
+            &[SOLID, ("material", text("straw"))],
+            "objects[1].material = \"straw\" is refused: it must be one of stone, wood, iron, brick, \
+             coal, wax, glass, none",
+        ),
+        (
+            &[SOLID, ("power", number(7.0))],
+            "objects[1].property = \"power\" is refused: it must be one of kind, shape, x, y, angle, \
+             width, height, corner, material, thermal, temperature",
         ),
         (
             &[SOURCE, ("id", number(1.0))],
@@ -154,10 +176,50 @@ fn the_number_of_objects_is_limited() {
     let refused = words(scene.add(&[SOURCE]));
     assert_eq!(
         refused,
-        "objects.length = 65 is refused: it must be at most 64"
+        "objects.length = 65 is refused: it must be at most 64 of each kind"
     );
+    while scene.solids().count() < MAX_OBJECTS {
+        assert!(scene.add(&[SOLID]).is_ok());
+    }
+    assert_eq!(words(scene.add(&[SOLID])), refused);
     let ids = ids(&scene);
     assert!((1..ids.len()).all(|at| !ids[..at].contains(&ids[at])));
+}
+
+#[test]
+fn a_solid_has_properties_that_are_no_settings() {
+    let mut scene = Scene::default();
+    let settings = scene.settings().clone();
+    let fields = [SOLID, ("x", number(0.3)), ("shape", Input::Text("box"))];
+    assert_eq!(scene.add(&fields), Ok(2));
+    assert_eq!(scene.add(&[SOURCE]), Ok(3));
+    assert_eq!(scene.settings(), &settings);
+    assert_eq!(value(&scene, 1, "shape"), Some(Value::Choice("box")));
+    assert_eq!(value(&scene, 1, "height"), Some(Value::Number(0.1)));
+    assert_eq!(
+        scene.change(2, &[("x", number(-0.1)), ("angle", number(30.0))]),
+        Ok(())
+    );
+    let solids: Vec<_> = scene.solids().map(|solid| (solid.x, solid.angle)).collect();
+    assert_eq!(solids, [(-0.1, 30.0)]);
+    assert_eq!(scene.remove(1), Ok(()));
+    assert_eq!(ids(&scene), [2, 3]);
+    assert_eq!(scene.sources().count(), 1);
+    let first = scene.objects().filter(Object::is_first_source);
+    assert_eq!(first.map(|object| object.id).collect::<Vec<_>>(), [3]);
+    assert_eq!(scene.remove(2), Ok(()));
+    assert_eq!(scene.solids().count(), 0);
+}
+
+#[test]
+fn solids_change_no_source() {
+    let mut scene = Scene::default();
+    let mut plain = scene.clone();
+    assert!(scene.add(&[SOLID]).is_ok());
+    for scene in [&mut scene, &mut plain] {
+        assert!(scene.add(&[SOURCE, ("x", number(0.3))]).is_ok());
+    }
+    assert!(scene.sources().eq(plain.sources()));
 }
 
 #[test]

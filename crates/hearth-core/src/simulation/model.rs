@@ -16,7 +16,7 @@ impl AnySolver {
     #[inline(never)]
     pub fn new(scene: &Scene, random: &mut Random) -> AnySolver {
         match scene.settings().model() {
-            Model::Classic => Either::Classic(Classic::default()),
+            Model::Classic => Either::Classic(Classic::new(scene)),
             Model::Combustion => Either::Combustion(Combustion::new(scene, random)),
         }
     }

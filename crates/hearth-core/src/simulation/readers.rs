@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::Simulation;
-use crate::combustion::{Combustion, Ember};
+use crate::combustion::{Combustion, Ember, Removed};
 use crate::instance::Measured;
 use crate::params::DisplayMode;
 use crate::particle::Particle;
@@ -13,6 +13,13 @@ impl Simulation {
     /// Power of the combustion in the last step [kW/m]; zero in the classic model.
     pub fn power(&self) -> f32 {
         self.solver.combustion().map_or(0.0, Combustion::power)
+    }
+
+    /// The gas that moved solids have taken the place of since the start; none in the classic
+    /// model.
+    pub fn removed(&self) -> Removed {
+        let combustion = self.solver.combustion();
+        combustion.map_or(Removed::default(), Combustion::removed)
     }
 
     /// Lower left and upper right corner of the rectangle that the gas can reach \[m\]: the

@@ -98,16 +98,23 @@ pub(super) fn burning() -> String {
 
 /// The module of the parameters that are properties of the first source: apart, since only
 /// addresses and HTML need it.
-pub(super) fn objects() -> String {
+pub(super) fn objects(scenes: &[Scene]) -> String {
     let mut text = format!(
         "{HEADER}\n\
          /** Each property of a source, and the parameter that it is of the first one. */\n\
          export const SOURCE = {{\n"
     );
-    for property in KINDS.iter().flat_map(|kind| kind.properties) {
+    for property in KINDS[0].properties {
         let _ = writeln!(text, "  {}: '{}',", property.name, property.id);
     }
-    text.push_str("};\n");
+    let furnished = scenes.iter().filter(|scene| !scene.objects.is_empty());
+    let furnished: Vec<_> = furnished.map(|scene| scene.name.as_str()).collect();
+    let _ = writeln!(
+        text,
+        "}};\n\n/** The presets with other objects than a source.\n * @type {{string[]}} */\n\
+         export const FURNISHED = {};",
+        json!(furnished)
+    );
     text
 }
 

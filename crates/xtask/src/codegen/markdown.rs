@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use hearth_core::params::{
-    Description, Domain, Kind, Model, PARAMETERS, Param, Scale, Value, conditions_in_words,
+    Description, Domain, Kind, Model, PARAMETERS, Param, SOLID, Scale, Value, conditions_in_words,
 };
 
 use hearth_core::scene::KINDS;
@@ -29,19 +29,35 @@ pub(super) fn reference() -> String {
         let _ = writeln!(tables, "{}", row(param));
     }
     let mut objects = String::new();
-    for kind in KINDS {
-        for property in kind.properties {
-            let label = Param::find(property.id).map_or("", |param| param.description().label);
-            let _ = writeln!(
-                objects,
-                "| `{}` | `{}` | `{}` | {label} |",
-                kind.name, property.name, property.id
-            );
-        }
+    for property in KINDS[0].properties {
+        let label = property
+            .entry()
+            .map_or("", |param| param.description().label);
+        let _ = writeln!(
+            objects,
+            "| `{}` | `{}` | {label} |",
+            property.name, property.id
+        );
+    }
+    let mut solids = String::new();
+    for param in SOLID {
+        let domain = &param.domains[0];
+        let description = param.description();
+        let _ = writeln!(
+            solids,
+            "| `{}` | {} | {} ({}) | **{}.** {} |",
+            param.id,
+            param.unit,
+            default_text(domain.default),
+            range_text(param.kind, domain),
+            description.label,
+            cell(&(description.doc.to_owned() + &condition(description))),
+        );
     }
     include_str!("templates/parameters.md")
         .replace("{{parameters}}", &tables)
         .replace("{{objects}}", &objects)
+        .replace("{{solids}}", &solids)
 }
 
 fn row(param: &Param) -> String {

@@ -25,15 +25,14 @@ pub(super) fn table(scenes: &[Scene]) -> String {
     for scene in scenes {
         let _ = writeln!(text, "    Preset {{\n        name: {:?},", scene.name);
         text.push_str("        values: &[\n");
-        for (id, value) in &scene.values {
-            let input = match value {
-                Value::String(text) => format!("Text({text:?})"),
-                Value::Bool(on) => format!("Flag({on})"),
-                number => format!("Number({:?})", number.as_f64().unwrap_or_default()),
-            };
-            let _ = writeln!(text, "            ({id:?}, Input::{input}),");
+        fields(&mut text, &scene.values);
+        text.push_str("        ],\n        objects: &[");
+        for object in &scene.objects {
+            text.push_str("&[\n");
+            fields(&mut text, object);
+            text.push_str("        ], ");
         }
-        text.push_str("        ],\n    },\n");
+        text.push_str("],\n    },\n");
     }
     text.push_str(
         "];\n\n\
@@ -49,4 +48,16 @@ pub(super) fn table(scenes: &[Scene]) -> String {
     }
     text.push_str("];\n");
     text
+}
+
+/// The fields of an object, a line each.
+fn fields(text: &mut String, fields: &[(String, Value)]) {
+    for (id, value) in fields {
+        let input = match value {
+            Value::String(text) => format!("Text({text:?})"),
+            Value::Bool(on) => format!("Flag({on})"),
+            number => format!("Number({:?})", number.as_f64().unwrap_or_default()),
+        };
+        let _ = writeln!(text, "            ({id:?}, Input::{input}),");
+    }
 }

@@ -2,7 +2,7 @@
 //!
 //! `{"hearth": 2, "label": "Candle", "description": "One sentence.", "values": {…},
 //! "objects": [{"kind": "source", …}]}`, and the file's name is the scene's. Such a file is
-//! also a settings file, as the element's `src` takes it.
+//! also a settings file, as the element's `src` takes it. The first object is the source.
 
 use std::fmt;
 use std::path::Path;
@@ -36,6 +36,8 @@ pub(super) struct Scene {
     /// The parameters that differ from the defaults, those of the source among them, in the
     /// order of the table.
     pub(super) values: Vec<(String, Value)>,
+    /// The fields of the objects besides the source.
+    pub(super) objects: Vec<Vec<(String, Value)>>,
 }
 
 /// A scene's file.
@@ -86,16 +88,7 @@ impl Scene {
     pub(super) fn parameters(&self) -> Result<Parameters> {
         let mut parameters = Parameters::default();
         for (id, value) in &self.values {
-            let input = match value {
-                Value::Number(number) => Input::Number(number.as_f64().unwrap_or(f64::NAN)),
-                Value::String(text) => Input::Text(text),
-                Value::Bool(on) => Input::Flag(*on),
-                // Which no parameter accepts.
-                Value::Object(_) => Input::Text("an object"),
-                Value::Array(_) => Input::Text("a list"),
-                Value::Null => Input::Text("null"),
-            };
-            parameters.set(id, input)?;
+            parameters.set(id, input(value))?;
         }
         let model = parameters.model();
         for param in PARAMETERS {
@@ -107,7 +100,28 @@ impl Scene {
                 param.id
             );
         }
-        Ok(parameters)
+        let mut scene = hearth_core::Scene::new(parameters);
+        for object in &self.objects {
+            let fields = object
+                .iter()
+                .map(|(name, value)| (name.as_str(), input(value)));
+            if let Err(errors) = scene.add(&fields.collect::<Vec<_>>()) {
+                bail!(errors[0].clone());
+            }
+        }
+        Ok(scene.settings().clone())
+    }
+}
+
+fn input(value: &Value) -> Input<'_> {
+    match value {
+        Value::Number(number) => Input::Number(number.as_f64().unwrap_or(f64::NAN)),
+        Value::String(text) => Input::Text(text),
+        Value::Bool(on) => Input::Flag(*on),
+        // Which no parameter accepts.
+        Value::Object(_) => Input::Text("an object"),
+        Value::Array(_) => Input::Text("a list"),
+        Value::Null => Input::Text("null"),
     }
 }
 
@@ -169,12 +183,8 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
         "\"description\" must be a sentence, with its full stop"
     );
     let Fields(mut values) = file.values;
-    ensure!(
-        file.objects.len() <= 1,
-        "a scene has one source so far, not {} objects",
-        file.objects.len()
-    );
-    for Fields(object) in file.objects {
+    let mut objects = file.objects.into_iter().map(|Fields(object)| object);
+    if let Some(object) = objects.next() {
         for (id, value) in source_parameters(object)? {
             ensure!(
                 values.iter().all(|(known, _)| *known != id),
@@ -186,8 +196,8 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
     // The model comes first in the table, because it decides the ranges of the others.
     values.sort_by_key(|(id, _)| PARAMETERS.iter().position(|param| param.id == *id));
     ensure!(
-        name != DEFAULT || values.is_empty(),
-        "the default scene has no values: change the defaults in the table"
+        name != DEFAULT || values.is_empty() && objects.len() == 0,
+        "the default scene has neither values nor solids: change the defaults in the table"
     );
     let mut scene = Scene {
         name: name.to_owned(),
@@ -195,6 +205,7 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
         description: file.description,
         model: Model::DEFAULT,
         values,
+        objects: objects.collect(),
     };
     scene.model = scene.parameters()?.model();
     Ok(scene)
@@ -259,7 +270,8 @@ mod tests {
     #[test]
     fn a_scene_has_the_values_of_its_file_in_the_order_of_the_table() {
         let values = r#"{"palette": "gas", "wind": 1.0, "model": "combustion"}"#;
-        let text = with(&format!("{values}, {}", source(r#", "power": 60"#)));
+        let properties = r#", "power": 60}, {"kind": "solid", "x": 1"#;
+        let text = with(&format!("{values}, {}", source(properties)));
         let values = [
             ("model".to_owned(), "combustion".into()),
             ("fuel_power".to_owned(), 60.into()),
@@ -272,6 +284,10 @@ mod tests {
             description: "A fire.".to_owned(),
             model: Model::Combustion,
             values: values.to_vec(),
+            objects: vec![vec![
+                ("kind".to_owned(), "solid".into()),
+                ("x".to_owned(), 1.into()),
+            ]],
         };
         assert_eq!(parse("a-2.json", &text).ok(), Some(expected));
     }
@@ -313,7 +329,14 @@ mod tests {
                 "objects[0].kind must be",
             ),
             (source(r#", "width": 0.2"#), "source_width is given twice"),
-            (r#""objects": [{}, {}]"#.to_owned(), "not 2 objects"),
+            (
+                source(r#"}, {"kind": "solid", "x": 11"#),
+                "objects[1].x = 11 is refused",
+            ),
+            (
+                r#""objects": [{}, {}]"#.to_owned(),
+                "objects[0].kind must be",
+            ),
         ] {
             let outcome = outcome(
                 "a.json",

@@ -37,7 +37,7 @@ fn objects() -> String {
             kind.doc, kind.name,
         );
         for property in kind.properties {
-            if let Some(param) = Param::find(property.id) {
+            if let Some(param) = property.entry() {
                 let kind = value_type(param.kind);
                 let (doc, name) = (comment(param), property.name);
                 let _ = writeln!(text, "  /** {doc} */\n  {name}?: {kind};");

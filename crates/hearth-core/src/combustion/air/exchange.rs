@@ -13,6 +13,7 @@ use super::map::{Cell, Layout, Map, NONE, RIM};
 use crate::Particle;
 use crate::extremes::fast_min;
 use crate::params::Physics;
+use crate::solids::Solids;
 
 /// Smallest distance of a birth from all particles, in spacings.
 const ROOM: f32 = 0.85;
@@ -28,6 +29,8 @@ const EMPTY: f32 = 0.34;
 /// far inside of the ring it enters.
 const CLOSE: f32 = 0.5;
 const INTO: f32 = 0.1;
+/// Smallest distance of a birth from solids, in spacings.
+const FROM_SOLIDS: f32 = 0.5;
 /// Longest time for which the wind brings air at once \[s\]: the first exchange has no last one.
 const LONG: f32 = 0.1;
 /// Rate at which the velocity at the rim follows the gas inside [1/s].
@@ -78,18 +81,26 @@ pub(super) struct Exchange {
 
 /// The air that enters.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Inflow {
+pub(super) struct Inflow<'a> {
     pub temperature: f32,
     pub wind: Vec2,
     /// Distance of particles of air \[m\].
     pub spacing: f32,
     /// Most particles of the gas.
     pub capacity: usize,
+    pub solids: &'a Solids,
 }
 
-impl Inflow {
-    pub fn new(values: &Physics, spacing: f32, capacity: usize) -> Inflow {
+/// Number of particles of a cell of air.
+pub(super) fn per_cell(layout: &Layout, spacing: f32) -> f32 {
+    let columns = layout.cell / spacing;
+    columns * columns
+}
+
+impl<'a> Inflow<'a> {
+    pub fn new(values: &Physics, spacing: f32, capacity: usize, solids: &'a Solids) -> Inflow<'a> {
         Inflow {
+            solids,
             temperature: values.ambient_temperature,
             wind: Vec2::new(values.wind, 0.0),
             spacing,
@@ -97,10 +108,10 @@ impl Inflow {
         }
     }
 
-    /// Number of particles of a cell of air.
-    pub fn per_cell(&self, layout: &Layout) -> f32 {
-        let columns = layout.cell / self.spacing;
-        columns * columns
+    /// Whether a place is outside of all solids.
+    #[inline(never)]
+    fn is_free(&self, place: Vec2) -> bool {
+        !self.solids.touch(place, FROM_SOLIDS * self.spacing)
     }
 
     /// Adds a particle at a position. There must be room for it.
@@ -156,7 +167,7 @@ impl Exchange {
 
     /// Lets the air in that the wind has brought in a time `dt`: a column of particles in each
     /// cell of the ring that the wind enters, whenever it has blown as far as a spacing.
-    pub fn blow(&mut self, map: &mut Map, gas: &mut Gas, inflow: &Inflow, dt: f32) {
+    pub fn blow(&mut self, map: &mut Map, gas: &mut Gas, inflow: &Inflow<'_>, dt: f32) {
         let (wind, spacing, layout) = (inflow.wind.x, inflow.spacing, map.layout);
         self.blown += fast_min(wind.abs() * fast_min(dt, LONG) / spacing, MOST as f32);
         while self.blown >= 1.0 {
@@ -179,9 +190,9 @@ impl Exchange {
     }
 
     /// Fills the fresh cells and the ring with air.
-    pub fn fill(&mut self, map: &mut Map, gas: &mut Gas, inflow: &Inflow) {
+    pub fn fill(&mut self, map: &mut Map, gas: &mut Gas, inflow: &Inflow<'_>) {
         let layout = map.layout;
-        let per_cell = inflow.per_cell(&layout);
+        let per_cell = per_cell(&layout, inflow.spacing);
         let full = (FULL * per_cell) as u32;
         for row in layout.inner_rows() {
             for (column, at) in (1..).zip(layout.row(row)) {
@@ -210,7 +221,7 @@ impl Exchange {
 
     /// Collects the particles of a cell and those around it.
     #[inline(never)]
-    fn gather(&mut self, map: &Map, gas: &Gas, cell: usize, corner: Vec2, inflow: &Inflow) {
+    fn gather(&mut self, map: &Map, gas: &Gas, cell: usize, corner: Vec2, inflow: &Inflow<'_>) {
         self.nearby.clear();
         let reach = ROOM * inflow.spacing;
         let low = corner - Vec2::splat(reach);
@@ -239,7 +250,7 @@ impl Exchange {
         &mut self,
         cell: &mut Cell,
         gas: &mut Gas,
-        inflow: &Inflow,
+        inflow: &Inflow<'_>,
         place: Vec2,
         velocity: Vec2,
     ) {
@@ -258,7 +269,7 @@ impl Exchange {
         &mut self,
         map: &mut Map,
         gas: &mut Gas,
-        inflow: &Inflow,
+        inflow: &Inflow<'_>,
         (cell, row): (usize, usize),
         x: f32,
         velocity: Vec2,
@@ -267,7 +278,7 @@ impl Exchange {
         let (layout, close) = (map.layout, close * inflow.spacing);
         for y in layout.points(row, inflow.spacing) {
             let place = Vec2::new(x, layout.bottom + (y as f32 + 0.5) * inflow.spacing);
-            if self.room(place) > close * close {
+            if self.room(place) > close * close && inflow.is_free(place) {
                 self.add(map.cell(cell), gas, inflow, place, velocity);
             }
         }
@@ -279,7 +290,7 @@ impl Exchange {
         &mut self,
         map: &mut Map,
         gas: &mut Gas,
-        inflow: &Inflow,
+        inflow: &Inflow<'_>,
         cell: usize,
         corner: Vec2,
         velocity: Vec2,
@@ -295,7 +306,7 @@ impl Exchange {
                 let (x, y) = ((index % PLACES) as f32, (index / PLACES) as f32);
                 let place = corner + Vec2::new(x + 0.5, y + 0.5) * step;
                 let here = self.room(place);
-                if here > room {
+                if here > room && inflow.is_free(place) {
                     (freest, room) = (Some(place), here);
                 }
             }

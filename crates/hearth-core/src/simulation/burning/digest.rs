@@ -1,6 +1,6 @@
 //! A digest of the physics of a fire.
 
-use crate::params::{Parameters, Role, Value};
+use crate::params::{Param, Parameters, Role, SOLID, Value};
 use crate::scene::Scene;
 
 /// A hash of all values that affect the gas. Values at their default are not hashed, so that a
@@ -10,18 +10,29 @@ pub fn digest(scene: &Scene) -> u64 {
     let model = scene.settings().model().name();
     let start = fnv(0xcbf2_9ce4_8422_2325, model.as_bytes());
     let mut hash = with_values(start, scene.settings());
-    if scene.objects().len() != 1 {
+    if scene.sources().count() != 1 {
         hash = fnv(hash, b"objects");
         for values in scene.sources() {
             hash = with_values(fnv(hash, b"source"), values);
         }
     }
+    for solid in scene.solids() {
+        let changed = SOLID.iter().filter_map(|param| {
+            let value = solid.get(param)?;
+            (value != param.domains[0].default).then_some((param, value))
+        });
+        hash = with_changed(fnv(hash, b"solid"), changed);
+    }
     hash
 }
 
 /// Continues a hash with these values.
-fn with_values(mut hash: u64, parameters: &Parameters) -> u64 {
-    for (param, value) in parameters.changed() {
+fn with_values(hash: u64, parameters: &Parameters) -> u64 {
+    with_changed(hash, parameters.changed())
+}
+
+fn with_changed(mut hash: u64, changed: impl Iterator<Item = (&'static Param, Value)>) -> u64 {
+    for (param, value) in changed {
         let resampled = ["seed", "max_particles", "spacing"].contains(&param.id);
         if param.role != Role::Physics || resampled {
             continue;

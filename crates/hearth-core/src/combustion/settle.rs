@@ -1,0 +1,65 @@
+//! Gas that a moved solid finds in its place.
+//!
+//! Gas within a spacing of the surface moves to the surface. Gas deeper inside is removed, with
+//! its mass and heat: burning gas appears nowhere else.
+
+use super::Combustion;
+use super::chemistry::HEAT_CAPACITY;
+use super::walls::MIN_DISTANCE;
+use crate::params::Physics;
+
+/// Smallest distance of a lattice from solids, in spacings: pushed to the surface, its particles
+/// would crowd there.
+const FREE: f32 = 0.4;
+
+/// The gas that solids have taken the place of.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Removed {
+    /// Number of particles.
+    pub particles: u64,
+    /// Their mass [kg/m].
+    pub mass: f64,
+    /// Their heat, relative to air [kJ/m].
+    pub heat: f64,
+}
+
+impl Combustion {
+    /// Removes the gas of a new lattice that is in solids, or too near. It is not counted.
+    pub(super) fn settle_lattice(&mut self, values: &Physics) {
+        let removed = self.removed;
+        self.settle(values, -FREE * values.spacing());
+        self.removed = removed;
+    }
+
+    /// Moves the gas up to this `depth` in solids out of them \[m\], and removes the rest.
+    // Inlined into its callers, its code would be in each of them.
+    #[inline(never)]
+    pub(super) fn settle(&mut self, values: &Physics, depth: f32) {
+        if self.solids.is_empty() {
+            return;
+        }
+        let gas = &mut self.gas;
+        let floor = self.open.as_ref().is_some_and(|open| open.has_floor());
+        let gap = MIN_DISTANCE * values.spacing();
+        let mut i = 0;
+        while i < gas.len() {
+            if let Some(place) = self.solids.outside(gas.position[i], gap, depth, floor) {
+                gas.position[i] = place;
+                i += 1;
+                continue;
+            }
+            let warmer = gas.state[i].x - values.ambient_temperature;
+            self.removed.particles += 1;
+            self.removed.mass += f64::from(gas.mass);
+            self.removed.heat += f64::from(gas.mass * HEAT_CAPACITY * warmer);
+            gas.missing += 1;
+            gas.remove(i);
+        }
+        if self.open.is_none() {
+            let bounds = self.present_bounds(values);
+            for position in &mut self.gas.position {
+                *position = bounds.wrap(*position);
+            }
+        }
+    }
+}

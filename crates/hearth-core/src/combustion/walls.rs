@@ -1,0 +1,378 @@
+//! Walls: the surfaces of solids, and a floor at y = 0. For a particle near one, the wall is a
+//! half space of gas at the pressure of the particle.
+//!
+//! The kernel is integrated over the half space in advance, so a wall needs no particles
+//! (Adami, Hu & Adams 2012 without gravity; Kulasegaram et al. 2004 and Chiron, De Leffe et al.
+//! 2019 for the integrals). With the distance d, the normal n, the velocity v relative to the
+//! wall, W₁ = −dΓ/dd and K = ∫ |W'|/r over the half space:
+//!
+//! ```text
+//! Y += ρ₀ Γ     ∇C −= W₁ n     a += (2 V p/m) W₁ n − 2 (ν + C_s² h |v|) K v
+//!                                   − ½ α c₀ h K min(v·n, 0) n
+//! dT/dt += 2 (D + C_s² h |v|) K (T_wall − T)     where the wall has a fixed temperature
+//! ```
+//!
+//! Walls add up. Pairs of particles whose connection crosses a thin solid do not interact.
+
+use glam::Vec2;
+
+use super::gas::Gas;
+use super::pair::Context;
+use crate::extremes::{fast_max, fast_min};
+use crate::grid::Grid;
+use crate::kernel::Kernel;
+use crate::scene::RoundedBox;
+use crate::solids::Solids;
+
+/// Intervals of the tables, over distances of 0 to 2 smoothing lengths.
+const INTERVALS: usize = 16;
+/// Share of the kernel beyond a plane.
+#[rustfmt::skip]
+const GAMMA: [f32; INTERVALS + 1] = [
+    0.5, 0.415348, 0.334237, 0.259741, 0.194203, 0.139095, 0.094968, 0.0614666, 0.0374416,
+    0.0211944, 0.0109125, 0.00494094, 0.00185882, 0.000522305, 8.62669e-5, 3.8974e-6, 0.0,
+];
+/// W₁ h.
+#[rustfmt::skip]
+const SLOPE: [f32; INTERVALS + 1] = [
+    0.682093, 0.667555, 0.626086, 0.562704, 0.483933, 0.397052, 0.309472, 0.228114, 0.158623,
+    0.103778, 0.0629497, 0.0344969, 0.0163462, 0.00616586, 0.00153708, 0.000139756, 0.0,
+];
+/// K h².
+#[rustfmt::skip]
+const FRICTION: [f32; INTERVALS + 1] = [
+    1.42857, 1.19476, 0.972719, 0.769194, 0.588562, 0.433613, 0.305807, 0.205329, 0.130929,
+    0.0791149, 0.0446033, 0.0228398, 0.0101591, 0.00361149, 0.000851411, 7.34095e-5, 0.0,
+];
+
+/// Smallest distance of a particle from a wall, in spacings.
+pub(super) const MIN_DISTANCE: f32 = 0.15;
+/// The floor, in place of the index of a solid.
+const FLOOR: u32 = u32::MAX;
+/// The end of a list.
+const NONE: u32 = u32::MAX;
+/// Attempts to find a place between walls.
+const ATTEMPTS: u32 = 3;
+/// The part of a rounded corner that hides the particles behind it, in radii.
+const OPAQUE: f32 = 0.7;
+
+/// A particle near a wall.
+#[derive(Clone, Copy, Debug)]
+struct Near {
+    index: u32,
+    /// The index of the solid, or [`FLOOR`].
+    solid: u32,
+    /// The next entry of the same particle at a thin solid.
+    next: u32,
+    /// Distance \[m\].
+    distance: f32,
+    normal: Vec2,
+    /// Γ.
+    gamma: f32,
+    /// W₁ [1/m].
+    slope: f32,
+    /// K [1/m²].
+    friction: f32,
+    /// Position \[m\].
+    from: Vec2,
+}
+
+/// The particles near walls.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Walls {
+    near: Vec<Near>,
+    /// The first entry of each particle at a thin solid; empty if there is none.
+    thin: Vec<u32>,
+}
+
+impl Walls {
+    /// Makes room for so many particles near walls.
+    pub fn reserve(&mut self, count: usize) {
+        super::gas::make_room(&mut self.near, count);
+        super::gas::make_room(&mut self.thin, count);
+    }
+
+    /// Finds the particles near walls. The order of the gas must not change until they are
+    /// used.
+    pub fn find(&mut self, gas: &Gas, grid: &Grid, solids: &Solids, floor: bool, kernel: &Kernel) {
+        let support = kernel.support();
+        self.near.clear();
+        self.thin.clear();
+        if floor {
+            for (index, &position) in gas.position.iter().enumerate() {
+                if position.y < support {
+                    let at = (position, position.y, Vec2::Y);
+                    self.near.push(Near::new(index, FLOOR, at, kernel));
+                }
+            }
+        }
+        for (number, body) in (0..).zip(&solids.bodies) {
+            let is_thin = thickness(&body.shape) < support;
+            let reach = Vec2::splat(body.reach + support);
+            let (low, high) = (body.shape.centre - reach, body.shape.centre + reach);
+            for row in grid.rows_between(low.y, high.y) {
+                for index in grid.particles_between(row, low.x, high.x) {
+                    let position = gas.position[index];
+                    if !body.may_touch(position, support) {
+                        continue;
+                    }
+                    let (distance, normal) = body.shape.distance(position);
+                    if distance < support {
+                        let at = (position, distance, normal);
+                        let mut near = Near::new(index, number, at, kernel);
+                        if is_thin {
+                            near.next = self.link(gas.len(), index);
+                        }
+                        self.near.push(near);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Makes the next entry the first of a particle at thin solids. Returns the one before.
+    fn link(&mut self, particles: usize, index: usize) -> u32 {
+        if self.thin.is_empty() {
+            self.thin.resize(particles, NONE);
+        }
+        std::mem::replace(&mut self.thin[index], self.near.len() as u32)
+    }
+
+    /// Whether any particle is near a thin solid.
+    pub fn any_thin(&self) -> bool {
+        !self.thin.is_empty()
+    }
+
+    /// The thin solids near a particle, if there are any: normal, distance and index.
+    pub fn thin_near(&self, index: usize) -> impl Iterator<Item = (Vec2, f32, u32)> {
+        let mut entry = self.thin.get(index).copied().unwrap_or(NONE);
+        std::iter::from_fn(move || {
+            let near = self.near.get(entry as usize)?;
+            entry = near.next;
+            Some((near.normal, near.distance, near.solid))
+        })
+    }
+
+    /// Sum of Γ over all particles.
+    pub fn gamma(&self) -> f64 {
+        self.near.iter().map(|near| f64::from(near.gamma)).sum()
+    }
+
+    /// Adds the gas in the walls to the number densities.
+    pub fn add_number_density(&self, gas: &mut Gas, air_density: f32) {
+        for near in &self.near {
+            gas.number_density[near.index as usize] += air_density * near.gamma;
+        }
+    }
+
+    /// Adds the pressure, friction and heat of the walls to the rates of the gas.
+    pub fn resist(&self, gas: &mut Gas, solids: &Solids, context: &Context) {
+        let Context {
+            kernel,
+            values,
+            sound,
+            mass,
+        } = *context;
+        let h = kernel.smoothing_length();
+        let eddy = values.eddy_viscosity * values.eddy_viscosity * h;
+        let damping = 0.5 * values.artificial_viscosity * sound * h;
+        for near in &self.near {
+            let (i, normal) = (near.index as usize, near.normal);
+            let body = solids.bodies.get(near.solid as usize);
+            let wall = body.map_or(Vec2::ZERO, |body| body.velocity_at(near.from));
+            let velocity = gas.velocity[i] - wall;
+            let mixed = eddy * velocity.length();
+            let viscosity = values.kinematic_viscosity + mixed;
+            let inward = fast_min(velocity.dot(normal), 0.0);
+            let pressed = 2.0 * gas.volume[i] / mass * gas.pressure[i] * near.slope;
+            let acceleration = &mut gas.acceleration[i];
+            *acceleration -= velocity * (2.0 * viscosity * near.friction);
+            *acceleration += normal * (pressed - damping * near.friction * inward);
+            gas.concentration_gradient[i] -= normal * near.slope;
+            if let Some(temperature) = body.and_then(|body| body.temperature) {
+                let exchanged = 2.0 * (values.diffusion + mixed) * near.friction;
+                gas.change[i].x += exchanged * (temperature - gas.state[i].x);
+            }
+        }
+    }
+
+    /// Keeps the gas outside of the walls. A particle without a place between them stays where
+    /// it was.
+    pub fn hold(&self, gas: &mut Gas, solids: &Solids, spacing: f32) {
+        let gap = MIN_DISTANCE * spacing;
+        for _ in 0..ATTEMPTS {
+            let mut held = false;
+            for near in &self.near {
+                held |= near.hold(gas, solids, gap);
+            }
+            if !held {
+                return;
+            }
+        }
+        for near in &self.near {
+            let i = near.index as usize;
+            let moved = gas.position[i];
+            let body = solids.bodies.get(near.solid as usize);
+            if body.map_or(moved.y, |body| body.shape.distance(moved).0) < 0.5 * gap {
+                gas.position[i] = near.from;
+            }
+        }
+    }
+}
+
+impl Near {
+    fn new(
+        index: usize,
+        solid: u32,
+        (from, distance, normal): (Vec2, f32, Vec2),
+        kernel: &Kernel,
+    ) -> Near {
+        let h = kernel.smoothing_length();
+        let at = fast_max(distance, 0.0) * (INTERVALS as f32 / kernel.support());
+        let interval = (at as usize).min(INTERVALS - 1);
+        let part = at - interval as f32;
+        let value = |table: &[f32; INTERVALS + 1]| {
+            table[interval] + (table[interval + 1] - table[interval]) * part
+        };
+        Near {
+            index: index as u32,
+            solid,
+            next: NONE,
+            distance,
+            normal,
+            gamma: value(&GAMMA),
+            slope: value(&SLOPE) / h,
+            friction: value(&FRICTION) / (h * h),
+            from,
+        }
+    }
+
+    /// Moves the particle out of the wall, and stops its motion into the wall. Returns whether
+    /// it was nearer than the gap.
+    #[inline]
+    fn hold(&self, gas: &mut Gas, solids: &Solids, gap: f32) -> bool {
+        let i = self.index as usize;
+        let position = gas.position[i];
+        let Some(body) = solids.bodies.get(self.solid as usize) else {
+            let inside = position.y < gap;
+            if inside {
+                gas.position[i].y = gap;
+                gas.velocity[i].y = fast_max(gas.velocity[i].y, 0.0);
+            }
+            return inside;
+        };
+        let (distance, normal) = body.shape.distance(position);
+        // With a tolerance for rounding, so that a particle at the gap is not held again.
+        let inside = distance < 0.9 * gap;
+        if distance < gap {
+            gas.position[i] += normal * (gap - distance);
+            let wall = body.velocity_at(position);
+            let inward = fast_min((gas.velocity[i] - wall).dot(normal), 0.0);
+            gas.velocity[i] -= normal * inward;
+        }
+        inside
+    }
+}
+
+/// Smallest width of a solid.
+fn thickness(shape: &RoundedBox) -> f32 {
+    2.0 * (shape.half.min_element() + shape.radius)
+}
+
+/// Whether the line between two points crosses a solid.
+pub(super) fn crosses(solids: &Solids, solid: u32, one: Vec2, other: Vec2) -> bool {
+    let body = solids.bodies.get(solid as usize);
+    body.is_some_and(|body| crosses_shape(&body.shape, one, other))
+}
+
+fn crosses_shape(shape: &RoundedBox, one: Vec2, other: Vec2) -> bool {
+    let local = |at: Vec2| {
+        let from = at - shape.centre;
+        [shape.axis.dot(from), shape.axis.perp_dot(from)]
+    };
+    let (from, to) = (local(one), local(other));
+    let half = (shape.half + OPAQUE * shape.radius).to_array();
+    let (mut enter, mut leave) = (0.0, 1.0);
+    for k in 0..2 {
+        let path = to[k] - from[k];
+        if path.abs() < 1e-9 {
+            if from[k].abs() >= half[k] {
+                return false;
+            }
+            continue;
+        }
+        let ends = [(-half[k] - from[k]) / path, (half[k] - from[k]) / path];
+        enter = fast_max(fast_min(ends[0], ends[1]), enter);
+        leave = fast_min(fast_max(ends[0], ends[1]), leave);
+    }
+    enter < leave
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The integral of `f` of the distance, over the half space beyond `d`.
+    fn integral(f: impl Fn(f64) -> f64, d: f64) -> f64 {
+        const N: u32 = 400;
+        let step = 2.0 / f64::from(N);
+        let at = |i: u32| (f64::from(i) + 0.5) * step;
+        let beyond = (0..N).map(at).map(|e| d + e);
+        beyond
+            .map(|e| {
+                (0..N)
+                    .map(|j| 2.0 * f(e.hypot(at(j))) * step * step)
+                    .sum::<f64>()
+            })
+            .sum()
+    }
+
+    #[test]
+    fn a_plate_is_between_the_particles_on_its_two_sides() {
+        let plate = RoundedBox {
+            centre: Vec2::new(1.0, 0.0),
+            axis: Vec2::Y,
+            half: Vec2::new(0.5, 0.0),
+            radius: 0.01,
+        };
+        let left = Vec2::new(0.97, 0.1);
+        assert!(crosses_shape(&plate, left, Vec2::new(1.08, 0.3)));
+        assert!(!crosses_shape(&plate, left, Vec2::new(0.95, 0.3)));
+        // Around its end.
+        assert!(!crosses_shape(
+            &plate,
+            Vec2::new(0.97, 0.5),
+            Vec2::new(1.03, 0.55)
+        ));
+        assert!(crosses_shape(
+            &plate,
+            Vec2::new(0.97, 0.47),
+            Vec2::new(1.03, 0.51)
+        ));
+    }
+
+    #[test]
+    fn the_tables_are_the_integrals_of_the_kernel() {
+        let kernel = Kernel::new(1.0);
+        let w = |r: f64| f64::from(kernel.value(r as f32));
+        let steepness = |r: f64| -f64::from(kernel.gradient_over_r(r as f32));
+        for interval in [0, 2, 4, 7, 12, 16] {
+            let d = 2.0 * interval as f64 / INTERVALS as f64;
+            let gamma = integral(w, d);
+            assert!(
+                (gamma - f64::from(GAMMA[interval])).abs() < 2e-3,
+                "Γ({d}) = {gamma}"
+            );
+            let slope = (integral(w, d) - integral(w, d + 1e-3)) / 1e-3;
+            assert!(
+                (slope - f64::from(SLOPE[interval])).abs() < 5e-3,
+                "W₁({d}) = {slope}"
+            );
+            let friction = integral(steepness, d);
+            assert!(
+                (friction - f64::from(FRICTION[interval])).abs() < 1e-2,
+                "K({d}) = {friction}"
+            );
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! The signed distance to a solid.
+
+use glam::Vec2;
+
+use crate::extremes::{fast_max, fast_min};
+use crate::params::{Shape, Solid};
+
+/// A solid as a rounded box: each shape is one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct RoundedBox {
+    /// Centre \[m\].
+    pub centre: Vec2,
+    /// Direction of its width.
+    pub axis: Vec2,
+    /// Half of the size of the box that the radius surrounds \[m\].
+    pub half: Vec2,
+    /// Radius of the corners \[m\].
+    pub radius: f32,
+}
+
+impl RoundedBox {
+    /// The distance of a point from the surface \[m\], negative inside, and the unit normal
+    /// there, outward.
+    #[inline]
+    pub fn distance(&self, point: Vec2) -> (f32, Vec2) {
+        let from = point - self.centre;
+        let local = Vec2::new(self.axis.dot(from), self.axis.perp_dot(from));
+        let sign = Vec2::new(sign(local.x), sign(local.y));
+        // Beyond the inner box, the distance is that from its corner or edge.
+        let beyond = local * sign - self.half;
+        let (distance, normal) = if beyond.x > 0.0 && beyond.y > 0.0 {
+            let length = beyond.length();
+            (length, beyond / length)
+        } else if beyond.x > beyond.y {
+            (beyond.x, Vec2::X)
+        } else {
+            (beyond.y, Vec2::Y)
+        };
+        let normal = normal * sign;
+        let normal = self.axis * normal.x + self.axis.perp() * normal.y;
+        (distance - self.radius, normal)
+    }
+
+    /// Radius of the circle around the centre that contains it \[m\].
+    pub fn reach(&self) -> f32 {
+        self.half.length() + self.radius
+    }
+}
+
+fn sign(x: f32) -> f32 {
+    if x < 0.0 { -1.0 } else { 1.0 }
+}
+
+impl Solid {
+    /// The solid as a rounded box.
+    pub(crate) fn rounded_box(&self) -> RoundedBox {
+        let size = 0.5 * Vec2::new(self.width, self.height);
+        let radius = match self.shape {
+            Shape::Circle => size.x,
+            Shape::Box => fast_min(self.corner, fast_min(size.x, size.y)),
+            Shape::Line => size.y,
+        };
+        let half = match self.shape {
+            Shape::Circle => Vec2::ZERO,
+            Shape::Box => size - radius,
+            // Its length does not include the round ends.
+            Shape::Line => Vec2::new(fast_max(size.x, 0.0), 0.0),
+        };
+        let angle = self.angle.to_radians();
+        RoundedBox {
+            centre: Vec2::new(self.x, self.y),
+            axis: match self.shape {
+                Shape::Circle => Vec2::X,
+                _ => Vec2::new(libm::cosf(angle), libm::sinf(angle)),
+            },
+            half,
+            radius,
+        }
+    }
+
+    /// The distance of a point from the surface \[m\], positive outside, and the unit normal
+    /// there, outward.
+    pub fn distance(&self, point: Vec2) -> (f32, Vec2) {
+        self.rounded_box().distance(point)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn close(one: (f32, Vec2), distance: f32, normal: Vec2) {
+        assert!((one.0 - distance).abs() < 1e-5, "{one:?}");
+        assert!((one.1 - normal).length() < 1e-5, "{one:?}");
+    }
+
+    #[test]
+    fn a_circle_has_its_diameter() {
+        let circle = Solid {
+            x: 1.0,
+            y: 2.0,
+            width: 0.4,
+            ..Solid::default()
+        };
+        close(circle.distance(Vec2::new(1.5, 2.0)), 0.3, Vec2::X);
+        close(circle.distance(Vec2::new(1.0, 1.9)), -0.1, -Vec2::Y);
+        let at_centre = circle.distance(Vec2::new(1.0, 2.0));
+        assert!((at_centre.0 + 0.2).abs() < 1e-6 && at_centre.1.is_normalized());
+    }
+
+    #[test]
+    fn a_turned_box_has_round_corners() {
+        let solid = Solid {
+            shape: Shape::Box,
+            y: 0.0,
+            width: 0.6,
+            height: 0.2,
+            corner: 0.05,
+            angle: 90.0,
+            ..Solid::default()
+        };
+        close(solid.distance(Vec2::new(0.0, 0.5)), 0.2, Vec2::Y);
+        close(solid.distance(Vec2::new(-0.3, 0.1)), 0.2, -Vec2::X);
+        close(solid.distance(Vec2::new(0.02, 0.0)), -0.08, Vec2::X);
+        let corner = Vec2::new(0.05, -0.25);
+        let diagonal = Vec2::new(1.0, -1.0).normalize();
+        close(solid.distance(corner + 0.2 * diagonal), 0.15, diagonal);
+    }
+
+    #[test]
+    fn a_line_has_round_ends_beyond_its_length() {
+        let line = Solid {
+            shape: Shape::Line,
+            y: 0.0,
+            width: 0.4,
+            height: 0.1,
+            ..Solid::default()
+        };
+        close(line.distance(Vec2::new(0.1, -0.2)), 0.15, -Vec2::Y);
+        close(line.distance(Vec2::new(0.4, 0.0)), 0.15, Vec2::X);
+        let up = Vec2::new(3.0, 4.0) / 5.0;
+        close(line.distance(Vec2::new(0.2, 0.0) + 0.3 * up), 0.25, up);
+    }
+
+    #[test]
+    fn every_distance_is_that_of_the_nearest_point_of_the_surface() {
+        for shape in [Shape::Circle, Shape::Box, Shape::Line] {
+            let solid = Solid {
+                shape,
+                width: 0.5,
+                height: 0.2,
+                corner: 0.07,
+                angle: 30.0,
+                ..Solid::default()
+            };
+            for index in 0..400 {
+                let place = Vec2::new((index % 20) as f32, (index / 20) as f32) * 0.05;
+                let point = place + Vec2::new(-0.51, 0.01);
+                let (distance, normal) = solid.distance(point);
+                // Inside, the nearest point of a rounded box may be on another side.
+                if distance > 0.0 {
+                    let (rest, _) = solid.distance(point - normal * distance);
+                    assert!(rest.abs() < 1e-5, "{shape:?} at {point}: {rest}");
+                }
+                assert!(normal.is_normalized());
+            }
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! The values of an object, stored and as callers read them.
+
+use super::kinds::{KINDS, Kind, Property};
+use crate::params::{Input, Model, Param, ParamError, Parameters, Solid, Value};
+
+/// The values of an object.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Values {
+    /// The first source, whose properties are in the scene's settings.
+    FirstSource,
+    /// Another source: the settings with its properties.
+    Source(Box<Parameters>),
+    /// A solid.
+    Solid(Box<Solid>),
+}
+
+impl Values {
+    /// Its kind.
+    pub fn kind(&self) -> &'static Kind {
+        match self {
+            Values::FirstSource | Values::Source(_) => &KINDS[0],
+            Values::Solid(_) => &KINDS[1],
+        }
+    }
+
+    /// The settings of a source.
+    pub fn of_source<'a>(&'a self, settings: &'a Parameters) -> Option<&'a Parameters> {
+        match self {
+            Values::FirstSource => Some(settings),
+            Values::Source(values) => Some(values),
+            Values::Solid(_) => None,
+        }
+    }
+
+    /// The solid.
+    pub fn of_solid(&self) -> Option<&Solid> {
+        match self {
+            Values::Solid(solid) => Some(solid),
+            _ => None,
+        }
+    }
+
+    /// Writes a property, of the first source to `settings`.
+    pub fn set(
+        &mut self,
+        property: &Property,
+        input: Input<'_>,
+        settings: &mut Parameters,
+    ) -> Result<(), ParamError> {
+        match self {
+            Values::FirstSource => settings.set(property.id, input),
+            Values::Source(values) => values.set(property.id, input),
+            Values::Solid(solid) => {
+                if let Some(entry) = property.entry() {
+                    let value = entry.check(settings.model(), input)?;
+                    solid.put(entry, value);
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+/// An object of a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Object<'a> {
+    /// Its id.
+    pub id: u32,
+    /// Its kind.
+    pub kind: &'static Kind,
+    values: &'a Values,
+    settings: &'a Parameters,
+}
+
+impl<'a> Object<'a> {
+    pub(super) fn new(id: u32, values: &'a Values, settings: &'a Parameters) -> Object<'a> {
+        Object {
+            id,
+            kind: values.kind(),
+            values,
+            settings,
+        }
+    }
+
+    /// Whether it is the source whose properties are parameters of the settings.
+    pub fn is_first_source(&self) -> bool {
+        matches!(self.values, Values::FirstSource)
+    }
+
+    /// The present model, which decides the properties in use.
+    pub fn model(&self) -> Model {
+        self.settings.model()
+    }
+
+    /// The settings with the properties of this source; `None` for another kind.
+    pub fn source(&self) -> Option<&'a Parameters> {
+        self.values.of_source(self.settings)
+    }
+
+    /// This solid; `None` for another kind.
+    pub fn solid(&self) -> Option<&'a Solid> {
+        self.values.of_solid()
+    }
+
+    /// The properties that the present model uses: name, entry and value.
+    pub fn properties(self) -> impl Iterator<Item = (&'static str, &'static Param, Value)> {
+        let all = self.kind.properties.iter();
+        all.filter_map(move |property| {
+            let param = property.param(self.model())?;
+            let value = match self.values {
+                Values::Solid(solid) => solid.get(param)?,
+                _ => param.get(self.source()?),
+            };
+            Some((property.name, param, value))
+        })
+    }
+}

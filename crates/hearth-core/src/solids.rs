@@ -1,0 +1,283 @@
+//! The solids of a scene as the solvers meet them: shapes that move as a caller moves them.
+//!
+//! A caller moves a solid by new values, so its position jumps. Gas next to it gets the velocity
+//! of that motion for as long as the motion took: the time since the change before, at most
+//! [`LONGEST_MOTION`].
+
+use std::f32::consts::PI;
+
+use glam::Vec2;
+
+use crate::bounds::Bounds;
+use crate::extremes::{fast_max, fast_min};
+use crate::params::Thermal;
+use crate::scene::{RoundedBox, Scene};
+
+/// Longest and shortest time of a motion \[s\].
+const LONGEST_MOTION: f32 = 1.0 / 30.0;
+const SHORTEST_MOTION: f32 = 1e-3;
+/// Largest speed of a surface for the gas [m/s].
+const MAX_SPEED: f32 = 3.0;
+/// Attempts to find a place outside of solids that touch.
+const ATTEMPTS: u32 = 6;
+/// Tolerance for rounding in the distance from a surface.
+const ROUNDING: f32 = 0.9;
+
+/// A solid, or its image beyond a periodic edge.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Body {
+    id: u32,
+    /// Its place without the period of an image \[m\], and its angle \[rad\].
+    centre: Vec2,
+    angle: f32,
+    pub shape: RoundedBox,
+    /// Radius of the circle around the centre that contains it \[m\].
+    pub reach: f32,
+    /// Temperature of the surface \[K\]; `None` if no heat passes.
+    pub temperature: Option<f32>,
+    /// Velocity [m/s] and angular velocity [1/s] of the last motion.
+    velocity: Vec2,
+    spin: f32,
+    /// Time that is left of the motion, and time since its begin \[s\].
+    left: f32,
+    since: f32,
+}
+
+impl Body {
+    /// The velocity of its surface at a position [m/s].
+    #[inline]
+    pub fn velocity_at(&self, position: Vec2) -> Vec2 {
+        let turning = (position - self.shape.centre).perp() * self.spin;
+        (self.velocity + turning).clamp_length_max(MAX_SPEED)
+    }
+
+    /// Whether a position may be nearer to it than this.
+    #[inline]
+    pub fn may_touch(&self, position: Vec2, distance: f32) -> bool {
+        let reach = self.reach + distance;
+        position.distance_squared(self.shape.centre) < reach * reach
+    }
+}
+
+/// All solids.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Solids {
+    pub bodies: Vec<Body>,
+}
+
+impl Solids {
+    /// The solids of a scene at rest.
+    pub fn of(scene: &Scene, bounds: &Bounds, near: f32) -> Solids {
+        let mut solids = Solids::default();
+        solids.update(scene, bounds, near);
+        solids
+    }
+
+    /// Moves the solids to where they are in a scene. Those within `near` of a periodic edge get
+    /// images beyond it.
+    // Inlined into its callers, its code would be in each of them.
+    #[inline(never)]
+    pub fn update(&mut self, scene: &Scene, bounds: &Bounds, near: f32) {
+        let old = std::mem::take(&mut self.bodies);
+        for (id, solid) in scene.solids_by_id() {
+            let shape = solid.rounded_box();
+            let mut body = Body {
+                id,
+                centre: shape.centre,
+                angle: solid.angle.to_radians(),
+                shape,
+                reach: shape.reach(),
+                temperature: (solid.thermal == Thermal::Fixed).then_some(solid.temperature),
+                velocity: Vec2::ZERO,
+                spin: 0.0,
+                left: 0.0,
+                since: LONGEST_MOTION,
+            };
+            if let Some(before) = old.iter().find(|one| one.id == id) {
+                body.move_from(before);
+            }
+            self.place(body, bounds, near);
+        }
+    }
+
+    /// Adds a body and its images.
+    fn place(&mut self, body: Body, bounds: &Bounds, near: f32) {
+        let reach = body.reach + near;
+        let is_inside = |at: Vec2| {
+            let low = Vec2::new(-0.5 * bounds.width, bounds.bottom) - reach;
+            let high = low + Vec2::new(bounds.width, bounds.height) + 2.0 * reach;
+            at.cmpgt(low).all() && at.cmplt(high).all()
+        };
+        let centre = body.centre;
+        self.bodies.push(body.clone());
+        if !is_inside(centre) {
+            return;
+        }
+        let turns = |periodic: bool| if periodic { -1..=1 } else { 0..=0 };
+        for row in turns(bounds.periodic_y) {
+            for column in turns(bounds.periodic_x) {
+                let period = Vec2::new(bounds.width, bounds.height);
+                let image = centre + Vec2::new(column as f32, row as f32) * period;
+                if (column, row) != (0, 0) && is_inside(image) {
+                    let mut body = body.clone();
+                    body.shape.centre = image;
+                    self.bodies.push(body);
+                }
+            }
+        }
+    }
+
+    /// Lets time pass: motions end.
+    pub fn pass(&mut self, dt: f32) {
+        for body in &mut self.bodies {
+            body.since += dt;
+            body.left -= dt;
+            if body.left <= 0.0 {
+                (body.velocity, body.spin) = (Vec2::ZERO, 0.0);
+            }
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.bodies.is_empty()
+    }
+
+    /// Whether a position is nearer to a solid than this, or inside.
+    pub fn touch(&self, position: Vec2, distance: f32) -> bool {
+        let mut near = self.bodies.iter();
+        near.any(|body| {
+            body.may_touch(position, distance) && body.shape.distance(position).0 < distance
+        })
+    }
+
+    /// The place nearest to a position with this `gap` to every solid and, on a floor, to that;
+    /// `None` for a position deeper than `depth` in a solid or, with a negative one, nearer than
+    /// that, and where solids leave no place.
+    pub fn outside(&self, position: Vec2, gap: f32, depth: f32, floor: bool) -> Option<Vec2> {
+        let mut place = position;
+        for _ in 0..ATTEMPTS {
+            let before = place;
+            for body in &self.bodies {
+                if body.may_touch(place, fast_max(gap, -depth)) {
+                    let (distance, normal) = body.shape.distance(place);
+                    if distance < -depth {
+                        return None;
+                    }
+                    if distance < ROUNDING * gap {
+                        place += normal * (gap - distance);
+                    }
+                }
+            }
+            if floor && place.y < ROUNDING * gap {
+                place.y = gap;
+            }
+            if place == before {
+                return Some(place);
+            }
+        }
+        None
+    }
+}
+
+impl Body {
+    /// Continues from the same solid before a change.
+    fn move_from(&mut self, before: &Body) {
+        let path = self.centre - before.centre;
+        let turn = self.angle - before.angle;
+        // The shorter way round.
+        let turn = turn - 2.0 * PI * (turn / (2.0 * PI) + 0.5).floor();
+        (self.velocity, self.spin) = (before.velocity, before.spin);
+        (self.left, self.since) = (before.left, before.since);
+        if path == Vec2::ZERO && turn == 0.0 {
+            return;
+        }
+        if self.since > 0.0 {
+            // Another motion begins.
+            let span = fast_min(fast_max(self.since, SHORTEST_MOTION), LONGEST_MOTION);
+            (self.velocity, self.spin) = (Vec2::ZERO, 0.0);
+            (self.left, self.since) = (span, 0.0);
+        }
+        self.velocity += path / self.left;
+        self.spin += turn / self.left;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::Input;
+
+    const BOX: Bounds = Bounds {
+        bottom: 0.0,
+        width: 2.0,
+        height: 2.0,
+        periodic_x: true,
+        periodic_y: true,
+    };
+
+    fn scene(x: f64) -> Scene {
+        let mut scene = Scene::default();
+        let fields = [
+            ("kind", Input::Text("solid")),
+            ("x", Input::Number(x)),
+            ("y", Input::Number(1.0)),
+        ];
+        assert_eq!(scene.add(&fields), Ok(2));
+        scene
+    }
+
+    #[test]
+    fn a_motion_has_the_speed_of_its_path_over_its_time_and_ends() {
+        let mut solids = Solids::of(&scene(0.0), &BOX, 0.1);
+        let velocity = |solids: &Solids| solids.bodies[0].velocity_at(Vec2::ZERO);
+        for frame in 1..4 {
+            for _ in 0..4 {
+                solids.pass(0.005);
+            }
+            solids.update(&scene(0.01 * f64::from(frame)), &BOX, 0.1);
+            // The solid was at rest before, for an unknown time.
+            let speed = if frame == 1 {
+                0.01 / LONGEST_MOTION
+            } else {
+                0.5
+            };
+            assert!((velocity(&solids) - Vec2::new(speed, 0.0)).length() < 1e-3);
+        }
+        solids.pass(0.019);
+        assert!(velocity(&solids).x > 0.4);
+        solids.pass(0.002);
+        assert_eq!(velocity(&solids), Vec2::ZERO);
+        solids.update(&scene(0.9), &BOX, 0.1);
+        assert!((velocity(&solids).x - MAX_SPEED).abs() < 1e-5);
+    }
+
+    #[test]
+    fn a_solid_at_a_periodic_edge_has_an_image() {
+        assert_eq!(Solids::of(&scene(0.0), &BOX, 0.1).bodies.len(), 1);
+        let solids = Solids::of(&scene(0.95), &BOX, 0.1);
+        assert_eq!(solids.bodies.len(), 2);
+        assert!(solids.touch(Vec2::new(-0.99, 1.0), 0.0));
+        // One far outside has none.
+        assert_eq!(Solids::of(&scene(2.0), &BOX, 0.1).bodies.len(), 1);
+    }
+
+    #[test]
+    fn a_place_outside_keeps_the_gap_to_all_solids() {
+        let mut scene = scene(0.0);
+        let fields = [
+            ("kind", Input::Text("solid")),
+            ("x", Input::Number(0.15)),
+            ("y", Input::Number(1.0)),
+        ];
+        assert_eq!(scene.add(&fields), Ok(3));
+        let solids = Solids::of(&scene, &BOX, 0.1);
+        let place = solids.outside(Vec2::new(0.075, 1.05), 0.01, 0.1, false);
+        assert!(
+            place.is_some_and(|place| !solids.touch(place, 0.008)),
+            "{place:?}"
+        );
+        let deep = solids.outside(Vec2::new(0.0, 1.0), 0.01, 0.05, false);
+        assert_eq!(deep, None);
+    }
+}

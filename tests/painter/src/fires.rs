@@ -8,7 +8,7 @@ use hearth_core::preset::{PRESETS, Preset};
 
 use crate::snapshot::Snapshot;
 
-/// Most particles of the combustion model: as many as on most machines.
+/// Most particles in the frame of the combustion model: as many as on most machines.
 const PARTICLES: u32 = 3000;
 /// The same where every display mode is kept: some draw all of them.
 const PARTICLES_OF_MODES: u32 = 1000;
@@ -44,10 +44,8 @@ fn modes() -> &'static [&'static str] {
 /// its own one does.
 fn snapshot(preset: &Preset, most: u32, modes: &[&'static str]) -> Result<Snapshot, String> {
     let mut parameters = preset.parameters();
-    if parameters.model() == Model::Combustion {
-        let particles = parameters.max_particles.min(most);
-        let set = parameters.set("max_particles", Input::Number(particles.into()));
-        set.map_err(|refusal| refusal.to_string())?;
+    if parameters.model() == Model::Combustion && parameters.frame_particles() > most {
+        parameters.set_frame_particles(most);
     }
     let own = [parameters.display_mode.name()];
     let mut fire = Simulation::new(parameters);

@@ -206,6 +206,11 @@ impl OpenAir {
         self.rim.taper_pressure(gas);
     }
 
+    /// Completes the volumes near the outside for readers.
+    pub fn complete_volumes(&self, gas: &mut Gas, far: f32) {
+        self.rim.complete_volumes(gas, far);
+    }
+
     /// Turns shifts back at the outside.
     pub fn turn_shift(&self, gas: &mut Gas) {
         self.rim.turn_shift(&self.map, gas);

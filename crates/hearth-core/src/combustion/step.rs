@@ -103,9 +103,12 @@ impl Combustion {
         self.clamped_shifts = time_step::advance(gas, values.shifting, h, max_speed, dt);
         walls.hold(gas, solids, parameters.spacing());
         solids.pass(dt);
-        if open.is_none() {
-            for position in &mut gas.position {
-                *position = bounds.wrap(*position);
+        match &open {
+            Some(open) => open.complete_volumes(gas, values.ambient_density),
+            None => {
+                for position in &mut gas.position {
+                    *position = bounds.wrap(*position);
+                }
             }
         }
         self.length = dt;

@@ -73,6 +73,15 @@ impl Rim {
         }
     }
 
+    /// Completes the volumes of gas near the outside, where the kernels are cut off, with the
+    /// number density `far` away \[kg/m³\]. Readers see no edge, and no force uses them.
+    pub fn complete_volumes(&self, gas: &mut Gas, far: f32) {
+        for near in &self.near {
+            let (i, weight) = (near.index as usize, near.weight);
+            gas.volume[i] *= weight + (1.0 - weight) * gas.number_density[i] / far;
+        }
+    }
+
     /// Removes the outward part of the shifts: there are no particles outside, which shifting
     /// would take for a gap.
     pub fn turn_shift(&self, map: &Map, gas: &mut Gas) {

@@ -1,7 +1,7 @@
 //! The rendering of one fire in the context that all fires share.
 
 use hearth_core::params::{DisplayMode, Model};
-use hearth_core::{Instance, Parameters};
+use hearth_core::{Instance, Scene};
 use hearth_render::{Camera, CarriedNoise, Motion, RenderError, Renderer, ResolutionLimits, View};
 
 use crate::pass_times::PassTimes;
@@ -59,7 +59,7 @@ impl FireFrame {
         self.drawing.as_ref()?.renderer.as_ref()?.scale()
     }
 
-    /// Draws particles and shows the picture of `fire`. Returns the time at which the upload of
+    /// Draws particles and the solids of a scene, and shows the picture of `fire`. Returns the time at which the upload of
     /// the particles ended \[ms\].
     ///
     /// # Errors
@@ -72,7 +72,7 @@ impl FireFrame {
         size: (u32, u32),
         limits: ResolutionLimits,
         (instances, embers): (&[Instance], &[Instance]),
-        (time, parameters): (f64, &Parameters),
+        (time, scene): (f64, &Scene),
         camera: Camera,
         paused: bool,
         clock: &WallClock,
@@ -80,6 +80,7 @@ impl FireFrame {
         let Some(gpu) = canvas.gpu() else {
             return Ok(clock.now());
         };
+        let parameters = scene.settings();
         let context = &gpu.gl.context;
         let mut motion = self.motion;
         let mut carried = None;
@@ -91,6 +92,7 @@ impl FireFrame {
             let passes = &mut drawing.passes;
             let [width, height] = canvas.resize(size);
             renderer.upload(gl, parameters.display_mode, instances, embers);
+            renderer.upload_solids(gl, scene);
             let sent = clock.now();
             renderer.set_limits(limits);
             passes.begin(context, clock);

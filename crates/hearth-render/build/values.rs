@@ -1,6 +1,6 @@
 //! Constants of `src/constants.rs` for shaders.
 
-use crate::constants::{BLOCK, COOLEST, ENTRIES, HOTTEST, NOISE_LEVELS, ROW, TEXELS};
+use crate::constants::{BLOCK, COOLEST, ENTRIES, HOTTEST, NOISE_LEVELS, ROW, SURFACES, TEXELS};
 
 /// Names and values in GLSL.
 pub fn shared() -> Vec<(&'static str, String)> {
@@ -13,6 +13,7 @@ pub fn shared() -> Vec<(&'static str, String)> {
         ("ROW", whole(ROW)),
         ("TEXELS", whole(TEXELS)),
         ("NOISE_LEVELS", real(NOISE_LEVELS as f32)),
+        ("SURFACES", real(SURFACES)),
         ("TABLE_SCALE", real(scale)),
         ("TABLE_OFFSET", real(offset)),
     ]

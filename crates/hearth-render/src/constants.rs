@@ -7,6 +7,9 @@ pub const ROW: usize = 512;
 /// Texels per particle.
 pub const TEXELS: usize = 2;
 
+/// Factor of a material in the number of a surface, above every temperature \[K\].
+pub const SURFACES: f32 = 4096.0;
+
 /// Mipmap levels of the noise tile below its finest one.
 pub const NOISE_LEVELS: u32 = 7;
 

@@ -42,6 +42,8 @@ pub struct Frame<'a> {
     pub particles: usize,
     /// Number of embers.
     pub embers: usize,
+    /// Number of solids.
+    pub solids: usize,
     /// State of the fine structure and of the colour scale.
     pub motion: Motion,
     /// Kernels of the particles, at least as wide as the texels resolve.
@@ -55,12 +57,12 @@ pub struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// The frame of a number of particles and embers and their bounds.
+    /// The frame of a number of particles, embers and solids and the bounds of the gas.
     pub fn new(
         parameters: &'a Parameters,
         (layout, format): (Layout, TargetFormat),
         (viewport, before, time): (Viewport, Viewport, f64),
-        ([particles, embers], bounds): ([usize; 2], &ParticleBounds),
+        ([particles, embers, solids], bounds): ([usize; 3], &ParticleBounds),
         motion: Motion,
     ) -> Frame<'a> {
         let source = Source::of(parameters);
@@ -76,6 +78,7 @@ impl<'a> Frame<'a> {
             time,
             particles,
             embers,
+            solids,
             motion,
             kernel,
             used,
@@ -126,9 +129,16 @@ impl<'a> Frame<'a> {
         self.shows(DisplayMode::Fire) && self.parameters.backdrop == Backdrop::Bricks
     }
 
-    /// Whether the light is blurred, for its glow or for the irradiance on a backdrop.
+    /// Whether it shows solids in the light of the fire.
+    pub fn lights_solids(&self) -> bool {
+        self.shows(DisplayMode::Fire) && self.solids > 0
+    }
+
+    /// Whether the light is blurred, for its glow or for the irradiance on a backdrop and on solids.
     pub fn blooms(&self) -> bool {
-        self.has_backdrop() || self.shows(DisplayMode::Fire) && self.parameters.bloom > 0.0
+        self.has_backdrop()
+            || self.lights_solids()
+            || self.shows(DisplayMode::Fire) && self.parameters.bloom > 0.0
     }
 
     /// Level of the widest copy of the bloom.

@@ -7,7 +7,7 @@ use crate::resolution::{Layout, MAX_BLURS};
 /// An image of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Image {
-    /// Particles, or embers in a pass that draws embers.
+    /// Particles, or the embers or solids of a pass that draws those.
     Particles,
     /// The noise tile.
     Noise,
@@ -29,7 +29,7 @@ pub enum Image {
     Shown,
     /// The backdrop in white light.
     Scenery,
-    /// Irradiance on the backdrop.
+    /// Irradiance on the backdrop and on solids.
     Irradiance,
     /// The blurred copy of the light at a level of the bloom; level 0 is the sharpest.
     Blur,

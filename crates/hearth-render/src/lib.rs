@@ -38,6 +38,7 @@ mod rise;
 mod scale;
 mod shaders;
 mod shared;
+mod solids;
 mod target;
 mod targets;
 #[cfg(test)]

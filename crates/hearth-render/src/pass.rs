@@ -79,6 +79,8 @@ pub enum Draw {
     Particles,
     /// A quad for each ember.
     Embers,
+    /// A quad for each solid.
+    Solids,
 }
 
 /// Levels of the bloom that a pass draws.

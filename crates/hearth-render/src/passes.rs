@@ -13,9 +13,11 @@ mod ember;
 mod flame;
 mod gas;
 mod irradiance;
+mod outline;
 mod paper;
 mod scenery;
 mod shade;
+mod solid;
 mod splat;
 mod spread;
 mod sprite;
@@ -25,7 +27,7 @@ mod velocity;
 use crate::pass::Row;
 
 /// Every pass, in the order of a frame.
-pub static PASSES: [Row; 20] = [
+pub static PASSES: [Row; 22] = [
     // Fire of the classic model: particles, field, light.
     Row::of::<splat::Splat>(),
     Row::of::<spread::Spread>(),
@@ -50,4 +52,7 @@ pub static PASSES: [Row; 20] = [
     Row::of::<accumulate::Accumulate>(),
     Row::of::<colour_map::ColourMap>(),
     Row::of::<disc::Disc>(),
+    // Solids, in front of everything but the fire.
+    Row::of::<solid::Solid>(),
+    Row::of::<outline::Outline>(),
 ];

@@ -1,5 +1,7 @@
 //! Shader programs.
 
+use std::cell::OnceCell;
+
 use crate::error::RenderError;
 use crate::gl::Graphics;
 use crate::shaders::{HEADER, SOURCES, Shader, Source, UNIFORMS};
@@ -80,24 +82,34 @@ struct Program<G: Graphics> {
     uniforms: Option<G::Location>,
 }
 
-/// All programs, in the order of [`SOURCES`].
-pub struct Programs<G: Graphics>(Vec<Program<G>>);
+/// Pairs of shaders that are compiled when a frame first needs them: most fires have no solids.
+const LATE: [Shader; 2] = [Shader::Solid, Shader::Outline];
+
+/// The programs, in the order of [`SOURCES`].
+pub struct Programs<G: Graphics>(Vec<OnceCell<Program<G>>>);
 
 impl<G: Graphics> Programs<G> {
-    /// Compiles all shaders, or returns the first error.
+    /// Compiles all shaders that every context needs, or returns the first error.
     pub fn new(gl: &G) -> Result<Programs<G>, RenderError> {
         // All start before the first wait, so that drivers compile them in parallel.
         let compiling: Vec<_> = SOURCES
             .iter()
-            .map(|source| Compiling::begin(gl, source))
+            .enumerate()
+            .map(|(at, source)| {
+                let is_late = LATE.iter().any(|late| *late as usize == at);
+                (!is_late).then(|| Compiling::begin(gl, source))
+            })
             .collect();
         let mut programs = Programs(Vec::with_capacity(SOURCES.len()));
         let mut first_error = None;
         for program in compiling {
-            match program.finish(gl) {
-                Ok(program) => programs.0.push(program),
-                Err(error) => first_error = first_error.or(Some(error)),
+            let cell = OnceCell::new();
+            match program.map(|program| program.finish(gl)) {
+                Some(Ok(program)) => drop(cell.set(program)),
+                Some(Err(error)) => first_error = first_error.or(Some(error)),
+                None => {}
             }
+            programs.0.push(cell);
         }
         match first_error {
             None => Ok(programs),
@@ -108,16 +120,27 @@ impl<G: Graphics> Programs<G> {
         }
     }
 
-    /// Activates a program and sets its uniforms.
+    /// Compiles a pair of shaders unless it is compiled.
+    pub fn need(&self, gl: &G, shader: Shader) -> Result<(), RenderError> {
+        let cell = &self.0[shader as usize];
+        if cell.get().is_none() {
+            let program = Compiling::begin(gl, &SOURCES[shader as usize]).finish(gl)?;
+            drop(cell.set(program));
+        }
+        Ok(())
+    }
+
+    /// Activates a compiled program and sets its uniforms.
     pub fn activate(&self, gl: &G, shader: Shader, uniforms: &[f32]) {
-        let program = &self.0[shader as usize];
-        gl.use_program(&program.handle);
-        gl.set_uniforms(program.uniforms.as_ref(), uniforms);
+        if let Some(program) = self.0[shader as usize].get() {
+            gl.use_program(&program.handle);
+            gl.set_uniforms(program.uniforms.as_ref(), uniforms);
+        }
     }
 
     /// Frees all programs.
     pub fn destroy(&self, gl: &G) {
-        for program in &self.0 {
+        for program in self.0.iter().filter_map(OnceCell::get) {
             gl.delete_program(&program.handle);
         }
     }

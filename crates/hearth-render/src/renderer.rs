@@ -6,7 +6,7 @@ mod fit;
 use std::rc::Rc;
 
 use hearth_core::params::DisplayMode;
-use hearth_core::{Instance, Parameters};
+use hearth_core::{Instance, Parameters, Scene};
 
 use crate::advection;
 use crate::bounds::ParticleBounds;
@@ -22,6 +22,7 @@ use crate::particles::Particles;
 use crate::resolution::{Layout, ResolutionLimits};
 use crate::scale::extremes;
 use crate::shared::SharedResources;
+use crate::solids;
 use crate::targets::Targets;
 use crate::viewport::Viewport;
 
@@ -44,6 +45,7 @@ pub struct Renderer<G: Graphics = glow::Context> {
     limits: ResolutionLimits,
     particles: Particles<G>,
     embers: Particles<G>,
+    solids: Particles<G>,
     targets: Targets<G>,
     /// Colour table of another palette than the black body, whose table all fires share.
     tinted: Option<(Tint, G::Texture)>,
@@ -88,6 +90,7 @@ impl<G: Graphics> Renderer<G> {
             limits: ResolutionLimits::MEDIUM,
             particles: Particles::new(gl, max_rows)?,
             embers: Particles::new(gl, max_rows)?,
+            solids: Particles::new(gl, max_rows)?,
             targets: Targets::new(),
             tinted: None,
             bounds: ParticleBounds::of(&[], &[]),
@@ -151,7 +154,15 @@ impl<G: Graphics> Renderer<G> {
         self.embers.upload(gl, embers);
     }
 
-    /// Draws the uploaded particles. Ignores a picture without pixels.
+    /// Uploads the solids of a scene. Until the next call they stay in the pictures.
+    pub fn upload_solids(&mut self, gl: &G, scene: &Scene) {
+        let records = solids::records(scene);
+        if !records.is_empty() || self.solids.count() > 0 {
+            self.solids.upload(gl, &records);
+        }
+    }
+
+    /// Draws the uploaded particles and solids. Ignores a picture without pixels.
     ///
     /// # Errors
     /// The driver has no memory for targets of this size.
@@ -196,11 +207,12 @@ impl<G: Graphics> Renderer<G> {
         let (mode, model) = (parameters.display_mode, parameters.model());
         self.fit_colours(gl, Tint::of(parameters))?;
         self.motion.scale.add(mode, model, self.measured);
+        let counts = [&self.particles, &self.embers, &self.solids].map(Particles::count);
         let mut frame = Frame::new(
             parameters,
             (layout, self.shared.format),
             (viewport, before, view.time),
-            ([self.particles.count(), self.embers.count()], &self.bounds),
+            (counts, &self.bounds),
             self.motion,
         );
         self.fit_targets(gl, &frame)?;
@@ -224,6 +236,7 @@ impl<G: Graphics> Renderer<G> {
     pub fn destroy(mut self, gl: &G) {
         self.particles.destroy(gl);
         self.embers.destroy(gl);
+        self.solids.destroy(gl);
         self.targets.destroy(gl);
         if let Some((_, colours)) = &self.tinted {
             gl.delete_texture(colours);

@@ -9,6 +9,7 @@ mod canvas;
 mod combustion;
 mod displays;
 mod scale;
+mod solids;
 mod source;
 
 use canvas::{Canvas, Pixels, words};

@@ -7,7 +7,7 @@ use crate::params::{Shape, Solid};
 
 /// A solid as a rounded box: each shape is one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct RoundedBox {
+pub struct RoundedBox {
     /// Centre \[m\].
     pub centre: Vec2,
     /// Direction of its width.
@@ -53,7 +53,7 @@ fn sign(x: f32) -> f32 {
 
 impl Solid {
     /// The solid as a rounded box.
-    pub(crate) fn rounded_box(&self) -> RoundedBox {
+    pub fn rounded_box(&self) -> RoundedBox {
         let size = 0.5 * Vec2::new(self.width, self.height);
         let radius = match self.shape {
             Shape::Circle => size.x,

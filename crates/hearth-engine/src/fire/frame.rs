@@ -229,7 +229,7 @@ impl Fire {
             self.limits.fit(self.size, level.pixels()),
             limits[level as usize],
             (&self.instances, &self.embers),
-            (self.simulation.time(), self.simulation.parameters()),
+            (self.simulation.time(), self.simulation.scene()),
             self.camera,
             paused,
             clock,

@@ -15,7 +15,7 @@ impl Pass for Irradiance {
     type Uniforms = uniforms::Irradiance;
 
     fn applies(frame: &Frame) -> bool {
-        frame.has_backdrop()
+        frame.has_backdrop() || frame.lights_solids()
     }
 
     fn uniforms(frame: &Frame, _: usize) -> uniforms::Irradiance {

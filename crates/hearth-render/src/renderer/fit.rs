@@ -30,7 +30,7 @@ impl<G: Graphics> Renderer<G> {
         Ok(())
     }
 
-    /// Creates every target that a pass of the frame writes or reads.
+    /// Creates every program and target that a pass of the frame needs.
     pub(super) fn fit_targets(&mut self, gl: &G, frame: &Frame) -> Result<(), RenderError> {
         self.targets.fit(gl, frame.layout);
         if frame.parameters.backdrop != Backdrop::Bricks {
@@ -38,6 +38,7 @@ impl<G: Graphics> Renderer<G> {
         }
         let widest = frame.widest_blur();
         for row in PASSES.iter().filter(|row| (row.applies)(frame)) {
+            self.shared.programs.need(gl, row.shader)?;
             let source = &SOURCES[row.shader as usize];
             let read = source.samplers.iter().map(|(_, image)| *image);
             let images = read.chain([row.target]);

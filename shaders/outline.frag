@@ -1,0 +1,13 @@
+// The outline of a solid: a pale line on a dark one, visible on every colour.
+#include "distance.glsl"
+
+out vec4 pixel;
+
+const float LINE = 1.0; // half of its width [pixels]
+const float DARK = 2.0; // half of the width of the dark line
+
+void main() {
+    float away = abs(surface().z) / pixel_size;
+    vec2 inside = clamp(vec2(LINE, DARK) + 0.5 - away, 0.0, 1.0) * vec2(0.9, 0.5);
+    pixel = vec4(inside.xxx, max(inside.x, inside.y));
+}

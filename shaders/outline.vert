@@ -1,0 +1,6 @@
+// The quad of a solid.
+#include "solid.glsl"
+
+void main() {
+    this_solid();
+}

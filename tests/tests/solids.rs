@@ -9,13 +9,13 @@ use hearth_core::{Particle, Scene, Simulation, Vec2};
 
 type Numbers<'a> = &'a [(&'a str, f64)];
 
-/// A scene with these choices and numbers of the settings.
+/// A scene in a closed domain of 3000 particles, with these choices and numbers of the settings.
 fn scene(choices: &[(&str, &'static str)], numbers: Numbers<'_>) -> Scene {
     let mut settings = Scene::default().settings().clone();
-    for &(id, name) in choices {
+    for &(id, name) in [("edges", "periodic")].iter().chain(choices) {
         assert_eq!(settings.set(id, Input::Text(name)), Ok(()));
     }
-    for &(id, value) in numbers {
+    for &(id, value) in [("max_particles", 3000.0)].iter().chain(numbers) {
         assert_eq!(settings.set(id, Input::Number(value)), Ok(()));
     }
     Scene::new(settings)

@@ -10,6 +10,7 @@ mod choices;
 mod decimal;
 mod declare;
 mod entry;
+mod property;
 mod quantity;
 mod resolution;
 mod set;
@@ -25,6 +26,7 @@ pub use choices::{
     Walls,
 };
 pub use entry::{Condition, Description, Domain, Kind, Role, Scale, conditions_in_words};
+pub use property::Property;
 pub use quantity::Quantity;
 pub use resolution::IN_FRAME;
 pub use set::Parameters;

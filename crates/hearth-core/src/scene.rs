@@ -13,8 +13,9 @@ mod tests;
 
 use crate::params::{Input, ParamError, ParamErrorKind, Parameters, Solid};
 
+pub use crate::params::Property;
 pub(crate) use distance::RoundedBox;
-pub use kinds::{KINDS, Kind, Property};
+pub use kinds::{KINDS, Kind};
 pub use object::Object;
 use object::Values;
 

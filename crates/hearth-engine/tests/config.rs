@@ -306,7 +306,7 @@ fn the_later_of_two_values_of_a_property_wins() {
 #[test]
 fn errors_name_the_invalid_object_and_no_object_changes() {
     let far = sources(&[&[], &[("x", 9.0)]]);
-    let solid = Untrusted::List(vec![object(vec![("kind", text("solid"))])]);
+    let stone = Untrusted::List(vec![object(vec![("kind", text("stone"))])]);
     for (objects, named) in [
         (
             Untrusted::Number(1.0),
@@ -314,11 +314,11 @@ fn errors_name_the_invalid_object_and_no_object_changes() {
         ),
         (
             Untrusted::List(vec![Untrusted::Number(1.0)]),
-            "objects[0].kind = \"undefined\" is refused: it must be source",
+            "objects[0].kind = \"undefined\" is refused: it must be source or solid",
         ),
         (
-            solid,
-            "objects[0].kind = \"solid\" is refused: it must be source",
+            stone,
+            "objects[0].kind = \"stone\" is refused: it must be source or solid",
         ),
         (
             far,

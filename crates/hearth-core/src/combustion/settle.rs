@@ -12,17 +12,6 @@ use crate::params::Physics;
 /// would crowd there.
 const FREE: f32 = 0.4;
 
-/// The gas that solids have taken the place of.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Removed {
-    /// Number of particles.
-    pub particles: u64,
-    /// Their mass [kg/m].
-    pub mass: f64,
-    /// Their heat, relative to air [kJ/m].
-    pub heat: f64,
-}
-
 impl Combustion {
     /// Removes the gas of a new lattice that is in solids, or too near. It is not counted.
     pub(super) fn settle_lattice(&mut self, values: &Physics) {

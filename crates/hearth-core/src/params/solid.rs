@@ -3,10 +3,10 @@
 use super::choices::{Choice, Material, Shape, Thermal};
 use super::declare::{parameters, properties};
 use super::entry::{Description, Domain, Kind, Role, Scale};
+use super::property::Property;
 use super::slot::Slot;
 use super::table::Param;
 use super::value::Value;
-use crate::scene::Property;
 
 /// The shapes with two sizes, and those with corners.
 const LONG: &[&str] = &["box", "line"];

@@ -4,7 +4,7 @@
 //! gives its label, unit, range, default and doc. [`SOLID`](crate::params::SOLID) gives those of
 //! a solid's properties.
 
-use crate::params::{Model, PARAMETERS, Param, SOLID_NAMES, SOLID_PROPERTIES};
+use crate::params::{PARAMETERS, Property, SOLID_NAMES, SOLID_PROPERTIES};
 
 /// A kind of object.
 #[derive(Debug)]
@@ -17,18 +17,6 @@ pub struct Kind {
     pub(super) allowed: &'static str,
     /// Its properties.
     pub properties: &'static [Property],
-}
-
-/// A property of an object.
-#[derive(Debug)]
-pub struct Property {
-    /// Its name.
-    pub name: &'static str,
-    /// The id of its entry: of a source's property, the parameter whose value it is in the
-    /// first source.
-    pub id: &'static str,
-    /// The table of its entry.
-    pub(crate) table: &'static [Param],
 }
 
 /// A kind with parameters as properties, whose error of an unknown property lists all of its properties.
@@ -81,17 +69,5 @@ impl Kind {
     pub fn property(&self, name: &str) -> Option<&'static Property> {
         let all: &'static [Property] = self.properties;
         all.iter().find(|property| property.name == name)
-    }
-}
-
-impl Property {
-    /// Its entry.
-    pub fn entry(&self) -> Option<&'static Param> {
-        self.table.iter().find(|param| param.id == self.id)
-    }
-
-    /// Its entry, if `model` uses it.
-    pub fn param(&self, model: Model) -> Option<&'static Param> {
-        self.entry().filter(|param| param.domain(model).is_some())
     }
 }

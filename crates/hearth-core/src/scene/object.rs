@@ -1,7 +1,7 @@
 //! The values of an object, stored and as callers read them.
 
-use super::kinds::{KINDS, Kind, Property};
-use crate::params::{Input, Model, Param, ParamError, Parameters, Solid, Value};
+use super::kinds::{KINDS, Kind};
+use crate::params::{Input, Model, Param, ParamError, Parameters, Property, Solid, Value};
 
 /// The values of an object.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,0 +1,28 @@
+//! A property of an object, by its name and its entry.
+
+use super::choices::Model;
+use super::table::Param;
+
+/// A property of an object.
+#[derive(Debug)]
+pub struct Property {
+    /// Its name.
+    pub name: &'static str,
+    /// The id of its entry: of a source's property, the parameter whose value it is in the
+    /// first source.
+    pub id: &'static str,
+    /// The table of its entry.
+    pub(crate) table: &'static [Param],
+}
+
+impl Property {
+    /// Its entry.
+    pub fn entry(&self) -> Option<&'static Param> {
+        self.table.iter().find(|param| param.id == self.id)
+    }
+
+    /// Its entry, if `model` uses it.
+    pub fn param(&self, model: Model) -> Option<&'static Param> {
+        self.entry().filter(|param| param.domain(model).is_some())
+    }
+}

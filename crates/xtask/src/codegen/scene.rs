@@ -385,7 +385,9 @@ mod tests {
             let outcome = outcome(file, &whole);
             assert!(outcome.contains("name of the file"), "{file}: {outcome}");
         }
-        assert!(outcome("default.json", &with(r#"{"wind": 1}"#)).contains("no values"));
+        assert!(
+            outcome("default.json", &with(r#"{"wind": 1}"#)).contains("neither values nor solids")
+        );
     }
 
     #[test]

@@ -23,8 +23,8 @@ pub const STEPS: u32 = 1000;
 /// Runs a fire of these parameters for [`STEPS`] steps and folds its time and
 /// every bit of its particles, in the order of their birth, and of its embers
 /// into one number.
-pub fn fingerprint(parameters: Parameters) -> u64 {
-    fingerprint_of(Simulation::new(parameters), STEPS)
+pub fn fingerprint(scene: impl Into<Scene>) -> u64 {
+    fingerprint_of(Simulation::new(scene), STEPS)
 }
 
 /// The same of a fire that may burn already, after so many steps.
@@ -62,9 +62,7 @@ fn fingerprint_of(mut simulation: Simulation, steps: u32) -> u64 {
 /// The fingerprint of every preset, and of fires that take the ways that no
 /// preset takes, a line each: for comparison between platforms.
 pub fn fingerprints() -> String {
-    let presets = PRESETS
-        .iter()
-        .map(|preset| (preset.name, preset.parameters()));
+    let presets = PRESETS.iter().map(|preset| (preset.name, preset.scene()));
     let printed = PARAMETERS
         .iter()
         .filter(|param| param.id.starts_with("printed_"))
@@ -109,6 +107,7 @@ pub fn fingerprints() -> String {
             )),
         ),
     ];
+    let others = others.map(|(name, parameters)| (name, Scene::from(parameters)));
     let lit = presets.chain(others);
     let lit = lit.map(|(name, parameters)| (name, fingerprint(parameters)));
     // Taken up as it is, and by fewer particles.
@@ -162,11 +161,13 @@ const FIRESIDE: &str = "fireside";
 /// The fingerprint of a scene that burns on from where it is kept; 0 where it does not.
 fn kept(name: &str, particles: Option<u32>) -> u64 {
     let bytes = include_bytes!("../../web/burning/fireside.fire");
-    let mut parameters = Preset::find(name).map_or_else(Parameters::default, Preset::parameters);
+    let mut scene = Preset::find(name).map_or_else(Scene::default, Preset::scene);
     if let Some(number) = particles {
-        parameters.set_frame_particles(number);
+        let mut settings = scene.settings().clone();
+        settings.set_frame_particles(number);
+        scene.set_settings(settings);
     }
-    let mut fire = Simulation::new(parameters);
+    let mut fire = Simulation::new(scene);
     match fire.restore_burning(bytes) {
         Ok(()) => fingerprint_of(fire, STEPS / 5),
         Err(_) => 0,

@@ -7,7 +7,7 @@ use std::path::Path;
 use hearth_core::burning::BurningError;
 use hearth_core::params::Input;
 use hearth_core::preset::Preset;
-use hearth_core::{Parameters, Simulation};
+use hearth_core::{Parameters, Scene, Simulation};
 
 /// The scenes that are stored.
 const STORED: [&str; 1] = ["fireside"];
@@ -21,22 +21,34 @@ fn stored(name: &str) -> Vec<u8> {
     fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-fn values_of(name: &str) -> Parameters {
-    Preset::find(name).map_or_else(|| panic!("there is no scene {name}"), Preset::parameters)
+fn scene_of(name: &str) -> Scene {
+    Preset::find(name).map_or_else(|| panic!("there is no scene {name}"), Preset::scene)
+}
+
+/// The scene with changed settings.
+fn changed(name: &str, change: impl FnOnce(&mut Parameters)) -> Scene {
+    let mut scene = scene_of(name);
+    let mut settings = scene.settings().clone();
+    change(&mut settings);
+    scene.set_settings(settings);
+    scene
 }
 
 #[test]
 fn a_stored_fire_of_other_values_is_refused() {
     for name in STORED {
         let bytes = stored(name);
-        let mut values = values_of(name);
-        let mut own = Simulation::new(values.clone());
+        let mut own = Simulation::new(scene_of(name));
         assert_eq!(own.restore_burning(&bytes), Ok(()), "{name}");
-        values
-            .set("fuel_power", Input::Number(123.0))
-            .expect("a power");
-        let refused = Simulation::new(values).restore_burning(&bytes);
-        assert_eq!(refused, Err(BurningError::OtherValues));
+        let other = changed(name, |settings| {
+            let set = settings.set("fuel_power", Input::Number(123.0));
+            assert_eq!(set, Ok(()));
+        });
+        let without_solids = Scene::new(scene_of(name).settings().clone());
+        for other in [other, without_solids] {
+            let refused = Simulation::new(other).restore_burning(&bytes);
+            assert_eq!(refused, Err(BurningError::OtherValues));
+        }
     }
 }
 
@@ -45,11 +57,10 @@ fn a_stored_fire_is_tall_at_every_quality() {
     for name in STORED {
         let bytes = stored(name);
         for particles in [500, 1200, 3000, 6700] {
-            let mut values = values_of(name);
-            values.set_frame_particles(particles);
-            let floor = hearth_core::Burner::of(&values).bottom;
-            let height = values.domain_height;
-            let mut fire = Simulation::new(values);
+            let scene = changed(name, |settings| settings.set_frame_particles(particles));
+            let floor = hearth_core::Burner::of(scene.settings()).bottom;
+            let height = scene.settings().domain_height;
+            let mut fire = Simulation::new(scene);
             let restored = fire.restore_burning(&bytes);
             assert_eq!(restored, Ok(()), "{name} at {particles}");
             assert!(

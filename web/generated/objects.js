@@ -21,4 +21,4 @@ export const SOURCE = {
 
 /** The presets with other objects than a source.
  * @type {string[]} */
-export const FURNISHED = [];
+export const FURNISHED = ["bonfire-in-wind","campfire","candle","fireside","forge","gas-burner","match","smoke-stack","torch","wall-of-fire"];

@@ -78,7 +78,7 @@ const LINKS: [(&str, Box); 26] = [
         "scene=forge&domain-width=1.4&ember-rate=1000",
         (1.4, 1.15, 3000),
     ),
-    ("scene=wall-of-fire&time-scale=1", (2.2, 1.1, 3000)),
+    ("scene=wall-of-fire&time-scale=1", (2.8, 1.4, 3000)),
     (
         "scene=smoke-stack&domain-width=3&max-particles=9000",
         (3.0, 2.2, 9000),

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, ensure};
-use hearth_core::{Parameters, Simulation};
+use hearth_core::{Scene, Simulation};
 
 use crate::{codegen, paths};
 
@@ -35,14 +35,14 @@ fn file(name: &str) -> PathBuf {
 pub(crate) fn refresh(all: bool) -> Result<Vec<String>> {
     let mut written = Vec::new();
     for name in SCENES {
-        let parameters = codegen::values_of_scene(name)?;
+        let scene = codegen::scene_of_file(name)?;
         let path = file(name);
         let present = fs::read(&path).unwrap_or_default();
-        let mut fire = Simulation::new(parameters.clone());
+        let mut fire = Simulation::new(scene.clone());
         if !all && fire.restore_burning(&present).is_ok() {
             continue;
         }
-        let bytes = burn(&parameters)?;
+        let bytes = burn(&scene)?;
         if bytes != present {
             fs::create_dir_all(path.parent().unwrap_or(&path))?;
             fs::write(&path, bytes).with_context(|| paths::shown(&path))?;
@@ -52,9 +52,9 @@ pub(crate) fn refresh(all: bool) -> Result<Vec<String>> {
     Ok(written)
 }
 
-/// A fire of these values at the moment when most of its gas is bright.
-fn burn(parameters: &Parameters) -> Result<Vec<u8>> {
-    let mut fire = Simulation::new(parameters.clone());
+/// A fire of this scene at the moment when most of its gas is bright.
+fn burn(scene: &Scene) -> Result<Vec<u8>> {
+    let mut fire = Simulation::new(scene.clone());
     let mut best = (0, Vec::new());
     let mut next = BURNT;
     while fire.time() < BURNT + WATCHED {

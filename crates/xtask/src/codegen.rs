@@ -20,7 +20,6 @@ use std::path::Path;
 use std::{fs, io};
 
 use anyhow::{Context, Result};
-use hearth_core::Parameters;
 use hearth_core::params::{Choice, Domain, Model, Param, Value};
 use serde_json::Value as Json;
 
@@ -50,13 +49,13 @@ fn generate() -> Result<Vec<Generated>> {
     ])
 }
 
-/// The values of the scene of that name, from its file.
-pub(crate) fn values_of_scene(name: &str) -> Result<Parameters> {
+/// The scene of that name, from its file.
+pub(crate) fn scene_of_file(name: &str) -> Result<hearth_core::Scene> {
     let scenes = scene::read_all(&crate::paths::root().join("scenes"))?;
     let scene = scenes.iter().find(|scene| scene.name == name);
     scene
         .with_context(|| format!("scenes/{name}.json is missing"))?
-        .parameters()
+        .scene()
 }
 
 /// Writes each generated file under `root` that is missing or differs; returns those.

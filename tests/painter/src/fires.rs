@@ -43,12 +43,14 @@ fn modes() -> &'static [&'static str] {
 /// The fire of a preset, with what these display modes draw of it, or with what
 /// its own one does.
 fn snapshot(preset: &Preset, most: u32, modes: &[&'static str]) -> Result<Snapshot, String> {
-    let mut parameters = preset.parameters();
+    let mut scene = preset.scene();
+    let mut parameters = scene.settings().clone();
+    let own = [parameters.display_mode.name()];
     if parameters.model() == Model::Combustion && parameters.frame_particles() > most {
         parameters.set_frame_particles(most);
+        scene.set_settings(parameters);
     }
-    let own = [parameters.display_mode.name()];
-    let mut fire = Simulation::new(parameters);
+    let mut fire = Simulation::new(scene);
     while fire.time() < BURNT {
         fire.step();
     }

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use hearth_core::params::Input;
 use hearth_core::preset::{PRESETS, Preset};
-use hearth_core::{Instance, Parameters, Simulation};
+use hearth_core::{Instance, Scene, Simulation};
 use hearth_render::{
     Chromaticity, Renderer, ResolutionLimits, SharedResources, TargetFormat, View, chromaticity,
 };
@@ -21,7 +21,7 @@ const BEFORE: f64 = 1.0 / 60.0;
 /// A fire that can be painted: one that was kept, or one that burns.
 #[wasm_bindgen]
 pub struct Fire {
-    parameters: Parameters,
+    scene: Scene,
     instances: Vec<Instance>,
     embers: Vec<Instance>,
     time: f64,
@@ -38,25 +38,24 @@ impl Fire {
             mode => mode,
         };
         let instances = snapshot.instances(mode);
-        let mut parameters = snapshot.parameters()?;
-        let set = parameters.set("display_mode", Input::Text(mode));
-        set.map_err(words)?;
-        Ok(Fire {
-            parameters,
+        let mut fire = Fire {
+            scene: snapshot.scene()?,
             instances: instances.ok_or_else(|| format!("no display mode {mode} is kept"))?,
             embers: snapshot.embers(),
             time: snapshot.time,
             burning: None,
-        })
+        };
+        fire.set("display_mode", mode)?;
+        Ok(fire)
     }
 
     /// A fire of a preset that is about to be lit.
     pub fn lit(preset: &str) -> Result<Fire, JsValue> {
         let known = Preset::find(preset).ok_or_else(|| format!("no preset {preset}"))?;
-        let parameters = known.parameters();
+        let scene = known.scene();
         Ok(Fire {
-            burning: Some(Simulation::new(parameters.clone())),
-            parameters,
+            burning: Some(Simulation::new(scene.clone())),
+            scene,
             instances: Vec::new(),
             embers: Vec::new(),
             time: 0.0,
@@ -68,7 +67,10 @@ impl Fire {
         if let Some(fire) = &mut self.burning {
             fire.set(id, Input::Text(value)).map_err(words)?;
         }
-        self.parameters.set(id, Input::Text(value)).map_err(words)
+        let mut settings = self.scene.settings().clone();
+        settings.set(id, Input::Text(value)).map_err(words)?;
+        self.scene.set_settings(settings);
+        Ok(())
     }
 
     /// How long it has burnt \[s\].
@@ -79,7 +81,7 @@ impl Fire {
 
     /// A parameter's value.
     pub fn value(&self, id: &str) -> Option<String> {
-        self.parameters.get(id).map(|value| value.to_string())
+        self.scene.settings().get(id).map(|value| value.to_string())
     }
 
     /// Burns on until it has burnt for so long \[s\].
@@ -264,15 +266,16 @@ impl FirePainter {
         watch: &mut dyn FnMut(&'static str),
     ) -> Result<(), JsValue> {
         let renderer = self.renderer.as_mut().ok_or("the painter is destroyed")?;
-        let mode = fire.parameters.display_mode;
+        let mode = fire.scene.settings().display_mode;
         renderer.upload(&self.gl, mode, &fire.instances, &fire.embers);
+        renderer.upload_solids(&self.gl, &fire.scene);
         let view = View {
             width,
             height,
             time,
             ..View::default()
         };
-        let painted = renderer.paint_in_passes(&*self.gl, &view, &fire.parameters, watch);
+        let painted = renderer.paint_in_passes(&*self.gl, &view, fire.scene.settings(), watch);
         painted.map_err(words)
     }
 }

@@ -8,6 +8,7 @@
 //! hearth-snapshot 1
 //! time 5.002
 //! value max_particles 1200
+//! solid shape box x -0.1       the properties of a solid
 //! column 640 -0.31 0.29       rows, least, most
 //! rows fire 0 1 2 3 4 5 6 7   a display mode, and the columns of its instances
 //! embers 8 9 10 11 12 13 14 15
@@ -15,7 +16,7 @@
 //! ```
 
 use hearth_core::params::Input;
-use hearth_core::{Instance, Parameters, Simulation};
+use hearth_core::{Instance, Parameters, Scene, Simulation};
 
 const FIRST_LINE: &str = "hearth-snapshot 1";
 const LAST_LINE: &str = "end";
@@ -71,6 +72,8 @@ pub struct Snapshot {
     pub time: f64,
     /// What of its values is not the default, as a person would write it.
     values: Vec<(String, String)>,
+    /// The properties of each solid.
+    solids: Vec<Vec<(String, String)>>,
     columns: Vec<Column>,
     /// Display modes with the columns of their instances.
     rows: Vec<(String, [usize; FIELDS])>,
@@ -87,8 +90,15 @@ impl Snapshot {
             .changed()
             .map(|(param, value)| (param.id.to_owned(), value.to_string()))
             .filter(|(id, _)| id != "model");
+        let solids = fire.scene().objects().filter(|one| one.solid().is_some());
+        let properties = solids.map(|solid| {
+            let all = solid.properties();
+            all.map(|(name, _, value)| (name.to_owned(), value.to_string()))
+                .collect()
+        });
         let mut snapshot = Snapshot {
             time: fire.time(),
+            solids: properties.collect(),
             values: std::iter::once(model).chain(changed).collect(),
             ..Snapshot::default()
         };
@@ -143,6 +153,23 @@ impl Snapshot {
             .collect()
     }
 
+    /// Its scene.
+    ///
+    /// # Errors
+    /// A value that a table refuses by now, in words.
+    pub fn scene(&self) -> Result<Scene, String> {
+        let mut scene = Scene::new(self.parameters()?);
+        for solid in &self.solids {
+            let mut fields = vec![("kind", Input::Text("solid"))];
+            let values = solid.iter();
+            fields.extend(values.map(|(name, value)| (name.as_str(), Input::Text(value))));
+            scene
+                .add(&fields)
+                .map_err(|refusals| format!("{refusals:?}"))?;
+        }
+        Ok(scene)
+    }
+
     /// Its values, read by the table.
     ///
     /// # Errors
@@ -161,6 +188,13 @@ impl Snapshot {
         let mut head = format!("{FIRST_LINE}\ntime {}\n", self.time);
         for (id, value) in &self.values {
             head += &format!("value {id} {value}\n");
+        }
+        for solid in &self.solids {
+            head += "solid";
+            for (name, value) in solid {
+                head += &format!(" {name} {value}");
+            }
+            head += "\n";
         }
         let mut body = Vec::new();
         for column in &self.columns {
@@ -213,6 +247,15 @@ impl Snapshot {
                 "value" => {
                     let (id, value) = said.split_once(' ').ok_or_else(bad)?;
                     snapshot.values.push((id.to_owned(), value.to_owned()));
+                }
+                "solid" => {
+                    let words: Vec<&str> = said.split(' ').collect();
+                    let (pairs, rest) = words.as_chunks::<2>();
+                    if !rest.is_empty() {
+                        return Err(bad());
+                    }
+                    let owned = |&[name, value]: &[&str; 2]| (name.to_owned(), value.to_owned());
+                    snapshot.solids.push(pairs.iter().map(owned).collect());
                 }
                 "column" => {
                     let mut words = said.split(' ');
@@ -271,7 +314,14 @@ mod tests {
         let mut parameters = Parameters::new(model);
         let set = parameters.set("ember_rate", Input::Number(500.0));
         assert_eq!(set, Ok(()));
-        let mut fire = Simulation::new(parameters);
+        let mut scene = Scene::new(parameters);
+        let solid = [
+            ("kind", Input::Text("solid")),
+            ("x", Input::Number(0.3)),
+            ("material", Input::Text("wood")),
+        ];
+        assert!(scene.add(&solid).is_ok());
+        let mut fire = Simulation::new(scene);
         (0..100).for_each(|_| fire.step());
         fire
     }
@@ -289,6 +339,10 @@ mod tests {
             let parameters = kept.parameters().unwrap_or_default();
             assert_eq!(parameters.model(), model);
             assert_eq!(changed(&parameters), changed(fire.parameters()));
+            let solids = |scene: &Scene| scene.solids().cloned().collect::<Vec<_>>();
+            let scene = kept.scene().unwrap_or_default();
+            assert_eq!(solids(&scene).len(), 1);
+            assert_eq!(solids(&scene), solids(fire.scene()));
         }
     }
 

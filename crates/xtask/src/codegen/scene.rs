@@ -83,9 +83,8 @@ impl<'de> Deserialize<'de> for Fields {
 }
 
 impl Scene {
-    /// All values of its fire. Fails where the table refuses one, or the model does not use
-    /// it.
-    pub(super) fn parameters(&self) -> Result<Parameters> {
+    /// Its fire. Fails where the tables refuse a value, or the model does not use it.
+    pub(super) fn scene(&self) -> Result<hearth_core::Scene> {
         let mut parameters = Parameters::default();
         for (id, value) in &self.values {
             parameters.set(id, input(value))?;
@@ -109,7 +108,7 @@ impl Scene {
                 bail!(errors[0].clone());
             }
         }
-        Ok(scene.settings().clone())
+        Ok(scene)
     }
 }
 
@@ -207,7 +206,7 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
         values,
         objects: objects.collect(),
     };
-    scene.model = scene.parameters()?.model();
+    scene.model = scene.scene()?.settings().model();
     Ok(scene)
 }
 

@@ -207,7 +207,7 @@ pub static PRESETS: &[Preset] = &[
     Preset {
         name: "fireside",
         values: &[
-            ("fuel_power", Input::Number(390.0)),
+            ("fuel_power", Input::Number(300.0)),
             ("source_width", Input::Number(0.44)),
             ("turbulence", Input::Number(0.8)),
             ("exposure", Input::Number(1.75)),

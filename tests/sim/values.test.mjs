@@ -223,8 +223,8 @@ test('objects are added, changed, removed, replaced and restored', async () => {
 });
 
 test('settings of version 1 and 2 start the same fire', async () => {
-  const one = { hearth: 1, preset: 'candle', values: { wind: 0.5, fuel_power: 30, source_x: 0.05 } };
-  const two = { hearth: 2, preset: 'candle', values: { wind: 0.5 }, objects: [source({ power: 30, x: 0.05 })] };
+  const one = { hearth: 1, preset: 'ghost-fire', values: { wind: 0.5, fuel_power: 30, source_x: 0.05 } };
+  const two = { hearth: 2, preset: 'ghost-fire', values: { wind: 0.5 }, objects: [source({ power: 30, x: 0.05 })] };
   const [old, now] = await Promise.all([one, two].map(({ preset, values, objects }) => (
     createSimulation({ preset, params: values, objects })
   )));
@@ -265,8 +265,10 @@ test('an invalid object changes nothing, and the error names its property', asyn
   sim.step(10);
   const before = [everything(sim), sim.objects];
   const cases = [
-    [() => sim.addObject({}), 'objects[2].kind', /must be source/],
-    [() => sim.addObject({ kind: 'solid' }), 'objects[2].kind', /"solid"/],
+    [() => sim.addObject({}), 'objects[2].kind', /must be source or solid/],
+    [() => sim.addObject({ kind: 'stone' }), 'objects[2].kind', /"stone"/],
+    [() => sim.addObject({ kind: 'solid', shape: 'cone' }), 'objects[2].shape', /circle/],
+    [() => sim.addObject({ kind: 'solid', width: -1 }), 'objects[2].width', /0.002 to 10 m/],
     [() => sim.addObject(source({ id: 1 })), 'objects[2].id', /no other object/],
     [() => sim.addObject(source({ pwer: 9 })), 'objects[2].property', /one of x, y, width, power/],
     [() => sim.changeObject(2, { x: 9 }), 'objects[1].x', /from -3 to 3 m/],

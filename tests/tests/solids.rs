@@ -28,7 +28,10 @@ fn add(scene: &mut Scene, shape: &str, numbers: Numbers<'_>) -> u32 {
         ("shape", Input::Text(shape)),
     ];
     fields.extend(numbers.iter().map(|&(name, x)| (name, Input::Number(x))));
-    scene.add(&fields).expect("a solid")
+    match scene.add(&fields) {
+        Ok(id) => id,
+        Err(refused) => panic!("{refused:?}"),
+    }
 }
 
 fn change(fire: &mut Simulation, id: u32, numbers: Numbers<'_>) {

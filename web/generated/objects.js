@@ -19,6 +19,6 @@ export const SOURCE = {
   taper: 'taper',
 };
 
-/** The presets with other objects than a source.
- * @type {string[]} */
-export const FURNISHED = ["bonfire-in-wind","campfire","candle","fireside","forge","gas-burner","match","smoke-stack","torch","wall-of-fire"];
+/** The presets with more objects than a source, and how many objects they have.
+ * @type {{[preset: string]: number}} */
+export const FURNISHED = {"bonfire-in-wind":6,"campfire":7,"candle":3,"fireside":5,"forge":11,"gas-burner":3,"match":3,"smoke-stack":2,"torch":3,"wall-of-fire":6};

@@ -8,6 +8,7 @@
 import { askForSettings, showKeys, showText } from './cards.js';
 import { showScenes } from './scenes.js';
 import { remember, remembered } from './memory.js';
+import { FURNISHED } from '../generated/objects.js';
 import { PARAMETERS, PRESETS } from '../parameters.js';
 import { Report } from './report.js';
 import { UndoHistory } from './undo-history.js';
@@ -425,9 +426,8 @@ function sceneOf(fire) {
   if (!scene) return '';
   const { params } = fire;
   const same = PARAMETERS.every(({ id }) => [undefined, params?.[id]].includes(sceneValue(fire, id)));
-  // Every scene has one source.
-  const alone = (fire.objects ?? [0]).length === 1;
-  return same && alone ? scene.label : `${scene.label}, changed`;
+  const number = FURNISHED[scene.name] ?? 1;
+  return same && (fire.objects?.length ?? number) === number ? scene.label : `${scene.label}, changed`;
 }
 
 /** The URL of a file beside `hearth-fire.js`. @param {string} file */

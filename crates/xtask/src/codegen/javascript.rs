@@ -108,10 +108,12 @@ pub(super) fn objects(scenes: &[Scene]) -> String {
         let _ = writeln!(text, "  {}: '{}',", property.name, property.id);
     }
     let furnished = scenes.iter().filter(|scene| !scene.objects.is_empty());
-    let furnished: Vec<_> = furnished.map(|scene| scene.name.as_str()).collect();
+    let furnished: serde_json::Map<_, _> = furnished
+        .map(|scene| (scene.name.clone(), json!(1 + scene.objects.len())))
+        .collect();
     let _ = writeln!(
         text,
-        "}};\n\n/** The presets with other objects than a source.\n * @type {{string[]}} */\n\
+        "}};\n\n/** The presets with more objects than a source, and how many objects they have.\n * @type {{{{[preset: string]: number}}}} */\n\
          export const FURNISHED = {};",
         json!(furnished)
     );

@@ -28,8 +28,9 @@ const small = { width: 260, height: 260 };
 function settles(tab, quality, particles = PARTICLES[quality]) {
   return tab.until(`${quality}, ${particles} particles`, (name, count) => {
     const { stats } = /** @type {any} */ (document.querySelector('hearth-fire'));
-    // Where gas burns, some of it leaves and comes in.
-    return stats?.quality === name && Math.abs(stats.particles / count - 1) < 0.1;
+    // The number fills the frame; open air fills less than that at first, and more around a tall fire. The levels
+    // differ by more than a factor of two.
+    return stats?.quality === name && Math.abs(stats.particles / count - 1) < 0.45;
   }, quality, particles);
 }
 

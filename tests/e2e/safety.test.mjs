@@ -120,7 +120,7 @@ test('a fire without memory for its particles refuses them in words, and all fir
     while (!time().every((now, at) => now > start[at] + 0.1)) await new Promise(requestAnimationFrame);
     return fires.map((fire) => fire.params.max_particles);
   });
-  assert.deepEqual(times, [3000, 3000]);
+  assert.deepEqual(times, [6000, 6000]);
 });
 
 test('a fire for which there is no memory at all says so, and the others burn on', async () => {

@@ -260,7 +260,9 @@ describe('the client of the embedding page', () => {
     }, fixture.address({ allow: fixture.pageOrigin }));
     await tab.until('an event of the next page comes', () => /** @type {any} */ (window).changes.includes(2));
     const said = tab.problems.filter((problem) => /no event “sauce”.*stats/.test(problem));
-    assert.deepEqual([said.length, tab.problems.length], [2, 2], tab.problems.join('\n'));
+    // The page that is left may abort a download.
+    const other = tab.problems.filter((problem) => !said.includes(problem) && !problem.includes('ERR_ABORTED'));
+    assert.deepEqual([said.length, other], [2, []]);
   });
 
   test('receives an event as long as it has a listener', async () => {

@@ -38,9 +38,24 @@ fn every_mode() -> impl Iterator<Item = DisplayMode> {
         .filter_map(|name| DisplayMode::from_name(name))
 }
 
+/// A model's defaults, with a closed domain of 3000 particles in the combustion model: gas is
+/// everywhere in it.
+fn closed(model: Model) -> Result<Parameters, JsValue> {
+    let mut parameters = Parameters::new(model);
+    if model == Model::Combustion {
+        for (id, input) in [
+            ("edges", Input::Text("periodic")),
+            ("max_particles", Input::Number(3000.0)),
+        ] {
+            parameters.set(id, input).map_err(words)?;
+        }
+    }
+    Ok(parameters)
+}
+
 /// Gas of the combustion model: the disc, and the air around it.
 fn turning_disc() -> Result<Simulation, JsValue> {
-    let mut parameters = Parameters::new(Model::Combustion);
+    let mut parameters = closed(Model::Combustion)?;
     // Before the first step hot gas has not made the room yet that it takes.
     let slight = Input::Number(0.1);
     parameters.set("gas_expansion", slight).map_err(words)?;
@@ -59,12 +74,12 @@ fn turning_disc() -> Result<Simulation, JsValue> {
 }
 
 /// A fire of that model that has burnt.
-fn burnt(model: Model) -> Simulation {
-    let mut fire = Simulation::new(Parameters::new(model));
+fn burnt(model: Model) -> Result<Simulation, JsValue> {
+    let mut fire = Simulation::new(closed(model)?);
     while fire.time() < 0.8 {
         fire.step();
     }
-    fire
+    Ok(fire)
 }
 
 /// Its particles as that mode wants them.
@@ -203,7 +218,7 @@ fn a_disc_has_the_colour_of_its_particle_and_a_smooth_rim() -> Result<(), JsValu
 #[wasm_bindgen_test]
 fn particles_smaller_than_a_pixel_are_visible() -> Result<(), JsValue> {
     let canvas = Canvas::new(40, 60)?;
-    let mut fire = Simulation::new(Parameters::new(Model::Combustion));
+    let mut fire = Simulation::new(closed(Model::Combustion)?);
     let (pixels, _) = shown(&canvas, &mut fire, DisplayMode::Particles)?;
     let seen = pixels.all().filter(|(_, _, pixel)| pixel[3] > 100).count();
     assert!(seen > 1200, "{seen} of 2400 pixels");
@@ -217,7 +232,7 @@ fn every_mode_differs_from_the_fire() -> Result<(), JsValue> {
         Canvas::without_float_targets(WIDTH, HEIGHT)?,
     ] {
         for model in [Model::Classic, Model::Combustion] {
-            let mut fire = burnt(model);
+            let mut fire = burnt(model)?;
             let (usual, nothing) = shown(&canvas, &mut fire, DisplayMode::Fire)?;
             assert_eq!(nothing, None);
             for mode in every_mode().filter(|&mode| mode != DisplayMode::Fire) {
@@ -247,7 +262,7 @@ fn a_field_is_smooth_between_pixels() -> Result<(), JsValue> {
         (Canvas::new(WIDTH, HEIGHT)?, 3.0),
         (Canvas::without_float_targets(WIDTH, HEIGHT)?, 6.0),
     ] {
-        let mut fire = Simulation::new(Parameters::new(Model::Combustion));
+        let mut fire = Simulation::new(closed(Model::Combustion)?);
         let mut gas: Vec<Particle> = fire.particles();
         for particle in &mut gas {
             particle.fuel = particle.position.y / 1.8;
@@ -279,7 +294,7 @@ fn eight_bits_give_nearly_the_colours_of_half_floats() -> Result<(), JsValue> {
     let fine = Canvas::new(WIDTH, HEIGHT)?;
     let coarse = Canvas::without_float_targets(WIDTH, HEIGHT)?;
     for model in [Model::Classic, Model::Combustion] {
-        let mut fire = burnt(model);
+        let mut fire = burnt(model)?;
         for mode in FIELDS {
             let (expected, _) = shown(&fine, &mut fire, mode)?;
             let (pixels, _) = shown(&coarse, &mut fire, mode)?;
@@ -300,7 +315,7 @@ fn eight_bits_give_nearly_the_colours_of_half_floats() -> Result<(), JsValue> {
 #[wasm_bindgen_test]
 fn the_background_is_visible_without_gas() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
-    let mut fire = burnt(Model::Classic);
+    let mut fire = burnt(Model::Classic)?;
     fire.set("background", Input::Text("#204060"))
         .map_err(words)?;
     for mode in every_mode() {
@@ -322,7 +337,7 @@ fn the_background_is_visible_without_gas() -> Result<(), JsValue> {
 fn removed_particles_leave_no_trace() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     for model in [Model::Classic, Model::Combustion] {
-        let mut fire = burnt(model);
+        let mut fire = burnt(model)?;
         let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
         for mode in every_mode() {
             let particles = instances(&mut fire, mode)?;
@@ -342,7 +357,7 @@ fn removed_particles_leave_no_trace() -> Result<(), JsValue> {
 fn sprites_do_not_depend_on_the_order_and_rotate_smoothly() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
     for model in [Model::Classic, Model::Combustion] {
-        let mut fire = burnt(model);
+        let mut fire = burnt(model)?;
         let mut sprites = instances(&mut fire, DisplayMode::Sprites)?;
         let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
         let mut paint = |sprites: &[Instance], time| {
@@ -371,7 +386,7 @@ fn sprites_do_not_depend_on_the_order_and_rotate_smoothly() -> Result<(), JsValu
 
 #[wasm_bindgen_test]
 fn every_mode_survives_a_lost_context() -> Result<(), JsValue> {
-    let mut fire = burnt(Model::Combustion);
+    let mut fire = burnt(Model::Combustion)?;
     for mode in every_mode() {
         let canvas = Canvas::new(WIDTH, HEIGHT)?;
         let particles = instances(&mut fire, mode)?;

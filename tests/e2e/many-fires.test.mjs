@@ -70,9 +70,10 @@ for (const engine of ['worker', 'main']) {
     }
     const more = last.bytes / first.bytes - 1;
     assert.ok(more < 0.05, `${(100 * more).toFixed(1)} % more than ${first.bytes} bytes are held`);
-    // It never shrinks and grows with the most fires at one time; so many have a hundred MB.
+    // It never shrinks, and grows with the most fires at one time, each with room for twice the particles of its frame.
+    // So many fires have hundreds of MB.
     const grown = last.memory - first.memory;
-    assert.ok(grown < 8e6, `wasm holds ${grown} bytes more`);
+    assert.ok(grown < 24e6, `wasm holds ${grown} bytes more`);
     assert.deepEqual(tab.problems, []);
   });
 }

@@ -22,8 +22,7 @@ pub(super) fn hold(particles: &mut Particles, solids: &Solids, values: &Physics)
         return;
     }
     let gap = GAP * values.smoothing_radius;
-    // A spacing of the particles.
-    let depth = (values.particle_mass / values.rest_density).sqrt();
+    let depth = values.spacing();
     for particle in particles.iter_mut() {
         if !keep_outside(particle, solids, gap, depth) {
             particle.lifetime = fast_min(particle.age, particle.lifetime);

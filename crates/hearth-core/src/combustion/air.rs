@@ -107,8 +107,9 @@ impl OpenAir {
         gas
     }
 
-    /// Holds this gas, and fills the rest of the map around what is active. A wider band around all of it would end the pull
-    /// of its rim everywhere at once: a pulse, which focuses in the middle of a fire.
+    /// Holds this gas, and fills the rest of the map around what is active. A wider band around
+    /// all of it would end the pull of its rim everywhere at once: a pulse, which focuses in the
+    /// middle of a fire.
     pub fn surround(&mut self, gas: &Gas, values: &Physics) {
         self.map.occupy(gas);
         awake::wake(&mut self.map, gas, awake::hot(values), 0.0);

@@ -21,6 +21,7 @@ pub mod plume;
 mod record;
 pub mod row;
 pub mod settings;
+pub mod solids;
 pub mod soot;
 pub mod stability;
 pub mod table;
@@ -84,6 +85,7 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
         diffusion::CASES,
         viscous::CASES,
         stability::CASES,
+        solids::CASES,
         flame::CASES,
         plume::CASES,
         open_air::CASES,

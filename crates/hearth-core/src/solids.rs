@@ -23,6 +23,9 @@ const ATTEMPTS: u32 = 6;
 /// Tolerance for rounding in the distance from a surface.
 const ROUNDING: f32 = 0.9;
 
+/// Largest sine of the angle of a body that is upright.
+const UPRIGHT: f32 = 1e-4;
+
 /// A solid, or its image beyond a periodic edge.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Body {
@@ -113,9 +116,22 @@ impl Solids {
         if !is_inside(centre) {
             return;
         }
-        let turns = |periodic: bool| if periodic { -1..=1 } else { 0..=0 };
-        for row in turns(bounds.periodic_y) {
-            for column in turns(bounds.periodic_x) {
+        // A body that is upright and as long as the period needs no image: it would overlap it.
+        let shape = &body.shape;
+        let size = 2.0
+            * (shape.axis.abs() * shape.half.x
+                + shape.axis.perp().abs() * shape.half.y
+                + shape.radius);
+        let is_upright = shape.axis.abs().min_element() < UPRIGHT;
+        let turns = |periodic: bool, size: f32, period: f32| {
+            if periodic && !(is_upright && size >= period) {
+                -1..=1
+            } else {
+                0..=0
+            }
+        };
+        for row in turns(bounds.periodic_y, size.y, bounds.height) {
+            for column in turns(bounds.periodic_x, size.x, bounds.width) {
                 let period = Vec2::new(bounds.width, bounds.height);
                 let image = centre + Vec2::new(column as f32, row as f32) * period;
                 if (column, row) != (0, 0) && is_inside(image) {
@@ -258,6 +274,11 @@ mod tests {
         let solids = Solids::of(&scene(0.95), &BOX, 0.1);
         assert_eq!(solids.bodies.len(), 2);
         assert!(solids.touch(Vec2::new(-0.99, 1.0), 0.0));
+        // One that is as wide as the domain has none: it would overlap it.
+        let mut wide = scene(0.5);
+        let fields = [("shape", Input::Text("box")), ("width", Input::Number(2.0))];
+        assert_eq!(wide.change(2, &fields), Ok(()));
+        assert_eq!(Solids::of(&wide, &BOX, 0.1).bodies.len(), 1);
         // One far outside has none.
         assert_eq!(Solids::of(&scene(2.0), &BOX, 0.1).bodies.len(), 1);
     }

@@ -7,10 +7,13 @@
 //! wall, W₁ = −dΓ/dd and K = ∫ |W'|/r over the half space:
 //!
 //! ```text
-//! Y += ρ₀ Γ     ∇C −= W₁ n     a += (2 V p/m) W₁ n − 2 (ν + C_s² h |v|) K v
+//! Y += ρ₀ Γ     ∇C −= W₁ n     a += (2 V p/m) W₁ n − 2 (ν W₁/d + C_s² h |v| K) v
 //!                                   − ½ α c₀ h K min(v·n, 0) n
 //! dT/dt += 2 (D + C_s² h |v|) K (T_wall − T)     where the wall has a fixed temperature
 //! ```
+//!
+//! In the term of ν, the velocity continues linearly into the wall (Morris, Fox & Zhu 1997), so
+//! that the gas at the surface has that of the wall.
 //!
 //! Walls add up. Pairs of particles whose connection crosses a thin solid do not interact.
 
@@ -47,6 +50,8 @@ const FRICTION: [f32; INTERVALS + 1] = [
 
 /// Smallest distance of a particle from a wall, in spacings.
 pub(super) const MIN_DISTANCE: f32 = 0.15;
+/// Smallest distance over which a velocity is continued linearly, in smoothing lengths.
+const MIN_LINEAR: f32 = 0.3;
 /// The floor, in place of the index of a solid.
 const FLOOR: u32 = u32::MAX;
 /// The end of a list.
@@ -182,11 +187,12 @@ impl Walls {
             let wall = body.map_or(Vec2::ZERO, |body| body.velocity_at(near.from));
             let velocity = gas.velocity[i] - wall;
             let mixed = eddy * velocity.length();
-            let viscosity = values.kinematic_viscosity + mixed;
+            let linear = near.slope / fast_max(near.distance, MIN_LINEAR * h);
+            let friction = values.kinematic_viscosity * linear + mixed * near.friction;
             let inward = fast_min(velocity.dot(normal), 0.0);
             let pressed = 2.0 * gas.volume[i] / mass * gas.pressure[i] * near.slope;
             let acceleration = &mut gas.acceleration[i];
-            *acceleration -= velocity * (2.0 * viscosity * near.friction);
+            *acceleration -= velocity * (2.0 * friction);
             *acceleration += normal * (pressed - damping * near.friction * inward);
             gas.concentration_gradient[i] -= normal * near.slope;
             if let Some(temperature) = body.and_then(|body| body.temperature) {

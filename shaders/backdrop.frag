@@ -5,7 +5,7 @@
 in vec2 uv;
 
 uniform sampler2D shown;
-uniform sampler2D scenery;    // square root of colour; share of floor
+uniform sampler2D scenery;    // square root of colour; share of ground
 uniform sampler2D irradiance; // square root of the irradiance / range
 uniform sampler2D noise;      // a tile; 0.5 is zero
 uniform vec2 haze_tiles;   // noise tiles across and up the picture
@@ -13,6 +13,9 @@ uniform float haze_risen;  // tiles
 uniform float haze_bend;   // displacement of the view behind hot gas, in heights of the picture
 uniform vec2 weight_range; // range of weight and weight × kK in the field
 uniform float light_range; // maximum radiance in targets
+uniform float wall;        // 1 if there is a wall, or 0
+uniform vec4 background;   // premultiplied
+uniform vec3 sky;          // light of the background
 
 out vec4 pixel;
 
@@ -21,8 +24,8 @@ const float WARM = 0.35;
 const float HOT = 1.1;
 const float THIN = 0.05;      // weight below which the temperature is uncertain
 const float DENSE = 1.5;      // 1 / weight of complete displacement
-const float FLOOR_LIGHT = 0.2; // height in the picture of the light that reaches the floor
-const float FLOOR_GAIN = 1.3; // light on the floor, which faces the flame, relative to the wall
+const float FLOOR_LIGHT = 0.2; // height in the picture of the light that reaches the ground
+const float FLOOR_GAIN = 1.3; // light on the ground, which faces the flame, relative to the wall
 const float LIT = 30.0;       // brightness of the irradiance
 const vec3 NIGHT = vec3(0.035, 0.04, 0.055); // bluish light without the fire
 const float SHOULDER = 0.6;   // compression of the lit backdrop
@@ -35,10 +38,16 @@ void main() {
     vec4 wave = textureLod(noise, tile, 0.0) + 0.5 * textureLod(noise, tile * 2.0 + 0.3, 0.0).wzyx - 0.75;
     vec2 bent = wave.xy * hot * haze_bend * vec2(haze_tiles.y / haze_tiles.x, 1.0);
     vec4 behind = texture(scenery, uv + bent);
-    // The floor below the flame faces it and shows a pool of light.
+    // The ground below the flame faces it and shows a pool of light.
     vec3 root = texture(irradiance, vec2(uv.x, mix(uv.y, FLOOR_LIGHT, behind.a))).rgb;
     float pool = mix(1.0, FLOOR_GAIN, behind.a);
-    vec3 seen = behind.rgb * behind.rgb * (root * root * light_range * LIT * pool + NIGHT);
+    // Without a wall, only the ground is there; over a transparent page, only its light.
+    float there = max(wall, behind.a);
+    float cover = max(wall, behind.a * background.a);
+    vec3 seen = behind.rgb * behind.rgb * (root * root * (light_range * LIT * pool * there) + (NIGHT + sky) * cover);
     vec4 fire = texture(shown, uv);
-    pixel = dither(vec4(fire.rgb + encode(seen / (1.0 + SHOULDER * seen)) * (1.0 - fire.a), 1.0));
+    vec3 lit = encode(seen / (1.0 + SHOULDER * seen));
+    // Light covers as much of a page as it adds.
+    cover = max(cover, max(lit.r, max(lit.g, lit.b)));
+    pixel = dither(fire + (vec4(lit, cover) + background * (1.0 - cover)) * (1.0 - fire.a));
 }

@@ -15,6 +15,7 @@ uniform vec2 picture_size; // [m]
 uniform vec2 per_height;   // height of the domain as a share of the picture, across and up
 uniform float light_range; // maximum radiance in targets
 uniform float gain;        // brightness of a surface of 1500 K
+uniform vec3 sky;          // light of the background
 uniform float breath;      // tiles by which the noise of embers has moved
 
 out vec4 pixel;
@@ -124,7 +125,7 @@ void main() {
         colour *= 1.0 - 0.75 * burnt;
         ember *= burnt;
     }
-    vec3 seen = open * (colour * (lit * fire_light + nearby + NIGHT * (1.2 + facing.y)) + gloss * fire_light);
+    vec3 seen = open * (colour * (lit * fire_light + nearby + (NIGHT + sky) * (1.2 + facing.y)) + gloss * fire_light);
     if (kilokelvin > 0.0) {
         // A solid of a fixed temperature glows everywhere.
         ember = 1.0 - 0.5 * rim * rim;

@@ -102,6 +102,8 @@ export interface HearthFireAttributes {
   'ember-rate'?: number | `${number}` | undefined;
   /** A wall behind the fire, in place of the background. The fire lights it. Default "none". */
   backdrop?: "none" | "bricks" | undefined;
+  /** A ground under the fire, which lights it. Solids cast shadows on it. Over a transparent background, only its light and its shadows are drawn. Default "none". */
+  ground?: "none" | "stone" | "earth" | "sand" | "snow" | undefined;
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   'time-scale'?: number | `${number}` | undefined;
   /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a colour bar; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model, fuel is the remaining life of a particle, and soot is its smoke. Default "fire". */

@@ -16,6 +16,7 @@ export const DEFAULTS = {
   smoke_opacity: 0.3,
   ember_rate: 40,
   backdrop: "none",
+  ground: "none",
   time_scale: 1,
   display_mode: "fire",
   source_x: 0,

@@ -1,6 +1,6 @@
 //! A frame: the data of its passes about the fire, the picture and the camera.
 
-use hearth_core::params::{Backdrop, Colour, DisplayMode, Edges, Layers, Model};
+use hearth_core::params::{Backdrop, Colour, DisplayMode, Edges, Ground, Layers, Model};
 use hearth_core::{Parameters, Source};
 
 use crate::bounds::ParticleBounds;
@@ -124,9 +124,26 @@ impl<'a> Frame<'a> {
         self.burns_as(Model::Combustion) && self.format == TargetFormat::Rgba16F
     }
 
-    /// Whether the fire has a backdrop.
+    /// Whether the fire has a backdrop: a wall, a ground or both.
     pub fn has_backdrop(&self) -> bool {
-        self.shows(DisplayMode::Fire) && self.parameters.backdrop == Backdrop::Bricks
+        self.shows(DisplayMode::Fire) && has_backdrop(self.parameters)
+    }
+
+    /// 1 if there is a wall behind the fire, or 0.
+    pub fn wall(&self) -> f32 {
+        f32::from(self.parameters.backdrop == Backdrop::Bricks)
+    }
+
+    /// Light of the background, which is a sky where no wall hides it.
+    pub fn sky(&self) -> [f32; 3] {
+        let share = SKY * (1.0 - self.wall());
+        let [r, g, b, _] = background(self.parameters.background);
+        [r, g, b].map(|channel| share * channel * channel)
+    }
+
+    /// The ground: its number in the table, that of stone under a wall without another.
+    pub fn ground(&self) -> f32 {
+        f32::from((self.parameters.ground as u8).max(Ground::Stone as u8))
     }
 
     /// Whether it shows solids in the light of the fire.
@@ -229,6 +246,14 @@ impl<'a> Frame<'a> {
         (self.source.base.y / self.parameters.domain_height).min(MAX_FOOT) + WALL_OFFSET
     }
 }
+
+/// Whether a fire with these parameters has a wall behind it or a ground.
+pub fn has_backdrop(parameters: &Parameters) -> bool {
+    parameters.backdrop != Backdrop::None || parameters.ground != Ground::None
+}
+
+/// Brightness of the ground under a white background.
+const SKY: f32 = 0.4;
 
 /// Two to the power of `exponent`.
 pub fn exp2(exponent: f32) -> f32 {

@@ -17,6 +17,7 @@ mod outline;
 mod paper;
 mod scenery;
 mod shade;
+mod shadow;
 mod solid;
 mod splat;
 mod spread;
@@ -27,7 +28,7 @@ mod velocity;
 use crate::pass::Row;
 
 /// Every pass, in the order of a frame.
-pub static PASSES: [Row; 22] = [
+pub static PASSES: [Row; 23] = [
     // Fire of the classic model: particles, field, light.
     Row::of::<splat::Splat>(),
     Row::of::<spread::Spread>(),
@@ -52,7 +53,8 @@ pub static PASSES: [Row; 22] = [
     Row::of::<accumulate::Accumulate>(),
     Row::of::<colour_map::ColourMap>(),
     Row::of::<disc::Disc>(),
-    // Solids, in front of everything but the fire.
+    // Solids and their shadows, in front of everything but the fire.
+    Row::of::<shadow::Shadow>(),
     Row::of::<solid::Solid>(),
     Row::of::<outline::Outline>(),
 ];

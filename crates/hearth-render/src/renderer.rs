@@ -56,8 +56,8 @@ pub struct Renderer<G: Graphics = glow::Context> {
     viewport: Option<Viewport>,
     /// Index of the newest of the two targets of the noise advection.
     newest: usize,
-    /// Position of the drawn backdrop: its foot, and the picture's floor and size.
-    scenery: Option<(f32, [[f32; 2]; 2])>,
+    /// The drawn backdrop: its wall, ground and foot, and the picture's floor and size.
+    scenery: Option<([f32; 3], [[f32; 2]; 2])>,
     /// Range of the measured quantity.
     measured: Option<[f32; 2]>,
 }
@@ -224,7 +224,10 @@ impl<G: Graphics> Renderer<G> {
         }
         frame.motion = self.motion;
         if frame.has_backdrop() {
-            let position = (frame.wall_foot(), [viewport.floor, viewport.heights()]);
+            let position = (
+                [frame.wall(), frame.ground(), frame.wall_foot()],
+                [viewport.floor, viewport.heights()],
+            );
             frame.scenery_is_stale = self.scenery.replace(position) != Some(position);
         }
         self.draw(gl, &frame, on_pass);

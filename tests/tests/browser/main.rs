@@ -8,6 +8,7 @@
 mod canvas;
 mod combustion;
 mod displays;
+mod ground;
 mod scale;
 mod solids;
 mod source;

@@ -183,6 +183,20 @@ choices! {
         /// A wall of bricks, which the fire lights.
         Bricks = "bricks",
     }
+
+    /// The ground under the fire.
+    Ground {
+        /// Nothing; the floor of a wall is of stone.
+        None = "none",
+        /// Flat stones.
+        Stone = "stone",
+        /// Bare earth.
+        Earth = "earth",
+        /// Sand.
+        Sand = "sand",
+        /// Snow.
+        Snow = "snow",
+    }
 }
 
 impl Model {

@@ -8,7 +8,9 @@
 
 use std::ops::Deref;
 
-use super::choices::{Backdrop, Choice, DisplayMode, Edges, Floor, Layers, Model, Palette, Walls};
+use super::choices::{
+    Backdrop, Choice, DisplayMode, Edges, Floor, Ground, Layers, Model, Palette, Walls,
+};
 use super::declare::parameters;
 use super::entry::{Description, Domain, Kind, Role, Scale};
 use super::slot::Slot;
@@ -88,6 +90,9 @@ parameters! {
         ember_rate: number "Sparks" ["1/s"] Linear { Combustion(40.0, 0.0..=1000.0) } when { display_mode: FIRE, layers: LIT }
         /// A wall behind the fire, in place of the background. The fire lights it.
         [Look] backdrop: (choice Backdrop) "Backdrop" { Every(None) } when { display_mode: FIRE }
+        /// A ground under the fire, which lights it. Solids cast shadows on it. Over a
+        /// transparent background, only its light and its shadows are drawn.
+        [Look] ground: (choice Ground) "Ground" { Every(None) } when { display_mode: FIRE }
         /// A faster fire; below 1 slow motion. Seconds of fire for each second of the clock.
         [View] time_scale: number "Speed" [""] Log { Every(1.0, 0.1..=2.0) }
         /// Another view of the same gas: the fire; every particle; a quantity of the gas, with

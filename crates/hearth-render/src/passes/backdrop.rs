@@ -1,6 +1,6 @@
 //! Draws the displayed colours in front of the backdrop.
 
-use crate::frame::{Frame, wrapped};
+use crate::frame::{Frame, background, wrapped};
 use crate::image::Image;
 use crate::noise;
 use crate::pass::{Draw, Pass};
@@ -35,8 +35,11 @@ impl Pass for Backdrop {
             weight_range: [weight, heat],
             haze_tiles: [tiles * viewport.aspect, tiles],
             haze_risen: wrapped(risen * f64::from(tiles)),
-            haze_bend: frame.parameters.heat_haze * BEND / viewport.zoom,
+            haze_bend: frame.wall() * frame.parameters.heat_haze * BEND / viewport.zoom,
             light_range: frame.format.light_range(),
+            wall: frame.wall(),
+            sky: frame.sky(),
+            background: background(frame.parameters.background),
         }
     }
 }

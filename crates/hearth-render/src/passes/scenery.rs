@@ -5,7 +5,7 @@ use crate::image::Image;
 use crate::pass::{Draw, Pass};
 use crate::shaders::uniforms;
 
-/// A wall on a floor, drawn again only when its position in the picture changes.
+/// A wall and a ground, drawn again only when they or their position in the picture change.
 pub struct Scenery;
 
 impl Pass for Scenery {
@@ -23,6 +23,8 @@ impl Pass for Scenery {
             floor_middle: frame.viewport.floor,
             size: frame.viewport.heights(),
             wall_foot: frame.wall_foot(),
+            wall: frame.wall(),
+            ground: frame.ground(),
         }
     }
 }

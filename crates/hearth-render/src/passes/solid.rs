@@ -42,6 +42,7 @@ impl Pass for Solid {
             light_range: frame.format.light_range(),
             luminance_exponent: frame.parameters.luminance_exponent,
             gain: BRIGHTNESS * frame.gain(),
+            sky: frame.sky(),
             breath: wrapped(frame.time * BREATH),
             pale,
             yellow,

@@ -1,10 +1,8 @@
 //! Creates the resources that a frame needs and frees others.
 
-use hearth_core::params::Backdrop;
-
 use super::{CARRIED, Renderer, SCENERY};
 use crate::error::RenderError;
-use crate::frame::Frame;
+use crate::frame::{Frame, has_backdrop};
 use crate::gl::Graphics;
 use crate::palette::Tint;
 use crate::passes::PASSES;
@@ -33,7 +31,7 @@ impl<G: Graphics> Renderer<G> {
     /// Creates every program and target that a pass of the frame needs.
     pub(super) fn fit_targets(&mut self, gl: &G, frame: &Frame) -> Result<(), RenderError> {
         self.targets.fit(gl, frame.layout);
-        if frame.parameters.backdrop != Backdrop::Bricks {
+        if !has_backdrop(frame.parameters) {
             self.targets.free(gl, SCENERY);
         }
         let widest = frame.widest_blur();

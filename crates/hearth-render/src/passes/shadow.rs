@@ -1,0 +1,34 @@
+//! Draws the shadows of solids on the ground.
+
+use crate::frame::Frame;
+use crate::image::Image;
+use crate::pass::{Blend, Draw, Pass};
+use crate::shaders::uniforms;
+
+/// The ground is dark under a solid and behind it as the fire sees it.
+pub struct Shadow;
+
+impl Pass for Shadow {
+    const KEY: &'static str = "solids";
+    const TARGET: Image = Image::Picture;
+    const BLEND: Blend = Blend::Over;
+    const DRAW: Draw = Draw::Solids;
+    type Uniforms = uniforms::Shadow;
+
+    fn applies(frame: &Frame) -> bool {
+        frame.has_backdrop() && frame.solids > 0
+    }
+
+    fn uniforms(frame: &Frame, _: usize) -> uniforms::Shadow {
+        let viewport = &frame.viewport;
+        let [clip_scale, clip_offset] = viewport.to_clip();
+        uniforms::Shadow {
+            clip_scale,
+            clip_offset,
+            count: frame.solids as f32,
+            horizon: frame.wall_foot() * frame.parameters.domain_height,
+            picture: [viewport.metres[1], viewport.floor[1]],
+            per_height: viewport.heights().map(|side| 1.0 / side),
+        }
+    }
+}

@@ -1,12 +1,31 @@
-// The distance of this pixel from the surface of a solid.
+// The distance of this pixel from the surface of a solid. ROW and TEXELS come from build/values.rs.
 
 in vec2 local;
+in vec2 node;
 flat in vec4 body;
+flat in vec4 field;
 
-uniform float pixel_size; // [m]
+uniform sampler2D particles; // the solids
+uniform float pixel_size;    // [m]
+
+float sampled(ivec2 at) {
+    int number = at.y * int(field.y) + at.x;
+    int texel = int(field.x) + number / 4;
+    return texelFetch(particles, ivec2(texel % (ROW * TEXELS), texel / (ROW * TEXELS)), 0)[number % 4];
+}
 
 // Outward normal and distance [m], negative inside.
 vec3 surface() {
+    if (field.y > 0.0) {
+        vec2 within = max(node, 0.0);
+        ivec2 at = ivec2(within);
+        vec2 part = within - vec2(at);
+        vec2 low = vec2(sampled(at), sampled(at + ivec2(1, 0)));
+        vec2 high = vec2(sampled(at + ivec2(0, 1)), sampled(at + ivec2(1, 1)));
+        vec2 middle = mix(low, high, part.y);
+        vec2 slope = vec2(middle.y - middle.x, mix(high.x - low.x, high.y - low.y, part.x)) / field.zw;
+        return vec3(slope / max(length(slope), 1e-3), mix(middle.x, middle.y, part.x));
+    }
     vec2 from = abs(local) - body.xy;
     vec2 out_of = max(from, 0.0);
     float away = length(out_of);

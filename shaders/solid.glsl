@@ -1,17 +1,33 @@
-// One quad per solid, with a margin for its soft edge. A solid is a rounded box: its record holds
-// the centre and the direction of its width, then half of the inner box, the radius of its
-// corners, and its surface: material × SURFACES + temperature [K]. SURFACES comes from build/values.rs.
+// One quad per solid, with a margin for its soft edge. The record of a solid holds the centre and the
+// direction of its width, then half of its box, a radius, and its surface: material × SURFACES +
+// temperature [K]. The radius is that of the corners around the box. A negative one is the place of
+// a sampled distance in the texture, counted in records: the number of nodes of a row, the largest
+// depth and the distances between nodes, then the distance at each node, in the next record. SURFACES
+// comes from build/values.rs.
 #include "particle.glsl"
 
 uniform float margin; // [m]
 
-out vec2 local;     // from the centre, along its width and its height [m]
-flat out vec4 body; // half of the inner box [m], radius [m], surface
+out vec2 local;      // from the centre, along its width and its height [m]
+out vec2 node;       // from the lower left node of a sampled distance
+flat out vec4 body;  // half of the inner box [m], radius [m], surface; a sampled one is as thick as it is deep
+flat out vec4 field; // first texel, nodes of a row, distances between nodes [m]; zeros without samples
 
 Particle this_solid() {
     Particle solid = this_particle();
     body = solid.state;
-    local = solid.corner * (body.xy + body.z + margin);
+    vec2 size = body.xy + max(body.z, 0.0);
+    // A field has a border of its own.
+    local = solid.corner * (size + (body.z < 0.0 ? 0.0 : margin));
     gl_Position = clip(solid, solid.place + mat2(solid.velocity, -solid.velocity.y, solid.velocity.x) * local);
+    field = vec4(0.0);
+    node = local;
+    if (body.z < 0.0) {
+        int place = int(-body.z);
+        vec4 head = texelFetch(particles, ivec2(place % ROW * TEXELS, place / ROW), 0);
+        field = vec4(float((place + 1) * TEXELS), head.x, head.zw);
+        node = (local + size) / head.zw;
+        body.xyz = vec3(head.yy, 0.0);
+    }
     return solid;
 }

@@ -61,8 +61,8 @@ fn burn(fire: &mut Simulation, seconds: f64) -> f64 {
 fn assert_outside(fire: &Simulation, case: u32) {
     for at in fire.positions() {
         assert!(at.is_finite(), "case {case}");
-        for solid in fire.scene().solids() {
-            let (distance, _) = solid.distance(at);
+        for (_, solid, surface) in fire.scene().surfaces() {
+            let (distance, _) = surface.distance(at);
             assert!(
                 distance > 0.0,
                 "case {case}: {distance} m at {at}: {solid:?}"
@@ -90,8 +90,50 @@ fn random_solid(random: &mut Random) -> Vec<(&'static str, f64)> {
     ]
 }
 
+/// A ring with a gap, a star, and a bent line.
+const OUTLINES: [(&str, &str, &str); 4] = [
+    (
+        "polygon",
+        "points",
+        "0,0.2 -0.12,-0.16 0.19,0.06 -0.19,0.06 0.12,-0.16",
+    ),
+    (
+        "stroke",
+        "points",
+        "0.1,0.15 -0.15,0.15 -0.15,-0.15 0.15,-0.15 0.15,0.05 0.02,0",
+    ),
+    ("mask", "mask", "8x8:XsQsQoQoQoQoQsVPX"),
+    (
+        "polygon",
+        "points",
+        "-0.2,-0.05 0.2,-0.1 0.2,0.1 0.1,0 0,0.12",
+    ),
+];
+
+/// Adds a solid with an outline and returns its id.
+fn add_outline(scene: &mut Scene, number: usize, numbers: Numbers<'_>) -> u32 {
+    let (shape, property, text) = OUTLINES[number % OUTLINES.len()];
+    let id = add(scene, shape, numbers);
+    assert_eq!(scene.change(id, &[(property, Input::Text(text))]), Ok(()));
+    id
+}
+
 #[test]
 fn no_gas_is_inside_of_moving_solids() {
+    let shapes = ["box", "line", "box", "circle"];
+    no_gas_is_inside(&mut |scene, number, random| {
+        add(scene, shapes[number % 4], &random_solid(random))
+    });
+}
+
+#[test]
+fn no_gas_is_inside_of_moving_outlines() {
+    no_gas_is_inside(&mut |scene, number, random| {
+        add_outline(scene, number, &random_solid(random))
+    });
+}
+
+fn no_gas_is_inside(add: &mut dyn FnMut(&mut Scene, usize, &mut Random) -> u32) {
     for case in 0..24 {
         let mut random = Random::new(case);
         let choices: &[&[(&str, &str)]] = &[
@@ -104,8 +146,7 @@ fn no_gas_is_inside_of_moving_solids() {
         let mut scene = scene(choices, &[("max_particles", 900.0)]);
         let mut ids = Vec::new();
         for number in 0..8 {
-            let shape = ["box", "line", "box", "circle"][number % 4];
-            ids.push(add(&mut scene, shape, &random_solid(&mut random)));
+            ids.push(add(&mut scene, number, &mut random));
         }
         let mut fire = Simulation::new(scene);
         assert_outside(&fire, case);
@@ -312,8 +353,8 @@ fn embers_bounce_off_solids() {
     for _ in 0..400 {
         fire.step();
         for ember in fire.embers() {
-            for solid in fire.scene().solids() {
-                let (distance, _) = solid.distance(ember.position);
+            for (_, _, surface) in fire.scene().surfaces() {
+                let (distance, _) = surface.distance(ember.position);
                 assert!(distance > -1e-5, "{distance} m at {}", ember.position);
             }
         }
@@ -337,4 +378,56 @@ fn the_same_scene_with_solids_gives_the_same_bits() {
         };
         assert_eq!(bits(), bits(), "{choices:?}");
     }
+}
+
+#[test]
+fn a_source_keeps_its_power_beside_outlines() {
+    for choices in [&[][..], &[("edges", "open"), ("floor", "solid")]] {
+        let mut scene = scene(choices, &[("max_particles", 1500.0)]);
+        let power = |scene: &Scene| {
+            let mut fire = Simulation::new(scene.clone());
+            burn(&mut fire, 1.5);
+            burn(&mut fire, 2.5)
+        };
+        let bare = power(&scene);
+        add_outline(&mut scene, 0, &[("x", -0.4), ("y", 0.35)]);
+        add_outline(&mut scene, 1, &[("x", 0.4), ("y", 0.35), ("height", 0.02)]);
+        let beside = power(&scene);
+        assert!(
+            (beside / bare - 1.0).abs() < 0.05,
+            "{beside} for {bare} kW/m"
+        );
+    }
+}
+
+#[test]
+fn gas_in_a_closed_ring_does_not_feel_the_gas_around_it() {
+    let mut scene = scene(&[], &[CALM, &[("max_particles", 3000.0)]].concat());
+    let id = add(&mut scene, "stroke", &[("y", 0.9), ("height", 0.01)]);
+    let ring = "-0.3,-0.3 0.3,-0.3 0.3,0.3 -0.3,0.3 -0.3,-0.3";
+    assert_eq!(scene.change(id, &[("points", Input::Text(ring))]), Ok(()));
+    let mut fire = Simulation::new(scene);
+    burn(&mut fire, 0.5);
+    let inside = |at: Vec2| at.x.abs() < 0.3 && (at.y - 0.9).abs() < 0.3;
+    let moving = fire.particles().into_iter().map(|one| Particle {
+        velocity: if inside(one.position) {
+            Vec2::ZERO
+        } else {
+            Vec2::new(0.5, 0.0)
+        },
+        temperature: if inside(one.position) {
+            800.0
+        } else {
+            one.temperature
+        },
+        ..one
+    });
+    assert_eq!(fire.set_particles(&moving.collect::<Vec<_>>()), Ok(()));
+    burn(&mut fire, 0.3);
+    let all = fire.positions().into_iter().zip(fire.temperatures());
+    let hottest = all
+        .filter(|one| !inside(one.0))
+        .map(|one| one.1)
+        .fold(0.0, f32::max);
+    assert!(hottest < 320.0, "{hottest} K outside");
 }

@@ -1,6 +1,6 @@
 //! Plain JavaScript objects, written field by field.
 
-use hearth_core::params::Value;
+use hearth_core::params::AnyValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 #[wasm_bindgen]
@@ -38,9 +38,9 @@ extern "C" {
 impl Record {
     /// Sets the value of a parameter.
     #[inline(never)]
-    pub fn set_value(&self, name: &str, value: Value) {
+    pub fn set_value(&self, name: &str, value: AnyValue<'_>) {
         match value {
-            Value::Flag(on) => self.set_flag(name, on),
+            AnyValue::Flag(on) => self.set_flag(name, on),
             _ => match value.as_number() {
                 Some(number) => self.set_number(name, number),
                 None => self.set_text(name, &value.to_string()),

@@ -4,7 +4,7 @@
 //! `web/element/requests.js`, `columns` in `web/sim/values.js`), so no getter of a page runs during
 //! a call of wasm. This module makes a tree of it in Rust, which is checked without a browser.
 
-use hearth_core::params::{Input, Value};
+use hearth_core::params::{AnyValue, Input};
 use js_sys::{Array, Object, Uint8Array};
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -16,8 +16,8 @@ const DEEPEST: u32 = 6;
 /// Most elements of a list and fields of an object; far more than there are parameters.
 const LONGEST: u32 = 1000;
 
-/// Longest text in bytes.
-const LONGEST_TEXT: usize = 1000;
+/// Longest text in bytes: that of the largest mask.
+const LONGEST_TEXT: usize = 66_000;
 
 /// Most bytes of a saved fire.
 const LONGEST_BYTES: u32 = 65_536;
@@ -57,7 +57,7 @@ impl Untrusted {
         }
         if let Some(text) = value.as_string() {
             return if text.len() > LONGEST_TEXT {
-                Untrusted::Other("a text of more than a thousand letters")
+                Untrusted::Other("a text of more than 66000 letters")
             } else {
                 Untrusted::Text(text)
             };
@@ -120,9 +120,9 @@ impl Untrusted {
 
     /// A checked value.
     #[inline(never)]
-    pub fn of_value(value: Value) -> Untrusted {
+    pub fn of_value(value: AnyValue<'_>) -> Untrusted {
         match value {
-            Value::Flag(on) => Untrusted::Flag(on),
+            AnyValue::Flag(on) => Untrusted::Flag(on),
             _ => match value.as_number() {
                 Some(number) => Untrusted::Number(number),
                 None => Untrusted::Text(value.to_string()),

@@ -10,6 +10,7 @@ mod choices;
 mod decimal;
 mod declare;
 mod entry;
+mod outline;
 mod property;
 mod quantity;
 mod resolution;
@@ -26,6 +27,7 @@ pub use choices::{
     Thermal, Walls,
 };
 pub use entry::{Condition, Description, Domain, Kind, Role, Scale, conditions_in_words};
+pub use outline::{Mask, Points};
 pub use property::Property;
 pub use quantity::Quantity;
 pub use resolution::IN_FRAME;
@@ -33,4 +35,4 @@ pub use set::Parameters;
 pub use solid::{SOLID, Solid};
 pub(crate) use solid::{SOLID_NAMES, SOLID_PROPERTIES};
 pub use table::{DESCRIPTIONS, PARAMETERS, Param, Physics, Values};
-pub use value::{Colour, Input, ParamError, ParamErrorKind, Value};
+pub use value::{AnyValue, Colour, Input, ParamError, ParamErrorKind, Value};

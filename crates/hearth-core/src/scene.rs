@@ -5,7 +5,9 @@
 //! separate properties, whose ranges, defaults and units are those of the parameters. No property
 //! of a solid is a parameter. [`KINDS`] lists the properties of each kind.
 
+mod contour;
 mod distance;
+mod field;
 mod kinds;
 mod object;
 #[cfg(test)]
@@ -14,7 +16,8 @@ mod tests;
 use crate::params::{Input, ParamError, ParamErrorKind, Parameters, Solid};
 
 pub use crate::params::Property;
-pub(crate) use distance::RoundedBox;
+pub use distance::{RoundedBox, Surface};
+pub use field::Field;
 pub use kinds::{KINDS, Kind};
 pub use object::Object;
 use object::Values;
@@ -100,13 +103,16 @@ impl Scene {
 
     /// The solids, in the order of the objects.
     pub fn solids(&self) -> impl Iterator<Item = &Solid> {
-        self.solids_by_id().map(|(_, solid)| solid)
+        self.surfaces().map(|(_, solid, _)| solid)
     }
 
-    /// The solids with their ids, in the order of the objects.
-    pub fn solids_by_id(&self) -> impl Iterator<Item = (u32, &Solid)> {
+    /// The solids with their ids and surfaces, in the order of the objects.
+    pub fn surfaces(&self) -> impl Iterator<Item = (u32, &Solid, &Surface)> {
         let all = self.objects.iter();
-        all.filter_map(|one| Some((one.id, one.values.of_solid()?)))
+        all.filter_map(|one| {
+            let (solid, surface) = one.values.of_solid()?;
+            Some((one.id, solid, surface))
+        })
     }
 
     /// Total power of the sources [kW/m], in the combustion model.
@@ -234,7 +240,7 @@ impl Scene {
             return;
         }
         let values = match (kind.map(|kind| kind.name), count) {
-            (Some("solid"), _) => Values::Solid(Box::default()),
+            (Some("solid"), _) => Values::new_solid(),
             (_, 0) => Values::FirstSource,
             (_, index) => {
                 let defaults = Parameters::new(self.settings.model());
@@ -253,6 +259,7 @@ impl Scene {
         };
         let id = Input::Number(object.id.into());
         let kind = object.values.kind();
+        let before = object.values.of_solid().map(|(solid, _)| solid.clone());
         for &(field, input) in fields {
             let known = [(KIND, Input::Text(kind.name)), (ID, id)];
             if known.contains(&(field, input)) {
@@ -271,6 +278,9 @@ impl Scene {
                     kind.allowed,
                 )),
             }
+        }
+        if errors.is_empty() {
+            object.values.settle(before.as_ref());
         }
     }
 

@@ -11,7 +11,7 @@ use glam::Vec2;
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::Thermal;
-use crate::scene::{RoundedBox, Scene};
+use crate::scene::{Scene, Surface};
 
 /// Longest and shortest time of a motion \[s\].
 const LONGEST_MOTION: f32 = 1.0 / 30.0;
@@ -33,7 +33,7 @@ pub(crate) struct Body {
     /// Its place without the period of an image \[m\], and its angle \[rad\].
     centre: Vec2,
     angle: f32,
-    pub shape: RoundedBox,
+    pub surface: Surface,
     /// Radius of the circle around the centre that contains it \[m\].
     pub reach: f32,
     /// Temperature of the surface \[K\]; `None` if no heat passes.
@@ -50,7 +50,7 @@ impl Body {
     /// The velocity of its surface at a position [m/s].
     #[inline]
     pub fn velocity_at(&self, position: Vec2) -> Vec2 {
-        let turning = (position - self.shape.centre).perp() * self.spin;
+        let turning = (position - self.surface.frame.centre).perp() * self.spin;
         (self.velocity + turning).clamp_length_max(MAX_SPEED)
     }
 
@@ -58,7 +58,7 @@ impl Body {
     #[inline]
     pub fn may_touch(&self, position: Vec2, distance: f32) -> bool {
         let reach = self.reach + distance;
-        position.distance_squared(self.shape.centre) < reach * reach
+        position.distance_squared(self.surface.frame.centre) < reach * reach
     }
 }
 
@@ -82,14 +82,14 @@ impl Solids {
     #[inline(never)]
     pub fn update(&mut self, scene: &Scene, bounds: &Bounds, near: f32) {
         let old = std::mem::take(&mut self.bodies);
-        for (id, solid) in scene.solids_by_id() {
-            let shape = solid.rounded_box();
+        for (id, solid, surface) in scene.surfaces() {
+            let frame = surface.frame;
             let mut body = Body {
                 id,
-                centre: shape.centre,
+                centre: frame.centre,
                 angle: solid.angle.to_radians(),
-                shape,
-                reach: shape.reach(),
+                surface: surface.clone(),
+                reach: frame.reach(),
                 temperature: (solid.thermal == Thermal::Fixed).then_some(solid.temperature),
                 velocity: Vec2::ZERO,
                 spin: 0.0,
@@ -136,7 +136,7 @@ impl Solids {
                 let image = centre + Vec2::new(column as f32, row as f32) * period;
                 if (column, row) != (0, 0) && is_inside(image) {
                     let mut body = body.clone();
-                    body.shape.centre = image;
+                    body.surface.frame.centre = image;
                     self.bodies.push(body);
                 }
             }
@@ -163,7 +163,7 @@ impl Solids {
     pub fn touch(&self, position: Vec2, distance: f32) -> bool {
         let mut near = self.bodies.iter();
         near.any(|body| {
-            body.may_touch(position, distance) && body.shape.distance(position).0 < distance
+            body.may_touch(position, distance) && body.surface.distance(position).0 < distance
         })
     }
 
@@ -176,7 +176,7 @@ impl Solids {
             let before = place;
             for body in &self.bodies {
                 if body.may_touch(place, fast_max(gap, -depth)) {
-                    let (distance, normal) = body.shape.distance(place);
+                    let (distance, normal) = body.surface.distance(place);
                     if distance < -depth {
                         return None;
                     }

@@ -29,7 +29,8 @@ pub fn value_text(value: &Value) -> String {
         | Value::Seed(_)
         | Value::Choice(_)
         | Value::Flag(_)
-        | Value::Colour(_) => value.to_string(),
+        | Value::Colour(_)
+        | Value::Text(_) => value.to_string(),
     }
 }
 

@@ -22,7 +22,7 @@ use crate::particles::Particles;
 use crate::resolution::{Layout, ResolutionLimits};
 use crate::scale::extremes;
 use crate::shared::SharedResources;
-use crate::solids;
+use crate::solids::Solids;
 use crate::targets::Targets;
 use crate::viewport::Viewport;
 
@@ -45,7 +45,7 @@ pub struct Renderer<G: Graphics = glow::Context> {
     limits: ResolutionLimits,
     particles: Particles<G>,
     embers: Particles<G>,
-    solids: Particles<G>,
+    solids: Solids<G>,
     targets: Targets<G>,
     /// Colour table of another palette than the black body, whose table all fires share.
     tinted: Option<(Tint, G::Texture)>,
@@ -90,7 +90,7 @@ impl<G: Graphics> Renderer<G> {
             limits: ResolutionLimits::MEDIUM,
             particles: Particles::new(gl, max_rows)?,
             embers: Particles::new(gl, max_rows)?,
-            solids: Particles::new(gl, max_rows)?,
+            solids: Solids::new(Particles::new(gl, max_rows)?),
             targets: Targets::new(),
             tinted: None,
             bounds: ParticleBounds::of(&[], &[]),
@@ -156,10 +156,7 @@ impl<G: Graphics> Renderer<G> {
 
     /// Uploads the solids of a scene. Until the next call they stay in the pictures.
     pub fn upload_solids(&mut self, gl: &G, scene: &Scene) {
-        let records = solids::records(scene);
-        if !records.is_empty() || self.solids.count() > 0 {
-            self.solids.upload(gl, &records);
-        }
+        self.solids.upload(gl, scene);
     }
 
     /// Draws the uploaded particles and solids. Ignores a picture without pixels.
@@ -207,7 +204,7 @@ impl<G: Graphics> Renderer<G> {
         let (mode, model) = (parameters.display_mode, parameters.model());
         self.fit_colours(gl, Tint::of(parameters))?;
         self.motion.scale.add(mode, model, self.measured);
-        let counts = [&self.particles, &self.embers, &self.solids].map(Particles::count);
+        let counts = [&self.particles, &self.embers, &self.solids.texture].map(Particles::count);
         let mut frame = Frame::new(
             parameters,
             (layout, self.shared.format),
@@ -239,7 +236,7 @@ impl<G: Graphics> Renderer<G> {
     pub fn destroy(mut self, gl: &G) {
         self.particles.destroy(gl);
         self.embers.destroy(gl);
-        self.solids.destroy(gl);
+        self.solids.texture.destroy(gl);
         self.targets.destroy(gl);
         if let Some((_, colours)) = &self.tinted {
             gl.delete_texture(colours);

@@ -1,21 +1,91 @@
-//! Solids as records of the texture from which their quads are drawn.
+//! Solids as records of the texture from which their quads are drawn, and their sampled distances
+//! behind them.
+
+use std::sync::Arc;
 
 use hearth_core::params::{Material, Solid, Thermal};
+use hearth_core::scene::{Field, Surface};
 use hearth_core::{Instance, Scene};
 
-use crate::constants::SURFACES;
+use crate::constants::{ROW, SURFACES};
+use crate::gl::Graphics;
+use crate::particles::Particles;
 
 /// Minimum temperature of a surface that visibly glows \[K\].
 const GLOWING: f32 = 800.0;
 
-/// The visible solids of a scene, in the layout that `shaders/solid.glsl` reads.
-pub fn records(scene: &Scene) -> Vec<Instance> {
-    let visible = scene.solids().filter(|one| one.material != Material::None);
-    visible.map(record).collect()
+/// The solids on the graphics card: records in the first row of a texture, then the fields of
+/// solids with a sampled distance, in the layout that `shaders/solid.glsl` reads.
+pub struct Solids<G: Graphics> {
+    pub texture: Particles<G>,
+    /// The fields in the texture. They are uploaded only when they change.
+    fields: Vec<Arc<Field>>,
 }
 
-fn record(solid: &Solid) -> Instance {
-    let shape = solid.rounded_box();
+impl<G: Graphics> Solids<G> {
+    pub fn new(texture: Particles<G>) -> Solids<G> {
+        Solids {
+            texture,
+            fields: Vec::new(),
+        }
+    }
+
+    /// Uploads the visible solids of a scene.
+    pub fn upload(&mut self, gl: &G, scene: &Scene) {
+        let mut fields = Vec::new();
+        let mut instances = records(scene, &mut fields);
+        let count = instances.len();
+        let same = |(one, other): (&Arc<Field>, &Arc<Field>)| Arc::ptr_eq(one, other);
+        let is_known =
+            fields.len() == self.fields.len() && fields.iter().zip(&self.fields).all(same);
+        if !is_known {
+            instances.resize(ROW, [0.0; 8]);
+            fields
+                .iter()
+                .for_each(|field| append(&mut instances, field));
+            self.texture.upload(gl, &instances);
+            self.fields = fields;
+        }
+        if count > 0 || self.texture.count() > 0 {
+            self.texture.upload(gl, &instances[..count]);
+        }
+    }
+}
+
+/// The records of the visible solids; appends their fields.
+fn records(scene: &Scene, fields: &mut Vec<Arc<Field>>) -> Vec<Instance> {
+    let mut place = ROW;
+    let visible = scene
+        .surfaces()
+        .filter(|one| one.1.material != Material::None);
+    let records = visible.map(|(_, solid, surface)| {
+        let mut record = record(solid, surface);
+        if let Some(field) = &surface.field {
+            record[6] = -(place as f32);
+            place += 1 + field.distances.len().div_ceil(record.len());
+            fields.push(field.clone());
+        }
+        record
+    });
+    records.collect()
+}
+
+/// Appends a field: a head, then its distances.
+fn append(instances: &mut Vec<Instance>, field: &Field) {
+    let step = 2.0 * field.half.x / (field.columns as f32 - 1.0);
+    let rise = 2.0 * field.half.y / (field.rows() as f32 - 1.0);
+    let mut head = [0.0; 8];
+    head[..4].copy_from_slice(&[field.columns as f32, field.depth, step, rise]);
+    instances.push(head);
+    for some in field.distances.chunks(head.len()) {
+        let mut record = [0.0; 8];
+        record[..some.len()].copy_from_slice(some);
+        instances.push(record);
+    }
+}
+
+fn record(solid: &Solid, surface: &Surface) -> Instance {
+    let shape = &surface.frame;
     let glows = solid.thermal == Thermal::Fixed && solid.temperature >= GLOWING;
     let kelvin = if glows { solid.temperature } else { 0.0 };
     [
@@ -45,7 +115,9 @@ mod tests {
             ("temperature", Input::Number(kelvin)),
         ]);
         assert!(added.is_ok(), "{added:?}");
-        records(&scene).first().map(|[.., surface]| *surface)
+        records(&scene, &mut Vec::new())
+            .first()
+            .map(|[.., surface]| *surface)
     }
 
     #[test]

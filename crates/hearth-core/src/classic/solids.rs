@@ -38,7 +38,7 @@ fn keep_outside(particle: &mut ParticleState, solids: &Solids, gap: f32, depth: 
         if !body.may_touch(at, gap) {
             continue;
         }
-        let (distance, normal) = body.shape.distance(at);
+        let (distance, normal) = body.surface.distance(at);
         if distance < -depth {
             return false;
         }

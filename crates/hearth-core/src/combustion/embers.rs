@@ -157,7 +157,7 @@ impl Embers {
 
 /// Returns an ember that is in a solid to its surface.
 fn bounce(ember: &mut Ember, body: &Body) {
-    let (distance, normal) = body.shape.distance(ember.position);
+    let (distance, normal) = body.surface.distance(ember.position);
     if distance < 0.0 {
         ember.position -= normal * distance;
         let wall = body.velocity_at(ember.position);

@@ -96,7 +96,10 @@ impl NumberDensity {
         if walls.any_thin() {
             let planes = |one: usize| {
                 let all = walls.thin_near(one);
-                all.map(|(normal, distance, solid)| (normal, distance * inverse_h, solid))
+                all.map(|(normal, distance, solid)| {
+                    let distance = walls::plane(solids, solid, distance);
+                    (normal, distance * inverse_h, solid)
+                })
             };
             let parts = |solid: u32, one: Vec2, other: Vec2| {
                 walls::crosses(solids, solid, one * h, other * h)

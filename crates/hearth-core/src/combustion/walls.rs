@@ -24,7 +24,7 @@ use super::pair::Context;
 use crate::extremes::{fast_max, fast_min};
 use crate::grid::Grid;
 use crate::kernel::Kernel;
-use crate::scene::RoundedBox;
+use crate::scene::{RoundedBox, Surface};
 use crate::solids::Solids;
 
 /// Intervals of the tables, over distances of 0 to 2 smoothing lengths.
@@ -112,16 +112,19 @@ impl Walls {
             }
         }
         for (number, body) in (0..).zip(&solids.bodies) {
-            let is_thin = thickness(&body.shape) < support;
+            let is_thin = is_thin(&body.surface, support);
             let reach = Vec2::splat(body.reach + support);
-            let (low, high) = (body.shape.centre - reach, body.shape.centre + reach);
+            let (low, high) = (
+                body.surface.frame.centre - reach,
+                body.surface.frame.centre + reach,
+            );
             for row in grid.rows_between(low.y, high.y) {
                 for index in grid.particles_between(row, low.x, high.x) {
                     let position = gas.position[index];
                     if !body.may_touch(position, support) {
                         continue;
                     }
-                    let (distance, normal) = body.shape.distance(position);
+                    let (distance, normal) = body.surface.distance(position);
                     if distance < support {
                         let at = (position, distance, normal);
                         let mut near = Near::new(index, number, at, kernel);
@@ -219,7 +222,7 @@ impl Walls {
             let i = near.index as usize;
             let moved = gas.position[i];
             let body = solids.bodies.get(near.solid as usize);
-            if body.map_or(moved.y, |body| body.shape.distance(moved).0) < 0.5 * gap {
+            if body.map_or(moved.y, |body| body.surface.distance(moved).0) < 0.5 * gap {
                 gas.position[i] = near.from;
             }
         }
@@ -267,7 +270,7 @@ impl Near {
             }
             return inside;
         };
-        let (distance, normal) = body.shape.distance(position);
+        let (distance, normal) = body.surface.distance(position);
         // With a tolerance for rounding, so that a particle at the gap is not held again.
         let inside = distance < 0.9 * gap;
         if distance < gap {
@@ -280,15 +283,32 @@ impl Near {
     }
 }
 
-/// Smallest width of a solid.
-fn thickness(shape: &RoundedBox) -> f32 {
-    2.0 * (shape.half.min_element() + shape.radius)
+/// Whether a solid is thinner somewhere than the support of the kernel. The thickness of a sampled
+/// one is unknown.
+fn is_thin(surface: &Surface, support: f32) -> bool {
+    let shape = &surface.frame;
+    surface.field.is_some() || 2.0 * (shape.half.min_element() + shape.radius) < support
+}
+
+/// The distance to the plane that a thin solid lies behind: none for one that is not convex.
+pub(super) fn plane(solids: &Solids, solid: u32, distance: f32) -> f32 {
+    let body = solids.bodies.get(solid as usize);
+    match body.and_then(|body| body.surface.field.as_ref()) {
+        Some(_) => f32::NEG_INFINITY,
+        None => distance,
+    }
 }
 
 /// Whether the line between two points crosses a solid.
 pub(super) fn crosses(solids: &Solids, solid: u32, one: Vec2, other: Vec2) -> bool {
     let body = solids.bodies.get(solid as usize);
-    body.is_some_and(|body| crosses_shape(&body.shape, one, other))
+    body.is_some_and(|body| {
+        let Surface { frame, field } = &body.surface;
+        match field {
+            Some(field) => field.crosses(frame.local(one), frame.local(other)),
+            None => crosses_shape(frame, one, other),
+        }
+    })
 }
 
 fn crosses_shape(shape: &RoundedBox, one: Vec2, other: Vec2) -> bool {

@@ -4,7 +4,7 @@ use super::choices::Model;
 use super::entry::{Description, Domain, Kind};
 use super::solid::{SOLID, SOLID_DESCRIPTIONS};
 use super::table::{DESCRIPTIONS, PARAMETERS, Param};
-use super::value::{Colour, Input, ParamError, ParamErrorKind, Value};
+use super::value::{AnyValue, Colour, Input, ParamError, ParamErrorKind, Value};
 
 impl Param {
     /// The parameter with this id.
@@ -33,8 +33,13 @@ impl Param {
         self.domain(model).unwrap_or(&self.domains[0])
     }
 
-    /// Checks `input` against the kind and the range. It is the only validator.
-    pub(crate) fn check(&self, model: Model, input: Input<'_>) -> Result<Value, ParamError> {
+    /// Checks `input` against the kind and the range. It is the only validator. The form of an
+    /// outline is checked when it is written.
+    pub(crate) fn check<'a>(
+        &self,
+        model: Model,
+        input: Input<'a>,
+    ) -> Result<AnyValue<'a>, ParamError> {
         let (min, max) = self.any_domain(model).range;
         let in_range = |whole: bool| {
             input
@@ -79,13 +84,19 @@ impl Param {
             }
             .map(Value::Colour)
             .ok_or_else(|| self.error(input, ParamErrorKind::NotAColour)),
+            Kind::Text(form) => match input {
+                Input::Text(text) => Ok(AnyValue::Text(text)),
+                Input::Number(_) | Input::Flag(_) => {
+                    Err(self.error(input, ParamErrorKind::Other(form)))
+                }
+            },
         }
     }
 
     // Inlined, it costs half a kilobyte of download.
     #[cold]
     #[inline(never)]
-    fn error(&self, input: Input<'_>, kind: ParamErrorKind) -> ParamError {
+    pub(super) fn error(&self, input: Input<'_>, kind: ParamErrorKind) -> ParamError {
         ParamError {
             id: self.id.to_owned(),
             value: input.to_string(),

@@ -92,6 +92,12 @@ choices! {
         Box = "box",
         /// A line with round ends.
         Line = "line",
+        /// A closed outline of straight lines.
+        Polygon = "polygon",
+        /// A line through points, with a thickness and round ends.
+        Stroke = "stroke",
+        /// What is opaque in a picture.
+        Mask = "mask",
     }
 
     /// The material of a solid, which decides its picture.

@@ -72,9 +72,9 @@ macro_rules! parameters {
 
             /// Writes a value to the field of `param`.
             #[inline(never)]
-            pub(super) fn put(&mut self, param: &Param, value: Value) {
+            pub(super) fn put(&mut self, param: &Param, value: AnyValue<'_>) {
                 if let Some(field) = param.field {
-                    self.slot(field).put(value);
+                    let _ = self.slot(field).put(value);
                 }
             }
 
@@ -140,12 +140,14 @@ macro_rules! parameters {
     (@type flag) => { bool };
     (@type colour) => { Colour };
     (@type (choice $type:ident)) => { $type };
+    (@type (text $type:ident)) => { $type };
 
     (@kind number $scale:ident) => { Kind::Number(Scale::$scale) };
     (@kind integer $scale:ident) => { Kind::Integer(Scale::$scale) };
     (@kind seed) => { Kind::Seed };
     (@kind flag) => { Kind::Flag };
     (@kind colour) => { Kind::Colour };
+    (@kind (text $type:ident)) => { Kind::Text($type::FORM) };
     (@kind (choice $type:ident)) => { Kind::Choice(<$type as Choice>::NAMES) };
 
     (@role) => { Role::Physics };
@@ -155,6 +157,7 @@ macro_rules! parameters {
     (@model $model:ident) => { Some(Model::$model) };
 
     (@default (choice $type:ident), ($default:ident)) => { $type::$default };
+    (@default (text $type:ident), $domain:tt) => { $type::default() };
     (@default $kind:tt, ($default:expr $(, $range:expr)?)) => { $default };
     (@first $kind:tt, $domain:tt $($rest:tt)*) => {
         parameters!(@default $kind, $domain)
@@ -176,12 +179,17 @@ macro_rules! parameters {
     (@slot seed, $x:expr) => { Slot::Seed(&mut $x) };
     (@slot flag, $x:expr) => { Slot::Flag(&mut $x) };
     (@slot colour, $x:expr) => { Slot::Colour(&mut $x) };
+    (@slot (text $type:ident), $x:expr) => { Slot::Text(&mut $x) };
     (@slot (choice $type:ident), $x:expr) => { Slot::Choice(&mut $x) };
 }
 
 /// Expands the table of an object's properties to the struct of its values, its entries, their
 /// descriptions and their names as text. An entry is one of [`parameters!`].
 macro_rules! properties {
+    (@value (text $type:ident), $domain:tt) => { Value::Text($type::DEFAULT) };
+    (@value $kind:tt, $domain:tt) => {
+        parameters!(@value $kind, parameters!(@default $kind, $domain))
+    };
     ($(#[$about:meta])* $object:ident: $entries:ident, $descriptions:ident, $named:ident, $allowed:ident;
         $( #[doc = $first_doc:literal] $(#[doc = $doc:literal])* $([$role:ident])?
         $id:ident : $kind:tt $label:literal $([$unit:literal])? $($scale:ident)?
@@ -216,7 +224,7 @@ macro_rules! properties {
             kind: parameters!(@kind $kind $($scale)?),
             domains: &[Domain {
                 model: None,
-                default: parameters!(@value $kind, parameters!(@default $kind, $domain)),
+                default: properties!(@value $kind, $domain),
                 range: parameters!(@range $kind, $domain),
             }],
             role: parameters!(@role $($role)?),

@@ -27,6 +27,8 @@ pub enum Kind {
     Colour,
     /// Any whole number from 0 to 2³² − 1.
     Seed,
+    /// An outline as text, in this form.
+    Text(&'static str),
 }
 
 /// Default and range of a parameter in one model, or in every one.
@@ -34,7 +36,7 @@ pub enum Kind {
 pub struct Domain {
     /// The model; `None` for every model.
     pub model: Option<Model>,
-    /// The value of a new fire and after a restore.
+    /// The value of a new fire or object and after a restore.
     pub default: Value,
     /// Smallest and largest value of a number, integer or seed; zeros for the
     /// other kinds.

@@ -6,7 +6,7 @@ use super::check::nearest_id;
 use super::choices::Model;
 use super::entry::Condition;
 use super::table::{PARAMETERS, Param, Values};
-use super::value::{Input, ParamError, ParamErrorKind, Value, abbreviated};
+use super::value::{AnyValue, Input, ParamError, ParamErrorKind, Value, abbreviated};
 
 /// The id of the model, which decides the domains of the other parameters.
 const MODEL: &str = "model";
@@ -132,7 +132,7 @@ impl Parameters {
 
     /// Writes a checked value to the present model, to the other one, or to both.
     #[inline(never)]
-    fn write(&mut self, param: &Param, value: Value) {
+    fn write(&mut self, param: &Param, value: AnyValue<'_>) {
         let domain = param.domain(self.model);
         let shared = domain.is_some_and(|domain| domain.model.is_none());
         let before = self.model;

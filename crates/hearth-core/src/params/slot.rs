@@ -1,7 +1,8 @@
 //! The field of a parameter in the generated struct, whatever its type.
 
 use super::choices::Choice;
-use super::value::{Colour, Value};
+use super::outline::Outline;
+use super::value::{AnyValue, Colour, Value};
 
 /// The field of a parameter in [`Values`](super::Values).
 pub(super) enum Slot<'a> {
@@ -11,9 +12,11 @@ pub(super) enum Slot<'a> {
     Flag(&'a mut bool),
     Colour(&'a mut Colour),
     Choice(&'a mut dyn Chosen),
+    Text(&'a mut dyn Outline),
 }
 
 impl Slot<'_> {
+    /// The value; an empty one for an outline, whose text its owner lends.
     pub fn value(self) -> Value {
         match self {
             Slot::Number(x) => Value::Number(*x),
@@ -22,20 +25,24 @@ impl Slot<'_> {
             Slot::Flag(on) => Value::Flag(*on),
             Slot::Colour(colour) => Value::Colour(*colour),
             Slot::Choice(chosen) => Value::Choice(chosen.chosen()),
+            Slot::Text(_) => Value::Text(""),
         }
     }
 
-    /// Writes a value of the same kind. Any other value changes nothing.
-    pub fn put(self, value: Value) {
+    /// Writes a value of the same kind. Returns whether a text has the right form. A value of
+    /// another kind changes nothing.
+    pub fn put(self, value: AnyValue<'_>) -> bool {
         match (self, value) {
-            (Slot::Number(x), Value::Number(new)) => *x = new,
-            (Slot::Whole(n), Value::Integer(new)) => *n = new,
-            (Slot::Seed(n), Value::Seed(new)) => *n = new,
-            (Slot::Flag(on), Value::Flag(new)) => *on = new,
-            (Slot::Colour(colour), Value::Colour(new)) => *colour = new,
-            (Slot::Choice(chosen), Value::Choice(name)) => chosen.choose(name),
+            (Slot::Number(x), AnyValue::Number(new)) => *x = new,
+            (Slot::Whole(n), AnyValue::Integer(new)) => *n = new,
+            (Slot::Seed(n), AnyValue::Seed(new)) => *n = new,
+            (Slot::Flag(on), AnyValue::Flag(new)) => *on = new,
+            (Slot::Colour(colour), AnyValue::Colour(new)) => *colour = new,
+            (Slot::Choice(chosen), AnyValue::Choice(name)) => chosen.choose(name),
+            (Slot::Text(outline), AnyValue::Text(text)) => return outline.read(text),
             _ => {}
         }
+        true
     }
 }
 

@@ -3,14 +3,20 @@
 use super::choices::{Choice, Material, Shape, Thermal};
 use super::declare::{parameters, properties};
 use super::entry::{Description, Domain, Kind, Role, Scale};
+use super::outline::{Mask, Points};
 use super::property::Property;
 use super::slot::Slot;
 use super::table::Param;
-use super::value::Value;
+use super::value::{AnyValue, Input, ParamError, ParamErrorKind, Value};
 
-/// The shapes with two sizes, and those with corners.
-const LONG: &[&str] = &["box", "line"];
+/// The shapes that are turned, those with a width, those with a height, those with corners,
+/// those with points and those with a mask.
+const TURNED: &[&str] = &["box", "line", "polygon", "stroke", "mask"];
+const WIDE: &[&str] = &["circle", "box", "line", "mask"];
+const HIGH: &[&str] = &["box", "line", "stroke", "mask"];
 const CORNERED: &[&str] = &["box"];
+const POINTED: &[&str] = &["polygon", "stroke"];
+const MASKED: &[&str] = &["mask"];
 
 /// The thermal boundary condition with a temperature.
 const FIXED: &[&str] = &["fixed"];
@@ -18,20 +24,28 @@ const FIXED: &[&str] = &["fixed"];
 properties! {
     /// A solid: gas neither passes nor enters it. Every value is in range.
     Solid: SOLID, SOLID_DESCRIPTIONS, SOLID_PROPERTIES, SOLID_NAMES;
-    /// A disc, a rectangle or a line. Shape of the solid.
+    /// A disc, a rectangle, a line, a polygon, a bent line or a picture. Shape of the solid.
     shape: (choice Shape) "Shape" { (Circle) }
     /// A solid farther to the right, or below 0 to the left. Position of its centre.
     x: number "Place" ["m"] Linear { (0.0, -10.0..=10.0) }
     /// A solid that is higher. Height of its centre above the lower edge of the frame.
     y: number "Height" ["m"] Linear { (0.5, -10.0..=10.0) }
     /// A solid that is turned. Angle of its width from the horizontal, counterclockwise.
-    angle: number "Angle" ["°"] Linear { (0.0, -360.0..=360.0) } when { shape: LONG }
-    /// A larger solid. Diameter of a circle, width of a box, length of a line.
-    width: number "Width" ["m"] Log { (0.2, 0.002..=10.0) }
-    /// A thicker solid. Height of a box, thickness of a line.
-    height: number "Thickness" ["m"] Log { (0.1, 0.002..=10.0) } when { shape: LONG }
+    angle: number "Angle" ["°"] Linear { (0.0, -360.0..=360.0) } when { shape: TURNED }
+    /// A larger solid. Diameter of a circle, width of a box or a mask, length of a line.
+    width: number "Width" ["m"] Log { (0.2, 0.002..=10.0) } when { shape: WIDE }
+    /// A thicker solid. Height of a box or a mask, thickness of a line or a stroke. A stroke is at
+    /// least as thick as a hundredth of its extent.
+    height: number "Thickness" ["m"] Log { (0.1, 0.002..=10.0) } when { shape: HIGH }
     /// A rounder box. Radius of its corners, at most half of its smaller side.
     corner: number "Corner radius" ["m"] Linear { (0.0, 0.0..=5.0) } when { shape: CORNERED }
+    /// Another outline. Corners of a polygon or of a stroke, as pairs of numbers in metres from the
+    /// centre. A polygon is closed, and what its outline winds around is solid; a stroke is open and
+    /// has round ends.
+    points: (text Points) "Points" ["m"] { () } when { shape: POINTED }
+    /// Another picture. Opacity of the pixels of a mask, which `hearth-fire/mask` makes from a text,
+    /// a path or an image.
+    mask: (text Mask) "Mask" { () } when { shape: MASKED }
     /// Another appearance. Material that is drawn; `none` is invisible.
     [Look] material: (choice Material) "Material" { (Stone) }
     /// A surface that heats or cools the gas. Adiabatic: no heat passes. Fixed: it keeps its
@@ -43,16 +57,32 @@ properties! {
 
 impl Solid {
     /// The value of a property.
-    pub fn get(&self, property: &Param) -> Option<Value> {
-        let place = place(property)?;
-        self.clone().slots().nth(place).map(Slot::value)
+    pub fn get(&self, property: &Param) -> Option<AnyValue<'_>> {
+        match (property.kind, property.id) {
+            (Kind::Text(_), "mask") => Some(AnyValue::Text(self.mask.text())),
+            (Kind::Text(_), _) => Some(AnyValue::Text(self.points.text())),
+            _ => {
+                let place = place(property)?;
+                self.clone().slots().nth(place).map(Slot::value)
+            }
+        }
     }
 
-    /// Writes a checked value.
-    pub(crate) fn put(&mut self, property: &Param, value: Value) {
+    /// Writes a value that the entry has checked.
+    ///
+    /// # Errors
+    /// An outline in another form.
+    pub(crate) fn put(&mut self, property: &Param, value: AnyValue<'_>) -> Result<(), ParamError> {
         let slot = place(property).and_then(|place| self.slots().nth(place));
-        if let Some(slot) = slot {
-            slot.put(value);
+        match (
+            slot.is_none_or(|slot| slot.put(value)),
+            value,
+            property.kind,
+        ) {
+            (false, AnyValue::Text(text), Kind::Text(form)) => {
+                Err(property.error(Input::Text(text), ParamErrorKind::Other(form)))
+            }
+            _ => Ok(()),
         }
     }
 }

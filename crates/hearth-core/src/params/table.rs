@@ -14,7 +14,7 @@ use super::choices::{
 use super::declare::parameters;
 use super::entry::{Description, Domain, Kind, Role, Scale};
 use super::slot::Slot;
-use super::value::{Colour, Value};
+use super::value::{AnyValue, Colour, Value};
 
 /// One entry of the parameter table.
 #[derive(Debug)]

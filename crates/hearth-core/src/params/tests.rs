@@ -15,6 +15,7 @@ fn another(param: &Param, domain: &Domain) -> Value {
             Kind::Choice(names) => Value::Choice(names.iter().find(|&&n| n != name).unwrap()),
             _ => panic!("{} is no choice", param.id),
         },
+        Value::Text(_) => panic!("{} is an outline", param.id),
     }
 }
 

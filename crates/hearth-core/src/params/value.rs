@@ -64,9 +64,12 @@ impl fmt::Display for Colour {
     }
 }
 
-/// A checked value of one parameter.
+/// A checked value of a parameter, which is no text.
+pub type Value = AnyValue<'static>;
+
+/// A checked value of a parameter or of an object's property.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Value {
+pub enum AnyValue<'a> {
     /// A real number, in the parameter's unit.
     Number(f32),
     /// A whole number.
@@ -79,28 +82,30 @@ pub enum Value {
     Colour(Colour),
     /// The seed of the random generator.
     Seed(u32),
+    /// An outline as text.
+    Text(&'a str),
 }
 
-impl Value {
+impl AnyValue<'_> {
     /// The value of a numeric parameter for JavaScript and JSON: the shortest decimal of the same
-    /// `f32`, so that 0.05 stays 0.05. `None` for a choice, a flag or a colour.
+    /// `f32`, so that 0.05 stays 0.05. `None` for any other value.
     pub fn as_number(&self) -> Option<f64> {
         match *self {
-            Value::Number(x) => Some(decimal::shortest(x)),
-            Value::Integer(n) | Value::Seed(n) => Some(f64::from(n)),
-            Value::Choice(_) | Value::Flag(_) | Value::Colour(_) => None,
+            AnyValue::Number(x) => Some(decimal::shortest(x)),
+            AnyValue::Integer(n) | AnyValue::Seed(n) => Some(f64::from(n)),
+            _ => None,
         }
     }
 }
 
-impl fmt::Display for Value {
+impl fmt::Display for AnyValue<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Value::Number(x) => write!(f, "{}", Decimal(decimal::shortest(*x))),
-            Value::Integer(n) | Value::Seed(n) => write!(f, "{n}"),
-            Value::Choice(name) => f.write_str(name),
-            Value::Flag(on) => write!(f, "{on}"),
-            Value::Colour(colour) => write!(f, "{colour}"),
+            AnyValue::Number(x) => write!(f, "{}", Decimal(decimal::shortest(*x))),
+            AnyValue::Integer(n) | AnyValue::Seed(n) => write!(f, "{n}"),
+            AnyValue::Choice(text) | AnyValue::Text(text) => f.write_str(text),
+            AnyValue::Flag(on) => write!(f, "{on}"),
+            AnyValue::Colour(colour) => write!(f, "{colour}"),
         }
     }
 }

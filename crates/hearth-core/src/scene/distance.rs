@@ -1,11 +1,15 @@
 //! The signed distance to a solid.
 
+use std::sync::Arc;
+
 use glam::Vec2;
+
+use super::field::Field;
 
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Shape, Solid};
 
-/// A solid as a rounded box: each shape is one.
+/// A circle, a box or a line as a rounded box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RoundedBox {
     /// Centre \[m\].
@@ -41,9 +45,43 @@ impl RoundedBox {
         (distance - self.radius, normal)
     }
 
+    /// A point relative to its centre, along its width and its height.
+    pub fn local(&self, point: Vec2) -> Vec2 {
+        let from = point - self.centre;
+        Vec2::new(self.axis.dot(from), self.axis.perp_dot(from))
+    }
+
     /// Radius of the circle around the centre that contains it \[m\].
     pub fn reach(&self) -> f32 {
         self.half.length() + self.radius
+    }
+}
+
+/// The surface of a solid: a rounded box, or a box with a sampled distance inside.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface {
+    /// The rounded box, or that of the field.
+    pub frame: RoundedBox,
+    /// The sampled distance.
+    pub field: Option<Arc<Field>>,
+}
+
+impl Surface {
+    /// The distance of a point from the surface \[m\], negative inside, and the unit normal
+    /// there, outward.
+    #[inline]
+    pub fn distance(&self, point: Vec2) -> (f32, Vec2) {
+        match &self.field {
+            None => self.frame.distance(point),
+            Some(field) => self.sampled(field, point),
+        }
+    }
+
+    #[inline(never)]
+    fn sampled(&self, field: &Field, point: Vec2) -> (f32, Vec2) {
+        let (distance, normal) = field.distance(self.frame.local(point));
+        let axis = self.frame.axis;
+        (distance, axis * normal.x + axis.perp() * normal.y)
     }
 }
 
@@ -52,36 +90,60 @@ fn sign(x: f32) -> f32 {
 }
 
 impl Solid {
-    /// The solid as a rounded box.
-    pub fn rounded_box(&self) -> RoundedBox {
+    /// Its surface. That of a polygon, a stroke or a mask takes a millisecond: a scene keeps those
+    /// of its solids.
+    pub fn surface(&self) -> Surface {
+        self.surface_with(Field::of(self).map(Arc::new))
+    }
+
+    /// Its surface with a field that was sampled before.
+    #[inline(never)]
+    pub(super) fn surface_with(&self, field: Option<Arc<Field>>) -> Surface {
         let size = 0.5 * Vec2::new(self.width, self.height);
         let radius = match self.shape {
             Shape::Circle => size.x,
             Shape::Box => fast_min(self.corner, fast_min(size.x, size.y)),
             Shape::Line => size.y,
+            _ => 0.0,
         };
-        let half = match self.shape {
-            Shape::Circle => Vec2::ZERO,
-            Shape::Box => size - radius,
+        let half = match (&field, self.shape) {
+            (Some(field), _) => field.half,
+            (_, Shape::Box) => size - radius,
             // Its length does not include the round ends.
-            Shape::Line => Vec2::new(fast_max(size.x, 0.0), 0.0),
+            (_, Shape::Line) => Vec2::new(fast_max(size.x, 0.0), 0.0),
+            _ => Vec2::ZERO,
         };
         let angle = self.angle.to_radians();
-        RoundedBox {
-            centre: Vec2::new(self.x, self.y),
-            axis: match self.shape {
-                Shape::Circle => Vec2::X,
-                _ => Vec2::new(libm::cosf(angle), libm::sinf(angle)),
-            },
+        let axis = match self.shape {
+            Shape::Circle => Vec2::X,
+            _ => Vec2::new(libm::cosf(angle), libm::sinf(angle)),
+        };
+        let mut centre = Vec2::new(self.x, self.y);
+        if let Some(field) = &field {
+            centre += axis * field.middle.x + axis.perp() * field.middle.y;
+        }
+        let frame = RoundedBox {
+            centre,
+            axis,
             half,
             radius,
-        }
+        };
+        Surface { frame, field }
+    }
+
+    /// Whether the field of another solid is its own.
+    pub(super) fn has_field_of(&self, other: &Solid) -> bool {
+        let outline = |solid: &Solid| {
+            let size = [solid.width, solid.height];
+            (solid.shape, size, solid.points.clone(), solid.mask.clone())
+        };
+        outline(self) == outline(other)
     }
 
     /// The distance of a point from the surface \[m\], positive outside, and the unit normal
     /// there, outward.
     pub fn distance(&self, point: Vec2) -> (f32, Vec2) {
-        self.rounded_box().distance(point)
+        self.surface().distance(point)
     }
 }
 

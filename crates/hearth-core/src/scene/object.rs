@@ -1,7 +1,8 @@
 //! The values of an object, stored and as callers read them.
 
+use super::distance::Surface;
 use super::kinds::{KINDS, Kind};
-use crate::params::{Input, Model, Param, ParamError, Parameters, Property, Solid, Value};
+use crate::params::{AnyValue, Input, Model, Param, ParamError, Parameters, Property, Solid};
 
 /// The values of an object.
 #[derive(Clone, Debug, PartialEq)]
@@ -10,8 +11,8 @@ pub(super) enum Values {
     FirstSource,
     /// Another source: the settings with its properties.
     Source(Box<Parameters>),
-    /// A solid.
-    Solid(Box<Solid>),
+    /// A solid and its surface.
+    Solid(Box<(Solid, Surface)>),
 }
 
 impl Values {
@@ -32,8 +33,28 @@ impl Values {
         }
     }
 
-    /// The solid.
-    pub fn of_solid(&self) -> Option<&Solid> {
+    /// A solid with the defaults.
+    pub fn new_solid() -> Values {
+        let solid = Solid::default();
+        let surface = solid.surface();
+        Values::Solid(Box::new((solid, surface)))
+    }
+
+    /// Computes the surface of a solid that was `before`.
+    pub fn settle(&mut self, before: Option<&Solid>) {
+        if let Values::Solid(stored) = self {
+            let (solid, surface) = &mut **stored;
+            *surface = match before {
+                Some(before) if solid.has_field_of(before) => {
+                    solid.surface_with(surface.field.take())
+                }
+                _ => solid.surface(),
+            };
+        }
+    }
+
+    /// The solid and its surface.
+    pub fn of_solid(&self) -> Option<&(Solid, Surface)> {
         match self {
             Values::Solid(solid) => Some(solid),
             _ => None,
@@ -53,7 +74,7 @@ impl Values {
             Values::Solid(solid) => {
                 if let Some(entry) = property.entry() {
                     let value = entry.check(settings.model(), input)?;
-                    solid.put(entry, value);
+                    solid.0.put(entry, value)?;
                 }
                 Ok(())
             }
@@ -99,16 +120,16 @@ impl<'a> Object<'a> {
 
     /// This solid; `None` for another kind.
     pub fn solid(&self) -> Option<&'a Solid> {
-        self.values.of_solid()
+        self.values.of_solid().map(|(solid, _)| solid)
     }
 
     /// The properties that the present model uses: name, entry and value.
-    pub fn properties(self) -> impl Iterator<Item = (&'static str, &'static Param, Value)> {
+    pub fn properties(self) -> impl Iterator<Item = (&'static str, &'static Param, AnyValue<'a>)> {
         let all = self.kind.properties.iter();
         all.filter_map(move |property| {
             let param = property.param(self.model())?;
             let value = match self.values {
-                Values::Solid(solid) => solid.get(param)?,
+                Values::Solid(stored) => stored.0.get(param)?,
                 _ => param.get(self.source()?),
             };
             Some((property.name, param, value))

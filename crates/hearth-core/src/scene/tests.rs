@@ -1,6 +1,6 @@
 use super::*;
 use crate::Simulation;
-use crate::params::{Model, PARAMETERS, Param, Value};
+use crate::params::{AnyValue, Model, PARAMETERS, Param, Value};
 
 fn number(x: f64) -> Input<'static> {
     Input::Number(x)
@@ -9,7 +9,7 @@ fn number(x: f64) -> Input<'static> {
 const SOURCE: (&str, Input<'static>) = ("kind", Input::Text("source"));
 const SOLID: (&str, Input<'static>) = ("kind", Input::Text("solid"));
 
-fn value(scene: &Scene, index: usize, name: &str) -> Option<Value> {
+fn value<'a>(scene: &'a Scene, index: usize, name: &str) -> Option<AnyValue<'a>> {
     let mut properties = scene.objects().nth(index)?.properties();
     properties.find(|one| one.0 == name).map(|one| one.2)
 }
@@ -146,7 +146,7 @@ fn an_error_names_object_property_value_and_range_and_changes_nothing() {
         (
             &[SOLID, ("power", number(7.0))],
             "objects[1].property = \"power\" is refused: it must be one of kind, shape, x, y, angle, \
-             width, height, corner, material, thermal, temperature",
+             width, height, corner, points, mask, material, thermal, temperature",
         ),
         (
             &[SOURCE, ("id", number(1.0))],

@@ -24,6 +24,8 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui, param: &'static Param)
         Kind::Flag => control::flag(state, out, ui, param),
         Kind::Choice(names) => choices::show(state, out, ui, param, names),
         Kind::Colour => colour::show(state, out, ui, param),
+        // No parameter is an outline.
+        Kind::Text(_) => {}
     });
     ui.add_space(state.device.measures.gap);
 }

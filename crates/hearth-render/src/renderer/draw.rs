@@ -74,7 +74,7 @@ impl<G: Graphics> Renderer<G> {
             Draw::Halo => draw_part(gl, frame, frame.halo(), size),
             Draw::Particles => self.particles.draw(gl),
             Draw::Embers => self.embers.draw(gl),
-            Draw::Solids => self.solids.draw(gl),
+            Draw::Solids => self.solids.texture.draw(gl),
         }
         if blends.is_some() {
             gl.disable(glow::BLEND);
@@ -97,7 +97,7 @@ impl<G: Graphics> Renderer<G> {
     ) -> Option<&G::Texture> {
         match image {
             Image::Particles if draw == Draw::Embers => Some(self.embers.texture()),
-            Image::Particles if draw == Draw::Solids => Some(self.solids.texture()),
+            Image::Particles if draw == Draw::Solids => Some(self.solids.texture.texture()),
             Image::Particles => Some(self.particles.texture()),
             Image::Noise => Some(&self.shared.noise),
             Image::Palette => Some(match &self.tinted {

@@ -157,6 +157,7 @@ fn entry(param: &Param) -> Value {
         Kind::Flag => ("flag", None),
         Kind::Colour => ("colour", None),
         Kind::Seed => ("seed", None),
+        Kind::Text(_) => ("text", None),
     };
     let mut entry = json!({
         "id": param.id, "attribute": attribute(param.id), "property": property(param.id),

@@ -115,6 +115,7 @@ fn range_text(kind: Kind, domain: &Domain) -> String {
         Kind::Seed => format!("{min} – {max}, whole"),
         Kind::Flag => "on, off".to_owned(),
         Kind::Colour => "`transparent`, `#rgb`, `#rrggbb`, `#rrggbbaa`".to_owned(),
+        Kind::Text(form) => form.to_owned(),
         Kind::Choice(names) => {
             let names: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
             names.join(", ")

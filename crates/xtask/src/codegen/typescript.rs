@@ -96,7 +96,7 @@ pub(super) fn value_type(kind: Kind) -> String {
     match kind {
         Kind::Number(_) | Kind::Integer(_) | Kind::Seed => "number".to_owned(),
         Kind::Flag => "boolean".to_owned(),
-        Kind::Colour => "string".to_owned(),
+        Kind::Colour | Kind::Text(_) => "string".to_owned(),
         Kind::Choice(names) => union(names),
     }
 }

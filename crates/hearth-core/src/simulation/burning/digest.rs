@@ -1,6 +1,6 @@
 //! A digest of the physics of a fire.
 
-use crate::params::{Param, Parameters, Role, SOLID, Value};
+use crate::params::{AnyValue, Param, Parameters, Role, SOLID};
 use crate::scene::Scene;
 
 /// A hash of all values that affect the gas. Values at their default are not hashed, so that a
@@ -31,7 +31,10 @@ fn with_values(hash: u64, parameters: &Parameters) -> u64 {
     with_changed(hash, parameters.changed())
 }
 
-fn with_changed(mut hash: u64, changed: impl Iterator<Item = (&'static Param, Value)>) -> u64 {
+fn with_changed<'a>(
+    mut hash: u64,
+    changed: impl Iterator<Item = (&'static Param, AnyValue<'a>)>,
+) -> u64 {
     for (param, value) in changed {
         let resampled = ["seed", "max_particles", "spacing"].contains(&param.id);
         if param.role != Role::Physics || resampled {
@@ -39,14 +42,14 @@ fn with_changed(mut hash: u64, changed: impl Iterator<Item = (&'static Param, Va
         }
         hash = fnv(hash, param.id.as_bytes());
         let number = match value {
-            Value::Number(x) => x.to_bits(),
-            Value::Integer(n) | Value::Seed(n) => n,
-            Value::Flag(on) => on.into(),
-            Value::Choice(name) => {
+            AnyValue::Number(x) => x.to_bits(),
+            AnyValue::Integer(n) | AnyValue::Seed(n) => n,
+            AnyValue::Flag(on) => on.into(),
+            AnyValue::Choice(name) | AnyValue::Text(name) => {
                 hash = fnv(hash, name.as_bytes());
                 continue;
             }
-            Value::Colour(_) => continue,
+            AnyValue::Colour(_) => continue,
         };
         hash = fnv(hash, &number.to_le_bytes());
     }

@@ -1,0 +1,341 @@
+//! The signed distance to a polygon, a stroke or a mask, sampled on a grid.
+//!
+//! Every outline becomes a list of lines. Nodes near a line get their distance from it; then each
+//! node takes over the nearest line of its neighbours, in two sweeps over the grid (Danielsson
+//! 1980, with lines in place of points). Between nodes the distance is interpolated linearly in
+//! both directions.
+
+use glam::Vec2;
+
+use super::contour;
+use crate::extremes::{fast_max, fast_min};
+use crate::params::{Mask, Shape, Solid};
+
+/// Nodes of a field of points, about.
+const NODES: f32 = 32_768.0;
+/// Cells between an outline and the border of its field.
+const MARGIN: usize = 3;
+/// Smallest distance between nodes \[m\].
+const FINEST: f32 = 1e-4;
+/// Slope below which a distance has no direction.
+const FLAT: f32 = 1e-3;
+/// How often the nearest point of one beyond the field is refined.
+const REFINEMENTS: u32 = 2;
+/// No line.
+const NONE: u32 = u32::MAX;
+
+/// A part of an outline \[m\].
+pub(super) type Line = [Vec2; 2];
+
+/// A sampled signed distance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// Its middle, relative to the centre of the solid \[m\].
+    pub middle: Vec2,
+    /// Half of its size \[m\].
+    pub half: Vec2,
+    /// Nodes of a row.
+    pub columns: usize,
+    /// The distance at each node \[m\], negative inside, row by row from below.
+    pub distances: Vec<f32>,
+    /// Largest depth of a node inside \[m\].
+    pub depth: f32,
+    /// Distance between nodes \[m\].
+    step: Vec2,
+}
+
+impl Field {
+    /// The field of a solid; `None` for a rounded box.
+    #[inline(never)]
+    pub fn of(solid: &Solid) -> Option<Field> {
+        match solid.shape {
+            Shape::Polygon => {
+                let points = solid.points.all();
+                let mut field = Field::around(points, 0.0);
+                field.measure(&contour::of_polygon(points));
+                contour::fill(points, &mut field);
+                Some(field.measured())
+            }
+            Shape::Stroke => {
+                let points = solid.points.all();
+                let radius = 0.5 * solid.height;
+                let mut field = Field::around(points, radius);
+                let lines: Vec<Line> = points.array_windows().copied().collect();
+                field.measure(&lines);
+                let radius = fast_max(radius, field.step.x);
+                for distance in &mut field.distances {
+                    *distance -= radius;
+                }
+                Some(field.measured())
+            }
+            Shape::Mask => {
+                let size = Vec2::new(solid.width, solid.height);
+                Some(Field::of_mask(&solid.mask, size).measured())
+            }
+            Shape::Circle | Shape::Box | Shape::Line => None,
+        }
+    }
+
+    /// An empty field around points, with a `border` \[m\] and a margin.
+    fn around(points: &[Vec2], border: f32) -> Field {
+        let (mut low, mut high) = (Vec2::MAX, Vec2::MIN);
+        for &point in points {
+            low = Vec2::new(fast_min(low.x, point.x), fast_min(low.y, point.y));
+            high = Vec2::new(fast_max(high.x, point.x), fast_max(high.y, point.y));
+        }
+        let size = high - low + 2.0 * border;
+        // The margin takes its share of the nodes.
+        let margin = 2.0 * MARGIN as f32 / NODES * fast_max(size.x, size.y);
+        let step = libm::sqrtf(size.x * size.y / NODES) + margin + FINEST;
+        let cells = (size / step).to_array();
+        let [columns, rows] = cells.map(|cells| cells as usize + 2 * MARGIN + 2);
+        Field::new(0.5 * (low + high), Vec2::splat(step), [columns, rows])
+    }
+
+    /// A field without distances.
+    fn new(middle: Vec2, step: Vec2, [columns, rows]: [usize; 2]) -> Field {
+        let cells = Vec2::new(columns as f32 - 1.0, rows as f32 - 1.0);
+        Field {
+            middle,
+            half: 0.5 * cells * step,
+            columns,
+            distances: vec![f32::MAX; columns * rows],
+            depth: 0.0,
+            step,
+        }
+    }
+
+    /// The field of a mask of this size \[m\], whose nodes are the centres of its pixels.
+    fn of_mask(mask: &Mask, size: Vec2) -> Field {
+        let [width, height] = mask.size();
+        let step = size / Vec2::new(width as f32, height as f32);
+        let nodes = [width, height].map(|pixels| pixels + 2 * MARGIN);
+        let mut field = Field::new(Vec2::ZERO, step, nodes);
+        let opacity = |node: usize| {
+            let (column, row) = (node % nodes[0], node / nodes[0]);
+            // Beyond the mask, the subtractions wrap to indices of no pixel.
+            let row = (height + MARGIN - 1).wrapping_sub(row);
+            mask.opacity(column.wrapping_sub(MARGIN), row)
+        };
+        let lines = contour::of_nodes(&field, opacity);
+        field.measure(&lines);
+        for node in 0..field.distances.len() {
+            if opacity(node) > contour::EDGE {
+                field.turn(node);
+            }
+        }
+        field
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.distances.len() / self.columns
+    }
+
+    /// The place of a node, relative to the centre of the solid \[m\].
+    pub(super) fn node(&self, column: usize, row: usize) -> Vec2 {
+        self.middle - self.half + Vec2::new(column as f32, row as f32) * self.step
+    }
+
+    /// Marks a node as inside.
+    pub(super) fn turn(&mut self, node: usize) {
+        if let Some(distance) = self.distances.get_mut(node) {
+            *distance = -*distance;
+        }
+    }
+
+    /// Sets the distance of each node from the nearest of these lines.
+    fn measure(&mut self, lines: &[Line]) {
+        let mut nearest = vec![NONE; self.distances.len()];
+        for (index, line) in (0..).zip(lines) {
+            self.seed(&mut nearest, lines, index, line);
+        }
+        let (columns, rows) = (self.columns as isize, self.rows() as isize);
+        for up in [1, -1] {
+            for row in 0..rows {
+                let row = if up > 0 { row } else { rows - 1 - row };
+                for right in [1, -1] {
+                    for column in 0..columns {
+                        let column = if right > 0 {
+                            column
+                        } else {
+                            columns - 1 - column
+                        };
+                        let below = [(column - right, row)].into_iter();
+                        let below = below.chain((column - 1..=column + 1).map(|x| (x, row - up)));
+                        for (x, y) in below {
+                            if (0..columns).contains(&x) && (0..rows).contains(&y) {
+                                let known = nearest.get((y * columns + x) as usize);
+                                let known = known.copied().unwrap_or(NONE);
+                                let node = [column as usize, row as usize];
+                                self.offer(&mut nearest, lines, node, known);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        for distance in &mut self.distances {
+            *distance = libm::sqrtf(*distance);
+        }
+    }
+
+    /// Offers a line to the nodes around it.
+    fn seed(&mut self, nearest: &mut [u32], lines: &[Line], index: u32, &[one, other]: &Line) {
+        let place = |point: Vec2| (point - self.middle + self.half) / self.step;
+        let (one, other) = (place(one), place(other));
+        let (low, high) = if one.y < other.y {
+            (one, other)
+        } else {
+            (other, one)
+        };
+        let slope = (high.x - low.x) / fast_max(high.y - low.y, 1e-6);
+        let columns = self.columns;
+        let (first, last) = (low.y as usize, high.y as usize + 1);
+        for row in first..=last {
+            // Where the line passes the rows before and after this one.
+            let [begin, end] = [-1.0, 1.0].map(|beside| {
+                let y = fast_min(fast_max(row as f32 + beside, low.y), high.y);
+                fast_min(fast_max(low.x + slope * (y - low.y), 0.0), columns as f32)
+            });
+            let (left, right) = (fast_min(begin, end), fast_max(begin, end));
+            for column in left as usize..=right as usize + 1 {
+                if column < columns && row < self.distances.len() / columns {
+                    self.offer(nearest, lines, [column, row], index);
+                }
+            }
+        }
+    }
+
+    /// Makes a line the nearest one of a node if it is nearer.
+    #[inline]
+    fn offer(
+        &mut self,
+        nearest: &mut [u32],
+        lines: &[Line],
+        [column, row]: [usize; 2],
+        index: u32,
+    ) {
+        let Some(line) = lines.get(index as usize) else {
+            return;
+        };
+        let squared = distance_squared(self.node(column, row), line);
+        let node = row * self.columns + column;
+        if let (Some(before), Some(nearest)) = (self.distances.get_mut(node), nearest.get_mut(node))
+            && squared < *before
+        {
+            (*before, *nearest) = (squared, index);
+        }
+    }
+
+    /// The finished field.
+    fn measured(mut self) -> Field {
+        let farthest = 2.0 * self.half.length();
+        for distance in &mut self.distances {
+            // Without a line, nothing is near.
+            *distance = fast_max(fast_min(*distance, farthest), -farthest);
+            self.depth = fast_max(self.depth, -*distance);
+        }
+        self
+    }
+
+    /// The distance of a point from the outline and the normal there. The point is relative to
+    /// the middle of the field, along its width and its height.
+    pub fn distance(&self, point: Vec2) -> (f32, Vec2) {
+        let inside = self.within(point);
+        let (distance, normal) = self.sample(inside);
+        if inside == point {
+            return (distance, normal);
+        }
+        // Beyond the border, the nearest point of the outline is nearly that of the border. The
+        // nearest one of where the way to it crosses the border is nearer.
+        let mut near = inside - normal * distance;
+        for _ in 0..REFINEMENTS {
+            let away = point - near;
+            let room = |away: f32, near: f32, half: f32| {
+                let room = if away < 0.0 { half + near } else { half - near };
+                room / fast_max(away.abs(), FINEST)
+            };
+            let [x, y] = [
+                room(away.x, near.x, self.half.x),
+                room(away.y, near.y, self.half.y),
+            ];
+            let border = self.within(near + away * fast_min(x, y));
+            let (distance, normal) = self.sample(border);
+            let other = border - normal * distance;
+            if other.distance_squared(point) < away.length_squared() {
+                near = other;
+            }
+        }
+        let away = point - near;
+        let distance = away.length();
+        if distance > 0.0 {
+            (distance, away / distance)
+        } else {
+            (distance, normal)
+        }
+    }
+
+    /// The nearest point of the field.
+    fn within(&self, point: Vec2) -> Vec2 {
+        let within = |x: f32, half: f32| fast_min(fast_max(x, -half), half);
+        Vec2::new(within(point.x, self.half.x), within(point.y, self.half.y))
+    }
+
+    /// The interpolated distance at a point of the field, and its normal.
+    fn sample(&self, point: Vec2) -> (f32, Vec2) {
+        let at = (point + self.half) / self.step;
+        let column = (at.x as usize).min(self.columns - 2);
+        let row = (at.y as usize).min(self.rows() - 2);
+        let node = |right: usize, up: usize| {
+            let node = self
+                .distances
+                .get((row + up) * self.columns + column + right);
+            node.copied().unwrap_or_default()
+        };
+        let [a, b, c, d] = [node(0, 0), node(1, 0), node(0, 1), node(1, 1)];
+        let (x, y) = (at.x - column as f32, at.y - row as f32);
+        let (low, high) = (a + (b - a) * x, c + (d - c) * x);
+        let slope = Vec2::new(b - a + (d - c - b + a) * y, high - low) / self.step;
+        let steepness = slope.length();
+        // Where the distances of two sides meet, there is none.
+        let normal = if steepness > FLAT {
+            slope / steepness
+        } else {
+            Vec2::Y
+        };
+        (low + (high - low) * y, normal)
+    }
+
+    /// Whether the line between two points relative to its middle crosses the solid.
+    pub(crate) fn crosses(&self, one: Vec2, other: Vec2) -> bool {
+        // A line may touch a bulge between two neighbours at the same side.
+        let deep = fast_min(0.3 * self.depth, fast_min(self.step.x, self.step.y));
+        let path = other - one;
+        let length = path.length();
+        let mut done = 0.0;
+        for _ in 0..8 {
+            let (distance, _) = self.distance(one + path * (done / fast_max(length, FINEST)));
+            if distance < -deep {
+                return true;
+            }
+            done += fast_max(distance + deep, 0.1 * deep);
+            if done >= length {
+                return false;
+            }
+        }
+        false
+    }
+}
+
+/// The square of the distance of a point from a line.
+#[inline]
+fn distance_squared(point: Vec2, &[one, other]: &Line) -> f32 {
+    let (path, from) = (other - one, point - one);
+    let along = from.dot(path) / fast_max(path.length_squared(), 1e-12);
+    let along = fast_min(fast_max(along, 0.0), 1.0);
+    (from - path * along).length_squared()
+}
+
+#[cfg(test)]
+mod tests;

@@ -226,7 +226,7 @@ impl Neighbours {
 
     /// Removes the pairs that a solid parts from the lists and from the sums of the first pass.
     /// Passes by [`sum`](Self::sum) still visit them. `planes` gives the solids near a particle,
-    /// after sorting: normal, distance and number. `parts` tells whether a solid is between two
+    /// after sorting: normal, distance and number; a zero normal where the solid is not convex. `parts` tells whether a solid is between two
     /// positions. Lengths are in smoothing lengths.
     pub fn part<B: Block, P: Iterator<Item = (Vec2, f32, u32)>>(
         &mut self,
@@ -241,11 +241,23 @@ impl Neighbours {
             for (lane, one) in grid.members_of(block).enumerate() {
                 for (normal, distance, solid) in planes(one) {
                     let from = place(&blocks[block], lane) - sweep.shift;
-                    // A solid is convex: it lies behind the plane of its nearest point.
-                    let plane = Lanes::splat(normal.dot(from) - distance);
+                    // A convex solid lies behind the plane of its nearest point, and no solid is
+                    // nearer than that.
+                    let is_convex = normal != Vec2::ZERO;
+                    let plane = Lanes::splat(if is_convex {
+                        normal.dot(from) - distance
+                    } else {
+                        -distance * distance
+                    });
                     let mut rest = |number: usize, mut mask: u32| {
                         let [x, y] = blocks[number].position();
-                        let mut behind = (x * normal.x + y * normal.y).less_mask(plane) & mask;
+                        let side = if is_convex {
+                            x * normal.x + y * normal.y
+                        } else {
+                            let [x, y] = [x - from.x, y - from.y];
+                            Lanes::ZERO - (x * x + y * y)
+                        };
+                        let mut behind = side.less_mask(plane) & mask;
                         while behind != 0 {
                             let other = behind.trailing_zeros() as usize;
                             behind &= behind - 1;

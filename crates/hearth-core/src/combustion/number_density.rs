@@ -97,7 +97,7 @@ impl NumberDensity {
             let planes = |one: usize| {
                 let all = walls.thin_near(one);
                 all.map(|(normal, distance, solid)| {
-                    let distance = walls::plane(solids, solid, distance);
+                    let normal = walls::plane(solids, solid, normal);
                     (normal, distance * inverse_h, solid)
                 })
             };

@@ -290,12 +290,12 @@ fn is_thin(surface: &Surface, support: f32) -> bool {
     surface.field.is_some() || 2.0 * (shape.half.min_element() + shape.radius) < support
 }
 
-/// The distance to the plane that a thin solid lies behind: none for one that is not convex.
-pub(super) fn plane(solids: &Solids, solid: u32, distance: f32) -> f32 {
+/// The normal of the plane that a thin solid lies behind; zero for one that is not convex.
+pub(super) fn plane(solids: &Solids, solid: u32, normal: Vec2) -> Vec2 {
     let body = solids.bodies.get(solid as usize);
     match body.and_then(|body| body.surface.field.as_ref()) {
-        Some(_) => f32::NEG_INFINITY,
-        None => distance,
+        Some(_) => Vec2::ZERO,
+        None => normal,
     }
 }
 

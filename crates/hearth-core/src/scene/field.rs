@@ -21,6 +21,9 @@ const FINEST: f32 = 1e-4;
 const FLAT: f32 = 1e-3;
 /// How often the nearest point of one beyond the field is refined.
 const REFINEMENTS: u32 = 2;
+/// Most strides along half of a line, and their least length in depths that a line may reach.
+const STRIDES: u32 = 8;
+const SHORTEST: f32 = 0.25;
 /// No line.
 const NONE: u32 = u32::MAX;
 
@@ -307,21 +310,30 @@ impl Field {
         (low + (high - low) * y, normal)
     }
 
-    /// Whether the line between two points relative to its middle crosses the solid.
+    /// Whether the line between two points outside crosses the solid. They are relative to the
+    /// middle of the field.
     pub(crate) fn crosses(&self, one: Vec2, other: Vec2) -> bool {
         // A line may touch a bulge between two neighbours at the same side.
         let deep = fast_min(0.3 * self.depth, fast_min(self.step.x, self.step.y));
-        let path = other - one;
-        let length = path.length();
-        let mut done = 0.0;
-        for _ in 0..8 {
-            let (distance, _) = self.distance(one + path * (done / fast_max(length, FINEST)));
-            if distance < -deep {
-                return true;
-            }
-            done += fast_max(distance + deep, 0.1 * deep);
-            if done >= length {
-                return false;
+        let middle = 0.5 * (one + other);
+        let way = other - middle;
+        let length = fast_max(way.length(), FINEST);
+        let (distance, _) = self.distance(middle);
+        if distance < -deep {
+            return true;
+        }
+        // Nothing is nearer than the distance.
+        for way in [way, -way] {
+            let mut done = distance + deep;
+            for _ in 0..STRIDES {
+                if done >= length {
+                    break;
+                }
+                let (distance, _) = self.distance(middle + way * (done / length));
+                if distance < -deep {
+                    return true;
+                }
+                done += fast_max(distance + deep, SHORTEST * deep);
             }
         }
         false

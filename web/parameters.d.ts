@@ -387,20 +387,24 @@ export interface HearthSolid {
   kind: "solid";
   /** A whole number from 1, unique in its scene; without one it gets the next. */
   id?: number;
-  /** A disc, a rectangle or a line. Shape of the solid. Default "circle". */
-  shape?: "circle" | "box" | "line";
+  /** A disc, a rectangle, a line, a polygon, a bent line or a picture. Shape of the solid. Default "circle". */
+  shape?: "circle" | "box" | "line" | "polygon" | "stroke" | "mask";
   /** A solid farther to the right, or below 0 to the left. Position of its centre. [m] Default 0, from -10 to 10. */
   x?: number;
   /** A solid that is higher. Height of its centre above the lower edge of the frame. [m] Default 0.5, from -10 to 10. */
   y?: number;
   /** A solid that is turned. Angle of its width from the horizontal, counterclockwise. [°] Default 0, from -360 to 360. */
   angle?: number;
-  /** A larger solid. Diameter of a circle, width of a box, length of a line. [m] Default 0.2, from 0.002 to 10. */
+  /** A larger solid. Diameter of a circle, width of a box or a mask, length of a line. [m] Default 0.2, from 0.002 to 10. */
   width?: number;
-  /** A thicker solid. Height of a box, thickness of a line. [m] Default 0.1, from 0.002 to 10. */
+  /** A thicker solid. Height of a box or a mask, thickness of a line or a stroke. A stroke is at least as thick as a hundredth of its extent. [m] Default 0.1, from 0.002 to 10. */
   height?: number;
   /** A rounder box. Radius of its corners, at most half of its smaller side. [m] Default 0, from 0 to 5. */
   corner?: number;
+  /** Another outline. Corners of a polygon or of a stroke, as pairs of numbers in metres from the centre. A polygon is closed, and what its outline winds around is solid; a stroke is open and has round ends. [m] Default "-0.1,-0.1 0.1,-0.1 0,0.1". */
+  points?: string | readonly (readonly [number, number])[];
+  /** Another picture. Opacity of the pixels of a mask, which `hearth-fire/mask` makes from a text, a path or an image. Default "16x16:7". */
+  mask?: string;
   /** Another appearance. Material that is drawn; `none` is invisible. Default "stone". */
   material?: "stone" | "wood" | "iron" | "brick" | "coal" | "wax" | "glass" | "none";
   /** A surface that heats or cools the gas. Adiabatic: no heat passes. Fixed: it keeps its temperature. Default "adiabatic". */

@@ -173,6 +173,10 @@ export function quiet(promise) {
 /** The maximum number of fields of an object, items of a list and characters of a text; far more than any value has. */
 const MAX_FIELDS = 1000;
 
+/** The maximum length of a text that draws an outline, and its names. */
+const MAX_OUTLINE = 66_000;
+const OUTLINES = ['points', 'mask'];
+
 /** The maximum length of a text in a refusal, and of the name of a field. */
 const MAX_SHOWN = 100;
 
@@ -185,10 +189,12 @@ export const cut = (text) => (text.length > MAX_SHOWN ? `${text.slice(0, MAX_SHO
  * this, and one that throws affects its own value only.
  * @param {unknown} value
  * @param {number} [depth] the levels of nesting that are copied
+ * @param {number} [longest] the maximum length of a text
  * @returns {any}
  */
-export function postable(value, depth = 0) {
+export function postable(value, depth = 0, longest = MAX_FIELDS) {
   try {
+    if (longest === MAX_OUTLINE && Array.isArray(value)) return pairs(value);
     if (Array.isArray(value)) return depth > 0 ? value.slice(0, MAX_FIELDS).map((item) => postable(item, depth - 1)) : [];
     // The type of `document.all`, an object, is "undefined".
     if (value === Object(value) && typeof value !== 'function') {
@@ -196,7 +202,8 @@ export function postable(value, depth = 0) {
       if (names.length > MAX_FIELDS) return 'an object of more than a thousand fields';
       return Object.fromEntries(names.map((name) => {
         try {
-          return [cut(name), postable(/** @type {{[name: string]: unknown}} */ (value)[name], depth - 1)];
+          const most = OUTLINES.includes(name) ? MAX_OUTLINE : MAX_FIELDS;
+          return [cut(name), postable(/** @type {{[name: string]: unknown}} */ (value)[name], depth - 1, most)];
         } catch {
           return [cut(name), UNREADABLE];
         }
@@ -206,8 +213,11 @@ export function postable(value, depth = 0) {
     return UNREADABLE;
   }
   // Wasm would keep the memory of a copy.
-  if (typeof value === 'string' && value.length > MAX_FIELDS) return 'a text of more than a thousand letters';
+  if (typeof value === 'string' && value.length > longest) return `a text of more than ${longest} letters`;
   return ['function', 'symbol', 'bigint'].includes(typeof value) ? `a ${typeof value}` : value;
 }
 
 const UNREADABLE = 'something unreadable';
+
+/** A list of pairs of numbers as text: `0,0.1 0.2,-0.1`. @param {unknown[]} list */
+const pairs = (list) => list.slice(0, MAX_FIELDS).map((pair) => (Array.isArray(pair) && pair.length === 2 ? pair.join() : 'no pair')).join(' ');

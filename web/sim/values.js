@@ -49,8 +49,12 @@ function columnsOf(values, each) {
   return [values.map(([id]) => id), values.map(([id, value]) => each(id, value))];
 }
 
-/** A number, a text or a flag; words for everything else, which wasm refuses. */
-function scalar(/** @type {string} */ _, /** @type {any} */ value) {
+/** A number, a text or a flag, and points as text; words for everything else, which wasm refuses. */
+function scalar(/** @type {string} */ id, /** @type {any} */ value) {
+  if (id === 'points' && Array.isArray(value)) {
+    const pairs = value.slice(0, MAX_FIELDS);
+    return pairs.map((pair) => (Array.isArray(pair) && pair.length === 2 ? pair.map((x) => (typeof x === 'number' ? x : words(x))) : 'no pair')).join(' ');
+  }
   return ['string', 'number', 'boolean', 'undefined'].includes(typeof value) ? value : words(value);
 }
 

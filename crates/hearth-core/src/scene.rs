@@ -25,6 +25,9 @@ use object::Values;
 /// Most objects of a kind in a scene.
 pub const MAX_OBJECTS: usize = 64;
 
+/// Most pixels of all masks of a scene.
+const MAX_PIXELS: usize = 262_144;
+
 /// Largest id of an object.
 const MAX_ID: f64 = 1e6;
 
@@ -281,6 +284,13 @@ impl Scene {
         }
         if errors.is_empty() {
             object.values.settle(before.as_ref());
+        }
+        let pixels = self.solids().map(|solid| solid.mask.pixels());
+        let pixels: usize = pixels.sum();
+        if pixels > MAX_PIXELS {
+            let words = "smaller: all masks of a scene have at most 262144 pixels";
+            let pixels = Input::Number(pixels as f64);
+            errors.push(must_be(path(index, "mask"), pixels, words));
         }
     }
 

@@ -117,6 +117,16 @@ impl Mask {
         [*width, opacity.len() / (*width).max(1)]
     }
 
+    /// Number of pixels of a mask that is not the default.
+    pub fn pixels(&self) -> usize {
+        let [width, height] = self.size();
+        if self.text() == Mask::DEFAULT {
+            0
+        } else {
+            width * height
+        }
+    }
+
     /// The opacity of a pixel, 0–1, counted from the upper left; 0 beyond the mask.
     pub fn opacity(&self, column: usize, row: usize) -> f32 {
         let Pixels { width, opacity } = &self.0.1;

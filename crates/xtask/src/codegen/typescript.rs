@@ -38,7 +38,11 @@ fn objects() -> String {
         );
         for property in kind.properties {
             if let Some(param) = property.entry() {
-                let kind = value_type(param.kind);
+                let kind = match property.name {
+                    // The element and the simulation make a text of a list.
+                    "points" => "string | readonly (readonly [number, number])[]".to_owned(),
+                    _ => value_type(param.kind),
+                };
                 let (doc, name) = (comment(param), property.name);
                 let _ = writeln!(text, "  /** {doc} */\n  {name}?: {kind};");
             }

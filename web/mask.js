@@ -1,0 +1,147 @@
+/**
+ * Masks: what is opaque in a text, a path or an image, as the shape of a solid. Each function returns the
+ * properties of a solid that stands for it:
+ *
+ *     fire.addObject({ kind: 'solid', ...maskOfText('FIRE', '700 1em Georgia', 1.2), y: 0.3 });
+ *
+ * The browser draws what it is given, up to 256 pixels across; the fire gets the opacity of each pixel as
+ * a text. Nothing of a URL is in it.
+ *
+ * @typedef {{shape: 'mask', mask: string, width: number, height: number}} HearthMask
+ * @typedef {OffscreenCanvasRenderingContext2D | CanvasRenderingContext2D} Context
+ */
+
+/** The pixels of the longer side. */
+const PIXELS = 256;
+/** The letters of opacities, of runs of transparent pixels and of runs of opaque ones. */
+const LETTERS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_';
+const OPAQUE = 15;
+const RUNS = { 0: 16, [OPAQUE]: 40 };
+/** The longest of the runs that differ by a pixel, and of all. */
+const SHORT = 17;
+const LONG = 4096;
+
+/**
+ * The mask of a line of text, as wide as its ink. A font of the page must have loaded:
+ * `await document.fonts.load(font)`.
+ * @param {string} text
+ * @param {string} font  A CSS font; its size has no effect.
+ * @param {number} [width]  [m]
+ * @returns {HearthMask}
+ * @throws {RangeError} no glyph has ink, or it is no font
+ */
+export function maskOfText(text, font, width = 1) {
+  const measure = contextOf(1, 1);
+  measure.font = '10px serif';
+  const before = measure.font;
+  measure.font = '20px serif';
+  const other = measure.font;
+  measure.font = font;
+  if (measure.font === other) {
+    measure.font = before;
+    measure.font = font;
+    if (measure.font === before) throw refused('font', font, 'a CSS font, such as "700 1em Georgia"');
+  }
+  const { actualBoundingBoxLeft: left, actualBoundingBoxRight: right, actualBoundingBoxAscent: above, actualBoundingBoxDescent: below } = measure.measureText(text);
+  return maskOf('text', text, [-left, -above, left + right, above + below], width, (context) => {
+    context.font = font;
+    context.fillText(text, 0, 0);
+  });
+}
+
+/**
+ * The mask of an SVG path, filled.
+ * @param {string} path  As the attribute `d` of a path.
+ * @param {readonly [number, number, number, number]} box  What is seen of it: left, top, width and height.
+ * @param {number} [width]  Of the box [m]
+ * @returns {HearthMask}
+ * @throws {RangeError} nothing of it is in the box
+ */
+export function maskOfPath(path, box, width = 1) {
+  return maskOf('path', path, box, width, (context) => context.fill(new Path2D(path)));
+}
+
+/**
+ * The mask of an image: its opacity.
+ * @param {CanvasImageSource} image  An image, a video, a canvas or a bitmap, whose pixels the page may read.
+ * @param {number} [width]  [m]
+ * @returns {HearthMask}
+ * @throws {RangeError} it has no pixels yet or no opaque ones, or the page may not read them
+ */
+export function maskOfImage(image, width = 1) {
+  const { naturalWidth, naturalHeight, videoWidth, videoHeight, displayWidth, displayHeight, ...sized } = sizesOf(image);
+  const across = naturalWidth ?? videoWidth ?? displayWidth ?? sized.width;
+  const up = naturalHeight ?? videoHeight ?? displayHeight ?? sized.height;
+  return maskOf('image', 'an image', [0, 0, across, up], width, (context) => context.drawImage(image, 0, 0, across, up));
+}
+
+/** @param {any} image @returns {{[side: string]: number}} */
+function sizesOf({ naturalWidth, naturalHeight, videoWidth, videoHeight, displayWidth, displayHeight, width, height }) {
+  return { naturalWidth, naturalHeight, videoWidth, videoHeight, displayWidth, displayHeight, width, height };
+}
+
+/**
+ * The mask of what `draw` draws in a box.
+ * @param {string} id @param {string} value @param {readonly number[]} box @param {number} width
+ * @param {(context: Context) => void} draw
+ * @returns {HearthMask}
+ */
+function maskOf(id, value, [left, top, across, up], width, draw) {
+  if (!(width >= 0.002 && width <= 10)) throw refused('width', width, 'a number from 0.002 to 10 m');
+  if (!(across > 0 && up > 0 && across + up < Infinity)) throw refused(id, value, 'something with a width and a height');
+  const scale = PIXELS / Math.max(across, up);
+  const columns = Math.max(Math.round(across * scale), 1);
+  const rows = Math.max(Math.round(up * scale), 1);
+  const context = contextOf(columns, rows);
+  context.setTransform(columns / across, 0, 0, rows / up, -left * columns / across, -top * rows / up);
+  let pixels;
+  try {
+    draw(context);
+    pixels = context.getImageData(0, 0, columns, rows).data;
+  } catch (cause) {
+    throw refused(id, value, 'something whose pixels the page may read', cause);
+  }
+  const opacities = Array.from({ length: columns * rows }, (_, at) => Math.round(pixels[4 * at + 3] / 255 * OPAQUE));
+  if (!opacities.some((opacity) => opacity > OPAQUE / 2)) throw refused(id, value, 'something with opaque pixels');
+  const mask = `${columns}x${rows}:${lettersOf(opacities)}`;
+  return { shape: 'mask', mask, width, height: Math.min(Math.max(width * up / across, 0.002), 10) };
+}
+
+/** The letters of the pixels, runs of which have one. @param {number[]} opacities */
+function lettersOf(opacities) {
+  let letters = '';
+  for (let at = 0; at < opacities.length;) {
+    const opacity = opacities[at];
+    let run = 1;
+    const first = RUNS[/** @type {0 | 15} */ (opacity)];
+    while (first && opacities[at + run] === opacity && run < LONG) run += 1;
+    if (run === 1) {
+      letters += LETTERS[opacity];
+    } else if (run <= SHORT || run < 32) {
+      run = Math.min(run, SHORT);
+      letters += LETTERS[first + run - 2];
+    } else {
+      const doubled = Math.floor(Math.log2(run / 32));
+      run = 32 << doubled;
+      letters += LETTERS[first + SHORT - 1 + doubled];
+    }
+    at += run;
+  }
+  return letters;
+}
+
+/** A canvas to read from. @param {number} width @param {number} height @returns {Context} */
+function contextOf(width, height) {
+  const canvas = typeof OffscreenCanvas === 'function' ? new OffscreenCanvas(width, height) : document.createElement('canvas');
+  Object.assign(canvas, { width, height });
+  const context = /** @type {Context | null} */ (canvas.getContext('2d', { willReadFrequently: true }));
+  if (!context) throw new Error('this browser has no memory left for a canvas');
+  return context;
+}
+
+/** @param {string} id @param {unknown} value @param {string} allowed @param {unknown} [cause] */
+function refused(id, value, allowed, cause) {
+  const shown = String(value);
+  const words = shown.length > 40 ? `${shown.slice(0, 40)}…` : shown;
+  return Object.assign(new RangeError(`${id} = ${JSON.stringify(words)} is refused: it must be ${allowed}`, { cause }), { id });
+}

@@ -2,7 +2,7 @@
 
 use hearth_core::params::{Input, Model};
 use hearth_core::random::Random;
-use hearth_core::{Parameters, Particle, Simulation, Vec2};
+use hearth_core::{Parameters, Particle, Scene, Simulation, Vec2};
 
 /// The classic model's defaults with these values changed.
 ///
@@ -88,6 +88,36 @@ fn changed<'a>(model: Model, values: impl IntoIterator<Item = (&'a str, Input<'a
         }
     }
     parameters
+}
+
+/// A scene with a polygon, a stroke and a mask around its source.
+///
+/// # Panics
+/// If one of them is invalid, because the test is wrong.
+pub fn beside_outlines(parameters: Parameters) -> Scene {
+    let mut scene = Scene::new(parameters);
+    for (shape, x, property, text) in [
+        (
+            "polygon",
+            -0.2,
+            "points",
+            "0,0.15 -0.09,-0.12 0.14,0.04 -0.14,0.04 0.09,-0.12",
+        ),
+        ("stroke", 0.2, "points", "-0.1,0.1 0.1,0 -0.05,-0.1"),
+        ("mask", 0.0, "mask", "8x4:3PSqSo"),
+    ] {
+        let added = scene.add(&[
+            ("kind", Input::Text("solid")),
+            ("shape", Input::Text(shape)),
+            ("x", Input::Number(x)),
+            ("y", Input::Number(0.4)),
+            ("angle", Input::Number(15.0)),
+            ("height", Input::Number(0.05)),
+            (property, Input::Text(text)),
+        ]);
+        assert!(added.is_ok(), "{added:?}");
+    }
+    scene
 }
 
 /// A fire that has burned for so many simulated seconds.

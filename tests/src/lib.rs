@@ -108,7 +108,9 @@ pub fn fingerprints() -> String {
         ),
     ];
     let others = others.map(|(name, parameters)| (name, Scene::from(parameters)));
-    let lit = presets.chain(others);
+    let beside = fires::in_the_open(fires::combustion(&[]), 900);
+    let beside = [("outlines", fires::beside_outlines(beside))];
+    let lit = presets.chain(others).chain(beside);
     let lit = lit.map(|(name, parameters)| (name, fingerprint(parameters)));
     // Taken up as it is, and by fewer particles.
     let kept = [

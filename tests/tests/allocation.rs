@@ -8,8 +8,8 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use hearth_core::params::{Input, Model};
-use hearth_core::{Parameters, Simulation};
-use hearth_tests::fires::{everything, in_the_open, on_floor};
+use hearth_core::{Parameters, Scene, Simulation};
+use hearth_tests::fires::{beside_outlines, everything, in_the_open, on_floor};
 
 struct Counting;
 
@@ -39,9 +39,9 @@ unsafe impl GlobalAlloc for Counting {
 static ALLOCATOR: Counting = Counting;
 
 /// How often a fire allocates while it is cold, and then while it is warm.
-fn allocations(parameters: Parameters, steps: u32) -> (usize, usize) {
+fn allocations(scene: Scene, steps: u32) -> (usize, usize) {
     let start = ALLOCATIONS.get();
-    let mut fire = Simulation::new(parameters);
+    let mut fire = Simulation::new(scene);
     let (mut instances, mut embers) = (Vec::new(), Vec::new());
     let mut burn = || {
         for _ in 0..steps {
@@ -59,13 +59,17 @@ fn allocations(parameters: Parameters, steps: u32) -> (usize, usize) {
 #[test]
 fn a_warm_fire_allocates_nothing() {
     let open = on_floor(in_the_open(everything(), 1500));
-    for parameters in [Parameters::new(Model::Classic), everything(), open] {
+    let beside = beside_outlines(open.clone());
+    let fires = [Parameters::new(Model::Classic), everything(), open].map(Scene::from);
+    for scene in fires.into_iter().chain([beside]) {
         // Briefly where each picture takes as long as a step.
         for (mode, steps) in [("fire", 2400), ("vorticity", 800)] {
-            let mut parameters = parameters.clone();
+            let mut scene = scene.clone();
+            let mut parameters = scene.settings().clone();
             assert_eq!(parameters.set("display_mode", Input::Text(mode)), Ok(()));
             let model = parameters.model();
-            let (cold, warm) = allocations(parameters, steps);
+            scene.set_settings(parameters);
+            let (cold, warm) = allocations(scene, steps);
             assert!(cold > 0, "the count does not count");
             assert_eq!(warm, 0, "{model:?}, {mode}");
         }

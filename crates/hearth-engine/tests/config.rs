@@ -257,9 +257,20 @@ fn import_restores_objects_with_their_ids() {
         ("width".to_owned(), Untrusted::Number(0.05)),
     ];
     let solid = vec![("kind", text("solid")), ("shape", text("box"))];
-    let solids = Untrusted::List(vec![self::object(solid)]);
+    let polygon = vec![
+        ("kind", text("solid")),
+        ("shape", text("polygon")),
+        ("points", text("0,0.1 0.333333,-0.0625 -0.2,1e-3")),
+    ];
+    let mask = vec![
+        ("kind", text("solid")),
+        ("shape", text("mask")),
+        ("mask", text("8x4:3PSqSo")),
+        ("width", Untrusted::Number(0.123)),
+    ];
+    let solids = Untrusted::List([solid, polygon, mask].map(self::object).into());
     let solids = set(&Requested::default(), "objects", solids);
-    assert_eq!(solids.scene.solids().count(), 1);
+    assert_eq!(solids.scene.solids().count(), 3);
     let command = Command::AddObject {
         object,
         source: "test",

@@ -73,7 +73,7 @@ fn records(scene: &Scene, fields: &mut Vec<Arc<Field>>) -> Vec<Instance> {
 /// Appends a field: a head, then its distances.
 fn append(instances: &mut Vec<Instance>, field: &Field) {
     let step = 2.0 * field.half.x / (field.columns as f32 - 1.0);
-    let rise = 2.0 * field.half.y / (field.rows() as f32 - 1.0);
+    let rise = 2.0 * field.half.y / (field.rows as f32 - 1.0);
     let mut head = [0.0; 8];
     head[..4].copy_from_slice(&[field.columns as f32, field.depth, step, rise]);
     instances.push(head);

@@ -1,6 +1,6 @@
 //! Solids in a real browser: each covers its shape and nothing else, in the light of the fire.
 
-use hearth_core::params::{Choice, DisplayMode, Input, Material, Model, Parameters};
+use hearth_core::params::{Choice, DisplayMode, Input, Material, Model, Parameters, Shape};
 use hearth_core::scene::MAX_OBJECTS;
 use hearth_core::{Instance, Scene, Vec2};
 use hearth_render::Renderer;
@@ -12,6 +12,11 @@ use crate::{HEIGHT, WIDTH, light, puff};
 
 /// How far from a surface its soft edge reaches \[m\]: two pixels of 6 mm.
 const EDGE: f32 = 0.012;
+
+/// A star that crosses itself.
+const STAR: &str = "0,0.3 -0.18,-0.24 0.285,0.09 -0.285,0.09 0.18,-0.24";
+/// Two posts with a beam: 8 × 4 pixels.
+const ARCH: &str = "8x4:3PSqSo";
 
 type Fields<'a> = [(&'a str, Input<'a>)];
 
@@ -48,7 +53,7 @@ fn circle(x: f64, y: f64) -> [(&'static str, Input<'static>); 3] {
 #[wasm_bindgen_test]
 fn a_solid_is_opaque_and_nothing_around_it_is() -> Result<(), JsValue> {
     let canvas = Canvas::new(WIDTH, HEIGHT)?;
-    for shape in ["circle", "box", "line"] {
+    for shape in Shape::NAMES {
         let fields = [
             ("shape", Input::Text(shape)),
             ("x", Input::Number(-0.1)),
@@ -57,14 +62,16 @@ fn a_solid_is_opaque_and_nothing_around_it_is() -> Result<(), JsValue> {
             ("width", Input::Number(0.5)),
             ("height", Input::Number(0.2)),
             ("corner", Input::Number(0.05)),
+            ("points", Input::Text(STAR)),
+            ("mask", Input::Text(ARCH)),
         ];
         for material in Material::NAMES {
             let fields = [&fields[..], &[("material", Input::Text(material))]].concat();
             let scene = with_one(&fields)?;
             let pixels = painted(&canvas, &scene, &[])?;
-            for solid in scene.solids() {
+            for (_, _, surface) in scene.surfaces() {
                 for (x, y, pixel) in pixels.all() {
-                    let (distance, _) = solid.distance(Vec2::new(x, y));
+                    let (distance, _) = surface.distance(Vec2::new(x, y));
                     let what = format!("{material} {shape}: {pixel:?} at {x}, {y}");
                     assert!(light(pixel) <= pixel[3], "{what}");
                     if distance > EDGE || *material == "none" {
@@ -207,5 +214,38 @@ fn a_hot_surface_glows_redder_when_it_is_cooler() -> Result<(), JsValue> {
         greenness(red) + 0.1 < greenness(yellow),
         "{red:?} {yellow:?}"
     );
+    Ok(())
+}
+
+#[wasm_bindgen_test]
+fn an_outline_is_drawn_again_when_it_changes_and_moves_without_an_upload() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
+    let fields = [("shape", Input::Text("stroke")), ("y", Input::Number(0.6))];
+    let mut scene = with_one(&fields)?;
+    let rings = [
+        ("points", Input::Text("-0.2,0 0.2,0")),
+        ("height", Input::Number(0.06)),
+    ];
+    let id = scene.objects().last().map_or(0, |object| object.id);
+    for (change, [x, y], beside) in [
+        (&rings[..], [0.1, 0.6], [0.0, 0.75]),
+        (&[("angle", Input::Number(90.0))], [0.0, 0.75], [0.1, 0.6]),
+        (
+            &[("points", Input::Text("0,-0.2 0,0.2"))],
+            [0.1, 0.6],
+            [0.0, 0.75],
+        ),
+        (&[("y", Input::Number(0.75))], [0.1, 0.75], [0.1, 0.6]),
+    ] {
+        scene
+            .change(id, change)
+            .map_err(|errors| format!("{errors:?}"))?;
+        renderer.upload_solids(&canvas.gl, &scene);
+        let pixels = canvas.paint_with(&mut renderer, &[], scene.settings())?;
+        assert_eq!(pixels.at(x, y)[3], 255, "{change:?}");
+        assert_eq!(pixels.at(beside[0], beside[1])[3], 0, "{change:?}");
+    }
+    renderer.destroy(&canvas.gl);
     Ok(())
 }

@@ -2,13 +2,32 @@
 
 use glam::Vec2;
 
-use super::field::{Field, Line};
 use crate::extremes::{fast_max, fast_min};
 
 /// The opacity at the edge of a mask.
 pub(super) const EDGE: f32 = 0.5;
 /// Distance beside a line at which a point is inside or outside, as a share of the outline.
 const BESIDE: f32 = 1e-4;
+
+/// A part of an outline \[m\].
+pub(super) type Line = [Vec2; 2];
+
+/// The places of the nodes of a field.
+pub(super) struct Nodes {
+    /// The lower left one, relative to the centre of the solid \[m\].
+    pub first: Vec2,
+    /// Distance between two \[m\].
+    pub step: Vec2,
+    pub columns: usize,
+    pub rows: usize,
+}
+
+impl Nodes {
+    /// The place of a node \[m\].
+    pub fn place(&self, column: usize, row: usize) -> Vec2 {
+        self.first + Vec2::new(column as f32, row as f32) * self.step
+    }
+}
 
 /// The sides of a polygon.
 fn sides(points: &[Vec2]) -> impl Iterator<Item = Line> + Clone {
@@ -74,17 +93,17 @@ fn passes([one, other]: Line, y: f32) -> Option<(f32, i32)> {
     (rises || falls).then_some((x, if rises { 1 } else { -1 }))
 }
 
-/// Marks the nodes that a polygon winds around as inside.
-pub(super) fn fill(points: &[Vec2], field: &mut Field) {
-    let (columns, rows) = (field.columns, field.rows());
+/// Calls `inside` with the number of each node that a polygon winds around.
+pub(super) fn fill(points: &[Vec2], nodes: &Nodes, mut inside: impl FnMut(usize)) {
+    let columns = nodes.columns;
     let mut turns = vec![0; columns + 1];
-    for row in 0..rows {
+    for row in 0..nodes.rows {
         turns.fill(0);
-        let left = field.node(0, row);
-        let step = field.node(1, row).x - left.x;
+        let left = nodes.place(0, row);
         for line in sides(points) {
             if let Some((x, turn)) = passes(line, left.y) {
-                let column = fast_min(fast_max((x - left.x) / step, 0.0), columns as f32);
+                let column = (x - left.x) / nodes.step.x;
+                let column = fast_min(fast_max(column, 0.0), columns as f32);
                 if let Some(first) = turns.get_mut(libm::ceilf(column) as usize) {
                     *first += turn;
                 }
@@ -94,22 +113,22 @@ pub(super) fn fill(points: &[Vec2], field: &mut Field) {
         for (column, turn) in turns.iter().take(columns).enumerate() {
             winding += turn;
             if winding != 0 {
-                field.turn(row * columns + column);
+                inside(row * columns + column);
             }
         }
     }
 }
 
 /// The lines between nodes with an opacity above and below the edge: marching squares.
-pub(super) fn of_nodes(field: &Field, opacity: impl Fn(usize) -> f32) -> Vec<Line> {
+pub(super) fn of_nodes(nodes: &Nodes, opacity: impl Fn(usize) -> f32) -> Vec<Line> {
     let mut lines = Vec::new();
-    for row in 1..field.rows() {
-        for column in 1..field.columns {
+    for row in 1..nodes.rows {
+        for column in 1..nodes.columns {
             let corners = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(right, up)| {
                 let (column, row) = (column - 1 + right, row - 1 + up);
                 (
-                    field.node(column, row),
-                    opacity(row * field.columns + column),
+                    nodes.place(column, row),
+                    opacity(row * nodes.columns + column),
                 )
             });
             let mut ends = [Vec2::ZERO; 4];

@@ -7,7 +7,7 @@
 
 use glam::Vec2;
 
-use super::contour;
+use super::contour::{self, Line, Nodes};
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Mask, Shape, Solid};
 
@@ -27,9 +27,6 @@ const SHORTEST: f32 = 0.25;
 /// No line.
 const NONE: u32 = u32::MAX;
 
-/// A part of an outline \[m\].
-pub(super) type Line = [Vec2; 2];
-
 /// A sampled signed distance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
@@ -39,6 +36,8 @@ pub struct Field {
     pub half: Vec2,
     /// Nodes of a row.
     pub columns: usize,
+    /// Rows of nodes.
+    pub rows: usize,
     /// The distance at each node \[m\], negative inside, row by row from below.
     pub distances: Vec<f32>,
     /// Largest depth of a node inside \[m\].
@@ -56,7 +55,7 @@ impl Field {
                 let points = solid.points.all();
                 let mut field = Field::around(points, 0.0);
                 field.measure(&contour::of_polygon(points));
-                contour::fill(points, &mut field);
+                contour::fill(points, &field.nodes(), |node| field.turn(node));
                 Some(field.measured())
             }
             Shape::Stroke => {
@@ -102,6 +101,7 @@ impl Field {
             middle,
             half: 0.5 * cells * step,
             columns,
+            rows,
             distances: vec![f32::MAX; columns * rows],
             depth: 0.0,
             step,
@@ -120,7 +120,7 @@ impl Field {
             let row = (height + MARGIN - 1).wrapping_sub(row);
             mask.opacity(column.wrapping_sub(MARGIN), row)
         };
-        let lines = contour::of_nodes(&field, opacity);
+        let lines = contour::of_nodes(&field.nodes(), opacity);
         field.measure(&lines);
         for node in 0..field.distances.len() {
             if opacity(node) > contour::EDGE {
@@ -130,18 +130,17 @@ impl Field {
         field
     }
 
-    /// Number of rows.
-    pub fn rows(&self) -> usize {
-        self.distances.len() / self.columns
-    }
-
-    /// The place of a node, relative to the centre of the solid \[m\].
-    pub(super) fn node(&self, column: usize, row: usize) -> Vec2 {
-        self.middle - self.half + Vec2::new(column as f32, row as f32) * self.step
+    fn nodes(&self) -> Nodes {
+        Nodes {
+            first: self.middle - self.half,
+            step: self.step,
+            columns: self.columns,
+            rows: self.rows,
+        }
     }
 
     /// Marks a node as inside.
-    pub(super) fn turn(&mut self, node: usize) {
+    fn turn(&mut self, node: usize) {
         if let Some(distance) = self.distances.get_mut(node) {
             *distance = -*distance;
         }
@@ -153,7 +152,7 @@ impl Field {
         for (index, line) in (0..).zip(lines) {
             self.seed(&mut nearest, lines, index, line);
         }
-        let (columns, rows) = (self.columns as isize, self.rows() as isize);
+        let (columns, rows) = (self.columns as isize, self.rows as isize);
         for up in [1, -1] {
             for row in 0..rows {
                 let row = if up > 0 { row } else { rows - 1 - row };
@@ -203,7 +202,7 @@ impl Field {
             });
             let (left, right) = (fast_min(begin, end), fast_max(begin, end));
             for column in left as usize..=right as usize + 1 {
-                if column < columns && row < self.distances.len() / columns {
+                if column < columns && row < self.rows {
                     self.offer(nearest, lines, [column, row], index);
                 }
             }
@@ -222,7 +221,7 @@ impl Field {
         let Some(line) = lines.get(index as usize) else {
             return;
         };
-        let squared = distance_squared(self.node(column, row), line);
+        let squared = distance_squared(self.nodes().place(column, row), line);
         let node = row * self.columns + column;
         if let (Some(before), Some(nearest)) = (self.distances.get_mut(node), nearest.get_mut(node))
             && squared < *before
@@ -289,7 +288,7 @@ impl Field {
     fn sample(&self, point: Vec2) -> (f32, Vec2) {
         let at = (point + self.half) / self.step;
         let column = (at.x as usize).min(self.columns - 2);
-        let row = (at.y as usize).min(self.rows() - 2);
+        let row = (at.y as usize).min(self.rows - 2);
         let node = |right: usize, up: usize| {
             let node = self
                 .distances

@@ -35,7 +35,7 @@ properties! {
     /// A larger solid. Diameter of a circle, width of a box or a mask, length of a line.
     width: number "Width" ["m"] Log { (0.2, 0.002..=10.0) } when { shape: WIDE }
     /// A thicker solid. Height of a box or a mask, thickness of a line or a stroke. A stroke is at
-    /// least as thick as a hundredth of its extent.
+    /// least as thick as an eightieth of its extent.
     height: number "Thickness" ["m"] Log { (0.1, 0.002..=10.0) } when { shape: HIGH }
     /// A rounder box. Radius of its corners, at most half of its smaller side.
     corner: number "Corner radius" ["m"] Linear { (0.0, 0.0..=5.0) } when { shape: CORNERED }

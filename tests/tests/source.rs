@@ -3,7 +3,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use hearth_core::params::Input;
-use hearth_core::{Simulation, Source};
+use hearth_core::{Parameters, Simulation, Source, Vec2};
 use hearth_tests::fires::{burn, burn_on, combustion, mean, watch, with_numbers};
 
 /// Mean power and mean number of particles over so many seconds.
@@ -108,5 +108,35 @@ fn a_source_beyond_the_side_burns_at_the_side() {
         let mut fire = burn(parameters, 1.0);
         burn_on(&mut fire, 0.5);
         assert!(fire.temperatures().iter().any(|&kelvin| kelvin > 900.0));
+    }
+}
+
+#[test]
+fn a_turned_source_emits_at_right_angles_to_its_width() {
+    for (model, angle) in [("classic", -90.0), ("classic", 45.0), ("combustion", -90.0)] {
+        let mut settings = Parameters::default();
+        let values = [
+            ("model", Input::Text(model)),
+            ("source_angle", Input::Number(angle)),
+            ("source_height", Input::Number(0.7)),
+            ("emission_speed", Input::Number(1.5)),
+            ("buoyancy", Input::Number(0.0)),
+        ];
+        for (id, value) in values {
+            assert_eq!(settings.set(id, value), Ok(()));
+        }
+        let out = Vec2::from_angle((angle as f32).to_radians()).perp();
+        let mut fire = Simulation::new(settings);
+        let mut sum = Vec2::ZERO;
+        while fire.time() < 0.5 {
+            fire.step();
+            let all = fire.velocities().into_iter().zip(fire.temperatures());
+            sum += all
+                .filter(|one| one.1 > 600.0)
+                .map(|one| one.0)
+                .sum::<Vec2>();
+        }
+        let direction = sum.normalize();
+        assert!(direction.dot(out) > 0.9, "{model}, {angle}°: {direction}");
     }
 }

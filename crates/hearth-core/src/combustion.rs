@@ -238,6 +238,11 @@ impl Combustion {
         self.removed
     }
 
+    /// The ids of the solids that conduct heat, and their temperatures \[K\].
+    pub fn solid_temperatures(&self) -> impl Iterator<Item = (u32, f32)> {
+        self.solids.temperatures()
+    }
+
     /// Writes the embers for the renderer.
     pub fn write_embers(&self, out: &mut Vec<Instance>) {
         self.embers.write_instances(out);
@@ -296,6 +301,7 @@ impl Solver for Combustion {
         if let Some(open) = &mut self.open {
             open.surround(&self.gas, values);
         }
+        self.leave_out_solids(values);
         self.settle(values, values.spacing());
         self.reserve(values);
         self.embers = Embers::default();

@@ -13,11 +13,23 @@ pub struct Source {
     pub width: f32,
 }
 
+/// Direction of the width of a source; `None` if it is not turned.
+pub(crate) fn axis(values: &Physics) -> Option<Vec2> {
+    let angle = values.source_angle.to_radians();
+    (angle != 0.0).then(|| Vec2::new(libm::cosf(angle), libm::sinf(angle)))
+}
+
 /// `source_x`, clamped so that a source of this width keeps `margin` \[m\] from the sides; 0 if
 /// it does not fit.
 pub(crate) fn middle(values: &Physics, width: f32, margin: f32) -> f32 {
     let farthest = (0.5 * (values.domain_width - width) - margin).max(0.0);
     values.source_x.max(-farthest).min(farthest)
+}
+
+/// Whether a position is in the domain.
+pub(crate) fn contains(values: &Physics, position: Vec2) -> bool {
+    let half = 0.5 * values.domain_width;
+    position.x.abs() < half && position.y > 0.0 && position.y < values.domain_height
 }
 
 #[cfg(test)]

@@ -72,7 +72,7 @@ impl FireFrame {
         size: (u32, u32),
         limits: ResolutionLimits,
         (instances, embers): (&[Instance], &[Instance]),
-        (time, scene): (f64, &Scene),
+        (time, scene, temperatures): (f64, &Scene, &[(u32, f32)]),
         camera: Camera,
         paused: bool,
         clock: &WallClock,
@@ -92,7 +92,7 @@ impl FireFrame {
             let passes = &mut drawing.passes;
             let [width, height] = canvas.resize(size);
             renderer.upload(gl, parameters.display_mode, instances, embers);
-            renderer.upload_solids(gl, scene);
+            renderer.upload_solids(gl, scene, temperatures);
             let sent = clock.now();
             renderer.set_limits(limits);
             passes.begin(context, clock);

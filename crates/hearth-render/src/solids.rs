@@ -13,6 +13,8 @@ use crate::particles::Particles;
 
 /// Minimum temperature of a surface that visibly glows \[K\].
 const GLOWING: f32 = 800.0;
+/// Maximum temperature of a record \[K\], which `SURFACES` exceeds.
+const HOTTEST: f32 = 2500.0;
 
 /// The solids on the graphics card: records in the first row of a texture, then the fields of
 /// solids with a sampled distance, in the layout that `shaders/solid.glsl` reads.
@@ -30,10 +32,10 @@ impl<G: Graphics> Solids<G> {
         }
     }
 
-    /// Uploads the visible solids of a scene.
-    pub fn upload(&mut self, gl: &G, scene: &Scene) {
+    /// Uploads the visible solids of a scene, with the temperatures of those that conduct heat.
+    pub fn upload(&mut self, gl: &G, scene: &Scene, temperatures: &[(u32, f32)]) {
         let mut fields = Vec::new();
-        let mut instances = records(scene, &mut fields);
+        let mut instances = records(scene, temperatures, &mut fields);
         let count = instances.len();
         let same = |(one, other): (&Arc<Field>, &Arc<Field>)| Arc::ptr_eq(one, other);
         let is_known =
@@ -53,13 +55,19 @@ impl<G: Graphics> Solids<G> {
 }
 
 /// The records of the visible solids; appends their fields.
-fn records(scene: &Scene, fields: &mut Vec<Arc<Field>>) -> Vec<Instance> {
+fn records(
+    scene: &Scene,
+    temperatures: &[(u32, f32)],
+    fields: &mut Vec<Arc<Field>>,
+) -> Vec<Instance> {
     let mut place = ROW;
     let visible = scene
         .surfaces()
         .filter(|one| one.1.material != Material::None);
-    let records = visible.map(|(_, solid, surface)| {
-        let mut record = record(solid, surface);
+    let records = visible.map(|(id, solid, surface)| {
+        let present = temperatures.iter().find(|one| one.0 == id);
+        let kelvin = present.map_or(solid.temperature, |one| one.1);
+        let mut record = record(solid, kelvin, surface);
         if let Some(field) = &surface.field {
             record[6] = -(place as f32);
             place += 1 + field.distances.len().div_ceil(record.len());
@@ -84,10 +92,10 @@ fn append(instances: &mut Vec<Instance>, field: &Field) {
     }
 }
 
-fn record(solid: &Solid, surface: &Surface) -> Instance {
+fn record(solid: &Solid, kelvin: f32, surface: &Surface) -> Instance {
     let shape = &surface.frame;
-    let glows = solid.thermal == Thermal::Fixed && solid.temperature >= GLOWING;
-    let kelvin = if glows { solid.temperature } else { 0.0 };
+    let glows = solid.thermal != Thermal::Adiabatic && kelvin >= GLOWING;
+    let kelvin = if glows { kelvin.min(HOTTEST) } else { 0.0 };
     [
         shape.centre.x,
         shape.centre.y,
@@ -115,7 +123,7 @@ mod tests {
             ("temperature", Input::Number(kelvin)),
         ]);
         assert!(added.is_ok(), "{added:?}");
-        records(&scene, &mut Vec::new())
+        records(&scene, &[], &mut Vec::new())
             .first()
             .map(|[.., surface]| *surface)
     }

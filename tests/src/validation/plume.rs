@@ -36,7 +36,7 @@ fn plume() -> Outcome {
     };
     let p = &parameters(SEEDS[0]);
     let ambient = f64::from(p.ambient_temperature);
-    let record = Record::joined(SEEDS.map(|seed| watch(parameters(seed), 5.0, 30.0)));
+    let record = Record::joined(SEEDS.map(|seed| watch(parameters(seed), 5.0, 65.0)));
     let sampler = &record.sampler;
     // Below 2 m, the plume becomes turbulent: its thermal width overtakes that of its
     // velocity, and both grow faster than further up, where their ratio is constant.

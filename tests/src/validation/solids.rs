@@ -55,8 +55,7 @@ fn plate(x: f64, y: f64, width: f64, height: f64) -> Body {
     }
 }
 
-/// A simulation of the gas of a box around solids, at rest or at `speed` along x. The particles of
-/// the lattice in solids keep their share of the mass and take no part.
+/// A simulation of the gas of a box around solids, at rest or at `speed` along x.
 ///
 /// # Panics
 /// If a value is invalid, because the case is wrong.
@@ -76,18 +75,13 @@ fn around(gas_box: &GasBox, values: &[(&str, f64)], bodies: &[Body], speed: f64)
             panic!("{refused:?}");
         }
     }
-    // Gas in the middle of a solid is removed.
-    let last = bodies[bodies.len() - 1];
-    let hidden = Vec2::new(last.x as f32, last.y as f32);
     let mut gas = gas_box.gas(0.0, |particle| particle.velocity.x = speed as f32);
-    for particle in &mut gas {
+    gas.retain(|particle| {
         let distances = scene
-            .solids()
-            .map(|solid| solid.distance(particle.position).0);
-        if distances.fold(f32::INFINITY, f32::min) < 0.25 * gas_box.spacing as f32 {
-            particle.position = hidden;
-        }
-    }
+            .surfaces()
+            .map(|(_, _, surface)| surface.distance(particle.position).0);
+        distances.fold(f32::INFINITY, f32::min) > 0.25 * gas_box.spacing as f32
+    });
     let mut fire = Simulation::new(scene);
     fill(&mut fire, &gas);
     fire

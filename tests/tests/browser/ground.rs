@@ -23,7 +23,7 @@ fn settings(ground: &str, background: &str) -> Result<Parameters, JsValue> {
 
 fn painted(canvas: &Canvas, scene: &Scene, gas: &[Instance]) -> Result<Pixels, JsValue> {
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-    renderer.upload_solids(&canvas.gl, scene);
+    renderer.upload_solids(&canvas.gl, scene, &[]);
     let pixels = canvas.paint_with(&mut renderer, gas, scene.settings());
     renderer.destroy(&canvas.gl);
     assert_eq!(canvas.gl_error(), 0);

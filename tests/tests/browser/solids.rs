@@ -33,7 +33,7 @@ fn scene(settings: Parameters, solids: &[&Fields<'_>]) -> Result<Scene, JsValue>
 
 fn painted(canvas: &Canvas, scene: &Scene, gas: &[Instance]) -> Result<Pixels, JsValue> {
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-    renderer.upload_solids(&canvas.gl, scene);
+    renderer.upload_solids(&canvas.gl, scene, &[]);
     let pixels = canvas.paint_with(&mut renderer, gas, scene.settings());
     renderer.destroy(&canvas.gl);
     assert_eq!(canvas.gl_error(), 0);
@@ -151,13 +151,13 @@ fn as_many_solids_as_a_scene_holds_are_drawn_and_removed() -> Result<(), JsValue
     let solids: Vec<_> = solids.iter().map(|solid| &solid[..]).collect();
     let settings = Parameters::new(Model::Classic);
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-    renderer.upload_solids(&canvas.gl, &scene(settings.clone(), &solids)?);
+    renderer.upload_solids(&canvas.gl, &scene(settings.clone(), &solids)?, &[]);
     let pixels = canvas.paint_with(&mut renderer, &[], &settings)?;
     for [x, y] in (0..MAX_OBJECTS).map(place) {
         let pixel = pixels.at(x as f32, y as f32);
         assert_eq!(pixel[3], 255, "{pixel:?} at {x}, {y}");
     }
-    renderer.upload_solids(&canvas.gl, &scene(settings.clone(), &[])?);
+    renderer.upload_solids(&canvas.gl, &scene(settings.clone(), &[])?, &[]);
     let pixels = canvas.paint_with(&mut renderer, &[], &settings)?;
     renderer.destroy(&canvas.gl);
     assert!(pixels.all().all(|(_, _, pixel)| pixel == [0; 4]));

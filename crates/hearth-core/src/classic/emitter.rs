@@ -86,7 +86,10 @@ impl Emitter {
             room,
             ..
         } = *source;
-        let reach = Vec2::new(half_width + room, source.rise + room);
+        let reach = match source.axis {
+            None => Vec2::new(half_width + room, source.rise + room),
+            Some(_) => Vec2::splat(half_width + source.rise + room),
+        };
         self.near.clear();
         self.near.extend(
             particles
@@ -122,7 +125,14 @@ impl Emitter {
             let velocity = Vec2::new(sideways + inward, 1.0).normalize() * speed;
 
             let age = random.unit() * values.time_step;
-            let position = source.middle + Vec2::new(x, velocity.y * age);
+            let from = Vec2::new(x, velocity.y * age);
+            let (position, velocity) = match source.axis {
+                None => (source.middle + from, velocity),
+                Some(axis) => (source.middle + axis.rotate(from), axis.rotate(velocity)),
+            };
+            if source.axis.is_some() && !source::contains(values, position) {
+                continue;
+            }
             let room = source.room * source.room;
             if self
                 .near
@@ -161,6 +171,8 @@ pub(crate) fn place(values: &Physics) -> source::Source {
 struct Source {
     middle: Vec2,
     half_width: f32,
+    /// Direction of its width if it is turned.
+    axis: Option<Vec2>,
     /// Largest rise of a particle in the step of its birth \[m\].
     rise: f32,
     /// Minimum distance from another particle \[m\].
@@ -175,6 +187,7 @@ impl Source {
         Source {
             middle: place.base,
             half_width: 0.5 * place.width,
+            axis: source::axis(values),
             rise: values.emission_speed * values.time_step,
             room: MIN_DISTANCE * (values.particle_mass / values.rest_density).sqrt(),
             time,

@@ -253,8 +253,6 @@ pub(super) fn layout(values: &Physics, seen: Option<Seen>, spacing: f32) -> Layo
 
 /// The cells of a source are awake.
 fn awake_at(burner: &Burner) -> Rectangle {
-    Rectangle {
-        low: Vec2::new(burner.middle - burner.half_width, burner.bottom),
-        high: Vec2::new(burner.middle + burner.half_width, burner.top),
-    }
+    let [low, high] = burner.around();
+    Rectangle { low, high }
 }

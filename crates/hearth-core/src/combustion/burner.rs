@@ -4,6 +4,8 @@
 //! over the gas in the block, and what exceeds the capacity of that gas over the gas above.
 //! Perlin noise modulates the fuel in space and time (the paper's §5.3) and keeps the sum.
 
+use glam::Vec2;
+
 use super::chemistry::{HEAT_CAPACITY, heat_of_combustion};
 use super::gas::Gas;
 use crate::extremes::{fast_max, fast_min};
@@ -39,6 +41,8 @@ pub struct Burner {
     /// Its edges \[m\]. A particle on an edge is outside, also on the edge of the domain.
     left: f32,
     right: f32,
+    /// Direction of its width if it is turned about the middle of its lower edge.
+    axis: Option<Vec2>,
     /// Highest top of a layer above the block that takes excess fuel \[m\].
     highest: f32,
 }
@@ -78,8 +82,37 @@ impl Burner {
             right: (middle + half_width).min(edge),
             bottom,
             top: bottom + height,
+            axis: source::axis(values),
             highest: high * values.domain_height,
         }
+    }
+
+    /// Lower left and upper right corner of a rectangle around it \[m\].
+    pub(crate) fn around(&self) -> [Vec2; 2] {
+        let base = Vec2::new(self.middle, self.bottom);
+        let height = self.top - self.bottom;
+        let Some(axis) = self.axis else {
+            return [
+                base - Vec2::new(self.half_width, 0.0),
+                base + Vec2::new(self.half_width, height),
+            ];
+        };
+        let side = axis.abs() * self.half_width;
+        let up = axis.perp() * height;
+        [
+            base - side + up.min(Vec2::ZERO),
+            base + side + up.max(Vec2::ZERO),
+        ]
+    }
+
+    /// A position as if the burner were not turned.
+    fn upright(&self, position: Vec2) -> Vec2 {
+        let Some(axis) = self.axis else {
+            return position;
+        };
+        let base = Vec2::new(self.middle, self.bottom);
+        let from = position - base;
+        base + Vec2::new(axis.dot(from), axis.perp_dot(from))
     }
 
     /// Adds fuel to the gas in the block for `dt`. Returns the heat that brought the gas to the
@@ -109,6 +142,7 @@ impl Burner {
         let hot = values
             .source_temperature
             .max(PILOT_FACTOR * values.ignition_temperature);
+        let emitted = self.axis.map_or(Vec2::Y, Vec2::perp) * values.emission_speed;
         let mut heated = 0.0;
         for i in 0..gas.len() {
             if self.contains(gas, i, 0.0) {
@@ -119,8 +153,7 @@ impl Burner {
                 // displaces it.
                 state.z = fast_min(state.z, values.source_oxygen);
                 let velocity = &mut gas.velocity[i];
-                velocity.x -= velocity.x * relaxation;
-                velocity.y += (values.emission_speed - velocity.y) * relaxation;
+                *velocity += (emitted - *velocity) * relaxation;
             }
         }
         heated * gas.mass * HEAT_CAPACITY
@@ -137,7 +170,7 @@ impl Burner {
         let mut shares = 0.0;
         for i in 0..gas.len() {
             if self.contains(gas, i, above) {
-                shares += share(gas.position[i].x);
+                shares += share(self.upright(gas.position[i]).x);
             }
         }
         if shares <= 0.0 {
@@ -147,7 +180,7 @@ impl Burner {
         let mut left = 0.0;
         for i in 0..gas.len() {
             if self.contains(gas, i, above) {
-                let fuelled = gas.state[i].y + each * share(gas.position[i].x);
+                let fuelled = gas.state[i].y + each * share(self.upright(gas.position[i]).x);
                 gas.state[i].y = fuelled.min(1.0);
                 left += (fuelled - 1.0).max(0.0) * gas.mass;
             }
@@ -156,7 +189,7 @@ impl Burner {
     }
 
     fn contains(&self, gas: &Gas, i: usize, above: f32) -> bool {
-        let at = gas.position[i];
+        let at = self.upright(gas.position[i]);
         let height = at.y - above;
         at.x > self.left && at.x < self.right && height > self.bottom && height < self.top
     }
@@ -196,6 +229,41 @@ mod tests {
                 (power / parameters.fuel_power - 1.0).abs() < 1e-3,
                 "{power} at {n}, {width}, {noise}"
             );
+        }
+    }
+
+    #[test]
+    fn it_may_be_turned_and_keeps_its_power() {
+        for angle in [-180.0, -90.0, -37.0, 15.0, 90.0, 140.0] {
+            let parameters = with(&[
+                ("max_particles", 12_000.0),
+                ("source_height", 0.8),
+                ("source_angle", angle),
+            ]);
+            let seconds = 1e-3;
+            let gas = fed(&parameters, seconds).expect("a burner");
+            let fuel = |i: usize| gas.state[i].y * gas.mass;
+            let all: f32 = (0..gas.len()).map(fuel).sum();
+            let power = all * heat_of_combustion(&parameters) / seconds;
+            assert!(
+                (power / parameters.fuel_power - 1.0).abs() < 1e-3,
+                "{power} at {angle}°"
+            );
+            // It lies on the side to which it emits, within its height of three spacings.
+            let out = Vec2::from_angle((angle as f32).to_radians()).perp();
+            let burner = Burner::of(&parameters);
+            let [low, high] = burner.around();
+            for i in (0..gas.len()).filter(|&i| fuel(i) > 0.0) {
+                let at = gas.position[i];
+                let depth = (at - Vec2::new(burner.middle, burner.bottom)).dot(out);
+                assert!(
+                    (0.0..3.01 * parameters.spacing()).contains(&depth),
+                    "{depth}"
+                );
+                assert!(at.cmpge(low - 1e-4).all() && at.cmple(high + 1e-4).all());
+                let speed = gas.velocity[i].dot(out);
+                assert!(speed > 0.3 * parameters.emission_speed, "{speed} m/s");
+            }
         }
     }
 

@@ -4,7 +4,10 @@
 //! its mass and heat: burning gas appears nowhere else.
 
 use super::Combustion;
+use glam::Vec2;
+
 use super::chemistry::HEAT_CAPACITY;
+use super::gas::Lattice;
 use super::walls::MIN_DISTANCE;
 use crate::params::Physics;
 
@@ -18,6 +21,21 @@ impl Combustion {
         let removed = self.removed;
         self.settle(values, -FREE * values.spacing());
         self.removed = removed;
+    }
+
+    /// Lets gas that a caller gives fill the closed domain outside of solids, as a new lattice does.
+    pub(super) fn leave_out_solids(&mut self, values: &Physics) {
+        if self.open.is_some() || self.solids.is_empty() {
+            return;
+        }
+        let size = Vec2::new(values.domain_width, values.domain_height);
+        let corner = Vec2::new(-0.5 * size.x, 0.0);
+        let places = Lattice::even(corner, size, 0.5 * values.spacing()).points;
+        let taken = places.iter().filter(|at| self.solids.touch(**at, 0.0));
+        let taken = taken.count();
+        let left = (places.len() - taken).max(1);
+        self.gas.missing = self.gas.len() * taken / left;
+        self.gas.set_mass(values);
     }
 
     /// Moves the gas up to this `depth` in solids out of them \[m\], and removes the rest.

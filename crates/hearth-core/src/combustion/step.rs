@@ -102,6 +102,7 @@ impl Combustion {
         let (h, max_speed) = (kernel.smoothing_length(), self.motion.max_speed);
         self.clamped_shifts = time_step::advance(gas, values.shifting, h, max_speed, dt);
         walls.hold(gas, solids, parameters.spacing());
+        solids.warm(dt, values.ambient_temperature);
         solids.pass(dt);
         match &open {
             Some(open) => open.complete_volumes(gas, values.ambient_density),

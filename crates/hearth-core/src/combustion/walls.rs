@@ -19,6 +19,7 @@
 
 use glam::Vec2;
 
+use super::chemistry::HEAT_CAPACITY;
 use super::gas::Gas;
 use super::pair::Context;
 use crate::extremes::{fast_max, fast_min};
@@ -174,7 +175,7 @@ impl Walls {
     }
 
     /// Adds the pressure, friction and heat of the walls to the rates of the gas.
-    pub fn resist(&self, gas: &mut Gas, solids: &Solids, context: &Context) {
+    pub fn resist(&self, gas: &mut Gas, solids: &mut Solids, context: &Context) {
         let Context {
             kernel,
             values,
@@ -186,8 +187,8 @@ impl Walls {
         let damping = 0.5 * values.artificial_viscosity * sound * h;
         for near in &self.near {
             let (i, normal) = (near.index as usize, near.normal);
-            let body = solids.bodies.get(near.solid as usize);
-            let wall = body.map_or(Vec2::ZERO, |body| body.velocity_at(near.from));
+            let body = solids.bodies.get_mut(near.solid as usize);
+            let wall = (body.as_ref()).map_or(Vec2::ZERO, |body| body.velocity_at(near.from));
             let velocity = gas.velocity[i] - wall;
             let mixed = eddy * velocity.length();
             let linear = near.slope / fast_max(near.distance, MIN_LINEAR * h);
@@ -198,9 +199,13 @@ impl Walls {
             *acceleration -= velocity * (2.0 * friction);
             *acceleration += normal * (pressed - damping * near.friction * inward);
             gas.concentration_gradient[i] -= normal * near.slope;
-            if let Some(temperature) = body.and_then(|body| body.temperature) {
+            if let Some(body) = body
+                && let Some(temperature) = body.temperature
+            {
                 let exchanged = 2.0 * (values.diffusion + mixed) * near.friction;
-                gas.change[i].x += exchanged * (temperature - gas.state[i].x);
+                let own = gas.state[i].x;
+                gas.change[i].x += exchanged * (temperature - own);
+                body.exchange(exchanged * mass * HEAT_CAPACITY, own);
             }
         }
     }

@@ -126,6 +126,8 @@ choices! {
         Adiabatic = "adiabatic",
         /// The surface keeps a temperature.
         Fixed = "fixed",
+        /// The gas and radiation heat and cool the solid.
+        Conducting = "conducting",
     }
 
     /// The visible layers.

@@ -18,8 +18,9 @@ const CORNERED: &[&str] = &["box"];
 const POINTED: &[&str] = &["polygon", "stroke"];
 const MASKED: &[&str] = &["mask"];
 
-/// The thermal boundary condition with a temperature.
-const FIXED: &[&str] = &["fixed"];
+/// The thermal boundary conditions with a temperature, and that with a heat capacity.
+const TEMPERED: &[&str] = &["fixed", "conducting"];
+const CONDUCTING: &[&str] = &["conducting"];
 
 properties! {
     /// A solid: gas neither passes nor enters it. Every value is in range.
@@ -49,10 +50,14 @@ properties! {
     /// Another appearance. Material that is drawn; `none` is invisible.
     [Look] material: (choice Material) "Material" { (Stone) }
     /// A surface that heats or cools the gas. Adiabatic: no heat passes. Fixed: it keeps its
-    /// temperature.
+    /// temperature. Conducting: the gas and radiation heat and cool the solid, which has one
+    /// temperature throughout.
     thermal: (choice Thermal) "Heat" { (Adiabatic) }
-    /// A hotter surface. Temperature of the surface.
-    temperature: number "Temperature" ["K"] Linear { (293.0, 250.0..=2500.0) } when { thermal: FIXED }
+    /// A hotter surface. Temperature of the surface, at first where it conducts heat.
+    temperature: number "Temperature" ["K"] Linear { (293.0, 250.0..=2500.0) } when { thermal: TEMPERED }
+    /// A solid that heats and cools more slowly. Heat capacity by volume; that of stone and iron is
+    /// 2000 to 3500.
+    heat_capacity: number "Heat capacity" ["kJ/(m³·K)"] Log { (100.0, 10.0..=5000.0) } when { thermal: CONDUCTING }
 }
 
 impl Solid {

@@ -108,8 +108,11 @@ parameters! {
         /// A flame that starts higher above the floor. Height of the source. In the combustion
         /// model it stays above the seam.
         source_height: number "Source height" ["m"] Linear { Classic(0.0, 0.0..=1.0) Combustion(0.25, 0.0..=1.0) }
-        /// A flame that shoots up from its source. Upward speed of a particle at birth, or of
-        /// the gas in the burner.
+        /// A flame that leaves its source to the side. Angle of the width of the source from the
+        /// horizontal, counterclockwise; what it emits leaves it at right angles.
+        source_angle: number "Source angle" ["°"] Linear { Every(0.0, -180.0..=180.0) }
+        /// A flame that shoots up from its source. Speed of a particle at birth, or of the
+        /// gas in the burner; upward unless the source is turned.
         emission_speed: number "Emission speed" ["m/s"] Linear { Classic(1.0, 0.0..=3.0) Combustion(0.25, 0.0..=1.5) }
         /// A frayed flame that sprays to the sides. Random part of the velocity at birth.
         emission_spread: number "Spread" [""] Linear { Classic(0.25, 0.0..=1.0) }

@@ -130,6 +130,22 @@ impl Field {
         field
     }
 
+    /// Area \[m²\] and circumference \[m\]: from the nodes inside, and from those within a step of
+    /// the surface.
+    pub(super) fn measures(&self) -> (f32, f32) {
+        let cell = self.step.x * self.step.y;
+        let near = fast_max(self.step.x, self.step.y);
+        let count = |is_counted: &dyn Fn(f32) -> bool| {
+            self.distances
+                .iter()
+                .filter(|one| is_counted(**one))
+                .count() as f32
+        };
+        let inside = count(&|distance| distance < 0.0);
+        let beside = count(&|distance| distance.abs() < near);
+        (inside * cell, 0.5 * beside * cell / near)
+    }
+
     fn nodes(&self) -> Nodes {
         Nodes {
             first: self.middle - self.half,

@@ -43,6 +43,7 @@ const SOURCE: Kind = kind!(
     "Where fuel comes into the air, or where the classic model's particles are born.",
     "x" = "source_x",
     "y" = "source_height",
+    "angle" = "source_angle",
     "width" = "source_width",
     "power" = "fuel_power",
     "rate" = "emission_rate",

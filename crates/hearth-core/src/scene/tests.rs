@@ -131,7 +131,7 @@ fn an_error_names_object_property_value_and_range_and_changes_nothing() {
         ),
         (
             &[SOURCE, ("pwer", number(7.0))],
-            "objects[1].property = \"pwer\" is refused: it must be one of x, y, width, power, rate, \
+            "objects[1].property = \"pwer\" is refused: it must be one of x, y, angle, width, power, rate, \
              speed, spread, noise, temperature, oxygen, birth_temperature, life_min, life_max, taper",
         ),
         (
@@ -146,7 +146,7 @@ fn an_error_names_object_property_value_and_range_and_changes_nothing() {
         (
             &[SOLID, ("power", number(7.0))],
             "objects[1].property = \"power\" is refused: it must be one of kind, shape, x, y, angle, \
-             width, height, corner, points, mask, material, thermal, temperature",
+             width, height, corner, points, mask, material, thermal, temperature, heat_capacity",
         ),
         (
             &[SOURCE, ("id", number(1.0))],

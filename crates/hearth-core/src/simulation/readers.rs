@@ -22,6 +22,15 @@ impl Simulation {
         combustion.map_or(Removed::default(), Combustion::removed)
     }
 
+    /// The ids of the solids that conduct heat, and their temperatures \[K\]; none in the classic
+    /// model.
+    pub fn solid_temperatures(&self) -> impl Iterator<Item = (u32, f32)> {
+        let combustion = self.solver.combustion();
+        combustion
+            .into_iter()
+            .flat_map(Combustion::solid_temperatures)
+    }
+
     /// Lower left and upper right corner of the rectangle that the gas can reach \[m\]: the
     /// domain or, with open edges, a larger one around the frame and
     /// [what is seen](Simulation::see).

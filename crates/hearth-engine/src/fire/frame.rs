@@ -217,6 +217,7 @@ impl Fire {
         } else {
             self.embers.clear();
         }
+        let temperatures: Vec<_> = self.simulation.solid_temperatures().collect();
         let level = self.quality.level();
         let limits = [
             ResolutionLimits::LOW,
@@ -229,7 +230,11 @@ impl Fire {
             self.limits.fit(self.size, level.pixels()),
             limits[level as usize],
             (&self.instances, &self.embers),
-            (self.simulation.time(), self.simulation.scene()),
+            (
+                self.simulation.time(),
+                self.simulation.scene(),
+                &temperatures,
+            ),
             self.camera,
             paused,
             clock,

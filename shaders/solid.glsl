@@ -1,9 +1,9 @@
 // One quad per solid, with a margin for its soft edge. The record of a solid holds the centre and the
 // direction of its width, then half of its box, a radius, and its surface: material × SURFACES +
 // temperature [K]. The radius is that of the corners around the box. A negative one is the place of
-// a sampled distance in the texture, counted in records: the number of nodes of a row, the largest
-// depth and the distances between nodes, then the distance at each node, in the next record. SURFACES
-// comes from build/values.rs.
+// a sampled distance in the texture, counted in records: first the number of nodes of a row, the
+// largest depth, which is negative if the solid is round, and the distances between nodes; then, in
+// the next record, the distance at each node. SURFACES comes from build/values.rs.
 #include "particle.glsl"
 
 uniform float margin; // [m]
@@ -27,7 +27,8 @@ Particle this_solid() {
         vec4 head = texelFetch(particles, ivec2(place % ROW * TEXELS, place / ROW), 0);
         field = vec4(float((place + 1) * TEXELS), head.x, head.zw);
         node = (local + size) / head.zw;
-        body.xyz = vec3(head.yy, 0.0);
+        // Round, a thin box with a radius.
+        body.xyz = head.y < 0.0 ? vec3(-0.02, -0.02, -1.0) * head.y : vec3(head.yy, 0.0);
     }
     return solid;
 }

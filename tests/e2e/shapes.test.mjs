@@ -34,6 +34,20 @@ function opacities(tab, places) {
   }, places);
 }
 
+/** The opacity of a mask's pixels, from 0 to 15, at a share of its width and height. @param {string} mask */
+function decoded(mask) {
+  const [size, letters] = mask.split(':');
+  const [columns, rows] = size.split('x').map(Number);
+  const run = (number) => (number < 16 ? number + 2 : 32 << (number - 16));
+  const pixels = [...letters].flatMap((letter) => {
+    const value = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_'.indexOf(letter);
+    if (value < 16) return [value];
+    return value < 40 ? Array(run(value - 16)).fill(0) : Array(run(value - 40)).fill(15);
+  });
+  assert.equal(pixels.length, columns * rows);
+  return { at: (x, y) => pixels[Math.floor(y * rows) * columns + Math.floor(x * columns)] };
+}
+
 /** What is said where a function of the page's masks is refused. */
 function refusal(tab, act) {
   return tab.fire(async (fire, source) => {
@@ -83,15 +97,19 @@ test('a word is a mask that is drawn, and gas stays out', async () => {
   });
   assert.deepEqual(first, second);
   assert.equal(first.objects.at(-1).mask, solid.mask);
-  const inside = await tab.fire(async (_, solid) => {
-    const { createFire } = await import('./web/sim.js');
-    const fire = await createFire();
+  const gas = await tab.fire(async (_, solid) => {
+    const { createSimulation } = await import('./web/sim.js');
+    const fire = await createSimulation({ params: { source_height: 0.3 } });
     fire.addObject(solid);
-    fire.step(50);
-    const { length } = fire.objects;
-    return length;
+    fire.step(200);
+    const numbers = fire.positions();
+    return Array.from({ length: numbers.length / 2 }, (_, at) => [numbers[2 * at], numbers[2 * at + 1]]);
   }, solid);
-  assert.equal(inside, 2);
+  const pixels = decoded(solid.mask);
+  const at = ([x, y]) => pixels.at(x / solid.width + 0.5, (0.6 - y) / solid.height + 0.5);
+  const around = gas.filter(([x, y]) => Math.abs(x) < solid.width / 2 && Math.abs(y - 0.6) < solid.height / 2);
+  assert.ok(around.length > 20, `${around.length} particles between the letters`);
+  assert.deepEqual(around.filter((place) => at(place) === 15), []);
 });
 
 test('outlines and masks of another form are refused in words', async () => {

@@ -78,12 +78,17 @@ fn records(
     records.collect()
 }
 
-/// Appends a field: a head, then its distances.
+/// Appends a field: a head, then its distances. The depth of a round solid is negative.
 fn append(instances: &mut Vec<Instance>, field: &Field) {
     let step = 2.0 * field.half.x / (field.columns as f32 - 1.0);
     let rise = 2.0 * field.half.y / (field.rows as f32 - 1.0);
+    let depth = if field.round {
+        -field.depth
+    } else {
+        field.depth
+    };
     let mut head = [0.0; 8];
-    head[..4].copy_from_slice(&[field.columns as f32, field.depth, step, rise]);
+    head[..4].copy_from_slice(&[field.columns as f32, depth, step, rise]);
     instances.push(head);
     for some in field.distances.chunks(head.len()) {
         let mut record = [0.0; 8];

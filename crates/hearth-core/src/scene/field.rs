@@ -42,6 +42,8 @@ pub struct Field {
     pub distances: Vec<f32>,
     /// Largest depth of a node inside \[m\].
     pub depth: f32,
+    /// Whether the solid is round, as a line is.
+    pub round: bool,
     /// Distance between nodes \[m\].
     step: Vec2,
 }
@@ -65,6 +67,7 @@ impl Field {
                 let lines: Vec<Line> = points.array_windows().copied().collect();
                 field.measure(&lines);
                 let radius = fast_max(radius, field.step.x);
+                field.round = true;
                 for distance in &mut field.distances {
                     *distance -= radius;
                 }
@@ -104,6 +107,7 @@ impl Field {
             rows,
             distances: vec![f32::MAX; columns * rows],
             depth: 0.0,
+            round: false,
             step,
         }
     }

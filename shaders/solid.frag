@@ -42,6 +42,8 @@ void main() {
     vec3 at = surface();
     float material = floor(body.w / SURFACES);
     float kilokelvin = (body.w - material * SURFACES) * 1e-3;
+    bool front = material >= FRONT;
+    if (front) material -= FRONT;
     float inner = min(body.x, body.y);
     float size = inner + body.z;
     float rim = clamp(1.0 + at.z / (body.z + BEVEL * inner), 0.0, 1.0);
@@ -134,7 +136,8 @@ void main() {
     }
     if (ember > 0.0) seen += radiance(kilokelvin + 0.07 * rough(place * 0.07 + breath).x) * (gain * ember);
     cover = max(cover, min(gloss * fire_light.r, 0.9));
-    vec4 fire = texture(shown, uv);
+    // Nothing of the fire is over a solid before it.
+    vec4 fire = front ? vec4(0.0) : texture(shown, uv);
     vec3 shaded = fire.rgb + displayed(seen) * (1.0 - fire.a);
     pixel = dither(vec4(shaded, 1.0)) * (cover * clamp(0.5 - at.z / pixel_size, 0.0, 1.0));
 }

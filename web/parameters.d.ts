@@ -45,7 +45,9 @@ export interface HearthParameters {
   source_x: number;
   /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
   source_height: number;
-  /** A flame that shoots up from its source. Upward speed of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
+  source_angle: number;
+  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   emission_speed: number;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   emission_spread: number;
@@ -215,7 +217,9 @@ export interface HearthProperties {
   sourceX: number;
   /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
   sourceHeight: number;
-  /** A flame that shoots up from its source. Upward speed of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
+  sourceAngle: number;
+  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   emissionSpeed: number;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   emissionSpread: number;
@@ -356,13 +360,15 @@ export interface HearthSource {
   x?: number;
   /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
   y?: number;
+  /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
+  angle?: number;
   /** A wider fire. Width of the source. In the combustion model it is at least four particles. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
   width?: number;
   /** A taller, brighter flame. Power of the burner per metre of depth: the heat of combustion of its fuel, without the heat of its hot gas. 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
   power?: number;
   /** A denser, brighter flame. Particles born per second, limited by the space at the source and by the number of particles. [1/s] Default in classic: 1500, from 50 to 100000. */
   rate?: number;
-  /** A flame that shoots up from its source. Upward speed of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   speed?: number;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   spread?: number;
@@ -397,7 +403,7 @@ export interface HearthSolid {
   angle?: number;
   /** A larger solid. Diameter of a circle, width of a box or a mask, length of a line. [m] Default 0.2, from 0.002 to 10. */
   width?: number;
-  /** A thicker solid. Height of a box or a mask, thickness of a line or a stroke. A stroke is at least as thick as a hundredth of its extent. [m] Default 0.1, from 0.002 to 10. */
+  /** A thicker solid. Height of a box or a mask, thickness of a line or a stroke. A stroke is at least as thick as an eightieth of its extent. [m] Default 0.1, from 0.002 to 10. */
   height?: number;
   /** A rounder box. Radius of its corners, at most half of its smaller side. [m] Default 0, from 0 to 5. */
   corner?: number;
@@ -407,10 +413,14 @@ export interface HearthSolid {
   mask?: string;
   /** Another appearance. Material that is drawn; `none` is invisible. Default "stone". */
   material?: "stone" | "wood" | "iron" | "brick" | "coal" | "wax" | "glass" | "none";
-  /** A surface that heats or cools the gas. Adiabatic: no heat passes. Fixed: it keeps its temperature. Default "adiabatic". */
-  thermal?: "adiabatic" | "fixed";
-  /** A hotter surface. Temperature of the surface. [K] Default 293, from 250 to 2500. */
+  /** A solid before the fire, which hides the flame behind it. Solids later in the list are before earlier ones. Default false. */
+  front?: boolean;
+  /** A surface that heats or cools the gas. Adiabatic: no heat passes. Fixed: it keeps its temperature. Conducting: the gas and radiation heat and cool the solid, which has one temperature throughout. Default "adiabatic". */
+  thermal?: "adiabatic" | "fixed" | "conducting";
+  /** A hotter surface. Temperature of the surface, at first where it conducts heat. [K] Default 293, from 250 to 2500. */
   temperature?: number;
+  /** A solid that heats and cools more slowly. Heat capacity by volume; that of stone and iron is 2000 to 3500. [kJ/(m³·K)] Default 100, from 10 to 5000. */
+  heat_capacity?: number;
 }
 
 /** An object of a scene. */

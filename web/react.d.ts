@@ -112,7 +112,9 @@ export interface HearthFireAttributes {
   'source-x'?: number | `${number}` | undefined;
   /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
   'source-height'?: number | `${number}` | undefined;
-  /** A flame that shoots up from its source. Upward speed of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
+  'source-angle'?: number | `${number}` | undefined;
+  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   'emission-speed'?: number | `${number}` | undefined;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   'emission-spread'?: number | `${number}` | undefined;

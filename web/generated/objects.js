@@ -5,6 +5,7 @@
 export const SOURCE = {
   x: 'source_x',
   y: 'source_height',
+  angle: 'source_angle',
   width: 'source_width',
   power: 'fuel_power',
   rate: 'emission_rate',

@@ -1,6 +1,8 @@
 //! Constants of `src/constants.rs` for shaders.
 
-use crate::constants::{BLOCK, COOLEST, ENTRIES, HOTTEST, NOISE_LEVELS, ROW, SURFACES, TEXELS};
+use crate::constants::{
+    BLOCK, COOLEST, ENTRIES, FRONT, HOTTEST, NOISE_LEVELS, ROW, SURFACES, TEXELS,
+};
 
 /// Names and values in GLSL.
 pub fn shared() -> Vec<(&'static str, String)> {
@@ -14,6 +16,7 @@ pub fn shared() -> Vec<(&'static str, String)> {
         ("TEXELS", whole(TEXELS)),
         ("NOISE_LEVELS", real(NOISE_LEVELS as f32)),
         ("SURFACES", real(SURFACES)),
+        ("FRONT", real(FRONT)),
         ("TABLE_SCALE", real(scale)),
         ("TABLE_OFFSET", real(offset)),
     ]

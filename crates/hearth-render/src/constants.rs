@@ -9,6 +9,8 @@ pub const TEXELS: usize = 2;
 
 /// Factor of a material in the number of a surface, above every temperature \[K\].
 pub const SURFACES: f32 = 4096.0;
+/// Added to the number of the material of a solid before the fire.
+pub const FRONT: f32 = 16.0;
 
 /// Mipmap levels of the noise tile below its finest one.
 pub const NOISE_LEVELS: u32 = 7;

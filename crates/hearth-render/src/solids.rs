@@ -7,7 +7,7 @@ use hearth_core::params::{Material, Solid, Thermal};
 use hearth_core::scene::{Field, Surface};
 use hearth_core::{Instance, Scene};
 
-use crate::constants::{ROW, SURFACES};
+use crate::constants::{FRONT, ROW, SURFACES};
 use crate::gl::Graphics;
 use crate::particles::Particles;
 
@@ -109,7 +109,7 @@ fn record(solid: &Solid, kelvin: f32, surface: &Surface) -> Instance {
         shape.half.x,
         shape.half.y,
         shape.radius,
-        solid.material as u8 as f32 * SURFACES + kelvin,
+        (f32::from(solid.material as u8) + FRONT * f32::from(solid.front)) * SURFACES + kelvin,
     ]
 }
 

@@ -249,3 +249,19 @@ fn an_outline_is_drawn_again_when_it_changes_and_moves_without_an_upload() -> Re
     renderer.destroy(&canvas.gl);
     Ok(())
 }
+
+#[wasm_bindgen_test]
+fn a_solid_in_front_hides_the_flame() -> Result<(), JsValue> {
+    let canvas = Canvas::new(WIDTH, HEIGHT)?;
+    let gas = puff((0.0, 0.6), 1900.0);
+    let at = |front: bool| -> Result<[u8; 4], JsValue> {
+        let fields = [&circle(0.0, 0.6)[..], &[("front", Input::Flag(front))]].concat();
+        Ok(painted(&canvas, &with_one(&fields)?, &gas)?.at(0.0, 0.6))
+    };
+    let (before, behind) = (at(true)?, at(false)?);
+    assert!(
+        light(before) + 40 < light(behind) && before[3] == 255,
+        "{before:?} and {behind:?}"
+    );
+    Ok(())
+}

@@ -49,6 +49,9 @@ properties! {
     mask: (text Mask) "Mask" { () } when { shape: MASKED }
     /// Another appearance. Material that is drawn; `none` is invisible.
     [Look] material: (choice Material) "Material" { (Stone) }
+    /// A solid before the fire, which hides the flame behind it. Solids later in the list are before
+    /// earlier ones.
+    [Look] front: flag "In front" { (false) }
     /// A surface that heats or cools the gas. Adiabatic: no heat passes. Fixed: it keeps its
     /// temperature. Conducting: the gas and radiation heat and cool the solid, which has one
     /// temperature throughout.

@@ -24,6 +24,7 @@ mod bounds;
 mod classic;
 pub mod clock;
 mod combustion;
+mod direction;
 mod extremes;
 mod forces;
 pub mod fps;

@@ -2,6 +2,7 @@
 
 use glam::Vec2;
 
+use crate::direction::direction;
 use crate::params::Physics;
 
 /// The position and width of a source, clamped to the domain.
@@ -15,8 +16,8 @@ pub struct Source {
 
 /// Direction of the width of a source; `None` if it is not turned.
 pub(crate) fn axis(values: &Physics) -> Option<Vec2> {
-    let angle = values.source_angle.to_radians();
-    (angle != 0.0).then(|| Vec2::new(libm::cosf(angle), libm::sinf(angle)))
+    let angle = values.source_angle;
+    (angle != 0.0).then(|| direction(angle))
 }
 
 /// `source_x`, clamped so that a source of this width keeps `margin` \[m\] from the sides; 0 if

@@ -7,6 +7,7 @@ use glam::Vec2;
 
 use super::field::Field;
 
+use crate::direction::direction;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Shape, Solid};
 
@@ -129,10 +130,9 @@ impl Solid {
             (_, Shape::Line) => Vec2::new(fast_max(size.x, 0.0), 0.0),
             _ => Vec2::ZERO,
         };
-        let angle = self.angle.to_radians();
         let axis = match self.shape {
             Shape::Circle => Vec2::X,
-            _ => Vec2::new(libm::cosf(angle), libm::sinf(angle)),
+            _ => direction(self.angle),
         };
         let mut centre = Vec2::new(self.x, self.y);
         if let Some(field) = &field {

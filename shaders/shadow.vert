@@ -18,7 +18,8 @@ const float DARKNESS = 0.8;
 
 void main() {
     Particle solid = this_particle();
-    vec4 body = solid.state;
+    // The shadow of a sampled solid is that of its box.
+    vec4 body = max(solid.state, 0.0);
     vec2 axis = abs(solid.velocity);
     vec2 extent = vec2(dot(axis, body.xy), dot(axis.yx, body.xy)) + body.z;
     float thickness = min(min(extent.x, extent.y), 2.0 * (min(body.x, body.y) + body.z));

@@ -397,7 +397,7 @@ export interface HearthSolid {
   angle?: number;
   /** A larger solid. Diameter of a circle, width of a box or a mask, length of a line. [m] Default 0.2, from 0.002 to 10. */
   width?: number;
-  /** A thicker solid. Height of a box or a mask, thickness of a line or a stroke. A stroke is at least as thick as a hundredth of its extent. [m] Default 0.1, from 0.002 to 10. */
+  /** A thicker solid. Height of a box or a mask, thickness of a line or a stroke. A stroke is at least as thick as an eightieth of its extent. [m] Default 0.1, from 0.002 to 10. */
   height?: number;
   /** A rounder box. Radius of its corners, at most half of its smaller side. [m] Default 0, from 0 to 5. */
   corner?: number;

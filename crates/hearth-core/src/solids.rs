@@ -117,12 +117,15 @@ impl Solids {
             return;
         }
         // A body that is upright and as long as the period needs no image: it would overlap it.
-        let shape = &body.shape;
+        let Surface {
+            frame: shape,
+            field,
+        } = &body.surface;
         let size = 2.0
             * (shape.axis.abs() * shape.half.x
                 + shape.axis.perp().abs() * shape.half.y
                 + shape.radius);
-        let is_upright = shape.axis.abs().min_element() < UPRIGHT;
+        let is_upright = field.is_none() && shape.axis.abs().min_element() < UPRIGHT;
         let turns = |periodic: bool, size: f32, period: f32| {
             if periodic && !(is_upright && size >= period) {
                 -1..=1

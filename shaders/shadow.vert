@@ -18,11 +18,11 @@ const float DARKNESS = 0.8;
 
 void main() {
     Particle solid = this_particle();
-    vec4 body = solid.state;
+    // The shadow of a sampled solid is that of its box.
+    vec4 body = max(solid.state, 0.0);
     vec2 axis = abs(solid.velocity);
-    float radius = max(body.z, 0.0); // negative for a sampled distance
-    vec2 extent = vec2(dot(axis, body.xy), dot(axis.yx, body.xy)) + radius;
-    float thickness = min(min(extent.x, extent.y), 2.0 * (min(body.x, body.y) + radius));
+    vec2 extent = vec2(dot(axis, body.xy), dot(axis.yx, body.xy)) + body.z;
+    float thickness = min(min(extent.x, extent.y), 2.0 * (min(body.x, body.y) + body.z));
     float raised = max(solid.place.y - extent.y, 0.0) / thickness;
     shape = vec3(max(extent.x / thickness - 1.0, 0.0), 1.2 + 0.5 * raised, DARKNESS / (1.0 + raised));
     local = solid.corner * vec2(shape.x + REACH + raised, REACH);

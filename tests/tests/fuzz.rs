@@ -26,7 +26,9 @@ const NUMBERS: [f64; 17] = [
     1e300, 5e-324, f64::NAN, f64::INFINITY, f64::NEG_INFINITY,
 ];
 
-const TEXTS: [&str; 22] = [
+const TEXTS: [&str; 24] = [
+    "8x4:3PSqSo",
+    "0,0.1 0.2,-0.1",
     "",
     " ",
     "\0",

@@ -149,7 +149,7 @@ impl Solids {
             return;
         }
         // A body that is upright and as long as the period needs no image: it would overlap it.
-        let is_upright = shape.axis.abs().min_element() < UPRIGHT;
+        let is_upright = body.surface.field.is_none() && shape.axis.abs().min_element() < UPRIGHT;
         let turns = |periodic: bool, size: f32, period: f32| {
             if periodic && !(is_upright && size >= period) {
                 -1..=1

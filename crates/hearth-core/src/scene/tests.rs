@@ -339,3 +339,64 @@ fn a_parameter_that_is_not_a_property_is_the_same_for_every_source() {
         );
     }
 }
+
+#[test]
+fn outlines_are_refused_with_their_form_and_masks_share_a_number_of_pixels() {
+    let mut scene = Scene::default();
+    let text = Input::Text;
+    assert_eq!(
+        words(scene.add(&[SOLID, ("points", text("0,0 1"))])),
+        "objects[1].points = \"0,0 1\" is refused: it must be 2 to 256 pairs of numbers from -10 to \
+         10 m, such as \"0,0.1 0.2,-0.1\""
+    );
+    assert_eq!(
+        words(scene.add(&[SOLID, ("mask", number(7.0))])),
+        "objects[1].mask = 7 is refused: it must be the text of a mask of at most 256 × 256 pixels \
+         that is opaque somewhere, as hearth-fire/mask makes it"
+    );
+    let largest = format!("256x256:{}", "_".repeat(16));
+    for _ in 0..4 {
+        assert!(scene.add(&[SOLID, ("mask", text(&largest))]).is_ok());
+    }
+    assert!(scene.add(&[SOLID]).is_ok());
+    let id = scene.objects().last().map_or(0, |last| last.id);
+    let before = scene.clone();
+    assert_eq!(
+        words(scene.change(id, &[("mask", text("1x1:P"))])),
+        "objects[6].mask = 262145 is refused: it must be smaller: all masks of a scene have at most \
+         262144 pixels"
+    );
+    assert_eq!(scene, before);
+}
+
+#[test]
+fn a_moved_solid_keeps_its_field_and_another_outline_changes_it() {
+    let mut scene = Scene::default();
+    let points = ("points", Input::Text("0,0 0.3,0.1"));
+    let added = scene.add(&[SOLID, ("shape", Input::Text("stroke")), points]);
+    assert_eq!(added, Ok(2));
+    let field = |scene: &Scene| {
+        let surface = scene.surfaces().next().map(|(.., surface)| surface.clone());
+        surface.and_then(|surface| surface.field).expect("a field")
+    };
+    let first = field(&scene);
+    for (name, input, kept) in [
+        ("x", number(0.2), true),
+        ("angle", number(30.0), true),
+        ("material", Input::Text("iron"), true),
+        ("height", number(0.05), false),
+    ] {
+        assert_eq!(scene.change(2, &[(name, input)]), Ok(()));
+        assert_eq!(
+            std::sync::Arc::ptr_eq(&field(&scene), &first),
+            kept,
+            "{name}"
+        );
+    }
+    assert_eq!(scene.change(2, &[("shape", Input::Text("box"))]), Ok(()));
+    assert!(
+        scene
+            .surfaces()
+            .all(|(.., surface)| surface.field.is_none())
+    );
+}

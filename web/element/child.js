@@ -50,8 +50,8 @@ export class Child {
   taken = false;
   /** Whether the engine has stopped before it answered. */
   dropped = false;
-  /** The number of unanswered calls. */
-  busy = 0;
+  /** The values of the unanswered calls. @type {Set<Values>} */
+  #sent = new Set();
   /** Whether its object is being added, and the properties whose attributes changed meanwhile. */
   #adding = false;
   /** @type {Set<string>} */
@@ -75,6 +75,22 @@ export class Child {
   get name() {
     const { localName, id } = this.element;
     return id ? `<${localName} id="${id.slice(0, MAX_SHOWN)}">` : `<${localName}>`;
+  }
+
+  /** Whether a call is unanswered. */
+  get busy() {
+    return this.#sent.size > 0;
+  }
+
+  /** Whether the fire has its object, or is to have it. */
+  get present() {
+    return !this.hidden && (this.live || this.busy || this.dropped);
+  }
+
+  /** The last values of its object, without those that a call sets. @returns {Values} */
+  get lasting() {
+    const sent = Object.assign({}, ...this.#sent);
+    return Object.fromEntries(Object.entries(this.last).filter(([property]) => !(property in sent)));
   }
 
   /** An attribute has changed. @param {string} attribute */
@@ -181,7 +197,7 @@ export class Child {
    * @type {(values: Values, send: (values: Values) => Promise<unknown>) => Promise<boolean>}
    */
   async #ask(values, send) {
-    this.busy += 1;
+    this.#sent.add(values);
     let accepted = false;
     for (let rest = values; !accepted; ) {
       const answer = send(rest);
@@ -202,11 +218,12 @@ export class Child {
         } else if (left.length < Object.keys(rest).length) {
           rest = Object.fromEntries(left);
         } else {
+          this.lost = false;
           break;
         }
       }
     }
-    this.busy -= 1;
+    this.#sent.delete(values);
     this.#adding = false;
     // The caller goes on first.
     queueMicrotask(() => this.#owner.settle(this));
@@ -215,7 +232,7 @@ export class Child {
 
   /** Follows the target: moves the object, removes it while the target has no box, and adds it again. */
   follow() {
-    if (!this.of || this.busy > 0) return;
+    if (!this.of || this.busy) return;
     const place = this.#place();
     if (!place) this.#miss();
     else if (this.hidden) this.put();

@@ -96,7 +96,7 @@ export class Children {
   #leave(child) {
     child.left = true;
     if (CHILDREN.get(child.element) === child) CHILDREN.delete(child.element);
-    if (child.busy === 0) this.#depart(child);
+    if (!child.busy) this.#depart(child);
   }
 
   /** Removes the object of a child that has left, or restores the source that the settings describe. @param {Child} child */
@@ -178,11 +178,11 @@ export class Children {
     if (objects) {
       // These keep the objects of the children.
       const keeps = begins || replaced || source === 'attribute';
-      for (const child of this.#children) {
-        const known = objects.some((/** @type {any} */ { id }) => id === child.id);
-        if (child.adopts && (replaced || child.id === undefined || (keeps && !known))) this.#adopt(child, objects, replaced);
-        this.#compare(child, objects, keeps);
-      }
+      const child = this.#children.find(({ adopts }) => adopts) ?? this.#children.find(({ kind }) => kind === 'source');
+      const known = objects.some((/** @type {any} */ { id }) => id === child?.id);
+      const again = child?.adopts ? replaced || child.id === undefined || !known : !known && child?.present && this.#adoptable(objects);
+      if (child && keeps && again) this.#adopt(child, objects, replaced);
+      for (const one of this.#children) this.#compare(one, objects, keeps);
     }
     this.settle();
     this.#follow();
@@ -192,9 +192,10 @@ export class Children {
   #adopt(child, objects, replaced) {
     const first = this.#adoptable(objects);
     if (!first) this.#own = undefined;
-    else if (this.#own && (replaced || !this.#own.values)) this.#own.values = propertiesOf(first);
+    else if (!this.#own) this.#own = { values: propertiesOf(first), changed: new Set() };
+    else if (replaced || !this.#own.values) this.#own.values = propertiesOf(first);
     child.lost = !first || child.id !== undefined;
-    child.kept = Object.fromEntries(Object.entries(child.last).filter(([property]) => property in child.attributes()));
+    child.kept = Object.fromEntries(Object.entries(child.lasting).filter(([property]) => property in child.attributes()));
     child.adopts = Boolean(first);
     child.id = first?.id;
   }
@@ -205,8 +206,8 @@ export class Children {
     if (object) {
       child.last = propertiesOf(object);
       child.lost &&= child.adopts;
-    } else if (keeps && !child.hidden && (child.live || child.busy > 0 || child.dropped)) {
-      child.kept = child.last;
+    } else if (keeps && child.present) {
+      child.kept = child.lasting;
       child.lost = true;
     }
     child.live = Boolean(object);
@@ -215,9 +216,9 @@ export class Children {
 
   /** Adds lost objects again, and puts the objects in order when no call is unanswered. @param {Child} [answered] */
   settle(answered) {
-    if (answered?.left && answered.busy === 0) this.#depart(answered);
-    for (const child of this.#children) if (child.lost && child.busy === 0) child.put(child.kept);
-    if (!this.#sorting && this.#children.every(({ busy }) => busy === 0) && this.#sorted()) this.#sort();
+    if (answered?.left && !answered.busy) this.#depart(answered);
+    for (const child of this.#children) if (child.lost && !child.busy) child.put(child.kept);
+    if (!this.#sorting && this.#children.every(({ busy }) => !busy) && this.#sorted()) this.#sort();
   }
 
   /** The objects of the fire, those of the children in the order of the children; undefined if they are. */

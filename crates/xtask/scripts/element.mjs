@@ -128,7 +128,7 @@ function child(kind, declared) {
   const name = kind.replace(/^./, (letter) => letter.toUpperCase());
   const type = `Hearth${name}Element`;
   const element = declared('element/types.d.ts', type);
-  const of = { name: 'of', type: '`#${string}`', doc: 'The element of the page whose border box it has, as `#` and an id.' };
+  const of = { name: 'of', type: '`#$' + '{string}`', doc: 'The element of the page whose border box it has, as `#` and an id.' };
   const member = (/** @type {any} */ one) => ({ name: one.name.text, type: one.type.getText(), doc: read(one).doc });
   const properties = declared('parameters.d.ts', `Hearth${name}`).members.map(member)
     .filter((/** @type {Named} */ one) => one.name !== 'kind' && one.name !== 'id')

@@ -186,6 +186,34 @@ test('the code is loaded with the first child', async () => {
   assert.equal(await loaded(), 1);
 });
 
+test('without the code the fire burns without its children, and says so', async () => {
+  const tab = await browser.open(recording(fireOf('<hearth-solid></hearth-solid>')), { without: 'element/children.js' });
+  await tab.ready();
+  assert.deepEqual(await listed(tab), ['source 0']);
+  const [error, ...more] = await events(tab, 'error');
+  assert.deepEqual([error.kind, more.length], ['load', 0]);
+  assert.match(error.message, /The code for children could not be loaded/);
+});
+
+test('a warm fire has burnt with its children before it is shown', async () => {
+  const tab = await browser.open(fireOf('<hearth-source power="0"></hearth-source><hearth-solid x="0.1"></hearth-solid>', 'warm="0.5"'));
+  await tab.ready();
+  assert.deepEqual(await listed(tab), ['source 0', 'solid 0.1']);
+  const stats = await tab.until('its statistics', () => /** @type {any} */ (document.querySelector('hearth-fire')).stats);
+  // With another power something would have burnt.
+  assert.ok(stats.time >= 0.5 && stats.power === 0 && stats.embers === 0, `${stats.time} s, ${stats.power} kW/m, ${stats.embers} embers`);
+});
+
+test('both kinds of children work in the classic model', async () => {
+  const tab = await opened('<hearth-source x="0.2" rate="900"></hearth-source><hearth-source life-min="0.5"></hearth-source><hearth-solid x="0.3"></hearth-solid>', 'model="classic"');
+  const [first, second, solid] = await owned(tab);
+  assert.deepEqual([first.rate, first.speed, second.life_min, second.rate, solid.x], [900, 1, 0.5, 1500, 0.3]);
+  await acts(tab, (fire) => fire.children[0].removeAttribute('rate'));
+  await acts(tab, (fire) => fire.children[1].removeAttribute('life-min'));
+  assert.deepEqual((await owned(tab)).slice(0, 2).map(({ rate, life_min }) => [rate, life_min]), [[1500, 0.3], [1500, 0.3]]);
+  assert.deepEqual(tab.problems, []);
+});
+
 test('a bad value is told with element, attribute, value and range, and the last good one stays', async () => {
   const tab = await opened('<hearth-solid id="lid" x="0.1" width="0" y="0.7"></hearth-solid><hearth-source power="700" x="0.2"></hearth-source>');
   const [solid, source] = await owned(tab);

@@ -82,14 +82,15 @@ export function solidOf({ left, right, top, bottom, radius }, middle) {
   const [low, high] = [within(bottom, middle - REACH, middle + REACH), within(top, middle - REACH, middle + REACH)];
   const [from, to] = [within(left, -REACH, REACH), within(right, -REACH, REACH)];
   if (to <= from || high <= low) return null;
+  const [width, height] = [Math.max(to - from, 0.002), Math.max(high - low, 0.002)];
   return {
     shape: 'box',
     x: rounded((from + to) / 2),
     y: rounded((low + high) / 2),
     angle: 0,
-    width: rounded(Math.max(to - from, 0.002)),
-    height: rounded(Math.max(high - low, 0.002)),
-    corner: rounded(radius),
+    width: rounded(width),
+    height: rounded(height),
+    corner: rounded(Math.min(radius, width / 2, height / 2)),
   };
 }
 

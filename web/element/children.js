@@ -16,6 +16,9 @@ import { Child, KINDS, ORIGIN, attributeOf, attributesOf } from './child.js';
 /** The first id of a child's object. Scenes count theirs from 1. */
 const FIRST_ID = 1001;
 
+/** How often, at most, a list of objects waits for the calls of a page that never rests. */
+const MAX_TRIES = 100;
+
 /** The child that an element is of a fire. @type {WeakMap<Element, Child>} */
 const CHILDREN = new WeakMap();
 
@@ -113,8 +116,8 @@ export class Children {
     } else if (child.live) {
       this.session.call('removeObject', child.id, ORIGIN);
     }
-    // There may be room for those that were refused.
-    for (const one of this.#children) if (one.refused) one.put();
+    // There may be room for one that was refused.
+    this.#children.find(({ refused, kind }) => refused && kind === child.kind)?.put();
   }
 
   /** Sets properties of the object of a child. @type {(child: Child, values: Values) => Promise<unknown>} */
@@ -234,9 +237,16 @@ export class Children {
   /** Puts the objects in the order of the children. */
   async #sort() {
     this.#sorting = true;
-    // The calls before are answered then, and the state is complete.
-    const answered = this.session.call('check', {}).then(() => this.#sorted());
-    const sorted = await answered.then((objects) => objects && this.session.set({ objects }, ORIGIN)).then(() => true, () => false);
+    let sorted = false;
+    try {
+      // A list would undo a call of the page that changes an object and is not answered.
+      for (let tries = 0; tries === 0 || (tries < MAX_TRIES && !this.session.idle); tries += 1) await this.session.call('check', {});
+      const objects = this.#sorted();
+      if (objects) await this.session.set({ objects }, ORIGIN);
+      sorted = true;
+    } catch {
+      // The next answer tries again.
+    }
     this.#sorting = false;
     if (sorted) this.settle();
   }

@@ -90,6 +90,11 @@ export class FireSession {
     return answer;
   }
 
+  /** Whether the engine has answered every call, so that the state is that of the engine. */
+  get idle() {
+    return this.#requests.idle;
+  }
+
   /** Calls the engine without waiting for an answer. @type {(...call: Call) => void} */
   send(...call) {
     this.#connection?.send(...call);

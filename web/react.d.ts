@@ -280,13 +280,15 @@ export interface HearthSourceAttributes {
   x?: number | `${number}` | undefined;
   /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
   y?: number | `${number}` | undefined;
+  /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
+  angle?: number | `${number}` | undefined;
   /** A wider fire. Width of the source. In the combustion model it is at least four particles. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
   width?: number | `${number}` | undefined;
   /** A taller, brighter flame. Power of the burner per metre of depth: the heat of combustion of its fuel, without the heat of its hot gas. 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
   power?: number | `${number}` | undefined;
   /** A denser, brighter flame. Particles born per second, limited by the space at the source and by the number of particles. [1/s] Default in classic: 1500, from 50 to 100000. */
   rate?: number | `${number}` | undefined;
-  /** A flame that shoots up from its source. Upward speed of a particle at birth, or of the gas in the burner. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   speed?: number | `${number}` | undefined;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   spread?: number | `${number}` | undefined;
@@ -310,24 +312,32 @@ export interface HearthSourceAttributes {
 export interface HearthSolidAttributes {
   /** The element of the page whose border box it has, as `#` and an id. */
   of?: `#${string}` | undefined;
-  /** A disc, a rectangle or a line. Shape of the solid. Default "circle". */
-  shape?: "circle" | "box" | "line" | undefined;
+  /** A disc, a rectangle, a line, a polygon, a bent line or a picture. Shape of the solid. Default "circle". */
+  shape?: "circle" | "box" | "line" | "polygon" | "stroke" | "mask" | undefined;
   /** A solid farther to the right, or below 0 to the left. Position of its centre. [m] Default 0, from -10 to 10. */
   x?: number | `${number}` | undefined;
   /** A solid that is higher. Height of its centre above the lower edge of the frame. [m] Default 0.5, from -10 to 10. */
   y?: number | `${number}` | undefined;
   /** A solid that is turned. Angle of its width from the horizontal, counterclockwise. [°] Default 0, from -360 to 360. */
   angle?: number | `${number}` | undefined;
-  /** A larger solid. Diameter of a circle, width of a box, length of a line. [m] Default 0.2, from 0.002 to 10. */
+  /** A larger solid. Diameter of a circle, width of a box or a mask, length of a line. [m] Default 0.2, from 0.002 to 10. */
   width?: number | `${number}` | undefined;
-  /** A thicker solid. Height of a box, thickness of a line. [m] Default 0.1, from 0.002 to 10. */
+  /** A thicker solid. Height of a box or a mask, thickness of a line or a stroke. A stroke is at least as thick as an eightieth of its extent. [m] Default 0.1, from 0.002 to 10. */
   height?: number | `${number}` | undefined;
   /** A rounder box. Radius of its corners, at most half of its smaller side. [m] Default 0, from 0 to 5. */
   corner?: number | `${number}` | undefined;
+  /** Another outline. Corners of a polygon or of a stroke, as pairs of numbers in metres from the centre. A polygon is closed, and what its outline winds around is solid; a stroke is open and has round ends. [m] Default "-0.1,-0.1 0.1,-0.1 0,0.1". */
+  points?: string | undefined;
+  /** Another picture. Opacity of the pixels of a mask, which `hearth-fire/mask` makes from a text, a path or an image. Default "16x16:7". */
+  mask?: string | undefined;
   /** Another appearance. Material that is drawn; `none` is invisible. Default "stone". */
   material?: "stone" | "wood" | "iron" | "brick" | "coal" | "wax" | "glass" | "none" | undefined;
-  /** A surface that heats or cools the gas. Adiabatic: no heat passes. Fixed: it keeps its temperature. Default "adiabatic". */
-  thermal?: "adiabatic" | "fixed" | undefined;
-  /** A hotter surface. Temperature of the surface. [K] Default 293, from 250 to 2500. */
+  /** A solid before the fire, which hides the flame behind it. Solids later in the list are before earlier ones. Default false. */
+  front?: boolean | undefined;
+  /** A surface that heats or cools the gas. Adiabatic: no heat passes. Fixed: it keeps its temperature. Conducting: the gas and radiation heat and cool the solid, which has one temperature throughout. Default "adiabatic". */
+  thermal?: "adiabatic" | "fixed" | "conducting" | undefined;
+  /** A hotter surface. Temperature of the surface, at first where it conducts heat. [K] Default 293, from 250 to 2500. */
   temperature?: number | `${number}` | undefined;
+  /** A solid that heats and cools more slowly. Heat capacity by volume; that of stone and iron is 2000 to 3500. [kJ/(m³·K)] Default 100, from 10 to 5000. */
+  'heat-capacity'?: number | `${number}` | undefined;
 }

@@ -20,6 +20,11 @@ const OF = 'of';
 /** The maximum length of an id in words. */
 const MAX_SHOWN = 40;
 
+/** The maximum length of a value, and of one that draws an outline; wasm would keep the memory of longer ones. */
+const MAX_VALUE = 1000;
+const MAX_OUTLINE = 66_000;
+const OUTLINES = ['points', 'mask'];
+
 /** The attribute of a property. */
 export const attributeOf = (/** @type {string} */ property) => property.replaceAll('_', '-');
 
@@ -161,7 +166,8 @@ export class Child {
   /** What the attribute states or, without it, what applies. @param {string} property @returns {unknown} */
   #valueOf(property) {
     const text = this.element.getAttribute(attributeOf(property));
-    if (text !== null) return text;
+    const longest = OUTLINES.includes(property) ? MAX_OUTLINE : MAX_VALUE;
+    if (text !== null) return text.length > longest ? `a text of more than ${longest} letters` : text;
     if (this.of && property === 'material') return 'none';
     return this.adopts ? this.#owner.setting(property) : this.#owner.domain(this.kind, property)[0];
   }

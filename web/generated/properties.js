@@ -14,6 +14,7 @@ export const PROPERTIES = {
   source: {
     x: {"parameter":"source_x","every":[0,-3,3]},
     y: {"parameter":"source_height","combustion":[0.25,0,1],"classic":[0,0,1]},
+    angle: {"parameter":"source_angle","every":[0,-180,180]},
     width: {"parameter":"source_width","combustion":[0.4,0.01,1],"classic":[0.36,0.05,0.6]},
     power: {"parameter":"fuel_power","combustion":[220,0,600]},
     rate: {"parameter":"emission_rate","classic":[1500,50,100000]},
@@ -35,8 +36,12 @@ export const PROPERTIES = {
     width: {"every":[0.2,0.002,10]},
     height: {"every":[0.1,0.002,10]},
     corner: {"every":[0,0,5]},
+    points: {"every":["-0.1,-0.1 0.1,-0.1 0,0.1"]},
+    mask: {"every":["16x16:7"]},
     material: {"every":["stone"]},
+    front: {"every":[false]},
     thermal: {"every":["adiabatic"]},
     temperature: {"every":[293,250,2500]},
+    heat_capacity: {"every":[100,10,5000]},
   },
 };

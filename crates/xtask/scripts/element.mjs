@@ -129,7 +129,12 @@ function child(kind, declared) {
   const type = `Hearth${name}Element`;
   const element = declared('element/types.d.ts', type);
   const of = { name: 'of', type: '`#$' + '{string}`', doc: 'The element of the page whose border box it has, as `#` and an id.' };
-  const member = (/** @type {any} */ one) => ({ name: one.name.text, type: one.type.getText(), doc: read(one).doc });
+  const member = (/** @type {any} */ one) => ({
+    name: one.name.text,
+    // An attribute is a text where a property may be a list as well.
+    type: one.type.getText().replace(/^string \|.*/, 'string'),
+    doc: read(one).doc,
+  });
   const properties = declared('parameters.d.ts', `Hearth${name}`).members.map(member)
     .filter((/** @type {Named} */ one) => one.name !== 'kind' && one.name !== 'id')
     .map((/** @type {Named} */ one) => ({ ...one, name: one.name.replaceAll('_', '-') }));

@@ -249,6 +249,16 @@ test('a bad value is told with element, attribute, value and range, and the last
   assert.match(all, /<hearth-solid id="lid">: of = headline is refused: it must be # and the id of an element/);
 });
 
+test('outlines and flags are attributes, and a text that is too long is refused', async () => {
+  const tab = await opened('<hearth-solid shape="polygon" points="0,0.1 0.1,-0.1 -0.1,-0.1" front></hearth-solid>');
+  const shape = async () => (({ shape, points, front }) => [shape, points, front])((await owned(tab))[0]);
+  assert.deepEqual(await shape(), ['polygon', '0,0.1 0.1,-0.1 -0.1,-0.1', true]);
+  await acts(tab, (fire) => fire.firstElementChild.removeAttribute('front'));
+  await acts(tab, (fire) => fire.firstElementChild.setAttribute('points', '0,0 '.repeat(30_000)));
+  assert.deepEqual(await shape(), ['polygon', '0,0.1 0.1,-0.1 -0.1,-0.1', false]);
+  assert.match(told(tab).join(), /<hearth-solid>: points = "a text of more than 66000 letters" is refused/);
+});
+
 test('an unknown attribute is told once with the one that may be meant', async () => {
   const tab = await opened('<hearth-solid materal="wood" class="a" data-x="1"></hearth-solid><hearth-solid materal="wood"></hearth-solid>');
   await acts(tab, (fire) => fire.firstElementChild.setAttribute('birth_temperature', '1'));

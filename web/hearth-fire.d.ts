@@ -9,6 +9,8 @@ import type {
   HearthPoint,
   HearthQuality,
   HearthQualityDetail,
+  HearthSolidElement,
+  HearthSourceElement,
   HearthTransition,
 } from './element/types.js';
 import type {
@@ -197,5 +199,7 @@ export class HearthFire extends HTMLElement {
 declare global {
   interface HTMLElementTagNameMap {
     'hearth-fire': HearthFire;
+    'hearth-source': HearthSourceElement;
+    'hearth-solid': HearthSolidElement;
   }
 }

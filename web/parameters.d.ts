@@ -504,6 +504,8 @@ export interface HearthStats {
   particles: number;
   /** Share of the air around the fire that is left out, because `max_particles` are reached. */
   asleep: number;
+  /** Number of particles that solids have left no place since the fire began. */
+  removed: number;
   /** Number of glowing embers. */
   embers: number;
   /** Age of the fire [s]. */

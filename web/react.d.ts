@@ -15,6 +15,8 @@ import type {
   HearthObjectsDetail,
   HearthQuality,
   HearthQualityDetail,
+  HearthSolidElement,
+  HearthSourceElement,
   HearthStats,
   PresetName,
 } from './hearth-fire.js';
@@ -25,6 +27,8 @@ declare module 'react' {
   namespace JSX {
     interface IntrinsicElements {
       'hearth-fire': DetailedHTMLProps<HearthFireProps, HearthFire>;
+      'hearth-source': DetailedHTMLProps<HearthSourceAttributes & HTMLAttributes<HearthSourceElement>, HearthSourceElement>;
+      'hearth-solid': DetailedHTMLProps<HearthSolidAttributes & HTMLAttributes<HearthSolidElement>, HearthSolidElement>;
     }
   }
 }
@@ -266,4 +270,74 @@ export interface HearthFireListeners {
   onerror?: ((event: CustomEvent<HearthErrorDetail>) => void) | undefined;
   /** The fire is back after its graphics context was lost or its engine has stopped. */
   onrestored?: ((event: CustomEvent<null>) => void) | undefined;
+}
+
+/** The attributes of `<hearth-source>`; one that is taken away is back at its default. */
+export interface HearthSourceAttributes {
+  /** The element of the page whose border box it has, as `#` and an id. */
+  of?: `#${string}` | undefined;
+  /** A fire farther to the right, or below 0 to the left. Position of the middle of the source, which stays inside the domain. [m] Default 0, from -3 to 3. */
+  x?: number | `${number}` | undefined;
+  /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
+  y?: number | `${number}` | undefined;
+  /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
+  angle?: number | `${number}` | undefined;
+  /** A wider fire. Width of the source. In the combustion model it is at least four particles. [m] Default in combustion: 0.4, from 0.01 to 1. Default in classic: 0.36, from 0.05 to 0.6. */
+  width?: number | `${number}` | undefined;
+  /** A taller, brighter flame. Power of the burner per metre of depth: the heat of combustion of its fuel, without the heat of its hot gas. 0 turns it off. [kW/m] Default in combustion: 220, from 0 to 600. */
+  power?: number | `${number}` | undefined;
+  /** A denser, brighter flame. Particles born per second, limited by the space at the source and by the number of particles. [1/s] Default in classic: 1500, from 50 to 100000. */
+  rate?: number | `${number}` | undefined;
+  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  speed?: number | `${number}` | undefined;
+  /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
+  spread?: number | `${number}` | undefined;
+  /** An uneven flame that flares up here and there. How unevenly the source burns: Perlin noise in place and time. Default in combustion: 0.2, from 0 to 1. Default in classic: 0.5, from 0 to 1. */
+  noise?: number | `${number}` | undefined;
+  /** A brighter root of the flame. Temperature of the gas in the burner, which is always above the ignition temperature. [K] Default in combustion: 700, from 500 to 1200. */
+  temperature?: number | `${number}` | undefined;
+  /** A flame that burns evenly down to its root; with 0 it is brightest at its rim. Oxygen in the fuel, relative to air. Default in combustion: 0.5, from 0 to 1. */
+  oxygen?: number | `${number}` | undefined;
+  /** A whiter flame. Temperature of a particle at birth. [K] Default in classic: 1900, from 1000 to 2500. */
+  'birth-temperature'?: number | `${number}` | undefined;
+  /** A fuller flame, up to its top. Shortest life of a particle. [s] Default in classic: 0.3, from 0.1 to 3. */
+  'life-min'?: number | `${number}` | undefined;
+  /** A taller flame. Longest life of a particle, at least the shortest life. [s] Default in classic: 1.2, from 0.1 to 3. */
+  'life-max'?: number | `${number}` | undefined;
+  /** A flame that ends in a point. How much shorter the lives of particles from the rim of the source are, within the shortest and the longest life. Default in classic: 0.8, from 0 to 1. */
+  taper?: number | `${number}` | undefined;
+}
+
+/** The attributes of `<hearth-solid>`; one that is taken away is back at its default. */
+export interface HearthSolidAttributes {
+  /** The element of the page whose border box it has, as `#` and an id. */
+  of?: `#${string}` | undefined;
+  /** A disc, a rectangle, a line, a polygon, a bent line or a picture. Shape of the solid. Default "circle". */
+  shape?: "circle" | "box" | "line" | "polygon" | "stroke" | "mask" | undefined;
+  /** A solid farther to the right, or below 0 to the left. Position of its centre. [m] Default 0, from -10 to 10. */
+  x?: number | `${number}` | undefined;
+  /** A solid that is higher. Height of its centre above the lower edge of the frame. [m] Default 0.5, from -10 to 10. */
+  y?: number | `${number}` | undefined;
+  /** A solid that is turned. Angle of its width from the horizontal, counterclockwise. [°] Default 0, from -360 to 360. */
+  angle?: number | `${number}` | undefined;
+  /** A larger solid. Diameter of a circle, width of a box or a mask, length of a line. [m] Default 0.2, from 0.002 to 10. */
+  width?: number | `${number}` | undefined;
+  /** A thicker solid. Height of a box or a mask, thickness of a line or a stroke. A stroke is at least as thick as an eightieth of its extent. [m] Default 0.1, from 0.002 to 10. */
+  height?: number | `${number}` | undefined;
+  /** A rounder box. Radius of its corners, at most half of its smaller side. [m] Default 0, from 0 to 5. */
+  corner?: number | `${number}` | undefined;
+  /** Another outline. Corners of a polygon or of a stroke, as pairs of numbers in metres from the centre. A polygon is closed, and what its outline winds around is solid; a stroke is open and has round ends. [m] Default "-0.1,-0.1 0.1,-0.1 0,0.1". */
+  points?: string | undefined;
+  /** Another picture. Opacity of the pixels of a mask, which `hearth-fire/mask` makes from a text, a path or an image. Default "16x16:7". */
+  mask?: string | undefined;
+  /** Another appearance. Material that is drawn; `none` is invisible. Default "stone". */
+  material?: "stone" | "wood" | "iron" | "brick" | "coal" | "wax" | "glass" | "none" | undefined;
+  /** A solid before the fire, which hides the flame behind it. Solids later in the list are before earlier ones. Default false. */
+  front?: boolean | undefined;
+  /** A surface that heats or cools the gas. Adiabatic: no heat passes. Fixed: it keeps its temperature. Conducting: the gas and radiation heat and cool the solid, which has one temperature throughout. Default "adiabatic". */
+  thermal?: "adiabatic" | "fixed" | "conducting" | undefined;
+  /** A hotter surface. Temperature of the surface, at first where it conducts heat. [K] Default 293, from 250 to 2500. */
+  temperature?: number | `${number}` | undefined;
+  /** A solid that heats and cools more slowly. Heat capacity by volume; that of stone and iron is 2000 to 3500. [kJ/(m³·K)] Default 100, from 10 to 5000. */
+  'heat-capacity'?: number | `${number}` | undefined;
 }

@@ -74,6 +74,28 @@ for (const kind of BROWSERS) {
       await assertSilent(tab);
     });
 
+    test('children are objects with live attributes, and `of` follows an element', async () => {
+      const tab = await browser.open(`<i id="box" style="position: absolute; left: 40px; top: 40px; width: 50px; height: 20px"></i>
+        <hearth-fire paused><hearth-source x="0.1"></hearth-source><hearth-solid x="0.2"></hearth-solid>
+        <hearth-solid id="of" of="#box"></hearth-solid></hearth-fire>`);
+      await tab.ready();
+      await tab.fire((fire) => fire.querySelector('hearth-solid').setAttribute('x', '0.3'));
+      const has = (what, holds) => tab.until(what, new Function(`
+        const fire = document.querySelector('hearth-fire');
+        const all = [...fire.children].map(({ objectId }) => fire.objects.find(({ id }) => id === objectId));
+        return all.every(Boolean) && (${holds})(all, fire);
+      `));
+      await has('the values of the attributes', String(([source, solid]) => source.x === 0.1 && solid.x === 0.3));
+      await tab.evaluate(() => document.getElementById('box')?.style.setProperty('top', '90px'));
+      await has('the box of the element', String(([, , body], fire) => {
+        const box = /** @type {Element} */ (document.getElementById('box')).getBoundingClientRect();
+        const outer = fire.getBoundingClientRect();
+        const { x, y } = fire.toPixels(body.x, body.y);
+        return Math.abs(x + outer.left - box.left - 25) < 0.1 && Math.abs(y + outer.top - box.top - 10) < 0.1;
+      }));
+      await assertSilent(tab);
+    });
+
     test('pause stops the fire, step advances it, play continues it, reset restarts it', async () => {
       const tab = await browser.open('<hearth-fire model="classic"></hearth-fire>');
       await tab.burnt(0.8);

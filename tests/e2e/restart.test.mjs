@@ -104,6 +104,27 @@ for (const [what, call] of /** @type {[string, 'reset' | 'sparks'][]} */ ([['end
   });
 }
 
+test('children have their objects in the next fire, with what changed while the engine stopped', async () => {
+  const children = '<hearth-source x="0.1"></hearth-source><hearth-solid x="0.2"></hearth-solid>';
+  const tab = await browser.open(BODY.replace('</hearth-fire>', `${children}</hearth-fire>`), { before: countByHand, beforeWorker: mortal });
+  await tab.burnt(0.1);
+  await tab.fire((fire) => {
+    fire.reset();
+    fire.querySelector('hearth-source').setAttribute('x', '-0.1');
+    fire.querySelector('hearth-solid').setAttribute('y', '0.9');
+    fire.append(Object.assign(document.createElement('hearth-solid'), { id: 'last' }));
+  });
+  await reported(tab, 1);
+  await assertReturns(tab);
+  await tab.until('every child has its object', () => {
+    const fire = /** @type {any} */ (document.querySelector('hearth-fire'));
+    const list = [...fire.querySelectorAll('hearth-source, hearth-solid')].map(({ objectId }) => (
+      fire.objects.filter(({ id }) => id === objectId).map(({ kind, x, y }) => [kind, x, y].join(' ')).join()
+    ));
+    return fire.objects.length === 3 && list.join() === 'source -0.1 0.25,solid 0.2 0.9,solid 0 0.5';
+  });
+});
+
 test('the picture of a stopped fire stays until the next one', async () => {
   const tab = await browser.open(BODY, { before: countByHand, beforeWorker: mortal });
   await tab.burnt(0.5);

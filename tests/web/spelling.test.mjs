@@ -47,6 +47,15 @@ test('an unknown attribute is reported once; those of HTML, frameworks and libra
   assert.equal(warn.mock.callCount(), 3);
 });
 
+test('an unknown attribute of another element is reported with its own names', (context) => {
+  const warn = context.mock.method(console, 'warn', () => {});
+  for (const name of ['materal', 'materal', 'palete']) warnOnce(name, 'hearth-solid', ['of', 'material']);
+  const reported = warn.mock.calls.map(({ arguments: [words] }) => words);
+  assert.deepEqual(reported, [
+    '<hearth-solid>: it has no attribute materal; did you mean material?', '<hearth-solid>: it has no attribute palete.',
+  ]);
+});
+
 test('a query distinguishes foreign names from misspelt ones', () => {
   const { values, options, unknown, refused } = readUrlParameters(
     '?seed=7&fbclid=1&utm_source=a&utm_source=b&viscosty=1&quality=low&fuelpower=3&kind=x&__proto__=1&feed=2',

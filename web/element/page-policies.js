@@ -11,13 +11,6 @@ const LIMITS = ['fps-limit', 'max-pixels'];
 /** Common attributes; the code that knows the others is loaded only for those. */
 const COMMON = /^(class|id|style|slot|hidden|title|(data|aria)-.*)$/;
 
-/** Observes the attributes that scripts set on the page's fires. */
-const attributes = globalThis.MutationObserver && new MutationObserver((records) => {
-  for (const { target, attributeName } of records) {
-    if (/** @type {Element} */ (target).hasAttribute(attributeName ?? '')) check(attributeName ?? '');
-  }
-});
-
 /** Warns about an attribute without an effect. @param {string} name */
 function check(name) {
   if (OBSERVED.includes(name) || COMMON.test(name)) return;
@@ -44,6 +37,13 @@ export class PagePolicies {
   #panel;
   /** Removes the pointer listeners. @type {AbortController | undefined} */
   #pointer;
+  /** Observes the attributes that scripts set, and the children. */
+  #observer = new MutationObserver((records) => {
+    for (const { attributeName } of records) {
+      if (attributeName === null) this.#session.adopt();
+      else if (this.#fire.hasAttribute(attributeName)) check(attributeName);
+    }
+  });
 
   /** @param {import('./session.js').FireSession} session */
   constructor(session) {
@@ -56,7 +56,7 @@ export class PagePolicies {
   /** The element is on a page: checks the names of its attributes. */
   checkNames() {
     this.#fire.getAttributeNames().forEach(check);
-    attributes?.observe(this.#fire, { attributes: true });
+    this.#observer.observe(this.#fire, { attributes: true, childList: true });
   }
 
   /** There is a connection to the engine: sends the limits. */

@@ -116,6 +116,16 @@ export class Requests {
     this.#flush(MAX_WAITING);
   }
 
+  /** Whether every call is answered. */
+  get idle() {
+    return this.#pending.size === 0;
+  }
+
+  /** The promise of a request. @param {number} request */
+  promise(request) {
+    return this.#pending.get(request)?.promise;
+  }
+
   /**
    * Rejects the requests to one fire; 0: those that wait for one.
    * @param {number} fire
@@ -139,7 +149,7 @@ function idsOf([method, values]) {
  * @param {Refusal[]} errors
  */
 export function refusal(errors) {
-  const { message, ...first } = errors[0];
+  const { message, ...first } = errors[0] ?? { message: '' };
   return Object.assign(new RangeError(message), first, { errors });
 }
 

@@ -37,6 +37,10 @@ export class FireSession {
   #css;
   /** @type {Promise<void> | undefined} */
   #loadsCss;
+  /** The children that are objects, once their code is loaded. @type {import('./children.js').Children | undefined} */
+  #children;
+  /** @type {Promise<void> | undefined} */
+  #loadsChildren;
   /** Settles when the engine has freed all fires before this one. */
   #gone = Promise.resolve();
   /** Whether the fire follows a stopped one. */
@@ -84,6 +88,11 @@ export class FireSession {
     const answer = this.#ready.failed ? this.ready : this.#requests.call(...call);
     this.#calls?.push([call, answer]);
     return answer;
+  }
+
+  /** Whether the engine has answered every call, so that the state is that of the engine. */
+  get idle() {
+    return this.#requests.idle;
   }
 
   /** Calls the engine without waiting for an answer. @type {(...call: Call) => void} */
@@ -142,6 +151,17 @@ export class FireSession {
     // A fire that failed tries again.
     if (this.#connection && this.#ready.failed) this.close();
     if (!this.#connection) this.#open();
+  }
+
+  /** The element may have other children. The code for those that are objects is loaded with the first one. */
+  async adopt(begins = this.begun) {
+    if (begins && this.fire.querySelector(':scope>hearth-source,:scope>hearth-solid')) {
+      this.#loadsChildren ??= this.reports.loads(import('./children.js'), 'The code for children').then(({ Children }) => {
+        this.#children = new Children(this);
+      }, () => {});
+    }
+    await this.#loadsChildren;
+    this.#children?.update();
   }
 
   /** Whether there is a fire, or was one. */
@@ -263,6 +283,7 @@ export class FireSession {
     const state = this.#warmth() && !fire.src ? burning(fire.preset) : undefined;
     const file = this.state.started ? undefined : this.#file.begin();
     await this.#gone;
+    await this.adopt(true);
     await file;
     return state;
   }
@@ -337,8 +358,11 @@ export class FireSession {
     if (type === 'ready') {
       state.take(message);
       this.#tellSeam(message.values);
+      this.adopt();
+      this.#children?.report(message);
     } else if (type === 'changed') {
       state.take(message);
+      this.#children?.report(message);
       if (message.replaced && (this.fire.getAttribute('preset') ?? 'default') !== state.preset) this.reflectPreset(state.preset);
       this.#tellSeam(message.values);
       if (!this.#ready.announced) return;
@@ -348,8 +372,9 @@ export class FireSession {
     } else if (type === 'done') {
       this.#requests.settle(message.request, undefined, message.value);
     } else if (type === 'refused') {
-      const error = reports.refused(message.errors);
-      if (message.request !== undefined) this.#requests.settle(message.request, error);
+      const { request, errors } = message;
+      const error = reports.refused(this.#children?.named(errors, this.#requests.promise(request)) ?? errors);
+      if (request !== undefined) this.#requests.settle(request, error);
     } else if (type === 'stats') {
       const { stats } = message;
       state.stats = { ...stats, engine: connection.place };

@@ -28,12 +28,15 @@ const WARNED = new Set();
  * Warns once about an attribute without an effect. Attributes of HTML, frameworks and libraries are left
  * out.
  * @param {string} name
+ * @param {string} [element] the name of its element
+ * @param {string[]} [known] the attributes of that element
  */
-export function warnOnce(name) {
-  if (WARNED.has(name) || FOREIGN.test(name)) return;
-  WARNED.add(name);
+export function warnOnce(name, element = 'hearth-fire', known = KNOWN) {
+  const key = `${element} ${name}`;
+  if (WARNED.has(key) || FOREIGN.test(name)) return;
+  WARNED.add(key);
   const size = ['width', 'height'].includes(name) ? ' Its style sets its size.' : '';
-  console.warn(`<hearth-fire>: it has no attribute ${name.slice(0, 40)}${suggestion(name, KNOWN)}${size}`);
+  console.warn(`<${element}>: it has no attribute ${name.slice(0, 40)}${suggestion(name, known)}${size}`);
 }
 
 /**

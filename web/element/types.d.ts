@@ -59,6 +59,18 @@ export type HearthErrorDetail =
       max?: number;
     };
 
+/** `<hearth-source>`: a child of `<hearth-fire>` that is a source of its fire. */
+export interface HearthSourceElement extends HTMLElement {
+  /** The id of its object in `objects`; null while the fire has none. */
+  readonly objectId: number | null;
+}
+
+/** `<hearth-solid>`: a child of `<hearth-fire>` that is a solid in its fire. */
+export interface HearthSolidElement extends HTMLElement {
+  /** The id of its object in `objects`; null while the fire has none. */
+  readonly objectId: number | null;
+}
+
 /** The options of `to`. */
 export interface HearthTransition {
   /** In milliseconds; the default is 600. */
@@ -78,7 +90,7 @@ export interface HearthChangeDetail {
 /** The detail of an `objects-change` event. */
 export interface HearthObjectsDetail {
   objects: HearthObject[];
-  /** The origin of the change, such as `attribute`, `property`, `preset` or `src`. */
+  /** The origin of the change, such as `attribute`, `child`, `property`, `preset` or `src`. */
   source: string;
 }
 

@@ -55,6 +55,8 @@ stats! { fire, report, canvas =>
     "particles": "number" = set_number(fire.simulation.count() as f64)
     /// Share of the air around the fire that is left out, because `max_particles` are reached.
     "asleep": "number" = set_number(report.asleep.into())
+    /// Number of particles that solids have left no place since the fire began.
+    "removed": "number" = set_number(fire.simulation.removed().particles as f64)
     /// Number of glowing embers.
     "embers": "number" = set_number(fire.simulation.embers().len() as f64)
     /// Age of the fire [s].

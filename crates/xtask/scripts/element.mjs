@@ -6,7 +6,8 @@
  * The class states its methods, accessors, events (`@fires`), slots, parts, custom properties and
  * states; `HearthReflected` in `web/element/types.d.ts` states the properties that only live in
  * an attribute; `web/parameters.js` and `web/parameters.d.ts` state the parameters. An accessor with
- * `@attribute` reflects the attribute of its name with hyphens.
+ * `@attribute` reflects the attribute of its name with hyphens. `HearthSourceElement` and `HearthSolidElement` in
+ * `web/element/types.d.ts` state the children, and the objects of `web/parameters.d.ts` their attributes.
  */
 import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -43,6 +44,13 @@ import { read } from './element/jsdoc.mjs';
  * @property {string} doc  Of its property.
  * @property {string} about  The same with unit, defaults and ranges.
  *
+ * @typedef {object} Child  An element that is a child of the element.
+ * @property {string} tag
+ * @property {string} type
+ * @property {string} doc
+ * @property {Named[]} members
+ * @property {Named[]} attributes
+ *
  * @typedef {object} Element  What there is to know of the element.
  * @property {string} doc
  * @property {Property[]} properties
@@ -53,6 +61,7 @@ import { read } from './element/jsdoc.mjs';
  * @property {Named[]} parts
  * @property {Named[]} cssProperties
  * @property {Named[]} states
+ * @property {Child[]} children
  */
 
 const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../..');
@@ -110,7 +119,26 @@ async function describe(declared) {
     parts: named('csspart'),
     cssProperties: named('cssproperty'),
     states: named('cssstate'),
+    children: ['source', 'solid'].map((kind) => child(kind, declared)),
   };
+}
+
+/** @type {(kind: string, declared: (file: string, name: string) => any) => Child} */
+function child(kind, declared) {
+  const name = kind.replace(/^./, (letter) => letter.toUpperCase());
+  const type = `Hearth${name}Element`;
+  const element = declared('element/types.d.ts', type);
+  const of = { name: 'of', type: '`#$' + '{string}`', doc: 'The element of the page whose border box it has, as `#` and an id.' };
+  const member = (/** @type {any} */ one) => ({
+    name: one.name.text,
+    // An attribute is a text where a property may be a list as well.
+    type: one.type.getText().replace(/^string \|.*/, 'string'),
+    doc: read(one).doc,
+  });
+  const properties = declared('parameters.d.ts', `Hearth${name}`).members.map(member)
+    .filter((/** @type {Named} */ one) => one.name !== 'kind' && one.name !== 'id')
+    .map((/** @type {Named} */ one) => ({ ...one, name: one.name.replaceAll('_', '-') }));
+  return { tag: `hearth-${kind}`, type, doc: read(element).doc, members: element.members.map(member), attributes: [of, ...properties] };
 }
 
 /** Whether a member is the page's to use. @param {any} member */

@@ -41,6 +41,7 @@ fn generate() -> Result<Vec<Generated>> {
         ("web/generated/burning.js", javascript::burning()),
         ("web/generated/between.js", javascript::between()),
         ("web/generated/objects.js", javascript::objects(&scenes)),
+        ("web/generated/properties.js", javascript::properties()),
         ("web/generated/version.js", javascript::version()),
         ("web/parameters.d.ts", typescript::declarations(&scenes)),
         ("docs/element.md", stats::page()?),

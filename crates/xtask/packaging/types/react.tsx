@@ -23,6 +23,8 @@ export function Fires({ hold }: { hold: (fire: HearthFire | null) => void }) {
         onClick={(event) => console.log(event.currentTarget.params.viscosity)}
       >
         <img slot="poster" alt="" src="poster.jpg" />
+        <hearth-source x={0.2} power="80" />
+        <hearth-solid of="#headline" material="wood" ref={(solid) => console.log(solid?.objectId)} />
       </hearth-fire>
       {/* @ts-expect-error: a width is a number. */}
       <hearth-fire source-width="wide" />

@@ -32,6 +32,12 @@ fire.addEventListener('error', ({ detail }) => {
 });
 document.querySelector('hearth-fire')?.addEventListener('click', (event) => event.clientX);
 
+const solid = document.createElement('hearth-solid');
+const object: number | null | undefined = document.querySelector('hearth-source')?.objectId;
+console.log(object);
+// @ts-expect-error: the fire gives the id.
+solid.objectId = 1;
+
 export async function settings(): Promise<HearthConfig> {
   await fire.set({ viscosity: 0.02, model: 'classic' });
   await fire.set('viscosity', 0.02);

@@ -9,7 +9,7 @@ const MODULE = 'hearth-fire.js';
 const CLASS = 'HearthFire';
 
 /** @param {Element} element */
-export function manifest({ doc, properties, methods, parameters, events, slots, parts, cssProperties, states }) {
+export function manifest({ doc, properties, methods, parameters, events, slots, parts, cssProperties, states, children }) {
   const own = properties.filter(({ attribute }) => attribute);
   const others = properties.filter(({ attribute }) => !attribute);
   const lists = {
@@ -64,6 +64,22 @@ export function manifest({ doc, properties, methods, parameters, events, slots, 
     cssStates: states.map(named),
   };
   const declaration = { name: CLASS, module: MODULE };
+  const ofChildren = children.map((child) => ({
+    kind: 'class',
+    customElement: true,
+    tagName: child.tag,
+    name: child.type,
+    superclass: { name: 'HTMLElement' },
+    description: child.doc,
+    attributes: `list of ${child.type}Attributes`,
+    members: `list of ${child.type}Members`,
+  }));
+  /** @type {{[name: string]: object[]}} */
+  const all = { ...lists };
+  for (const { type, attributes, members } of children) {
+    all[`${type}Attributes`] = attributes.map((one) => ({ name: one.name, type: kind(one.type), description: one.doc }));
+    all[`${type}Members`] = members.map((one) => ({ kind: 'field', name: one.name, readonly: true, type: kind(one.type), description: one.doc }));
+  }
   const text = JSON.stringify({
     schemaVersion: '2.1.0',
     readme: 'README.md',
@@ -78,15 +94,16 @@ export function manifest({ doc, properties, methods, parameters, events, slots, 
         superclass: { name: 'HTMLElement' },
         description: doc,
         ...Object.fromEntries(Object.keys(lists).map((name) => [name, `list of ${name}`])),
-      }],
+      }, ...ofChildren],
       exports: [
         { kind: 'js', name: CLASS, declaration },
         { kind: 'custom-element-definition', name: 'hearth-fire', declaration },
+        ...children.map(({ tag, type: name }) => ({ kind: 'custom-element-definition', name: tag, declaration: { name, module: MODULE } })),
       ],
     }],
   }, null, 2);
   // One entry a line, so that a change is a line.
-  return `${text.replace(/"list of (\w+)"/g, (_, name) => listed(lists[/** @type {keyof typeof lists} */ (name)]))}\n`;
+  return `${text.replace(/"list of (\w+)"/g, (_, name) => listed(all[name]))}\n`;
 }
 
 /** @param {object[]} entries */

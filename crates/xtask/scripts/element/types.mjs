@@ -13,13 +13,16 @@ const HEADER = `\
 const NAMES = {
   './element/types.js': [
     'HearthChangeDetail', 'HearthConfig', 'HearthErrorDetail', 'HearthObjectsDetail', 'HearthPoint', 'HearthQuality', 'HearthQualityDetail',
-    'HearthTransition',
+    'HearthSolidElement', 'HearthSourceElement', 'HearthTransition',
   ],
   './parameters.js': ['HearthObject', 'HearthParameters', 'HearthProperties', 'HearthStats', 'ParameterId', 'PresetName'],
 };
 
+/** A number in JSX. */
+const NUMBER = 'number | `$' + '{number}`';
+
 /** @param {Element} element */
-export function elementTypes({ doc, properties, methods, events }) {
+export function elementTypes({ doc, properties, methods, events, children }) {
   const members = [
     ...properties.map((one) => `${comment(one.doc, '  ')}${property(one)}`),
     ...methods.flatMap(({ name, signatures }) => (
@@ -45,7 +48,7 @@ ${members.join('')}}
 declare global {
   interface HTMLElementTagNameMap {
     'hearth-fire': HearthFire;
-  }
+${children.map(({ tag, type }) => `    '${tag}': ${type};\n`).join('')}  }
 }
 `;
   return `${HEADER}
@@ -57,13 +60,21 @@ ${body}`;
 }
 
 /** @param {Element} element */
-export function reactTypes({ properties, parameters, events }) {
+export function reactTypes({ properties, parameters, events, children }) {
   const own = properties.filter(({ attribute }) => attribute);
   const attributes = [
     ...own.map((one) => entry(one.doc, String(one.attribute), one.accepts ?? one.type)),
     ...parameters.map((one) => entry(one.about, one.attribute, asText(one))),
   ].join('');
   const listens = events.map((one) => entry(one.doc, `on${one.name}`, `((event: CustomEvent<${one.type}>) => void)`)).join('');
+  const ofChildren = children.map(({ tag, attributes: all }) => `
+/** The attributes of \`<${tag}>\`; one that is taken away is back at its default. */
+export interface ${attributesOf(tag)} {
+${all.map(({ name, type, doc }) => entry(doc, name, type === 'number' ? NUMBER : type)).join('')}}
+`).join('');
+  const elements = children.map(({ tag, type }) => `\
+      '${tag}': DetailedHTMLProps<${attributesOf(tag)} & HTMLAttributes<${type}>, ${type}>;
+`).join('');
   const names = [...Object.values(NAMES).flat(), 'HearthFire'].sort();
   return `${HEADER}
 /**
@@ -72,7 +83,7 @@ export function reactTypes({ properties, parameters, events }) {
  */
 
 import type { DetailedHTMLProps, HTMLAttributes } from 'react';
-${imports(names.filter((name) => name === 'HearthFire' || new RegExp(`\\b${name}\\b`).test(attributes + listens)), './hearth-fire.js')}
+${imports(names.filter((name) => name === 'HearthFire' || new RegExp(`\\b${name}\\b`).test(attributes + listens + elements)), './hearth-fire.js')}
 
 export * from './hearth-fire.js';
 
@@ -80,7 +91,7 @@ declare module 'react' {
   namespace JSX {
     interface IntrinsicElements {
       'hearth-fire': DetailedHTMLProps<HearthFireProps, HearthFire>;
-    }
+${elements}    }
   }
 }
 
@@ -96,7 +107,7 @@ ${attributes}}
 /** The events of \`<hearth-fire>\`. */
 export interface HearthFireListeners {
 ${listens}}
-`;
+${ofChildren}`;
 }
 
 /** @param {import('../element.mjs').Property} property */
@@ -137,9 +148,13 @@ function listeners(name) {
 
 /** An attribute of JSX; a number may be written as text, as HTML does. @param {import('../element.mjs').Parameter} parameter */
 function asText({ kind, type }) {
-  const number = 'number | `$' + '{number}`';
-  if (kind === 'number' || kind === 'integer') return number;
-  return kind === 'seed' ? `${number} | 'auto'` : type;
+  if (kind === 'number' || kind === 'integer') return NUMBER;
+  return kind === 'seed' ? `${NUMBER} | 'auto'` : type;
+}
+
+/** `hearth-solid` → `HearthSolidAttributes`. @param {string} tag */
+function attributesOf(tag) {
+  return `${tag.replace(/(?:^|-)(.)/g, (_, letter) => letter.toUpperCase())}Attributes`;
 }
 
 /** @type {(doc: string, name: string, type: string) => string} */

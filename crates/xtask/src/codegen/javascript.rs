@@ -120,6 +120,51 @@ pub(super) fn objects(scenes: &[Scene]) -> String {
     text
 }
 
+/// The module of the properties of objects: apart, since only children of the element need it.
+pub(super) fn properties() -> String {
+    let mut text = format!(
+        "{HEADER}\n\
+         /**\n * Each property of each kind of object: its domain, which is its default and, of a number, its range, in\n \
+         * every model or in those that use it; of a source, the parameter that it is of the first one.\n *\n \
+         * @typedef {{[standard: any, min?: number, max?: number]}} Domain\n \
+         * @typedef {{{{parameter?: string, every?: Domain, combustion?: Domain, classic?: Domain}}}} Property\n */\n\n\
+         /** @type {{{{[kind: string]: {{[name: string]: Property}}}}}} */\n\
+         export const PROPERTIES = {{\n"
+    );
+    for kind in KINDS {
+        let _ = writeln!(text, "  {}: {{", kind.name);
+        for property in kind.properties {
+            if let Some(param) = property.entry() {
+                let _ = writeln!(text, "    {}: {},", property.name, of_object(param));
+            }
+        }
+        text.push_str("  },\n");
+    }
+    text.push_str("};\n");
+    text
+}
+
+/// What children of the element know of a property of an object.
+fn of_object(param: &Param) -> Value {
+    let mut entry = Map::new();
+    if PARAMETERS.iter().any(|one| one.id == param.id) {
+        entry.insert("parameter".to_owned(), param.id.into());
+    }
+    let domains = domains(param);
+    let all = |domain| Value::from_iter(domain_fields(param, domain).into_iter().map(|(_, x)| x));
+    match domains.as_slice() {
+        [(_, domain), (_, other)] if domain == other => {
+            entry.insert("every".to_owned(), all(domain));
+        }
+        domains => entry.extend(
+            domains
+                .iter()
+                .map(|(model, domain)| (model.name().to_owned(), all(domain))),
+        ),
+    }
+    Value::Object(entry)
+}
+
 /// The module of the package's version.
 pub(super) fn version() -> String {
     let version = env!("CARGO_PKG_VERSION");

@@ -243,21 +243,16 @@ impl Neighbours {
                     let from = place(&blocks[block], lane) - sweep.shift;
                     // A convex solid lies behind the plane of its nearest point, and no solid is
                     // nearer than that.
-                    let is_convex = normal != Vec2::ZERO;
-                    let plane = Lanes::splat(if is_convex {
-                        normal.dot(from) - distance
-                    } else {
-                        -distance * distance
-                    });
+                    let (bend, limit) = match normal == Vec2::ZERO {
+                        false => (0.0, -distance),
+                        true => (-1.0, -distance * distance),
+                    };
+                    let limit = Lanes::splat(limit);
                     let mut rest = |number: usize, mut mask: u32| {
                         let [x, y] = blocks[number].position();
-                        let side = if is_convex {
-                            x * normal.x + y * normal.y
-                        } else {
-                            let [x, y] = [x - from.x, y - from.y];
-                            Lanes::ZERO - (x * x + y * y)
-                        };
-                        let mut behind = side.less_mask(plane) & mask;
+                        let (x, y) = (x - from.x, y - from.y);
+                        let side = x * (x * bend + normal.x) + y * (y * bend + normal.y);
+                        let mut behind = side.less_mask(limit) & mask;
                         while behind != 0 {
                             let other = behind.trailing_zeros() as usize;
                             behind &= behind - 1;

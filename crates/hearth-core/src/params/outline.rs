@@ -145,12 +145,16 @@ impl Mask {
     fn parse(text: &str) -> Option<Mask> {
         let (size, letters) = text.split_once(':')?;
         let (width, height) = size.split_once('x')?;
-        let side = |text: &str| {
-            let side = text.parse().ok();
-            side.filter(|side| (1..=MOST_PIXELS).contains(side))
-        };
-        let (width, height) = (side(width)?, side(height)?);
-        let mut opacity = Vec::with_capacity(width * height);
+        let [width, height] = [width, height].map(|side| {
+            let side = decimal::parse(side).unwrap_or_default();
+            let whole = side as usize;
+            if whole as f64 == side && whole <= MOST_PIXELS {
+                whole
+            } else {
+                0
+            }
+        });
+        let mut opacity = Vec::new();
         for letter in letters.bytes() {
             let value = LETTERS.iter().position(|known| *known == letter)?;
             let (pixel, run) = match value {

@@ -149,11 +149,11 @@ impl Solid {
 
     /// Whether the field of another solid is its own.
     pub(super) fn has_field_of(&self, other: &Solid) -> bool {
-        let outline = |solid: &Solid| {
-            let size = [solid.width, solid.height];
-            (solid.shape, size, solid.points.clone(), solid.mask.clone())
-        };
-        outline(self) == outline(other)
+        let size = |solid: &Solid| [solid.width, solid.height];
+        self.shape == other.shape
+            && size(self) == size(other)
+            && self.points.text() == other.points.text()
+            && self.mask.text() == other.mask.text()
     }
 
     /// The distance of a point from the surface \[m\], positive outside, and the unit normal

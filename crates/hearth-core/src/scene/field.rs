@@ -24,6 +24,8 @@ const REFINEMENTS: u32 = 2;
 /// Most strides along half of a line, and their least length in depths that a line may reach.
 const STRIDES: u32 = 8;
 const SHORTEST: f32 = 0.25;
+/// Distance up to which an outline may be between two nodes, in steps.
+const NEAR: f32 = 1.1;
 /// No line.
 const NONE: u32 = u32::MAX;
 
@@ -57,7 +59,7 @@ impl Field {
                 let points = solid.points.all();
                 let mut field = Field::around(points, 0.0);
                 field.measure(&contour::of_polygon(points));
-                contour::fill(points, &field.nodes(), |node| field.turn(node));
+                field.fill(points);
                 Some(field.measured())
             }
             Shape::Stroke => {
@@ -118,16 +120,17 @@ impl Field {
         let step = size / Vec2::new(width as f32, height as f32);
         let nodes = [width, height].map(|pixels| pixels + 2 * MARGIN);
         let mut field = Field::new(Vec2::ZERO, step, nodes);
-        let opacity = |node: usize| {
-            let (column, row) = (node % nodes[0], node / nodes[0]);
-            // Beyond the mask, the subtractions wrap to indices of no pixel.
-            let row = (height + MARGIN - 1).wrapping_sub(row);
-            mask.opacity(column.wrapping_sub(MARGIN), row)
-        };
-        let lines = contour::of_nodes(&field.nodes(), opacity);
-        field.measure(&lines);
-        for node in 0..field.distances.len() {
-            if opacity(node) > contour::EDGE {
+        let opacity: Vec<f32> = (0..field.distances.len())
+            .map(|node| {
+                let (column, row) = (node % nodes[0], node / nodes[0]);
+                // Beyond the mask, the subtractions wrap to indices of no pixel.
+                let row = (height + MARGIN - 1).wrapping_sub(row);
+                mask.opacity(column.wrapping_sub(MARGIN), row)
+            })
+            .collect();
+        field.measure(&contour::of_nodes(&field.nodes(), &opacity));
+        for (node, opacity) in opacity.into_iter().enumerate() {
+            if opacity > contour::EDGE {
                 field.turn(node);
             }
         }
@@ -159,6 +162,25 @@ impl Field {
         }
     }
 
+    /// Marks the nodes that a polygon winds around as inside.
+    fn fill(&mut self, points: &[Vec2]) {
+        let nodes = self.nodes();
+        let mut is_inside = false;
+        for row in 0..nodes.rows {
+            for column in 0..nodes.columns {
+                let node = row * nodes.columns + column;
+                let distance = self.distances.get(node).copied().unwrap_or_default();
+                // Where the outline is farther than the node to the left, both are on one side.
+                if distance < NEAR * nodes.step.x || column == 0 {
+                    is_inside = contour::winding(points, nodes.place(column, row)) != 0;
+                }
+                if is_inside {
+                    self.turn(node);
+                }
+            }
+        }
+    }
+
     /// Marks a node as inside.
     fn turn(&mut self, node: usize) {
         if let Some(distance) = self.distances.get_mut(node) {
@@ -167,31 +189,30 @@ impl Field {
     }
 
     /// Sets the distance of each node from the nearest of these lines.
+    #[inline(never)]
     fn measure(&mut self, lines: &[Line]) {
         let mut nearest = vec![NONE; self.distances.len()];
         for (index, line) in (0..).zip(lines) {
             self.seed(&mut nearest, lines, index, line);
         }
         let (columns, rows) = (self.columns as isize, self.rows as isize);
-        for up in [1, -1] {
+        for sweep in 0..4 {
+            let (up, right) = ([1, -1][sweep / 2], [1, -1][sweep % 2]);
             for row in 0..rows {
                 let row = if up > 0 { row } else { rows - 1 - row };
-                for right in [1, -1] {
-                    for column in 0..columns {
-                        let column = if right > 0 {
-                            column
-                        } else {
-                            columns - 1 - column
-                        };
-                        let below = [(column - right, row)].into_iter();
-                        let below = below.chain((column - 1..=column + 1).map(|x| (x, row - up)));
-                        for (x, y) in below {
-                            if (0..columns).contains(&x) && (0..rows).contains(&y) {
-                                let known = nearest.get((y * columns + x) as usize);
-                                let known = known.copied().unwrap_or(NONE);
-                                let node = [column as usize, row as usize];
-                                self.offer(&mut nearest, lines, node, known);
-                            }
+                for column in 0..columns {
+                    let column = if right > 0 {
+                        column
+                    } else {
+                        columns - 1 - column
+                    };
+                    for (x, y) in [(-right, 0), (-1, -up), (0, -up), (1, -up)] {
+                        let (x, y) = (column + x, row + y);
+                        if (0..columns).contains(&x) && (0..rows).contains(&y) {
+                            let known = nearest.get((y * columns + x) as usize);
+                            let known = known.copied().unwrap_or(NONE);
+                            let node = [column as usize, row as usize];
+                            self.offer(&mut nearest, lines, node, known);
                         }
                     }
                 }
@@ -203,6 +224,7 @@ impl Field {
     }
 
     /// Offers a line to the nodes around it.
+    #[inline(never)]
     fn seed(&mut self, nearest: &mut [u32], lines: &[Line], index: u32, &[one, other]: &Line) {
         let place = |point: Vec2| (point - self.middle + self.half) / self.step;
         let (one, other) = (place(one), place(other));
@@ -230,7 +252,7 @@ impl Field {
     }
 
     /// Makes a line the nearest one of a node if it is nearer.
-    #[inline]
+    #[inline(never)]
     fn offer(
         &mut self,
         nearest: &mut [u32],

@@ -41,6 +41,7 @@ impl Values {
     }
 
     /// Computes the surface of a solid that was `before`.
+    #[inline(never)]
     pub fn settle(&mut self, before: Option<&Solid>) {
         if let Values::Solid(stored) = self {
             let (solid, surface) = &mut **stored;

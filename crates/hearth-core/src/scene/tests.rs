@@ -363,7 +363,7 @@ fn outlines_are_refused_with_their_form_and_masks_share_a_number_of_pixels() {
     let before = scene.clone();
     assert_eq!(
         words(scene.change(id, &[("mask", text("1x1:P"))])),
-        "objects[6].mask = 262145 is refused: it must be smaller: all masks of a scene have at most \
+        "objects[5].mask = 262145 is refused: it must be smaller: all masks of a scene have at most \
          262144 pixels"
     );
     assert_eq!(scene, before);

@@ -22,7 +22,8 @@ class Fire {
   #answers = Promise.resolve();
 
   #fresh(preset) {
-    const state = { preset, model: 'combustion', named: false, values: structuredClone(DEFAULTS) };
+    const objects = [{ id: 1, kind: 'source', width: 3 }, { id: 2, kind: 'solid', width: 5 }];
+    const state = { preset, model: 'combustion', named: false, values: structuredClone(DEFAULTS), objects };
     this.#write(state, PRESETS[preset]);
     return state;
   }
@@ -32,6 +33,10 @@ class Fire {
     if (values.model) state.model = values.model;
     for (const [id, value] of Object.entries(values)) {
       if (id === 'model') continue;
+      if (id === 'objects') {
+        state.objects = structuredClone(value);
+        continue;
+      }
       if (!(id in DEFAULTS.classic)) throw new RangeError(`there is no ${id}`);
       if (!(value <= LARGEST)) throw new RangeError(`${id} = ${value}`);
       const models = OWN.includes(id) ? [state.model] : Object.keys(DEFAULTS);
@@ -42,6 +47,30 @@ class Fire {
 
   get params() {
     return { ...this.#state.values[this.#state.model] };
+  }
+
+  get objects() {
+    return structuredClone(this.#state.objects);
+  }
+
+  addObject(object) {
+    return this.#ask(({ objects }) => {
+      objects.push({ id: 1 + Math.max(0, ...objects.map(({ id }) => id)), ...object });
+    });
+  }
+
+  changeObject(id, properties) {
+    return this.#ask(({ objects }) => {
+      const object = objects.find((one) => one.id === id);
+      if (!object) throw new RangeError(`there is no object ${id}`);
+      Object.assign(object, properties);
+    });
+  }
+
+  removeObject(id) {
+    return this.#ask(({ objects }) => {
+      objects.splice(objects.findIndex((one) => one.id === id), 1);
+    });
   }
 
   /** Does something in its turn: all of it or nothing. */
@@ -72,27 +101,27 @@ class Fire {
   }
 
   exportConfig() {
-    return this.#ask(({ preset, model, named, values }) => {
+    return this.#ask(({ preset, model, named, values, objects }) => {
       const base = this.#fresh(preset).values[model];
       const changed = Object.entries(values[model]).filter(([id, value]) => (
         value !== base[id] || (id === 'max_particles' && named)
       ));
       if (model !== this.#fresh(preset).model) changed.push(['model', model]);
-      return { hearth: 1, preset, values: Object.fromEntries(changed) };
+      return { hearth: 2, preset, values: Object.fromEntries(changed), objects: structuredClone(objects) };
     });
   }
 
-  importConfig({ preset = 'default', values = {} }) {
+  importConfig({ preset = 'default', values = {}, objects = undefined }) {
     return this.#ask(() => {
       const state = this.#fresh(preset);
-      this.#write(state, values);
+      this.#write(state, objects ? { ...values, objects } : values);
       return state;
     });
   }
 }
 
 /** Everything that can be seen of a fire. */
-const seen = async (fire) => ({ config: await fire.exportConfig(), params: fire.params });
+const seen = async (fire) => ({ config: await fire.exportConfig(), params: fire.params, objects: fire.objects });
 
 /** Numbers from 0 to 1 that look random, the same ones each time. */
 function* numbers(seed) {
@@ -118,6 +147,23 @@ function deed(steps, fire, random) {
   ])();
 }
 
+/** One thing that a hand might do to objects, or to a value between. */
+function deedWithObjects(steps, fire, random) {
+  const pick = (list) => list[Math.floor(random.next().value * list.length)];
+  const value = Math.round(random.next().value * 20);
+  const last = () => fire.objects.at(-1);
+  steps.press();
+  return pick([
+    () => steps.set('wind', value),
+    // By then, the object may be gone.
+    () => steps.change(last()?.id, 'width', value).catch(() => {}),
+    () => steps.change(2, 'width', value).catch(() => {}),
+    () => steps.objects(() => fire.addObject({ kind: 'solid', width: 1 })),
+    () => steps.objects(() => fire.objects.length > 0 && fire.removeObject(pick(fire.objects).id)),
+    () => steps.all(() => fire.importConfig({ preset: 'windy' }), REPLACES),
+  ])();
+}
+
 const made = () => {
   const fire = new Fire();
   let changes = 0;
@@ -126,13 +172,13 @@ const made = () => {
 };
 
 describe('the way back', () => {
-  for (const seed of [1, 2, 3, 4, 5, 6, 7, 8]) {
-    test(`leads through the same fires, one after another (${seed})`, async () => {
+  for (const [seed, act] of [1, 2, 3, 4, 5, 6, 7, 8].flatMap((seed) => [deed, deedWithObjects].map((act) => /** @type {const} */ ([seed, act])))) {
+    test(`leads through the same fires, one after another (${act.name}, ${seed})`, async () => {
       const { fire, steps } = made();
       const random = numbers(seed);
       const fires = [await seen(fire)];
       for (let count = 0; count < 25; count += 1) {
-        await deed(steps, fire, random);
+        await act(steps, fire, random);
         const now = await seen(fire);
         if (JSON.stringify(now) !== JSON.stringify(fires.at(-1))) fires.push(now);
       }
@@ -150,11 +196,11 @@ describe('the way back', () => {
       assert.equal(await steps.redo(), false);
     });
 
-    test(`leads back to the first fire, however fast the hand was (${seed})`, async () => {
+    test(`leads back to the first fire, however fast the hand was (${act.name}, ${seed})`, async () => {
       const { fire, steps } = made();
       const random = numbers(seed);
       const first = await seen(fire);
-      await Promise.all(Array.from({ length: 12 }, () => deed(steps, fire, random)));
+      await Promise.all(Array.from({ length: 12 }, () => act(steps, fire, random)));
       const last = await seen(fire);
       while (steps.canUndo) await steps.undo();
       assert.deepEqual(await seen(fire), first);
@@ -190,6 +236,22 @@ describe('a step', () => {
     // And what comes next goes on as if nothing had been.
     await steps.set('wind', 1);
     assert.equal(steps.canUndo, true);
+  });
+
+  test('is a whole drag of a property, and keeps what a page changes meanwhile', async () => {
+    const { fire, steps } = made();
+    steps.press();
+    await Promise.all([6, 7, 8].map((value) => steps.change(2, 'width', value)));
+    await steps.objects(() => fire.removeObject(2));
+    await fire.changeObject(1, { width: 9 });
+    await steps.undo();
+    assert.deepEqual(fire.objects, [{ id: 1, kind: 'source', width: 9 }, { id: 2, kind: 'solid', width: 8 }]);
+    await steps.undo();
+    assert.deepEqual(fire.objects[1], { id: 2, kind: 'solid', width: 5 });
+    assert.equal(steps.canUndo, false);
+    await steps.redo();
+    await steps.redo();
+    assert.deepEqual(fire.objects, [{ id: 1, kind: 'source', width: 9 }]);
   });
 
   test('forgets what was undone before it', async () => {

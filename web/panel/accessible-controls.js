@@ -9,13 +9,9 @@
  */
 
 import { COPIES, COPY_LABELS } from './controller.js';
+import { OBJECTS, mountAccessibleObjects } from './accessible-objects.js';
+import { addQuality, inWords, makeControl } from './native-controls.js';
 import { PARAMETERS } from '../parameters.js';
-
-/** The number of presses of an arrow key that cross a logarithmic range. */
-const LOG_STEPS = 100;
-
-/** The steps of a slider per key. @type {{[key: string]: number | undefined}} */
-const STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 };
 
 /** The parameter that decides which others exist. */
 const MODEL = 'model';
@@ -32,11 +28,8 @@ const DEFAULT_MODEL = /** @type {ModelName} */ (PARAMETERS.find(({ id }) => id =
 /**
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
  * @typedef {import('../parameters.js').Parameter} Parameter
- * @typedef {import('../parameters.js').ParameterDomain} Domain
  * @typedef {import('../parameters.js').ParameterId} Id
  * @typedef {import('../parameters.js').ModelName} ModelName
- * @typedef {import('../parameters.js').HearthParameters[Id]} Value
- * @typedef {(value: Value | undefined, domain: Domain) => void} Show shows a value in a control
  *
  * @typedef {object} AccessibleControls
  * @property {(rectangles: Record<string, number[]>, canvas: DOMRect, scale: number) => void} place
@@ -131,9 +124,13 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
 
   /** @type {HTMLFieldSetElement | undefined} */
   let group;
+  /** @type {import('./accessible-objects.js').AccessibleObjects | undefined} */
+  let objects;
   for (const parameter of shownParameters) {
     const id = parameter.id;
     if (!group || (!limited && group.name !== parameter.group)) {
+      // As on the panel, the objects follow the first group.
+      if (group && !limited && !objects) objects = mountAccessibleObjects({ root, fire, controller, reveal, addButton, places });
       group = document.createElement('fieldset');
       group.name = limited ? 'Controls' : parameter.group;
       const legend = document.createElement('legend');
@@ -165,7 +162,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
       if (domain) show(value, domain);
       const excluded = Object.entries(parameter.unless ?? {});
       const isExcluded = excluded.length > 0 && excluded.every(isChosen);
-      const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map(inWords).join(' and ');
+      const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map((one) => inWords(one, PARAMETERS)).join(' and ');
       note.textContent = missing.length > 0 ? `Only with ${list(missing)}` : isExcluded ? `Not with ${list(excluded)}` : '';
       row.classList.toggle('idle', missing.length > 0 || isExcluded);
     });
@@ -177,8 +174,9 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
 
   const showAll = () => {
     for (const show of shows.values()) show();
+    objects?.show();
     for (const set of root.querySelectorAll('fieldset')) {
-      set.hidden = [...set.querySelectorAll('.row')].every((row) => /** @type {HTMLElement} */ (row).hidden);
+      set.hidden = set.name !== OBJECTS && [...set.querySelectorAll('.row')].every((row) => /** @type {HTMLElement} */ (row).hidden);
     }
     showPlaying();
     showQuality();
@@ -201,6 +199,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     play: showPlaying,
     pause: showPlaying,
     'params-change': changed,
+    'objects-change': () => objects?.show(),
     'quality-change': showQuality,
     error: failed,
     restored: () => announce(''),
@@ -212,6 +211,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     const state = controller.state;
     // Another scene has other values to reset to.
     if (state.preset !== preset) showAll();
+    else objects?.show();
     preset = state.preset;
     // A disabled button would lose the focus.
     undo.setAttribute('aria-disabled', String(!state.undo));
@@ -252,156 +252,5 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
       controller.removeEventListener('change', showState);
       root.remove();
     },
-  };
-}
-
-let made = 0;
-
-/**
- * The labelled list of qualities.
- *
- * @param {HTMLElement} root
- * @param {(name: string) => void} set
- */
-function addQuality(root, set) {
-  const row = document.createElement('div');
-  row.className = 'row';
-  const label = document.createElement('label');
-  label.textContent = 'Quality';
-  const control = document.createElement('select');
-  made += 1;
-  control.id = `hearth-controls-${made}`;
-  label.htmlFor = control.id;
-  control.dataset.action = 'quality';
-  list({ choices: ['auto', 'low', 'medium', 'high'] }, control, (name) => set(String(name)));
-  row.append(label, control);
-  root.append(row);
-  return control;
-}
-
-/**
- * One parameter's labelled control.
- *
- * @param {Parameter} parameter
- * @param {(value: Value) => void} set
- */
-function makeControl(parameter, set) {
-  const row = document.createElement('div');
-  row.className = 'row';
-  const label = document.createElement('label');
-  // The unit is part of a slider's value.
-  label.textContent = parameter.label;
-  made += 1;
-  label.htmlFor = `hearth-controls-${made}`;
-  const input = document.createElement('input');
-  const select = document.createElement('select');
-  const control = parameter.kind === 'choice' ? select : input;
-  control.id = label.htmlFor;
-  // Says why the parameter has no effect at present.
-  const note = document.createElement('small');
-  note.id = `${control.id}-note`;
-  control.setAttribute('aria-describedby', note.id);
-  row.append(label, control, note);
-  return { row, control, note, show: bind() };
-
-  /** Sets up the control for the kind of its parameter. @returns {Show} */
-  function bind() {
-    switch (parameter.kind) {
-      case 'choice':
-        return list(parameter, select, set);
-      case 'flag':
-        return box(input, set);
-      case 'colour':
-      case 'seed':
-        return field(parameter, input, set);
-      default:
-        return slider(parameter, input, set);
-    }
-  }
-}
-
-/** A condition in words: the label of a choice and some of its names. @param {[string, string[]]} chosen */
-function inWords([id, names]) {
-  const label = PARAMETERS.find((parameter) => parameter.id === id)?.label ?? id;
-  const [last, ...others] = [...names].reverse();
-  const before = others.length > 0 ? `${others.reverse().join(', ')} or ` : '';
-  return `${label.toLowerCase()} ${before}${last}`;
-}
-
-/** @type {(parameter: Parameter, control: HTMLInputElement, set: (value: Value) => void) => Show} */
-function slider(parameter, control, set) {
-  let { min = 0, max = 1 } = parameter;
-  control.type = 'range';
-  control.step = parameter.kind === 'integer' ? '1' : 'any';
-  // Screen readers read the value from the slider.
-  const output = document.createElement('span');
-  output.className = 'value';
-  output.setAttribute('aria-hidden', 'true');
-  control.after(output);
-  const showText = () => {
-    const text = `${Number(Number(control.value).toPrecision(4))} ${parameter.unit}`.trim();
-    output.textContent = text;
-    control.setAttribute('aria-valuetext', text);
-  };
-  control.addEventListener('input', () => {
-    showText();
-    set(Number(control.value));
-  });
-  if (parameter.scale === 'log') {
-    // Each press is an equal ratio, as on the panel. The browser's equal differences would skip the
-    // lower half of the range.
-    control.addEventListener('keydown', (event) => {
-      const ratio = (max / min) ** (1 / LOG_STEPS);
-      const up = STEPS[event.key];
-      if (!up || event.ctrlKey || event.altKey || event.metaKey) return;
-      event.preventDefault();
-      const old = Number(control.value);
-      let next = Number((old * ratio ** up).toPrecision(4));
-      if (parameter.kind === 'integer') {
-        next = Math.round(next) === old ? old + up : Math.round(next);
-      }
-      control.value = String(Math.min(max, Math.max(min, next)));
-      control.dispatchEvent(new Event('input', { bubbles: true }));
-    });
-  }
-  return (value, domain) => {
-    ({ min = 0, max = 1 } = domain);
-    control.min = String(min);
-    control.max = String(max);
-    if (value === undefined) return;
-    control.value = String(value);
-    showText();
-  };
-}
-
-/** @type {(parameter: Pick<Parameter, 'choices'>, control: HTMLSelectElement, set: (value: Value) => void) => Show} */
-function list(parameter, control, set) {
-  for (const name of parameter.choices ?? []) control.add(new Option(name, name));
-  control.addEventListener('change', () => set(control.value));
-  return (value) => {
-    if (value !== undefined) control.value = String(value);
-  };
-}
-
-/** @type {(control: HTMLInputElement, set: (value: Value) => void) => Show} */
-function box(control, set) {
-  control.type = 'checkbox';
-  control.addEventListener('change', () => set(control.checked));
-  return (value) => {
-    control.checked = Boolean(value);
-  };
-}
-
-/** @type {(parameter: Parameter, control: HTMLInputElement, set: (value: Value) => void) => Show} */
-function field(parameter, control, set) {
-  control.type = parameter.kind === 'seed' ? 'number' : 'text';
-  control.spellcheck = false;
-  control.addEventListener('focus', () => control.select());
-  control.addEventListener('change', () => {
-    const seed = parameter.kind === 'seed' && control.value !== '';
-    set(seed ? Number(control.value) : control.value);
-  });
-  return (value) => {
-    if (value !== undefined) control.value = String(value);
   };
 }

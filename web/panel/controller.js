@@ -8,9 +8,10 @@
 import { askForSettings, showKeys, showText } from './cards.js';
 import { showScenes } from './scenes.js';
 import { remember, remembered } from './memory.js';
-import { FURNISHED } from '../generated/objects.js';
+import { copyOf, newObject, objectsOf } from './objects.js';
 import { PARAMETERS, PRESETS } from '../parameters.js';
 import { Report } from './report.js';
+import { DOMAINS, MODEL, hasSceneObjects, modelDefault, presetOf, sceneObjects, sceneOf, sceneProperty, sceneValue, valuesOf } from './scene.js';
 import { UndoHistory } from './undo-history.js';
 import { FILE as SHARE, elementCode, iframeCode, pageLink } from '../share.js';
 
@@ -24,18 +25,6 @@ const FOLDER = /^https?:/.test(SHARE) && SHARE.split('?')[0] === new URL('../sha
 
 /** How long a button confirms its action [ms]. */
 const DONE_MS = 2000;
-
-/** @type {Map<string, Domains>} */
-const DOMAINS = new Map(PARAMETERS.map(({ id, domains }) => [id, domains]));
-
-/** The parameter that decides which others apply. */
-const MODEL = /** @type {import('../parameters.js').Parameter} */ (PARAMETERS.find(({ id }) => id === 'model'));
-
-/** The model of a fire without one. */
-const DEFAULT_MODEL = /** @type {ModelName} */ (MODEL.default);
-
-/** The fields of a domain. */
-const FIELDS = /** @type {const} */ (['default', 'min', 'max']);
 
 /** The events after which the scene may have changed. */
 const CHANGES = ['ready', 'params-change', 'objects-change'];
@@ -53,15 +42,17 @@ export const COPY_LABELS = {
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
  * @typedef {import('../hearth-fire.js').HearthConfig} HearthConfig
  * @typedef {import('../parameters.js').ParameterId} Id
- * @typedef {import('../parameters.js').ModelName} ModelName
+ * @typedef {import('./objects.js').Fields} Fields
+ * @typedef {import('./objects.js').Kind} Kind
  * @typedef {import('../parameters.js').HearthParameters[Id]} Value
  * @typedef {Partial<import('../parameters.js').HearthParameters>} Values
- * @typedef {import('../parameters.js').Parameter['domains']} Domains
  *
  * @typedef {object} State  What the panel shows of the controller.
  * @property {string} scene  The label of the scene, with a note if the fire has changed since.
  * @property {string} preset  The label of the scene.
  * @property {Values} values  The values of the scene.
+ * @property {Fields[]} objects  The objects of the scene.
+ * @property {number} [selected]  The id of the selected object.
  * @property {boolean} undo
  * @property {boolean} redo
  * @property {boolean} link  Whether the page has a URL that shows this fire.
@@ -88,6 +79,8 @@ export class PanelController extends EventTarget {
   #card;
   #scene = '';
   #preset = '';
+  /** @type {number | undefined} */
+  #selected;
 
   /** The value under the pointer and its label; undefined without one. @type {() => string[] | undefined} */
   hovered = () => undefined;
@@ -124,6 +117,8 @@ export class PanelController extends EventTarget {
       scene: this.#scene,
       preset: presetOf(this.#fire)?.label ?? '',
       values: valuesOf(this.#fire),
+      objects: sceneObjects(this.#fire),
+      selected: this.#selected,
       undo: this.#history.canUndo,
       redo: this.#history.canRedo,
       link: this.#page !== undefined,
@@ -160,7 +155,71 @@ export class PanelController extends EventTarget {
     return this.#history.restore(id);
   }
 
-  /** Resets the parameters that the panel shows to their values in the scene. The model stays. */
+  /** The selected object. @returns {Fields | undefined} */
+  get selected() {
+    return objectsOf(this.#fire).find(({ id }) => id === this.#selected);
+  }
+
+  /** Selects an object, or none. @param {number} [id] */
+  select(id) {
+    if (id === this.#selected) return;
+    this.#selected = id;
+    this.#changed();
+  }
+
+  /** Sets a property of an object. @type {(id: number, name: string, value: Value) => Promise<void>} */
+  change(id, name, value) {
+    return this.#history.change(id, name, value);
+  }
+
+  /**
+   * The value of a property in the scene; its default in an object that the scene lacks.
+   * @type {(object: Fields, name: string) => Value | undefined}
+   */
+  propertyOf(object, name) {
+    return sceneProperty(this.#fire, object, name);
+  }
+
+  /** Resets a property of an object to its value in the scene. @type {(id: number, name: string) => Promise<void>} */
+  async restoreProperty(id, name) {
+    const object = objectsOf(this.#fire).find((one) => one.id === id);
+    const value = object && this.propertyOf(object, name);
+    if (value !== undefined) await this.change(id, name, value);
+  }
+
+  /** Adds an object of a kind beside the fire, and selects it. @param {Kind} kind */
+  add(kind) {
+    return this.#add(() => newObject(this.#fire, kind));
+  }
+
+  /** Adds an object like another one beside it, and selects it. @param {number} id */
+  duplicate(id) {
+    return this.#add(() => {
+      const object = objectsOf(this.#fire).find((one) => one.id === id);
+      return object && copyOf(this.#fire, object);
+    });
+  }
+
+  /** Removes an object. @param {number} id */
+  remove(id) {
+    return this.#history.objects(() => this.#fire.removeObject(id));
+  }
+
+  /** @param {() => object | undefined} fields */
+  async #add(fields) {
+    /** @type {number | undefined} */
+    let id;
+    await this.#history.objects(async () => {
+      const object = /** @type {import('../parameters.js').HearthObject | undefined} */ (fields());
+      if (object) id = await this.#fire.addObject(object);
+    });
+    if (id !== undefined) this.select(id);
+  }
+
+  /**
+   * Resets the parameters that the panel shows to their values in the scene, and the objects, if it shows
+   * them. The model stays.
+   */
   restoreAll() {
     const fire = this.#fire;
     const now = fire.params;
@@ -168,6 +227,7 @@ export class PanelController extends EventTarget {
     const defaults = ids.filter((id) => this.defaultOf(id) === modelDefault(id, now.model));
     const others = ids.filter((id) => !defaults.includes(id) && this.defaultOf(id) !== now[id]);
     return this.#history.all(async () => {
+      if (!this.only && !hasSceneObjects(fire)) await fire.set({ objects: /** @type {any[]} */ (sceneObjects(fire)) });
       if (defaults.length > 0) await fire.restore(...defaults);
       if (others.length > 0) await fire.set(Object.fromEntries(others.map((id) => [id, this.defaultOf(id)])));
     }, { replaces: false });
@@ -317,8 +377,10 @@ export class PanelController extends EventTarget {
   #update = () => {
     this.#card?.mark?.();
     const [scene, preset] = [sceneOf(this.#fire), this.#fire.preset];
-    if (scene === this.#scene && preset === this.#preset) return;
+    const isGone = this.#selected !== undefined && !this.selected;
+    if (scene === this.#scene && preset === this.#preset && !isGone) return;
     [this.#scene, this.#preset] = [scene, preset];
+    if (isGone) this.#selected = undefined;
     this.#changed();
   };
 
@@ -382,52 +444,9 @@ export class PanelController extends EventTarget {
   }
 }
 
-/** The default of a parameter in a model. @type {(id: Id, model: ModelName) => Value | undefined} */
-function modelDefault(id, model) {
-  return DOMAINS.get(id)?.[model]?.default;
-}
-
 /** @type {(id: string) => id is Id} */
 function isParameter(id) {
   return DOMAINS.has(id);
-}
-
-/** The scene that a fire started from. @param {Pick<HearthFire, 'preset' | 'params'>} fire */
-function presetOf({ preset: name = 'default' }) {
-  return PRESETS.find((preset) => preset.name === name);
-}
-
-/** The values that the scene sets, with its model. @param {Pick<HearthFire, 'preset' | 'params'>} fire @returns {Values} */
-function valuesOf(fire) {
-  return { model: DEFAULT_MODEL, ...presetOf(fire)?.values };
-}
-
-/**
- * The value of a parameter in the scene and the current model. If the scene has another model, its values
- * apply to the parameters with the same domain in both.
- * @type {(fire: Pick<HearthFire, 'preset' | 'params'>, id: Id) => Value | undefined}
- */
-function sceneValue(fire, id) {
-  const values = valuesOf(fire);
-  /** @type {Domains} */
-  const domains = DOMAINS.get(id) ?? {};
-  const domain = domains[fire.params?.model ?? DEFAULT_MODEL];
-  const sceneDomain = domains[values.model ?? DEFAULT_MODEL];
-  const shared = sceneDomain && FIELDS.every((field) => sceneDomain[field] === domain?.[field]);
-  return domain && ((domain === sceneDomain || shared) ? values[id] ?? domain.default : domain.default);
-}
-
-/**
- * The label of the scene that a fire started from, with a note if the fire has changed since.
- * @param {Pick<HearthFire, 'preset' | 'params' | 'objects'>} fire
- */
-function sceneOf(fire) {
-  const scene = presetOf(fire);
-  if (!scene) return '';
-  const { params } = fire;
-  const same = PARAMETERS.every(({ id }) => [undefined, params?.[id]].includes(sceneValue(fire, id)));
-  const number = FURNISHED[scene.name] ?? 1;
-  return same && (fire.objects?.length ?? number) === number ? scene.label : `${scene.label}, changed`;
 }
 
 /** The URL of a file beside `hearth-fire.js`. @param {string} file */

@@ -4,11 +4,13 @@
  * A step is one gesture: a drag of a slider, a typed value, a press of a button. A page's own script
  * may change values sixty times a second, so its changes are not steps, and undoing one value keeps
  * them. A command that replaces all values, such as a preset or pasted settings, is undone as a
- * whole.
+ * whole. A step that adds or removes objects restores which there are; those that stay keep their values.
  *
  * The fire answers in order, so a step knows what it changed without another request. A step that
  * changes all values waits for the steps before it, and later steps wait for it.
  */
+
+import { objectsOf } from './objects.js';
 
 /** The maximum number of steps. */
 const MAX_STEPS = 200;
@@ -27,17 +29,21 @@ const MODEL = 'model';
  * @typedef {import('../parameters.js').ModelName} ModelName
  * @typedef {import('../parameters.js').HearthParameters[Id]} Value
  * @typedef {Partial<import('../parameters.js').HearthParameters>} Values
- * @typedef {Pick<HearthFire, 'params' | 'set' | 'restore' | 'exportConfig' | 'importConfig'>} Fire
+ * @typedef {import('./objects.js').Fields} Fields
+ * @typedef {Pick<HearthFire, 'params' | 'objects' | 'set' | 'restore' | 'changeObject' | 'exportConfig' | 'importConfig'>} Fire
  *   the part of the element's API that an undo history uses
  *
  * @typedef {object} Step
- * @property {Id} [id]  The parameter of a step that changes one.
+ * @property {string} [key]  What a step that changes one value changes: a parameter, or a property of an object.
  * @property {number} gesture  The number of the press of a key or a button that began it.
  * @property {Side} before
  * @property {Side} after
  *
  * @typedef {object} Side
- * @property {Values} values  The values of the step, or all values.
+ * @property {Value} [value]  The value of a step that changes one.
+ * @property {Values} [values]  The value with the model, or all values.
+ * @property {{id: number, name: string}} [property]  The property that has the value.
+ * @property {Fields[]} [objects]  All objects, if a step adds or removes some.
  * @property {boolean} [named]  Whether the number or the spacing of a step that changes it is set.
  * @property {HearthConfig} [config]  The settings, if all may have changed.
  * @property {Map<ModelName, Values>} [kept]  The last known values of the other models: settings hold those
@@ -57,7 +63,7 @@ export class UndoHistory {
   /** @type {Step[]} */
   #undone = [];
   #gesture = 0;
-  /** Values without an answer yet, with the number of calls. @type {Map<Id, {value: Value | undefined, count: number}>} */
+  /** Values without an answer yet, with the number of calls. @type {Map<string, {value: Value | undefined, count: number}>} */
   #pending = new Map();
   /** @type {Set<Promise<unknown>>} */
   #running = new Set();
@@ -96,7 +102,7 @@ export class UndoHistory {
 
   /** @type {(id: Id, value: Value) => Promise<void>} */
   set(id, value) {
-    return this.#one({ id, named: true, target: () => value, act: () => this.#fire.set(id, value) });
+    return this.#value(id, true, () => value, () => this.#fire.set(id, value));
   }
 
   /**
@@ -108,7 +114,37 @@ export class UndoHistory {
     // The default number of particles follows the quality again, and any spacing of a scene does.
     const isDefault = () => id === SPACING || target() === this.#defaultOf(id, this.#fire.params[MODEL]);
     const act = () => (isDefault() ? this.#fire.restore(id) : this.#fire.set(id, /** @type {Value} */ (target())));
-    return this.#one({ id, named: !ofResolution(id) || !isDefault(), target, act });
+    return this.#value(id, !ofResolution(id) || !isDefault(), target, act);
+  }
+
+  /** Sets a property of an object. @type {(id: number, name: string, value: Value) => Promise<void>} */
+  async change(id, name, value) {
+    const gesture = this.#gesture;
+    while (this.#gate) await this.#gate;
+    return this.#change({
+      key: `${id}.${name}`,
+      gesture,
+      now: () => objectsOf(this.#fire).find((one) => one.id === id)?.[name],
+      target: value,
+      side: (value) => ({ value, property: { id, name } }),
+      act: () => this.#fire.changeObject(id, { [name]: value }),
+    });
+  }
+
+  /**
+   * Does something that adds or removes objects.
+   * @param {() => unknown} act
+   * @returns {Promise<void>}
+   */
+  objects(act) {
+    const gesture = this.#gesture;
+    return this.#alone(async () => {
+      const before = { objects: objectsOf(this.#fire) };
+      await act();
+      const after = { objects: objectsOf(this.#fire) };
+      const ids = (/** @type {{objects: Fields[]}} */ { objects }) => objects.map(({ id }) => id).join();
+      if (ids(before) !== ids(after)) this.#record({ gesture, before, after });
+    });
   }
 
   /**
@@ -143,42 +179,57 @@ export class UndoHistory {
 
   /**
    * @typedef {object} Change  Of one value.
-   * @property {Id} id
-   * @property {boolean} named  Whether the value counts as set from then on.
-   * @property {() => Value | undefined} target  The new value.
+   * @property {string} key
+   * @property {number} gesture
+   * @property {() => Value | undefined} now
+   * @property {Value | undefined} target  The new value.
+   * @property {(value: Value | undefined) => Side} side  What sets a value again.
    * @property {() => unknown} act
    */
 
-  /** @type {(change: Change) => Promise<void>} */
-  async #one(change) {
+  /**
+   * Changes the value of a parameter.
+   * @param {Id} id
+   * @param {boolean} named  Whether the value counts as set from then on.
+   * @param {() => Value | undefined} target
+   * @param {() => unknown} act
+   */
+  async #value(id, named, target, act) {
     const gesture = this.#gesture;
+    const change = async () => {
+      const now = this.#fire.params;
+      const model = now[MODEL];
+      if (id === MODEL) this.#kept.set(model, now);
+      // The answers are in order, so these are the settings before the change.
+      const config = ofResolution(id) ? this.#fire.exportConfig() : undefined;
+      const value = target();
+      const wasNamed = async () => !ofResolution(id) || (await config)?.values[id] !== undefined;
+      const side = (/** @type {Value | undefined} */ value) => ({ value, values: { [MODEL]: model, [id]: value }, named });
+      return this.#change({ key: id, gesture, now: () => now[id], target: value, side, act }, wasNamed);
+    };
     // Another model has other values.
-    if (change.id === MODEL) return this.#alone(() => this.#change(change, gesture));
+    if (id === MODEL) return this.#alone(change);
     while (this.#gate) await this.#gate;
-    return this.#change(change, gesture);
+    return change();
   }
 
-  /** @type {(change: Change, gesture: number) => Promise<void>} */
-  async #change({ id, named, target, act }, gesture) {
-    const now = this.#fire.params;
-    const model = now[MODEL];
-    const value = target();
-    if (id === MODEL) this.#kept.set(model, now);
-    const pending = this.#pending.get(id) ?? { value: now[id], count: 0 };
-    const before = { values: { [MODEL]: model, [id]: pending.value } };
-    const after = { values: { [MODEL]: model, [id]: value }, named };
-    this.#pending.set(id, { value, count: pending.count + 1 });
-    // The answers are in order, so these are the settings before the change.
-    const config = ofResolution(id) ? this.#fire.exportConfig() : undefined;
+  /**
+   * @param {Change} change
+   * @param {() => Promise<boolean>} [wasNamed]  Whether the value counted as set before.
+   */
+  async #change({ key, gesture, now, target, side, act }, wasNamed) {
+    const pending = this.#pending.get(key) ?? { value: now(), count: 0 };
+    const before = side(pending.value);
+    this.#pending.set(key, { value: target, count: pending.count + 1 });
     const answer = this.#started(Promise.resolve(act()));
     try {
       await answer;
-      const wasNamed = !ofResolution(id) || (await config)?.values[id] !== undefined;
-      this.#record({ id, gesture, before: { ...before, named: wasNamed }, after });
+      if (wasNamed) before.named = await wasNamed();
+      this.#record({ key, gesture, before, after: side(target) });
     } finally {
-      const left = this.#pending.get(id);
+      const left = this.#pending.get(key);
       if (left && left.count > 1) left.count -= 1;
-      else this.#pending.delete(id);
+      else this.#pending.delete(key);
     }
   }
 
@@ -186,7 +237,7 @@ export class UndoHistory {
   #record(step) {
     const last = this.#done.at(-1);
     const continues = last && this.#undone.length === 0 && last.gesture === step.gesture
-      && step.id !== undefined && last.id === step.id;
+      && step.key !== undefined && last.key === step.key;
     if (continues) {
       last.after = step.after;
       if (isSame(last)) this.#done.pop();
@@ -215,8 +266,16 @@ export class UndoHistory {
   }
 
   /** @param {Side} side */
-  async #apply({ values, named, config, kept }) {
+  async #apply({ value, values, property, objects, named, config, kept }) {
     const fire = this.#fire;
+    if (property) await fire.changeObject(property.id, { [property.name]: value });
+    if (objects) {
+      // Objects that are there keep what a page has changed meanwhile.
+      const now = objectsOf(fire);
+      const list = objects.map((one) => now.find(({ id, kind }) => id === one.id && kind === one.kind) ?? one);
+      await fire.set({ objects: /** @type {any[]} */ (list) });
+    }
+    if (!values) return;
     if (config) await fire.importConfig(config);
     if (kept) await this.#applyKept(kept, values[MODEL]);
     const now = fire.params;
@@ -298,6 +357,6 @@ function ofResolution(id) {
 }
 
 /** Whether a step that changes one value changes nothing. @param {Step} step */
-function isSame({ id, before, after }) {
-  return id !== undefined && Object.is(before.values[id], after.values[id]) && before.named === after.named;
+function isSame({ key, before, after }) {
+  return key !== undefined && Object.is(before.value, after.value) && before.named === after.named;
 }

@@ -1,9 +1,9 @@
 //! Texts about costly values, speed and the number of particles.
 
-use hearth_core::params::{Model, Param};
+use hearth_core::params::Model;
 
 use crate::format::{count_text, significant};
-use crate::state::Fire;
+use crate::state::{Fire, Subject};
 
 /// The start of the costly values, which is far above every default.
 const COSTLY: &[(&str, f64)] = &[
@@ -24,10 +24,10 @@ const ASLEEP: f64 = 0.005;
 const NEARLY: f64 = 0.95;
 
 /// The start of a parameter's costly values, if it has any.
-pub fn costly_from(param: &Param) -> Option<f64> {
+pub fn costly_from(subject: Subject) -> Option<f64> {
     COSTLY
         .iter()
-        .find(|(id, _)| *id == param.id)
+        .find(|(id, _)| *id == subject.id)
         .map(|&(_, from)| from)
 }
 
@@ -67,9 +67,9 @@ pub fn speed(fire: &Fire) -> Option<String> {
     ))
 }
 
-/// A note on the value of a parameter, if there is one.
-pub fn note(fire: &Fire, param: &Param, value: f64) -> Option<String> {
-    if param.id == "max_particles"
+/// A note on a value, if there is one.
+pub fn note(fire: &Fire, subject: Subject, value: f64) -> Option<String> {
+    if subject.id == "max_particles"
         && fire.parameters.model() == Model::Classic
         && fire.stats.particles > 0.0
         && fire.stats.particles < NEARLY * value
@@ -79,9 +79,9 @@ pub fn note(fire: &Fire, param: &Param, value: f64) -> Option<String> {
             count_text(fire.stats.particles)
         ));
     }
-    let costly = match param.id {
+    let costly = match subject.id {
         "spacing" => fire.parameters.frame_particles() >= COSTLY_IN_FRAME,
-        _ => costly_from(param).is_some_and(|from| value >= from),
+        _ => costly_from(subject).is_some_and(|from| value >= from),
     };
     match (costly, speed(fire)) {
         (true, Some(speed)) => Some(format!("Expensive value: the fire runs at {speed}")),

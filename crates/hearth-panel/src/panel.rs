@@ -10,7 +10,6 @@ use std::collections::BTreeMap;
 
 use egui::style::ScrollAnimation;
 use egui::{Align, Frame, Margin, Rect, ScrollArea, Ui, UiBuilder, pos2, vec2};
-use hearth_core::params::Param;
 
 use crate::state::{Command, State};
 use crate::theme::{self, Measures};
@@ -128,9 +127,9 @@ impl Panel {
 
     /// The text of the value under the pointer, and its label.
     pub fn hovered_value(&self) -> Option<(String, &'static str)> {
-        let param = Param::find(self.output.hovered?)?;
-        let value = param.get(&self.state.fire.parameters).to_string();
-        Some((value, param.description().label))
+        let subject = self.output.hovered?;
+        let value = self.state.fire.value(subject).to_string();
+        Some((value, subject.param.description().label))
     }
 
     /// The position of each visible control in points. The page's accessible controls and

@@ -4,7 +4,10 @@
 //! then at the start of a word of the label or the id, then as a synonym, then in unit, group or
 //! description. The search ignores case and accepts British and American spelling.
 
-use hearth_core::params::Param;
+use hearth_core::params::{Model, Param, Property};
+use hearth_core::scene::Kind;
+
+use crate::state::objects::has_row;
 
 /// Synonyms of the words in labels and ids.
 const SYNONYMS: &[(&str, &[&str])] = &[
@@ -81,17 +84,34 @@ const SPELLINGS: &[(&str, &str)] = &[
 /// The rank of `param` for `query`, the lowest the best; `None` if it does not match. An empty
 /// query matches every parameter with the same rank.
 pub fn rank(query: &str, param: &Param) -> Option<u32> {
-    let about = Words::of(param);
-    query
-        .to_lowercase()
-        .split_whitespace()
-        .map(|word| about.rank(word))
-        .sum()
+    Words::of(param).rank_all(query)
 }
 
 /// Whether `param` matches `query`.
 pub fn matches(query: &str, param: &Param) -> bool {
     rank(query, param).is_some()
+}
+
+/// The properties of a kind that match `query` and that `model` uses, the best match first. The
+/// name of the kind matches as well.
+pub fn properties(query: &str, kind: &Kind, model: Model) -> Vec<&'static Property> {
+    let rank = |property: &'static Property| {
+        let mut about = Words::of(property.param(model)?);
+        about.id = format!("{} {}", kind.name, property.name.replace('_', " "));
+        Some((about.rank_all(query)?, property))
+    };
+    let shown = kind.properties.iter();
+    let shown = shown.filter(|property| has_row(property, model));
+    let mut found: Vec<_> = shown.filter_map(rank).collect();
+    found.sort_by_key(|(rank, _)| *rank);
+    found.into_iter().map(|(_, property)| property).collect()
+}
+
+/// Whether the name of an object has every word of `query`.
+pub fn names(query: &str, name: &str) -> bool {
+    let name = name.to_lowercase();
+    let query = query.to_lowercase();
+    query.split_whitespace().all(|word| name.contains(word))
 }
 
 /// The searched texts of a parameter in lower case.
@@ -117,6 +137,11 @@ impl Words {
             )
             .to_lowercase(),
         }
+    }
+
+    fn rank_all(&self, query: &str) -> Option<u32> {
+        let query = query.to_lowercase();
+        query.split_whitespace().map(|word| self.rank(word)).sum()
     }
 
     fn rank(&self, typed: &str) -> Option<u32> {

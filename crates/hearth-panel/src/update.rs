@@ -1,9 +1,9 @@
 //! Applies the actions of the views to the state.
 
-use hearth_core::params::{Input, Param};
+use hearth_core::params::{Input, Value};
 
 use crate::state::fire::Entry;
-use crate::state::{Action, Command, State};
+use crate::state::{Action, Command, State, Subject};
 
 /// Applies `action` to `state`, and adds the commands for the host to `commands`.
 pub fn apply(state: &mut State, commands: &mut Vec<Command>, action: Action) {
@@ -21,14 +21,18 @@ impl Update<'_> {
         let open = &mut self.state.open;
         match action {
             Action::Send(command) => self.send(command),
-            Action::Set(param, entry) => self.set(param, &entry, true),
-            Action::Slide(param, entry) => self.set(param, &entry, false),
-            Action::Choose(param, name) => self.choose(param, name),
-            Action::Restore(param) => {
+            Action::Set(subject, entry) => self.set(subject, &entry, true),
+            Action::Slide(subject, entry) => self.set(subject, &entry, false),
+            Action::Choose(subject, name) => self.choose(subject, name),
+            Action::Restore(subject) => {
                 open.field = None;
-                self.state.fire.refusals.remove(param.id);
-                self.send(Command::Restore(param.id));
+                self.state.fire.refusals.remove(subject.id);
+                self.send(match subject.object {
+                    None => Command::Restore(subject.id),
+                    Some(_) => Command::RestoreProperty(subject),
+                });
             }
+            Action::Select(id) => self.select(id),
             Action::RestoreAll => {
                 open.field = None;
                 self.state.fire.refusals.clear();
@@ -44,12 +48,12 @@ impl Update<'_> {
             }
             Action::OpenField(field) => open.field = Some(field),
             Action::Type(field) => {
-                if open.field_of(field.id).is_some() {
+                if open.field_of(field.subject).is_some() {
                     open.field = Some(field);
                 }
             }
             Action::CloseField(id) => {
-                open.field.take_if(|field| field.id == id);
+                open.field.take_if(|field| field.subject.id == id);
             }
             Action::Refuse(id, reason) => {
                 let refusals = &mut self.state.fire.refusals;
@@ -95,20 +99,47 @@ impl Update<'_> {
     }
 
     /// Sets a value and sends it: `always`, or only a change. A refused value is not sent.
-    fn set(&mut self, param: &'static Param, entry: &Entry, always: bool) {
-        let before = param.get(&self.state.fire.parameters);
-        if let Ok(now) = self.state.fire.set(param, entry.input())
+    fn set(&mut self, subject: Subject, entry: &Entry, always: bool) {
+        let before = self.state.fire.value(subject);
+        if let Ok(now) = self.state.fire.set(subject, entry.input())
             && (always || now != before)
         {
-            self.state.open.field.take_if(|field| field.id == param.id);
-            self.send(Command::Set(param.id, now));
+            let field = &mut self.state.open.field;
+            field.take_if(|field| field.subject == subject);
+            self.send_value(subject, now);
         }
     }
 
-    fn choose(&mut self, param: &'static Param, name: &'static str) {
-        if let Ok(now) = self.state.fire.set(param, Input::Text(name)) {
-            self.state.anchor.chosen = Some(param.id);
-            self.send(Command::Set(param.id, now));
+    fn choose(&mut self, subject: Subject, name: &'static str) {
+        if let Ok(now) = self.state.fire.set(subject, Input::Text(name)) {
+            self.state.anchor.chosen = Some(subject.id);
+            self.send_value(subject, now);
         }
+    }
+
+    fn send_value(&mut self, subject: Subject, now: Value) {
+        self.send(match subject.object {
+            None => Command::Set(subject.id, now),
+            Some(_) => Command::Change(subject, now),
+        });
+    }
+
+    /// Selects an object. What was typed for another one counts, and what was open of it closes:
+    /// the rows of both have the same names.
+    fn select(&mut self, id: Option<u32>) {
+        let field = self.state.open.field.take();
+        if let Some(field) = field.filter(|field| field.subject.object.is_some())
+            && field.text != field.before
+        {
+            let entry = self.state.fire.typed(field.subject, &field.text);
+            self.set(field.subject, &entry, false);
+        }
+        let parameters = |id: &str| Subject::is_parameter(id);
+        self.state.fire.refusals.retain(|id, _| parameters(id));
+        let open = &mut self.state.open;
+        open.choice = open.choice.filter(|id| parameters(id));
+        open.description = open.description.filter(|id| parameters(id));
+        self.state.selected = id;
+        self.send(Command::Select(id));
     }
 }

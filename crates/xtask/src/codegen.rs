@@ -42,6 +42,10 @@ fn generate() -> Result<Vec<Generated>> {
         ("web/generated/between.js", javascript::between()),
         ("web/generated/objects.js", javascript::objects(&scenes)),
         ("web/generated/properties.js", javascript::properties()),
+        (
+            "web/generated/scene-objects.js",
+            javascript::scene_objects(&scenes),
+        ),
         ("web/generated/version.js", javascript::version()),
         ("web/parameters.d.ts", typescript::declarations(&scenes)),
         ("docs/element.md", stats::page()?),

@@ -1,25 +1,24 @@
 //! The actions that views return.
 
-use hearth_core::params::Param;
-
 use crate::state::command::Command;
 use crate::state::fire::Entry;
 use crate::state::open::{Field, OpenColour};
+use crate::state::subject::Subject;
 
 /// An input that a view has recognised.
 #[derive(Clone, Debug)]
 pub enum Action {
     /// Send a command to the host.
     Send(Command),
-    /// Set a parameter and close its field.
-    Set(&'static Param, Entry),
-    /// Set a parameter by dragging: a value that does not change is not sent.
-    Slide(&'static Param, Entry),
+    /// Set a value and close its field.
+    Set(Subject, Entry),
+    /// Set a value by dragging: a value that does not change is not sent.
+    Slide(Subject, Entry),
     /// Set a choice, whose row then keeps its place.
-    Choose(&'static Param, &'static str),
-    /// Reset a parameter to the scene's value.
-    Restore(&'static Param),
-    /// Reset all parameters.
+    Choose(Subject, &'static str),
+    /// Reset a value to the scene's.
+    Restore(Subject),
+    /// Reset all parameters and objects.
     RestoreAll,
     /// Set the quality, by name.
     Quality(&'static str),
@@ -39,6 +38,8 @@ pub enum Action {
     OpenChoice(Option<&'static str>),
     /// Show the description of a parameter, or hide it.
     Describe(Option<&'static str>),
+    /// Select an object, or none.
+    Select(Option<u32>),
     /// Remove the mark from the revealed row.
     Unmark,
     /// Toggle the tools of a low panel.

@@ -3,6 +3,7 @@
 use hearth_core::params::Value;
 
 use crate::state::memory::Memory;
+use crate::state::subject::Subject;
 
 /// A command for the panel controller of the page.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,6 +12,18 @@ pub enum Command {
     Set(&'static str, Value),
     /// Reset a parameter to the scene's value.
     Restore(&'static str),
+    /// Set a property of an object.
+    Change(Subject, Value),
+    /// Reset a property of an object to the scene's value.
+    RestoreProperty(Subject),
+    /// Add an object of a kind.
+    Add(&'static str),
+    /// Add another object with the same properties.
+    Duplicate(u32),
+    /// Remove an object.
+    Remove(u32),
+    /// Select an object, or none.
+    Select(Option<u32>),
     /// Reset all parameters, the model included.
     RestoreAll,
     /// Keep this for the next visit.

@@ -6,7 +6,15 @@
 
 use std::collections::{BTreeMap, VecDeque};
 
-use hearth_core::params::{Domain, Input, PARAMETERS, Param, ParamError, Parameters, Value};
+use hearth_core::Scene;
+use hearth_core::params::{
+    Domain, Input, Kind, PARAMETERS, Param, ParamError, ParamErrorKind, Parameters, Scale, Value,
+};
+
+pub use crate::state::entry::Entry;
+use crate::state::objects::{Fields, differ, scene_of, value_in};
+pub use crate::state::stats::Stats;
+use crate::state::subject::{Owner, Subject};
 
 /// The id of the parameter that selects the model.
 pub const MODEL: &str = "model";
@@ -20,66 +28,6 @@ pub const QUALITIES: [&str; 4] = ["auto", "low", "medium", "high"];
 /// The length of the history in samples: half a minute at four a second.
 pub const HISTORY: usize = 120;
 
-/// An input that has not been checked.
-#[derive(Clone, Debug)]
-pub enum Entry {
-    /// A number.
-    Number(f64),
-    /// On or off.
-    Flag(bool),
-    /// A text, which may spell any kind of value.
-    Text(String),
-}
-
-impl Entry {
-    /// The input of the parameter table.
-    pub fn input(&self) -> Input<'_> {
-        match self {
-            Entry::Number(number) => Input::Number(*number),
-            Entry::Flag(on) => Input::Flag(*on),
-            Entry::Text(text) => Input::Text(text),
-        }
-    }
-}
-
-/// The fire's measurements.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Stats {
-    /// Smoothed frame rate [Hz].
-    pub fps: f64,
-    /// Number of live particles.
-    pub particles: f64,
-    /// Share of the air that sleeps because of the largest number of particles.
-    pub asleep: f64,
-    /// Duration of a step [ms].
-    pub step_ms: f64,
-    /// Steps per frame.
-    pub steps_per_frame: f64,
-    /// Duration of drawing a frame [ms].
-    pub draw_ms: f64,
-    /// Whether the machine is too slow for the fire's speed.
-    pub slowed: bool,
-    /// Recent real-time factor: seconds of fire per second.
-    pub time_scale: f64,
-    /// The present quality.
-    pub quality: String,
-    /// The reason for that quality.
-    pub reason: String,
-    /// Durations of the stages of a step [ms per frame].
-    pub stages: Vec<(String, f64)>,
-    /// Durations of the render passes [ms].
-    pub passes: Vec<(String, f64)>,
-    /// Whether the GPU timed the passes; otherwise the CPU timed their submission.
-    pub on_card: bool,
-}
-
-impl Stats {
-    /// Duration of a frame, simulated and drawn [ms].
-    pub fn frame_ms(&self) -> f64 {
-        self.step_ms * self.steps_per_frame + self.draw_ms
-    }
-}
-
 /// The panel's copy of the fire.
 #[derive(Debug, Default)]
 pub struct Fire {
@@ -87,6 +35,10 @@ pub struct Fire {
     pub parameters: Parameters,
     /// The values of the scene that the fire started from, which are the panel's defaults.
     pub scene: Parameters,
+    /// The fire's objects. The values of the first source are parameters.
+    pub objects: Scene,
+    /// The objects of the scene.
+    pub scene_objects: Scene,
     /// Whether the simulation is paused.
     pub paused: bool,
     /// The requested quality.
@@ -95,17 +47,37 @@ pub struct Fire {
     pub stats: Stats,
     /// Recent frame rates, the oldest first.
     pub history: VecDeque<f32>,
-    /// Reasons for refused values, by parameter.
+    /// Reasons for refused values, by [`Subject::id`].
     pub refusals: BTreeMap<&'static str, String>,
     /// The latest other error.
     pub notice: Option<String>,
     pending: BTreeMap<&'static str, u32>,
+    /// Requests to change an object that are pending.
+    pub(super) changes: u32,
 }
 
 impl Fire {
-    /// The value of a parameter in the scene, for the present model.
-    pub fn default_of(&self, param: &Param) -> Value {
+    /// The present value.
+    pub fn value(&self, subject: impl Into<Subject>) -> Value {
+        let subject = subject.into();
+        match subject.object {
+            None => subject.param.get(&self.parameters),
+            Some(_) => {
+                value_in(&self.objects, subject).unwrap_or_else(|| self.domain_of(subject).default)
+            }
+        }
+    }
+
+    /// The value in the scene, for the present model. An object that the scene lacks has the
+    /// defaults.
+    pub fn default_of(&self, subject: impl Into<Subject>) -> Value {
+        let subject = subject.into();
+        let param = subject.param;
         let model = self.parameters.model();
+        if subject.object.is_some() {
+            return value_in(&self.scene_objects, subject)
+                .unwrap_or_else(|| self.domain_of(subject).default);
+        }
         if self.scene.model() == model || param.id == MODEL {
             return param.get(&self.scene);
         }
@@ -115,9 +87,13 @@ impl Fire {
         param.get(&scene)
     }
 
-    /// Takes a scene's values as the defaults. Values that are missing are those of the
-    /// scene's model.
-    pub fn start_from<'a>(&mut self, values: impl IntoIterator<Item = (&'a str, Input<'a>)>) {
+    /// Takes a scene's values and objects as the defaults. Values that are missing are those of
+    /// the scene's model; without objects, the scene has one source.
+    pub fn start_from<'a>(
+        &mut self,
+        values: impl IntoIterator<Item = (&'a str, Input<'a>)>,
+        objects: Option<&[Fields]>,
+    ) {
         let mut scene = Parameters::default();
         let (model, others): (Vec<_>, Vec<_>) =
             values.into_iter().partition(|(id, _)| *id == MODEL);
@@ -125,16 +101,42 @@ impl Fire {
             // A refused value comes from another version of the fire.
             let _ = scene.set(id, input);
         }
+        self.scene_objects = match objects {
+            Some(objects) => scene_of(&scene, objects),
+            None => Scene::new(scene.clone()),
+        };
         self.scene = scene;
     }
 
-    /// The range of a parameter in the present model.
-    pub fn range_of(&self, param: &Param) -> (f64, f64) {
-        self.domain_of(param).range
+    /// Whether the scene has the value: it lacks the properties of an added object.
+    pub fn is_of_scene(&self, subject: Subject) -> bool {
+        subject.object.is_none() || value_in(&self.scene_objects, subject).is_some()
     }
 
-    fn domain_of(&self, param: &Param) -> &'static Domain {
-        param.any_domain(self.parameters.model())
+    /// The range in the present model.
+    pub fn range_of(&self, subject: impl Into<Subject>) -> (f64, f64) {
+        self.domain_of(subject.into()).range
+    }
+
+    /// The range of a slider. A place of an object may be far outside of the frame, but a slider
+    /// of all places would be too coarse: it spans the frame and the value.
+    pub fn slider_range(&self, subject: Subject) -> (f64, f64) {
+        let (min, max) = self.range_of(subject);
+        let linear = subject.param.kind == Kind::Number(Scale::Linear);
+        if subject.object.is_none() || !linear || subject.param.unit != "m" {
+            return (min, max);
+        }
+        let size = ["domain_width", "domain_height"].map(|id| {
+            let value = self.parameters.get(id);
+            value.and_then(|x| x.as_number()).unwrap_or_default()
+        });
+        let size = size[0].max(size[1]);
+        let value = self.value(subject).as_number().unwrap_or_default();
+        (min.max(value.min(-size)), max.min(value.max(size)))
+    }
+
+    fn domain_of(&self, subject: Subject) -> &'static Domain {
+        subject.param.any_domain(self.parameters.model())
     }
 
     /// The parameters of the present model and of its edges, without the model itself.
@@ -150,18 +152,29 @@ impl Fire {
     ///
     /// # Errors
     /// Returns the reason why the table refuses the value.
-    pub fn check(&self, param: &Param, input: Input<'_>) -> Result<(), ParamError> {
-        self.parameters.clone().set(param.id, input)
+    pub fn check(&self, subject: Subject, input: Input<'_>) -> Result<(), ParamError> {
+        match subject.object {
+            None => self.parameters.clone().set(subject.id, input),
+            Some(owner) => change(&mut self.objects.clone(), owner, input),
+        }
     }
 
     /// Sets a value before the fire confirms it, and returns it as the table rounds it.
     ///
     /// # Errors
     /// Returns the reason why the table refuses the value; nothing changes then.
-    pub fn set(&mut self, param: &'static Param, input: Input<'_>) -> Result<Value, ParamError> {
-        self.parameters.set(param.id, input)?;
-        self.refusals.remove(param.id);
-        Ok(param.get(&self.parameters))
+    pub fn set(
+        &mut self,
+        subject: impl Into<Subject>,
+        input: Input<'_>,
+    ) -> Result<Value, ParamError> {
+        let subject = subject.into();
+        match subject.object {
+            None => self.parameters.set(subject.id, input)?,
+            Some(owner) => change(&mut self.objects, owner, input)?,
+        }
+        self.refusals.remove(subject.id);
+        Ok(self.value(subject))
     }
 
     /// Takes a value that the fire reports.
@@ -211,13 +224,28 @@ impl Fire {
 
     /// Whether any value of the present model differs from the scene.
     pub fn is_changed(&self) -> bool {
-        self.used().any(|param| self.differs(param))
+        self.used().any(|param| self.differs(param)) || differ(&self.objects, &self.scene_objects)
     }
 
-    /// Whether the value of a parameter differs from the scene.
-    pub fn differs(&self, param: &Param) -> bool {
-        param.get(&self.parameters) != self.default_of(param)
+    /// Whether a value differs from the scene.
+    pub fn differs(&self, subject: impl Into<Subject>) -> bool {
+        let subject = subject.into();
+        self.value(subject) != self.default_of(subject)
     }
+}
+
+/// Changes a property. A scene names all that is wrong; here it is one value.
+fn change(scene: &mut Scene, owner: Owner, input: Input<'_>) -> Result<(), ParamError> {
+    let changed = scene.change(owner.id, &[(owner.property, input)]);
+    changed.map_err(|mut refused| ParamError {
+        // The index of the object means nothing to a visitor.
+        id: owner.property.to_owned(),
+        ..refused.pop().unwrap_or_else(|| ParamError {
+            id: String::new(),
+            value: input.to_string(),
+            kind: ParamErrorKind::Other("a value of the table"),
+        })
+    })
 }
 
 #[cfg(test)]
@@ -266,7 +294,7 @@ mod tests {
             ("fuel_power", Input::Number(90.0)),
             ("exposure", Input::Number(0.5)),
         ];
-        fire.start_from(campfire);
+        fire.start_from(campfire, None);
         assert!(fire.is_changed());
         for (id, input) in campfire {
             fire.receive(id, input);

@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 
 use hearth_core::params::PARAMETERS;
 
+use crate::state::objects::OBJECTS;
+
 /// The group that is folded at the first visit.
 const FOLDED: &str = "Physics";
 
@@ -29,7 +31,8 @@ impl Memory {
     /// Folds the groups of these names and unfolds all others. Unknown names are ignored.
     pub fn fold<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) {
         let group = |name: &str| {
-            let mut groups = PARAMETERS.iter().map(|param| param.group);
+            let groups = PARAMETERS.iter().map(|param| param.group);
+            let mut groups = groups.chain([OBJECTS]);
             groups.find(|&group| group == name)
         };
         self.folded = names.into_iter().filter_map(group).collect();

@@ -5,21 +5,30 @@
 
 mod action;
 mod command;
+mod conditions;
 mod controller;
+mod entry;
 pub mod fire;
+mod fire_objects;
 mod memory;
+pub mod objects;
 mod open;
 mod pointer;
+mod stats;
+mod subject;
 
 use hearth_core::params::{Model, Param};
+use hearth_core::scene::Object;
 
 pub use self::action::Action;
 pub use self::command::Command;
 pub use self::controller::ControllerState;
 pub use self::fire::{Fire, MODEL};
 pub use self::memory::Memory;
+pub use self::objects::{Fields, OBJECTS, name_of};
 pub use self::open::{Field, Open, OpenColour};
 pub use self::pointer::{Gesture, Pointer};
+pub use self::subject::{Owner, Subject};
 use crate::search;
 use crate::theme::Measures;
 
@@ -67,6 +76,8 @@ pub struct Reveal {
     pub tools: bool,
     /// Whether the quality scrolls into view.
     pub quality: bool,
+    /// Whether the objects scroll into view.
+    pub objects: bool,
     /// Whether the rows scroll to their start.
     pub start: bool,
 }
@@ -89,6 +100,8 @@ pub struct State {
     pub fire: Fire,
     /// The panel controller's state.
     pub controller: ControllerState,
+    /// The id of the selected object, if there still is one.
+    pub selected: Option<u32>,
     /// What persists between visits.
     pub memory: Memory,
     /// The parameters to show, in this order and without groups; `None` shows all.
@@ -111,6 +124,7 @@ impl State {
         State {
             fire: Fire::default(),
             controller: ControllerState::default(),
+            selected: None,
             memory: Memory::default(),
             only: None,
             device: Device {
@@ -124,9 +138,9 @@ impl State {
         }
     }
 
-    /// Scrolls to the row of a parameter and marks it; or scrolls to [`SHARE`],
-    /// [`TOOLS`], [`QUALITY`] or [`SEARCH`], which takes the focus. Any other id removes
-    /// the mark.
+    /// Scrolls to the row of a parameter, or of a property of the selected object, and marks it;
+    /// or scrolls to [`SHARE`], [`TOOLS`], [`QUALITY`], [`OBJECTS`] or [`SEARCH`], which takes the
+    /// focus. Any other id removes the mark.
     pub fn reveal(&mut self, id: &str) {
         let model = self.fire.parameters.model();
         let param = Param::find(id).filter(|param| param.domain(model).is_some());
@@ -144,7 +158,19 @@ impl State {
                 self.memory.folded.remove(BASICS);
                 self.search.text.clear();
             }
+            OBJECTS => {
+                self.reveal.objects = true;
+                self.show_objects();
+            }
             _ => {}
+        }
+        if let Some(object) = self.selected_object() {
+            let mut properties = self.fire.properties(object);
+            if let Some(found) = properties.find(|one| one.id == id) {
+                self.reveal.marked = Some(found.id);
+                self.reveal.row = true;
+                self.show_objects();
+            }
         }
         if let Some(param) = param.filter(|param| param.id != MODEL) {
             self.reveal.row = true;
@@ -155,17 +181,27 @@ impl State {
         }
     }
 
-    /// Closes a field whose parameter the present model does not use.
+    /// The selected object.
+    pub fn selected_object(&self) -> Option<Object<'_>> {
+        self.fire.object(self.selected?)
+    }
+
+    /// Unfolds the objects.
+    fn show_objects(&mut self) {
+        self.memory.folded.remove(OBJECTS);
+        self.search.text.clear();
+    }
+
+    /// Closes a field whose parameter the present model does not use or whose object is gone.
     pub fn close_stale_field(&mut self) {
-        let used = |id: &str| self.fire.used().any(|param| param.id == id);
-        if self
-            .open
-            .field
-            .as_ref()
-            .is_some_and(|field| !used(field.id))
-        {
-            self.open.field = None;
-        }
+        let fire = &self.fire;
+        let used = |subject: Subject| match subject.object {
+            None => fire.used().any(|param| param.id == subject.id),
+            Some(owner) => fire
+                .object(owner.id)
+                .is_some_and(|object| fire.properties(object).any(|one| one == subject)),
+        };
+        self.open.field.take_if(|field| !used(field.subject));
     }
 
     /// The row that keeps its height on the screen, and that height. Another model has

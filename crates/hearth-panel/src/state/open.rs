@@ -2,6 +2,8 @@
 
 use egui::ecolor::Hsva;
 
+use crate::state::subject::Subject;
+
 /// The open parts of the panel.
 #[derive(Clone, Debug, Default)]
 pub struct Open {
@@ -20,17 +22,17 @@ pub struct Open {
 }
 
 impl Open {
-    /// The field of the parameter `id`, if it is open.
-    pub fn field_of(&self, id: &str) -> Option<&Field> {
-        self.field.as_ref().filter(|field| field.id == id)
+    /// The field of a row, if it is open.
+    pub fn field_of(&self, subject: Subject) -> Option<&Field> {
+        self.field.as_ref().filter(|field| field.subject == subject)
     }
 }
 
 /// A field for exact input.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
-    /// The id of its parameter.
-    pub id: &'static str,
+    /// Its value.
+    pub subject: Subject,
     /// The present text.
     pub text: String,
     /// The text at first.

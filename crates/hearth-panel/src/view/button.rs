@@ -100,6 +100,18 @@ pub fn show(ui: &Ui, rect: Rect, id: Id, face: Face<'_>) -> Response {
     response
 }
 
+/// Paints a text at the left of `room`, and cuts it at the end.
+pub fn left_text(ui: &Ui, room: Rect, text: &str) {
+    let painter = ui.painter();
+    painter.with_clip_rect(room.intersect(ui.clip_rect())).text(
+        room.left_center(),
+        Align2::LEFT_CENTER,
+        text,
+        theme::body(),
+        theme::TEXT,
+    );
+}
+
 /// Shows a button that opens a list, with its present choice.
 pub fn unfolder(ui: &Ui, rect: Rect, id: Id, text: &str, open: bool) -> Response {
     let face = Face {
@@ -116,16 +128,9 @@ pub fn unfolder(ui: &Ui, rect: Rect, id: Id, text: &str, open: bool) -> Response
     let room = rect
         .shrink2(vec2(10.0, 0.0))
         .with_max_x(rect.right() - 24.0);
-    let painter = ui.painter();
-    painter.with_clip_rect(room.intersect(ui.clip_rect())).text(
-        room.left_center(),
-        Align2::LEFT_CENTER,
-        text,
-        theme::body(),
-        theme::TEXT,
-    );
+    left_text(ui, room, text);
     icons::chevron(
-        painter,
+        ui.painter(),
         pos2(rect.right() - 14.0, rect.center().y),
         true,
         ink,

@@ -6,9 +6,9 @@
 
 use egui::style::ScrollAnimation;
 use egui::{EventFilter, Id, Key, PointerButton, Rect, Ui};
-use hearth_core::params::{Param, Value};
+use hearth_core::params::Value;
 
-use crate::state::{Action, Fire, State};
+use crate::state::{Action, Fire, State, Subject};
 use crate::view::button::{self, Face};
 use crate::view::layout::strip;
 use crate::view::output::Output;
@@ -30,23 +30,23 @@ const BUTTON: f32 = 150.0;
 type Names = &'static [&'static str];
 
 /// Shows the row of a choice.
-pub fn show(state: &State, out: &mut Output, ui: &mut Ui, param: &'static Param, names: Names) {
+pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject, names: Names) {
     let measures = state.device.measures;
     if names.len() <= FEW {
-        title::line(state, out, ui, param, measures.line);
+        title::line(state, out, ui, subject, measures.line);
         let rect = strip(ui, measures.control);
-        buttons(&state.fire, out, ui, param, names, rect, names.len());
-        out.place(ui, param.id, rect);
+        buttons(&state.fire, out, ui, subject, names, rect, names.len());
+        out.place(ui, subject.id, rect);
         ui.add_space(4.0);
         return;
     }
-    let room = title::line(state, out, ui, param, measures.control);
+    let room = title::line(state, out, ui, subject, measures.control);
     let rect = room.with_min_x(room.left().max(room.right() - BUTTON));
-    let before = state.open.choice == Some(param.id);
-    let open = before ^ unfolder(&state.fire, out, ui, param, names, (rect, before));
-    out.place(ui, param.id, rect);
+    let before = state.open.choice == Some(subject.id);
+    let open = before ^ unfolder(&state.fire, out, ui, subject, names, (rect, before));
+    out.place(ui, subject.id, rect);
     if open != before {
-        out.push(Action::OpenChoice(open.then_some(param.id)));
+        out.push(Action::OpenChoice(open.then_some(subject.id)));
     }
     if !open {
         return;
@@ -54,7 +54,7 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui, param: &'static Param,
     for names in names.chunks(PER_LINE) {
         ui.add_space(4.0);
         let rect = strip(ui, measures.control.min(LINE));
-        buttons(&state.fire, out, ui, param, names, rect, PER_LINE);
+        buttons(&state.fire, out, ui, subject, names, rect, PER_LINE);
     }
     if !before {
         let whole = rect.with_max_y(ui.cursor().top() + 6.0);
@@ -68,14 +68,14 @@ fn unfolder(
     fire: &Fire,
     out: &mut Output,
     ui: &Ui,
-    param: &'static Param,
+    subject: Subject,
     names: Names,
     (rect, open): (Rect, bool),
 ) -> bool {
-    let Value::Choice(now) = param.get(&fire.parameters) else {
+    let Value::Choice(now) = fire.value(subject) else {
         return false;
     };
-    let response = button::unfolder(ui, rect, Id::unique(("list", param.id)), now, open);
+    let response = button::unfolder(ui, rect, Id::unique(("list", subject.id)), now, open);
     // egui counts Space as a click, but Space pauses the fire.
     let clicked = response.clicked_by(PointerButton::Primary);
     if clicked {
@@ -96,7 +96,7 @@ fn unfolder(
     let at = names.iter().position(|&name| name == now).unwrap_or(0);
     let next = (at + down).saturating_sub(up).min(names.len() - 1);
     if next != at {
-        out.push(Action::Choose(param, names[next]));
+        out.push(Action::Choose(subject, names[next]));
     }
     clicked
 }
@@ -106,22 +106,22 @@ pub fn buttons(
     fire: &Fire,
     out: &mut Output,
     ui: &Ui,
-    param: &'static Param,
+    subject: Subject,
     names: Names,
     rect: Rect,
     parts: usize,
 ) {
-    let now = param.get(&fire.parameters);
+    let now = fire.value(subject);
     for (rect, &name) in button::split(rect, parts, 4.0).zip(names) {
         let face = Face {
             lit: now == Value::Choice(name),
             ..Face::text(name)
         };
-        let key = format!("choice:{}:{name}", param.id);
+        let key = format!("choice:{}:{name}", subject.id);
         let clicked = button::show(ui, rect, Id::unique(&key), face).clicked();
         out.place(ui, key, rect);
         if clicked {
-            out.push(Action::Choose(param, name));
+            out.push(Action::Choose(subject, name));
         }
     }
 }

@@ -6,10 +6,10 @@
 
 use egui::ecolor::Hsva;
 use egui::{Align2, Color32, CursorIcon, Id, Rect, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
-use hearth_core::params::{Colour, Param, Value};
+use hearth_core::params::{Colour, Value};
 
 use crate::state::fire::Entry;
-use crate::state::{Action, OpenColour, State};
+use crate::state::{Action, OpenColour, State, Subject};
 use crate::theme;
 use crate::view::layout::{label, strip};
 use crate::view::output::Output;
@@ -17,27 +17,27 @@ use crate::view::slider::{self, Moved, Rail};
 use crate::view::{button, field, title};
 
 /// Shows the row of a colour.
-pub fn show(state: &State, out: &mut Output, ui: &mut Ui, param: &'static Param) {
-    let Value::Colour(colour) = param.get(&state.fire.parameters) else {
+pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
+    let Value::Colour(colour) = state.fire.value(subject) else {
         return;
     };
-    let open = state.open.colour.filter(|open| open.id == param.id);
-    let room = title::line(state, out, ui, param, state.device.measures.control);
+    let open = state.open.colour.filter(|open| open.id == subject.id);
+    let room = title::line(state, out, ui, subject, state.device.measures.control);
     let (rest, swatch) = room.split_left_right_at_x(room.right() - 44.0);
-    transparency(out, ui, param, rest, colour, open);
+    transparency(out, ui, subject, rest, colour, open);
     let swatch = swatch.shrink2(vec2(0.0, 2.0));
     let mut next = open;
-    if swatch_button(out, ui, param.id, swatch, colour) {
+    if swatch_button(out, ui, subject.id, swatch, colour) {
         next = match open {
             Some(_) => None,
             None => Some(OpenColour {
-                id: param.id,
+                id: subject.id,
                 hsva: Hsva::from_srgba_unmultiplied(colour.rgba),
             }),
         };
     }
     if let Some(open) = &mut next {
-        open.hsva = sliders(state, out, ui, param, colour, open.hsva);
+        open.hsva = sliders(state, out, ui, subject, colour, open.hsva);
     }
     if next != open {
         out.push(Action::OpenColour(next));
@@ -48,7 +48,7 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui, param: &'static Param)
 fn transparency(
     out: &mut Output,
     ui: &Ui,
-    param: &'static Param,
+    subject: Subject,
     room: Rect,
     colour: Colour,
     open: Option<OpenColour>,
@@ -63,15 +63,20 @@ fn transparency(
     );
     let centre = pos2(text.left() - 16.0, room.center().y);
     let rect = Rect::from_center_size(centre, vec2(24.0, room.height()));
-    if button::check_box(ui, rect, Id::unique(("transparent", param.id)), transparent) {
+    if button::check_box(
+        ui,
+        rect,
+        Id::unique(("transparent", subject.id)),
+        transparent,
+    ) {
         let next = match (transparent, open) {
             (false, _) => Colour::TRANSPARENT,
             (true, Some(open)) => as_colour(open.hsva.to_opaque()),
             (true, None) => Colour::rgb(0, 0, 0),
         };
-        set(out, param, next);
+        set(out, subject, next);
     }
-    out.place(ui, format!("transparent:{}", param.id), rect);
+    out.place(ui, format!("transparent:{}", subject.id), rect);
 }
 
 /// The swatch. Returns whether it was clicked.
@@ -114,7 +119,7 @@ fn sliders(
     state: &State,
     out: &mut Output,
     ui: &mut Ui,
-    param: &'static Param,
+    subject: Subject,
     colour: Colour,
     mut hsva: Hsva,
 ) -> Hsva {
@@ -123,7 +128,7 @@ fn sliders(
     }
     let device = state.device;
     let exact = strip(ui, device.measures.control);
-    field::show(state, out, ui, param, exact, &colour.to_string());
+    field::show(state, out, ui, subject, exact, &colour.to_string());
     label(ui, exact, "Hexadecimal");
     let names = ["Hue", "Saturation", "Brightness", "Opacity"];
     let parts = [hsva.h, hsva.s, hsva.v, hsva.a];
@@ -139,10 +144,10 @@ fn sliders(
             costly: None,
             colours: Some(&along),
         };
-        let id = Id::unique(("colour", param.id, at));
+        let id = Id::unique(("colour", subject.id, at));
         let gesture = &mut out.pointer.gesture;
         let change = slider::show(ui, rect, id, &rail, device.finger, gesture);
-        let key = format!("{}:{}", name.to_lowercase(), param.id);
+        let key = format!("{}:{}", name.to_lowercase(), subject.id);
         out.place(ui, key, rect);
         match change {
             Some(Moved::To(to)) => moved = Some((at, to)),
@@ -154,7 +159,7 @@ fn sliders(
     }
     if let Some((at, to)) = moved {
         hsva = moved_to(parts, at, to, colour == Colour::TRANSPARENT);
-        set(out, param, as_colour(hsva));
+        set(out, subject, as_colour(hsva));
     }
     hsva
 }
@@ -174,8 +179,8 @@ fn moved_to(mut parts: [f32; 4], at: usize, to: f32, transparent: bool) -> Hsva 
     from_parts(parts)
 }
 
-fn set(out: &mut Output, param: &'static Param, colour: Colour) {
-    out.push(Action::Slide(param, Entry::Text(colour.to_string())));
+fn set(out: &mut Output, subject: Subject, colour: Colour) {
+    out.push(Action::Slide(subject, Entry::Text(colour.to_string())));
 }
 
 /// The colour at a point of a slider's rail: the knob's choice there, light enough to be

@@ -1,12 +1,12 @@
 //! The controls of numbers, seeds and flags.
 
 use egui::{Id, Ui};
-use hearth_core::params::{Param, Scale, Value};
+use hearth_core::params::{Scale, Value};
 
 use crate::cost;
 use crate::format::{fraction, step, value_at, value_text};
 use crate::state::fire::Entry;
-use crate::state::{Action, State};
+use crate::state::{Action, State, Subject};
 use crate::theme;
 use crate::view::button::{self, Face};
 use crate::view::icons::Icon;
@@ -20,34 +20,34 @@ pub fn number(
     state: &State,
     out: &mut Output,
     ui: &mut Ui,
-    param: &'static Param,
+    subject: Subject,
     scale: Scale,
     whole: bool,
 ) {
     let fire = &state.fire;
-    let range = fire.range_of(param);
-    let value = param.get(&fire.parameters);
-    let room = title::line(state, out, ui, param, state.device.measures.line);
-    field::show(state, out, ui, param, room, &value_text(&value));
-    let turned = field::wheel_steps(&mut out.pointer, ui, param);
+    let range = fire.slider_range(subject);
+    let value = fire.value(subject);
+    let room = title::line(state, out, ui, subject, state.device.measures.line);
+    field::show(state, out, ui, subject, room, &value_text(&value));
+    let turned = field::wheel_steps(&mut out.pointer, ui, subject);
 
     let rect = strip(ui, state.device.measures.rail);
     let x = value.as_number().unwrap_or(range.0);
-    let default = fire.default_of(param);
+    let default = fire.default_of(subject);
     let mark = default.as_number().filter(|_| default != value);
     let rail = Rail {
         fraction: fraction(x, range, scale) as f32,
         mark: mark.map(|x| fraction(x, range, scale) as f32),
-        costly: cost::costly_from(param)
+        costly: cost::costly_from(subject)
             .filter(|from| *from < range.1)
             .map(|from| fraction(from, range, scale) as f32),
         colours: None,
     };
-    let id = Id::unique(("slider", param.id));
+    let id = Id::unique(("slider", subject.id));
     let gesture = &mut out.pointer.gesture;
     let moved = slider::show(ui, rect, id, &rail, state.device.finger, gesture);
-    out.place(ui, param.id, rect);
-    if let Some(note) = cost::note(fire, param, x) {
+    out.place(ui, subject.id, rect);
+    if let Some(note) = cost::note(fire, subject, x) {
         paragraph(ui, &note, theme::weak());
     }
     let next = match moved.or(turned.map(Moved::Steps)) {
@@ -56,7 +56,7 @@ pub fn number(
         None => return,
     };
     out.push(Action::Unmark);
-    out.push(Action::Slide(param, Entry::Number(next)));
+    out.push(Action::Slide(subject, Entry::Number(next)));
 }
 
 /// `x` after a number of key presses: each is a step of a linear slider, a hundredth of a
@@ -90,25 +90,25 @@ fn stepped(x: f64, steps: f64, range: (f64, f64), scale: Scale, whole: bool) -> 
 }
 
 /// A seed: a field, and a button for a random one.
-pub fn seed(state: &State, out: &mut Output, ui: &mut Ui, param: &'static Param) {
+pub fn seed(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
     let control = state.device.measures.control;
-    let room = title::line(state, out, ui, param, control);
-    let value = param.get(&state.fire.parameters);
+    let room = title::line(state, out, ui, subject, control);
+    let value = state.fire.value(subject);
     let (room, dice) = room.split_left_right_at_x(room.right() - control);
     let number = room.with_max_x(room.right() - 8.0);
-    field::show(state, out, ui, param, number, &value_text(&value));
-    let key = format!("dice:{}", param.id);
+    field::show(state, out, ui, subject, number, &value_text(&value));
+    let key = format!("dice:{}", subject.id);
     let face = Face::new(Icon::Dice, "");
     let response = button::show(ui, dice, Id::unique(&key), face).on_hover_text("Random seed");
     out.place(ui, key, dice);
     // A seed has no slider: its control is the number.
-    out.place(ui, param.id, room);
+    out.place(ui, subject.id, room);
     if response.clicked()
         && let Value::Seed(old) = value
     {
         let time = ui.input(|input| input.time).to_bits();
         let seed = f64::from(random_seed(old, time));
-        out.push(Action::Set(param, Entry::Number(seed)));
+        out.push(Action::Set(subject, Entry::Number(seed)));
     }
 }
 
@@ -123,13 +123,13 @@ fn random_seed(old: u32, time: u64) -> u32 {
 }
 
 /// A flag: a check box.
-pub fn flag(state: &State, out: &mut Output, ui: &mut Ui, param: &'static Param) {
+pub fn flag(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
     let control = state.device.measures.control;
-    let room = title::line(state, out, ui, param, control);
-    let on = param.get(&state.fire.parameters) == Value::Flag(true);
+    let room = title::line(state, out, ui, subject, control);
+    let on = state.fire.value(subject) == Value::Flag(true);
     let hit = room.with_min_x(room.right() - control);
-    if button::check_box(ui, hit, Id::unique(("flag", param.id)), on) {
-        out.push(Action::Set(param, Entry::Flag(!on)));
+    if button::check_box(ui, hit, Id::unique(("flag", subject.id)), on) {
+        out.push(Action::Set(subject, Entry::Flag(!on)));
     }
-    out.place(ui, param.id, hit);
+    out.place(ui, subject.id, hit);
 }

@@ -9,11 +9,8 @@ use egui::{
     Align2, CursorIcon, Event, Id, Key, Margin, MouseWheelUnit, Rect, Sense, TextEdit, Ui,
     UiBuilder, pos2,
 };
-use hearth_core::params::{Kind, Param};
 
-use crate::format::typed_text;
-use crate::state::fire::Entry;
-use crate::state::{Action, Field, Fire, Pointer, State};
+use crate::state::{Action, Field, Fire, Pointer, State, Subject};
 use crate::theme;
 use crate::view::layout;
 use crate::view::output::Output;
@@ -26,21 +23,21 @@ pub fn show(
     state: &State,
     out: &mut Output,
     ui: &mut Ui,
-    param: &'static Param,
+    subject: Subject,
     room: Rect,
     shown: &str,
 ) {
-    if let Some(field) = state.open.field_of(param.id) {
-        edit(&state.fire, field.clone(), out, ui, param, room);
+    if let Some(field) = state.open.field_of(subject) {
+        edit(&state.fire, field.clone(), out, ui, subject, room);
         return;
     }
-    let place = layout::value(ui, room, shown, param.unit, theme::TEXT);
+    let place = layout::value(ui, room, shown, subject.param.unit, theme::TEXT);
     let hit = Rect::from_min_max(
         pos2((place.left() - 6.0).max(room.left()), room.top()),
         pos2(room.right(), room.bottom()),
     );
     let response = ui
-        .interact(hit, Id::unique(("value", param.id)), Sense::click())
+        .interact(hit, Id::unique(("value", subject.id)), Sense::click())
         .on_hover_cursor(CursorIcon::Text);
     let wheel = &mut out.pointer.wheel;
     if response.hovered() {
@@ -49,19 +46,19 @@ pub fn show(
             let mut events = input.events.iter();
             events.any(|event| matches!(event, Event::PointerMoved(_)))
         }) {
-            *wheel = Some(param.id);
+            *wheel = Some(subject.id);
         }
         let y = place.bottom();
         ui.painter().hline(place.x_range(), y, (1.0, theme::ACCENT));
     }
     if !response.contains_pointer() {
-        wheel.take_if(|id| *id == param.id);
+        wheel.take_if(|id| *id == subject.id);
     }
-    out.place(ui, format!("value:{}", param.id), hit);
+    out.place(ui, format!("value:{}", subject.id), hit);
     if response.clicked() {
-        let text = param.get(&state.fire.parameters).to_string();
+        let text = state.fire.value(subject).to_string();
         out.push(Action::OpenField(Field {
-            id: param.id,
+            subject,
             before: text.clone(),
             text,
             fresh: true,
@@ -70,8 +67,8 @@ pub fn show(
 }
 
 /// The steps by which a wheel changes the value under the pointer.
-pub fn wheel_steps(pointer: &mut Pointer, ui: &Ui, param: &Param) -> Option<f32> {
-    if pointer.wheel != Some(param.id) {
+pub fn wheel_steps(pointer: &mut Pointer, ui: &Ui, subject: Subject) -> Option<f32> {
+    if pointer.wheel != Some(subject.id) {
         return None;
     }
     let turned: f32 = ui.input_mut(|input| {
@@ -101,10 +98,10 @@ fn edit(
     mut field: Field,
     out: &mut Output,
     ui: &mut Ui,
-    param: &'static Param,
+    subject: Subject,
     room: Rect,
 ) {
-    let id = Id::unique(("typing", param.id));
+    let id = Id::unique(("typing", subject.id));
     let rect = room.with_min_x(room.left().max(room.right() - 130.0));
     let text = TextEdit::singleline(&mut field.text)
         .id(id)
@@ -116,7 +113,7 @@ fn edit(
     let mut output = ui
         .scope_builder(UiBuilder::new().max_rect(rect), |ui| text.show(ui))
         .inner;
-    out.place(ui, format!("value:{}", param.id), rect);
+    out.place(ui, format!("value:{}", subject.id), rect);
     if std::mem::take(&mut field.fresh) {
         let length = field.text.chars().count();
         ui.memory_mut(|memory| memory.request_focus(id));
@@ -136,12 +133,12 @@ fn edit(
         )
     });
     if escape {
-        out.push(Action::Refuse(param.id, None));
-        out.push(Action::CloseField(param.id));
+        out.push(Action::Refuse(subject.id, None));
+        out.push(Action::CloseField(subject.id));
     } else if enter || output.response.lost_focus() || !awake {
-        let taken = field.text == field.before || take(fire, out, param, &field.text);
+        let taken = field.text == field.before || take(fire, out, subject, &field.text);
         if taken || !enter {
-            out.push(Action::CloseField(param.id));
+            out.push(Action::CloseField(subject.id));
         } else {
             // Enter keeps the field of a refused value, so that it can be corrected.
             ui.memory_mut(|memory| memory.request_focus(id));
@@ -153,22 +150,15 @@ fn edit(
 }
 
 /// Sets a parameter to the typed text. Returns whether the table accepts it.
-fn take(fire: &Fire, out: &mut Output, param: &'static Param, text: &str) -> bool {
-    let typed = typed_text(text, param);
-    // The refusal of a number does not quote it.
-    let entry = match (param.kind, typed.parse::<f64>()) {
-        (Kind::Number(_) | Kind::Integer(_) | Kind::Seed, Ok(x)) if x.is_finite() => {
-            Entry::Number(x)
-        }
-        _ => Entry::Text(typed),
-    };
-    match fire.check(param, entry.input()) {
+fn take(fire: &Fire, out: &mut Output, subject: Subject, text: &str) -> bool {
+    let entry = fire.typed(subject, text);
+    match fire.check(subject, entry.input()) {
         Ok(()) => {
-            out.push(Action::Set(param, entry));
+            out.push(Action::Set(subject, entry));
             true
         }
         Err(refusal) => {
-            out.push(Action::Refuse(param.id, Some(refusal.to_string())));
+            out.push(Action::Refuse(subject.id, Some(refusal.to_string())));
             false
         }
     }

@@ -87,11 +87,11 @@ fn model(state: &State, out: &mut Output, ui: &mut Ui, scrolls: bool) {
     let Kind::Choice(names) = param.kind else {
         return;
     };
-    row::framed(state, out, ui, param, scrolls, |out, ui| {
+    row::framed(state, out, ui, param.into(), scrolls, |out, ui| {
         let line = strip(ui, state.device.measures.control);
-        title::name(state, out, ui, param, line);
+        title::name(state, out, ui, param.into(), line);
         let rect = beside_label(line);
-        choices::buttons(&state.fire, out, ui, param, names, rect, names.len());
+        choices::buttons(&state.fire, out, ui, param.into(), names, rect, names.len());
         out.place(ui, param.id, rect);
     });
 }
@@ -122,14 +122,14 @@ fn search(state: &State, out: &mut Output, ui: &mut Ui) {
 fn reset_all(state: &State, out: &mut Output, ui: &Ui, rect: Rect) {
     let face = Face {
         enabled: match &state.only {
-            Some(few) => few.iter().any(|param| state.fire.differs(param)),
+            Some(few) => few.iter().any(|&param| state.fire.differs(param)),
             None => state.fire.is_changed(),
         },
         ..Face::new(Icon::Reset, "Reset all")
     };
     let name = "action:reset-all";
-    let response = button::show(ui, rect, Id::unique(name), face)
-        .on_hover_text("Reset all parameters to the scene");
+    let response =
+        button::show(ui, rect, Id::unique(name), face).on_hover_text("Reset all to the scene");
     out.place(ui, name, rect);
     if response.clicked() {
         out.push(Action::RestoreAll);

@@ -9,6 +9,7 @@ pub mod header;
 mod history;
 mod icons;
 pub mod layout;
+mod objects;
 pub mod output;
 mod quality;
 mod row;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use egui::{Rect, Ui};
 
-use crate::state::{Action, Command, Pointer};
+use crate::state::{Action, Command, Pointer, Subject};
 
 /// What the views of a frame return.
 #[derive(Debug, Default)]
@@ -13,8 +13,8 @@ pub struct Output {
     pub actions: Vec<Action>,
     /// The place of each visible control.
     pub rectangles: BTreeMap<String, Rect>,
-    /// The parameter whose row is under the pointer.
-    pub hovered: Option<&'static str>,
+    /// What the row under the pointer shows.
+    pub hovered: Option<Subject>,
     /// The top of each visible row.
     pub tops: Vec<(&'static str, f32)>,
     /// Whether a control of the present row shows its own tooltip.

@@ -1,11 +1,11 @@
 //! The row of a parameter: its control, and below it what to know about its value.
 
 use egui::{Id, Rect, Sense, Shape, Ui, vec2};
-use hearth_core::params::{Kind, Param};
+use hearth_core::params::Kind;
 
 use crate::cost;
 use crate::format::{bound_text, value_text, with_unit};
-use crate::state::State;
+use crate::state::{State, Subject};
 use crate::theme;
 use crate::view::layout::{paragraph, scroll_into_view};
 use crate::view::output::Output;
@@ -15,17 +15,20 @@ use crate::view::{choices, colour, control, title};
 /// of 4.5:1 on every ground.
 const IDLE: f32 = 0.8;
 
-/// Shows the row of `param`.
-pub fn show(state: &State, out: &mut Output, ui: &mut Ui, param: &'static Param) {
-    framed(state, out, ui, param, true, |out, ui| match param.kind {
-        Kind::Number(scale) => control::number(state, out, ui, param, scale, false),
-        Kind::Integer(scale) => control::number(state, out, ui, param, scale, true),
-        Kind::Seed => control::seed(state, out, ui, param),
-        Kind::Flag => control::flag(state, out, ui, param),
-        Kind::Choice(names) => choices::show(state, out, ui, param, names),
-        Kind::Colour => colour::show(state, out, ui, param),
-        // No parameter is an outline.
-        Kind::Text(_) => {}
+/// Shows the row of a parameter or a property.
+pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: impl Into<Subject>) {
+    let subject = subject.into();
+    framed(state, out, ui, subject, true, |out, ui| {
+        match subject.param.kind {
+            Kind::Number(scale) => control::number(state, out, ui, subject, scale, false),
+            Kind::Integer(scale) => control::number(state, out, ui, subject, scale, true),
+            Kind::Seed => control::seed(state, out, ui, subject),
+            Kind::Flag => control::flag(state, out, ui, subject),
+            Kind::Choice(names) => choices::show(state, out, ui, subject, names),
+            Kind::Colour => colour::show(state, out, ui, subject),
+            // A field of one line cannot show an outline.
+            Kind::Text(_) => {}
+        }
     });
     ui.add_space(state.device.measures.gap);
 }
@@ -36,13 +39,13 @@ pub fn framed(
     state: &State,
     out: &mut Output,
     ui: &mut Ui,
-    param: &'static Param,
+    subject: Subject,
     scrolls: bool,
     content: impl FnOnce(&mut Output, &mut Ui),
 ) {
     let ground = ui.painter().add(Shape::Noop);
     let top = ui.cursor().top();
-    let idle = title::idle(&state.fire, param);
+    let idle = title::idle(&state.fire, subject);
     ui.scope(|ui| {
         if idle.is_some() {
             ui.multiply_opacity(IDLE);
@@ -52,16 +55,16 @@ pub fn framed(
     if let Some(reason) = idle {
         paragraph(ui, &reason, theme::weak());
     }
-    if let Some(refusal) = state.fire.refusals.get(param.id) {
+    if let Some(refusal) = state.fire.refusals.get(subject.id) {
         paragraph(ui, refusal, theme::ERROR);
     }
-    if state.open.description == Some(param.id) {
-        paragraph(ui, &description(state, param), theme::weak());
+    if state.open.description == Some(subject.id) {
+        paragraph(ui, &description(state, subject), theme::weak());
     }
     let space = ui.max_rect();
     let rect = Rect::from_x_y_ranges(space.x_range(), top..=ui.cursor().top());
-    hover(state, out, ui, param, rect);
-    if state.reveal.marked == Some(param.id) {
+    hover(state, out, ui, subject, rect);
+    if state.reveal.marked == Some(subject.id) {
         let fill = Shape::rect_filled(rect.expand2(vec2(8.0, 2.0)), 6.0, theme::RAISED);
         ui.painter().set(ground, fill);
         if state.reveal.row && scrolls {
@@ -71,39 +74,46 @@ pub fn framed(
 }
 
 /// The tooltip of the whole row.
-fn hover(state: &State, out: &mut Output, ui: &Ui, param: &'static Param, rect: Rect) {
-    let row = ui.interact(rect, Id::unique(("row", param.id)), Sense::hover());
+fn hover(state: &State, out: &mut Output, ui: &Ui, subject: Subject, rect: Rect) {
+    let row = ui.interact(rect, Id::unique(("row", subject.id)), Sense::hover());
     if row.contains_pointer() {
-        out.hovered = Some(param.id);
+        out.hovered = Some(subject);
     }
     let quiet = std::mem::take(&mut out.quiet);
     // A tooltip would cover the field or the list.
-    let busy = state.open.field.is_some() || state.open.choice == Some(param.id);
+    let busy = state.open.field.is_some() || state.open.choice == Some(subject.id);
     if !state.device.finger && !quiet && !busy {
-        row.on_hover_text(description(state, param));
+        row.on_hover_text(description(state, subject));
     }
 }
 
 /// What a parameter does, its value in the scene, its range and its attribute.
-fn description(state: &State, param: &Param) -> String {
+fn description(state: &State, subject: Subject) -> String {
     let scene = match &*state.controller.preset {
+        _ if !state.fire.is_of_scene(subject) => "Default",
         "" => "Default",
         preset => preset,
     };
-    let default = with_unit(&value_text(&state.fire.default_of(param)), param.unit);
-    let mut text = format!("{}\n{scene} {default}", param.description().doc);
-    if let Kind::Number(_) | Kind::Integer(_) | Kind::Seed = param.kind {
-        let (min, max) = state.fire.range_of(param);
+    let default = with_unit(
+        &value_text(&state.fire.default_of(subject)),
+        subject.param.unit,
+    );
+    let mut text = format!("{}\n{scene} {default}", subject.param.description().doc);
+    if let Kind::Number(_) | Kind::Integer(_) | Kind::Seed = subject.param.kind {
+        let (min, max) = state.fire.range_of(subject);
         text += &format!(
             " · from {} to {}",
             bound_text(min, ""),
-            bound_text(max, param.unit)
+            bound_text(max, subject.param.unit)
         );
     }
-    if cost::costly_from(param).is_some() {
+    if cost::costly_from(subject).is_some() {
         text += "\nExpensive towards the end of its slider";
     }
-    text + "\nAttribute " + &param.id.replace('_', "-")
+    match subject.object {
+        None => text + "\nAttribute " + &subject.id.replace('_', "-"),
+        Some(owner) => text + "\nProperty " + owner.property,
+    }
 }
 
 #[cfg(test)]

@@ -1,15 +1,16 @@
-//! The rows of the parameters: by group, by search, or those that the page selects.
+//! The rows of the parameters and the objects: by group, by search, or the parameters that the
+//! page selects.
 
 use egui::style::ScrollAnimation;
 use egui::{CursorIcon, Id, Sense, Ui, pos2, vec2};
 use hearth_core::params::Param;
 
 use crate::search;
-use crate::state::{Action, BASICS, QUALITY, State};
+use crate::state::{Action, BASICS, OBJECTS, QUALITY, State};
 use crate::theme;
 use crate::view::layout::{paragraph, strip};
 use crate::view::output::Output;
-use crate::view::{icons, quality, row};
+use crate::view::{icons, objects, quality, row};
 
 /// Shows the rows.
 pub fn show(state: &State, out: &mut Output, ui: &mut Ui) {
@@ -22,12 +23,17 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui) {
     }
 }
 
-/// All parameters of the model, by group.
+/// All parameters of the model, by group. The objects follow the simplest ones.
 fn groups(state: &State, out: &mut Output, ui: &mut Ui) {
     let anchor = state.anchor();
     let used: Vec<&'static Param> = state.fire.used().collect();
+    let mut objects_shown = false;
     for group in used.chunk_by(|a, b| a.group == b.group) {
         let name = group[0].group;
+        if !objects_shown && name != BASICS {
+            object_group(state, out, ui);
+            objects_shown = true;
+        }
         let open = !state.memory.folded.contains(name);
         if heading(out, ui, name, open, state.device.measures.control) {
             out.push(Action::ToggleGroup(name));
@@ -47,7 +53,7 @@ fn groups(state: &State, out: &mut Output, ui: &mut Ui) {
             if top >= ui.clip_rect().top() {
                 out.tops.push((param.id, top));
             }
-            row::show(state, out, ui, param);
+            row::show(state, out, ui, *param);
         }
         if name == BASICS {
             quality::show(state, out, ui);
@@ -56,24 +62,45 @@ fn groups(state: &State, out: &mut Output, ui: &mut Ui) {
     }
 }
 
-/// The parameters that match the search, the best match first.
+/// The group of the objects.
+fn object_group(state: &State, out: &mut Output, ui: &mut Ui) {
+    let open = !state.memory.folded.contains(OBJECTS);
+    if heading(out, ui, OBJECTS, open, state.device.measures.control) {
+        out.push(Action::ToggleGroup(OBJECTS));
+    }
+    if open {
+        objects::show(state, out, ui);
+        ui.add_space(4.0);
+    }
+}
+
+/// The parameters that match the search, the best match first, and the objects that match.
 fn results(state: &State, out: &mut Output, ui: &mut Ui) {
     let query = &*state.search.text;
     let rank = |param| Some((search::rank(query, param)?, param));
     let mut found: Vec<(u32, &'static Param)> = state.fire.used().filter_map(rank).collect();
     found.sort_by_key(|(rank, _)| *rank);
     ui.add_space(6.0);
-    if QUALITY.starts_with(query.trim().to_lowercase().as_str()) {
+    let starts = |name: &str| {
+        let query = query.trim().to_lowercase();
+        name.to_lowercase().starts_with(&query)
+    };
+    let mut nothing = found.is_empty();
+    if starts(QUALITY) {
         quality::show(state, out, ui);
-    } else if found.is_empty() {
+        nothing = false;
+    }
+    for (_, param) in found {
+        row::show(state, out, ui, param);
+    }
+    if starts(OBJECTS) {
+        objects::show(state, out, ui);
+    } else if !objects::results(state, out, ui) && nothing {
         paragraph(
             ui,
             "No parameter matches. Try another word, or clear the search.",
             theme::weak(),
         );
-    }
-    for (_, param) in found {
-        row::show(state, out, ui, param);
     }
 }
 
@@ -83,7 +110,7 @@ fn selected(state: &State, out: &mut Output, ui: &mut Ui, only: &[&'static Param
     ui.add_space(6.0);
     for param in only {
         if param.domain(model).is_some() {
-            row::show(state, out, ui, param);
+            row::show(state, out, ui, *param);
         }
     }
 }

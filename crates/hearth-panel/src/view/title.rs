@@ -1,9 +1,9 @@
 //! The first line of a row: the parameter's name, and the button that resets it.
 
 use egui::{CursorIcon, Id, Rect, Sense, Ui, pos2, vec2};
-use hearth_core::params::{Condition, Param, conditions_in_words};
+use hearth_core::params::{Condition, conditions_in_words};
 
-use crate::state::{Action, Fire, State};
+use crate::state::{Action, Fire, State, Subject};
 use crate::theme;
 use crate::view::button::{self, Face};
 use crate::view::icons::Icon;
@@ -12,27 +12,23 @@ use crate::view::output::Output;
 
 /// Shows the line, with a reset button if the value differs from the scene. Returns the
 /// rest of the line, for the value or the control.
-pub fn line(
-    state: &State,
-    out: &mut Output,
-    ui: &mut Ui,
-    param: &'static Param,
-    height: f32,
-) -> Rect {
+pub fn line(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject, height: f32) -> Rect {
     let rect = strip(ui, height);
-    let name = name(state, out, ui, param, rect);
+    let name = name(state, out, ui, subject, rect);
     let slot = if state.device.finger { 36.0 } else { 24.0 };
     let back = Rect::from_min_size(name.right_top(), vec2(slot, rect.height()));
-    if state.fire.differs(param) {
-        let key = format!("action:restore:{}", param.id);
+    if state.fire.differs(subject) {
+        let key = format!("action:restore:{}", subject.id);
         let response = button::show(ui, back, Id::unique(&key), Face::bare(Icon::Reset));
         out.place(ui, key, back);
         out.quiet = response.hovered();
-        if response
-            .on_hover_text("Reset to the scene's value")
-            .clicked()
-        {
-            out.push(Action::Restore(param));
+        let hint = if state.fire.is_of_scene(subject) {
+            "Reset to the scene's value"
+        } else {
+            "Reset to the default"
+        };
+        if response.on_hover_text(hint).clicked() {
+            out.push(Action::Restore(subject));
         }
     }
     Rect::from_min_max(pos2(back.right() + 4.0, rect.top()), rect.max)
@@ -40,15 +36,17 @@ pub fn line(
 
 /// Shows the name at the left of `rect`. A double click resets the parameter; a tap shows
 /// its description, because a finger cannot hover.
-pub fn name(state: &State, out: &mut Output, ui: &Ui, param: &'static Param, rect: Rect) -> Rect {
-    let idle = idle(&state.fire, param).is_some();
+pub fn name(state: &State, out: &mut Output, ui: &Ui, subject: Subject, rect: Rect) -> Rect {
+    let idle = idle(&state.fire, subject).is_some();
     let rest = if idle { theme::weak() } else { theme::TEXT };
-    let label =
-        ui.painter()
-            .layout_no_wrap(param.description().label.to_owned(), theme::body(), rest);
+    let label = ui.painter().layout_no_wrap(
+        subject.param.description().label.to_owned(),
+        theme::body(),
+        rest,
+    );
     let name = Rect::from_min_size(rect.min, vec2(label.size().x + 4.0, rect.height()));
     let response = ui
-        .interact(name, Id::unique(("name", param.id)), Sense::click())
+        .interact(name, Id::unique(("name", subject.id)), Sense::click())
         .on_hover_cursor(CursorIcon::Help);
     let ink = if response.hovered() {
         theme::ACCENT
@@ -57,30 +55,34 @@ pub fn name(state: &State, out: &mut Output, ui: &Ui, param: &'static Param, rec
     };
     let at = pos2(rect.left(), rect.center().y - label.size().y / 2.0);
     ui.painter().galley_with_override_text_color(at, label, ink);
-    out.place(ui, format!("label:{}", param.id), name);
+    out.place(ui, format!("label:{}", subject.id), name);
     if response.double_clicked() {
-        out.push(Action::Restore(param));
+        out.push(Action::Restore(subject));
     }
     if response.clicked() && state.device.finger {
-        let open = state.open.description == Some(param.id);
-        out.push(Action::Describe((!open).then_some(param.id)));
+        let open = state.open.description == Some(subject.id);
+        out.push(Action::Describe((!open).then_some(subject.id)));
     }
     name
 }
 
 /// The reason why a parameter has no effect at present, if it has none.
-pub fn idle(fire: &Fire, param: &Param) -> Option<String> {
+pub fn idle(fire: &Fire, subject: Subject) -> Option<String> {
     let label = |id: &str| {
-        Param::find(id).map_or_else(String::new, |choice| {
+        let choice = fire.choice_of(subject, id);
+        choice.map_or_else(String::new, |choice| {
             choice.description().label.to_lowercase()
         })
     };
     let in_words = |all: &[Condition]| conditions_in_words(all, label, str::to_owned);
-    let now = &fire.parameters;
-    let missing: Vec<_> = param.unmet_conditions(now).copied().collect();
+    let missing: Vec<_> = fire
+        .unmet_conditions(subject)
+        .into_iter()
+        .copied()
+        .collect();
     if !missing.is_empty() {
         return Some(format!("Only with {}", in_words(&missing)));
     }
-    let ruled_out = param.met_exclusions(now);
+    let ruled_out = fire.met_exclusions(subject);
     (!ruled_out.is_empty()).then(|| format!("Not with {}", in_words(ruled_out)))
 }

@@ -9,16 +9,16 @@ use std::cell::RefCell;
 use std::rc::{Rc, Weak};
 use std::time::Duration;
 
-use hearth_core::params::{PARAMETERS, Param, Value};
-use js_sys::{Array, Function, Object, Promise, Reflect};
+use hearth_core::params::{PARAMETERS, Param};
+use js_sys::{Array, Function, Promise, Reflect};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{CustomEvent, Event, EventTarget};
 
 use crate::panel::Panel;
-use crate::state::fire::{Entry, Stats};
-use crate::state::{Command, ControllerState, MODEL};
+use crate::state::{Command, MODEL, Subject};
 use crate::web::listener::Listener;
+use crate::web::read::{objects, property, stats, text, to_js, value_of};
 
 /// The fire and the panel controller, as objects of JavaScript.
 pub struct Element {
@@ -42,6 +42,7 @@ impl Element {
         let mut listeners = Vec::new();
         let names = [
             "params-change",
+            "objects-change",
             "quality-change",
             "stats",
             "play",
@@ -78,12 +79,16 @@ impl Element {
 
     /// Sends a command. Events report its effect; a refusal is shown in the parameter's row.
     pub fn send(&self, command: Command) {
-        let id = match &command {
-            Command::Set(id, _) => Some(*id),
+        let row = match &command {
+            Command::Set(id, _) => Some((*id, false)),
+            Command::Change(subject, _) => Some((subject.id, true)),
             _ => None,
         };
-        if let (Some(id), Ok(mut panel)) = (id, self.panel.try_borrow_mut()) {
-            panel.state.fire.sent(id);
+        if let (Some((id, of_object)), Ok(mut panel)) = (row, self.panel.try_borrow_mut()) {
+            match of_object {
+                true => panel.state.fire.sent_change(),
+                false => panel.state.fire.sent(id),
+            }
         }
         let answer = self.call(command);
         let (fire, panel) = (self.fire.clone(), Rc::downgrade(&self.panel));
@@ -93,7 +98,7 @@ impl Element {
                 Ok(answer) => JsFuture::from(Promise::resolve(&answer)).await.err(),
                 Err(error) => Some(error),
             };
-            settle(&panel, &fire, id, refusal);
+            settle(&panel, &fire, row, refusal);
             paint_soon(&ctx);
         });
     }
@@ -109,6 +114,31 @@ impl Element {
             Command::Restore(id) => {
                 arguments.push(&id.into());
                 "restore"
+            }
+            Command::Change(subject, value) => {
+                push_owner(&arguments, subject);
+                arguments.push(&to_js(value));
+                "change"
+            }
+            Command::RestoreProperty(subject) => {
+                push_owner(&arguments, subject);
+                "restoreProperty"
+            }
+            Command::Add(kind) => {
+                arguments.push(&kind.into());
+                "add"
+            }
+            Command::Duplicate(id) => {
+                arguments.push(&id.into());
+                "duplicate"
+            }
+            Command::Remove(id) => {
+                arguments.push(&id.into());
+                "remove"
+            }
+            Command::Select(id) => {
+                arguments.push(&id.into());
+                "select"
             }
             Command::Remember(memory) => {
                 let folded: Array = memory.folded.into_iter().map(JsValue::from_str).collect();
@@ -142,11 +172,20 @@ impl Element {
     }
 }
 
-/// Handles the answer to a command: shows its error and reads the present values.
+/// Adds the id of the object and the name of its property.
+fn push_owner(arguments: &Array, subject: Subject) {
+    if let Some(owner) = subject.object {
+        arguments.push(&owner.id.into());
+        arguments.push(&owner.property.into());
+    }
+}
+
+/// Handles the answer to a command: shows its error and reads the present values. A command of a
+/// row has its name and whether it is of an object.
 fn settle(
     panel: &Weak<RefCell<Panel>>,
     fire: &JsValue,
-    id: Option<&'static str>,
+    row: Option<(&'static str, bool)>,
     refusal: Option<JsValue>,
 ) {
     let Some(panel) = panel.upgrade() else { return };
@@ -154,9 +193,13 @@ fn settle(
         return;
     };
     let refusal = refusal.map(|error| text(&error, "message").unwrap_or_default());
-    match id {
-        Some(id) => {
-            if panel.state.fire.answered(id) {
+    match row {
+        Some((id, of_object)) => {
+            if of_object {
+                if panel.state.fire.answered_change() {
+                    read_objects(&mut panel, fire);
+                }
+            } else if panel.state.fire.answered(id) {
                 let value = property(&property(fire, "params"), id);
                 receive_value(&mut panel, fire, id, &value);
             }
@@ -189,6 +232,7 @@ fn receive(panel: &mut Panel, fire: &JsValue, name: &str, event: &Event) {
                 receive_value(panel, fire, &id, &property(&detail, "value"));
             }
         }
+        "objects-change" => read_objects(panel, fire),
         "quality-change" => {
             panel.state.fire.quality = text(fire, "quality").unwrap_or_default();
             panel.state.fire.stats.quality = text(&detail, "quality").unwrap_or_default();
@@ -241,28 +285,32 @@ fn read_controller(panel: &mut Panel, controller: &JsValue) {
     panel.state.memory.times = property(&memory, "times").is_truthy();
 }
 
-/// Takes the values of the scene that the fire started from.
-pub(super) fn read_scene(panel: &mut Panel, values: &JsValue) {
+/// Takes the values and the objects of the scene that the fire started from, and the selection,
+/// from the state of the panel controller.
+pub(super) fn read_scene(panel: &mut Panel, state: &JsValue) {
+    let values = &property(state, "values");
+    let selected = property(state, "selected").as_f64();
+    panel.state.selected = selected.map(|id| id as u32);
     let of = |param: &'static Param| Some((param.id, value_of(&property(values, param.id))?));
     let values: Vec<_> = PARAMETERS.iter().filter_map(of).collect();
-    panel
-        .state
-        .fire
-        .start_from(values.iter().map(|(id, value)| (*id, value.input())));
-}
-
-fn value_of(value: &JsValue) -> Option<Entry> {
-    let number = value.as_f64().map(Entry::Number);
-    let flag = value.as_bool().map(Entry::Flag);
-    number
-        .or(flag)
-        .or_else(|| value.as_string().map(Entry::Text))
+    panel.state.fire.start_from(
+        values.iter().map(|(id, value)| (*id, value.input())),
+        objects(&property(state, "objects")).as_deref(),
+    );
 }
 
 fn read_values(panel: &mut Panel, fire: &JsValue) {
     let values = property(fire, "params");
     for param in PARAMETERS {
         receive_entry(panel, param.id, &property(&values, param.id));
+    }
+    // The model decides which properties objects have.
+    read_objects(panel, fire);
+}
+
+fn read_objects(panel: &mut Panel, fire: &JsValue) {
+    if let Some(objects) = objects(&property(fire, "objects")) {
+        panel.state.fire.receive_objects(&objects);
     }
 }
 
@@ -279,78 +327,7 @@ fn receive_entry(panel: &mut Panel, id: &str, value: &JsValue) {
     }
 }
 
-fn stats(value: &JsValue) -> Stats {
-    let number = |name| property(value, name).as_f64().unwrap_or_default();
-    Stats {
-        fps: number("fps"),
-        particles: number("particles"),
-        asleep: number("asleep"),
-        step_ms: number("stepMs"),
-        steps_per_frame: number("stepsPerFrame"),
-        draw_ms: number("drawMs"),
-        slowed: property(value, "slowed").is_truthy(),
-        time_scale: number("timeScale"),
-        quality: text(value, "quality").unwrap_or_default(),
-        reason: text(value, "qualityReason").unwrap_or_default(),
-        stages: times(&property(value, "stages")),
-        passes: times(&property(value, "passes")),
-        on_card: text(value, "passTimer").as_deref() == Some("gpu"),
-    }
-}
-
-/// Durations by name.
-fn times(value: &JsValue) -> Vec<(String, f64)> {
-    let Some(object) = value.dyn_ref::<Object>() else {
-        return Vec::new();
-    };
-    let names = Object::keys(object);
-    names
-        .iter()
-        .filter_map(|name| name.as_string())
-        .map(|name| {
-            let time = property(value, &name).as_f64().unwrap_or_default();
-            (name, time)
-        })
-        .collect()
-}
-
-/// The state of the panel controller.
-pub(super) fn controller_state(state: &JsValue) -> ControllerState {
-    let flag = |name| property(state, name).is_truthy();
-    ControllerState {
-        scene: text(state, "scene").unwrap_or_default(),
-        preset: text(state, "preset").unwrap_or_default(),
-        undo: flag("undo"),
-        redo: flag("redo"),
-        link: flag("link"),
-        iframe: flag("iframe"),
-        fullscreen: flag("fullscreen"),
-        done: text(state, "done").unwrap_or_default(),
-        said: text(state, "said").unwrap_or_default(),
-    }
-}
-
 /// Repaints once: `request_repaint` paints two frames.
 pub(super) fn paint_soon(ctx: &egui::Context) {
     ctx.request_repaint_after(Duration::from_millis(1));
-}
-
-/// A property, or `undefined`.
-pub(super) fn property(of: &JsValue, name: &str) -> JsValue {
-    if of.dyn_ref::<Object>().is_none() {
-        return JsValue::UNDEFINED;
-    }
-    Reflect::get(of, &name.into()).unwrap_or(JsValue::UNDEFINED)
-}
-
-fn text(of: &JsValue, name: &str) -> Option<String> {
-    property(of, name).as_string()
-}
-
-fn to_js(value: Value) -> JsValue {
-    match (value, value.as_number()) {
-        (_, Some(number)) => JsValue::from_f64(number),
-        (Value::Flag(on), None) => JsValue::from_bool(on),
-        (_, None) => JsValue::from_str(&value.to_string()),
-    }
 }

@@ -8,6 +8,7 @@
 mod app;
 mod element;
 mod listener;
+mod read;
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -16,8 +17,9 @@ use wasm_bindgen::prelude::*;
 use web_sys::{HtmlCanvasElement, HtmlElement, KeyboardEvent, PointerEvent};
 
 use self::app::{App, InputPolicy};
-use self::element::{Element, controller_state, paint_soon, property, read_scene};
+use self::element::{Element, paint_soon, read_scene};
 use self::listener::Listener;
+use self::read::controller_state;
 use crate::theme::{self, Measures};
 
 /// The panel, as a page sees it.
@@ -90,7 +92,8 @@ impl Panel {
     /// `action:pause`, `action:reset`, `action:step`, `action:undo`, `action:copy:<what>`,
     /// `action:scenes`, `action:restore:<id>` and others name buttons; `value:<id>` is the
     /// value that a click turns into a field, `label:<id>` the name, `choice:<id>:<name>`
-    /// one of the choices.
+    /// one of the choices; `object:<id>` is an object of the list, and `<kind>:<name>` the
+    /// control of a property.
     pub fn rectangles(&self) -> js_sys::Object {
         let result = js_sys::Object::new();
         if let Ok(panel) = self.panel.try_borrow() {
@@ -106,9 +109,10 @@ impl Panel {
         result
     }
 
-    /// Scrolls to a parameter's row and marks it, or scrolls to copy and paste (`share`),
-    /// the tools (`tools`), the quality (`quality`) or the search (`search`), which takes
-    /// the focus; an empty id removes the mark.
+    /// Scrolls to the row of a parameter, or of a property of the selected object
+    /// (`solid:width`), and marks it; or scrolls to copy and paste (`share`), the tools
+    /// (`tools`), the quality (`quality`), the objects (`Objects`) or the search (`search`), which
+    /// takes the focus. An empty id removes the mark.
     pub fn reveal(&self, id: &str) {
         if let Ok(mut panel) = self.panel.try_borrow_mut() {
             panel.state.reveal(id);
@@ -121,7 +125,7 @@ impl Panel {
     pub fn tell(&self, state: JsValue) {
         if let Ok(mut panel) = self.panel.try_borrow_mut() {
             panel.state.controller = controller_state(&state);
-            read_scene(&mut panel, &property(&state, "values"));
+            read_scene(&mut panel, &state);
         }
         paint_soon(&self.ctx);
     }

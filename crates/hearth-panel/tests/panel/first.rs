@@ -85,7 +85,7 @@ fn reset_restores_the_scene() {
         .panel
         .state
         .fire
-        .start_from([("fuel_power", Input::Number(90.0))]);
+        .start_from([("fuel_power", Input::Number(90.0))], None);
     harness
         .panel
         .state

@@ -41,7 +41,7 @@ impl Harness {
             .panel
             .state
             .fire
-            .start_from([(MODEL, Input::Text(model.name()))]);
+            .start_from([(MODEL, Input::Text(model.name()))], None);
         harness.wait();
         harness
     }

@@ -3,6 +3,7 @@
 mod first;
 mod harness;
 mod imports;
+mod objects;
 mod rows;
 
 use egui::{Event, vec2};

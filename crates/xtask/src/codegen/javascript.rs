@@ -5,8 +5,10 @@
 
 use std::fmt::Write as _;
 
-use hearth_core::params::{Choice, DisplayMode, Domain, Kind, Model, PARAMETERS, Param, Scale};
-use hearth_core::scene::KINDS;
+use hearth_core::params::{
+    Choice, DisplayMode, Domain, Kind, Model, PARAMETERS, Param, Property, Scale,
+};
+use hearth_core::scene::{KINDS, MAX_OBJECTS};
 use serde_json::{Map, Value, json};
 
 use super::scene::Scene;
@@ -163,6 +165,43 @@ fn of_object(param: &Param) -> Value {
         ),
     }
     Value::Object(entry)
+}
+
+/// The module of what the panel knows of objects: apart, since nothing else needs it.
+pub(super) fn scene_objects(scenes: &[Scene]) -> String {
+    let mut text = format!(
+        "// Generated from the table of objects of hearth-core and the files of scenes/ by\n\
+         // `cargo xtask codegen`; edit those instead.\n\n\
+         /** Most objects of a kind in a scene. */\n\
+         export const MAX_OBJECTS = {MAX_OBJECTS};\n\n\
+         /** Every property of a solid, in the order of a panel. */\n\
+         export const SOLID = [\n"
+    );
+    let solid = KINDS.iter().find(|kind| kind.name == "solid");
+    let properties = solid.map_or(&[][..], |kind| kind.properties);
+    for param in properties.iter().filter_map(Property::entry) {
+        let mut entry = entry(param);
+        if let Some(fields) = entry.as_object_mut() {
+            let of_parameters = ["attribute", "property", "group", "models", "domains"];
+            fields.retain(|field, _| !of_parameters.contains(&field.as_str()));
+        }
+        let _ = writeln!(text, "  {entry},");
+    }
+    text.push_str(
+        "];\n\n\
+         /** The fields of the objects of each preset besides its source.\n \
+         * @type {{[preset: string]: {[name: string]: string | number | boolean}[]}} */\n\
+         export const OBJECTS = {\n",
+    );
+    for scene in scenes.iter().filter(|scene| !scene.objects.is_empty()) {
+        let objects = scene.objects.iter();
+        let objects: Vec<Map<_, _>> = objects
+            .map(|fields| fields.iter().cloned().collect())
+            .collect();
+        let _ = writeln!(text, "  '{}': {},", scene.name, json!(objects));
+    }
+    text.push_str("};\n");
+    text
 }
 
 /// The module of the package's version.

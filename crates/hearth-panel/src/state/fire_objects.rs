@@ -1,0 +1,55 @@
+//! The panel's copy of the fire's objects.
+//!
+//! As the values, the copy holds checked objects only, and a request that is pending keeps it.
+
+use hearth_core::scene::{Kind, MAX_OBJECTS, Object};
+
+use crate::state::fire::Fire;
+use crate::state::objects::{Fields, has_row, scene_of};
+use crate::state::subject::Subject;
+
+impl Fire {
+    /// Takes the objects that the fire reports.
+    pub fn receive_objects(&mut self, objects: &[Fields]) {
+        if self.changes == 0 {
+            self.objects = scene_of(&self.parameters, objects);
+        }
+    }
+
+    /// Counts a request to change an object as pending.
+    pub fn sent_change(&mut self) {
+        self.changes += 1;
+    }
+
+    /// Counts such a request as answered. Returns whether none is pending any more, so that the
+    /// caller reads the fire's objects again.
+    pub fn answered_change(&mut self) -> bool {
+        self.changes = self.changes.saturating_sub(1);
+        self.changes == 0
+    }
+
+    /// The object with this id.
+    pub fn object(&self, id: u32) -> Option<Object<'_>> {
+        self.objects.objects().find(|one| one.id == id)
+    }
+
+    /// Whether there are as many objects of a kind as a scene can have.
+    pub fn is_full(&self, kind: &Kind) -> bool {
+        let all = self.objects.objects();
+        all.filter(|one| one.kind.name == kind.name).count() >= MAX_OBJECTS
+    }
+
+    /// The properties of an object that have rows: none of the first source, whose properties are
+    /// parameters, and no outline.
+    pub fn properties(&self, object: Object<'_>) -> impl Iterator<Item = Subject> + use<> {
+        let (id, kind, model) = (object.id, object.kind, self.parameters.model());
+        let all = if object.is_first_source() {
+            &[]
+        } else {
+            kind.properties
+        };
+        all.iter()
+            .filter(move |property| has_row(property, model))
+            .filter_map(move |property| Subject::of(id, kind, property))
+    }
+}

@@ -1,0 +1,335 @@
+//! The objects: the list, the buttons, the rows of the selected one, and the search.
+
+use egui::{Event, Key};
+use hearth_core::params::{Kind as ValueKind, Model, Value};
+use hearth_core::scene::KINDS;
+use hearth_panel::state::fire::Entry;
+use hearth_panel::state::objects::has_row;
+use hearth_panel::state::{Command, Fields, OBJECTS, SEARCH, Subject};
+
+use crate::harness::{Harness, LOWER, PHONE, Size, TALL, models};
+
+fn text(name: &str, value: &str) -> (String, Entry) {
+    (name.to_owned(), Entry::Text(value.to_owned()))
+}
+
+fn number(name: &str, value: f64) -> (String, Entry) {
+    (name.to_owned(), Entry::Number(value))
+}
+
+fn source(id: u32) -> Fields {
+    vec![text("kind", "source"), number("id", f64::from(id))]
+}
+
+fn solid(id: u32, shape: &str, material: &str) -> Fields {
+    vec![
+        text("kind", "solid"),
+        number("id", f64::from(id)),
+        text("shape", shape),
+        text("material", material),
+    ]
+}
+
+/// A panel of a fire with two sources, a line and a box, which its scene has as well.
+fn furnished(model: Model, size: Size) -> Harness {
+    let mut harness = Harness::of_model(model, size);
+    let objects = [
+        source(1),
+        source(2),
+        solid(3, "line", "wood"),
+        solid(4, "box", "none"),
+    ];
+    let name = hearth_core::params::Input::Text(model.name());
+    let fire = &mut harness.panel.state.fire;
+    fire.receive_objects(&objects);
+    fire.start_from([("model", name)], Some(&objects));
+    harness.reveal(OBJECTS);
+    harness
+}
+
+fn select(harness: &mut Harness, id: u32) -> Vec<Subject> {
+    harness.reveal(OBJECTS);
+    harness.click(&format!("object:{id}"));
+    assert_eq!(
+        harness.panel.take_commands(),
+        [Command::Select(Some(id))],
+        "{id}"
+    );
+    let fire = &harness.panel.state.fire;
+    let object = fire.object(id);
+    object.map_or_else(Vec::new, |object| fire.properties(object).collect())
+}
+
+#[test]
+fn the_objects_follow_the_basics_and_can_be_folded() {
+    let mut harness = furnished(Model::Combustion, (340.0, 2000.0, TALL.2));
+    let top = |harness: &Harness, name: &str| harness.place(name).top();
+    let tops = ["group:Basics", "group:Objects", "group:Fire"];
+    assert!(tops.map(|name| top(&harness, name)).is_sorted());
+    harness.click("group:Objects");
+    assert!(!harness.in_sight("object:1"));
+    let remembered = harness.panel.take_commands();
+    assert!(
+        matches!(&remembered[..], [Command::Remember(memory)] if memory.folded.contains(OBJECTS))
+    );
+    // A page that selects parameters has no objects.
+    harness.panel.state.only = Some(harness.used().into_iter().take(3).collect());
+    harness.wait();
+    assert!(!harness.in_sight("group:Objects") && !harness.in_sight("action:add:solid"));
+}
+
+#[test]
+fn the_list_names_every_object_and_selects_one() {
+    for size in [TALL, PHONE] {
+        let mut harness = furnished(Model::Combustion, size);
+        let texts = harness.texts();
+        for name in [
+            "Source 1",
+            "Source 2",
+            "Solid 3 · wood line",
+            "Solid 4 · invisible box",
+        ] {
+            assert!(texts.iter().any(|text| text == name), "{name} in {texts:?}");
+        }
+        select(&mut harness, 3);
+        harness.reveal(OBJECTS);
+        harness.click("object:3");
+        assert_eq!(harness.panel.take_commands(), [Command::Select(None)]);
+    }
+}
+
+#[test]
+fn the_rows_are_the_properties_that_the_model_uses() {
+    for model in models() {
+        let mut harness = furnished(model, TALL);
+        for (id, kind) in [(2, &KINDS[0]), (3, &KINDS[1])] {
+            let used = kind.properties.iter();
+            let used = used.filter(|property| has_row(property, model));
+            let used: Vec<_> = used
+                .map(|one| format!("{}:{}", kind.name, one.name))
+                .collect();
+            let rows = select(&mut harness, id);
+            assert_eq!(rows.iter().map(|row| row.id).collect::<Vec<_>>(), used);
+            for row in rows {
+                harness.reveal(row.id);
+                harness.place(row.id);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_first_source_has_its_parameters_only() {
+    let mut harness = furnished(Model::Combustion, TALL);
+    assert!(select(&mut harness, 1).is_empty());
+    let texts = harness.texts();
+    let words = "The first source: its properties are in Basics and Fire.";
+    assert!(texts.iter().any(|text| text == words), "{texts:?}");
+    assert!(
+        !harness
+            .panel
+            .rectangles()
+            .keys()
+            .any(|name| name.starts_with("source:"))
+    );
+}
+
+#[test]
+fn dragging_changes_every_slider_and_reset_restores_it() {
+    for size in [TALL, LOWER, PHONE] {
+        let mut harness = furnished(Model::Combustion, size);
+        for id in [2, 4] {
+            for row in select(&mut harness, id) {
+                if !matches!(row.param.kind, ValueKind::Number(_)) {
+                    continue;
+                }
+                harness.reveal(row.id);
+                let rail = harness.place(row.id);
+                let before = harness.panel.state.fire.value(row);
+                harness.drag(rail.center(), rail.right_center());
+                let now = harness.panel.state.fire.value(row);
+                assert_ne!(now, before, "{}", row.id);
+                let (_, max) = harness.panel.state.fire.slider_range(row);
+                assert_eq!(now.as_number(), Some(max), "{}", row.id);
+                let last = harness.panel.take_commands().pop();
+                assert_eq!(last, Some(Command::Change(row, now)));
+                assert!(harness.panel.state.fire.is_changed());
+                harness.reveal(row.id);
+                harness.click(&format!("action:restore:{}", row.id));
+                let asked = harness.panel.take_commands();
+                assert_eq!(asked, [Command::RestoreProperty(row)]);
+                let default = harness.panel.state.fire.default_of(row);
+                assert_eq!(default, before, "{}", row.id);
+                let input = Entry::Number(default.as_number().unwrap_or_default());
+                let set = harness.panel.state.fire.set(row, input.input());
+                assert_eq!(set, Ok(before));
+                assert!(!harness.panel.state.fire.is_changed());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_condition_names_the_property_that_decides() {
+    let mut harness = furnished(Model::Combustion, (340.0, 2000.0, TALL.2));
+    select(&mut harness, 3);
+    let texts = harness.texts();
+    assert!(
+        texts.iter().any(|text| text == "Only with shape box"),
+        "{texts:?}"
+    );
+    harness.click("solid:shape");
+    harness.click("choice:solid:shape:box");
+    let texts = harness.texts();
+    assert!(
+        !texts.iter().any(|text| text == "Only with shape box"),
+        "{texts:?}"
+    );
+    let words = "Only with heat fixed or conducting";
+    assert!(texts.iter().any(|text| text == words), "{texts:?}");
+}
+
+#[test]
+fn what_is_typed_counts_when_another_object_is_selected() {
+    let mut harness = furnished(Model::Combustion, (340.0, 2000.0, TALL.2));
+    let rows = select(&mut harness, 3);
+    let width = rows
+        .iter()
+        .find(|row| row.id == "solid:width")
+        .expect("a width");
+    harness.click("value:solid:width");
+    harness.frame(vec![Event::Text("0.7".to_owned())]);
+    harness.click("object:4");
+    let asked = harness.panel.take_commands();
+    let set = Command::Change(*width, Value::Number(0.7));
+    assert!(asked.contains(&set), "{asked:?}");
+    assert!(asked.contains(&Command::Select(Some(4))));
+    assert!(harness.panel.state.open.field.is_none());
+}
+
+#[test]
+fn a_typed_value_out_of_range_is_refused_with_a_reason() {
+    let mut harness = furnished(Model::Combustion, (340.0, 2000.0, TALL.2));
+    select(&mut harness, 3);
+    harness.click("value:solid:width");
+    harness.frame(vec![Event::Text("70".to_owned())]);
+    harness.key(Key::Enter);
+    assert!(harness.panel.take_commands().is_empty());
+    let refusal = &harness.panel.state.fire.refusals["solid:width"];
+    for part in ["width", "70", "from 0.002 to 10 m"] {
+        assert!(refusal.contains(part), "{refusal}");
+    }
+}
+
+#[test]
+fn the_value_under_the_pointer_can_be_copied() {
+    let mut harness = furnished(Model::Combustion, TALL);
+    select(&mut harness, 3);
+    harness.reveal("solid:width");
+    let pos = harness.place("solid:width").center();
+    harness.frame(vec![Event::PointerMoved(pos)]);
+    harness.wait();
+    let copied = harness.panel.hovered_value();
+    assert_eq!(copied, Some(("0.2".to_owned(), "Width")));
+}
+
+#[test]
+fn buttons_send_their_commands() {
+    let mut harness = furnished(Model::Combustion, TALL);
+    harness.click("action:duplicate");
+    harness.click("action:delete");
+    assert!(harness.panel.take_commands().is_empty(), "none is selected");
+    select(&mut harness, 3);
+    for (button, asked) in [
+        ("action:add:source", Command::Add("source")),
+        ("action:add:solid", Command::Add("solid")),
+        ("action:duplicate", Command::Duplicate(3)),
+        ("action:delete", Command::Remove(3)),
+    ] {
+        harness.reveal(OBJECTS);
+        harness.click(button);
+        assert_eq!(harness.panel.take_commands(), [asked], "{button}");
+    }
+}
+
+#[test]
+fn a_button_at_the_limit_is_disabled_and_says_why() {
+    let mut harness = Harness::of_model(Model::Combustion, TALL);
+    let mut objects = vec![source(1)];
+    objects.extend((2..66).map(|id| solid(id, "circle", "stone")));
+    harness.panel.state.fire.receive_objects(&objects);
+    harness.reveal(OBJECTS);
+    harness.click("action:add:solid");
+    assert!(harness.panel.take_commands().is_empty());
+    harness.click("action:add:source");
+    assert_eq!(harness.panel.take_commands(), [Command::Add("source")]);
+    let texts = harness.texts();
+    let words = "A scene has at most 64 solids.";
+    assert!(texts.iter().any(|text| text == words), "{texts:?}");
+}
+
+#[test]
+fn a_search_finds_properties_and_objects() {
+    for size in [TALL, PHONE] {
+        let mut harness = furnished(Model::Combustion, size);
+        harness.reveal(SEARCH);
+        harness.frame(vec![Event::Text("corner radius".to_owned())]);
+        harness.wait();
+        harness.reveal("");
+        // The line has no corners.
+        if size == TALL {
+            harness.place("object:4");
+            harness.place("solid:corner");
+            assert!(!harness.in_sight("object:3"));
+        }
+        harness.panel.state.search.text = "wood".to_owned();
+        harness.wait();
+        let texts = harness.texts();
+        assert!(
+            texts.iter().any(|text| text == "Solid 3 · wood line"),
+            "{texts:?}"
+        );
+        harness.panel.state.fire.receive_objects(&[source(1)]);
+        harness.panel.state.search.text = "corner".to_owned();
+        harness.wait();
+        let texts = harness.texts();
+        let words = "Corner radius is a property of a solid: add one.";
+        assert!(texts.iter().any(|text| text == words), "{texts:?}");
+    }
+}
+
+#[test]
+fn a_slider_spans_the_frame_and_a_value_beyond_it() {
+    let mut harness = furnished(Model::Combustion, TALL);
+    let rows = select(&mut harness, 3);
+    let place = *rows
+        .iter()
+        .find(|row| row.id == "solid:x")
+        .expect("a place");
+    let fire = &mut harness.panel.state.fire;
+    assert_eq!(fire.slider_range(place), (-1.8, 1.8));
+    assert_eq!(fire.range_of(place), (-10.0, 10.0));
+    assert!(fire.set(place, Entry::Number(-4.0).input()).is_ok());
+    assert_eq!(fire.slider_range(place), (-4.0, 1.8));
+}
+
+#[test]
+fn an_older_list_does_not_move_a_dragged_slider() {
+    let mut harness = furnished(Model::Combustion, TALL);
+    let rows = select(&mut harness, 3);
+    let place = *rows
+        .iter()
+        .find(|row| row.id == "solid:x")
+        .expect("a place");
+    let fire = &mut harness.panel.state.fire;
+    let old = [source(1), solid(3, "line", "wood")];
+    assert!(fire.set(place, Entry::Number(0.4).input()).is_ok());
+    fire.sent_change();
+    fire.sent_change();
+    fire.receive_objects(&old);
+    assert_eq!(fire.value(place), Value::Number(0.4));
+    assert!(!fire.answered_change());
+    assert!(fire.answered_change());
+    fire.receive_objects(&old);
+    assert_eq!(fire.value(place), Value::Number(0.0));
+}

@@ -1,0 +1,120 @@
+/**
+ * The objects among the accessible controls: buttons to add, duplicate and delete, a list to select one,
+ * and a control for each property of the selected object.
+ *
+ * The properties of the first source are parameters, whose controls stand in their own groups.
+ */
+
+import { KINDS, entriesOf, isFirstSource, isFull, isSame, nameOf, objectsOf, sliderDomain } from './objects.js';
+import { inWords, makeControl } from './native-controls.js';
+import { MAX_OBJECTS } from '../generated/scene-objects.js';
+
+/** The group, and its name for the panel. */
+export const OBJECTS = 'Objects';
+
+/**
+ * @typedef {object} AccessibleObjects
+ * @property {() => void} show  Shows the present objects.
+ */
+
+/**
+ * @param {object} parts
+ * @param {HTMLElement} parts.root
+ * @param {import('../hearth-fire.js').HearthFire} parts.fire
+ * @param {import('./controller.js').PanelController} parts.controller
+ * @param {(id: string) => void} parts.reveal
+ * @param {(action: string, text: string, press: () => unknown, parent: HTMLElement) => HTMLButtonElement} parts.addButton
+ * @param {Map<string, HTMLElement>} parts.places  The elements by the names that the panel gives them.
+ * @returns {AccessibleObjects}
+ */
+export function mountAccessibleObjects({ root, fire, controller, reveal, addButton, places }) {
+  const group = document.createElement('fieldset');
+  group.name = OBJECTS;
+  const legend = document.createElement('legend');
+  legend.textContent = OBJECTS;
+  group.append(legend);
+  root.append(group);
+
+  const revealGroup = (/** @type {HTMLElement} */ control) => control.addEventListener('focus', () => reveal(OBJECTS));
+  /** A disabled button would lose the focus. @type {{button: HTMLButtonElement, isOn: () => boolean}[]} */
+  const buttons = [];
+  /** @type {(action: string, text: string, isOn: () => boolean, press: () => unknown) => void} */
+  const add = (action, text, isOn, press) => {
+    const button = addButton(action, text, () => (isOn() ? press() : undefined), group);
+    revealGroup(button);
+    buttons.push({ button, isOn });
+  };
+  for (const kind of KINDS) add(`add:${kind}`, `Add ${kind}`, () => !isFull(fire, kind), () => controller.add(kind));
+  add('duplicate', 'Duplicate', () => {
+    const object = controller.selected;
+    return object !== undefined && !isFull(fire, object.kind);
+  }, () => controller.selected && controller.duplicate(controller.selected.id));
+  add('delete', 'Delete', () => controller.selected !== undefined, () => controller.selected && controller.remove(controller.selected.id));
+
+  const selection = makeControl({ label: 'Selected object', kind: 'choice', unit: '' }, (value) => {
+    controller.select(value === '' ? undefined : Number(value));
+  });
+  const select = /** @type {HTMLSelectElement} */ (selection.control);
+  select.dataset.action = 'select-object';
+  revealGroup(select);
+  places.set('objects', select);
+  group.append(selection.row);
+
+  const rows = KINDS.flatMap((kind) => entriesOf(kind).map((entry) => addRow(kind, entry)));
+
+  /** @type {(kind: import('./objects.js').Kind, entry: import('./objects.js').Entry) => () => void} */
+  function addRow(kind, entry) {
+    const { name } = entry;
+    const place = `${kind}:${name}`;
+    const { row, control, note, show } = makeControl(entry, (value) => {
+      const object = controller.selected;
+      // The element's error event reports a refusal.
+      if (object) controller.change(object.id, name, value).catch(() => {}).finally(update);
+    });
+    control.dataset.property = place;
+    control.title = entry.doc;
+    group.append(row);
+    places.set(place, control);
+    const restore = addButton(`restore:${place}`, `Reset ${entry.label}`, () => {
+      control.focus();
+      return controller.selected && controller.restoreProperty(controller.selected.id, name);
+    }, group);
+    control.addEventListener('focus', () => reveal(place));
+    control.addEventListener('blur', () => reveal(''));
+
+    function update() {
+      const object = controller.selected;
+      const domain = object && sliderDomain(fire, entry, object[name]);
+      const isShown = object?.kind === kind && domain !== undefined && !isFirstSource(fire, object);
+      row.hidden = !isShown;
+      restore.hidden = !isShown || isSame(object[name], controller.propertyOf(object, name));
+      if (!isShown) return;
+      show(object[name], domain);
+      const missing = Object.entries(entry.when ?? {}).filter(([of, names]) => (
+        !names.includes(String(object[of] ?? fire.params[/** @type {keyof typeof fire.params} */ (of)]))
+      ));
+      note.textContent = missing.length > 0 ? `Only with ${missing.map((one) => inWords(one, entriesOf(kind))).join(' and ')}` : '';
+      row.classList.toggle('idle', missing.length > 0);
+    }
+    return update;
+  }
+
+  /** What the list shows, so that an open list is not written anew. */
+  let listed = '';
+  return {
+    show() {
+      const names = objectsOf(fire).map((object) => [String(object.id), nameOf(object)]);
+      if (JSON.stringify(names) !== listed) {
+        listed = JSON.stringify(names);
+        select.replaceChildren(new Option('none', ''), ...names.map(([id, name]) => new Option(name, id)));
+      }
+      const selected = controller.selected;
+      select.value = String(selected?.id ?? '');
+      for (const { button, isOn } of buttons) button.setAttribute('aria-disabled', String(!isOn()));
+      const full = KINDS.filter((kind) => isFull(fire, kind)).map((kind) => `A scene has at most ${MAX_OBJECTS} ${kind}s.`);
+      const first = selected && isFirstSource(fire, selected) ? ['The properties of the first source are in Basics and Fire.'] : [];
+      selection.note.textContent = [...full, ...first].join(' ');
+      for (const update of rows) update();
+    },
+  };
+}

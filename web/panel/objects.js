@@ -1,0 +1,211 @@
+/**
+ * The objects of a fire as the panel treats them: the tables of their properties, their names, and
+ * where a new one stands.
+ */
+
+import { SOURCE } from '../generated/objects.js';
+import { MAX_OBJECTS, SOLID } from '../generated/scene-objects.js';
+import { PARAMETERS } from '../parameters.js';
+
+/**
+ * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
+ * @typedef {import('../parameters.js').ModelName} ModelName
+ * @typedef {import('../parameters.js').ParameterDomain} Domain
+ * @typedef {'source' | 'solid'} Kind
+ * @typedef {Pick<HearthFire, 'objects' | 'params'> & Partial<Pick<HearthFire, 'toMetres' | 'clientWidth' | 'clientHeight'>>} Fire
+ *   an element or anything with its API
+ * @typedef {{id: number, kind: Kind, [name: string]: any}} Fields  An object, by the names of its fields.
+ *
+ * @typedef {object} Entry  What is known of a property: as of a parameter.
+ * @property {string} id
+ * @property {string} name
+ * @property {string} label
+ * @property {string} unit
+ * @property {string} doc
+ * @property {string} kind
+ * @property {string} [scale]
+ * @property {string[]} [choices]
+ * @property {{[id: string]: string[]}} [when]
+ * @property {(model: ModelName) => Domain | undefined} domain  Default and range, if the model uses it.
+ */
+
+/** The kinds, in the order of the panel. @type {Kind[]} */
+export const KINDS = ['source', 'solid'];
+
+/** Free space around a new object, in sizes of it. */
+const GAP = 0.25;
+
+/** How many places a new object tries in each direction. */
+const TRIES = 100;
+
+/** The properties of each kind. @type {{[kind in Kind]: Entry[]}} */
+const ENTRIES = {
+  source: Object.entries(SOURCE).flatMap(([name, id]) => {
+    const parameter = PARAMETERS.find((one) => one.id === id);
+    if (!parameter) return [];
+    return [{ ...parameter, name, when: /** @type {Entry['when']} */ (parameter.when), domain: (/** @type {ModelName} */ model) => parameter.domains[model] }];
+  }),
+  solid: SOLID.map((entry) => ({ ...entry, name: entry.id, when: /** @type {Entry['when']} */ (entry.when), domain: () => entry })),
+};
+
+/**
+ * Default and range of a property on a slider; undefined if the model does not use it. A place may be far
+ * outside of the frame, but a slider of all places would be too coarse: it spans the frame and the value.
+ * @type {(fire: Pick<HearthFire, 'params'>, entry: Entry, value: any) => Domain | undefined}
+ */
+export function sliderDomain({ params }, entry, value) {
+  const domain = params && entry.domain(params.model);
+  if (!domain || entry.scale !== 'linear' || entry.unit !== 'm') return domain;
+  const { min = 0, max = 0 } = domain;
+  const size = Math.max(params.domain_width, params.domain_height);
+  return { ...domain, min: Math.max(min, Math.min(-size, value)), max: Math.min(max, Math.max(size, value)) };
+}
+
+/** The properties of a kind. @param {Kind} kind */
+export function entriesOf(kind) {
+  return ENTRIES[kind] ?? [];
+}
+
+/** Whether two values are the same to the fire, whose numbers have single precision. @type {(a: unknown, b: unknown) => boolean} */
+export function isSame(a, b) {
+  return typeof a === 'number' && typeof b === 'number' ? Math.fround(a) === Math.fround(b) : a === b;
+}
+
+/** The objects of a fire; another object with its API may have none. @param {Pick<HearthFire, 'objects'>} fire */
+export function objectsOf(fire) {
+  return /** @type {Fields[]} */ (fire.objects ?? []);
+}
+
+/** Whether the properties of an object are parameters. @type {(fire: Pick<HearthFire, 'objects'>, object: Fields) => boolean} */
+export function isFirstSource(fire, { id }) {
+  return objectsOf(fire).find(({ kind }) => kind === 'source')?.id === id;
+}
+
+/** Whether there are as many objects of a kind as a scene can have. @type {(fire: Pick<HearthFire, 'objects'>, kind: Kind) => boolean} */
+export function isFull(fire, kind) {
+  return objectsOf(fire).filter((one) => one.kind === kind).length >= MAX_OBJECTS;
+}
+
+/** The name of an object in a list: "Source 1", "Solid 2 · wood line". @param {Fields} object */
+export function nameOf({ id, kind, shape, material }) {
+  const name = `${kind[0].toUpperCase()}${kind.slice(1)} ${id}`;
+  return shape ? `${name} · ${material === 'none' ? 'invisible' : material} ${shape}` : name;
+}
+
+/**
+ * The fields of a new object beside the fire. A source is half as wide and as strong as the first one. A
+ * solid fits the frame.
+ * @type {(fire: Fire, kind: Kind) => Omit<Fields, 'id'>}
+ */
+export function newObject(fire, kind) {
+  const { domain_width: width, domain_height: height } = fire.params;
+  const first = objectsOf(fire).find((one) => one.kind === 'source');
+  if (kind === 'source') {
+    if (!first) return { kind };
+    const { id, ...fields } = first;
+    for (const name of ['width', 'power', 'rate']) {
+      if (name in fields) fields[name] = inRange(fire, kind, name, fields[name] / 2);
+    }
+    return { ...fields, ...place(fire, fields, first) };
+  }
+  const size = rounded(Math.min(0.2, 0.15 * Math.min(width, height)));
+  const fields = { kind, width: size, height: rounded(size / 2) };
+  return { ...fields, ...place(fire, { ...fields, shape: 'circle' }, first ?? { x: 0, y: 0, width: 0 }) };
+}
+
+/** The fields of an object like this one, beside it. @type {(fire: Fire, object: Fields) => Omit<Fields, 'id'>} */
+export function copyOf(fire, object) {
+  const { id, ...fields } = object;
+  return { ...fields, ...place(fire, fields, object) };
+}
+
+/** The range decides about half a value. @type {(fire: Pick<HearthFire, 'params'>, kind: Kind, name: string, value: number) => number} */
+function inRange(fire, kind, name, value) {
+  const { min = value, max = value } = entriesOf(kind).find((one) => one.name === name)?.domain(fire.params.model) ?? {};
+  return rounded(Math.min(max, Math.max(min, value)));
+}
+
+/**
+ * A place in sight beside `anchor`, clear of all objects: the nearest one in its row, else in the rows above.
+ * Solids stand as low as the lowest one or, without one, as the anchor.
+ * @param {Fire} fire
+ * @param {{[name: string]: any}} fields
+ * @param {{[name: string]: any}} anchor
+ */
+function place(fire, fields, anchor) {
+  const seen = seenOf(fire);
+  const radius = sizeOf(fields).radius;
+  const step = radius / 2;
+  const start = sizeOf(anchor).width / 2 + radius * (1 + GAP);
+  const solids = objectsOf(fire).filter((object) => fields.kind === 'solid' && object.kind === 'solid');
+  const ground = Math.max(0, Math.min(...solids.map((object) => object.y - sizeOf(object).height / 2)));
+  const lowest = solids.length > 0 ? ground + radius : anchor.y;
+  const all = objectsOf(fire);
+  const isClear = (/** @type {number} */ x, /** @type {number} */ y) => (
+    x - radius >= seen.left && x + radius <= seen.right && y >= seen.bottom && y + radius <= seen.top
+    && all.every((one) => distance(one, x, y) >= radius)
+  );
+  for (let row = 0; row < TRIES; row += 1) {
+    for (let at = 0; at < TRIES; at += 1) {
+      for (const side of [1, -1]) {
+        const x = rounded(anchor.x + side * (start + at * step));
+        const y = rounded(lowest + 2 * row * step);
+        if (isClear(x, y)) return { x, y };
+      }
+    }
+  }
+  return { x: anchor.x, y: rounded(Math.min(seen.top, lowest + 2 * radius)) };
+}
+
+/** The part of the frame that the element shows [m]. @param {Fire} fire */
+function seenOf(fire) {
+  const { domain_width: width, domain_height: height } = fire.params;
+  const lower = fire.toMetres?.(0, fire.clientHeight ?? 0);
+  const upper = fire.toMetres?.(fire.clientWidth ?? 0, 0);
+  return {
+    left: Math.max(-width / 2, lower?.x ?? -Infinity),
+    right: Math.min(width / 2, upper?.x ?? Infinity),
+    bottom: Math.max(0, lower?.y ?? 0),
+    top: Math.min(height, upper?.y ?? Infinity),
+  };
+}
+
+/**
+ * Extent of an object, and the radius of a disc that contains it. A source is a line.
+ * @param {{[name: string]: any}} fields
+ */
+function sizeOf(fields) {
+  const { kind, shape = 'circle', angle = 0 } = fields;
+  const { width, height } = boxOf(fields);
+  if (kind === 'source') return { width, height: 0, radius: width / 2 };
+  if (shape === 'circle') return { width, height: width, radius: width / 2 };
+  const [sine, cosine] = [Math.sin, Math.cos].map((of) => Math.abs(of(angle * Math.PI / 180)));
+  return { width: cosine * width + sine * height, height: sine * width + cosine * height, radius: Math.hypot(width, height) / 2 };
+}
+
+/** Width and height of the box of an object before it is turned. @param {{[name: string]: any}} fields */
+function boxOf({ shape, points = '', width, height }) {
+  if (shape !== 'polygon' && shape !== 'stroke') return { width, height };
+  /** @type {number[]} */
+  const all = (String(points).match(/[-+.\de]+/g) ?? []).map(Number);
+  const reach = (/** @type {number} */ part) => 2 * Math.max(0, ...all.filter((_, at) => at % 2 === part).map(Math.abs));
+  const line = shape === 'stroke' ? height : 0;
+  return { width: reach(0) + line, height: reach(1) + line };
+}
+
+/** The distance of a point from an object. @type {(object: Fields, x: number, y: number) => number} */
+function distance(object, x, y) {
+  const { kind, shape, angle = 0 } = object;
+  const { width, height } = boxOf(object);
+  const [right, up] = [x - object.x, y - object.y];
+  if (kind !== 'source' && shape === 'circle') return Math.hypot(right, up) - width / 2;
+  const [sine, cosine] = [Math.sin, Math.cos].map((of) => of(angle * Math.PI / 180));
+  const along = Math.abs(cosine * right + sine * up) - width / 2;
+  const across = Math.abs(cosine * up - sine * right) - (kind === 'source' ? 0 : height / 2);
+  return Math.hypot(Math.max(along, 0), Math.max(across, 0));
+}
+
+/** Three digits are enough for a first value. @param {number} x */
+function rounded(x) {
+  return Number(x.toPrecision(3));
+}

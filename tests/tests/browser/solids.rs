@@ -241,7 +241,7 @@ fn an_outline_is_drawn_again_when_it_changes_and_moves_without_an_upload() -> Re
         scene
             .change(id, change)
             .map_err(|errors| format!("{errors:?}"))?;
-        renderer.upload_solids(&canvas.gl, &scene);
+        renderer.upload_solids(&canvas.gl, &scene, &[]);
         let pixels = canvas.paint_with(&mut renderer, &[], scene.settings())?;
         assert_eq!(pixels.at(x, y)[3], 255, "{change:?}");
         assert_eq!(pixels.at(beside[0], beside[1])[3], 0, "{change:?}");

@@ -155,6 +155,7 @@ impl Mask {
             }
         });
         let mut opacity = Vec::new();
+        let mut is_solid = false;
         for letter in letters.bytes() {
             let value = LETTERS.iter().position(|known| *known == letter)?;
             let (pixel, run) = match value {
@@ -162,12 +163,14 @@ impl Mask {
                 TRANSPARENT_RUN.. => (0, run(value - TRANSPARENT_RUN)),
                 _ => (value as u8, 1),
             };
+            is_solid |= pixel > OPAQUE / 2;
             if opacity.len() + run > width * height {
                 return None;
             }
-            opacity.resize(opacity.len() + run, pixel);
+            for _ in 0..run {
+                opacity.push(pixel);
+            }
         }
-        let is_solid = opacity.iter().any(|&pixel| pixel > OPAQUE / 2);
         (is_solid && opacity.len() == width * height)
             .then(|| Mask(Arc::new((text.to_owned(), Pixels { width, opacity }))))
     }

@@ -116,29 +116,38 @@ fn passes([one, other]: Line, y: f32) -> (f32, i32) {
 #[inline(never)]
 pub(super) fn of_nodes(nodes: &Nodes, opacity: &[f32]) -> Vec<Line> {
     let mut lines = Vec::new();
-    let corner = |column: usize, row: usize| {
-        let opacity = opacity.get(row * nodes.columns + column);
-        (
-            nodes.place(column, row),
-            opacity.copied().unwrap_or_default(),
-        )
-    };
     for row in 1..nodes.rows {
         for column in 1..nodes.columns {
-            let mut end = None;
-            let (mut one, mut a) = corner(column - 1, row);
-            for (left, below) in [(1, 1), (0, 1), (0, 0), (1, 0)] {
-                let (other, b) = corner(column - left, row - below);
-                if (a > EDGE) != (b > EDGE) {
-                    let place = one + (other - one) * ((EDGE - a) / (b - a));
-                    match end.take() {
+            let mut begin = None;
+            let mut from = [column - 1, row];
+            for to in [
+                [column - 1, row - 1],
+                [column, row - 1],
+                [column, row],
+                from,
+            ] {
+                if let Some(place) = cut(nodes, opacity, from, to) {
+                    match begin.take() {
                         Some(begin) => lines.push([begin, place]),
-                        None => end = Some(place),
+                        None => begin = Some(place),
                     }
                 }
-                (one, a) = (other, b);
+                from = to;
             }
+            debug_assert_eq!(begin, None);
         }
     }
     lines
+}
+
+/// The place between two nodes where the opacity is that of the edge.
+#[inline(never)]
+fn cut(nodes: &Nodes, opacity: &[f32], from: [usize; 2], to: [usize; 2]) -> Option<Vec2> {
+    let [a, b] = [from, to].map(|[column, row]| {
+        let opacity = opacity.get(row * nodes.columns + column);
+        opacity.copied().unwrap_or_default()
+    });
+    let [one, other] = [from, to].map(|[column, row]| nodes.place(column, row));
+    let place = one + (other - one) * ((EDGE - a) / (b - a));
+    ((a > EDGE) != (b > EDGE)).then_some(place)
 }

@@ -69,9 +69,10 @@ fn a_warm_fire_allocates_nothing() {
             assert_eq!(parameters.set("display_mode", Input::Text(mode)), Ok(()));
             let model = parameters.model();
             scene.set_settings(parameters);
+            let solids = scene.solids().count();
             let (cold, warm) = allocations(scene, steps);
             assert!(cold > 0, "the count does not count");
-            assert_eq!(warm, 0, "{model:?}, {mode}");
+            assert_eq!(warm, 0, "{model:?}, {mode}, {solids} solids");
         }
     }
 }

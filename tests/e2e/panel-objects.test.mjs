@@ -151,6 +151,10 @@ test('a search finds a property and shows its row', async () => {
   await tab.page.keyboard.type('corner radius');
   // The logs are lines, which have no corners: the first stone has some.
   await panel.part('object:5');
+  // Each letter finds fewer rows, which move.
+  await tab.until('the only row', () => (
+    Object.keys(/** @type {any} */ (window).panelRectangles).filter((name) => name.startsWith('label:')).join() === 'label:model,label:solid:corner'
+  ));
   const rail = await panel.part('solid:corner');
   await tab.drag(along(rail, 0.3), along(rail, 0.05));
   await until(tab, 'rounder', (all) => all[4].corner !== 0.05);

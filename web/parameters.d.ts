@@ -5,7 +5,7 @@
 export type ModelName = "classic" | "combustion";
 
 /** The name of a preset. */
-export type PresetName = "default" | "bonfire-in-wind" | "campfire" | "candle" | "fireside" | "forge" | "gas-burner" | "ghost-fire" | "match" | "smoke-stack" | "torch" | "wall-of-fire" | "classic" | "paper-buoyancy" | "paper-fire" | "paper-smoothing" | "paper-stiffness" | "paper-viscosity" | "seed";
+export type PresetName = "default" | "bonfire-in-wind" | "burning-word" | "campfire" | "candle" | "fireplace" | "fireside" | "forge" | "gas-burner" | "ghost-fire" | "match" | "ring-of-fire" | "smoke-stack" | "torch" | "wall-of-fire" | "classic" | "paper-buoyancy" | "paper-fire" | "paper-smoothing" | "paper-stiffness" | "paper-viscosity" | "seed";
 
 /** The value of every parameter, by its id. */
 export interface HearthParameters {
@@ -35,8 +35,6 @@ export interface HearthParameters {
   ember_rate: number;
   /** A wall behind the fire, in place of the background. The fire lights it. Default "none". */
   backdrop: "none" | "bricks";
-  /** A ground under the fire, which lights it. Solids cast shadows on it. Over a transparent background, only its light and its shadows are drawn. Default "none". */
-  ground: "none" | "stone" | "earth" | "sand" | "snow";
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   time_scale: number;
   /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a colour bar; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model, fuel is the remaining life of a particle, and soot is its smoke. Default "fire". */
@@ -91,6 +89,8 @@ export interface HearthParameters {
   hot_colour: string;
   /** Colour behind the fire; with `transparent` the page shows through. Default "transparent". */
   background: string;
+  /** A ground under the fire, which lights it. Solids cast shadows on it. Over a transparent background, only its light and its shadows are drawn. Default "none". */
+  ground: "none" | "stone" | "earth" | "sand" | "snow";
   /** A backdrop that shimmers behind the flame. How strongly hot gas refracts the view of the backdrop. The page behind the element is not refracted. Default 0.3, from 0 to 1. */
   heat_haze: number;
   /** Larger, slower swings of the flame. Size of the eddies of the turbulence. [m] Default 0.15, from 0.03 to 0.6. */
@@ -207,8 +207,6 @@ export interface HearthProperties {
   emberRate: number;
   /** A wall behind the fire, in place of the background. The fire lights it. Default "none". */
   backdrop: "none" | "bricks";
-  /** A ground under the fire, which lights it. Solids cast shadows on it. Over a transparent background, only its light and its shadows are drawn. Default "none". */
-  ground: "none" | "stone" | "earth" | "sand" | "snow";
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   timeScale: number;
   /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a colour bar; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model, fuel is the remaining life of a particle, and soot is its smoke. Default "fire". */
@@ -263,6 +261,8 @@ export interface HearthProperties {
   hotColour: string;
   /** Colour behind the fire; with `transparent` the page shows through. Default "transparent". */
   background: string;
+  /** A ground under the fire, which lights it. Solids cast shadows on it. Over a transparent background, only its light and its shadows are drawn. Default "none". */
+  ground: "none" | "stone" | "earth" | "sand" | "snow";
   /** A backdrop that shimmers behind the flame. How strongly hot gas refracts the view of the backdrop. The page behind the element is not refracted. Default 0.3, from 0 to 1. */
   heatHaze: number;
   /** Larger, slower swings of the flame. Size of the eddies of the turbulence. [m] Default 0.15, from 0.03 to 0.6. */

@@ -106,8 +106,6 @@ export interface HearthFireAttributes {
   'ember-rate'?: number | `${number}` | undefined;
   /** A wall behind the fire, in place of the background. The fire lights it. Default "none". */
   backdrop?: "none" | "bricks" | undefined;
-  /** A ground under the fire, which lights it. Solids cast shadows on it. Over a transparent background, only its light and its shadows are drawn. Default "none". */
-  ground?: "none" | "stone" | "earth" | "sand" | "snow" | undefined;
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   'time-scale'?: number | `${number}` | undefined;
   /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a colour bar; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model, fuel is the remaining life of a particle, and soot is its smoke. Default "fire". */
@@ -162,6 +160,8 @@ export interface HearthFireAttributes {
   'hot-colour'?: string | undefined;
   /** Colour behind the fire; with `transparent` the page shows through. Default "transparent". */
   background?: string | undefined;
+  /** A ground under the fire, which lights it. Solids cast shadows on it. Over a transparent background, only its light and its shadows are drawn. Default "none". */
+  ground?: "none" | "stone" | "earth" | "sand" | "snow" | undefined;
   /** A backdrop that shimmers behind the flame. How strongly hot gas refracts the view of the backdrop. The page behind the element is not refracted. Default 0.3, from 0 to 1. */
   'heat-haze'?: number | `${number}` | undefined;
   /** Larger, slower swings of the flame. Size of the eddies of the turbulence. [m] Default 0.15, from 0.03 to 0.6. */

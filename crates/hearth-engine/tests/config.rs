@@ -340,7 +340,7 @@ fn errors_name_the_invalid_object_and_no_object_changes() {
         ),
         (
             sources(&[&[("pwer", 9.0)]]),
-            "must be one of x, y, width, power",
+            "must be one of x, y, angle, width, power",
         ),
     ] {
         let said = errors(&object(vec![("objects", objects.clone())]));

@@ -8,7 +8,7 @@
 //! hearth-snapshot 1
 //! time 5.002
 //! value max_particles 1200
-//! solid shape box x -0.1       the properties of a solid
+//! solid shape box x -0.1       the properties of a solid, with ; for a space in a value
 //! column 640 -0.31 0.29       rows, least, most
 //! rows fire 0 1 2 3 4 5 6 7   a display mode, and the columns of its instances
 //! embers 8 9 10 11 12 13 14 15
@@ -192,7 +192,7 @@ impl Snapshot {
         for solid in &self.solids {
             head += "solid";
             for (name, value) in solid {
-                head += &format!(" {name} {value}");
+                head += &format!(" {name} {}", value.replace(' ', ";"));
             }
             head += "\n";
         }
@@ -254,7 +254,7 @@ impl Snapshot {
                     if !rest.is_empty() {
                         return Err(bad());
                     }
-                    let owned = |&[name, value]: &[&str; 2]| (name.to_owned(), value.to_owned());
+                    let owned = |&[name, value]: &[&str; 2]| (name.to_owned(), value.replace(';', " "));
                     snapshot.solids.push(pairs.iter().map(owned).collect());
                 }
                 "column" => {

@@ -312,17 +312,20 @@ impl Combustion {
         // A particle on the edge of the block is outside. The edge of a block at the edge of
         // the domain is exact but for rounding, which must not let that particle in.
         let reach = half - 1e-9 * width;
+        // Exact at right angles, as a particle may be on an edge of the block.
+        let axis = DVec2::from_angle(f64::from(p.source_angle).to_radians());
+        let axis = (axis * 1e12).round() / 1e12;
         let in_block = |particle: &Plain, above: f64| {
-            let at = particle.position.value;
-            let (low, high) = (bottom + above, bottom + block + above);
-            (at.x - middle).abs() < reach && at.y > low && at.y < high
+            let from = particle.position.value - DVec2::new(middle, bottom);
+            let (along, up) = (axis.dot(from), axis.perp_dot(from));
+            along.abs() < reach && up > above && up < block + above
         };
 
         let mut heated = Sum::default();
         let pilot = 1.02 * f64::from(p.ignition_temperature);
         let hot = f64::from(p.source_temperature).max(pilot);
         let grip = (GRIP * dt).min(1.0);
-        let target = DVec2::new(0.0, p.emission_speed.into());
+        let target = axis.perp() * f64::from(p.emission_speed);
         for particle in &mut self.particles {
             if in_block(particle, 0.0) {
                 let [t, _, oxygen, _] = &mut particle.mixture;

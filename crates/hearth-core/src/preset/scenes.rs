@@ -372,6 +372,7 @@ pub static PRESETS: &[Preset] = &[
             ("domain_width", Input::Number(2.0)),
             ("domain_height", Input::Number(1.6)),
             ("spacing", Input::Number(0.0323)),
+            ("max_particles", Input::Number(7000.0)),
         ],
         objects: &[&[
             ("kind", Input::Text("solid")),

@@ -69,7 +69,10 @@ fn a_warm_fire_allocates_nothing() {
             assert_eq!(parameters.set("display_mode", Input::Text(mode)), Ok(()));
             // As many embers at any time: the copies grow to the most that there were.
             let life = f64::from(parameters.ember_life_max);
-            assert_eq!(parameters.set("ember_life_min", Input::Number(life)), Ok(()));
+            assert_eq!(
+                parameters.set("ember_life_min", Input::Number(life)),
+                Ok(())
+            );
             let model = parameters.model();
             scene.set_settings(parameters);
             let solids = scene.solids().count();

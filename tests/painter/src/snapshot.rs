@@ -254,7 +254,8 @@ impl Snapshot {
                     if !rest.is_empty() {
                         return Err(bad());
                     }
-                    let owned = |&[name, value]: &[&str; 2]| (name.to_owned(), value.replace(';', " "));
+                    let owned =
+                        |&[name, value]: &[&str; 2]| (name.to_owned(), value.replace(';', " "));
                     snapshot.solids.push(pairs.iter().map(owned).collect());
                 }
                 "column" => {

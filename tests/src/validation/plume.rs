@@ -8,7 +8,7 @@ use super::{Case, Expected, Outcome, Pace, Row};
 
 pub(super) const CASES: &[Case] = &[Case {
     name: "plume",
-    pace: Pace::Long(120),
+    pace: Pace::Long(300),
     run: plume,
 }];
 

@@ -20,9 +20,7 @@ pub(super) fn value_of(value: &JsValue) -> Option<Entry> {
 pub(super) fn objects(list: &JsValue) -> Option<Vec<Fields>> {
     let list: &Array = list.dyn_ref()?;
     let fields = |object: JsValue| -> Fields {
-        let names = object
-            .dyn_ref::<Object>()
-            .map(|object| Object::keys(object));
+        let names = object.dyn_ref::<Object>().map(Object::keys);
         let names = names.unwrap_or_default();
         let names = names.iter().filter_map(|name| name.as_string());
         names

@@ -73,6 +73,14 @@ impl GasBox {
     }
 }
 
+/// The defaults of the combustion model in a closed domain, with these values.
+///
+/// # Panics
+/// As [`combustion`].
+pub(super) fn closed<'a>(values: impl IntoIterator<Item = (&'a str, f64)>) -> Parameters {
+    gas("periodic", values)
+}
+
 /// The defaults of the combustion model with these values.
 ///
 /// # Panics

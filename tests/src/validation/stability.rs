@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use hearth_core::{Particle, Simulation, Vec2};
 
-use super::boxes::{combustion, fill, run, wide};
+use super::boxes::{closed, fill, run, wide};
 use super::plot::{Plot, Series};
 use super::{Case, Expected, Outcome, Pace, Row};
 
@@ -71,7 +71,7 @@ fn layers(hot_speed: f64, cold_speed: f64, values: &[(&str, f64)]) -> Layers {
     lay(HOT, 0.0, rest(hot), hot_speed);
     lay(COLD, 0.5, rest(cold), cold_speed);
 
-    let closed = [
+    let alone = [
         ("domain_width", 1.0),
         ("domain_height", 1.0),
         ("max_particles", f64::from(total)),
@@ -92,7 +92,7 @@ fn layers(hot_speed: f64, cold_speed: f64, values: &[(&str, f64)]) -> Layers {
         ("kinematic_viscosity", 0.0),
         ("diffusion", 0.0),
     ];
-    let mut fire = Simulation::new(combustion(closed.iter().chain(values).copied()));
+    let mut fire = Simulation::new(closed(alone.iter().chain(values).copied()));
     fill(&mut fire, &gas);
     Layers {
         fire,

@@ -202,7 +202,10 @@ export class PanelController extends EventTarget {
 
   /** Removes an object. @param {number} id */
   remove(id) {
-    return this.#history.objects(() => this.#fire.removeObject(id));
+    return this.#history.objects(async () => {
+      // A step before this one may have removed it.
+      if (objectsOf(this.#fire).some((one) => one.id === id)) await this.#fire.removeObject(id);
+    });
   }
 
   /** @param {() => object | undefined} fields */

@@ -121,7 +121,9 @@ export class UndoHistory {
   async change(id, name, value) {
     const gesture = this.#gesture;
     while (this.#gate) await this.#gate;
-    return this.#change({
+    // A step before this one may have removed it.
+    if (!objectsOf(this.#fire).some((one) => one.id === id)) return;
+    await this.#change({
       key: `${id}.${name}`,
       gesture,
       now: () => objectsOf(this.#fire).find((one) => one.id === id)?.[name],

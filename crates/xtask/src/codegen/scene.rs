@@ -8,7 +8,7 @@ use std::fmt;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
-use hearth_core::params::{Input, Model, PARAMETERS, Parameters};
+use hearth_core::params::{AnyValue, Input, Model, PARAMETERS, Parameters};
 use hearth_core::scene::KINDS;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use serde_json::Value;
@@ -106,6 +106,18 @@ impl Scene {
                 .map(|(name, value)| (name.as_str(), input(value)));
             if let Err(errors) = scene.add(&fields.collect::<Vec<_>>()) {
                 bail!(errors[0].clone());
+            }
+            // A fire reports the canonical text, which pages compare with that of the file.
+            let added = scene.objects().last();
+            for (name, _, value) in added.into_iter().flat_map(|one| one.properties()) {
+                if let AnyValue::Text(text) = value {
+                    let given = object.iter().find(|(field, _)| field == name);
+                    let given = given.and_then(|(_, value)| value.as_str());
+                    ensure!(
+                        given.is_none_or(|given| given == text),
+                        "{name} is not written as {text}"
+                    );
+                }
             }
         }
         Ok(scene)

@@ -14,7 +14,7 @@ use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::Thermal;
 use crate::scene::{Scene, Surface};
-use heat::Store;
+use heat::{Inflow, Store};
 
 /// Longest and shortest time of a motion \[s\].
 const LONGEST_MOTION: f32 = 1.0 / 30.0;
@@ -52,6 +52,19 @@ pub(crate) struct Body {
 }
 
 impl Body {
+    /// Notes that gas of a temperature \[K\] exchanges heat with it at that conductance [kW/K].
+    #[inline]
+    pub fn exchange(&mut self, conductance: f32, temperature: f32) {
+        if let Some(store) = &mut self.store {
+            store.inflow.add(conductance, temperature);
+        }
+    }
+
+    /// What stores its heat, and its temperature \[K\], if it conducts heat.
+    fn heated(&self) -> Option<(Store, f32)> {
+        Some((self.store?, self.temperature?))
+    }
+
     /// The velocity of its surface at a position [m/s].
     #[inline]
     pub fn velocity_at(&self, position: Vec2) -> Vec2 {
@@ -147,6 +160,34 @@ impl Solids {
         }
     }
 
+    /// Heats the bodies that conduct heat by what came in a step. Around them is air of that
+    /// temperature \[K\].
+    pub fn warm(&mut self, dt: f32, air: f32) {
+        // A body and its images follow each other, and have one temperature.
+        for parts in self.bodies.chunk_by_mut(|one, other| one.id == other.id) {
+            let Some((store, temperature)) = parts[0].heated() else {
+                continue;
+            };
+            let mut inflow = Inflow::default();
+            for part in parts.iter_mut().filter_map(|body| body.store.as_mut()) {
+                inflow.join(std::mem::take(&mut part.inflow));
+            }
+            let temperature = store.warmed(temperature, inflow, dt, air);
+            for body in parts {
+                body.temperature = Some(temperature);
+            }
+        }
+    }
+
+    /// The ids of the bodies that conduct heat, and their temperatures \[K\].
+    pub fn temperatures(&self) -> impl Iterator<Item = (u32, f32)> {
+        let bodies = self.bodies.chunk_by(|one, other| one.id == other.id);
+        bodies.filter_map(|parts| {
+            let body = parts.first()?;
+            Some((body.id, body.heated()?.1))
+        })
+    }
+
     /// Lets time pass: motions end.
     pub fn pass(&mut self, dt: f32) {
         for body in &mut self.bodies {
@@ -203,7 +244,11 @@ impl Solids {
 impl Body {
     /// Continues from the same solid before a change.
     fn move_from(&mut self, before: &Body) {
-        self.keep_temperature(before);
+        if let (Some((now, _)), Some((then, temperature))) = (self.heated(), before.heated())
+            && now.first == then.first
+        {
+            self.temperature = Some(temperature);
+        }
         let path = self.centre - before.centre;
         let turn = self.angle - before.angle;
         // The shorter way round.

@@ -11,6 +11,7 @@
 
 mod boxes;
 pub mod diffusion;
+pub mod disc;
 pub mod flame;
 pub mod kernel;
 pub mod measure;
@@ -86,6 +87,7 @@ pub fn cases() -> impl Iterator<Item = &'static Case> {
         viscous::CASES,
         stability::CASES,
         solids::CASES,
+        disc::CASES,
         flame::CASES,
         plume::CASES,
         open_air::CASES,

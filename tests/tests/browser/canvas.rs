@@ -1,7 +1,7 @@
 //! A real canvas with a real WebGL2 context, and what was painted on it.
 
-use hearth_core::Instance;
 use hearth_core::params::Parameters;
+use hearth_core::{Instance, Scene};
 use hearth_render::{Renderer, View};
 use js_sys::{Function, Reflect};
 use wasm_bindgen::prelude::*;
@@ -139,6 +139,16 @@ impl Drop for Canvas {
             let _ = self.lose_context();
         }
     }
+}
+
+/// Paints a scene with its solids.
+pub fn painted(canvas: &Canvas, scene: &Scene, gas: &[Instance]) -> Result<Pixels, JsValue> {
+    let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
+    renderer.upload_solids(&canvas.gl, scene, &[]);
+    let pixels = canvas.paint_with(&mut renderer, gas, scene.settings());
+    renderer.destroy(&canvas.gl);
+    assert_eq!(canvas.gl_error(), 0);
+    pixels
 }
 
 /// What was painted: pixels, asked for by places in the fire's world.

@@ -3,11 +3,10 @@
 
 use hearth_core::params::{Choice, Ground, Input, Parameters};
 use hearth_core::{Instance, Scene};
-use hearth_render::Renderer;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
 
-use crate::canvas::{Canvas, Pixels, words};
+use crate::canvas::{Canvas, Pixels, painted};
 use crate::{HEIGHT, WIDTH, light, puff, with};
 
 /// Height at which the ground begins \[m\]: a tenth of the domain above the source, with a margin.
@@ -19,15 +18,6 @@ fn settings(ground: &str, background: &str) -> Result<Parameters, JsValue> {
         ("background", Input::Text(background)),
         ("source_height", Input::Number(0.0)),
     ])
-}
-
-fn painted(canvas: &Canvas, scene: &Scene, gas: &[Instance]) -> Result<Pixels, JsValue> {
-    let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-    renderer.upload_solids(&canvas.gl, scene, &[]);
-    let pixels = canvas.paint_with(&mut renderer, gas, scene.settings());
-    renderer.destroy(&canvas.gl);
-    assert_eq!(canvas.gl_error(), 0);
-    pixels
 }
 
 /// The picture of a ground without solids.

@@ -7,7 +7,7 @@ use hearth_render::Renderer;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::wasm_bindgen_test;
 
-use crate::canvas::{Canvas, Pixels, words};
+use crate::canvas::{Canvas, painted, words};
 use crate::{HEIGHT, WIDTH, light, puff};
 
 /// How far from a surface its soft edge reaches \[m\]: two pixels of 6 mm.
@@ -29,15 +29,6 @@ fn scene(settings: Parameters, solids: &[&Fields<'_>]) -> Result<Scene, JsValue>
         scene.add(&fields).map_err(|errors| format!("{errors:?}"))?;
     }
     Ok(scene)
-}
-
-fn painted(canvas: &Canvas, scene: &Scene, gas: &[Instance]) -> Result<Pixels, JsValue> {
-    let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-    renderer.upload_solids(&canvas.gl, scene, &[]);
-    let pixels = canvas.paint_with(&mut renderer, gas, scene.settings());
-    renderer.destroy(&canvas.gl);
-    assert_eq!(canvas.gl_error(), 0);
-    pixels
 }
 
 /// A scene with one solid, whose gas does not move the picture of another.

@@ -120,18 +120,24 @@ export class Panel {
   }
 
   /**
-   * The rectangle of a part without an accessible control: a name of a choice, the hue of a
-   * colour.
+   * The rectangle of a part without an accessible control, once it no longer moves: a name of
+   * a choice, the hue of a colour.
    * @param {string} name
    * @returns {Promise<Rectangle>}
    */
   part(name) {
-    return this.until(`the panel shows ${name}`, (root, wanted) => {
-      const found = /** @type {any} */ (window).panelRectangles?.[wanted];
-      const canvas = root.querySelector('.hearth-panel canvas')?.getBoundingClientRect();
-      if (!found || !canvas) return null;
-      const [x, y, width, height] = found;
-      return { x: canvas.x + x, y: canvas.y + y, width, height };
+    return this.until(`the panel shows ${name}`, async (root, wanted) => {
+      const now = () => {
+        const found = /** @type {any} */ (window).panelRectangles?.[wanted];
+        const canvas = root.querySelector('.hearth-panel canvas')?.getBoundingClientRect();
+        if (!found || !canvas) return null;
+        const [x, y, width, height] = found;
+        return { x: canvas.x + x, y: canvas.y + y, width, height };
+      };
+      const first = JSON.stringify(now());
+      for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
+      const last = now();
+      return first === JSON.stringify(last) && last;
     }, name);
   }
 

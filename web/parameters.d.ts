@@ -5,7 +5,7 @@
 export type ModelName = "classic" | "combustion";
 
 /** The name of a preset. */
-export type PresetName = "default" | "bonfire-in-wind" | "burning-word" | "campfire" | "candle" | "fireplace" | "fireside" | "forge" | "gas-burner" | "ghost-fire" | "match" | "ring-of-fire" | "smoke-stack" | "torch" | "wall-of-fire" | "classic" | "paper-buoyancy" | "paper-fire" | "paper-smoothing" | "paper-stiffness" | "paper-viscosity" | "seed";
+export type PresetName = "default" | "bonfire-in-wind" | "burning-word" | "campfire" | "candle" | "fireplace" | "fireside" | "forge" | "gas-burner" | "ghost-fire" | "match" | "ring-of-fire" | "sheltered-candle" | "smoke-stack" | "torch" | "wall-of-fire" | "classic" | "paper-buoyancy" | "paper-fire" | "paper-smoothing" | "paper-stiffness" | "paper-viscosity" | "seed";
 
 /** The value of every parameter, by its id. */
 export interface HearthParameters {
@@ -421,6 +421,16 @@ export interface HearthSolid {
   temperature?: number;
   /** A solid that heats and cools more slowly. Heat capacity by volume; that of stone and iron is 2000 to 3500. [kJ/(m³·K)] Default 100, from 10 to 5000. */
   heat_capacity?: number;
+  /** A solid that moves by itself, and pushes the gas. Sway: to and fro along a line. Spin: around its place. No part of it is faster than 3 m/s. Default "still". */
+  motion?: "still" | "sway" | "spin";
+  /** A solid that moves farther. Distance of its turning points from its place. [m] Default 0.3, from 0 to 5. */
+  sway?: number;
+  /** A motion along another line. Angle from the horizontal at which it starts, counterclockwise. [°] Default 0, from -360 to 360. */
+  heading?: number;
+  /** A slower motion. Time of one motion to and fro. [s] Default 4, from 0.5 to 60. */
+  period?: number;
+  /** A solid that turns faster counterclockwise or, below 0, clockwise. [°/s] Default 45, from -720 to 720. */
+  spin?: number;
 }
 
 /** An object of a scene. */

@@ -340,4 +340,14 @@ export interface HearthSolidAttributes {
   temperature?: number | `${number}` | undefined;
   /** A solid that heats and cools more slowly. Heat capacity by volume; that of stone and iron is 2000 to 3500. [kJ/(m³·K)] Default 100, from 10 to 5000. */
   'heat-capacity'?: number | `${number}` | undefined;
+  /** A solid that moves by itself, and pushes the gas. Sway: to and fro along a line. Spin: around its place. No part of it is faster than 3 m/s. Default "still". */
+  motion?: "still" | "sway" | "spin" | undefined;
+  /** A solid that moves farther. Distance of its turning points from its place. [m] Default 0.3, from 0 to 5. */
+  sway?: number | `${number}` | undefined;
+  /** A motion along another line. Angle from the horizontal at which it starts, counterclockwise. [°] Default 0, from -360 to 360. */
+  heading?: number | `${number}` | undefined;
+  /** A slower motion. Time of one motion to and fro. [s] Default 4, from 0.5 to 60. */
+  period?: number | `${number}` | undefined;
+  /** A solid that turns faster counterclockwise or, below 0, clockwise. [°/s] Default 45, from -720 to 720. */
+  spin?: number | `${number}` | undefined;
 }

@@ -59,7 +59,9 @@ fn allocations(scene: Scene, steps: u32) -> (usize, usize) {
 #[test]
 fn a_warm_fire_allocates_nothing() {
     let open = on_floor(in_the_open(everything(), 1500));
-    let beside = beside_outlines(open.clone());
+    let mut beside = beside_outlines(open.clone());
+    let swaying = [("kind", "solid"), ("motion", "sway")].map(|(id, text)| (id, Input::Text(text)));
+    assert!(beside.add(&swaying).is_ok());
     let fires = [Parameters::new(Model::Classic), everything(), open].map(Scene::from);
     for scene in fires.into_iter().chain([beside]) {
         // Briefly where each picture takes as long as a step.

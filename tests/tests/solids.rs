@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use hearth_core::params::Input;
 use hearth_core::random::Random;
+use hearth_core::scene::Surface;
 use hearth_core::{Particle, Scene, Simulation, Vec2};
 
 type Numbers<'a> = &'a [(&'a str, f64)];
@@ -62,6 +63,10 @@ fn assert_outside(fire: &Simulation, case: u32) {
     for at in fire.positions() {
         assert!(at.is_finite(), "case {case}");
         for (_, solid, surface) in fire.scene().surfaces() {
+            let surface = Surface {
+                frame: solid.frame_at(surface, fire.time()),
+                field: surface.field.clone(),
+            };
             let (distance, _) = surface.distance(at);
             assert!(
                 distance > 0.0,
@@ -131,6 +136,54 @@ fn no_gas_is_inside_of_moving_outlines() {
     no_gas_is_inside(&mut |scene, number, random| {
         add_outline(scene, number, &random_solid(random))
     });
+}
+
+#[test]
+fn no_gas_is_inside_of_solids_that_move_by_themselves() {
+    no_gas_is_inside(&mut |scene, number, random| {
+        let id = if number % 2 == 0 {
+            add_outline(scene, number, &random_solid(random))
+        } else {
+            add(
+                scene,
+                ["box", "line"][number / 2 % 2],
+                &random_solid(random),
+            )
+        };
+        let motion = ["sway", "spin", "sway"][number % 3];
+        let mut between = |low: f32, high: f32| f64::from(random.between(low, high));
+        let numbers = [
+            ("sway", between(0.0, 1.0)),
+            ("heading", between(-180.0, 180.0)),
+            ("period", between(0.5, 4.0)),
+            ("spin", between(-720.0, 720.0)),
+        ];
+        let mut fields = vec![("motion", Input::Text(motion))];
+        fields.extend(numbers.map(|(name, x)| (name, Input::Number(x))));
+        assert_eq!(scene.change(id, &fields), Ok(()));
+        id
+    });
+}
+
+#[test]
+fn a_solid_that_moves_by_itself_is_at_the_same_place_in_a_restored_fire() {
+    let mut scene = scene(&[("edges", "open")], &[]);
+    let id = add(&mut scene, "box", &[("y", 0.8), ("period", 1.0)]);
+    let fields = [("motion", Input::Text("sway"))];
+    assert_eq!(scene.change(id, &fields), Ok(()));
+    let mut fire = Simulation::new(scene.clone());
+    burn(&mut fire, 0.3);
+    let saved = fire.burning().unwrap_or_default();
+    let mut restored = Simulation::new(scene);
+    assert!(restored.restore_burning(&saved).is_ok());
+    assert_outside(&restored, 0);
+    // At the place of the start there is gas now.
+    assert_eq!(restored.positions().len(), fire.positions().len());
+    for _ in 0..20 {
+        restored.step();
+        assert_outside(&restored, 0);
+    }
+    assert_eq!(restored.removed().particles, 0);
 }
 
 fn no_gas_is_inside(add: &mut dyn FnMut(&mut Scene, usize, &mut Random) -> u32) {

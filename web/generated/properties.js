@@ -43,5 +43,10 @@ export const PROPERTIES = {
     thermal: {"every":["adiabatic"]},
     temperature: {"every":[293,250,2500]},
     heat_capacity: {"every":[100,10,5000]},
+    motion: {"every":["still"]},
+    sway: {"every":[0.3,0,5]},
+    heading: {"every":[0,-360,360]},
+    period: {"every":[4,0.5,60]},
+    spin: {"every":[45,-720,720]},
   },
 };

@@ -76,7 +76,7 @@ impl Classic {
         &mut self,
         values: &Physics,
         substeps: &Substeps,
-        forces: &impl BlockForce,
+        (forces, end): (&impl BlockForce, f64),
         on_stage: &mut dyn FnMut(Stage),
     ) {
         let kernel = kernel(values);
@@ -91,6 +91,7 @@ impl Classic {
         interactions::sum(pairs, &kernel, values, substeps.viscosity);
         on_stage(Stage::Forces);
         self.motion = integrate::integrate(particles, pairs, forces, values, substeps.length);
+        self.solids.advance(end);
         integrate::bound(particles, values, &self.solids, &bounds);
         self.solids.pass(substeps.length);
         on_stage(Stage::Integrate);
@@ -117,9 +118,12 @@ impl Solver for Classic {
             Substeps::divide(values, self.motion.max_speed, self.motion.max_acceleration);
         let forces = forces::list(values, time, user);
         let (mut made, mut work) = (0, 0);
+        let bounds = bounds(values);
         while made < substeps.count && work <= MAX_WORK {
-            self.substep(values, &substeps, &forces, on_stage);
             made += 1;
+            self.solids.renew_images(&bounds, values.smoothing_radius);
+            let end = time + f64::from(made as f32 * substeps.length);
+            self.substep(values, &substeps, (&forces, end), on_stage);
             work += self.pairs.work();
         }
         self.substeps = made;
@@ -130,11 +134,12 @@ impl Solver for Classic {
 
     /// Removes the particles outside of a smaller domain; solid walls would move them onto each
     /// other.
-    fn adapt(&mut self, scene: &Scene, _random: &mut Random) {
+    fn adapt(&mut self, scene: &Scene, _random: &mut Random, time: f64) {
         let values = scene.settings();
         let bounds = bounds(values);
         self.particles.retain(|one| bounds.contains(one.position()));
-        self.solids.update(scene, &bounds, values.smoothing_radius);
+        self.solids
+            .update(scene, time, &bounds, values.smoothing_radius);
         solids::hold(&mut self.particles, &self.solids, values);
         self.particles.retain(ParticleState::is_alive);
     }

@@ -192,17 +192,28 @@ impl Combustion {
         made_with: u32,
         scene: &Scene,
         random: &mut Random,
+        time: f64,
     ) {
+        // The solids first: the gas of the particles is around them.
+        self.place_solids(scene, time);
         self.set_particles(particles, scene.settings());
         self.embers = Embers::of(embers);
         self.discretisation = Discretisation::made_with(made_with, scene.settings());
-        self.adapt(scene, random);
+        self.adapt(scene, random, time);
     }
 
     /// What a fire needs to be resampled besides its values: `max_particles` or, in open air, the
     /// bits of the spacing.
     pub fn made_with(&self) -> u32 {
         self.discretisation.as_number()
+    }
+
+    /// Moves the solids to where they are in a scene at a time \[s\].
+    fn place_solids(&mut self, scene: &Scene, time: f64) {
+        let values = scene.settings();
+        let bounds = self.present_bounds(values);
+        let support = 2.0 * values.smoothing_length();
+        self.solids.update(scene, time, &bounds, support);
     }
 
     /// The rectangle of the gas at present.
@@ -262,7 +273,7 @@ impl Solver for Combustion {
     }
 
     /// Resamples the gas if the domain or the spacing of the particles changed.
-    fn adapt(&mut self, scene: &Scene, random: &mut Random) {
+    fn adapt(&mut self, scene: &Scene, random: &mut Random, time: f64) {
         let parameters = scene.settings();
         // A new air temperature changes all gas at once; otherwise all of the old air would rise
         // or sink.
@@ -286,9 +297,7 @@ impl Solver for Combustion {
             self.discretisation = discretisation;
         }
         self.gas.set_mass(parameters);
-        let bounds = self.present_bounds(parameters);
-        let support = 2.0 * parameters.smoothing_length();
-        self.solids.update(scene, &bounds, support);
+        self.place_solids(scene, time);
         if resampled {
             self.settle_lattice(parameters);
         }

@@ -23,8 +23,8 @@ mod tests;
 mod value;
 
 pub use choices::{
-    Backdrop, Choice, DisplayMode, Edges, Floor, Ground, Layers, Material, Model, Palette, Shape,
-    Thermal, Walls,
+    Backdrop, Choice, DisplayMode, Edges, Floor, Ground, Layers, Material, Model, Motion, Palette,
+    Shape, Thermal, Walls,
 };
 pub use entry::{Condition, Description, Domain, Kind, Role, Scale, conditions_in_words};
 pub use outline::{Mask, Points};

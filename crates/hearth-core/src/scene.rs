@@ -7,6 +7,7 @@
 
 mod contour;
 mod distance;
+mod drive;
 mod field;
 mod kinds;
 mod object;
@@ -17,6 +18,7 @@ use crate::params::{Input, ParamError, ParamErrorKind, Parameters, Solid};
 
 pub use crate::params::Property;
 pub use distance::{RoundedBox, Surface};
+pub(crate) use drive::{Drive, MAX_SPEED};
 pub use field::Field;
 pub use kinds::{KINDS, Kind};
 pub use object::Object;

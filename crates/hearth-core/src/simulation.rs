@@ -136,7 +136,7 @@ impl Simulation {
         if reseeded || self.parameters().model() != self.solver.model() {
             self.reset();
         }
-        self.solver.adapt(&self.scene, &mut self.random);
+        self.solver.adapt(&self.scene, &mut self.random, self.time);
     }
 
     /// Simulated time since the start \[s\].

@@ -2,7 +2,7 @@
 //!
 //! A caller moves a solid by new values, so its position jumps. Gas next to it gets the velocity
 //! of that motion for as long as the motion took: the time since the change before, at most
-//! [`LONGEST_MOTION`].
+//! [`LONGEST_MOTION`]. A solid may also move by itself, as a function of the time.
 
 mod heat;
 
@@ -13,14 +13,12 @@ use glam::Vec2;
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::Thermal;
-use crate::scene::{Scene, Surface};
+use crate::scene::{Drive, MAX_SPEED, RoundedBox, Scene, Surface};
 use heat::{Inflow, Store};
 
 /// Longest and shortest time of a motion \[s\].
 const LONGEST_MOTION: f32 = 1.0 / 30.0;
 const SHORTEST_MOTION: f32 = 1e-3;
-/// Largest speed of a surface for the gas [m/s].
-const MAX_SPEED: f32 = 3.0;
 /// Attempts to find a place outside of solids that touch.
 const ATTEMPTS: u32 = 6;
 /// Tolerance for rounding in the distance from a surface.
@@ -33,9 +31,13 @@ const UPRIGHT: f32 = 1e-4;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Body {
     id: u32,
-    /// Its place without the period of an image \[m\], and its angle \[rad\].
-    centre: Vec2,
+    /// Its box in the scene and its angle \[rad\], and the path from there to this image \[m\].
+    rest: RoundedBox,
     angle: f32,
+    image: Vec2,
+    /// How it moves by itself, and its velocity [m/s] and angular velocity [1/s] by that.
+    drive: Option<Drive>,
+    driven: (Vec2, f32),
     pub surface: Surface,
     /// Radius of the circle around the centre that contains it \[m\].
     pub reach: f32,
@@ -68,8 +70,10 @@ impl Body {
     /// The velocity of its surface at a position [m/s].
     #[inline]
     pub fn velocity_at(&self, position: Vec2) -> Vec2 {
-        let turning = (position - self.surface.frame.centre).perp() * self.spin;
-        (self.velocity + turning).clamp_length_max(MAX_SPEED)
+        let (velocity, spin) = self.driven;
+        let from = position - self.surface.frame.centre;
+        let turning = from.perp() * (self.spin + spin);
+        (self.velocity + velocity + turning).clamp_length_max(MAX_SPEED)
     }
 
     /// Whether a position may be nearer to it than this.
@@ -84,28 +88,33 @@ impl Body {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Solids {
     pub bodies: Vec<Body>,
+    /// Room for the bodies of the next step.
+    spare: Vec<Body>,
 }
 
 impl Solids {
-    /// The solids of a scene at rest.
+    /// The solids of a scene at the start of the fire, those that a caller moves at rest.
     pub fn of(scene: &Scene, bounds: &Bounds, near: f32) -> Solids {
         let mut solids = Solids::default();
-        solids.update(scene, bounds, near);
+        solids.update(scene, 0.0, bounds, near);
         solids
     }
 
-    /// Moves the solids to where they are in a scene. Those within `near` of a periodic edge get
-    /// images beyond it.
+    /// Moves the solids to where they are in a scene at a time \[s\]. Those within `near` of a
+    /// periodic edge get images beyond it.
     // Inlined into its callers, its code would be in each of them.
     #[inline(never)]
-    pub fn update(&mut self, scene: &Scene, bounds: &Bounds, near: f32) {
+    pub fn update(&mut self, scene: &Scene, time: f64, bounds: &Bounds, near: f32) {
         let old = std::mem::take(&mut self.bodies);
         for (id, solid, surface) in scene.surfaces() {
             let frame = surface.frame;
             let mut body = Body {
                 id,
-                centre: frame.centre,
+                rest: frame,
                 angle: solid.angle.to_radians(),
+                image: Vec2::ZERO,
+                drive: Drive::of(solid, surface),
+                driven: (Vec2::ZERO, 0.0),
                 surface: surface.clone(),
                 reach: frame.reach(),
                 temperature: (solid.thermal != Thermal::Adiabatic).then_some(solid.temperature),
@@ -118,8 +127,38 @@ impl Solids {
             if let Some(before) = old.iter().find(|one| one.id == id) {
                 body.move_from(before);
             }
+            body.drive_to(time);
             self.place(body, bounds, near);
         }
+    }
+
+    /// Moves the solids that move by themselves to where they are at a time \[s\]. Each body and
+    /// image keeps its index.
+    #[inline(never)]
+    pub fn advance(&mut self, time: f64) {
+        for body in &mut self.bodies {
+            body.drive_to(time);
+        }
+    }
+
+    /// Whether a solid moves by itself.
+    pub fn drive(&self) -> bool {
+        self.bodies.iter().any(|body| body.drive.is_some())
+    }
+
+    /// Gives solids that move by themselves images beyond periodic edges anew.
+    pub fn renew_images(&mut self, bounds: &Bounds, near: f32) {
+        if !(bounds.periodic_x || bounds.periodic_y) || !self.drive() {
+            return;
+        }
+        let spare = std::mem::take(&mut self.spare);
+        let mut old = std::mem::replace(&mut self.bodies, spare);
+        for body in old.drain(..) {
+            if body.image == Vec2::ZERO {
+                self.place(body, bounds, near);
+            }
+        }
+        self.spare = old;
     }
 
     /// Adds a body and its images.
@@ -133,7 +172,7 @@ impl Solids {
             let high = low + Vec2::new(bounds.width, bounds.height) + 2.0 * reach;
             at.cmpgt(low).all() && at.cmplt(high).all()
         };
-        let centre = body.centre;
+        let centre = shape.centre;
         self.bodies.push(body.clone());
         if !is_inside(centre) {
             return;
@@ -150,10 +189,11 @@ impl Solids {
         for row in turns(bounds.periodic_y, size.y, bounds.height) {
             for column in turns(bounds.periodic_x, size.x, bounds.width) {
                 let period = Vec2::new(bounds.width, bounds.height);
-                let image = centre + Vec2::new(column as f32, row as f32) * period;
-                if (column, row) != (0, 0) && is_inside(image) {
+                let image = Vec2::new(column as f32, row as f32) * period;
+                if (column, row) != (0, 0) && is_inside(centre + image) {
                     let mut body = body.clone();
-                    body.surface.frame.centre = image;
+                    body.image = image;
+                    body.surface.frame.centre = centre + image;
                     self.bodies.push(body);
                 }
             }
@@ -242,6 +282,16 @@ impl Solids {
 }
 
 impl Body {
+    /// Moves it from its box in the scene to where it is at a time \[s\] by itself.
+    fn drive_to(&mut self, time: f64) {
+        if let Some(drive) = &self.drive {
+            let driven = drive.at(&self.rest, time);
+            self.surface.frame = driven.frame;
+            self.surface.frame.centre += self.image;
+            self.driven = (driven.velocity, driven.spin);
+        }
+    }
+
     /// Continues from the same solid before a change.
     fn move_from(&mut self, before: &Body) {
         if let (Some((now, _)), Some((then, temperature))) = (self.heated(), before.heated())
@@ -249,7 +299,7 @@ impl Body {
         {
             self.temperature = Some(temperature);
         }
-        let path = self.centre - before.centre;
+        let path = self.rest.centre - before.rest.centre;
         let turn = self.angle - before.angle;
         // The shorter way round.
         let turn = turn - 2.0 * PI * (turn / (2.0 * PI) + 0.5).floor();
@@ -301,7 +351,7 @@ mod tests {
             for _ in 0..4 {
                 solids.pass(0.005);
             }
-            solids.update(&scene(0.01 * f64::from(frame)), &BOX, 0.1);
+            solids.update(&scene(0.01 * f64::from(frame)), 0.0, &BOX, 0.1);
             // The solid was at rest before, for an unknown time.
             let speed = if frame == 1 {
                 0.01 / LONGEST_MOTION
@@ -314,7 +364,7 @@ mod tests {
         assert!(velocity(&solids).x > 0.4);
         solids.pass(0.002);
         assert_eq!(velocity(&solids), Vec2::ZERO);
-        solids.update(&scene(0.9), &BOX, 0.1);
+        solids.update(&scene(0.9), 0.0, &BOX, 0.1);
         assert!((velocity(&solids).x - MAX_SPEED).abs() < 1e-5);
     }
 

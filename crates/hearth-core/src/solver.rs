@@ -63,8 +63,8 @@ solver! {
             on_stage: &mut dyn FnMut(Stage),
         ) -> f64;
 
-        /// Applies changed values.
-        fn adapt(scene: &Scene, random: &mut Random);
+        /// Applies changed values at `time`.
+        fn adapt(scene: &Scene, random: &mut Random, time: f64);
 
         /// Replaces all particles.
         fn set_particles(particles: &[Particle], values: &Physics);

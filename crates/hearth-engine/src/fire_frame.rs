@@ -92,7 +92,7 @@ impl FireFrame {
             let passes = &mut drawing.passes;
             let [width, height] = canvas.resize(size);
             renderer.upload(gl, parameters.display_mode, instances, embers);
-            renderer.upload_solids(gl, scene, temperatures);
+            renderer.upload_solids(gl, scene, time, temperatures);
             let sent = clock.now();
             renderer.set_limits(limits);
             passes.begin(context, clock);

@@ -154,10 +154,10 @@ impl<G: Graphics> Renderer<G> {
         self.embers.upload(gl, embers);
     }
 
-    /// Uploads the solids of a scene. Until the next call they stay in the pictures. Those that
+    /// Uploads the solids of a scene at a time of its fire \[s\]. Until the next call they stay in the pictures. Those that
     /// conduct heat have the temperatures \[K\] of their ids, or at first that of the scene.
-    pub fn upload_solids(&mut self, gl: &G, scene: &Scene, temperatures: &[(u32, f32)]) {
-        self.solids.upload(gl, scene, temperatures);
+    pub fn upload_solids(&mut self, gl: &G, scene: &Scene, time: f64, temperatures: &[(u32, f32)]) {
+        self.solids.upload(gl, scene, time, temperatures);
     }
 
     /// Draws the uploaded particles and solids. Ignores a picture without pixels.

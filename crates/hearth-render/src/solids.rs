@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use hearth_core::params::{Material, Solid, Thermal};
-use hearth_core::scene::{Field, Surface};
+use hearth_core::scene::{Field, RoundedBox};
 use hearth_core::{Instance, Scene};
 
 use crate::constants::{FRONT, ROW, SURFACES};
@@ -32,10 +32,11 @@ impl<G: Graphics> Solids<G> {
         }
     }
 
-    /// Uploads the visible solids of a scene, with the temperatures of those that conduct heat.
-    pub fn upload(&mut self, gl: &G, scene: &Scene, temperatures: &[(u32, f32)]) {
+    /// Uploads the visible solids of a scene at a time \[s\], with the temperatures of those that
+    /// conduct heat.
+    pub fn upload(&mut self, gl: &G, scene: &Scene, time: f64, temperatures: &[(u32, f32)]) {
         let mut fields = Vec::new();
-        let mut instances = records(scene, temperatures, &mut fields);
+        let mut instances = records(scene, time, temperatures, &mut fields);
         let count = instances.len();
         let same = |(one, other): (&Arc<Field>, &Arc<Field>)| Arc::ptr_eq(one, other);
         let is_known =
@@ -57,6 +58,7 @@ impl<G: Graphics> Solids<G> {
 /// The records of the visible solids; appends their fields.
 fn records(
     scene: &Scene,
+    time: f64,
     temperatures: &[(u32, f32)],
     fields: &mut Vec<Arc<Field>>,
 ) -> Vec<Instance> {
@@ -67,7 +69,7 @@ fn records(
     let records = visible.map(|(id, solid, surface)| {
         let present = temperatures.iter().find(|one| one.0 == id);
         let kelvin = present.map_or(solid.temperature, |one| one.1);
-        let mut record = record(solid, kelvin, surface);
+        let mut record = record(solid, kelvin, &solid.frame_at(surface, time));
         if let Some(field) = &surface.field {
             record[6] = -(place as f32);
             place += 1 + field.distances.len().div_ceil(record.len());
@@ -97,8 +99,7 @@ fn append(instances: &mut Vec<Instance>, field: &Field) {
     }
 }
 
-fn record(solid: &Solid, kelvin: f32, surface: &Surface) -> Instance {
-    let shape = &surface.frame;
+fn record(solid: &Solid, kelvin: f32, shape: &RoundedBox) -> Instance {
     let glows = solid.thermal != Thermal::Adiabatic && kelvin >= GLOWING;
     let kelvin = if glows { kelvin.min(HOTTEST) } else { 0.0 };
     [
@@ -128,7 +129,7 @@ mod tests {
             ("temperature", Input::Number(kelvin)),
         ]);
         assert!(added.is_ok(), "{added:?}");
-        records(&scene, &[], &mut Vec::new())
+        records(&scene, 0.0, &[], &mut Vec::new())
             .first()
             .map(|[.., surface]| *surface)
     }

@@ -32,6 +32,7 @@ impl Combustion {
         let gas = &mut self.gas;
         let mut open = self.open.as_deref_mut();
 
+        self.solids.renew_images(&bounds, kernel.support());
         if let Some(open) = &mut open {
             open.breathe(gas, scene, &self.solids, self.length);
         }
@@ -101,7 +102,8 @@ impl Combustion {
         }
         let (h, max_speed) = (kernel.smoothing_length(), self.motion.max_speed);
         self.clamped_shifts = time_step::advance(gas, values.shifting, h, max_speed, dt);
-        walls.hold(gas, solids, parameters.spacing());
+        solids.advance(time + f64::from(dt));
+        let stays = walls.hold(gas, solids, parameters.spacing());
         solids.warm(dt, values.ambient_temperature);
         solids.pass(dt);
         match &open {
@@ -111,6 +113,10 @@ impl Combustion {
                     *position = bounds.wrap(*position);
                 }
             }
+        }
+        // Where it was, a solid may be now.
+        if stays && self.solids.drive() {
+            self.settle(values, parameters.spacing());
         }
         self.length = dt;
         on_stage(Stage::Integrate);

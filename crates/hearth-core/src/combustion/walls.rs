@@ -192,8 +192,8 @@ impl Walls {
     }
 
     /// Keeps the gas outside of the walls. A particle without a place between them stays where
-    /// it was.
-    pub fn hold(&self, gas: &mut Gas, solids: &Solids, spacing: f32) {
+    /// it was; returns whether there is one.
+    pub fn hold(&self, gas: &mut Gas, solids: &Solids, spacing: f32) -> bool {
         let gap = MIN_DISTANCE * spacing;
         for _ in 0..ATTEMPTS {
             let mut held = false;
@@ -201,17 +201,20 @@ impl Walls {
                 held |= near.hold(gas, solids, gap);
             }
             if !held {
-                return;
+                return false;
             }
         }
+        let mut stays = false;
         for near in &self.near {
             let i = near.index as usize;
             let moved = gas.position[i];
             let body = solids.bodies.get(near.solid as usize);
             if body.map_or(moved.y, |body| body.surface.distance(moved).0) < 0.5 * gap {
                 gas.position[i] = near.from;
+                stays = true;
             }
         }
+        stays
     }
 }
 

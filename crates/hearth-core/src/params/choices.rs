@@ -130,6 +130,16 @@ choices! {
         Conducting = "conducting",
     }
 
+    /// The motion of a solid by itself.
+    Motion {
+        /// None.
+        Still = "still",
+        /// To and fro along a line, as a sine of the time.
+        Sway = "sway",
+        /// Around its place, at a constant rate.
+        Spin = "spin",
+    }
+
     /// The visible layers.
     Layers {
         /// Fire and smoke.

@@ -1,6 +1,6 @@
 //! THE table of a solid's properties, with entries as those of the parameters.
 
-use super::choices::{Choice, Material, Shape, Thermal};
+use super::choices::{Choice, Material, Motion, Shape, Thermal};
 use super::declare::{parameters, properties};
 use super::entry::{Description, Domain, Kind, Role, Scale};
 use super::outline::{Mask, Points};
@@ -21,6 +21,10 @@ const MASKED: &[&str] = &["mask"];
 /// The thermal boundary conditions with a temperature, and that with a heat capacity.
 const TEMPERED: &[&str] = &["fixed", "conducting"];
 const CONDUCTING: &[&str] = &["conducting"];
+
+/// The motion to and fro, and that around the place.
+const SWAYING: &[&str] = &["sway"];
+const SPINNING: &[&str] = &["spin"];
 
 properties! {
     /// A solid: gas neither passes nor enters it. Every value is in range.
@@ -61,6 +65,17 @@ properties! {
     /// A solid that heats and cools more slowly. Heat capacity by volume; that of stone and iron is
     /// 2000 to 3500.
     heat_capacity: number "Heat capacity" ["kJ/(m³·K)"] Log { (100.0, 10.0..=5000.0) } when { thermal: CONDUCTING }
+    /// A solid that moves by itself, and pushes the gas. Sway: to and fro along a line. Spin: around
+    /// its place. No part of it is faster than 3 m/s.
+    motion: (choice Motion) "Motion" { (Still) }
+    /// A solid that moves farther. Distance of its turning points from its place.
+    sway: number "Sway" ["m"] Linear { (0.3, 0.0..=5.0) } when { motion: SWAYING }
+    /// A motion along another line. Angle from the horizontal at which it starts, counterclockwise.
+    heading: number "Heading" ["°"] Linear { (0.0, -360.0..=360.0) } when { motion: SWAYING }
+    /// A slower motion. Time of one motion to and fro.
+    period: number "Period" ["s"] Log { (4.0, 0.5..=60.0) } when { motion: SWAYING }
+    /// A solid that turns faster counterclockwise or, below 0, clockwise.
+    spin: number "Spin" ["°/s"] Linear { (45.0, -720.0..=720.0) } when { motion: SPINNING }
 }
 
 impl Solid {

@@ -180,14 +180,15 @@ impl Simulation {
         let embers = embers.filter(|one| one.size > 0.0 && one.age < one.lifetime);
 
         self.random = Random::new(parameters.seed);
+        self.time = header.time;
         gas.resume(
             &particles,
             embers.collect(),
             header.made_with,
             &self.scene,
             &mut self.random,
+            self.time,
         );
-        self.time = header.time;
         Ok(())
     }
 }

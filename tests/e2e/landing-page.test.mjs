@@ -94,6 +94,24 @@ describe('the strip of scenes', () => {
     assert.deepEqual(tab.problems, []);
   });
 
+  test('shows a word whole on a phone, unless the address says how it fits', async () => {
+    /** The sides of the picture [m]. @param {import('./driver.mjs').Tab} tab */
+    const seen = (tab) => tab.fire((fire) => [0, fire.clientWidth].map((x) => fire.toMetres(x, 0).x));
+    const tab = await browser.open('index.html?scene=burning-word', PHONE);
+    await tab.ready();
+    const width = await tab.fire((fire) => fire.params.domainWidth ?? fire.params.domain_width);
+    const [left, right] = await seen(tab);
+    assert.ok(left <= -width / 2 + 1e-3 && right >= width / 2 - 1e-3, `${left} to ${right} m of ${width} m`);
+    await strip(tab);
+    await tab.page.click('[data-starts="candle"]');
+    await tab.until('another scene fills the height', () => !document.getElementById('fire')?.hasAttribute('fit'));
+    const other = await browser.open('index.html?scene=burning-word&fit=height', PHONE);
+    await other.ready();
+    const [start, end] = await seen(other);
+    assert.ok(end - start < width - 0.1);
+    assert.deepEqual([...tab.problems, ...other.problems], []);
+  });
+
   test('is one stop of the Tab key, and arrows go through it', async () => {
     const tab = await browser.open('index.html?paused', WIDE);
     await tab.ready();

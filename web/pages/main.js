@@ -11,6 +11,7 @@
 import { applyUrlParameters, readUrlParameters } from './url-parameters.js';
 import '../hearth-fire.js';
 import { fadeChrome } from './chrome.js';
+import { frameScenes } from './framing.js';
 import { showHint } from './hint.js';
 import { PagePanel } from './panel.js';
 import { toQuery } from '../share.js';
@@ -133,6 +134,7 @@ async function showScenes() {
 }
 
 applyLocation();
+frameScenes(fire);
 fadeChrome(document.documentElement);
 openDialogs();
 const panel = new PagePanel(fire);

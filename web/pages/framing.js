@@ -1,0 +1,21 @@
+/**
+ * The framing of scenes whose things are as wide as their frame: a narrow stage would cut a word to two
+ * letters. The other scenes fill the height of the stage, and their fire is large on a phone too.
+ */
+
+/** The scenes that a stage shows whole. */
+const WHOLE = ['burning-word', 'fireplace', 'ring-of-fire', 'sheltered-candle'];
+
+/**
+ * Sets `fit` for the present scene and later ones, unless the page or its URL says how the fire fits.
+ * @param {import('../hearth-fire.js').HearthFire} fire
+ */
+export function frameScenes(fire) {
+  if (fire.hasAttribute('fit')) return;
+  const frame = () => {
+    if (WHOLE.includes(fire.preset)) fire.fit = 'contain';
+    else fire.removeAttribute('fit');
+  };
+  fire.addEventListener('params-change', frame);
+  frame();
+}

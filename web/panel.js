@@ -117,7 +117,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
   const inside = root instanceof ShadowRoot && root.host === fire;
   host.classList.add('hearth-panel');
   atEnd(() => host.classList.remove('hearth-panel'));
-  const { styled, removeStyle } = addStyle(host);
+  const { styled, removeStyle } = addStyle(host, new URL('./panel/panel.css', import.meta.url).href);
   atEnd(removeStyle);
   // Without the styles the accessible controls would be visible for a moment.
   await styled;

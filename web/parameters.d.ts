@@ -41,7 +41,7 @@ export interface HearthParameters {
   display_mode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
   /** A fire farther to the right, or below 0 to the left. Position of the middle of the source, which stays inside the domain. [m] Default 0, from -3 to 3. */
   source_x: number;
-  /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
+  /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 6. Default in classic: 0, from 0 to 6. */
   source_height: number;
   /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
   source_angle: number;
@@ -213,7 +213,7 @@ export interface HearthProperties {
   displayMode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
   /** A fire farther to the right, or below 0 to the left. Position of the middle of the source, which stays inside the domain. [m] Default 0, from -3 to 3. */
   sourceX: number;
-  /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
+  /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 6. Default in classic: 0, from 0 to 6. */
   sourceHeight: number;
   /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
   sourceAngle: number;
@@ -358,7 +358,7 @@ export interface HearthSource {
   id?: number;
   /** A fire farther to the right, or below 0 to the left. Position of the middle of the source, which stays inside the domain. [m] Default 0, from -3 to 3. */
   x?: number;
-  /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
+  /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 6. Default in classic: 0, from 0 to 6. */
   y?: number;
   /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
   angle?: number;

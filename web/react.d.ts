@@ -112,7 +112,7 @@ export interface HearthFireAttributes {
   'display-mode'?: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites" | undefined;
   /** A fire farther to the right, or below 0 to the left. Position of the middle of the source, which stays inside the domain. [m] Default 0, from -3 to 3. */
   'source-x'?: number | `${number}` | undefined;
-  /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
+  /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 6. Default in classic: 0, from 0 to 6. */
   'source-height'?: number | `${number}` | undefined;
   /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
   'source-angle'?: number | `${number}` | undefined;
@@ -278,7 +278,7 @@ export interface HearthSourceAttributes {
   of?: `#${string}` | undefined;
   /** A fire farther to the right, or below 0 to the left. Position of the middle of the source, which stays inside the domain. [m] Default 0, from -3 to 3. */
   x?: number | `${number}` | undefined;
-  /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 1. Default in classic: 0, from 0 to 1. */
+  /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 6. Default in classic: 0, from 0 to 6. */
   y?: number | `${number}` | undefined;
   /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
   angle?: number | `${number}` | undefined;

@@ -27,11 +27,24 @@ const strip = (tab) => tab.until('the strip of scenes', () => (
   document.querySelector('#scenes [aria-current="true"]') !== null
 ));
 
+/** Shows the tools, and their form for a word. @param {import('./driver.mjs').Tab} tab */
+async function tools(tab) {
+  await tab.page.waitForSelector('#draw:not([hidden])');
+  await tab.page.click('#draw');
+  await tab.page.waitForSelector('[data-tool="text"]');
+  await tab.page.click('[data-tool="text"]');
+  const stage = await tab.rectangle('#fire');
+  await tab.click({ x: stage.x + stage.width / 2, y: stage.y + stage.height / 3 });
+  await tab.page.waitForSelector('.hearth-text');
+}
+
 for (const [about, size, act] of [
   ['with its panel', WIDE, (tab) => new Panel(tab).mounted()],
   ['with the scenes of the panel', WIDE, async (tab) => (await new Panel(tab).mounted()).openScenes()],
   ['with what Hearth is', WIDE, (tab) => tab.page.click('[data-opens="about"]')],
   ['with the code to embed it', WIDE, (tab) => tab.page.click('[data-opens="embed"]')],
+  ['with its tools', WIDE, tools],
+  ['on a phone, with its tools', PHONE, tools],
   ['on a phone', PHONE, () => {}],
   ['on a phone, with the sheet', PHONE, (tab) => new Panel(tab).mounted()],
   ['on a phone that lies', LYING, () => {}],

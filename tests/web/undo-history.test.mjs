@@ -156,8 +156,8 @@ function deedWithObjects(steps, fire, random) {
   return pick([
     () => steps.set('wind', value),
     // By then, the object may be gone.
-    () => steps.change(last()?.id, 'width', value).catch(() => {}),
-    () => steps.change(2, 'width', value).catch(() => {}),
+    () => steps.change(last()?.id, { width: value }).catch(() => {}),
+    () => steps.change(2, { width: value }).catch(() => {}),
     () => steps.objects(() => fire.addObject({ kind: 'solid', width: 1 })),
     () => steps.objects(() => fire.objects.length > 0 && fire.removeObject(pick(fire.objects).id)),
     () => steps.all(() => fire.importConfig({ preset: 'windy' }), REPLACES),
@@ -241,7 +241,7 @@ describe('a step', () => {
   test('is a whole drag of a property, and keeps what a page changes meanwhile', async () => {
     const { fire, steps } = made();
     steps.press();
-    await Promise.all([6, 7, 8].map((value) => steps.change(2, 'width', value)));
+    await Promise.all([6, 7, 8].map((value) => steps.change(2, { width: value })));
     await steps.objects(() => fire.removeObject(2));
     await fire.changeObject(1, { width: 9 });
     await steps.undo();

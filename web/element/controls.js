@@ -3,6 +3,7 @@
  */
 
 import { DEFAULTS } from '../generated/defaults.js';
+import { offerInside } from '../tools/offer.js';
 
 /** Values of `controls` that mean all parameters. */
 const ALL = ['', 'true', 'controls'];
@@ -28,8 +29,15 @@ export async function mountControls({ fire, reports }, list, signal) {
     const { mountPanel } = await import('../panel.js');
     if (signal.aborted) return;
     const panel = await mountPanel({ host, fire, only: only.length > 0 ? only : undefined });
-    if (signal.aborted) panel.destroy();
-    else signal.addEventListener('abort', () => panel.destroy());
+    if (signal.aborted) {
+      panel.destroy();
+      return;
+    }
+    signal.addEventListener('abort', () => panel.destroy());
+    // A list of parameters is all that the page wants to show.
+    if (only.length > 0) return;
+    const failed = (/** @type {unknown} */ why) => reports.warn('load', `The tools could not be loaded: ${why}`);
+    signal.addEventListener('abort', offerInside(fire, failed));
   } catch (why) {
     host.remove();
     if (!signal.aborted) reports.warn('load', `The panel could not be loaded: ${why}`);

@@ -22,7 +22,7 @@ const GRIP_PX = 16;
 const SPARKS = 24;
 
 /** Children of a fire that handle pointers themselves. */
-const OTHERS = '.panel, .message, a, button, input, select, textarea, label';
+const OTHERS = '.panel, .hands, .message, a, button, input, select, textarea, label';
 
 /**
  * Starts to listen.

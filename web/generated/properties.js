@@ -13,7 +13,7 @@
 export const PROPERTIES = {
   source: {
     x: {"parameter":"source_x","every":[0,-3,3]},
-    y: {"parameter":"source_height","combustion":[0.25,0,1],"classic":[0,0,1]},
+    y: {"parameter":"source_height","combustion":[0.25,0,6],"classic":[0,0,6]},
     angle: {"parameter":"source_angle","every":[0,-180,180]},
     width: {"parameter":"source_width","combustion":[0.4,0.01,1],"classic":[0.36,0.05,0.6]},
     power: {"parameter":"fuel_power","combustion":[220,0,600]},

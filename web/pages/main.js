@@ -15,6 +15,7 @@ import { frameScenes } from './framing.js';
 import { showHint } from './hint.js';
 import { PagePanel } from './panel.js';
 import { toQuery } from '../share.js';
+import { offerTools } from '../tools/offer.js';
 
 /** How long a message stays [ms]. */
 const TOAST_MS = 8000;
@@ -141,6 +142,14 @@ const panel = new PagePanel(fire);
 fire.ready.then(
   () => {
     panel.begin();
+    const [button, host] = ['draw', 'hands'].map((id) => /** @type {HTMLElement} */ (document.getElementById(id)));
+    const shown = (/** @type {boolean} */ open) => (document.documentElement.dataset.tools = open ? 'shown' : 'hidden');
+    const failed = (/** @type {unknown} */ why) => {
+      console.warn('Hearth: the tools could not be loaded.', why);
+      notify('The tools could not be loaded. Reload the page and try again.');
+    };
+    offerTools({ button, host, fire, page: true, shown, failed });
+    button.hidden = false;
     showHint(/** @type {HTMLElement} */ (document.getElementById('hint')), fire);
     return showScenes();
   },

@@ -7,12 +7,12 @@
 
 import { askForSettings, showKeys, showText } from './cards.js';
 import { showScenes } from './scenes.js';
+import { editingOf } from './editing.js';
 import { remember, remembered } from './memory.js';
 import { copyOf, newObject, objectsOf } from './objects.js';
 import { PARAMETERS, PRESETS } from '../parameters.js';
 import { Report } from './report.js';
 import { DOMAINS, MODEL, hasSceneObjects, modelDefault, presetOf, sceneObjects, sceneOf, sceneProperty, sceneValue, valuesOf } from './scene.js';
-import { UndoHistory } from './undo-history.js';
 import { FILE as SHARE, elementCode, iframeCode, pageLink } from '../share.js';
 
 /**
@@ -69,6 +69,7 @@ export class PanelController extends EventTarget {
   #page;
   #script;
   #embed;
+  #editing;
   #history;
   #report;
   /** @type {number | undefined} */
@@ -79,8 +80,6 @@ export class PanelController extends EventTarget {
   #card;
   #scene = '';
   #preset = '';
-  /** @type {number | undefined} */
-  #selected;
 
   /** The value under the pointer and its label; undefined without one. @type {() => string[] | undefined} */
   hovered = () => undefined;
@@ -106,7 +105,9 @@ export class PanelController extends EventTarget {
     this.only = known?.length ? known : undefined;
     this.#restoreQuality();
     this.#report = new Report(fire);
-    this.#history = new UndoHistory(fire, () => this.#changed(), modelDefault, (id) => this.defaultOf(id));
+    this.#editing = editingOf(fire);
+    this.#history = this.#editing.history;
+    this.#editing.addEventListener('change', this.#changed);
     for (const name of CHANGES) fire.addEventListener(name, this.#update);
     this.#update();
   }
@@ -118,7 +119,7 @@ export class PanelController extends EventTarget {
       preset: presetOf(this.#fire)?.label ?? '',
       values: valuesOf(this.#fire),
       objects: sceneObjects(this.#fire),
-      selected: this.#selected,
+      selected: this.#editing.id,
       undo: this.#history.canUndo,
       redo: this.#history.canRedo,
       link: this.#page !== undefined,
@@ -157,19 +158,17 @@ export class PanelController extends EventTarget {
 
   /** The selected object. @returns {Fields | undefined} */
   get selected() {
-    return objectsOf(this.#fire).find(({ id }) => id === this.#selected);
+    return this.#editing.selected;
   }
 
   /** Selects an object, or none. @param {number} [id] */
   select(id) {
-    if (id === this.#selected) return;
-    this.#selected = id;
-    this.#changed();
+    this.#editing.select(id);
   }
 
   /** Sets a property of an object. @type {(id: number, name: string, value: Value) => Promise<void>} */
   change(id, name, value) {
-    return this.#history.change(id, name, value);
+    return this.#history.change(id, { [name]: value });
   }
 
   /**
@@ -371,6 +370,7 @@ export class PanelController extends EventTarget {
   /** Closes the card and stops listening. */
   close() {
     for (const name of CHANGES) this.#fire.removeEventListener(name, this.#update);
+    this.#editing.removeEventListener('change', this.#changed);
     this.#report.close();
     clearTimeout(this.#doneEnds);
     this.#card?.close();
@@ -380,10 +380,10 @@ export class PanelController extends EventTarget {
   #update = () => {
     this.#card?.mark?.();
     const [scene, preset] = [sceneOf(this.#fire), this.#fire.preset];
-    const isGone = this.#selected !== undefined && !this.selected;
+    const isGone = this.#editing.id !== undefined && !this.selected;
     if (scene === this.#scene && preset === this.#preset && !isGone) return;
     [this.#scene, this.#preset] = [scene, preset];
-    if (isGone) this.#selected = undefined;
+    if (isGone) this.select();
     this.#changed();
   };
 
@@ -442,9 +442,9 @@ export class PanelController extends EventTarget {
     this.#changed();
   }
 
-  #changed() {
+  #changed = () => {
     this.dispatchEvent(new Event('change'));
-  }
+  };
 }
 
 /** @type {(id: string) => id is Id} */

@@ -184,7 +184,7 @@ function sizeOf(fields) {
 }
 
 /** Width and height of the box of an object before it is turned. @param {{[name: string]: any}} fields */
-function boxOf({ shape, points = '', width, height }) {
+export function boxOf({ shape, points = '', width, height }) {
   if (shape !== 'polygon' && shape !== 'stroke') return { width, height };
   /** @type {number[]} */
   const all = (String(points).match(/[-+.\de]+/g) ?? []).map(Number);
@@ -194,7 +194,7 @@ function boxOf({ shape, points = '', width, height }) {
 }
 
 /** The distance of a point from an object. @type {(object: Fields, x: number, y: number) => number} */
-function distance(object, x, y) {
+export function distance(object, x, y) {
   const { kind, shape, angle = 0 } = object;
   const { width, height } = boxOf(object);
   const [right, up] = [x - object.x, y - object.y];

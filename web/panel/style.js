@@ -1,5 +1,5 @@
 /**
- * The panel's style sheet, as a link. A content security policy that allows styles of the page's own
+ * The style sheet of the panel or the toolbar, as a link. A content security policy that allows styles of the page's own
  * origin allows it; the same policy would forbid an inline style.
  */
 
@@ -14,16 +14,16 @@ const added = new WeakMap();
 const STYLE_MS = 10_000;
 
 /**
- * Adds the style sheet beside this file, once for each document or shadow root.
+ * Adds a style sheet, once for each document or shadow root.
  *
  * @param {HTMLElement} host
+ * @param {string} href
  * @returns {{styled: Promise<void>, removeStyle: () => void}} when it is loaded or refused; and what
  *   removes it with the last panel that uses it
  */
-export function addStyle(host) {
+export function addStyle(host, href) {
   const root = host.getRootNode();
   const parent = root instanceof ShadowRoot ? root : document.head;
-  const href = new URL('./panel.css', import.meta.url).href;
   const links = /** @type {HTMLLinkElement[]} */ ([...parent.querySelectorAll('link[rel=stylesheet]')]);
   const link = links.find((one) => one.href === href) ?? add(parent, href);
   const sheet = added.get(link);

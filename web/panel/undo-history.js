@@ -34,15 +34,15 @@ const MODEL = 'model';
  *   the part of the element's API that an undo history uses
  *
  * @typedef {object} Step
- * @property {string} [key]  What a step that changes one value changes: a parameter, or a property of an object.
+ * @property {string} [key]  What a step that changes one value changes: a parameter, or properties of an object.
  * @property {number} gesture  The number of the press of a key or a button that began it.
  * @property {Side} before
  * @property {Side} after
  *
  * @typedef {object} Side
- * @property {Value} [value]  The value of a step that changes one.
+ * @property {Value | Values} [value]  The value of a step that changes one, or the properties of an object.
  * @property {Values} [values]  The value with the model, or all values.
- * @property {{id: number, name: string}} [property]  The property that has the value.
+ * @property {number} [object]  The object that has the properties.
  * @property {Fields[]} [objects]  All objects, if a step adds or removes some.
  * @property {boolean} [named]  Whether the number or the spacing of a step that changes it is set.
  * @property {HearthConfig} [config]  The settings, if all may have changed.
@@ -63,7 +63,7 @@ export class UndoHistory {
   /** @type {Step[]} */
   #undone = [];
   #gesture = 0;
-  /** Values without an answer yet, with the number of calls. @type {Map<string, {value: Value | undefined, count: number}>} */
+  /** Values without an answer yet, with the number of calls. @type {Map<string, {value: Value | Values | undefined, count: number}>} */
   #pending = new Map();
   /** @type {Set<Promise<unknown>>} */
   #running = new Set();
@@ -117,19 +117,23 @@ export class UndoHistory {
     return this.#value(id, !ofResolution(id) || !isDefault(), target, act);
   }
 
-  /** Sets a property of an object. @type {(id: number, name: string, value: Value) => Promise<void>} */
-  async change(id, name, value) {
+  /** Sets properties of an object. @type {(id: number, properties: {[name: string]: any}) => Promise<void>} */
+  async change(id, properties) {
     const gesture = this.#gesture;
     while (this.#gate) await this.#gate;
     // A step before this one may have removed it.
     if (!objectsOf(this.#fire).some((one) => one.id === id)) return;
+    const names = Object.keys(properties);
     await this.#change({
-      key: `${id}.${name}`,
+      key: `${id}.${names}`,
       gesture,
-      now: () => objectsOf(this.#fire).find((one) => one.id === id)?.[name],
-      target: value,
-      side: (value) => ({ value, property: { id, name } }),
-      act: () => this.#fire.changeObject(id, { [name]: value }),
+      now: () => {
+        const now = objectsOf(this.#fire).find((one) => one.id === id);
+        return Object.fromEntries(names.map((name) => [name, now?.[name]]));
+      },
+      target: properties,
+      side: (value) => ({ value, object: id }),
+      act: () => this.#fire.changeObject(id, properties),
     });
   }
 
@@ -183,9 +187,9 @@ export class UndoHistory {
    * @typedef {object} Change  Of one value.
    * @property {string} key
    * @property {number} gesture
-   * @property {() => Value | undefined} now
-   * @property {Value | undefined} target  The new value.
-   * @property {(value: Value | undefined) => Side} side  What sets a value again.
+   * @property {() => Value | Values | undefined} now
+   * @property {Value | Values | undefined} target  The new value.
+   * @property {(value: any) => Side} side  What sets a value again.
    * @property {() => unknown} act
    */
 
@@ -268,9 +272,9 @@ export class UndoHistory {
   }
 
   /** @param {Side} side */
-  async #apply({ value, values, property, objects, named, config, kept }) {
+  async #apply({ value, values, object, objects, named, config, kept }) {
     const fire = this.#fire;
-    if (property) await fire.changeObject(property.id, { [property.name]: value });
+    if (object !== undefined) await fire.changeObject(object, /** @type {any} */ (value));
     if (objects) {
       // Objects that are there keep what a page has changed meanwhile.
       const now = objectsOf(fire);
@@ -360,5 +364,5 @@ function ofResolution(id) {
 
 /** Whether a step that changes one value changes nothing. @param {Step} step */
 function isSame({ key, before, after }) {
-  return key !== undefined && Object.is(before.value, after.value) && before.named === after.named;
+  return key !== undefined && JSON.stringify(before.value) === JSON.stringify(after.value) && before.named === after.named;
 }

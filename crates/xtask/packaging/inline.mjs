@@ -70,7 +70,7 @@ function filesInside(sources, wasm, texts = {}) {
   return {
     name: 'files-inside',
     setup({ onLoad, onResolve }) {
-      onResolve({ filter: /\/panel\.js$/ }, () => ({ path: './panel.js', external: true }));
+      onResolve({ filter: /\/(panel|tools)\.js$/ }, ({ path: name }) => ({ path: `./${path.basename(name)}`, external: true }));
       onResolve({ filter: /\/files\.js$/ }, () => ({ path: FILES, namespace: 'files' }));
       onLoad({ filter: /.*/, namespace: 'files' }, async () => ({
         contents: await readFile(FILES, 'utf8'),

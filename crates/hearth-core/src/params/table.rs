@@ -104,7 +104,7 @@ parameters! {
         source_x: number "Place" ["m"] Linear { Every(0.0, -3.0..=3.0) }
         /// A flame that starts higher above the floor. Height of the source. In the combustion
         /// model it stays above the seam.
-        source_height: number "Source height" ["m"] Linear { Classic(0.0, 0.0..=1.0) Combustion(0.25, 0.0..=1.0) }
+        source_height: number "Source height" ["m"] Linear { Classic(0.0, 0.0..=6.0) Combustion(0.25, 0.0..=6.0) }
         /// A flame that leaves its source to the side. Angle of the width of the source from the
         /// horizontal, counterclockwise; what it emits leaves it at right angles.
         source_angle: number "Source angle" ["°"] Linear { Every(0.0, -180.0..=180.0) }

@@ -1,0 +1,273 @@
+/**
+ * The toolbar: each tool with a real mouse, a finger and keys; undo; words and pictures that are refused; and
+ * the toolbar inside of any element with `controls`.
+ */
+import assert from 'node:assert/strict';
+import { Buffer } from 'node:buffer';
+import { after, before, describe, test } from 'node:test';
+import { Browser } from './driver.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+const WIDE = { width: 1280, height: 800 };
+const PHONES = [{ width: 390, height: 844, touch: true }, { width: 844, height: 390, touch: true }];
+
+const objects = (tab) => tab.fire((fire) => fire.objects);
+const said = (tab) => tab.evaluate(() => document.querySelector('.hearth-said')?.textContent ?? '');
+const tool = (tab, name) => tab.page.click(`[data-tool="${name}"]`);
+
+/** The page with its toolbar. */
+async function openPage(size = WIDE, query = 'scene=default&paused') {
+  const tab = await browser.open(`index.html?${query}`, size);
+  await tab.ready();
+  await tab.page.waitForSelector('#draw:not([hidden])');
+  await tab.page.click('#draw');
+  await tab.page.waitForSelector('.hearth-tools [data-tool="erase"]');
+  return tab;
+}
+
+/** A point of the window at a place of the world [m]. */
+async function pixel(tab, x, y) {
+  const at = await tab.fire((fire, place) => {
+    const { left, top } = fire.getBoundingClientRect();
+    const point = fire.toPixels(...place);
+    return { x: left + point.x, y: top + point.y };
+  }, [x, y]);
+  return at;
+}
+
+/** Waits until the objects are as `holds` requires. */
+async function until(tab, what, holds) {
+  let now;
+  for (let patience = 200; patience > 0; patience -= 1) {
+    now = await objects(tab);
+    if (holds(now)) return now;
+    await tab.frames();
+  }
+  throw new Error(`the objects should be ${what} and are ${JSON.stringify(now)}`);
+}
+
+/** Drags with the mouse, or with a finger where the page has touch. */
+async function drag(tab, from, to, touch = false) {
+  const [start, end] = [await pixel(tab, ...from), await pixel(tab, ...to)];
+  await (touch ? tab.touchDrag(start, end) : tab.drag(start, end));
+}
+
+const close = (one, other, off = 0.02) => Math.abs(one - other) <= off;
+
+for (const size of [WIDE, ...PHONES]) {
+  const touch = 'touch' in size;
+  describe(`at ${size.width} × ${size.height}`, () => {
+    for (const [name, check] of Object.entries({
+      box: (one) => one.shape === 'box' && close(one.x, 0) && close(one.y, 1.1) && close(one.width, 0.3) && close(one.height, 0.2),
+      circle: (one) => one.shape === 'circle' && close(one.x, -0.15) && close(one.y, 1.2) && close(one.width, 2 * Math.hypot(0.3, 0.2), 0.03),
+      line: (one) => one.shape === 'line' && close(one.width, Math.hypot(0.3, 0.2)) && close(one.angle, -33.7, 4),
+      brush: (one) => ['stroke', 'line'].includes(one.shape) && one.points.split(' ').length >= 2,
+      source: (one) => one.kind === 'source' && close(one.width, Math.hypot(0.3, 0.2)) && close(one.x, 0) && close(one.y, 1.1),
+    })) {
+      test(`${name} draws between a press and a release, as one step`, async () => {
+        const tab = await openPage(size);
+        await tool(tab, name);
+        await drag(tab, [-0.15, 1.2], [0.15, 1], touch);
+        const now = await until(tab, 'two', (all) => all.length === 2);
+        assert.ok(check(now[1]), JSON.stringify(now[1]));
+        await tool(tab, 'undo');
+        await until(tab, 'one', (all) => all.length === 1);
+        await tool(tab, 'redo');
+        await until(tab, 'two again', (all) => all.length === 2 && all[1].kind === now[1].kind);
+        assert.deepEqual(tab.problems, []);
+      });
+    }
+
+    test('select moves, turns and sizes; erase removes', async () => {
+      const tab = await openPage(size);
+      await tool(tab, 'box');
+      await drag(tab, [-0.15, 1.2], [0.15, 1], touch);
+      await until(tab, 'two', (all) => all.length === 2);
+      await tool(tab, 'select');
+      await drag(tab, [0, 1.1], [0.1, 0.9], touch);
+      await until(tab, 'moved', ([, box]) => close(box.x, 0.1) && close(box.y, 0.9));
+      await drag(tab, [0.25, 0.8], [0.3, 0.75], touch);
+      await until(tab, 'larger', ([, box]) => close(box.width, 0.4) && close(box.height, 0.3));
+      const handle = await tab.evaluate(() => {
+        const { x, y, width, height } = /** @type {Element} */ (document.querySelector('.hearth-overlay .turn')).getBoundingClientRect();
+        return { x: x + width / 2, y: y + height / 2 };
+      });
+      const right = await pixel(tab, 0.4, 0.9);
+      await (touch ? tab.touchDrag(handle, right) : tab.drag(handle, right));
+      await until(tab, 'turned', ([, box]) => close(box.angle, -90, 4));
+      for (const step of ['angle', 'width', 'x']) {
+        await tool(tab, 'undo');
+        await until(tab, `${step} before`, ([, box]) => close(box[step], { angle: 0, width: 0.3, x: 0 }[step]));
+      }
+      await tool(tab, 'erase');
+      await drag(tab, [-0.3, 1.1], [0.05, 1.1], touch);
+      await until(tab, 'erased', (all) => all.length === 1);
+      await tool(tab, 'undo');
+      await until(tab, 'back', (all) => all.length === 2);
+      assert.deepEqual(tab.problems, []);
+    });
+
+    test('a polygon has the corners that are clicked, a word is a mask', async () => {
+      const tab = await openPage(size);
+      await tool(tab, 'polygon');
+      for (const place of [[-0.1, 1], [0.1, 1], [0, 1.2], [-0.1, 1]]) {
+        const at = await pixel(tab, ...place);
+        await (touch ? tab.page.touchscreen.tap(at.x, at.y) : tab.click(at));
+        await tab.frames();
+      }
+      const [, polygon] = await until(tab, 'a polygon', (all) => all.length === 2);
+      assert.deepEqual([polygon.shape, polygon.points.split(' ').length], ['polygon', 3]);
+      await tool(tab, 'text');
+      const at = await pixel(tab, 0, 0.8);
+      await (touch ? tab.page.touchscreen.tap(at.x, at.y) : tab.click(at));
+      await tab.page.waitForSelector('.hearth-text');
+      await tab.page.keyboard.type('OK');
+      await tab.key('Enter');
+      const [, , word] = await until(tab, 'a word', (all) => all.length === 3);
+      assert.equal(word.shape, 'mask');
+      assert.ok(close(word.x, 0) && close(word.y, 0.8));
+      assert.deepEqual(tab.problems, []);
+    });
+  });
+}
+
+test('keys draw, choose, move, turn, scale, duplicate and delete without a pointer', async () => {
+  const tab = await openPage();
+  await tab.page.focus('.hearth-overlay');
+  await tab.key('5');
+  await tab.key('Enter');
+  for (const key of ['ArrowRight', 'ArrowUp']) await tab.page.keyboard.down('Shift').then(() => tab.key(key)).finally(() => tab.page.keyboard.up('Shift'));
+  await tab.key('Enter');
+  const [, box] = await until(tab, 'a box', (all) => all.length === 2);
+  assert.deepEqual([box.shape, box.width, box.height], ['box', 0.1, 0.1]);
+  await tab.key('Escape');
+  await tab.key('2');
+  await tab.key('ArrowLeft');
+  await until(tab, 'to the left', ([, one]) => close(one.x, box.x - 0.01, 1e-4));
+  await tab.key('[');
+  await until(tab, 'turned', ([, one]) => one.angle === 5);
+  await tab.key('+');
+  await until(tab, 'larger', ([, one]) => close(one.width, 0.11, 1e-4));
+  await tab.page.keyboard.down('Control');
+  await tab.key('d');
+  await tab.page.keyboard.up('Control');
+  await until(tab, 'three', (all) => all.length === 3);
+  await tab.key('Delete');
+  await until(tab, 'two', (all) => all.length === 2);
+  assert.match(await said(tab), /is removed/);
+  await tab.page.select('.hearth-tools select[aria-label="Selected object"]', '2');
+  await tab.page.focus('.hearth-overlay');
+  await tab.key('Delete');
+  await until(tab, 'one', (all) => all.length === 1);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('two hundred random actions undone give the first scene', async () => {
+  const tab = await openPage(WIDE, 'scene=campfire&paused');
+  const first = await tab.fire((fire) => fire.exportConfig());
+  let seed = 7;
+  const chance = (many) => {
+    seed = (seed * 48271) % 2147483647;
+    return seed % many;
+  };
+  await tab.page.focus('.hearth-overlay');
+  const keys = ['3', '4', '5', '6', '9', '2', 'Enter', 'ArrowLeft', 'ArrowUp', 'ArrowRight', 'ArrowDown', '[', '+', '-', 'Delete', 'Escape', 'Enter', '0'];
+  for (let action = 0; action < 200; action += 1) {
+    await tab.key(keys[chance(keys.length)]);
+    if (chance(8) === 0) await tab.frames(1);
+  }
+  await tab.key('Escape');
+  await tab.key('Escape');
+  for (let patience = 300; patience > 0; patience -= 1) {
+    const left = await tab.evaluate(() => document.querySelector('[data-tool="undo"]')?.getAttribute('aria-disabled') !== 'true');
+    if (!left) break;
+    await tool(tab, 'undo');
+    await tab.frames(1);
+  }
+  assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), first);
+  assert.deepEqual(tab.problems, []);
+});
+
+/** Drops a file on the fire. */
+const drop = (tab, { name, type, bytes }) => tab.evaluate((file) => {
+  const data = new DataTransfer();
+  data.items.add(new File([Uint8Array.from(file.bytes)], file.name, { type: file.type }));
+  const { x, y, width, height } = /** @type {Element} */ (document.querySelector('.hearth-overlay')).getBoundingClientRect();
+  document.querySelector('.hearth-overlay')?.dispatchEvent(new DragEvent('drop', {
+    dataTransfer: data, clientX: x + width / 2, clientY: y + height / 2, bubbles: true, composed: true, cancelable: true,
+  }));
+}, { name, type, bytes: [...bytes] });
+
+const SVG = (size) => Buffer.from(`<svg xmlns="http://www.w3.org/2000/svg" width="${size}" height="${size}"><circle cx="50%" cy="50%" r="40%"/></svg>`);
+
+test('a dropped picture is a mask where it is dropped; what is no picture or too large is refused in words', async () => {
+  const tab = await openPage();
+  await drop(tab, { name: 'disc.svg', type: 'image/svg+xml', bytes: SVG(100) });
+  const [, mask] = await until(tab, 'a mask', (all) => all.length === 2);
+  assert.equal(mask.shape, 'mask');
+  assert.ok(!JSON.stringify(mask).includes('svg'));
+  for (const [file, words] of [
+    [{ name: 'notes.txt', type: 'text/plain', bytes: [65] }, /“notes.txt” is no image/],
+    [{ name: 'broken.png', type: 'image/png', bytes: [1, 2, 3] }, /“broken.png” cannot be read as an image/],
+    [{ name: 'empty.svg', type: 'image/svg+xml', bytes: Buffer.from('<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"/>') }, /opaque/],
+    [{ name: 'huge.svg', type: 'image/svg+xml', bytes: SVG(9000) }, /81 megapixels; an image has at most 40/],
+  ]) {
+    await drop(tab, file);
+    await tab.until(`the words for ${file.name}`, (pattern) => new RegExp(pattern).test(document.querySelector('.hearth-said')?.textContent ?? ''), words.source);
+    assert.equal((await objects(tab)).length, 2);
+  }
+  assert.deepEqual(tab.problems, []);
+});
+
+test('an absent font, a word without ink and the sixty-fifth solid are refused in words', async () => {
+  const tab = await openPage();
+  await tool(tab, 'text');
+  await tab.click(await pixel(tab, 0, 1));
+  await tab.page.waitForSelector('.hearth-text');
+  const fill = async (word, family) => {
+    await tab.evaluate((values) => {
+      for (const [at, input] of document.querySelectorAll('.hearth-text input').entries()) /** @type {HTMLInputElement} */ (input).value = values[at];
+    }, [word, family]);
+    await tab.page.click('.hearth-text [type=submit]');
+    return tab.evaluate(() => document.querySelector('.hearth-text [role=alert]')?.textContent);
+  };
+  assert.equal(await fill('OK', 'No Such Font'), 'This computer has no font “No Such Font”.');
+  assert.equal(await fill(' ', 'serif'), 'A word has at least one letter.');
+  await tab.key('Escape');
+  await tab.fire((fire) => fire.set({
+    objects: [{ kind: 'source' }, ...Array.from({ length: 64 }, (_, at) => ({ kind: 'solid', x: at / 8 - 4, y: 1.7, width: 0.05 }))],
+  }));
+  await tool(tab, 'circle');
+  await drag(tab, [0, 1], [0.1, 1]);
+  await tab.until('words', () => /at most 64 solids/.test(document.querySelector('.hearth-said')?.textContent ?? ''));
+  assert.equal((await objects(tab)).length, 65);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a fire with controls offers the tools inside of it, loaded on request', async () => {
+  const tab = await browser.open('<hearth-fire controls style="width: 700px; height: 500px"></hearth-fire>', WIDE);
+  await tab.ready();
+  const loaded = () => tab.evaluate(() => performance.getEntriesByType('resource').some(({ name }) => name.endsWith('/tools.js')));
+  const inside = (selector) => tab.until(`${selector} inside`, (wanted) => (
+    document.querySelector('hearth-fire')?.shadowRoot?.querySelector(wanted) !== null
+  ), selector);
+  await inside('.hearth-draw');
+  assert.equal(await loaded(), false);
+  await tab.page.click('hearth-fire >>> .hearth-draw');
+  await inside('[data-tool="box"]');
+  assert.equal(await loaded(), true);
+  await tab.page.click('hearth-fire >>> [data-tool="box"]');
+  await drag(tab, [-0.1, 1.1], [0.1, 0.9]);
+  await until(tab, 'two', (all) => all.length === 2);
+  await tab.page.click('hearth-fire >>> [data-tool="close"]');
+  await tab.until('no toolbar', () => !document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.hearth-tools'));
+  await tab.fire((fire) => fire.removeAttribute('controls'));
+  await tab.until('no button', () => !document.querySelector('hearth-fire')?.shadowRoot?.querySelector('.hearth-draw'));
+  assert.deepEqual(tab.problems, []);
+});

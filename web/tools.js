@@ -1,0 +1,506 @@
+/**
+ * The toolbar: hands on a fire. A visitor draws solids and sources, writes words, drops pictures, and moves,
+ * turns, sizes and erases what is there, with a mouse, a finger, a pen or keys. It uses the public API of
+ * the element and shares the history and the selection of the panel.
+ */
+
+import { editingOf } from './panel/editing.js';
+import { copyOf, entriesOf, isFull, nameOf, newObject, objectsOf } from './panel/objects.js';
+import { MAX_OBJECTS } from './generated/scene-objects.js';
+import { addStyle } from './panel/style.js';
+import { begin, PolygonDrawing } from './tools/gestures.js';
+import { outlineOf, rounded, scaled } from './tools/geometry.js';
+import { askForText, pictureOf } from './tools/insert.js';
+import { Overlay } from './tools/overlay.js';
+import { ICONS, TOOLS } from './tools/table.js';
+
+/**
+ * @typedef {import('./hearth-fire.js').HearthFire} HearthFire
+ * @typedef {import('./tools/geometry.js').Fields} Fields
+ * @typedef {import('./tools/geometry.js').Point} Point
+ */
+
+/** Materials of new solids. */
+const MATERIALS = ['stone', 'wood', 'iron', 'brick', 'coal', 'wax', 'glass', 'none'];
+
+/** Power of a metre of a surface that burns [kW/m]. */
+const POWER = 150;
+
+/** Thickness of a new line, as a share of the frame's smaller side. */
+const THICKNESS = 0.03;
+
+/** How far a key moves an object or the cross [m], with the Shift key times {@link FAST}, and how far it turns one [°]. */
+const STEP = 0.01;
+const FAST = 10;
+const TURN = 5;
+
+/** How long a message stays [ms]. */
+const SAID_MS = 5000;
+
+/** @type {{[key: string]: [number, number]}} */
+const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/**
+ * Shows the toolbar of a fire.
+ * @param {object} options
+ * @param {HTMLElement} options.host  Gets the toolbar; it covers the fire.
+ * @param {HearthFire} options.fire
+ * @param {boolean} [options.page]  Whether the page is about this fire: keys work anywhere on it.
+ * @param {() => void} [options.closed]  The visitor has closed the toolbar.
+ * @returns {Promise<{destroy(): void}>}
+ */
+export async function mountTools({ host, fire, page = false, closed = () => {} }) {
+  const { styled, removeStyle } = addStyle(host, new URL('./tools/tools.css', import.meta.url).href);
+  await styled;
+  const tools = new Toolbar(host, fire, closed);
+  const ended = new AbortController();
+  tools.listen(page ? document : host, ended.signal);
+  return {
+    destroy() {
+      ended.abort();
+      tools.remove();
+      removeStyle();
+    },
+  };
+}
+
+/** The toolbar of one fire. */
+class Toolbar {
+  #fire;
+  #host;
+  #closed;
+  #editing;
+  #overlay;
+  #polygon;
+  #tool = 'select';
+  #bar = element('div', { class: 'hearth-tools', role: 'toolbar', 'aria-label': 'Tools', 'aria-orientation': 'vertical' });
+  #said = element('p', { class: 'hearth-said', role: 'status' });
+  #list = /** @type {HTMLSelectElement} */ (element('select', { 'aria-label': 'Selected object' }));
+  #material = /** @type {HTMLSelectElement} */ (element('select', { 'aria-label': 'Material of new solids' }));
+  #burns = /** @type {HTMLInputElement} */ (element('input', { type: 'checkbox' }));
+  #file = /** @type {HTMLInputElement} */ (element('input', { type: 'file', accept: 'image/*', hidden: '' }));
+  /** The gesture of each pointer; the keys are the pointer -1. @type {Map<number, import('./tools/gestures.js').Gesture>} */
+  #gestures = new Map();
+  /** @type {Point | undefined} */
+  #cross;
+  /** @type {(() => void) | undefined} */
+  #form;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #saidEnds;
+  /** @type {Map<string, HTMLButtonElement>} */
+  #buttons = new Map();
+
+  /** @param {HTMLElement} host @param {HearthFire} fire @param {() => void} closed */
+  constructor(host, fire, closed) {
+    this.#host = host;
+    this.#fire = fire;
+    this.#closed = closed;
+    this.#editing = editingOf(fire);
+    this.#overlay = new Overlay(fire);
+    this.#polygon = new PolygonDrawing(this.#hands);
+    this.#build();
+    host.classList.add('hearth-hands');
+    host.append(this.#overlay.element, this.#bar, this.#said, this.#file);
+    this.#choose('select');
+    this.#update();
+  }
+
+  /** What gestures need. @returns {import('./tools/gestures.js').Hands} */
+  get #hands() {
+    return {
+      editing: this.#editing,
+      objects: () => objectsOf(this.#fire),
+      add: (fields) => this.#add(fields),
+      remove: (id) => this.#fire.removeObject(id),
+      handleAt: (object, at) => this.#overlay.handleAt(object, at),
+      preview: (shown) => this.#overlay.preview(shown),
+      thickness: () => rounded(Math.max(0.01, THICKNESS * Math.min(this.#fire.params.domain_width, this.#fire.params.domain_height))),
+      write: (at) => this.#write(at),
+    };
+  }
+
+  #build() {
+    for (const [at, { name, label, hint, icon }] of TOOLS.entries()) {
+      const key = (at + 1) % 10;
+      this.#button(name, `${label} (${key})`, icon, () => this.#choose(name)).title = `${label}: ${hint} (${key})`;
+    }
+    this.#button('picture', 'Picture', ICONS.picture, () => this.#file.click()).title = 'A picture from a file; it may also be dropped or pasted';
+    this.#material.append(...MATERIALS.map((name) => new Option(name === 'none' ? 'invisible' : name, name)));
+    this.#material.title = 'Material of new solids';
+    const burns = element('label', { title: 'New solids burn all around' });
+    burns.append(this.#burns, 'on fire');
+    this.#list.title = 'Selected object';
+    this.#list.addEventListener('change', () => {
+      this.#editing.select(this.#list.value === '' ? undefined : Number(this.#list.value));
+      this.#choose('select');
+    });
+    const settings = element('div', { class: 'settings' });
+    settings.append(this.#material, burns, this.#list);
+    this.#bar.append(settings);
+    this.#button('duplicate', 'Duplicate (Ctrl D)', ICONS.duplicate, () => this.#duplicate());
+    this.#button('remove', 'Delete (Delete)', ICONS.remove, () => this.#remove());
+    this.#button('undo', 'Undo (Ctrl Z)', ICONS.undo, () => this.#try(() => this.#editing.history.undo()));
+    this.#button('redo', 'Redo (Ctrl Y)', ICONS.redo, () => this.#try(() => this.#editing.history.redo()));
+    this.#button('close', 'Close the tools', ICONS.close, () => this.#closed());
+    this.#file.addEventListener('change', () => {
+      const [file] = this.#file.files ?? [];
+      this.#file.value = '';
+      if (file) this.#picture(file);
+    });
+  }
+
+  /** @type {(name: string, label: string, icon: string, act: () => void) => HTMLButtonElement} */
+  #button(name, label, icon, act) {
+    const button = /** @type {HTMLButtonElement} */ (element('button', { type: 'button', 'aria-label': label, title: label, 'data-tool': name }));
+    const picture = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+    picture.setAttribute('viewBox', '0 0 24 24');
+    picture.setAttribute('aria-hidden', 'true');
+    const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+    path.setAttribute('d', icon);
+    picture.append(path);
+    button.append(picture);
+    button.addEventListener('click', act);
+    this.#bar.append(button);
+    button.tabIndex = this.#buttons.size === 0 ? 0 : -1;
+    this.#buttons.set(name, button);
+    return button;
+  }
+
+  /** Starts to listen. @type {(keys: EventTarget, signal: AbortSignal) => void} */
+  listen(keys, signal) {
+    const layer = this.#overlay.element;
+    const on = (/** @type {EventTarget} */ target, /** @type {string} */ name, /** @type {(event: any) => void} */ act) => target.addEventListener(name, act, { signal });
+    on(layer, 'pointerdown', (event) => this.#press(event));
+    on(layer, 'pointermove', (event) => this.#move(event));
+    on(layer, 'pointerup', (event) => this.#lift(event));
+    on(layer, 'pointercancel', ({ pointerId }) => this.#cancel(pointerId));
+    on(layer, 'blur', () => this.#point(undefined));
+    on(layer, 'dblclick', () => this.#polygon.close());
+    on(keys, 'keydown', (event) => this.#key(event));
+    on(document, 'paste', (event) => this.#paste(event));
+    for (const place of [this.#fire, this.#host]) {
+      on(place, 'dragover', (event) => {
+        if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
+      });
+      on(place, 'drop', (event) => this.#drop(event));
+    }
+    on(this.#editing, 'change', () => this.#update());
+    for (const name of ['objects-change', 'params-change', 'ready']) on(this.#fire, name, () => this.#update());
+    const sizes = new ResizeObserver(() => this.#update());
+    sizes.observe(this.#fire);
+    signal.addEventListener('abort', () => sizes.disconnect());
+  }
+
+  remove() {
+    clearTimeout(this.#saidEnds);
+    for (const id of [...this.#gestures.keys()]) this.#cancel(id);
+    this.#host.classList.remove('hearth-hands');
+    for (const one of [this.#overlay.element, this.#bar, this.#said, this.#file]) one.remove();
+    this.#form?.();
+  }
+
+  /** @param {string} name */
+  #choose(name) {
+    for (const id of [...this.#gestures.keys()]) this.#cancel(id);
+    this.#polygon.cancel();
+    this.#tool = name;
+    const tool = TOOLS.find((one) => one.name === name);
+    for (const { name: other } of TOOLS) this.#buttons.get(other)?.setAttribute('aria-pressed', String(other === name));
+    const layer = this.#overlay.element;
+    layer.style.cursor = tool?.cursor ?? '';
+    layer.classList.toggle('idle', name === 'stir');
+    this.#say(tool ? `${tool.label}: ${tool.hint}.` : '');
+    this.#update();
+  }
+
+  /** Shows the state of the fire. */
+  #update() {
+    const { selected, history } = this.#editing;
+    this.#overlay.select(selected, this.#tool === 'select');
+    const all = objectsOf(this.#fire);
+    const names = all.map((object) => `${object.id}:${nameOf(object)}`).join();
+    if (this.#list.dataset.names !== names) {
+      this.#list.dataset.names = names;
+      this.#list.replaceChildren(new Option('nothing selected', ''), ...all.map((object) => new Option(nameOf(object), String(object.id))));
+    }
+    this.#list.value = selected ? String(selected.id) : '';
+    for (const [name, works] of Object.entries({ undo: history.canUndo, redo: history.canRedo, duplicate: selected, remove: selected })) {
+      this.#buttons.get(name)?.setAttribute('aria-disabled', String(!works));
+    }
+  }
+
+  /** Shows a message for a while. @param {string} text */
+  #say(text) {
+    this.#said.textContent = text;
+    clearTimeout(this.#saidEnds);
+    this.#saidEnds = setTimeout(() => (this.#said.textContent = ''), SAID_MS);
+  }
+
+  /** Does something that the fire may refuse; a refusal becomes a message. @param {() => unknown} act */
+  async #try(act) {
+    try {
+      await act();
+    } catch (error) {
+      this.#say(error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  /** Adds an object and selects it: one step. @param {Fields} drawn */
+  #add(drawn) {
+    this.#overlay.preview([]);
+    return this.#try(async () => {
+      const kind = /** @type {'source' | 'solid'} */ (drawn.kind);
+      if (isFull(this.#fire, kind)) throw new Error(`A fire has at most ${MAX_OBJECTS} ${kind}s.`);
+      const fields = kind === 'source' ? this.#sourceOf(drawn) : { ...drawn, material: this.#material.value };
+      const burns = kind === 'solid' && this.#burns.checked && !isFull(this.#fire, 'source');
+      let id = 0;
+      await this.#editing.history.objects(async () => {
+        id = await this.#fire.addObject(/** @type {any} */ (fields));
+        if (burns) await this.#fire.addObject(/** @type {any} */ (this.#surfaceOf(id, fields)));
+      });
+      this.#editing.select(id);
+      const object = this.#editing.selected;
+      if (object) this.#say(`${nameOf(object)} at ${object.x.toFixed(2)}, ${object.y.toFixed(2)} m.`);
+    });
+  }
+
+  /** A source as strong by its width as the first one, or as a new one. @param {Fields} drawn */
+  #sourceOf(drawn) {
+    const like = /** @type {Fields} */ (newObject(this.#fire, 'source'));
+    const fields = { ...like, ...drawn };
+    for (const name of ['power', 'rate']) {
+      if (!(name in like)) continue;
+      fields[name] = this.#inRange(name, (like[name] * drawn.width) / like.width);
+    }
+    return { ...fields, ...('shape' in like && { shape: 'line' }), width: this.#inRange('width', drawn.width) };
+  }
+
+  /** A source at the surface of a solid. @type {(id: number, solid: Fields) => Fields} */
+  #surfaceOf(id, solid) {
+    const { points, closed } = outlineOf(solid);
+    const ends = closed ? [...points, points[0]] : [...points, ...points.slice(0, -1).reverse()];
+    const around = ends.reduce((sum, point, at) => sum + (at ? Math.hypot(point.x - ends[at - 1].x, point.y - ends[at - 1].y) : 0), 0);
+    return { kind: 'source', shape: 'solid', solid: id, power: this.#inRange('power', POWER * around) };
+  }
+
+  /** @type {(name: string, value: number) => number} */
+  #inRange(name, value) {
+    const { min = value, max = value } = entriesOf('source').find((one) => one.name === name)?.domain(this.#fire.params.model) ?? {};
+    return rounded(Math.min(max, Math.max(min, value)));
+  }
+
+  #duplicate() {
+    const { selected } = this.#editing;
+    if (selected) this.#add({ ...copyOf(this.#fire, selected) });
+  }
+
+  #remove() {
+    const { selected, history } = this.#editing;
+    if (!selected) return;
+    this.#try(() => history.objects(() => this.#fire.removeObject(selected.id)));
+    this.#say(`${nameOf(selected)} is removed.`);
+  }
+
+  /** Width and middle of what is seen [m]. */
+  get #seen() {
+    const { clientWidth, clientHeight } = this.#fire;
+    const [low, high] = [this.#fire.toMetres(0, clientHeight), this.#fire.toMetres(clientWidth, 0)];
+    const { domain_width: width, domain_height: height } = this.#fire.params;
+    if (!low || !high) return { width, x: 0, y: height / 2 };
+    return { width: Math.min(width, high.x - low.x), x: (low.x + high.x) / 2, y: (Math.max(0, low.y) + high.y) / 2 };
+  }
+
+  /** Asks for a word at a point. @param {Point} at */
+  #write(at) {
+    this.#form?.();
+    const place = (/** @type {Fields} */ fields) => this.#add({ ...fields, x: rounded(at.x), y: rounded(at.y) });
+    this.#form = askForText(this.#host, this.#seen.width, place, () => (this.#form = undefined));
+  }
+
+  /** @type {(file: Blob, at?: Point | null) => Promise<void>} */
+  #picture(file, at) {
+    return this.#try(async () => {
+      const { width, x, y } = this.#seen;
+      const fields = await pictureOf(file, width);
+      await this.#add({ ...fields, x: rounded(at?.x ?? x), y: rounded(at?.y ?? y) });
+    });
+  }
+
+  /** @param {DragEvent} event */
+  #drop(event) {
+    const [file] = event.dataTransfer?.files ?? [];
+    if (!file) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.#picture(file, this.#overlay.metres(event));
+  }
+
+  /** @param {ClipboardEvent} event */
+  #paste(event) {
+    const typing = event.composedPath().some((node) => /** @type {Partial<Element>} */ (node).matches?.('input, textarea'));
+    const [file] = event.clipboardData?.files ?? [];
+    if (!file || typing) return;
+    event.preventDefault();
+    this.#picture(file);
+  }
+
+  /** @param {{shiftKey: boolean}} event @returns {import('./tools/gestures.js').How} */
+  #how({ shiftKey }) {
+    return { snaps: shiftKey, perPixel: this.#overlay.perPixel };
+  }
+
+  /** @param {PointerEvent} event */
+  #press(event) {
+    const at = this.#overlay.metres(event);
+    if (event.button !== 0 || !at) return;
+    event.preventDefault();
+    this.#overlay.element.setPointerCapture(event.pointerId);
+    this.#begin(event.pointerId, at, this.#how(event));
+  }
+
+  /** @param {PointerEvent} event */
+  #move(event) {
+    const at = this.#overlay.metres(event);
+    if (!at) return;
+    this.#polygon.show(at);
+    this.#gestures.get(event.pointerId)?.move(at, this.#how(event));
+  }
+
+  /** @param {PointerEvent} event */
+  #lift(event) {
+    const at = this.#overlay.metres(event);
+    if (at) this.#end(event.pointerId, at, this.#how(event));
+  }
+
+  /** @type {(pointer: number, at: Point, how: import('./tools/gestures.js').How) => void} */
+  #begin(pointer, at, how) {
+    this.#editing.history.press();
+    if (this.#tool === 'polygon') {
+      this.#polygon.press(at, how);
+      return;
+    }
+    // A second finger ends what the first one draws.
+    for (const id of [...this.#gestures.keys()]) this.#cancel(id);
+    const gesture = begin(this.#tool, this.#hands, at, how);
+    if (gesture) this.#gestures.set(pointer, gesture);
+  }
+
+  /** @type {(pointer: number, at: Point, how: import('./tools/gestures.js').How) => void} */
+  #end(pointer, at, how) {
+    const gesture = this.#gestures.get(pointer);
+    this.#gestures.delete(pointer);
+    if (!gesture) return;
+    gesture.end(at, how);
+    this.#overlay.preview([]);
+  }
+
+  /** @param {number} pointer */
+  #cancel(pointer) {
+    this.#gestures.get(pointer)?.cancel();
+    this.#gestures.delete(pointer);
+    this.#overlay.preview([]);
+  }
+
+  /** Moves the cross that stands for the pointer, or hides it. @param {Point | undefined} at */
+  #point(at) {
+    this.#cross = at;
+    this.#overlay.cross(at);
+    if (!at) this.#cancel(-1);
+  }
+
+  /** Arrow keys lead through the buttons, of which the Tab key reaches one. @type {(button: HTMLElement, key: string) => boolean} */
+  #rove(button, key) {
+    const all = [...this.#buttons.values()];
+    const at = all.indexOf(/** @type {HTMLButtonElement} */ (button));
+    const [right, up] = ARROWS[key] ?? [0, 0];
+    const to = { Home: 0, End: all.length - 1 }[key] ?? (at + right - up + all.length) % all.length;
+    if (at < 0 || to === at) return false;
+    for (const one of all) one.tabIndex = -1;
+    all[to].tabIndex = 0;
+    all[to].focus();
+    return true;
+  }
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    const target = /** @type {Partial<HTMLElement>} */ (event.composedPath()[0]);
+    if (this.#rove(/** @type {HTMLElement} */ (target), event.key)) {
+      event.preventDefault();
+      return;
+    }
+    if (event.defaultPrevented || target.matches?.('input:not([type=checkbox]), textarea, select')) return;
+    const act = this.#actionOf(event, target === this.#overlay.element);
+    if (!act) return;
+    event.preventDefault();
+    event.stopPropagation();
+    act();
+  }
+
+  /** @type {(event: KeyboardEvent, onLayer: boolean) => (() => void) | undefined} */
+  #actionOf(event, onLayer) {
+    const { key, shiftKey } = event;
+    const { selected, history } = this.#editing;
+    if (event.altKey) return undefined;
+    if (event.ctrlKey || event.metaKey) {
+      if (key.toLowerCase() === 'z') return () => this.#try(() => (shiftKey ? history.redo() : history.undo()));
+      if (key.toLowerCase() === 'y') return () => this.#try(() => history.redo());
+      return key.toLowerCase() === 'd' && selected ? () => this.#duplicate() : undefined;
+    }
+    if (/^\d$/.test(key)) return () => this.#choose(TOOLS[(Number(key) + 9) % 10].name);
+    if (key === 'Escape') return () => this.#escape();
+    if (key === 'Delete' || key === 'Backspace') return selected && (() => this.#remove());
+    const arrow = ARROWS[key];
+    const far = STEP * (shiftKey ? FAST : 1);
+    if (onLayer && (this.#tool !== 'select' || this.#cross || !selected)) {
+      if (arrow) return () => this.#moveCross(arrow[0] * far, arrow[1] * far, this.#how(event));
+      if (key === 'Enter' || key === ' ') return () => this.#pressCross(this.#how(event));
+    }
+    if (!selected) return undefined;
+    const change = (/** @type {Fields} */ fields) => () => {
+      if (!event.repeat) history.press();
+      this.#try(() => history.change(selected.id, fields));
+    };
+    if (arrow) return change({ x: rounded(selected.x + arrow[0] * far), y: rounded(selected.y + arrow[1] * far) });
+    if (key === '[' || key === ']') return change({ angle: (selected.angle ?? 0) + (key === '[' ? TURN : -TURN) });
+    if (key === '+' || key === '-') return change(scaled(selected, key === '+' ? 1.1 : 1 / 1.1));
+    return undefined;
+  }
+
+  #escape() {
+    if (this.#gestures.size > 0 || this.#polygon.active) {
+      for (const id of [...this.#gestures.keys()]) this.#cancel(id);
+      this.#polygon.cancel();
+    } else if (this.#cross) {
+      this.#point(undefined);
+    } else if (this.#editing.selected) {
+      this.#editing.select();
+    } else {
+      this.#choose('stir');
+    }
+  }
+
+  /** @type {(right: number, up: number, how: import('./tools/gestures.js').How) => void} */
+  #moveCross(right, up, how) {
+    const from = this.#cross ?? this.#seen;
+    const at = { x: from.x + right, y: from.y + up };
+    this.#point(at);
+    this.#polygon.show(at);
+    this.#gestures.get(-1)?.move(at, how);
+    this.#say(`${at.x.toFixed(2)}, ${at.y.toFixed(2)} m`);
+  }
+
+  /** Presses at the cross or, after that, releases. @param {import('./tools/gestures.js').How} how */
+  #pressCross(how) {
+    const at = this.#cross ?? { x: this.#seen.x, y: this.#seen.y };
+    this.#point(at);
+    if (this.#gestures.has(-1)) this.#end(-1, at, how);
+    else this.#begin(-1, at, how);
+  }
+}
+
+/** @type {(name: string, attributes: {[name: string]: string}) => HTMLElement} */
+function element(name, attributes) {
+  const made = document.createElement(name);
+  for (const [attribute, value] of Object.entries(attributes)) made.setAttribute(attribute, value);
+  return made;
+}

@@ -1,0 +1,138 @@
+/**
+ * Words and pictures as solids: a form that asks for a word, and files that a visitor chooses, drops or
+ * pastes. Each becomes a mask; nothing of a URL or a file is kept.
+ *
+ * @typedef {import('./geometry.js').Fields} Fields
+ */
+
+import { maskOfImage, maskOfText } from '../mask.js';
+
+/** The largest file [bytes], and the most pixels of an image. */
+const MAX_BYTES = 20e6;
+const MAX_PIXELS = 40e6;
+
+/** The longest word. */
+const MAX_LETTERS = 60;
+
+/** Families that every browser has, and some that most computers have. */
+const FAMILIES = ['serif', 'sans-serif', 'monospace', 'cursive', 'Georgia', 'Impact', 'Arial Black', 'Courier New', 'Brush Script MT'];
+
+/** Width of a letter [m], and the largest share of the frame that a word or a picture takes. */
+const LETTER = 0.13;
+const LARGEST = 0.8;
+
+/**
+ * Asks for a word.
+ * @param {HTMLElement} host  Gets the form.
+ * @param {number} across  The width that is seen [m].
+ * @param {(fields: Fields) => void} place  Gets the solid, without a place.
+ * @param {() => void} closed
+ * @returns {() => void} closes the form
+ */
+export function askForText(host, across, place, closed) {
+  const form = document.createElement('form');
+  form.className = 'hearth-text';
+  form.setAttribute('aria-label', 'A word as a solid');
+  const word = field('Word', 'FIRE', MAX_LETTERS);
+  const family = field('Font', 'sans-serif', 100);
+  const list = document.createElement('datalist');
+  list.id = 'hearth-families';
+  list.append(...FAMILIES.map((name) => Object.assign(document.createElement('option'), { value: name })));
+  family.input.setAttribute('list', list.id);
+  const said = document.createElement('p');
+  said.setAttribute('role', 'alert');
+  const done = Object.assign(document.createElement('button'), { type: 'submit', textContent: 'Place it' });
+  const cancel = Object.assign(document.createElement('button'), { type: 'button', textContent: 'Cancel' });
+  form.append(word.label, family.label, list, said, done, cancel);
+  const close = () => {
+    form.remove();
+    closed();
+  };
+  cancel.addEventListener('click', close);
+  form.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape') close();
+    // Letters of the word are no shortcuts.
+    event.stopPropagation();
+  });
+  form.addEventListener('submit', (event) => {
+    event.preventDefault();
+    try {
+      const fields = textOf(word.input.value, family.input.value, across);
+      close();
+      place(fields);
+    } catch (error) {
+      said.textContent = error instanceof Error ? error.message : String(error);
+    }
+  });
+  host.append(form);
+  word.input.select();
+  word.input.focus();
+  return close;
+}
+
+/** @type {(label: string, value: string, maxLength: number) => {label: HTMLLabelElement, input: HTMLInputElement}} */
+function field(name, value, maxLength) {
+  const label = document.createElement('label');
+  const input = Object.assign(document.createElement('input'), { value, maxLength, spellcheck: false, autocomplete: 'off' });
+  label.append(name, input);
+  return { label, input };
+}
+
+/**
+ * A word as a solid.
+ * @param {string} word
+ * @param {string} family  A CSS font family, or a list of them.
+ * @param {number} across  The width that is seen [m].
+ * @returns {Fields}
+ * @throws {Error} there is no such font, or nothing of the word is seen
+ */
+export function textOf(word, family, across) {
+  if (word.trim() === '') throw new Error('A word has at least one letter.');
+  const names = family.split(',').map((name) => name.trim().replace(/^(["'])(.*)\1$/, '$2')).filter(Boolean);
+  const absent = names.find((name) => !isPresent(name));
+  if (absent !== undefined || names.length === 0) throw new Error(`This computer has no font “${absent ?? family}”.`);
+  const font = `700 100px ${names.map((name) => (GENERIC.includes(name) ? name : JSON.stringify(name))).join(', ')}`;
+  const width = Math.min(LARGEST * across, LETTER * [...word.trim()].length);
+  return { kind: 'solid', ...maskOfText(word.trim(), font, width) };
+}
+
+const GENERIC = ['serif', 'sans-serif', 'monospace', 'cursive', 'fantasy', 'system-ui'];
+
+/** Whether the browser has a font: without it, it shows the letters of the next family. @param {string} name */
+function isPresent(name) {
+  if (GENERIC.includes(name)) return true;
+  const context = document.createElement('canvas').getContext('2d');
+  if (!context) return true;
+  const widthIn = (/** @type {string} */ font) => {
+    context.font = `100px ${font}`;
+    return context.measureText('mmmwwwiii0123').width;
+  };
+  return ['serif', 'monospace'].some((next) => widthIn(`${JSON.stringify(name)}, ${next}`) !== widthIn(next));
+}
+
+/**
+ * An image file as a solid: what is opaque in it.
+ * @param {Blob} file
+ * @param {number} across  The width that is seen [m].
+ * @returns {Promise<Fields>}
+ * @throws {Error} it is no image, too large, or nothing in it is opaque
+ */
+export async function pictureOf(file, across) {
+  const name = 'name' in file && file.name ? `“${file.name}”` : 'What was pasted';
+  if (!file.type.startsWith('image/')) throw new Error(`${name} is no image.`);
+  if (file.size > MAX_BYTES) throw new Error(`${name} has ${Math.round(file.size / 1e6)} MB; an image has at most ${MAX_BYTES / 1e6} MB.`);
+  const image = new Image();
+  const url = URL.createObjectURL(file);
+  try {
+    image.src = url;
+    await new Promise((resolve, reject) => {
+      image.onload = resolve;
+      image.onerror = () => reject(new Error(`${name} cannot be read as an image.`));
+    });
+    const pixels = image.naturalWidth * image.naturalHeight;
+    if (pixels > MAX_PIXELS) throw new Error(`${name} has ${Math.round(pixels / 1e6)} megapixels; an image has at most ${MAX_PIXELS / 1e6}.`);
+    return { kind: 'solid', ...maskOfImage(image, 0.4 * across) };
+  } finally {
+    URL.revokeObjectURL(url);
+  }
+}

@@ -1,0 +1,97 @@
+/**
+ * The layer over a fire on which tools draw: the outline and the handles of the selected object, the preview
+ * of a gesture, and a cross that stands for the pointer while keys draw.
+ *
+ * @typedef {import('./geometry.js').Point} Point
+ * @typedef {import('./geometry.js').Fields} Fields
+ */
+
+import { handlesOf, outlineOf } from './geometry.js';
+
+const SVG = 'http://www.w3.org/2000/svg';
+
+/** Radius of a handle, and of the area that takes it [px]. */
+const HANDLE_PX = 6;
+const GRIP_PX = 16;
+
+/** @type {(name: string, attributes: {[name: string]: string | number}) => SVGElement} */
+function svg(name, attributes) {
+  const made = document.createElementNS(SVG, name);
+  for (const [attribute, value] of Object.entries(attributes)) made.setAttribute(attribute, String(value));
+  return made;
+}
+
+/** The layer of one fire. */
+export class Overlay {
+  #fire;
+  #outline = svg('path', { class: 'outline' });
+  #preview = svg('path', { class: 'preview' });
+  #cross = svg('path', { class: 'cross' });
+  #handles = svg('g', {});
+  element = document.createElement('div');
+
+  /** @param {import('../hearth-fire.js').HearthFire} fire */
+  constructor(fire) {
+    this.#fire = fire;
+    this.element.className = 'hearth-overlay';
+    this.element.tabIndex = 0;
+    this.element.setAttribute('role', 'application');
+    this.element.setAttribute('aria-label', 'Drawing area: arrow keys move the cross, Enter presses and releases');
+    const drawing = svg('svg', { 'aria-hidden': 'true' });
+    drawing.append(this.#outline, this.#preview, this.#handles, this.#cross);
+    this.element.append(drawing);
+  }
+
+  /** The point of the world under a point of the window. @type {(at: {clientX: number, clientY: number}) => Point | null} */
+  metres({ clientX, clientY }) {
+    const { left, top } = this.#fire.getBoundingClientRect();
+    return this.#fire.toMetres(clientX - left, clientY - top);
+  }
+
+  /** Metres of a pixel. */
+  get perPixel() {
+    const [one, other] = [this.#fire.toMetres(0, 0), this.#fire.toMetres(1, 0)];
+    return one && other ? other.x - one.x : 0.001;
+  }
+
+  /** The handle at a point of the world; undefined without one. @type {(object: Fields | undefined, at: Point) => ReturnType<typeof handlesOf>[number] | undefined} */
+  handleAt(object, at) {
+    const size = this.perPixel;
+    const all = object ? handlesOf(object, size) : [];
+    const away = (/** @type {Point} */ one) => Math.hypot(one.x - at.x, one.y - at.y);
+    const [nearest] = all.sort((a, b) => away(a.at) - away(b.at));
+    return nearest && away(nearest.at) <= GRIP_PX * size ? nearest : undefined;
+  }
+
+  /** Shows the outline of an object, with handles on request. @type {(object: Fields | undefined, handles: boolean) => void} */
+  select(object, handles) {
+    this.#outline.setAttribute('d', object ? this.#path(outlineOf(object)) : '');
+    const all = object && handles ? handlesOf(object, this.perPixel) : [];
+    this.#handles.replaceChildren(...all.flatMap(({ does, at }) => {
+      const { x, y } = this.#pixels(at);
+      return [svg('circle', { class: `handle ${does}`, cx: x, cy: y, r: HANDLE_PX })];
+    }));
+  }
+
+  /** Shows what a gesture draws: objects, or an open path. @type {(shown: {points: Point[], closed: boolean}[]) => void} */
+  preview(shown) {
+    this.#preview.setAttribute('d', shown.map((one) => this.#path(one)).join(''));
+  }
+
+  /** Shows the cross. @param {Point | undefined} at */
+  cross(at) {
+    const { x, y } = at ? this.#pixels(at) : { x: 0, y: 0 };
+    this.#cross.setAttribute('d', at ? `M${x - 12},${y}H${x + 12}M${x},${y - 12}V${y + 12}` : '');
+  }
+
+  /** @param {Point} point */
+  #pixels(point) {
+    return this.#fire.toPixels(point.x, point.y) ?? { x: 0, y: 0 };
+  }
+
+  /** @param {{points: Point[], closed: boolean}} outline */
+  #path({ points, closed }) {
+    const all = points.map((point) => this.#pixels(point)).map(({ x, y }) => `${x.toFixed(1)},${y.toFixed(1)}`);
+    return all.length > 0 ? `M${all.join('L')}${closed ? 'Z' : ''}` : '';
+  }
+}

@@ -1,0 +1,34 @@
+/**
+ * The tools: their names, what they do in words, and their icons as paths of 24 × 24.
+ *
+ * @typedef {object} Tool
+ * @property {string} name
+ * @property {string} label
+ * @property {string} hint  What a visitor does with it.
+ * @property {string} icon
+ * @property {string} cursor
+ */
+
+/** In the order of the toolbar and of the keys 1 to 9 and 0. @type {Tool[]} */
+export const TOOLS = [
+  { name: 'stir', label: 'Stir', hint: 'Move to blow, click for sparks', cursor: '', icon: 'M3 9h11a3 3 0 1 0-3-3M3 13h16a2.5 2.5 0 1 1-2.5 2.5M3 17h7a2 2 0 1 1-2 2' },
+  { name: 'select', label: 'Select', hint: 'Click an object; drag it, its corners, or the handle that turns it', cursor: 'default', icon: 'M6 3l13 9-6 1.2L9.5 19z' },
+  { name: 'brush', label: 'Brush', hint: 'Draw a stroke', cursor: 'crosshair', icon: 'M20 4c-5 2-9 6-11 10M9 14c-3 0-3 2-4 4-.5 1-1 1.5-2 2 4 1 8 0 8-3a3 3 0 0 0-2-3z' },
+  { name: 'line', label: 'Line', hint: 'Drag from end to end', cursor: 'crosshair', icon: 'M5 19L19 5' },
+  { name: 'box', label: 'Box', hint: 'Drag from corner to corner', cursor: 'crosshair', icon: 'M4 6h16v12H4z' },
+  { name: 'circle', label: 'Circle', hint: 'Drag from the centre outwards', cursor: 'crosshair', icon: 'M12 4a8 8 0 1 1 0 16a8 8 0 1 1 0-16z' },
+  { name: 'polygon', label: 'Polygon', hint: 'Click corners; click the first one again to close', cursor: 'crosshair', icon: 'M12 3l9 7-4 10H7L3 10z' },
+  { name: 'text', label: 'Text', hint: 'Click where a word goes', cursor: 'text', icon: 'M5 6V4h14v2M12 4v16M9 20h6' },
+  { name: 'source', label: 'Source', hint: 'Drag a line of fire', cursor: 'crosshair', icon: 'M12 3c1 4 6 6 6 12a6 6 0 0 1-12 0c0-3 2-4 2-7 2 1 3 2 3 4 2-2 2-5 1-9z' },
+  { name: 'erase', label: 'Erase', hint: 'Drag over objects to remove them', cursor: 'cell', icon: 'M9 20h11M4 15l9-10 7 6-8 9H8z' },
+];
+
+/** Icons of the buttons that act at once. */
+export const ICONS = {
+  picture: 'M4 5h16v14H4zM4 16l5-5 4 4 3-3 4 4M15.5 9h.01',
+  undo: 'M9 6L4 11l5 5M4 11h10a6 6 0 0 1 0 12h-3',
+  redo: 'M15 6l5 5-5 5M20 11H10a6 6 0 0 0 0 12h3',
+  duplicate: 'M8 8h12v12H8zM4 16V4h12',
+  remove: 'M5 7h14M9 7V4h6v3M7 7l1 13h8l1-13',
+  close: 'M6 6l12 12M18 6L6 18',
+};

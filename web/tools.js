@@ -332,7 +332,8 @@ class Toolbar {
     if (!file) return;
     event.preventDefault();
     event.stopPropagation();
-    this.#picture(file, this.#overlay.metres(event));
+    if (file.type !== 'application/json') this.#picture(file, this.#overlay.metres(event));
+    else this.#try(async () => this.#editing.history.all(async () => this.#fire.importConfig(await file.text()), { replaces: true }));
   }
 
   /** @param {ClipboardEvent} event */

@@ -10,6 +10,7 @@ import { showScenes } from './scenes.js';
 import { editingOf } from './editing.js';
 import { remember, remembered } from './memory.js';
 import { copyOf, newObject, objectsOf } from './objects.js';
+import { deleteScene, ownScenes, pictureOf, renameScene, saveScene } from './own-scenes.js';
 import { PARAMETERS, PRESETS } from '../parameters.js';
 import { Report } from './report.js';
 import { DOMAINS, MODEL, hasSceneObjects, modelDefault, presetOf, sceneObjects, sceneOf, sceneProperty, sceneValue, valuesOf } from './scene.js';
@@ -25,6 +26,9 @@ const FOLDER = /^https?:/.test(SHARE) && SHARE.split('?')[0] === new URL('../sha
 
 /** How long a button confirms its action [ms]. */
 const DONE_MS = 2000;
+
+/** The largest file of settings [bytes]. */
+const MAX_FILE = 400_000;
 
 /** The events after which the scene may have changed. */
 const CHANGES = ['ready', 'params-change', 'objects-change'];
@@ -254,7 +258,31 @@ export class PanelController extends EventTarget {
       pictureOf: (name) => beside(`scenes/${name}.jpg`),
       current: () => this.#fire.preset,
       choose: (name) => this.#try(() => this.preset(name)).then(this.#update),
+      own: {
+        list: ownScenes,
+        rename: renameScene,
+        remove: deleteScene,
+        choose: ({ config }) => this.#replace(config),
+        save: async () => {
+          const config = await this.#fire.exportConfig();
+          saveScene(presetOf(this.#fire)?.label ?? '', config, await pictureOf(this.#fire));
+        },
+        download: ({ name, config }) => {
+          const text = JSON.stringify({ ...config, label: name }, null, 2);
+          this.#download(new Blob([text], { type: 'application/json' }), `${name.replace(/[^\p{L}\p{N} _-]+/gu, '').trim() || 'hearth'}.json`);
+        },
+        open: async (file) => {
+          if (file.size > MAX_FILE) throw new Error(`The file has ${Math.round(file.size / 1000)} KB; settings have at most ${MAX_FILE / 1000} KB.`);
+          await this.#replace(settingsOf(await file.text()));
+        },
+      },
     }));
+  }
+
+  /** Shows the fire of settings: one step. @param {HearthConfig | string} config */
+  async #replace(config) {
+    await this.#history.all(() => this.#fire.importConfig(config), { replaces: true });
+    this.#update();
   }
 
   /** @param {string} name */
@@ -344,13 +372,18 @@ export class PanelController extends EventTarget {
   async picture() {
     const blob = await this.#try(() => this.#fire.toBlob('image/png'));
     if (!blob) return;
+    this.#download(blob, 'hearth.png');
+    this.#notify('picture', 'Saved an image');
+  }
+
+  /** @type {(blob: Blob, name: string) => void} */
+  #download(blob, name) {
     const link = document.createElement('a');
     link.href = URL.createObjectURL(blob);
-    link.download = 'hearth.png';
+    link.download = name;
     link.click();
     // The download has begun by then, even if the browser asks first.
     setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
-    this.#notify('picture', 'Saved an image');
   }
 
   /** Enters or leaves full screen: for the fire, or for a page about it. */
@@ -445,6 +478,15 @@ export class PanelController extends EventTarget {
   #changed = () => {
     this.dispatchEvent(new Event('change'));
   };
+}
+
+/** Settings of a file; a text that is not JSON stays one, which the fire refuses in words. @param {string} text */
+function settingsOf(text) {
+  try {
+    return JSON.parse(text);
+  } catch {
+    return text;
+  }
 }
 
 /** @type {(id: string) => id is Id} */

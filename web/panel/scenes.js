@@ -3,9 +3,19 @@
  * that a visitor can try one scene after another.
  *
  * @typedef {{name: string, label: string, description?: string}} Scene
+ *
+ * @typedef {object} Own  What the visitor's scenes do.
+ * @property {() => import('./own-scenes.js').OwnScene[]} list
+ * @property {() => Promise<void>} save  Saves the current fire.
+ * @property {(scene: import('./own-scenes.js').OwnScene) => Promise<void>} choose
+ * @property {(from: string, to: string) => void} rename
+ * @property {(scene: import('./own-scenes.js').OwnScene) => void} download
+ * @property {(name: string) => void} remove
+ * @property {(file: Blob) => Promise<void>} open  Shows the fire of a file.
  */
 
 import { openCard } from './cards.js';
+import { MAX_NAME } from './own-scenes.js';
 
 /**
  * @param {object} parts
@@ -15,9 +25,10 @@ import { openCard } from './cards.js';
  *   does not load, the label stands alone.
  * @param {() => string} parts.current  The name of the current scene.
  * @param {(name: string) => void} parts.choose
+ * @param {Own} parts.own
  * @returns {import('./cards.js').Card & {mark: () => void}}
  */
-export function showScenes({ host, scenes, pictureOf, current, choose }) {
+export function showScenes({ host, scenes, pictureOf, current, choose, own }) {
   const card = openCard(host, 'scenes', 'Scenes');
   const list = card.add('div', '');
   list.className = 'hearth-scenes';
@@ -67,6 +78,9 @@ export function showScenes({ host, scenes, pictureOf, current, choose }) {
     });
   };
   mark();
+  const showOwn = ownSection(card, own);
+  card.button('save', 'Save this fire', () => showOwn(own.save));
+  card.button('open', 'Open a file', () => chooseFile((file) => showOwn(() => own.open(file))));
   card.button('close', 'Close', card.close);
   const first = tiles.find((tile) => tile.hasAttribute('aria-current')) ?? tiles[0];
   focus(first);
@@ -77,6 +91,67 @@ export function showScenes({ host, scenes, pictureOf, current, choose }) {
     first.offsetTop - (list.clientHeight - first.offsetHeight) / 2,
   );
   return { ...card, mark };
+}
+
+/**
+ * The visitor's scenes: a row for each, with its picture, its name as a field, and buttons.
+ * @param {ReturnType<typeof openCard>} card
+ * @param {Own} own
+ * @returns {(act: () => unknown) => Promise<void>}  Does something and shows the rows anew, or why it was refused.
+ */
+function ownSection(card, own) {
+  const rows = card.add('ul', '');
+  rows.className = 'hearth-own';
+  rows.setAttribute('aria-label', 'Your scenes');
+  const said = card.add('p', '');
+  said.setAttribute('role', 'alert');
+  const act = async (/** @type {() => unknown} */ what) => {
+    said.textContent = '';
+    try {
+      await what();
+    } catch (error) {
+      said.textContent = error instanceof Error ? error.message : String(error);
+    }
+    show();
+  };
+  const show = () => {
+    const all = own.list();
+    rows.hidden = all.length === 0;
+    rows.replaceChildren(...all.map((scene) => {
+      const row = document.createElement('li');
+      const start = document.createElement('button');
+      start.type = 'button';
+      start.dataset.own = scene.name;
+      start.setAttribute('aria-label', `Show ${scene.name}`);
+      const image = Object.assign(document.createElement('img'), { alt: '', width: 30, height: 40, src: scene.picture });
+      image.hidden = !scene.picture;
+      start.append(image);
+      start.addEventListener('click', () => act(() => own.choose(scene)));
+      const name = Object.assign(document.createElement('input'), { value: scene.name, maxLength: MAX_NAME, spellcheck: false });
+      name.setAttribute('aria-label', `Name of ${scene.name}`);
+      name.addEventListener('change', () => act(() => own.rename(scene.name, name.value)));
+      const button = (/** @type {string} */ words, /** @type {() => void} */ does) => {
+        const made = Object.assign(document.createElement('button'), { type: 'button', textContent: words });
+        made.setAttribute('aria-label', `${words} ${scene.name}`);
+        made.addEventListener('click', () => act(does));
+        return made;
+      };
+      row.append(start, name, button('Download', () => own.download(scene)), button('Delete', () => own.remove(scene.name)));
+      return row;
+    }));
+  };
+  show();
+  return act;
+}
+
+/** Lets the visitor choose a file of settings. @param {(file: Blob) => void} use */
+function chooseFile(use) {
+  const input = Object.assign(document.createElement('input'), { type: 'file', accept: '.json,application/json' });
+  input.addEventListener('change', () => {
+    const [file] = input.files ?? [];
+    if (file) use(file);
+  });
+  input.click();
 }
 
 /** @type {(scene: Scene, picture: URL | undefined) => HTMLButtonElement} */

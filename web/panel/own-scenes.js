@@ -1,0 +1,95 @@
+/**
+ * The scenes that a visitor has saved, in the local storage of the origin: a name, the settings and a small
+ * picture each.
+ *
+ * @typedef {import('../hearth-fire.js').HearthConfig} HearthConfig
+ * @typedef {{name: string, config: HearthConfig, picture: string}} OwnScene  `picture` is a data URL, or empty.
+ */
+
+const KEY = 'hearth-scenes';
+
+/** The most scenes, and the most letters of a name. */
+export const MAX_SCENES = 50;
+export const MAX_NAME = 40;
+
+/** The size of a picture [px]. */
+const PICTURE = { width: 120, height: 160 };
+
+/** The saved scenes; none if the browser forbids storage or another script has written something else there. @returns {OwnScene[]} */
+export function ownScenes() {
+  try {
+    const all = JSON.parse(localStorage.getItem(KEY) ?? '[]');
+    const isScene = (/** @type {any} */ one) => typeof one?.name === 'string' && typeof one.config === 'object' && one.config !== null;
+    return (Array.isArray(all) ? all : []).filter(isScene).map(({ name, config, picture }) => ({
+      name: name.slice(0, MAX_NAME), config, picture: /^data:image\//.test(picture) ? picture : '',
+    }));
+  } catch {
+    return [];
+  }
+}
+
+/** @param {OwnScene[]} all @throws {Error} the browser forbids storage, or it is full */
+function store(all) {
+  try {
+    localStorage.setItem(KEY, JSON.stringify(all));
+  } catch (error) {
+    const isFull = error instanceof DOMException && /quota/i.test(error.name);
+    throw new Error(isFull
+      ? 'The storage of this site is full: delete a scene, or download this one.'
+      : 'This browser does not let the page store anything: download the scene instead.');
+  }
+}
+
+/** A name that no scene has yet. @type {(name: string, all: OwnScene[]) => string} */
+function unused(name, all) {
+  const base = name.trim().slice(0, MAX_NAME) || 'My fire';
+  const taken = new Set(all.map((one) => one.name));
+  for (let number = 1; ; number += 1) {
+    const next = number === 1 ? base : `${base.slice(0, MAX_NAME - 4)} ${number}`;
+    if (!taken.has(next)) return next;
+  }
+}
+
+/** Saves a scene and returns its name, which no other has. @type {(name: string, config: HearthConfig, picture: string) => string} @throws {Error} there is no room */
+export function saveScene(name, config, picture) {
+  const all = ownScenes();
+  if (all.length >= MAX_SCENES) throw new Error(`There are ${MAX_SCENES} saved scenes, and no more fit: delete one.`);
+  const saved = { name: unused(name, all), config, picture };
+  store([...all, saved]);
+  return saved.name;
+}
+
+/** Renames a scene and returns its new name. @type {(from: string, to: string) => string} @throws {Error} there is no room */
+export function renameScene(from, to) {
+  const all = ownScenes();
+  const name = unused(to, all.filter((one) => one.name !== from));
+  store(all.map((one) => (one.name === from ? { ...one, name } : one)));
+  return name;
+}
+
+/** Deletes a scene. @param {string} name */
+export function deleteScene(name) {
+  store(ownScenes().filter((one) => one.name !== name));
+}
+
+/**
+ * A small picture of a fire as a data URL; empty if there is none.
+ * @param {{toBlob: (type?: string) => Promise<Blob>}} fire
+ */
+export async function pictureOf(fire) {
+  try {
+    const whole = await createImageBitmap(await fire.toBlob());
+    const canvas = Object.assign(document.createElement('canvas'), PICTURE);
+    const context = canvas.getContext('2d');
+    if (!context) return '';
+    const scale = Math.max(PICTURE.width / whole.width, PICTURE.height / whole.height);
+    const [width, height] = [whole.width * scale, whole.height * scale];
+    context.fillRect(0, 0, PICTURE.width, PICTURE.height);
+    // The floor is at the lower edge, and the fire in the middle.
+    context.drawImage(whole, (PICTURE.width - width) / 2, PICTURE.height - height, width, height);
+    whole.close();
+    return canvas.toDataURL('image/jpeg', 0.7);
+  } catch {
+    return '';
+  }
+}

@@ -79,8 +79,8 @@ export function showScenes({ host, scenes, pictureOf, current, choose, own }) {
   };
   mark();
   const showOwn = ownSection(card, own);
-  card.button('save', 'Save this fire', () => showOwn(own.save));
-  card.button('open', 'Open a file', () => chooseFile((file) => showOwn(() => own.open(file))));
+  card.button('save', 'Save', () => showOwn(own.save)).title = 'Save this fire in the browser';
+  card.button('open', 'Open', () => chooseFile((file) => showOwn(() => own.open(file)))).title = 'Show the fire of a file';
   card.button('close', 'Close', card.close);
   const first = tiles.find((tile) => tile.hasAttribute('aria-current')) ?? tiles[0];
   focus(first);
@@ -130,13 +130,13 @@ function ownSection(card, own) {
       const name = Object.assign(document.createElement('input'), { value: scene.name, maxLength: MAX_NAME, spellcheck: false });
       name.setAttribute('aria-label', `Name of ${scene.name}`);
       name.addEventListener('change', () => act(() => own.rename(scene.name, name.value)));
-      const button = (/** @type {string} */ words, /** @type {() => void} */ does) => {
-        const made = Object.assign(document.createElement('button'), { type: 'button', textContent: words });
+      const button = (/** @type {string} */ words, /** @type {string} */ sign, /** @type {() => void} */ does) => {
+        const made = Object.assign(document.createElement('button'), { type: 'button', textContent: sign, title: words });
         made.setAttribute('aria-label', `${words} ${scene.name}`);
         made.addEventListener('click', () => act(does));
         return made;
       };
-      row.append(start, name, button('Download', () => own.download(scene)), button('Delete', () => own.remove(scene.name)));
+      row.append(start, name, button('Download', '⤓', () => own.download(scene)), button('Delete', '✕', () => own.remove(scene.name)));
       return row;
     }));
   };

@@ -8,19 +8,13 @@
  * a text. Nothing of a URL is in it.
  *
  * @typedef {{shape: 'mask', mask: string, width: number, height: number}} HearthMask
- * @typedef {OffscreenCanvasRenderingContext2D | CanvasRenderingContext2D} Context
+ * @typedef {import('./mask/opacity.js').Context} Context
  */
+
+import { contextOf, opacityOf } from './mask/opacity.js';
 
 /** The pixels of the longer side. */
 const PIXELS = 256;
-/** The letters of opacities, of runs of transparent pixels and of runs of opaque ones. */
-const LETTERS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_';
-const OPAQUE = 15;
-const RUNS = { 0: 16, [OPAQUE]: 40 };
-/** The longest of the runs that differ by a pixel, and of all. */
-const SHORT = 17;
-const LONG = 4096;
-
 /**
  * The mask of a line of text, as wide as its ink. A font of the page must have loaded:
  * `await document.fonts.load(font)`.
@@ -94,49 +88,15 @@ function maskOf(id, value, [left, top, across, up], width, draw) {
   const rows = Math.max(Math.round(up * scale), 1);
   const context = contextOf(columns, rows);
   context.setTransform(columns / across, 0, 0, rows / up, -left * columns / across, -top * rows / up);
-  let pixels;
+  let mask;
   try {
     draw(context);
-    pixels = context.getImageData(0, 0, columns, rows).data;
+    mask = opacityOf(context);
   } catch (cause) {
     throw refused(id, value, 'something whose pixels the page may read', cause);
   }
-  const opacities = Array.from({ length: columns * rows }, (_, at) => Math.round(pixels[4 * at + 3] / 255 * OPAQUE));
-  if (!opacities.some((opacity) => opacity > OPAQUE / 2)) throw refused(id, value, 'something with opaque pixels');
-  const mask = `${columns}x${rows}:${lettersOf(opacities)}`;
+  if (!mask) throw refused(id, value, 'something with opaque pixels');
   return { shape: 'mask', mask, width, height: Math.min(Math.max(width * up / across, 0.002), 10) };
-}
-
-/** The letters of the pixels, runs of which have one. @param {number[]} opacities */
-function lettersOf(opacities) {
-  let letters = '';
-  for (let at = 0; at < opacities.length;) {
-    const opacity = opacities[at];
-    let run = 1;
-    const first = RUNS[/** @type {0 | 15} */ (opacity)];
-    while (first && opacities[at + run] === opacity && run < LONG) run += 1;
-    if (run === 1) {
-      letters += LETTERS[opacity];
-    } else if (run <= SHORT || run < 32) {
-      run = Math.min(run, SHORT);
-      letters += LETTERS[first + run - 2];
-    } else {
-      const doubled = Math.floor(Math.log2(run / 32));
-      run = 32 << doubled;
-      letters += LETTERS[first + SHORT - 1 + doubled];
-    }
-    at += run;
-  }
-  return letters;
-}
-
-/** A canvas to read from. @param {number} width @param {number} height @returns {Context} */
-function contextOf(width, height) {
-  const canvas = typeof OffscreenCanvas === 'function' ? new OffscreenCanvas(width, height) : document.createElement('canvas');
-  Object.assign(canvas, { width, height });
-  const context = /** @type {Context | null} */ (canvas.getContext('2d', { willReadFrequently: true }));
-  if (!context) throw new Error('this browser has no memory left for a canvas');
-  return context;
 }
 
 /** @param {string} id @param {unknown} value @param {string} allowed @param {unknown} [cause] */

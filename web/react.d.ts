@@ -310,8 +310,10 @@ export interface HearthSourceAttributes {
 
 /** The attributes of `<hearth-solid>`; one that is taken away is back at its default. */
 export interface HearthSolidAttributes {
-  /** The element of the page whose border box it has, as `#` and an id. */
+  /** The element of the page whose border box it has, or of an image what is opaque in it, as `#` and an id. */
   of?: `#${string}` | undefined;
+  /** With `of`: it has the shape of the glyphs of that element. */
+  'of-text'?: boolean | undefined;
   /** A disc, a rectangle, a line, a polygon, a bent line or a picture. Shape of the solid. Default "circle". */
   shape?: "circle" | "box" | "line" | "polygon" | "stroke" | "mask" | undefined;
   /** A solid farther to the right, or below 0 to the left. Position of its centre. [m] Default 0, from -10 to 10. */

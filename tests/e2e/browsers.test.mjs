@@ -43,6 +43,17 @@ for (const kind of BROWSERS) {
     });
     after(() => browser?.close());
 
+    test('solids take the glyphs of a text, an image, an SVG element and a canvas', async () => {
+      const disc = encodeURIComponent('<svg xmlns="http://www.w3.org/2000/svg" width="50" height="50"><circle cx="25" cy="25" r="20"/></svg>');
+      const tab = await browser.open(`<h1 id="word">Fire</h1><img id="image" src="data:image/svg+xml,${disc}">
+        <svg id="drawing" viewBox="0 0 10 10" width="50" height="50"><circle r="5"/></svg><canvas id="canvas" width="50" height="50"></canvas>
+        <hearth-fire autoplay="false">${['word" of-text="', 'image', 'drawing', 'canvas'].map((id) => `<hearth-solid of="#${id}"></hearth-solid>`).join('')}</hearth-fire>
+        <script>document.querySelector('#canvas').getContext('2d').fillRect(10, 10, 20, 20)</script>`);
+      await tab.ready();
+      await tab.until('four masks', () => /** @type {any} */ (document.querySelector('hearth-fire')).objects.filter(({ shape }) => shape === 'mask').length === 4);
+      await assertSilent(tab);
+    });
+
     test('a fire becomes ready and burns, and the page shows through around it', async () => {
       const tab = await browser.open(recording(`
         <style>body { background: rgb(${BLUE}) }</style>${FIRE}`));

@@ -75,6 +75,23 @@ test('each rule of that policy is needed, as the documents say', async () => {
   await assertBurnsIn(await under(`${trusted}; trusted-types other`), 'main');
 });
 
+test('under that policy glyphs and images count by their pixels, and an SVG element by its box', async () => {
+  const text = readFileSync(new URL('../../docs/embedding.md', import.meta.url), 'utf8');
+  const [, policy] = /```http\nContent-Security-Policy: (.*)\n```/.exec(text) ?? [];
+  const page = PAGE.replace('</hearth-fire>', '<hearth-solid of="#word" of-text></hearth-solid><hearth-solid of="#drawing"></hearth-solid><hearth-solid of="#canvas"></hearth-solid></hearth-fire>')
+    .concat('<h1 id="word">Fire</h1><canvas id="canvas" width="20" height="20"></canvas><svg id="drawing" viewBox="0 0 10 10"><circle r="5"/></svg>');
+  const tab = await under(policy, site.publish(page, { 'content-security-policy': policy }));
+  await tab.ready();
+  await tab.evaluate(() => /** @type {HTMLCanvasElement} */ (document.querySelector('#canvas')).getContext('2d')?.fillRect(5, 5, 9, 9));
+  await tab.fire((fire) => fire.lastElementChild.setAttribute('of', '#canvas'));
+  await tab.until('each has its shape', () => {
+    const { objects } = /** @type {any} */ (document.querySelector('hearth-fire'));
+    return objects.slice(1).map(({ shape }) => shape).join() === 'mask,box,mask';
+  });
+  assert.deepEqual((await violations(tab)).filter((one) => !one.startsWith('img-src data')), []);
+  assert.ok(tab.problems.some((problem) => /of = #drawing counts as a box: the policy of the page forbids data: images/.test(problem)), tab.problems.join('\n'));
+});
+
 for (const page of ['index.html', 'web/embed.html']) {
   test(`${page} keeps its own policy, which requires trusted types`, async () => {
     site.replace({});

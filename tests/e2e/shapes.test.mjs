@@ -4,6 +4,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
+import { decoded } from './masks.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -32,20 +33,6 @@ function opacities(tab, places) {
       return context.getImageData(Math.round(at.x * scale), Math.round(at.y * scale), 1, 1).data[3];
     });
   }, places);
-}
-
-/** The opacity of a mask's pixels, from 0 to 15, at a share of its width and height. @param {string} mask */
-function decoded(mask) {
-  const [size, letters] = mask.split(':');
-  const [columns, rows] = size.split('x').map(Number);
-  const run = (number) => (number < 16 ? number + 2 : 32 << (number - 16));
-  const pixels = [...letters].flatMap((letter) => {
-    const value = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_'.indexOf(letter);
-    if (value < 16) return [value];
-    return value < 40 ? Array(run(value - 16)).fill(0) : Array(run(value - 40)).fill(15);
-  });
-  assert.equal(pixels.length, columns * rows);
-  return { at: (x, y) => pixels[Math.floor(y * rows) * columns + Math.floor(x * columns)] };
 }
 
 /** What is said where a function of the page's masks is refused. */

@@ -1,9 +1,9 @@
 /**
- * The border box of an element as an object of a fire.
+ * The border box of an element, and a mask in it, as an object of a fire.
  */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { inMetres, radiusOf, solidOf, sourceOf } from '../../web/element/child-box.js';
+import { NO_MASK, inMetres, radiusOf, solidOf, sourceOf } from '../../web/element/child-box.js';
 import { PROPERTIES } from '../../web/generated/properties.js';
 
 /** A world of 100 pixels per metre whose origin is 200 pixels right of and 300 below the corner of the fire. */
@@ -27,17 +27,27 @@ test('the radius is the smallest of the corners, in lengths and percentages, and
 
 test('a solid has the box, in whole tenths of a millimetre', () => {
   const solid = solidOf({ left: -0.123456, right: 0.3, top: 1.2, bottom: 0.9, radius: 0.04 }, 0.9);
-  assert.deepEqual(solid, { shape: 'box', x: 0.0883, y: 1.05, angle: 0, width: 0.4235, height: 0.3, corner: 0.04 });
+  assert.deepEqual(solid, { shape: 'box', x: 0.0883, y: 1.05, angle: 0, width: 0.4235, height: 0.3, corner: 0.04, mask: NO_MASK });
+});
+
+test('a mask is not clipped, and one that is too large is a box', () => {
+  const mask = '2x1:PA';
+  const solid = solidOf({ left: 4, right: 6, top: 1, bottom: 0.5, radius: 0 }, 0.9, mask);
+  assert.deepEqual(solid, { shape: 'mask', x: 5, y: 0.75, angle: 0, width: 2, height: 0.5, corner: 0, mask });
+  const large = solidOf({ left: -6, right: 4.1, top: 1, bottom: 0.5, radius: 0 }, 0.9, mask);
+  assert.deepEqual([large?.shape, large?.width, large?.mask], ['box', 9.1, NO_MASK]);
 });
 
 test('every box makes a solid in the ranges of its properties, or none', () => {
   for (const left of [-1e6, -6, -5, 0, 4.999, 6]) {
     for (const width of [1e-6, 0.3, 1e6]) {
       for (const [bottom, top] of [[-1e6, 1e6], [0.1, 0.1 + 1e-6], [-1e6, -20], [20, 1e6]]) {
-        const solid = solidOf({ left, right: left + width, top, bottom, radius: width / 2 }, 3);
-        for (const [name, value] of Object.entries(solid ?? {})) {
-          const [, min, max] = PROPERTIES.solid[name].every ?? [];
-          if (typeof value === 'number') assert.ok(value >= Number(min) && value <= Number(max), `${name} = ${value}`);
+        for (const mask of ['1x1:P', undefined]) {
+          const solid = solidOf({ left, right: left + width, top, bottom, radius: width / 2 }, 3, mask);
+          for (const [name, value] of Object.entries(solid ?? {})) {
+            const [, min, max] = PROPERTIES.solid[name].every ?? [];
+            if (typeof value === 'number') assert.ok(value >= Number(min) && value <= Number(max), `${name} = ${value}`);
+          }
         }
       }
     }

@@ -13,17 +13,21 @@ const REACH = 5;
 const GRAIN = 1e-4;
 
 /** The properties that a target sets. */
-export const PLACED = { source: ['x', 'y', 'width'], solid: ['shape', 'x', 'y', 'angle', 'width', 'height', 'corner'] };
+export const PLACED = { source: ['x', 'y', 'width'], solid: ['shape', 'x', 'y', 'angle', 'width', 'height', 'corner', 'mask'] };
+
+/** The mask of a solid that is none. */
+export const NO_MASK = '16x16:7';
 
 /**
- * The element that `of` names; null if there is none.
+ * The element that `of` names, or the image of a `<picture>`; null if there is none.
  * @param {Element} child
  * @param {string} id
  */
 export function targetOf(child, id) {
   const root = child.getRootNode();
   const near = 'getElementById' in root ? /** @type {ShadowRoot} */ (root).getElementById(id) : null;
-  return near ?? child.ownerDocument.getElementById(id);
+  const target = near ?? child.ownerDocument.getElementById(id);
+  return target?.localName === 'picture' ? target.querySelector('img') ?? target : target;
 }
 
 /**
@@ -74,23 +78,27 @@ export function inMetres({ left, right, top, bottom, radius }, fire, { toMetres 
 }
 
 /**
- * A solid with the shape of a box; null if it is out of reach.
+ * A solid with the shape of a box or of a mask in it, which is not clipped; null if it is out of reach.
  * @param {Box} box in metres
  * @param {number} middle height of the middle of the frame [m]
+ * @param {string} [mask]
  */
-export function solidOf({ left, right, top, bottom, radius }, middle) {
-  const [low, high] = [within(bottom, middle - REACH, middle + REACH), within(top, middle - REACH, middle + REACH)];
-  const [from, to] = [within(left, -REACH, REACH), within(right, -REACH, REACH)];
+export function solidOf({ left, right, top, bottom, radius }, middle, mask) {
+  let [low, high] = [within(bottom, middle - REACH, middle + REACH), within(top, middle - REACH, middle + REACH)];
+  let [from, to] = [within(left, -REACH, REACH), within(right, -REACH, REACH)];
   if (to <= from || high <= low) return null;
+  const isMask = mask && Math.max(right - left, top - bottom, Math.abs(top + bottom) / 2) <= 2 * REACH;
+  if (isMask) [from, to, low, high] = [left, right, bottom, top];
   const [width, height] = [Math.max(to - from, 0.002), Math.max(high - low, 0.002)];
   return {
-    shape: 'box',
+    shape: isMask ? 'mask' : 'box',
     x: rounded((from + to) / 2),
     y: rounded((low + high) / 2),
     angle: 0,
     width: rounded(width),
     height: rounded(height),
     corner: rounded(Math.min(radius, width / 2, height / 2)),
+    mask: isMask ? mask : NO_MASK,
   };
 }
 

@@ -6,7 +6,8 @@
  */
 
 import { PROPERTIES } from '../generated/properties.js';
-import { PLACED, boxOf, inMetres, solidOf, sourceOf, targetOf } from './child-box.js';
+import { NO_MASK, PLACED, boxOf, inMetres, solidOf, sourceOf, targetOf } from './child-box.js';
+import { Look } from './child-look.js';
 
 /** The kind of object of each element. @type {{[name: string]: 'source' | 'solid'}} */
 export const KINDS = { 'hearth-source': 'source', 'hearth-solid': 'solid' };
@@ -16,6 +17,9 @@ export const ORIGIN = 'child';
 
 /** The attribute that names the element whose box an object has. */
 const OF = 'of';
+
+/** The attribute with which the glyphs of that element count. */
+const OF_TEXT = 'of-text';
 
 /** The maximum length of an id in words. */
 const MAX_SHOWN = 40;
@@ -32,7 +36,7 @@ export const attributeOf = (/** @type {string} */ property) => property.replaceA
 const propertyOf = (/** @type {string} */ attribute) => attribute.replaceAll('-', '_');
 
 /** The attributes of a kind. */
-export const attributesOf = (/** @type {string} */ kind) => [OF, ...Object.keys(PROPERTIES[kind]).map(attributeOf)];
+export const attributesOf = (/** @type {string} */ kind) => [OF, ...(kind === 'solid' ? [OF_TEXT] : []), ...Object.keys(PROPERTIES[kind]).map(attributeOf)];
 
 /** A child of one fire. */
 export class Child {
@@ -66,6 +70,10 @@ export class Child {
   /** Whether the target has no box, and whether the console has told so. */
   hidden = false;
   #told = false;
+  /** Whether its values wait until it is known how the target looks. */
+  #waits = false;
+  /** What of the target counts. @type {Look} */
+  look;
   /** Whether it has left its fire. */
   left = false;
 
@@ -74,12 +82,18 @@ export class Child {
     this.#owner = owner;
     this.element = element;
     this.kind = KINDS[element.localName];
+    this.look = new Look(owner.session, () => `${this.name}: ${OF} = ${this.#shown}`);
   }
 
   /** The element in words. */
   get name() {
     const { localName, id } = this.element;
     return id ? `<${localName} id="${id.slice(0, MAX_SHOWN)}">` : `<${localName}>`;
+  }
+
+  /** The value of `of` in words. */
+  get #shown() {
+    return `#${this.of.slice(0, MAX_SHOWN)}`;
   }
 
   /** Whether a call is unanswered. */
@@ -101,7 +115,7 @@ export class Child {
   /** An attribute has changed. @param {string} attribute */
   attribute(attribute) {
     const property = propertyOf(attribute);
-    if (attribute === OF) {
+    if (attribute === OF || attribute === OF_TEXT) {
       if (this.target()) this.put();
     } else if (this.#adding) {
       this.#stale.add(property);
@@ -126,6 +140,7 @@ export class Child {
     }
     this.of = id;
     this.hidden = this.#told = false;
+    this.look.close();
     if (id) this.#owner.watch();
     return true;
   }
@@ -138,9 +153,10 @@ export class Child {
     if (this.#adding || this.left) return;
     const place = this.#place();
     this.lost = this.dropped = false;
-    this.hidden = !place;
+    this.#waits = place === undefined;
+    this.hidden = !place && !(this.#waits && this.live);
     if (!place) {
-      if (this.live) this.#hide();
+      if (this.live && !this.#waits) this.#hide();
     } else if (this.live || (this.adopts && this.id === undefined)) {
       // Those of the source that the settings describe are left alone unless a child has set them.
       const names = Object.keys(PROPERTIES[this.kind]).filter((property) => (
@@ -221,6 +237,10 @@ export class Child {
           this.taken = false;
           accepted = this.live;
           this.id = accepted ? this.id : this.#owner.freeId();
+        } else if (refused.includes('mask') && this.of && rest.mask !== NO_MASK) {
+          // There is no room for its pixels.
+          if (this.look.picture) this.look.picture.made = 'box';
+          rest = { ...rest, ...this.#place(), mask: NO_MASK };
         } else if (left.length < Object.keys(rest).length) {
           rest = Object.fromEntries(left);
         } else {
@@ -240,9 +260,12 @@ export class Child {
   follow() {
     if (!this.of || this.busy) return;
     const place = this.#place();
+    if (place === undefined) return;
+    // A mask is long.
+    const moved = Object.entries(place ?? {}).filter(([property, value]) => this.last[property] !== value);
     if (!place) this.#miss();
-    else if (this.hidden) this.put();
-    else if (this.live && Object.entries(place).some(([property, value]) => this.last[property] !== value)) this.#write(place);
+    else if (this.hidden || this.#waits) this.put();
+    else if (this.live && moved.length > 0) this.#write(Object.fromEntries(moved));
   }
 
   /** The target has no box. */
@@ -251,20 +274,25 @@ export class Child {
     this.hidden = true;
     if (this.#told || document.readyState === 'loading') return;
     this.#told = true;
-    const why = targetOf(this.element, this.of) ? 'that element has no visible box' : 'no element has that id';
-    console.warn(`<hearth-fire>: ${this.name}: ${OF} = #${this.of.slice(0, MAX_SHOWN)} has no effect now: ${why}.`);
+    const box = this.look.picture?.made === null ? 'nothing of that element is opaque' : 'that element has no visible box';
+    const why = targetOf(this.element, this.of) ? box : 'no element has that id';
+    console.warn(`<hearth-fire>: ${this.name}: ${OF} = ${this.#shown} has no effect now: ${why}.`);
   }
 
-  /** What the target sets: nothing without `of`, null if the target has no box. @returns {Values | null} */
+  /** What the target sets: nothing without `of`, null if nothing of it counts, undefined until that is known. @returns {Values | null | undefined} */
   #place() {
     if (!this.of) return {};
     const { fire, view, state } = this.#owner.session;
     const viewport = state.started && view.viewport(state.params);
     const target = viewport && targetOf(this.element, this.of);
     const box = target && boxOf(target);
-    if (!box) return null;
-    const metres = inMetres(box, fire.getBoundingClientRect(), viewport);
-    if (this.kind === 'solid') return solidOf(metres, state.params.domain_height / 2);
+    if (!box) this.look.close();
+    if (!viewport || !box) return null;
+    /** @type {ReturnType<Look['of']>} */
+    const seen = this.kind === 'solid' ? this.look.of(target, box, (this.element.getAttribute(OF_TEXT) ?? 'false') !== 'false') : box;
+    if (!seen) return seen;
+    const metres = inMetres(seen, fire.getBoundingClientRect(), viewport);
+    if (this.kind === 'solid') return solidOf(metres, state.params.domain_height / 2, seen.mask);
     return sourceOf(metres, (property) => this.#owner.domain('source', property));
   }
 }

@@ -98,6 +98,7 @@ export class Children {
   /** A child is no child of this fire any more. @param {Child} child */
   #leave(child) {
     child.left = true;
+    child.look.close();
     if (CHILDREN.get(child.element) === child) CHILDREN.delete(child.element);
     if (!child.busy) this.#depart(child);
   }

@@ -128,7 +128,9 @@ function child(kind, declared) {
   const name = kind.replace(/^./, (letter) => letter.toUpperCase());
   const type = `Hearth${name}Element`;
   const element = declared('element/types.d.ts', type);
-  const of = { name: 'of', type: '`#$' + '{string}`', doc: 'The element of the page whose border box it has, as `#` and an id.' };
+  const isSolid = kind === 'solid';
+  const of = { name: 'of', type: '`#$' + '{string}`', doc: `The element of the page whose border box it has${isSolid ? ', or of an image what is opaque in it' : ''}, as \`#\` and an id.` };
+  const ofText = { name: 'of-text', type: 'boolean', doc: 'With `of`: it has the shape of the glyphs of that element.' };
   const member = (/** @type {any} */ one) => ({
     name: one.name.text,
     // An attribute is a text where a property may be a list as well.
@@ -138,7 +140,7 @@ function child(kind, declared) {
   const properties = declared('parameters.d.ts', `Hearth${name}`).members.map(member)
     .filter((/** @type {Named} */ one) => one.name !== 'kind' && one.name !== 'id')
     .map((/** @type {Named} */ one) => ({ ...one, name: one.name.replaceAll('_', '-') }));
-  return { tag: `hearth-${kind}`, type, doc: read(element).doc, members: element.members.map(member), attributes: [of, ...properties] };
+  return { tag: `hearth-${kind}`, type, doc: read(element).doc, members: element.members.map(member), attributes: [of, ...(isSolid ? [ofText] : []), ...properties] };
 }
 
 /** Whether a member is the page's to use. @param {any} member */

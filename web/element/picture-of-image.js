@@ -1,0 +1,108 @@
+/**
+ * An image, a canvas or an SVG element as it is drawn in its content box.
+ *
+ * @typedef {import('./child-picture.js').Drawing} Drawing
+ */
+
+/** The most pixels of a picture: those of 8192 x 8192. */
+const MAX_PIXELS = 2 ** 26;
+
+/** The most elements of an SVG element. */
+const MAX_ELEMENTS = 1000;
+
+/** What an SVG element has of the style of the page. */
+const STYLES = /^(clip-|display|fill|font-[fsw]|letter|opacity|stop-o|stroke|text-anchor|visibility)/;
+
+/** Whether an image has loaded or cannot. @param {Element} element */
+export const isComplete = (element) => !('complete' in element) || Boolean(element.complete);
+
+/**
+ * How to draw a picture; in words why it cannot be drawn.
+ * @param {Element} element
+ * @returns {Promise<Drawing | string>}
+ */
+export async function imageIn(element) {
+  const isSvg = element.localName === 'svg';
+  const image = isSvg ? await imageOf(/** @type {SVGSVGElement} */ (element)) : /** @type {HTMLImageElement | HTMLCanvasElement} */ (element);
+  if (!image) return `it has more than ${MAX_ELEMENTS} elements`;
+  const [across, up] = 'naturalWidth' in image ? [image.naturalWidth, image.naturalHeight] : [image.width, image.height];
+  if (!(across > 0 && up > 0)) return isSvg ? 'the policy of the page forbids data: images' : 'it has no pixels';
+  if (across * up > MAX_PIXELS) return `it has more than ${MAX_PIXELS} pixels`;
+  // Decoding takes no time of the page here.
+  if ('decode' in image) await image.decode().catch(() => {});
+  const { outer, inner, scale, css } = contentOf(element);
+  const [width, height] = fitted(css.objectFit, [across * scale, up * scale], [inner.width, inner.height]);
+  const [x, y = x] = css.objectPosition.split(' ');
+  const left = inner.left + offset(x, inner.width - width, scale);
+  const top = inner.top + offset(y, inner.height - height, scale);
+  return { outer, box: inner, draw: (context) => context.drawImage(image, left, top, width, height) };
+}
+
+/**
+ * The border box and the content box of an element in pixels of the window, the pixels of one of the style, and the style.
+ * @param {Element} element
+ */
+function contentOf(element) {
+  const css = getComputedStyle(element);
+  const outer = element.getBoundingClientRect();
+  const { offsetWidth } = /** @type {HTMLElement} */ (element);
+  const scale = offsetWidth ? outer.width / offsetWidth : 1;
+  const [above, right, below, left] = ['Top', 'Right', 'Bottom', 'Left'].map((side) => {
+    const { [`padding${side}`]: padding, [`border${side}Width`]: border } = /** @type {any} */ (css);
+    return (parseFloat(padding) + parseFloat(border)) * scale;
+  });
+  const [width, height] = [outer.width - left - right, outer.height - above - below];
+  return { css, scale, outer, inner: { left: outer.left + left, top: outer.top + above, width, height } };
+}
+
+/**
+ * The size of a picture in a box.
+ * @type {(fit: string, picture: [number, number], box: [number, number]) => [number, number]}
+ */
+function fitted(fit, [across, up], [width, height]) {
+  const [wide, high] = [width / across, height / up];
+  const inside = Math.min(wide, high);
+  /** @type {{[fit: string]: number}} */
+  const scales = { contain: inside, cover: Math.max(wide, high), none: 1, 'scale-down': Math.min(inside, 1) };
+  const scale = scales[fit];
+  return scale ? [across * scale, up * scale] : [width, height];
+}
+
+/** A length or a share of the room as pixels; the middle where it is a sum. @type {(text: string, room: number, scale: number) => number} */
+function offset(text, room, scale) {
+  const number = parseFloat(text);
+  if (Number.isNaN(number)) return room / 2;
+  return text.endsWith('%') ? (number / 100) * room : number * scale;
+}
+
+/**
+ * An image of an SVG element, with what the style of the page does to its opacity; undefined if it is too large.
+ * @param {SVGSVGElement} svg
+ */
+async function imageOf(svg) {
+  const elements = [svg, ...svg.querySelectorAll('*')];
+  if (elements.length > MAX_ELEMENTS) return undefined;
+  const copy = /** @type {SVGSVGElement} */ (svg.cloneNode(true));
+  const copies = [copy, ...copy.querySelectorAll('*')];
+  const names = [...getComputedStyle(svg)].filter((name) => STYLES.test(name));
+  elements.forEach((element, at) => {
+    const css = getComputedStyle(element);
+    for (const name of names) copies[at].setAttribute(name, css.getPropertyValue(name));
+  });
+  const { css, inner } = contentOf(svg);
+  // As for images, the opacity of the whole does not count.
+  for (const name of ['style', 'class', 'opacity']) copy.removeAttribute(name);
+  if (!copy.hasAttribute('viewBox')) copy.setAttribute('viewBox', `0 0 ${parseFloat(css.width)} ${parseFloat(css.height)}`);
+  copy.setAttribute('width', `${inner.width}`);
+  copy.setAttribute('height', `${inner.height}`);
+  // What a `<use>` shows may be elsewhere on the page.
+  const root = /** @type {Document | ShadowRoot} */ (svg.getRootNode());
+  for (const use of svg.querySelectorAll('use')) {
+    const found = root.getElementById(use.href.baseVal.slice(1));
+    if (found && !svg.contains(found)) copy.appendChild(document.createElementNS(svg.namespaceURI, 'defs')).append(found.cloneNode(true));
+  }
+  const image = new Image();
+  image.src = `data:image/svg+xml,${encodeURIComponent(new XMLSerializer().serializeToString(copy))}`;
+  await image.decode().catch(() => {});
+  return image;
+}

@@ -59,6 +59,6 @@ test('every box makes a solid in the ranges of its properties, or none', () => {
 test('a source lies along the upper side, within the ranges of its properties', () => {
   const domain = (/** @type {string} */ name) => PROPERTIES.source[name].every ?? PROPERTIES.source[name].combustion ?? [0];
   assert.deepEqual(sourceOf({ left: -0.2, right: 0.4, top: 0.6, bottom: 0.5, radius: 0 }, domain), { x: 0.1, y: 0.6, width: 0.6 });
-  assert.deepEqual(sourceOf({ left: -20, right: 0, top: 6, bottom: 0.5, radius: 0 }, domain), { x: -3, y: 1, width: 1 });
+  assert.deepEqual(sourceOf({ left: -20, right: 0, top: 7, bottom: 0.5, radius: 0 }, domain), { x: -3, y: 6, width: 1 });
   assert.deepEqual(sourceOf({ left: 0, right: 0.001, top: -6, bottom: -7, radius: 0 }, domain), { x: 0.0005, y: 0, width: 0.01 });
 });

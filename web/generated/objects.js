@@ -3,6 +3,8 @@
 
 /** Each property of a source, and the parameter that it is of the first one. */
 export const SOURCE = {
+  shape: 'source_shape',
+  solid: 'source_solid',
   x: 'source_x',
   y: 'source_height',
   angle: 'source_angle',

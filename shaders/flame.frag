@@ -11,6 +11,7 @@ in vec2 uv;
 uniform sampler2D carried;      // offsets of two advected noise patterns, in sizes of the picture
 uniform vec4 field_range;       // range of weight, weight × kK, × soot, × burning in the field
 uniform float source_width;     // [m]
+uniform float on_solid;         // 1 for a source on a solid, whose flame begins at every height of it; or 0
 uniform float per_domain_width; // [1/m]
 uniform float closed;           // 1: the domain ends at its edges; 0: open air
 uniform float picture_height;   // before it is enlarged, in heights of the domain
@@ -108,6 +109,7 @@ void main() {
 
     float rim = 2.0 * (place.x - source.x) / source_width;
     float base = smoothstep(0.0, BASE, above - BOWL * min(rim * rim, MAX_BOWL) + RAGGED_BASE * broad.w * min(detail, 1.0));
+    base = max(base, on_solid);
 
     // Dark gaps and bright sheets.
     float sheet = fine.z + BROAD_SHEETS * broad.w;

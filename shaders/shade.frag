@@ -11,6 +11,7 @@ in vec2 uv;
 uniform sampler2D wide;         // the blurred field
 uniform vec4 field_range;       // range of weight, weight × kK, × glow, × smoke in the field
 uniform float per_flame_height; // [1/m]
+uniform float on_solid;         // 1 for a source on a solid, whose flame begins at every height of it; or 0
 uniform float per_half_source;  // 1 / half the source's width [1/m]
 uniform float tiles;            // noise tiles per metre
 uniform float risen;            // rise of the gas in tiles
@@ -103,7 +104,7 @@ void main() {
 
     float rim = min(abs(place.x - source.x) * per_half_source, MAX_RIM);
     float over = abs(place.y - source.y) * per_half_source - BOWL * rim * rim + RAGGED_BASE * grain * min(detail, 1.0);
-    left *= smoothstep(-BASE_FROM, BASE_TO, over);
+    left *= max(smoothstep(-BASE_FROM, BASE_TO, over), on_solid);
 
     // Dense flame is bright; air mixes into thin flame and cools it.
     float hot = around.y / around.x;

@@ -39,13 +39,17 @@ export interface HearthParameters {
   time_scale: number;
   /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a colour bar; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model, fuel is the remaining life of a particle, and soot is its smoke. Default "fire". */
   display_mode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
+  /** A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the whole outline of a solid burns, wherever the solid is. Default "line". */
+  source_shape: "line" | "solid";
+  /** A fire on another solid. Id of the solid whose surface is the source. If no solid has it, the source is a line. Default 0, from 0 to 1000000. */
+  source_solid: number;
   /** A fire farther to the right, or below 0 to the left. Position of the middle of the source, which stays inside the domain. [m] Default 0, from -3 to 3. */
   source_x: number;
   /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 6. Default in classic: 0, from 0 to 6. */
   source_height: number;
   /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
   source_angle: number;
-  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. A particle leaves a solid at right angles. In the combustion model, a solid has none: it supplies no gas. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   emission_speed: number;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   emission_spread: number;
@@ -211,13 +215,17 @@ export interface HearthProperties {
   timeScale: number;
   /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a colour bar; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model, fuel is the remaining life of a particle, and soot is its smoke. Default "fire". */
   displayMode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
+  /** A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the whole outline of a solid burns, wherever the solid is. Default "line". */
+  sourceShape: "line" | "solid";
+  /** A fire on another solid. Id of the solid whose surface is the source. If no solid has it, the source is a line. Default 0, from 0 to 1000000. */
+  sourceSolid: number;
   /** A fire farther to the right, or below 0 to the left. Position of the middle of the source, which stays inside the domain. [m] Default 0, from -3 to 3. */
   sourceX: number;
   /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 6. Default in classic: 0, from 0 to 6. */
   sourceHeight: number;
   /** A flame that leaves its source to the side. Angle of the width of the source from the horizontal, counterclockwise; what it emits leaves it at right angles. [°] Default 0, from -180 to 180. */
   sourceAngle: number;
-  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. A particle leaves a solid at right angles. In the combustion model, a solid has none: it supplies no gas. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   emissionSpeed: number;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   emissionSpread: number;
@@ -356,6 +364,10 @@ export interface HearthSource {
   kind: "source";
   /** A whole number from 1, unique in its scene; without one it gets the next. */
   id?: number;
+  /** A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the whole outline of a solid burns, wherever the solid is. Default "line". */
+  shape?: "line" | "solid";
+  /** A fire on another solid. Id of the solid whose surface is the source. If no solid has it, the source is a line. Default 0, from 0 to 1000000. */
+  solid?: number;
   /** A fire farther to the right, or below 0 to the left. Position of the middle of the source, which stays inside the domain. [m] Default 0, from -3 to 3. */
   x?: number;
   /** A flame that starts higher above the floor. Height of the source. In the combustion model it stays above the seam. [m] Default in combustion: 0.25, from 0 to 6. Default in classic: 0, from 0 to 6. */
@@ -368,7 +380,7 @@ export interface HearthSource {
   power?: number;
   /** A denser, brighter flame. Particles born per second, limited by the space at the source and by the number of particles. [1/s] Default in classic: 1500, from 50 to 100000. */
   rate?: number;
-  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
+  /** A flame that shoots up from its source. Speed of a particle at birth, or of the gas in the burner; upward unless the source is turned. A particle leaves a solid at right angles. In the combustion model, a solid has none: it supplies no gas. [m/s] Default in combustion: 0.25, from 0 to 1.5. Default in classic: 1, from 0 to 3. */
   speed?: number;
   /** A frayed flame that sprays to the sides. Random part of the velocity at birth. Default in classic: 0.25, from 0 to 1. */
   spread?: number;

@@ -111,7 +111,7 @@ class Toolbar {
       editing: this.#editing,
       objects: () => objectsOf(this.#fire),
       add: (fields) => this.#add(fields),
-      remove: (id) => this.#fire.removeObject(id),
+      remove: (id) => this.#takeAway(id),
       handleAt: (object, at) => this.#overlay.handleAt(object, at),
       preview: (shown) => this.#overlay.preview(shown),
       thickness: () => rounded(Math.max(0.01, THICKNESS * Math.min(this.#fire.params.domain_width, this.#fire.params.domain_height))),
@@ -216,8 +216,10 @@ class Toolbar {
   /** Shows the state of the fire. */
   #update() {
     const { selected, history } = this.#editing;
-    this.#overlay.select(selected, this.#tool === 'select');
     const all = objectsOf(this.#fire);
+    // A source at the surface of a solid is where that is.
+    const place = all.find((one) => selected && isOn(selected, one.id)) ?? selected;
+    this.#overlay.select(place, this.#tool === 'select' && place === selected);
     const names = all.map((object) => `${object.id}:${nameOf(object)}`).join();
     if (this.#list.dataset.names !== names) {
       this.#list.dataset.names = names;
@@ -272,7 +274,7 @@ class Toolbar {
       if (!(name in like)) continue;
       fields[name] = this.#inRange(name, (like[name] * drawn.width) / like.width);
     }
-    return { ...fields, ...('shape' in like && { shape: 'line' }), width: this.#inRange('width', drawn.width) };
+    return { ...fields, shape: 'line', width: this.#inRange('width', drawn.width) };
   }
 
   /** A source at the surface of a solid. @type {(id: number, solid: Fields) => Fields} */
@@ -297,8 +299,14 @@ class Toolbar {
   #remove() {
     const { selected, history } = this.#editing;
     if (!selected) return;
-    this.#try(() => history.objects(() => this.#fire.removeObject(selected.id)));
+    this.#try(() => history.objects(() => this.#takeAway(selected.id)));
     this.#say(`${nameOf(selected)} is removed.`);
+  }
+
+  /** Removes an object, and the sources that are its surface: they would burn elsewhere. @param {number} id */
+  async #takeAway(id) {
+    const on = objectsOf(this.#fire).filter((one) => isOn(one, id));
+    await Promise.all([...on.map((one) => one.id), id].map((one) => this.#fire.removeObject(one)));
   }
 
   /** Width and middle of what is seen [m]. */
@@ -497,6 +505,11 @@ class Toolbar {
     if (this.#gestures.has(-1)) this.#end(-1, at, how);
     else this.#begin(-1, at, how);
   }
+}
+
+/** Whether an object is a source that is the surface of a solid. @type {(object: Fields, id: number) => boolean} */
+function isOn({ kind, shape, solid }, id) {
+  return kind === 'source' && shape === 'solid' && solid === id;
 }
 
 /** @type {(name: string, attributes: {[name: string]: string}) => HTMLElement} */

@@ -330,3 +330,46 @@ test('settings of the same page hold the objects of its children once', async ()
   assert.deepEqual(await listed(tab), ['source 0', 'solid 0.3']);
   assert.deepEqual(tab.problems, []);
 });
+
+test('`solid` names a solid of the same fire, whose id the source follows', async () => {
+  const tab = await opened(`
+    <hearth-source shape="solid" solid="#log"></hearth-source>
+    <hearth-solid id="log" shape="box"></hearth-solid>`);
+  const refers = async () => (await owned(tab)).filter((one) => one?.kind === 'source').map(({ shape, solid }) => [shape, solid]);
+  const idOf = (/** @type {string} */ id) => tab.fire((fire, wanted) => fire.querySelector(`#${wanted}`).objectId, id);
+  assert.deepEqual(await refers(), [['solid', await idOf('log')]]);
+  assert.deepEqual(told(tab), []);
+  assert.deepEqual(await tab.fire((fire) => [fire.params.source_shape, fire.params.source_solid]), ['solid', await idOf('log')]);
+  // Another solid takes the name.
+  await acts(tab, (fire) => {
+    fire.querySelector('#log').id = 'ashes';
+    fire.append(Object.assign(document.createElement('hearth-solid'), { id: 'log' }));
+  });
+  assert.notEqual(await idOf('log'), await idOf('ashes'));
+  assert.deepEqual(await refers(), [['solid', await idOf('log')]]);
+  await acts(tab, (fire) => fire.querySelector('hearth-source').setAttribute('solid', '#ashes'));
+  assert.deepEqual(await refers(), [['solid', await idOf('ashes')]]);
+  // A number is an id.
+  const id = await idOf('log');
+  await acts(tab, (fire, one) => fire.querySelector('hearth-source').setAttribute('solid', one), id);
+  assert.deepEqual(await refers(), [['solid', id]]);
+  assert.deepEqual(told(tab), []);
+});
+
+test('a name of no solid is told once, and the source is a line until there is one', async () => {
+  const tab = await opened('<hearth-source shape="solid" solid="#log"></hearth-source><hearth-solid></hearth-solid>');
+  const solid = () => tab.fire((fire) => fire.params.source_solid);
+  assert.equal(await solid(), 0);
+  await acts(tab, (fire) => fire.setAttribute('fuel-power', '100'));
+  assert.equal(told(tab).length, 1);
+  assert.match(told(tab)[0], /<hearth-source>: solid = #log has no effect now/);
+  await acts(tab, (fire) => (fire.querySelector('hearth-solid').id = 'log'));
+  assert.equal(await solid(), await tab.fire((fire) => fire.querySelector('hearth-solid').objectId));
+  // A call counts until the solid is another.
+  await acts(tab, (fire) => fire.set('source_solid', 77));
+  await acts(tab, (fire) => fire.set('wind', 0.1));
+  assert.equal(await solid(), 77);
+  await acts(tab, (fire) => fire.querySelector('hearth-solid').remove());
+  assert.equal(await solid(), 0);
+  assert.equal(told(tab).length, 1);
+});

@@ -75,7 +75,7 @@ test('an invalid object is rejected with its mistake, and nothing changes', asyn
   const wrong = [
     [(fire) => fire.addObject({ kind: 'stone' }), 'objects[1].kind', /it must be source or solid/],
     [(fire) => fire.addObject({ kind: 'source', power: 700 }), 'objects[1].power', /from 0 to 600 kW\/m/],
-    [(fire) => fire.addObject({ kind: 'source', pwer: 7 }), 'objects[1].property', /one of x, y, angle, width, power/],
+    [(fire) => fire.addObject({ kind: 'source', pwer: 7 }), 'objects[1].property', /one of shape, solid, x, y, angle, width, power/],
     [(fire) => fire.addObject('source'), 'object', /.*/],
     [(fire) => fire.addObject(), 'object', /.*/],
     [(fire) => fire.changeObject(9, { x: 0 }), 'id', /the id of an object/],

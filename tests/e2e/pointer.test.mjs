@@ -131,6 +131,36 @@ for (const style of ['', 'transform: scale(0.6); transform-origin: 0 0']) {
   });
 }
 
+test('a drag on a source that is on a solid moves the solid', async () => {
+  const tab = await browser.open(recording(`<hearth-fire ${CALM}></hearth-fire>`));
+  await listens(tab);
+  const id = await tab.fire(async (fire) => {
+    const solid = await fire.addObject({ kind: 'solid', shape: 'box', x: 0.1, y: 0.8, width: 0.5, height: 0.05, angle: 90 });
+    await fire.set({ source_shape: 'solid', source_solid: solid });
+    return solid;
+  });
+  const solid = () => tab.fire(async (fire, wanted) => {
+    await fire.exportConfig();
+    const { left, top } = fire.getBoundingClientRect();
+    const { x, y } = fire.objects.find((one) => one.id === wanted);
+    const at = fire.toPixels(x, y);
+    return { x: left + at.x, y: top + at.y };
+  }, id);
+  const from = await solid();
+  // Its upper end, which a box that is not turned would not reach.
+  const end = { x: from.x, y: from.y - 30 };
+  await tab.drag(end, { x: end.x - 40, y: end.y + 24 });
+  const to = await solid();
+  assert.ok(Math.abs(to.x - from.x + 40) < 1 && Math.abs(to.y - from.y - 24) < 1, `${JSON.stringify(from)} to ${JSON.stringify(to)}`);
+  const changes = await events(tab, 'objects-change');
+  assert.ok(changes.some(({ source: by }) => by === 'pointer'));
+  assert.equal(await tab.fire((fire) => fire.params.source_x), 0);
+  // Beside it, nothing is held.
+  await tab.drag({ x: to.x + 40, y: to.y }, { x: to.x + 80, y: to.y });
+  assert.deepEqual(await solid(), to);
+  assert.deepEqual(tab.problems, []);
+});
+
 test('a finger moves the source across, and scrolls the page up and down from it and from anywhere else', async () => {
   const tab = await browser.open(
     `<hearth-fire ${CALM}></hearth-fire><div style="height: 3000px"></div>`,

@@ -2,9 +2,31 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use hearth_core::params::{Input, Kind, Model, PARAMETERS, Param, ParamErrorKind};
-use hearth_core::{Parameters, Simulation};
+use hearth_core::{Parameters, Scene, Simulation};
 use hearth_tests::fires::{self, with};
 use hearth_tests::sweep::is_shown_only;
+
+/// The id of the first solid that is added.
+const SOLID: f64 = 2.0;
+
+/// A fire that has burned for so long, beside a solid for a parameter that is about one.
+fn burn(param: &Param, mut parameters: Parameters, seconds: f64) -> Simulation {
+    if !["source_shape", "source_solid"].contains(&param.id) {
+        return fires::burn(parameters, seconds);
+    }
+    // Each of the two has an effect with the other.
+    let others = [
+        ("source_shape", Input::Text("solid")),
+        ("source_solid", Input::Number(SOLID)),
+    ];
+    let others = others.into_iter().filter(|(id, _)| *id != param.id);
+    assert_eq!(parameters.set_all(others), Ok(()));
+    let mut scene = Scene::new(parameters);
+    assert_eq!(scene.add(&[("kind", Input::Text("solid"))]), Ok(2));
+    let mut fire = Simulation::new(scene);
+    fires::burn_on(&mut fire, seconds);
+    fire
+}
 
 /// Values of a parameter that are not its default.
 fn others(model: Model, param: &Param) -> Vec<Input<'static>> {
@@ -17,6 +39,7 @@ fn others(model: Model, param: &Param) -> Vec<Input<'static>> {
         _ if param.id == "max_particles" && model == Model::Combustion => {
             vec![Input::Number(1200.0)]
         }
+        _ if param.id == "source_solid" => vec![Input::Number(SOLID)],
         _ if param.id == "spacing" => vec![Input::Number(0.05)],
         _ => [domain.range.0, domain.range.1].map(Input::Number).to_vec(),
     }
@@ -59,7 +82,7 @@ fn parameters_of_the_physics_change_the_classic_fire_and_others_do_not() {
         let narrow = ("domain_width", Input::Number(width));
         let burnt = |more: Option<(&'static str, Input<'static>)>| {
             let values = [wild, stirred, narrow].into_iter().chain(more);
-            fires::burn(with(values), 1.0).particles()
+            burn(param, with(values), 1.0).particles()
         };
         let (changed, should) = changes(Model::Classic, param, burnt);
         assert_eq!(changed, should, "{}", param.id);
@@ -80,7 +103,7 @@ fn parameters_of_the_physics_change_the_combustion_fire_and_others_do_not() {
                 parameters = fires::in_the_open(parameters, 1500);
             }
             assert_eq!(parameters.set_all(more), Ok(()), "{}", param.id);
-            let fire = fires::burn(parameters, 0.6);
+            let fire = burn(param, parameters, 0.6);
             (fire.particles(), fire.embers().to_vec())
         };
         let (changed, should) = changes(Model::Combustion, param, burnt);

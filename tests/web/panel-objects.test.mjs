@@ -1,7 +1,7 @@
 /** The objects in the panel, without a browser: the scene's values, names and places of new objects. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { copyOf, entriesOf, isFull, nameOf, newObject, sliderDomain } from '../../web/panel/objects.js';
+import { copyOf, entriesOf, idDomain, isFull, nameOf, newObject, sliderDomain } from '../../web/panel/objects.js';
 import { hasSceneObjects, sceneObjects, sceneOf, sceneProperty } from '../../web/panel/scene.js';
 import { PARAMETERS, PRESETS } from '../../web/parameters.js';
 
@@ -101,4 +101,18 @@ test('a slider of a place spans the frame, and a name says what is seen', () => 
   assert.equal(nameOf({ id: 3, kind: 'solid', shape: 'box', material: 'none' }), 'Solid 3 · invisible box');
   assert.equal(isFull({ objects: Array(64).fill({ kind: 'solid' }) }, 'solid'), true);
   assert.equal(isFull({ objects: Array(64).fill({ kind: 'solid' }) }, 'source'), false);
+});
+
+test('a source on a solid has the name of a source, ids of solids to choose from, and a line beside it', () => {
+  const fire = fireOf(PRESETS[0]);
+  const source = { ...fire.objects[0], shape: 'solid', solid: 12 };
+  const burning = { ...fire, objects: [source, { id: 12, kind: 'solid', shape: 'box', x: 0, y: 0.3, width: 0.2, height: 0.1, angle: 0 }] };
+  assert.equal(nameOf(source), 'Source 1');
+  const domain = { default: 0, min: 0, max: 1e6 };
+  assert.equal(idDomain(burning, 'source_solid', 0, domain).max, 12);
+  assert.equal(idDomain(burning, 'source_solid', 300, domain).max, 300);
+  assert.equal(idDomain({ objects: [] }, 'source_solid', 0, domain).max, 1);
+  assert.equal(idDomain(burning, 'source_x', 0, domain), domain);
+  const { shape, solid } = newObject(burning, 'source');
+  assert.deepEqual([shape, solid], [undefined, undefined]);
 });

@@ -21,6 +21,9 @@ const OF = 'of';
 /** The attribute with which the glyphs of that element count. */
 const OF_TEXT = 'of-text';
 
+/** The property that names the solid that a source is on. */
+const SOLID = 'solid';
+
 /** The maximum length of an id in words. */
 const MAX_SHOWN = 40;
 
@@ -74,6 +77,9 @@ export class Child {
   #waits = false;
   /** What of the target counts. @type {Look} */
   look;
+  /** The id of the solid that `solid` named when the fire was told last, and the name of none that the console has told. */
+  #solid = 0;
+  #unknown = '';
   /** Whether it has left its fire. */
   left = false;
 
@@ -182,10 +188,38 @@ export class Child {
   /** What the attribute states or, without it, what applies. @param {string} property @returns {unknown} */
   #valueOf(property) {
     const text = this.element.getAttribute(attributeOf(property));
+    if (property === SOLID && this.#solidName) return this.#solidOf(this.#solidName);
     const longest = OUTLINES.includes(property) ? MAX_OUTLINE : MAX_VALUE;
     if (text !== null) return text.length > longest ? `a text of more than ${longest} letters` : text;
     if (this.of && property === 'material') return 'none';
     return this.adopts ? this.#owner.setting(property) : this.#owner.domain(this.kind, property)[0];
+  }
+
+  /** The id of an element that `solid` names; undefined if it is a number. */
+  get #solidName() {
+    const text = this.kind === 'source' ? this.element.getAttribute(SOLID) : null;
+    return /^\s*#(\S+)\s*$/.exec(text ?? '')?.[1];
+  }
+
+  /** The id of the object of a child; 0, which no solid has, if there is none. @param {string} name */
+  #solidOf(name) {
+    const child = this.#owner.childWith(SOLID, name);
+    if (!child) return 0;
+    // Known before the fire has the object, so that a source is on its solid from the first step.
+    child.id ??= this.#owner.freeId();
+    return child.id;
+  }
+
+  /** Follows the solid that `solid` names: tells the fire when its id comes or changes. */
+  refer() {
+    const name = this.#solidName;
+    if (!name) return;
+    const id = this.#solidOf(name);
+    if (id === 0 && name !== this.#unknown && document.readyState !== 'loading') {
+      this.#unknown = name;
+      console.warn(`<hearth-fire>: ${this.name}: ${SOLID} = #${name.slice(0, MAX_SHOWN)} has no effect now: no <hearth-solid> of this fire has that id.`);
+    }
+    if (id !== this.#solid && this.live && !this.busy) this.#write({ [SOLID]: id });
   }
 
   /** @param {Values} values */
@@ -220,6 +254,7 @@ export class Child {
    */
   async #ask(values, send) {
     this.#sent.add(values);
+    if (this.#solidName && SOLID in values) this.#solid = this.#solidOf(this.#solidName);
     let accepted = false;
     for (let rest = values; !accepted; ) {
       const answer = send(rest);

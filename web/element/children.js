@@ -49,6 +49,8 @@ export class Children {
       const element = /** @type {Element} */ (target);
       if (attributeName && element.hasAttribute(attributeName)) spell(element, attributeName);
     }
+    // A source may name a solid by its id.
+    if (records.some(({ attributeName }) => attributeName === 'id')) this.update();
   });
 
   /** @param {import('./session.js').FireSession} session */
@@ -62,9 +64,15 @@ export class Children {
     const before = this.#children;
     const of = (/** @type {Element} */ element) => before.find((child) => child.element === element);
     this.#children = elements.filter((element) => of(element)).map((element) => /** @type {Child} */ (of(element)));
+    const joined = elements.filter((element) => !of(element));
     elements.forEach((element, at) => {
       if (this.#children[at]?.element !== element) this.#join(element, at);
     });
+    // A source may name a solid after it.
+    for (const child of this.#children.filter(({ element }) => joined.includes(element))) {
+      child.target();
+      child.put();
+    }
     for (const child of before) if (!this.#children.includes(child)) this.#leave(child);
     this.settle();
   }
@@ -84,8 +92,6 @@ export class Children {
     CHILDREN.set(element, child);
     this.#names.observe(element, { attributes: true });
     for (const name of element.getAttributeNames()) spell(element, name);
-    child.target();
-    child.put();
   }
 
   /** The first source, if it is no child's; undefined before the fire has begun, null without one. @returns {any} */
@@ -151,6 +157,11 @@ export class Children {
     const { every, combustion, classic } = PROPERTIES[kind][property];
     const [own, other] = this.session.state.params.model === 'classic' ? [classic, combustion] : [combustion, classic];
     return every ?? own ?? other ?? [undefined];
+  }
+
+  /** The child of this kind with an id in the document. @type {(kind: string, id: string) => Child | undefined} */
+  childWith(kind, id) {
+    return this.#children.find((child) => child.kind === kind && child.element.id === id);
   }
 
   /** An id that no object has. */
@@ -221,7 +232,10 @@ export class Children {
   /** Adds lost objects again, and puts the objects in order when no call is unanswered. @param {Child} [answered] */
   settle(answered) {
     if (answered?.left && !answered.busy) this.#depart(answered);
-    for (const child of this.#children) if (child.lost && !child.busy) child.put(child.kept);
+    for (const child of this.#children) {
+      if (child.lost && !child.busy) child.put(child.kept);
+      child.refer();
+    }
     if (!this.#sorting && this.#children.every(({ busy }) => !busy) && this.#sorted()) this.#sort();
   }
 

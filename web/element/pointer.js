@@ -1,9 +1,11 @@
 /**
  * A pointer on a fire: it carries gas along, twice as fast while it is pressed; a click throws sparks;
- * a drag that begins on the source moves the source. Other gestures enlarge the picture.
+ * a drag that begins on the source moves the source, or the solid that the source is on. Other gestures enlarge
+ * the picture.
  *
  * @typedef {import('../hearth-fire.js').HearthPoint} Point
- * @typedef {{x: number, y: number, held: number | undefined, clicks: boolean}} Press
+ * @typedef {Point & {id?: number}} Grip  A distance from the middle of the source [m], and the solid that it is on.
+ * @typedef {{x: number, y: number, held: Grip | undefined, clicks: boolean}} Press
  */
 
 import { listenToZoom } from './zoom.js';
@@ -17,6 +19,9 @@ const MAX_SPEED = 20;
 /** Maximum movement of a click, and minimum half-width of a source's grip area [px]. */
 const CLICK_PX = 6;
 const GRIP_PX = 16;
+
+/** The largest place of a solid [m]. */
+const FARTHEST = 10;
 
 /** Sparks of a click. */
 const SPARKS = 24;
@@ -41,21 +46,27 @@ export function listenToPointer(session, signal) {
     const { left, top, width, height } = fire.getBoundingClientRect();
     const [x, y] = [clientX - left, clientY - top];
     const inside = x >= 0 && y >= 0 && x <= width && y <= height;
-    return { x, y, width, inside, metres: fire.toMetres(x, y) };
+    return { x, y, width, height, inside, metres: fire.toMetres(x, y) };
   };
   const isForFire = (/** @type {Event} */ event) => !event.composedPath().some((node) => (
     // Not `instanceof`: the fire may have moved to another window's document.
     node !== fire && /** @type {Partial<Element>} */ (node).matches?.(OTHERS) && fire.shadowRoot?.contains(/** @type {Node} */ (node))
   ));
-  /** Its distance from the middle of the source [m]; undefined if it is not on the source. */
+  /** Its distance from the middle of the source; undefined if it is not on the source. @returns {Grip | undefined} */
   const grip = (/** @type {MouseEvent} */ event) => {
-    const { x, y, inside, metres } = locate(event);
+    const { x, y, width, inside, metres } = locate(event);
     const source = sourceOf(fire.params);
     const base = fire.toPixels(source.x, source.y);
     if (!inside || !base || !metres || !isForFire(event)) return undefined;
+    const solid = solidOf(fire);
+    if (solid) {
+      const perPixel = ((fire.toMetres(width, 0)?.x ?? 0) - (fire.toMetres(0, 0)?.x ?? 0)) / width;
+      const from = { x: metres.x - solid.x, y: metres.y - solid.y };
+      return isOn(solid, from, CLICK_PX * perPixel) ? { ...from, id: solid.id } : undefined;
+    }
     const half = (fire.toPixels(source.x + source.half, source.y)?.x ?? base.x) - base.x;
     const near = Math.abs(x - base.x) <= Math.max(half, GRIP_PX) && Math.abs(y - base.y) <= GRIP_PX;
-    return near ? metres.x - source.x : undefined;
+    return near ? { x: metres.x - source.x, y: 0 } : undefined;
   };
 
   const movesPicture = listenToZoom(session, isForFire, signal);
@@ -74,14 +85,20 @@ export function listenToPointer(session, signal) {
       fire.setPointerCapture(event.pointerId);
     } catch {}
   };
-  const drag = (/** @type {number} */ held, /** @type {ReturnType<typeof locate>} */ { width, metres }) => {
-    const [left, right] = [fire.toMetres(0, 0), fire.toMetres(width, 0)];
-    if (!metres || !left || !right) return;
-    const { max } = sourceOf(fire.params);
-    const visible = Math.max(left.x, Math.min(right.x, metres.x - held));
-    const limit = Math.min(max, 3);
+  const drag = (/** @type {Grip} */ held, /** @type {ReturnType<typeof locate>} */ { width, height, metres }) => {
+    const [upper, lower] = [fire.toMetres(0, 0), fire.toMetres(width, height)];
+    if (!metres || !upper || !lower) return;
     // The panel shows as many digits, and URLs stay short.
-    const x = Math.round(Math.max(-limit, Math.min(limit, visible)) * 1000) / 1000;
+    /** @type {(value: number, limit: number) => number} */
+    const rounded = (value, limit) => Math.round(within(value, -limit, limit) * 1000) / 1000;
+    const visible = within(metres.x - held.x, upper.x, lower.x);
+    if (held.id !== undefined) {
+      const y = within(metres.y - held.y, lower.y, upper.y);
+      const place = { x: rounded(visible, FARTHEST), y: rounded(y, FARTHEST) };
+      session.call('changeObject', held.id, place, 'pointer').catch(() => {});
+      return;
+    }
+    const x = rounded(visible, Math.min(sourceOf(fire.params).max, 3));
     session.call('set', { source_x: x }, 'pointer').catch(() => {});
   };
   const follow = (/** @type {PointerEvent} */ event) => {
@@ -145,12 +162,33 @@ function sourceOf(params) {
   const seam = model === 'combustion' && params.edges === 'periodic' ? params.seam : 0;
   const half = Math.min(wide, across) / 2;
   const max = Math.max((0.5 - seam) * across - half, 0);
-  /** @type {(value: number, low: number, high: number) => number} */
-  const clamp = (value, low, high) => Math.max(low, Math.min(high, value));
   return {
-    x: clamp(params.source_x, -max, max),
-    y: clamp(params.source_height, seam * up, (1 - seam) * up),
+    x: within(params.source_x, -max, max),
+    y: within(params.source_height, seam * up, (1 - seam) * up),
     half,
     max,
   };
 }
+
+/** The solid that the first source is on; undefined if the source is a line. @param {import('../hearth-fire.js').HearthFire} fire */
+function solidOf({ params, objects }) {
+  if (params.source_shape !== 'solid') return undefined;
+  return /** @type {any[]} */ (objects).find(({ kind, id }) => kind === 'solid' && id === params.source_solid);
+}
+
+/** Whether a point relative to the centre of a solid is in the box of the solid, or so near to it. @type {(solid: any, from: Point, near: number) => boolean} */
+function isOn({ shape, angle, width, height, points }, { x, y }, near) {
+  const turn = shape === 'circle' ? 0 : (angle * Math.PI) / 180;
+  const [along, across] = [x * Math.cos(turn) + y * Math.sin(turn), y * Math.cos(turn) - x * Math.sin(turn)].map(Math.abs);
+  let half = [width / 2, (shape === 'circle' ? width : height) / 2];
+  if (shape === 'line') half[0] += half[1];
+  if (shape === 'polygon' || shape === 'stroke') {
+    const line = shape === 'stroke' ? height / 2 : 0;
+    const all = String(points).split(/[\s,]+/).map(Number);
+    half = [0, 1].map((part) => line + Math.max(...all.filter((_, at) => at % 2 === part).map(Math.abs)));
+  }
+  return along <= half[0] + near && across <= half[1] + near;
+}
+
+/** @type {(value: number, low: number, high: number) => number} */
+const within = (value, low, high) => Math.max(low, Math.min(high, value));

@@ -18,6 +18,8 @@ export const DEFAULTS = {
   backdrop: "none",
   time_scale: 1,
   display_mode: "fire",
+  source_shape: "line",
+  source_solid: 0,
   source_x: 0,
   source_height: 0.25,
   source_angle: 0,

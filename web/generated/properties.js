@@ -12,6 +12,8 @@
 /** @type {{[kind: string]: {[name: string]: Property}}} */
 export const PROPERTIES = {
   source: {
+    shape: {"parameter":"source_shape","every":["line"]},
+    solid: {"parameter":"source_solid","every":[0,0,1000000]},
     x: {"parameter":"source_x","every":[0,-3,3]},
     y: {"parameter":"source_height","combustion":[0.25,0,6],"classic":[0,0,6]},
     angle: {"parameter":"source_angle","every":[0,-180,180]},

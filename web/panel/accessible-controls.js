@@ -10,6 +10,7 @@
 
 import { COPIES, COPY_LABELS } from './controller.js';
 import { OBJECTS, mountAccessibleObjects } from './accessible-objects.js';
+import { idDomain } from './objects.js';
 import { addQuality, inWords, makeControl } from './native-controls.js';
 import { PARAMETERS } from '../parameters.js';
 
@@ -151,8 +152,8 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
       return controller.restore(id);
     }, parent);
     shows.set(id, () => {
-      const domain = domainOf(parameter);
       const value = read(id);
+      const domain = idDomain(fire, id, value, domainOf(parameter));
       const isChosen = (/** @type {[string, string[]]} */ [of, names]) => names.includes(String(read(/** @type {Id} */ (of))));
       const missing = Object.entries(parameter.when ?? {}).filter((chosen) => !isChosen(chosen));
       // As on the panel, each kind of edges has its own parameters.

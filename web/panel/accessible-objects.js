@@ -90,11 +90,16 @@ export function mountAccessibleObjects({ root, fire, controller, reveal, addButt
       restore.hidden = !isShown || isSame(object[name], controller.propertyOf(object, name));
       if (!isShown) return;
       show(object[name], domain);
-      const missing = Object.entries(entry.when ?? {}).filter(([of, names]) => (
-        !names.includes(String(object[of] ?? fire.params[/** @type {keyof typeof fire.params} */ (of)]))
-      ));
-      note.textContent = missing.length > 0 ? `Only with ${missing.map((one) => inWords(one, entriesOf(kind))).join(' and ')}` : '';
-      row.classList.toggle('idle', missing.length > 0);
+      const isChosen = (/** @type {[string, string[]]} */ [of, names]) => {
+        const own = entriesOf(kind).find(({ id }) => id === of);
+        return names.includes(String(own ? object[own.name] : fire.params[/** @type {keyof typeof fire.params} */ (of)]));
+      };
+      const missing = Object.entries(entry.when ?? {}).filter((chosen) => !isChosen(chosen));
+      const excluded = Object.entries(entry.unless ?? {});
+      const isExcluded = excluded.length > 0 && excluded.every(isChosen);
+      const list = (/** @type {[string, string[]][]} */ chosen) => chosen.map((one) => inWords(one, entriesOf(kind))).join(' and ');
+      note.textContent = missing.length > 0 ? `Only with ${list(missing)}` : isExcluded ? `Not with ${list(excluded)}` : '';
+      row.classList.toggle('idle', missing.length > 0 || isExcluded);
     }
     return update;
   }

@@ -26,6 +26,7 @@ import { PARAMETERS } from '../parameters.js';
  * @property {string} [scale]
  * @property {string[]} [choices]
  * @property {{[id: string]: string[]}} [when]
+ * @property {{[id: string]: string[]}} [unless]
  * @property {(model: ModelName) => Domain | undefined} domain  Default and range, if the model uses it.
  */
 
@@ -43,18 +44,30 @@ const ENTRIES = {
   source: Object.entries(SOURCE).flatMap(([name, id]) => {
     const parameter = PARAMETERS.find((one) => one.id === id);
     if (!parameter) return [];
-    return [{ ...parameter, name, when: /** @type {Entry['when']} */ (parameter.when), domain: (/** @type {ModelName} */ model) => parameter.domains[model] }];
+    const { when, unless } = /** @type {Pick<Entry, 'when' | 'unless'>} */ (parameter);
+    return [{ ...parameter, name, when, unless, domain: (/** @type {ModelName} */ model) => parameter.domains[model] }];
   }),
   solid: SOLID.map((entry) => ({ ...entry, name: entry.id, when: /** @type {Entry['when']} */ (entry.when), domain: () => entry })),
 };
 
 /**
+ * Default and range of an id of a solid on a slider, which spans the ids of the solids and the value.
+ * @type {(fire: Pick<HearthFire, 'objects'>, id: string, value: any, domain: Domain | undefined) => Domain | undefined}
+ */
+export function idDomain(fire, id, value, domain) {
+  if (id !== 'source_solid' || !domain) return domain;
+  const ids = objectsOf(fire).filter(({ kind }) => kind === 'solid').map((solid) => solid.id);
+  return { ...domain, max: Math.max(1, Number(value) || 0, ...ids) };
+}
+
+/**
  * Default and range of a property on a slider; undefined if the model does not use it. A place may be far
  * outside of the frame, but a slider of all places would be too coarse: it spans the frame and the value.
- * @type {(fire: Pick<HearthFire, 'params'>, entry: Entry, value: any) => Domain | undefined}
+ * @type {(fire: Pick<HearthFire, 'params' | 'objects'>, entry: Entry, value: any) => Domain | undefined}
  */
-export function sliderDomain({ params }, entry, value) {
-  const domain = params && entry.domain(params.model);
+export function sliderDomain(fire, entry, value) {
+  const { params } = fire;
+  const domain = idDomain(fire, entry.id, value, params && entry.domain(params.model));
   if (!domain || entry.scale !== 'linear' || entry.unit !== 'm') return domain;
   const { min = 0, max = 0 } = domain;
   const size = Math.max(params.domain_width, params.domain_height);
@@ -89,12 +102,12 @@ export function isFull(fire, kind) {
 /** The name of an object in a list: "Source 1", "Solid 2 · wood line". @param {Fields} object */
 export function nameOf({ id, kind, shape, material }) {
   const name = `${kind[0].toUpperCase()}${kind.slice(1)} ${id}`;
-  return shape ? `${name} · ${material === 'none' ? 'invisible' : material} ${shape}` : name;
+  return kind === 'solid' ? `${name} · ${material === 'none' ? 'invisible' : material} ${shape}` : name;
 }
 
 /**
- * The fields of a new object beside the fire. A source is half as wide and as strong as the first one. A
- * solid fits the frame.
+ * The fields of a new object beside the fire. A source is a line, half as wide and as strong as the first one.
+ * A solid fits the frame.
  * @type {(fire: Fire, kind: Kind) => Omit<Fields, 'id'>}
  */
 export function newObject(fire, kind) {
@@ -102,7 +115,7 @@ export function newObject(fire, kind) {
   const first = objectsOf(fire).find((one) => one.kind === 'source');
   if (kind === 'source') {
     if (!first) return { kind };
-    const { id, ...fields } = first;
+    const { id, shape, solid, ...fields } = first;
     for (const name of ['width', 'power', 'rate']) {
       if (name in fields) fields[name] = inRange(fire, kind, name, fields[name] / 2);
     }

@@ -36,7 +36,12 @@ const SHORT_PX = 4;
 
 /** The last object at a point, which is drawn before the others; undefined without one. @type {(hands: Hands, at: Point, near: number) => Fields | undefined} */
 function objectAt(hands, at, near) {
-  return hands.objects().findLast((object) => distance(/** @type {any} */ (object), at.x, at.y) <= near);
+  const objects = hands.objects();
+  // A source on a solid has no place of its own.
+  const hasPlace = (/** @type {Fields} */ { kind, shape, solid }) => (
+    kind !== 'source' || shape !== 'solid' || !objects.some((one) => one.kind === 'solid' && one.id === solid)
+  );
+  return objects.findLast((object) => hasPlace(object) && distance(/** @type {any} */ (object), at.x, at.y) <= near);
 }
 
 /** Draws something between the press and the release. @type {(hands: Hands, from: Point, draw: (from: Point, to: Point) => Fields, turns?: boolean) => Gesture} */

@@ -24,6 +24,12 @@ impl Bounds {
             && (0.0..=self.height).contains(&(position.y - self.bottom))
     }
 
+    /// Whether a rectangle with these corners overlaps it.
+    pub fn meets(&self, low: Vec2, high: Vec2) -> bool {
+        let half = 0.5 * self.width;
+        low.x < half && high.x > -half && low.y < self.bottom + self.height && high.y > self.bottom
+    }
+
     /// Maps a position beyond a periodic edge back into the domain.
     #[inline]
     pub fn wrap(&self, position: Vec2) -> Vec2 {

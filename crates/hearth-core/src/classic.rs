@@ -112,7 +112,8 @@ impl Solver for Classic {
             .resize_with(scene.sources().count(), Emitter::default);
         for (emitter, source) in self.emitters.iter_mut().zip(scene.sources()) {
             let passed = self.cut.unwrap_or(source.time_step);
-            emitter.emit(&mut self.particles, source, passed, random, time);
+            let solid = self.solids.parts(source);
+            emitter.emit(&mut self.particles, (source, solid), passed, random, time);
         }
         let substeps =
             Substeps::divide(values, self.motion.max_speed, self.motion.max_acceleration);

@@ -44,6 +44,7 @@ use crate::solver::Solver;
 use air::OpenAir;
 pub(crate) use air::Seen;
 pub use burner::Burner;
+use burner::Fed;
 pub use embers::Ember;
 use embers::Embers;
 pub(crate) use gas::Gas;
@@ -92,6 +93,8 @@ pub(crate) struct Combustion {
     motion: Motion,
     solids: Solids,
     walls: Walls,
+    /// The particles at a burner.
+    fed: Vec<Fed>,
     removed: Removed,
     /// Power of the combustion in the last step, and of the heating at the sources [kW/m].
     power: f32,
@@ -128,6 +131,7 @@ impl Combustion {
             motion: Motion::default(),
             solids,
             walls: Walls::default(),
+            fed: Vec::new(),
             removed: Removed::default(),
             power: 0.0,
             preheat: 0.0,
@@ -141,6 +145,8 @@ impl Combustion {
 
     /// Makes room for all particles that open air may have, so that births allocate nothing.
     fn reserve(&mut self, values: &Physics) {
+        let capacity = self.capacity(values);
+        gas::make_room(&mut self.fed, capacity);
         if self.open.is_some() || !self.solids.is_empty() {
             self.walls.reserve(self.capacity(values));
         }
@@ -178,7 +184,7 @@ impl Combustion {
             match old {
                 Some(old) if open.has_cells_of(&old) => open.continue_from(&old),
                 Some(_) => open.surround(&self.gas, values),
-                None => open.adopt(&self.gas, scene),
+                None => open.adopt(&self.gas, scene, &self.solids),
             }
         }
     }

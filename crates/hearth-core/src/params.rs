@@ -24,7 +24,7 @@ mod value;
 
 pub use choices::{
     Backdrop, Choice, DisplayMode, Edges, Floor, Ground, Layers, Material, Model, Motion, Palette,
-    Shape, Thermal, Walls,
+    Shape, SourceShape, Thermal, Walls,
 };
 pub use entry::{Condition, Description, Domain, Kind, Role, Scale, conditions_in_words};
 pub use outline::{Mask, Points};

@@ -14,7 +14,7 @@ mod object;
 #[cfg(test)]
 mod tests;
 
-use crate::params::{Input, ParamError, ParamErrorKind, Parameters, Solid};
+use crate::params::{Input, ParamError, ParamErrorKind, Parameters, Physics, Solid};
 
 pub use crate::params::Property;
 pub use distance::{RoundedBox, Surface};
@@ -118,6 +118,13 @@ impl Scene {
             let (solid, surface) = one.values.of_solid()?;
             Some((one.id, solid, surface))
         })
+    }
+
+    /// The solid that a source is on and its surface; `None` if the source is a line.
+    pub fn solid_of(&self, source: &Physics) -> Option<(&Solid, &Surface)> {
+        let id = source.solid_of_source()?;
+        let (_, solid, surface) = self.surfaces().find(|(known, ..)| *known == id)?;
+        Some((solid, surface))
     }
 
     /// Total power of the sources [kW/m], in the combustion model.

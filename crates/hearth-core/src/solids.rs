@@ -12,7 +12,7 @@ use glam::Vec2;
 
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
-use crate::params::Thermal;
+use crate::params::{Physics, Thermal};
 use crate::scene::{Drive, MAX_SPEED, RoundedBox, Scene, Surface};
 use heat::{Inflow, Store};
 
@@ -164,8 +164,7 @@ impl Solids {
     /// Adds a body and its images.
     fn place(&mut self, body: Body, bounds: &Bounds, near: f32) {
         let shape = &body.surface.frame;
-        let side = shape.axis.abs() * shape.half.x;
-        let size = 2.0 * (side + shape.axis.perp().abs() * shape.half.y + shape.radius);
+        let size = 2.0 * shape.extent();
         let reach = 0.5 * size + near;
         let is_inside = |at: Vec2| {
             let low = Vec2::new(-0.5 * bounds.width, bounds.bottom) - reach;
@@ -226,6 +225,15 @@ impl Solids {
             let body = parts.first()?;
             Some((body.id, body.heated()?.1))
         })
+    }
+
+    /// The body on whose surface a source is, and its images; none if the source is a line.
+    pub fn parts(&self, source: &Physics) -> &[Body] {
+        let mut bodies = self.bodies.chunk_by(|one, other| one.id == other.id);
+        let id = source.solid_of_source();
+        bodies
+            .find(|parts| parts.first().map(|body| body.id) == id)
+            .unwrap_or_default()
     }
 
     /// Lets time pass: motions end.

@@ -3,15 +3,30 @@
 use glam::Vec2;
 
 use crate::direction::direction;
-use crate::params::Physics;
+use crate::params::{Physics, SourceShape};
 
-/// The position and width of a source, clamped to the domain.
+/// The position and width of a source: of a line, clamped to the domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Source {
-    /// Middle of its lower edge \[m\].
+    /// Middle of its lower edge; on a solid, below its centre \[m\].
     pub base: Vec2,
-    /// Its width \[m\].
+    /// Its width; on a solid, the width of a line whose flame is about as large \[m\].
     pub width: f32,
+    /// Whether it is the surface of a solid.
+    pub on_solid: bool,
+}
+
+impl Physics {
+    /// The id of the solid whose surface is the source; `None` for a line.
+    pub(crate) fn solid_of_source(&self) -> Option<u32> {
+        (self.source_shape == SourceShape::Solid).then_some(self.source_solid)
+    }
+}
+
+/// Where on a solid a source burns as the noise of the emission sees it: how far along its width
+/// and height together, so that no side of the solid has the same noise throughout.
+pub(crate) fn along(local: Vec2) -> f32 {
+    local.dot(Vec2::new(1.0, 0.618))
 }
 
 /// Direction of the width of a source; `None` if it is not turned.
@@ -59,6 +74,7 @@ mod tests {
                 let source = Source {
                     base: Vec2::new(x as f32, 0.5),
                     width: 0.3,
+                    on_solid: false,
                 };
                 assert_eq!(of(model, &values).0, source);
             }

@@ -285,7 +285,17 @@ fn import_restores_objects_with_their_ids() {
         panic!("refused");
     };
     let none = set(&two, "objects", Untrusted::List(vec![]));
-    for requested in [&two, &three, &fewer, &none, &solids] {
+    // A source that is on a solid keeps the id of that solid.
+    let on_solid = vec![
+        ("kind", text("source")),
+        ("shape", text("solid")),
+        ("solid", Untrusted::Number(9.0)),
+    ];
+    let ninth = vec![("kind", text("solid")), ("id", Untrusted::Number(9.0))];
+    let burning = Untrusted::List([on_solid, ninth].map(self::object).into());
+    let burning = set(&Requested::default(), "objects", burning);
+    assert!(burning.scene.solid_of(burning.parameters()).is_some());
+    for requested in [&two, &three, &fewer, &none, &solids, &burning] {
         let back = imported(&export(requested));
         assert_eq!(back.scene, requested.scene, "{:?}", export(requested));
     }
@@ -340,7 +350,7 @@ fn errors_name_the_invalid_object_and_no_object_changes() {
         ),
         (
             sources(&[&[("pwer", 9.0)]]),
-            "must be one of x, y, angle, width, power",
+            "must be one of shape, solid, x, y, angle, width, power",
         ),
     ] {
         let said = errors(&object(vec![("objects", objects.clone())]));

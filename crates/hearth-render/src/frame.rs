@@ -57,15 +57,15 @@ pub struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// The frame of a number of particles, embers and solids and the bounds of the gas.
+    /// The frame of a source, a number of particles, embers and solids, and the bounds of the gas.
     pub fn new(
         parameters: &'a Parameters,
+        source: Source,
         (layout, format): (Layout, TargetFormat),
         (viewport, before, time): (Viewport, Viewport, f64),
         ([particles, embers, solids], bounds): ([usize; 3], &ParticleBounds),
         motion: Motion,
     ) -> Frame<'a> {
-        let source = Source::of(parameters);
         let kernel = Kernel::of(parameters, &source);
         let used = layout.used_field(particles, kernel.radius, viewport.metres[1]);
         let mut frame = Frame {
@@ -243,7 +243,8 @@ impl<'a> Frame<'a> {
     /// Height at which the wall of the backdrop meets the floor, in heights of the domain. The
     /// fire stands on the floor in front of the wall.
     pub fn wall_foot(&self) -> f32 {
-        (self.source.base.y / self.parameters.domain_height).min(MAX_FOOT) + WALL_OFFSET
+        let foot = self.source.base.y / self.parameters.domain_height;
+        foot.clamp(0.0, MAX_FOOT) + WALL_OFFSET
     }
 }
 

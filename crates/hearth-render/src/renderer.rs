@@ -6,7 +6,7 @@ mod fit;
 use std::rc::Rc;
 
 use hearth_core::params::DisplayMode;
-use hearth_core::{Instance, Parameters, Scene};
+use hearth_core::{Instance, Parameters, Scene, Source};
 
 use crate::advection;
 use crate::bounds::ParticleBounds;
@@ -54,6 +54,8 @@ pub struct Renderer<G: Graphics = glow::Context> {
     carried: Option<CarriedNoise>,
     /// Position of the world in the last picture.
     viewport: Option<Viewport>,
+    /// The source on a solid of the uploaded scene.
+    source: Option<Source>,
     /// Index of the newest of the two targets of the noise advection.
     newest: usize,
     /// The drawn backdrop: its wall, ground and foot, and the picture's floor and size.
@@ -97,6 +99,7 @@ impl<G: Graphics> Renderer<G> {
             motion: Motion::default(),
             carried: None,
             viewport: None,
+            source: None,
             newest: 0,
             scenery: None,
             measured: None,
@@ -157,6 +160,7 @@ impl<G: Graphics> Renderer<G> {
     /// Uploads the solids of a scene at a time of its fire \[s\]. Until the next call they stay in the pictures. Those that
     /// conduct heat have the temperatures \[K\] of their ids, or at first that of the scene.
     pub fn upload_solids(&mut self, gl: &G, scene: &Scene, time: f64, temperatures: &[(u32, f32)]) {
+        self.source = Source::on_solid(scene, time);
         self.solids.upload(gl, scene, time, temperatures);
     }
 
@@ -208,6 +212,7 @@ impl<G: Graphics> Renderer<G> {
         let counts = [&self.particles, &self.embers, &self.solids.texture].map(Particles::count);
         let mut frame = Frame::new(
             parameters,
+            self.source.unwrap_or_else(|| Source::of(parameters)),
             (layout, self.shared.format),
             (viewport, before, view.time),
             (counts, &self.bounds),

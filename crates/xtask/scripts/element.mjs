@@ -140,6 +140,8 @@ function child(kind, declared) {
   const properties = declared('parameters.d.ts', `Hearth${name}`).members.map(member)
     .filter((/** @type {Named} */ one) => one.name !== 'kind' && one.name !== 'id')
     .map((/** @type {Named} */ one) => ({ ...one, name: one.name.replaceAll('_', '-') }));
+  // The element that is a solid, or the id of its object.
+  for (const one of properties) if (one.name === 'solid') one.type = 'number | `#$' + '{string}` | `$' + '{number}`';
   return { tag: `hearth-${kind}`, type, doc: read(element).doc, members: element.members.map(member), attributes: [of, ...(isSolid ? [ofText] : []), ...properties] };
 }
 

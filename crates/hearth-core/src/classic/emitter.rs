@@ -10,10 +10,12 @@
 use glam::Vec2;
 
 use super::particles::{ParticleState, Particles};
+use super::solids::GAP;
 use crate::noise::perlin;
 use crate::params::Physics;
 use crate::particle::Particle;
 use crate::random::Random;
+use crate::solids::Body;
 use crate::source;
 
 /// Minimum distance between a birth and any other particle, in units of the distance of
@@ -21,8 +23,14 @@ use crate::source;
 /// times the rest density.
 const MIN_DISTANCE: f32 = 0.75;
 
-/// Positions tried for a birth before it waits for the next step.
+/// Positions tried for a birth before it waits for the next step: on a line, and in the rectangle
+/// around a solid, of which only those near the outline count.
 const MAX_TRIES: usize = 12;
+const MAX_TRIES_AROUND: usize = 96;
+/// Distance from the outline of a solid within which they count, in half widths of its narrower
+/// side, and at least this many rooms.
+const BAND: f32 = 0.1;
+const MIN_BAND: f32 = 1.0;
 
 /// Longest time whose births may wait \[s\].
 const MAX_WAIT: f32 = 1.0 / 60.0;
@@ -52,7 +60,7 @@ impl Emitter {
     pub fn emit(
         &mut self,
         particles: &mut Particles,
-        values: &Physics,
+        (values, solid): (&Physics, &[Body]),
         passed: f32,
         random: &mut Random,
         time: f64,
@@ -66,7 +74,7 @@ impl Emitter {
             return;
         }
 
-        let source = Source::new(values, time);
+        let source = Source::new(values, solid, time);
         self.find_near(particles, &source);
         while self.backlog >= 1.0 && particles.len() < values.max_particles as usize {
             let Some(particle) = self.try_spawn(values, &source, random) else {
@@ -84,11 +92,12 @@ impl Emitter {
             middle,
             half_width,
             room,
+            rise,
             ..
         } = *source;
         let reach = match source.axis {
-            None => Vec2::new(half_width + room, source.rise + room),
-            Some(_) => Vec2::splat(half_width + source.rise + room),
+            None => Vec2::new(half_width + room, rise + room),
+            Some(_) => Vec2::splat(half_width + rise + room),
         };
         self.near.clear();
         self.near.extend(
@@ -97,7 +106,12 @@ impl Emitter {
                 .map(ParticleState::position)
                 .filter(|&position| {
                     let offset = (position - middle).abs();
-                    offset.x < reach.x && offset.y < reach.y
+                    let on_line = offset.x < reach.x && offset.y < reach.y;
+                    let mut solid = source.solid.iter();
+                    match source.solid {
+                        [] => on_line,
+                        _ => solid.any(|body| body.may_touch(position, rise + 2.0 * room)),
+                    }
                 }),
         );
     }
@@ -108,10 +122,15 @@ impl Emitter {
         source: &Source,
         random: &mut Random,
     ) -> Option<Particle> {
-        for _ in 0..MAX_TRIES {
-            self.along = (self.along + GOLDEN).fract();
-            let x = (2.0 * self.along - 1.0) * source.half_width;
-            let intensity = source.intensity(values, x);
+        let tries = match source.solid {
+            [] => MAX_TRIES,
+            _ => MAX_TRIES_AROUND,
+        };
+        for _ in 0..tries {
+            let Some(place) = self.place(values, source, random) else {
+                continue;
+            };
+            let intensity = source.intensity(values, place.along);
             if random.unit() * (1.0 + values.emission_noise) > intensity {
                 continue;
             }
@@ -119,18 +138,18 @@ impl Emitter {
             // The spread turns the jet by at most 45° and only reduces its speed, so that the
             // emission speed is the maximum.
             let sideways = values.emission_spread * random.between(-1.0, 1.0);
-            let inward = -0.5 * values.taper * x / source.half_width;
+            let inward = -0.5 * values.taper * place.across / source.half_width;
             let slower = 1.0 - 0.5 * values.emission_spread * random.unit();
             let speed = values.emission_speed * slower * intensity.min(1.0);
             let velocity = Vec2::new(sideways + inward, 1.0).normalize() * speed;
 
             let age = random.unit() * values.time_step;
-            let from = Vec2::new(x, velocity.y * age);
-            let (position, velocity) = match source.axis {
-                None => (source.middle + from, velocity),
-                Some(axis) => (source.middle + axis.rotate(from), axis.rotate(velocity)),
+            let from = Vec2::new(place.across, velocity.y * age);
+            let (position, velocity) = match place.axis {
+                None => (place.from + from, velocity),
+                Some(axis) => (place.from + axis.rotate(from), axis.rotate(velocity)),
             };
-            if source.axis.is_some() && !source::contains(values, position) {
+            if place.axis.is_some() && !source::contains(values, position) {
                 continue;
             }
             let room = source.room * source.room;
@@ -141,15 +160,47 @@ impl Emitter {
             {
                 continue;
             }
+            let longest_life = source.longest_life(values, place.across);
             return Some(Particle {
                 velocity,
                 temperature: values.maximum_temperature,
                 age,
-                lifetime: random.between(values.lifetime_min, source.longest_life(values, x)),
+                lifetime: random.between(values.lifetime_min, longest_life),
                 ..Particle::at(position)
             });
         }
         None
+    }
+
+    /// The place of a birth; `None` if it is not near the outline of the solid.
+    fn place(&mut self, values: &Physics, source: &Source, random: &mut Random) -> Option<Place> {
+        self.along = (self.along + GOLDEN).fract();
+        let across = 2.0 * self.along - 1.0;
+        let part = match source.solid.len() {
+            0 | 1 => 0,
+            parts => random.bits() as usize % parts,
+        };
+        let Some(body) = source.solid.get(part) else {
+            let x = across * source.half_width;
+            return Some(Place {
+                from: source.middle,
+                axis: source.axis,
+                across: x,
+                along: x,
+            });
+        };
+        let frame = &body.surface.frame;
+        let size = frame.half + frame.radius;
+        let band = BAND * size.min_element() + MIN_BAND * source.room;
+        let local = (size + band) * Vec2::new(across, random.between(-1.0, 1.0));
+        let position = frame.centre + frame.axis.rotate(local);
+        let (distance, normal) = body.surface.distance(position);
+        (distance > 0.0 && distance < band).then(|| Place {
+            from: position - normal * (distance - GAP * values.smoothing_radius),
+            axis: Some(-normal.perp()),
+            across: 0.0,
+            along: source::along(local),
+        })
     }
 }
 
@@ -164,15 +215,30 @@ pub(crate) fn place(values: &Physics) -> source::Source {
             values.source_height.min(top),
         ),
         width,
+        on_solid: false,
     }
 }
 
+/// The place of a birth.
+struct Place {
+    /// A point of the source \[m\].
+    from: Vec2,
+    /// Direction of the source there if it is turned.
+    axis: Option<Vec2>,
+    /// Distance from that point along a line \[m\].
+    across: f32,
+    /// How far along the source it is for the noise \[m\].
+    along: f32,
+}
+
 /// The source during one step.
-struct Source {
+struct Source<'a> {
     middle: Vec2,
     half_width: f32,
     /// Direction of its width if it is turned.
     axis: Option<Vec2>,
+    /// The solid whose surface it is, and its images; empty if it is a line.
+    solid: &'a [Body],
     /// Largest rise of a particle in the step of its birth \[m\].
     rise: f32,
     /// Minimum distance from another particle \[m\].
@@ -181,13 +247,14 @@ struct Source {
     time: f64,
 }
 
-impl Source {
-    fn new(values: &Physics, time: f64) -> Source {
+impl Source<'_> {
+    fn new<'a>(values: &Physics, solid: &'a [Body], time: f64) -> Source<'a> {
         let place = place(values);
         Source {
             middle: place.base,
             half_width: 0.5 * place.width,
             axis: source::axis(values),
+            solid,
             rise: values.emission_speed * values.time_step,
             room: MIN_DISTANCE * (values.particle_mass / values.rest_density).sqrt(),
             time,

@@ -11,7 +11,7 @@ use crate::params::Physics;
 use crate::solids::Solids;
 
 /// Smallest distance of a particle from a solid, in smoothing lengths.
-const GAP: f32 = 0.05;
+pub(super) const GAP: f32 = 0.05;
 /// Coefficient of friction.
 const FRICTION: f32 = 0.3;
 

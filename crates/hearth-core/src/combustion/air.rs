@@ -17,7 +17,7 @@ use super::burner::Burner;
 use super::gas::Gas;
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
-use crate::params::{Edges, Floor as FloorChoice, Physics};
+use crate::params::{Edges, Floor as FloorChoice, Parameters, Physics};
 use crate::scene::Scene;
 use crate::solids::Solids;
 use awake::{Awake, Rectangle};
@@ -118,10 +118,10 @@ impl OpenAir {
     }
 
     /// Finds the cells that are to hold gas of another discretisation, which is resampled.
-    pub fn adopt(&mut self, gas: &Gas, scene: &Scene) {
+    pub fn adopt(&mut self, gas: &Gas, scene: &Scene, solids: &Solids) {
         let values = scene.settings();
         awake::wake(&mut self.map, gas, awake::hot(values), 0.0);
-        self.update(gas, scene);
+        self.update(gas, scene, solids);
     }
 
     /// Continues another map with the same cells, of which there may be more or fewer.
@@ -149,7 +149,7 @@ impl OpenAir {
 
     /// Updates the map.
     #[inline(never)]
-    fn update(&mut self, gas: &Gas, scene: &Scene) {
+    fn update(&mut self, gas: &Gas, scene: &Scene, solids: &Solids) {
         let (map, values) = (&mut self.map, scene.settings());
         for cell in &mut map.cells {
             cell.remaining -= self.since_map;
@@ -157,7 +157,7 @@ impl OpenAir {
         self.kept -= self.since_map;
         awake::wake(map, gas, awake::hot(values), awake::MIN_DEPTH);
         for source in scene.sources() {
-            awake::wake_source(map, &awake_at(&Burner::of(source)));
+            awake::wake_source(map, &awake_at(source, solids));
         }
         let per_cell = exchange::per_cell(&map.layout, self.spacing);
         let kept = self.kept > 0.0;
@@ -178,7 +178,7 @@ impl OpenAir {
         let values = scene.settings();
         let inflow = Inflow::new(values, self.spacing, self.capacity, solids);
         if step.is_multiple_of(MAP_STEPS) {
-            self.update(gas, scene);
+            self.update(gas, scene, solids);
         } else {
             for cell in &mut self.map.cells {
                 cell.fresh = false;
@@ -251,8 +251,16 @@ pub(super) fn layout(values: &Physics, seen: Option<Seen>, spacing: f32) -> Layo
     }
 }
 
-/// The cells of a source are awake.
-fn awake_at(burner: &Burner) -> Rectangle {
-    let [low, high] = burner.around();
+/// The rectangle around a source whose cells are awake.
+fn awake_at(source: &Parameters, solids: &Solids) -> Rectangle {
+    let burner = Burner::of(source);
+    let [low, high] = match solids.parts(source) {
+        [] => burner.around(),
+        [body, ..] => {
+            let frame = &body.surface.frame;
+            let half = frame.extent() + (burner.top - burner.bottom);
+            [frame.centre - half, frame.centre + half]
+        }
+    };
     Rectangle { low, high }
 }

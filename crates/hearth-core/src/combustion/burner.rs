@@ -1,7 +1,9 @@
-//! The burner: a block of gas, three spacings high, into which fuel flows.
+//! The burner: a block of gas or a layer of gas around a solid, three spacings high, into which
+//! fuel flows.
 //!
 //! Its input is its power, so it burns alike at every resolution: the fuel of a step is spread
-//! over the gas in the block, and what exceeds the capacity of that gas over the gas above.
+//! over the gas in the block, and what exceeds the capacity of that gas over the gas above it or
+//! farther from the solid.
 //! Perlin noise modulates the fuel in space and time (the paper's §5.3) and keeps the sum.
 
 use glam::Vec2;
@@ -11,6 +13,7 @@ use super::gas::Gas;
 use crate::extremes::{fast_max, fast_min};
 use crate::noise::perlin;
 use crate::params::{Edges, Floor, Parameters, Physics};
+use crate::solids::Body;
 use crate::source;
 
 /// Height of the block, in spacings of the particles.
@@ -26,6 +29,14 @@ const PILOT_FACTOR: f32 = 1.02;
 const NOISE_CELLS: f32 = 5.0;
 /// Lattice cells of the emission noise per second.
 const NOISE_PER_SECOND: f64 = 3.0;
+
+/// A particle at a burner.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Fed {
+    index: usize,
+    /// Its share of the fuel, relative to the other particles.
+    share: f32,
+}
 
 /// The block of the burner in the combustion model.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,26 +126,91 @@ impl Burner {
         base + Vec2::new(axis.dot(from), axis.perp_dot(from))
     }
 
-    /// Adds fuel to the gas in the block for `dt`. Returns the heat that brought the gas to the
-    /// temperature of the source [kJ/m], which is not part of the power.
-    pub(crate) fn feed(&self, gas: &mut Gas, values: &Physics, time: f64, dt: f32) -> f32 {
-        let heat = self.condition(gas, values, dt);
-        let mut left = values.fuel_power / heat_of_combustion(values) * dt;
+    /// Adds fuel to the gas in the block or, with a solid, beside the solid for `dt`. Returns the
+    /// heat that brought the gas to the temperature of the source [kJ/m], which is not part of the
+    /// power.
+    pub(crate) fn feed(
+        &self,
+        gas: &mut Gas,
+        values: &Physics,
+        (time, dt): (f64, f32),
+        solid: &[Body],
+        fed: &mut Vec<Fed>,
+    ) -> f32 {
         let height = self.top - self.bottom;
+        let top = if solid.is_empty() { self.top } else { 0.0 };
         let mut above = 0.0;
-        while left > 0.0 && self.top + above <= self.highest {
-            left = self.add_fuel(gas, values, time, above, left);
+        self.find(gas, values, time, solid, above, fed);
+        let heat = self.condition(gas, values, dt, !solid.is_empty(), fed);
+        let mut left = values.fuel_power / heat_of_combustion(values) * dt;
+        while left > 0.0 && top + above <= self.highest {
+            if above > 0.0 {
+                self.find(gas, values, time, solid, above, fed);
+            }
+            left = add_fuel(gas, fed, left);
             above += height;
         }
         heat
     }
 
-    /// Sets the temperature, oxygen and velocity of the gas in the block. Returns the heat
+    /// Finds the particles of the layer so far `above` the first one.
+    fn find(
+        &self,
+        gas: &Gas,
+        values: &Physics,
+        time: f64,
+        solid: &[Body],
+        above: f32,
+        fed: &mut Vec<Fed>,
+    ) {
+        fed.clear();
+        let mut add = |index: usize, cells: f32| {
+            let noise = perlin(values.seed, cells, time * NOISE_PER_SECOND);
+            let share = 1.0 + values.emission_noise * noise;
+            fed.push(Fed { index, share });
+        };
+        let positions = gas.position.iter().copied().enumerate();
+        if solid.is_empty() {
+            for (index, position) in positions {
+                let at = self.upright(position);
+                if self.contains(at, above) {
+                    let across = (at.x - self.middle) / self.half_width;
+                    add(index, across * (0.5 * NOISE_CELLS));
+                }
+            }
+            return;
+        }
+        let height = self.top - self.bottom;
+        for body in solid {
+            let frame = &body.surface.frame;
+            let half = frame.half + (frame.radius + above + height);
+            let cells = 0.5 * NOISE_CELLS / body.reach;
+            for (index, position) in positions.clone() {
+                let local = frame.local(position);
+                if local.abs().cmpgt(half).any() {
+                    continue;
+                }
+                let (distance, _) = body.surface.distance(position);
+                if distance > above && distance <= above + height {
+                    add(index, cells * source::along(local));
+                }
+            }
+        }
+    }
+
+    /// Sets the temperature, oxygen and velocity of the gas at the source. Returns the heat
     /// [kJ/m].
-    fn condition(&self, gas: &mut Gas, values: &Physics, dt: f32) -> f32 {
-        // A floor supplies no gas, so a burner on it must not drag the gas along.
+    fn condition(
+        &self,
+        gas: &mut Gas,
+        values: &Physics,
+        dt: f32,
+        on_solid: bool,
+        fed: &[Fed],
+    ) -> f32 {
+        // A floor and a solid supply no gas, so a burner on them must not drag the gas along.
         let on_floor = values.floor == Floor::Solid && self.bottom < self.top - self.bottom;
-        let relaxation = if on_floor && values.edges == Edges::Open {
+        let relaxation = if on_solid || on_floor && values.edges == Edges::Open {
             0.0
         } else {
             (VELOCITY_RELAXATION * dt).min(1.0)
@@ -144,216 +220,44 @@ impl Burner {
             .max(PILOT_FACTOR * values.ignition_temperature);
         let emitted = self.axis.map_or(Vec2::Y, Vec2::perp) * values.emission_speed;
         let mut heated = 0.0;
-        for i in 0..gas.len() {
-            if self.contains(gas, i, 0.0) {
-                let state = &mut gas.state[i];
-                heated += fast_max(hot - state.x, 0.0);
-                state.x = fast_max(state.x, hot);
-                // Air enters the block from below, unlike a real burner. The gas of the source
-                // displaces it.
-                state.z = fast_min(state.z, values.source_oxygen);
-                let velocity = &mut gas.velocity[i];
-                *velocity += (emitted - *velocity) * relaxation;
-            }
+        for one in fed {
+            let state = &mut gas.state[one.index];
+            heated += fast_max(hot - state.x, 0.0);
+            state.x = fast_max(state.x, hot);
+            // Air enters the block from below, unlike a real burner. The gas of the source
+            // displaces it.
+            state.z = fast_min(state.z, values.source_oxygen);
+            let velocity = &mut gas.velocity[one.index];
+            *velocity += (emitted - *velocity) * relaxation;
         }
         heated * gas.mass * HEAT_CAPACITY
     }
 
-    /// Spreads `fuel` [kg/m] over the layer `above` the block, and returns the excess over
-    /// pure fuel.
-    fn add_fuel(&self, gas: &mut Gas, values: &Physics, time: f64, above: f32, fuel: f32) -> f32 {
-        let share = |x: f32| {
-            let across = (x - self.middle) / self.half_width * (0.5 * NOISE_CELLS);
-            let noise = perlin(values.seed, across, time * NOISE_PER_SECOND);
-            1.0 + values.emission_noise * noise
-        };
-        let mut shares = 0.0;
-        for i in 0..gas.len() {
-            if self.contains(gas, i, above) {
-                shares += share(self.upright(gas.position[i]).x);
-            }
-        }
-        if shares <= 0.0 {
-            return fuel;
-        }
-        let each = fuel / (gas.mass * shares);
-        let mut left = 0.0;
-        for i in 0..gas.len() {
-            if self.contains(gas, i, above) {
-                let fuelled = gas.state[i].y + each * share(self.upright(gas.position[i]).x);
-                gas.state[i].y = fuelled.min(1.0);
-                left += (fuelled - 1.0).max(0.0) * gas.mass;
-            }
-        }
-        left
-    }
-
-    fn contains(&self, gas: &Gas, i: usize, above: f32) -> bool {
-        let at = self.upright(gas.position[i]);
+    fn contains(&self, at: Vec2, above: f32) -> bool {
         let height = at.y - above;
         at.x > self.left && at.x < self.right && height > self.bottom && height < self.top
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::combustion::gas::tests::with;
-    use crate::random::Random;
-
-    fn fed(parameters: &Parameters, seconds: f32) -> Option<Gas> {
-        let spacing = parameters.spacing();
-        let mut gas = Gas::air(parameters, spacing, &mut Random::new(1));
-        Burner::new(parameters, spacing)?.feed(&mut gas, parameters, 0.4, seconds);
-        Some(gas)
+/// Spreads `fuel` [kg/m] over particles by their shares, and returns the excess over pure fuel.
+fn add_fuel(gas: &mut Gas, fed: &[Fed], fuel: f32) -> f32 {
+    let mut shares = 0.0;
+    for one in fed {
+        shares += one.share;
     }
-
-    #[test]
-    fn its_power_is_exact_at_any_width_resolution_and_noise() {
-        for (n, width, noise) in [
-            (1000.0, 0.4, 0.0),
-            (12_000.0, 0.4, 1.0),
-            (3000.0, 1.0, 0.5),
-            (3000.0, 0.01, 0.2),
-        ] {
-            let parameters = with(&[
-                ("max_particles", n),
-                ("source_width", width),
-                ("emission_noise", noise),
-            ]);
-            let seconds = 1e-3;
-            let gas = fed(&parameters, seconds).expect("a burner");
-            let fuel: f32 = gas.state.iter().map(|state| state.y * gas.mass).sum();
-            let power = fuel * heat_of_combustion(&parameters) / seconds;
-            assert!(
-                (power / parameters.fuel_power - 1.0).abs() < 1e-3,
-                "{power} at {n}, {width}, {noise}"
-            );
-        }
+    if shares <= 0.0 {
+        return fuel;
     }
-
-    #[test]
-    fn it_may_be_turned_and_keeps_its_power() {
-        for angle in [-180.0, -90.0, -37.0, 15.0, 90.0, 140.0] {
-            let parameters = with(&[
-                ("max_particles", 12_000.0),
-                ("source_height", 0.8),
-                ("source_angle", angle),
-            ]);
-            let seconds = 1e-3;
-            let gas = fed(&parameters, seconds).expect("a burner");
-            let fuel = |i: usize| gas.state[i].y * gas.mass;
-            let all: f32 = (0..gas.len()).map(fuel).sum();
-            let power = all * heat_of_combustion(&parameters) / seconds;
-            assert!(
-                (power / parameters.fuel_power - 1.0).abs() < 1e-3,
-                "{power} at {angle}°"
-            );
-            // It lies on the side to which it emits, within its height of three spacings.
-            let out = Vec2::from_angle((angle as f32).to_radians()).perp();
-            let burner = Burner::of(&parameters);
-            let [low, high] = burner.around();
-            for i in (0..gas.len()).filter(|&i| fuel(i) > 0.0) {
-                let at = gas.position[i];
-                let depth = (at - Vec2::new(burner.middle, burner.bottom)).dot(out);
-                assert!(
-                    (0.0..3.01 * parameters.spacing()).contains(&depth),
-                    "{depth}"
-                );
-                assert!(at.cmpge(low - 1e-4).all() && at.cmple(high + 1e-4).all());
-                let speed = gas.velocity[i].dot(out);
-                assert!(speed > 0.3 * parameters.emission_speed, "{speed} m/s");
-            }
-        }
+    let each = fuel / (gas.mass * shares);
+    let mut left = 0.0;
+    for one in fed {
+        let state = &mut gas.state[one.index];
+        let fuelled = state.y + each * one.share;
+        state.y = fuelled.min(1.0);
+        left += (fuelled - 1.0).max(0.0) * gas.mass;
     }
-
-    #[test]
-    fn its_noise_moves_with_it() {
-        // The fuel by the distance from the middle of the burner.
-        let fuel = |x: f64| {
-            let values = [("source_x", x), ("emission_noise", 1.0)];
-            let parameters = with(&[&values[..], &[("max_particles", 50_000.0)]].concat());
-            let gas = fed(&parameters, 1e-3).expect("a burner");
-            let middle = Burner::of(&parameters).middle;
-            assert!((f64::from(middle) - x).abs() < 1e-6);
-            let mut parts = [(0.0_f32, 0.0_f32); 10];
-            for (position, state) in gas.position.iter().zip(&gas.state) {
-                let across = (position.x - middle) / parameters.source_width + 0.5;
-                if state.y > 0.0 {
-                    let (sum, n) = &mut parts[(across * 10.0) as usize];
-                    *sum += state.y;
-                    *n += 1.0;
-                }
-            }
-            parts.map(|(sum, n)| sum / n)
-        };
-        let there = fuel(0.0);
-        for x in [-0.25, 0.3] {
-            for (here, there) in fuel(x).into_iter().zip(there) {
-                assert!((here / there - 1.0).abs() < 0.1, "{here}, {there} at {x}");
-            }
-        }
-    }
-
-    #[test]
-    fn without_power_there_is_no_burner() {
-        assert!(fed(&with(&[("fuel_power", 0.0)]), 1e-3).is_none());
-    }
-
-    #[test]
-    fn its_gas_is_above_the_ignition_temperature() {
-        let parameters = with(&[
-            ("source_temperature", 500.0),
-            ("ignition_temperature", 900.0),
-        ]);
-        let gas = fed(&parameters, 1e-3).expect("a burner");
-        assert!(
-            gas.state
-                .iter()
-                .any(|state| state.x > parameters.ignition_temperature)
-        );
-    }
-
-    #[test]
-    fn it_stays_between_the_seams() {
-        for (height, seam) in [(0.0, 0.2), (1.0, 0.2), (1.0, 0.0)] {
-            let parameters = with(&[
-                ("source_height", height),
-                ("seam", seam),
-                ("domain_height", 0.5),
-            ]);
-            let burner = Burner::new(&parameters, parameters.spacing()).expect("a burner");
-            let thickness = parameters.seam * parameters.domain_height;
-            assert!(burner.bottom >= thickness - 1e-6);
-            assert!(burner.top <= parameters.domain_height - thickness + 1e-6);
-        }
-    }
-
-    #[test]
-    fn excess_fuel_goes_to_the_gas_above() {
-        // In a quarter of a second, far more fuel than the capacity of the block.
-        for n in [1000.0, 3000.0, 20_000.0] {
-            let parameters = with(&[
-                ("fuel_power", 600.0),
-                ("source_width", 0.1),
-                ("emission_noise", 0.0),
-                ("max_particles", n),
-            ]);
-            let gas = fed(&parameters, 0.25).expect("a burner");
-            let fuel: f32 = gas.state.iter().map(|state| state.y * gas.mass).sum();
-            let expected = 600.0 / heat_of_combustion(&parameters) * 0.25;
-            assert!((fuel / expected - 1.0).abs() < 1e-3, "{fuel} of {expected}");
-            assert!(gas.state.iter().all(|state| state.y <= 1.0));
-        }
-    }
-
-    #[test]
-    fn its_gas_has_the_oxygen_of_the_parameter() {
-        for oxygen in [0.0, 0.4, 1.0] {
-            let gas = fed(&with(&[("source_oxygen", oxygen)]), 1e-3).expect("a burner");
-            let inside = gas.state.iter().filter(|state| state.y > 0.0);
-            let max = inside.map(|state| state.z).fold(0.0, f32::max);
-            assert!((f64::from(max) - oxygen).abs() < 1e-6);
-        }
-    }
+    left
 }
+
+#[cfg(test)]
+mod tests;

@@ -94,7 +94,8 @@ impl Combustion {
         self.preheat = 0.0;
         for source in scene.sources() {
             if let Some(burner) = Burner::new(source, parameters.spacing()) {
-                self.preheat += burner.feed(gas, source, time, dt) / dt;
+                let solid = solids.parts(source);
+                self.preheat += burner.feed(gas, source, (time, dt), solid, &mut self.fed) / dt;
             }
         }
         if open.is_none() {

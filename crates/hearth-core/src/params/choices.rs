@@ -84,6 +84,14 @@ choices! {
         Solid = "solid",
     }
 
+    /// The shape of a source.
+    SourceShape {
+        /// A straight line.
+        Line = "line",
+        /// The surface of a solid.
+        Solid = "solid",
+    }
+
     /// The shape of a solid.
     Shape {
         /// A disc.

@@ -9,7 +9,7 @@
 use std::ops::Deref;
 
 use super::choices::{
-    Backdrop, Choice, DisplayMode, Edges, Floor, Ground, Layers, Model, Palette, Walls,
+    Backdrop, Choice, DisplayMode, Edges, Floor, Ground, Layers, Model, Palette, SourceShape, Walls,
 };
 use super::declare::parameters;
 use super::entry::{Description, Domain, Kind, Role, Scale};
@@ -52,6 +52,13 @@ const DARK: &[&str] = &["smoke"];
 const OPEN: &[&str] = &["open"];
 const PERIODIC: &[&str] = &["periodic"];
 
+/// The shapes of a source.
+const LINE: &[&str] = &["line"];
+const SOLID: &[&str] = &["solid"];
+
+/// The model without particles that are born.
+const COMBUSTION: &[&str] = &["combustion"];
+
 /// The backdrop.
 const WALL: &[&str] = &["bricks"];
 
@@ -68,7 +75,7 @@ parameters! {
         emission_rate: number "Strength" ["1/s"] Log { Classic(1500.0, 50.0..=100_000.0) }
         /// A wider fire. Width of the source. In the combustion model it is at least four
         /// particles.
-        source_width: number "Size" ["m"] Linear { Classic(0.36, 0.05..=0.6) Combustion(0.4, 0.01..=1.0) }
+        source_width: number "Size" ["m"] Linear { Classic(0.36, 0.05..=0.6) Combustion(0.4, 0.01..=1.0) } when { source_shape: LINE }
         /// A taller flame. Longest life of a particle, at least the shortest life.
         lifetime_max: number "Longest life" ["s"] Linear { Classic(1.2, 0.1..=3.0) }
         /// A livelier, wilder flame. Acceleration by a random field of drifting eddies, which
@@ -99,18 +106,25 @@ parameters! {
         [View] display_mode: (choice DisplayMode) "Display" { Every(Fire) }
     }
     "Fire" {
+        /// A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the
+        /// whole outline of a solid burns, wherever the solid is.
+        source_shape: (choice SourceShape) "Source shape" { Every(Line) }
+        /// A fire on another solid. Id of the solid whose surface is the source. If no solid has it,
+        /// the source is a line.
+        source_solid: integer "Source solid" [""] Linear { Every(0, 0.0..=1_000_000.0) } when { source_shape: SOLID }
         /// A fire farther to the right, or below 0 to the left. Position of the middle of the
         /// source, which stays inside the domain.
-        source_x: number "Place" ["m"] Linear { Every(0.0, -3.0..=3.0) }
+        source_x: number "Place" ["m"] Linear { Every(0.0, -3.0..=3.0) } when { source_shape: LINE }
         /// A flame that starts higher above the floor. Height of the source. In the combustion
         /// model it stays above the seam.
-        source_height: number "Source height" ["m"] Linear { Classic(0.0, 0.0..=6.0) Combustion(0.25, 0.0..=6.0) }
+        source_height: number "Source height" ["m"] Linear { Classic(0.0, 0.0..=6.0) Combustion(0.25, 0.0..=6.0) } when { source_shape: LINE }
         /// A flame that leaves its source to the side. Angle of the width of the source from the
         /// horizontal, counterclockwise; what it emits leaves it at right angles.
-        source_angle: number "Source angle" ["°"] Linear { Every(0.0, -180.0..=180.0) }
+        source_angle: number "Source angle" ["°"] Linear { Every(0.0, -180.0..=180.0) } when { source_shape: LINE }
         /// A flame that shoots up from its source. Speed of a particle at birth, or of the
-        /// gas in the burner; upward unless the source is turned.
-        emission_speed: number "Emission speed" ["m/s"] Linear { Classic(1.0, 0.0..=3.0) Combustion(0.25, 0.0..=1.5) }
+        /// gas in the burner; upward unless the source is turned. A particle leaves a solid at right
+        /// angles. In the combustion model, a solid has none: it supplies no gas.
+        emission_speed: number "Emission speed" ["m/s"] Linear { Classic(1.0, 0.0..=3.0) Combustion(0.25, 0.0..=1.5) } unless { source_shape: SOLID, model: COMBUSTION }
         /// A frayed flame that sprays to the sides. Random part of the velocity at birth.
         emission_spread: number "Spread" [""] Linear { Classic(0.25, 0.0..=1.0) }
         /// An uneven flame that flares up here and there. How unevenly the source burns:
@@ -118,7 +132,7 @@ parameters! {
         emission_noise: number "Emission noise" [""] Linear { Classic(0.5, 0.0..=1.0) Combustion(0.2, 0.0..=1.0) }
         /// A flame that ends in a point. How much shorter the lives of particles from the
         /// rim of the source are, within the shortest and the longest life.
-        taper: number "Taper" [""] Linear { Classic(0.8, 0.0..=1.0) }
+        taper: number "Taper" [""] Linear { Classic(0.8, 0.0..=1.0) } when { source_shape: LINE }
         /// A fuller flame, up to its top. Shortest life of a particle.
         lifetime_min: number "Shortest life" ["s"] Linear { Classic(0.3, 0.1..=3.0) }
         /// A whiter flame. Temperature of a particle at birth.

@@ -53,6 +53,12 @@ impl RoundedBox {
         Vec2::new(self.axis.dot(from), self.axis.perp_dot(from))
     }
 
+    /// Half of the size of the upright rectangle around it \[m\].
+    pub fn extent(&self) -> Vec2 {
+        let side = self.axis.abs() * self.half.x;
+        side + self.axis.perp().abs() * self.half.y + self.radius
+    }
+
     /// Radius of the circle around the centre that contains it \[m\].
     pub fn reach(&self) -> f32 {
         self.half.length() + self.radius

@@ -41,6 +41,8 @@ pub static KINDS: &[Kind] = &[SOURCE, SOLID];
 const SOURCE: Kind = kind!(
     "source",
     "Where fuel comes into the air, or where the classic model's particles are born.",
+    "shape" = "source_shape",
+    "solid" = "source_solid",
     "x" = "source_x",
     "y" = "source_height",
     "angle" = "source_angle",

@@ -112,6 +112,37 @@ fn the_next_source_becomes_the_first_and_the_last_keeps_its_values() {
 }
 
 #[test]
+fn a_source_has_the_surface_of_its_solid() {
+    let mut scene = Scene::default();
+    assert_eq!(scene.add(&[SOLID, ("id", number(9.0))]), Ok(9));
+    let on_solid = [
+        SOURCE,
+        ("shape", Input::Text("solid")),
+        ("solid", number(9.0)),
+    ];
+    assert_eq!(scene.add(&on_solid), Ok(2));
+    let id = |scene: &Scene| {
+        let sources: Vec<_> = scene.sources().collect();
+        let of = |source| scene.solid_of(source).is_some();
+        sources.into_iter().map(|one| of(one)).collect::<Vec<_>>()
+    };
+    assert_eq!(id(&scene), [false, true]);
+    assert_eq!(value(&scene, 2, "solid"), Some(Value::Integer(9)));
+    // The next source becomes the first, on its solid.
+    assert_eq!(scene.remove(1), Ok(()));
+    assert_eq!(scene.settings().source_solid, 9);
+    assert_eq!(id(&scene), [true]);
+    // A source and an id without an object have no surface.
+    for other in [0.0, 2.0, 1e6] {
+        assert_eq!(scene.change(2, &[("solid", number(other))]), Ok(()));
+        assert_eq!(id(&scene), [false]);
+    }
+    for wrong in [-1.0, 0.5, 1e6 + 1.0] {
+        assert!(scene.change(2, &[("solid", number(wrong))]).is_err());
+    }
+}
+
+#[test]
 fn an_error_names_object_property_value_and_range_and_changes_nothing() {
     let mut scene = Scene::default();
     let before = scene.clone();
@@ -131,7 +162,7 @@ fn an_error_names_object_property_value_and_range_and_changes_nothing() {
         ),
         (
             &[SOURCE, ("pwer", number(7.0))],
-            "objects[1].property = \"pwer\" is refused: it must be one of x, y, angle, width, power, rate, \
+            "objects[1].property = \"pwer\" is refused: it must be one of shape, solid, x, y, angle, width, power, rate, \
              speed, spread, noise, temperature, oxygen, birth_temperature, life_min, life_max, taper",
         ),
         (

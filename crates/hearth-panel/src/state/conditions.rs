@@ -40,7 +40,7 @@ impl Fire {
         };
         let object = self.object(owner.id)?;
         let mut own = object.properties();
-        match own.find(|(name, ..)| *name == id) {
+        match own.find(|(_, param, _)| param.id == id) {
             Some((.., value)) => Some(value),
             None => self.parameters.get(id),
         }
@@ -49,8 +49,13 @@ impl Fire {
     /// The entry of the choice `id` that a condition of `subject` names.
     pub fn choice_of(&self, subject: Subject, id: &str) -> Option<&'static Param> {
         let object = subject.object.and_then(|owner| self.object(owner.id));
-        let property = object.and_then(|object| object.kind.property(id));
-        property.map_or_else(|| Param::find(id), |property| property.entry())
+        let mut properties = object
+            .map_or(&[][..], |object| object.kind.properties)
+            .iter();
+        match properties.find(|property| property.id == id) {
+            Some(property) => property.entry(),
+            None => Param::find(id),
+        }
     }
 
     /// Typed text as an input of the table.

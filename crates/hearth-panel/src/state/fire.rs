@@ -119,9 +119,15 @@ impl Fire {
     }
 
     /// The range of a slider. A place of an object may be far outside of the frame, but a slider
-    /// of all places would be too coarse: it spans the frame and the value.
+    /// of all places would be too coarse: it spans the frame and the value. So does one of ids: it
+    /// spans those of the solids and the value.
     pub fn slider_range(&self, subject: Subject) -> (f64, f64) {
         let (min, max) = self.range_of(subject);
+        if subject.param.id == "source_solid" {
+            let value = self.value(subject).as_number().unwrap_or_default();
+            let solids = self.objects.surfaces().map(|(id, ..)| f64::from(id));
+            return (min, solids.fold(value.max(1.0), f64::max));
+        }
         let linear = subject.param.kind == Kind::Number(Scale::Linear);
         if subject.object.is_none() || !linear || subject.param.unit != "m" {
             return (min, max);

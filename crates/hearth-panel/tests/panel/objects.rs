@@ -119,6 +119,35 @@ fn the_rows_are_the_properties_that_the_model_uses() {
 }
 
 #[test]
+fn rows_of_a_source_on_a_solid_follow_its_own_shape_and_offer_the_ids_of_the_solids() {
+    let mut harness = Harness::of_model(Model::Combustion, TALL);
+    let mut on_solid = source(2);
+    on_solid.extend([text("shape", "solid"), number("solid", 40.0)]);
+    let fire = &mut harness.panel.state.fire;
+    fire.receive_objects(&[source(1), on_solid, solid(40, "box", "wood")]);
+    let rows = select(&mut harness, 2);
+    let fire = &harness.panel.state.fire;
+    let row = |name: &str| rows.iter().copied().find(|row| row.id == name);
+    for (name, has_effect) in [
+        ("source:shape", true),
+        ("source:solid", true),
+        ("source:power", true),
+        ("source:x", false),
+        ("source:width", false),
+        ("source:speed", false),
+    ] {
+        let row = row(name).expect(name);
+        let idle = !fire.unmet_conditions(row).is_empty() || !fire.met_exclusions(row).is_empty();
+        assert_eq!(!idle, has_effect, "{name}");
+    }
+    // The first source is a line.
+    let width = hearth_core::params::Param::find("source_width").expect("a parameter");
+    assert!(fire.unmet_conditions(width.into()).is_empty());
+    let solid = row("source:solid").expect("a row");
+    assert_eq!(fire.slider_range(solid), (0.0, 40.0));
+}
+
+#[test]
 fn the_first_source_has_its_parameters_only() {
     let mut harness = furnished(Model::Combustion, TALL);
     assert!(select(&mut harness, 1).is_empty());

@@ -37,7 +37,7 @@ fn drag_every_slider(mut harness: Harness) {
         let place = harness.place(param.id);
         let before = harness.value(param.id);
         let (low, high) = (place.left_center(), place.right_center());
-        let (min, max) = harness.panel.state.fire.range_of(param);
+        let (min, max) = harness.panel.state.fire.slider_range(param.into());
         // To the end that is not the default.
         let end = if before.as_number() == Some(max) {
             harness.drag(high, low);

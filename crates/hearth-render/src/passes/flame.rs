@@ -49,6 +49,7 @@ impl Pass for Flame {
             picture_size: frame.viewport.metres,
             floor_middle: frame.viewport.floor,
             source: source.base.to_array(),
+            on_solid: f32::from(source.on_solid),
             zoom: frame.viewport.zoom,
             source_width: source.width,
             per_domain_width: 1.0 / frame.parameters.domain_width,

@@ -38,6 +38,7 @@ impl Pass for Shade {
             picture_size: frame.viewport.metres,
             floor_middle: frame.viewport.floor,
             source: source.base.to_array(),
+            on_solid: f32::from(source.on_solid),
             zoom: frame.viewport.zoom,
             per_flame_height: 1.0 / flame,
             per_half_source: 2.0 / source.width,

@@ -69,9 +69,12 @@ pub(super) fn hot(values: &Physics) -> f32 {
     values.ambient_temperature + HOT
 }
 
-/// Wakes the cells of a source.
+/// Wakes the cells of a source; none of one outside of the map.
 pub(super) fn wake_source(map: &mut Map, source: &Rectangle) {
     let Layout { columns, .. } = map.layout;
+    if !map.layout.bounds().meets(source.low, source.high) {
+        return;
+    }
     let (low, high) = (map.layout.place(source.low), map.layout.place(source.high));
     for row in low.1..=high.1 {
         for cell in &mut map.cells[row * columns..][low.0..=high.0] {

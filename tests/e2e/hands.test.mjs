@@ -168,6 +168,25 @@ test('keys draw, choose, move, turn, scale, duplicate and delete without a point
   assert.deepEqual(tab.problems, []);
 });
 
+test('a solid that is drawn on fire burns at its surface, and goes with its fire in one step', async () => {
+  const tab = await openPage();
+  await tab.page.click('.hearth-tools input[type=checkbox]');
+  await tool(tab, 'circle');
+  await drag(tab, [0, 1.1], [0.1, 1.1]);
+  const [, disc, fire] = await until(tab, 'a disc and its fire', (all) => all.length === 3);
+  assert.deepEqual([fire.kind, fire.shape, fire.solid], ['source', 'solid', disc.id]);
+  // Some 150 kW/m for each metre around it.
+  assert.ok(close(fire.power, 150 * Math.PI * disc.width, 5), `${fire.power} kW/m`);
+  await tool(tab, 'erase');
+  await drag(tab, [-0.3, 1.1], [0, 1.1]);
+  await until(tab, 'both gone', (all) => all.length === 1);
+  await tool(tab, 'undo');
+  await until(tab, 'both back', (all) => all.length === 3);
+  await tool(tab, 'undo');
+  await until(tab, 'the first scene', (all) => all.length === 1);
+  assert.deepEqual(tab.problems, []);
+});
+
 test('two hundred random actions undone give the first scene', async () => {
   const tab = await openPage(WIDE, 'scene=campfire&paused');
   const first = await tab.fire((fire) => fire.exportConfig());

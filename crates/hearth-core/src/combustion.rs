@@ -289,7 +289,8 @@ impl Solver for Combustion {
         self.fit_open_air(scene);
         let resampled = discretisation != self.discretisation;
         if resampled {
-            let old = Old::new(&self.gas, &self.discretisation, parameters, self.seen);
+            let old = (&self.gas, &self.solids);
+            let old = Old::new(old, &self.discretisation, parameters, self.seen);
             self.gas = match &self.open {
                 None => resample::resample(&old, parameters, random),
                 Some(open) => resample::resample_open(&old, parameters, open),
@@ -332,6 +333,10 @@ impl Solver for Combustion {
 
     fn bounds(&self, values: &Physics) -> Bounds {
         self.present_bounds(values)
+    }
+
+    fn solids(&self) -> &Solids {
+        &self.solids
     }
 
     fn sound_speed(&self, scene: &Scene) -> f32 {

@@ -186,7 +186,7 @@ impl Simulation {
         let vorticity = mode == DisplayMode::Vorticity;
         if vorticity || mode == DisplayMode::Neighbours {
             let h = values.smoothing_length();
-            neighbourhood::measure(out, &solver.bounds(values), h, vorticity);
+            neighbourhood::measure(out, &solver.bounds(values), solver.solids(), h, vorticity);
         }
     }
 

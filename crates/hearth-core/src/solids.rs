@@ -5,6 +5,7 @@
 //! [`LONGEST_MOTION`]. A solid may also move by itself, as a function of the time.
 
 mod heat;
+mod thin;
 
 use std::f32::consts::PI;
 

@@ -138,11 +138,12 @@ impl Solver for Classic {
     fn adapt(&mut self, scene: &Scene, _random: &mut Random, time: f64) {
         let values = scene.settings();
         let bounds = bounds(values);
-        self.particles.retain(|one| bounds.contains(one.position()));
+        let stays = |one: &ParticleState| one.is_alive() && bounds.contains(one.position());
+        self.particles.retain(stays);
         let support = 2.0 * values.smoothing_radius;
         self.solids.update(scene, time, &bounds, support);
         solids::hold(&mut self.particles, &self.solids, values);
-        self.particles.retain(ParticleState::is_alive);
+        self.particles.retain(stays);
     }
 
     fn set_particles(&mut self, particles: &[Particle], values: &Physics) {
@@ -150,8 +151,10 @@ impl Solver for Classic {
         for &particle in particles {
             self.particles.push(particle);
         }
+        let bounds = bounds(values);
         solids::hold(&mut self.particles, &self.solids, values);
-        self.particles.retain(ParticleState::is_alive);
+        self.particles
+            .retain(|one| one.is_alive() && bounds.contains(one.position()));
         self.motion = Motion::default();
         self.cut = None;
     }

@@ -5,6 +5,7 @@
 //! [`LONGEST_MOTION`]. A solid may also move by itself, as a function of the time.
 
 mod heat;
+mod images;
 mod thin;
 
 use std::f32::consts::PI;
@@ -24,9 +25,6 @@ const SHORTEST_MOTION: f32 = 1e-3;
 const ATTEMPTS: u32 = 6;
 /// Tolerance for rounding in the distance from a surface.
 const ROUNDING: f32 = 0.9;
-
-/// Largest sine of the angle of a body that is upright.
-const UPRIGHT: f32 = 1e-4;
 
 /// A solid, or its image beyond a periodic edge.
 #[derive(Clone, Debug, PartialEq)]
@@ -160,45 +158,6 @@ impl Solids {
             }
         }
         self.spare = old;
-    }
-
-    /// Adds a body and its images.
-    fn place(&mut self, body: Body, bounds: &Bounds, near: f32) {
-        let shape = &body.surface.frame;
-        let side = shape.axis.abs() * shape.half.x;
-        let size = 2.0 * (side + shape.axis.perp().abs() * shape.half.y + shape.radius);
-        let reach = 0.5 * size + near;
-        let is_inside = |at: Vec2| {
-            let low = Vec2::new(-0.5 * bounds.width, bounds.bottom) - reach;
-            let high = low + Vec2::new(bounds.width, bounds.height) + 2.0 * reach;
-            at.cmpgt(low).all() && at.cmplt(high).all()
-        };
-        let centre = shape.centre;
-        self.bodies.push(body.clone());
-        if !is_inside(centre) {
-            return;
-        }
-        // A body that is upright and as long as the period needs no image: it would overlap it.
-        let is_upright = body.surface.field.is_none() && shape.axis.abs().min_element() < UPRIGHT;
-        let turns = |periodic: bool, size: f32, period: f32| {
-            if periodic && !(is_upright && size >= period) {
-                -1..=1
-            } else {
-                0..=0
-            }
-        };
-        for row in turns(bounds.periodic_y, size.y, bounds.height) {
-            for column in turns(bounds.periodic_x, size.x, bounds.width) {
-                let period = Vec2::new(bounds.width, bounds.height);
-                let image = Vec2::new(column as f32, row as f32) * period;
-                if (column, row) != (0, 0) && is_inside(centre + image) {
-                    let mut body = body.clone();
-                    body.image = image;
-                    body.surface.frame.centre = centre + image;
-                    self.bodies.push(body);
-                }
-            }
-        }
     }
 
     /// Heats the bodies that conduct heat by what came in a step. Around them is air of that

@@ -218,7 +218,8 @@ impl Solids {
     pub fn outside(&self, position: Vec2, gap: f32, depth: f32, floor: bool) -> Option<Vec2> {
         let mut place = position;
         for _ in 0..ATTEMPTS {
-            let before = place;
+            // Two that push against each other may return it to the same place.
+            let mut pushed = false;
             for body in &self.bodies {
                 if body.may_touch(place, fast_max(gap, -depth)) {
                     let (distance, normal) = body.surface.distance(place);
@@ -227,13 +228,15 @@ impl Solids {
                     }
                     if distance < ROUNDING * gap {
                         place += normal * (gap - distance);
+                        pushed = true;
                     }
                 }
             }
             if floor && place.y < ROUNDING * gap {
                 place.y = gap;
+                pushed = true;
             }
-            if place == before {
+            if !pushed {
                 return Some(place);
             }
         }
@@ -334,11 +337,21 @@ mod tests {
         let solids = Solids::of(&scene(0.95), &BOX, 0.1);
         assert_eq!(solids.bodies.len(), 2);
         assert!(solids.touch(Vec2::new(-0.99, 1.0), 0.0));
-        // One that is as wide as the domain has none: it would overlap it.
+        // One that is as wide as the domain has none, which would overlap it: it has no end.
         let mut wide = scene(0.5);
         let fields = [("shape", Input::Text("box")), ("width", Input::Number(2.0))];
         assert_eq!(wide.change(2, &fields), Ok(()));
-        assert_eq!(Solids::of(&wide, &BOX, 0.1).bodies.len(), 1);
+        let plate = Solids::of(&wide, &BOX, 0.1);
+        assert_eq!(plate.bodies.len(), 1);
+        assert!((0..20).all(|i| plate.touch(Vec2::new(0.1 * i as f32 - 1.0, 1.0), 0.0)));
+        // A disc that is wider than the domain covers it with its images.
+        let disc = [
+            ("shape", Input::Text("circle")),
+            ("width", Input::Number(2.2)),
+        ];
+        assert_eq!(wide.change(2, &disc), Ok(()));
+        let discs = Solids::of(&wide, &BOX, 0.1);
+        assert!((0..20).all(|i| discs.touch(Vec2::new(0.1 * i as f32 - 1.0, 1.0), 0.0)));
         // One far outside has none.
         assert_eq!(Solids::of(&scene(2.0), &BOX, 0.1).bodies.len(), 1);
     }
@@ -360,5 +373,14 @@ mod tests {
         );
         let deep = solids.outside(Vec2::new(0.0, 1.0), 0.01, 0.05, false);
         assert_eq!(deep, None);
+        // Two that return a position to the same place leave none.
+        let closed = [("x", Input::Number(0.205))];
+        assert_eq!(scene.change(3, &closed), Ok(()));
+        let solids = Solids::of(&scene, &BOX, 0.1);
+        for place in [0.1, 0.1025, 0.105] {
+            let place = solids.outside(Vec2::new(place, 1.0), 0.01, 0.1, false);
+            let free = place.is_none_or(|place| !solids.touch(place, 0.0));
+            assert!(free, "{place:?}");
+        }
     }
 }

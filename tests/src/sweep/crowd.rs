@@ -5,11 +5,12 @@
 
 use std::fmt::Write as _;
 
-use hearth_core::params::{Edges, Input, Model, Solid, Walls};
+use hearth_core::params::{Edges, Input, Model, Walls};
 use hearth_core::random::Random;
+use hearth_core::scene::Surface;
 use hearth_core::{Parameters, Scene, Simulation, Vec2};
 
-use super::{Outcome, corner, described, open_corner, watched};
+use super::{Outcome, PARTICLES, corner, described, open_corner, set, watched};
 
 /// Fewest solids of a crowd, and most.
 const SOLIDS: (u32, u32) = (8, 16);
@@ -21,8 +22,9 @@ const FULL: u32 = 16;
 const FASTEST: f32 = 3.0;
 /// Time between two motions \[s\].
 const FRAME: f64 = 1.0 / 60.0;
-/// Sizes of solids, as shares of the root of the frame's area.
-const SIZES: (f32, f32) = (0.02, 0.3);
+/// Sizes of solids, as shares of the shorter side of the frame. Larger ones are pistons that
+/// squeeze the gas of a closed domain beyond the speed of sound.
+const SIZES: (f32, f32) = (0.03, 0.3);
 /// The names of the shapes.
 const SHAPES: [&str; 6] = ["circle", "box", "line", "polygon", "stroke", "mask"];
 /// A star, a concave hook, and one that crosses itself; a ring with a gap, and a zigzag.
@@ -73,9 +75,11 @@ pub struct Crowd {
 }
 
 impl Crowd {
-    /// A corner of the combustion model in a closed domain, with solids.
+    /// A corner of the combustion model in a closed domain, with solids. It has the larger number
+    /// of particles: with fewer, the narrowest domain is narrower than a kernel.
     pub fn closed(random: &mut Random) -> Crowd {
-        let parameters = corner(Model::Combustion, random);
+        let mut parameters = corner(Model::Combustion, random);
+        set(&mut parameters, "max_particles", Input::Number(PARTICLES.1));
         Crowd::in_fire(parameters, random)
     }
 
@@ -123,15 +127,15 @@ impl Crowd {
             assert!(added.is_ok(), "{added:?}");
         }
         for number in 0..solids {
-            crowd.add(number, random);
+            crowd.add(number, solids, random);
         }
         crowd
     }
 
-    fn add(&mut self, number: u32, random: &mut Random) {
+    fn add(&mut self, number: u32, solids: u32, random: &mut Random) {
         let settings = self.scene.settings();
         let frame = Vec2::new(settings.domain_width, settings.domain_height);
-        let unit = (frame.x * frame.y).sqrt();
+        let unit = frame.min_element() * (8.0 / solids as f32).sqrt();
         let mut size = || {
             let size = unit * random.between(SIZES.0, SIZES.1);
             size.clamp(0.002, 10.0)
@@ -147,6 +151,7 @@ impl Crowd {
             let _ = write!(points, "{:.5},{:.5} ", x * extent, y * extent);
         }
         let mask = MASKS[random.bits() as usize % MASKS.len()];
+        let motion = ["still", "still", "sway", "spin"][random.bits() as usize % 4];
         let thermal = ["adiabatic", "fixed", "conducting"][random.bits() as usize % 3];
         let mut between = |low: f32, high: f32| f64::from(random.between(low, high));
         let thickness = if number.is_multiple_of(2) { 0.2 } else { 1.0 };
@@ -176,6 +181,11 @@ impl Crowd {
             ("thermal", Input::Text(thermal)),
             ("temperature", Input::Number(between(250.0, 2500.0))),
             ("heat_capacity", Input::Number(between(10.0, 1000.0))),
+            ("motion", Input::Text(motion)),
+            ("sway", Input::Number(between(0.0, 1.0))),
+            ("heading", Input::Number(between(-180.0, 180.0))),
+            ("period", Input::Number(between(0.5, 4.0))),
+            ("spin", Input::Number(between(-720.0, 720.0))),
         ]);
         let id = match added {
             Ok(id) => id,
@@ -249,7 +259,7 @@ impl Crowd {
             };
         }
         watched(&mut fire, seconds, &mut |fire| {
-            let mut inside = gas_inside(fire);
+            let mut inside = gas_inside(fire).map(|t| format!("step at {} s: {t}", fire.time()));
             if fire.time() >= next {
                 // As a page does: late by a part of a step, and by the true time.
                 self.advance((fire.time() - moved) as f32);
@@ -273,11 +283,15 @@ fn gas_inside(fire: &Simulation) -> Option<String> {
     };
     let positions = fire.positions();
     for (id, solid, surface) in fire.scene().surfaces() {
+        let surface = Surface {
+            frame: solid.frame_at(surface, fire.time()),
+            field: surface.field.clone(),
+        };
         let (centre, reach) = (surface.frame.centre, surface.frame.reach());
         for row in -rows..=rows {
             for column in -columns..=columns {
                 let shift = Vec2::new(column as f32, row as f32) * period;
-                if shift != Vec2::ZERO && !has_images(solid, surface.frame.reach(), period) {
+                if shift != Vec2::ZERO && !has_images(&surface, period) {
                     continue;
                 }
                 let mut near = positions.iter().map(|&at| at - shift);
@@ -299,7 +313,8 @@ fn gas_inside(fire: &Simulation) -> Option<String> {
 
 /// Whether a solid at a periodic edge is in the gas beyond it too: one that reaches around the
 /// domain or lies outside has no image.
-fn has_images(solid: &Solid, reach: f32, period: Vec2) -> bool {
-    let outside = Vec2::new(solid.x, solid.y - 0.5 * period.y).abs() - 0.5 * period;
-    2.0 * reach < period.min_element() && outside.max_element() < 0.0
+fn has_images(surface: &Surface, period: Vec2) -> bool {
+    let centre = surface.frame.centre - Vec2::new(0.0, 0.5 * period.y);
+    let outside = centre.abs() - 0.5 * period;
+    2.0 * surface.frame.reach() < period.min_element() && outside.max_element() < 0.0
 }

@@ -24,7 +24,7 @@ const FASTEST: f32 = 3.0;
 const FRAME: f64 = 1.0 / 60.0;
 /// Sizes of solids, as shares of the shorter side of the frame. Larger ones are pistons that
 /// squeeze the gas of a closed domain beyond the speed of sound.
-const SIZES: (f32, f32) = (0.03, 0.3);
+const SIZES: (f32, f32) = (0.03, 0.25);
 /// The names of the shapes.
 const SHAPES: [&str; 6] = ["circle", "box", "line", "polygon", "stroke", "mask"];
 /// A star, a concave hook, and one that crosses itself; a ring with a gap, and a zigzag.

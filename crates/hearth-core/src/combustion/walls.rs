@@ -27,6 +27,7 @@ use super::pair::Context;
 use crate::extremes::{fast_max, fast_min};
 use crate::grid::Grid;
 use crate::kernel::Kernel;
+use crate::scene::MAX_SPEED;
 use crate::solids::Solids;
 
 /// Smallest distance of a particle from a wall, in spacings.
@@ -189,13 +190,18 @@ impl Walls {
     }
 
     /// Keeps the gas outside of the walls. A particle without a place between them stays where
-    /// it was; returns whether there is one.
-    pub fn hold(&self, gas: &mut Gas, solids: &Solids, spacing: f32) -> bool {
+    /// it was; returns whether there is one. `dt` is the time since the walls were found \[s\].
+    pub fn hold(&self, gas: &mut Gas, solids: &Solids, spacing: f32, dt: f32) -> bool {
         let gap = MIN_DISTANCE * spacing;
+        let moved = if solids.drive() { MAX_SPEED * dt } else { 0.0 };
         for _ in 0..ATTEMPTS {
             let mut held = false;
             for near in &self.near {
-                held |= near.hold(gas, solids, gap);
+                let path = gas.position[near.index as usize].distance(near.from) + moved;
+                // Sampled distances are uncertain by half.
+                if near.distance <= 2.0 * (gap + 2.0 * path) {
+                    held |= near.hold(gas, solids, gap);
+                }
             }
             if !held {
                 return false;

@@ -21,7 +21,10 @@ impl Body {
     fn is_between(&self, one: Vec2, other: Vec2) -> bool {
         let frame = &self.surface.frame;
         match &self.surface.field {
-            Some(field) => field.crosses(frame.local(one), frame.local(other)),
+            // The outline is inside of its frame by more than a cell.
+            Some(field) => {
+                crosses(frame, one, other) && field.crosses(frame.local(one), frame.local(other))
+            }
             None => crosses(frame, one, other),
         }
     }

@@ -254,6 +254,11 @@ impl Combustion {
         self.solids.temperatures()
     }
 
+    /// Sets the temperatures of the solids that conduct heat, in their order \[K\].
+    pub fn set_solid_temperatures(&mut self, all: &[f32]) {
+        self.solids.set_temperatures(all);
+    }
+
     /// Writes the embers for the renderer.
     pub fn write_embers(&self, out: &mut Vec<Instance>) {
         self.embers.write_instances(out);

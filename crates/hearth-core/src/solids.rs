@@ -188,6 +188,17 @@ impl Solids {
         })
     }
 
+    /// Sets the temperatures of the bodies that conduct heat, in their order \[K\].
+    pub fn set_temperatures(&mut self, all: &[f32]) {
+        let bodies = self.bodies.chunk_by_mut(|one, other| one.id == other.id);
+        let conducting = bodies.filter(|parts| parts[0].heated().is_some());
+        for (parts, &temperature) in conducting.zip(all) {
+            for body in parts {
+                body.temperature = Some(temperature);
+            }
+        }
+    }
+
     /// Lets time pass: motions end.
     pub fn pass(&mut self, dt: f32) {
         for body in &mut self.bodies {

@@ -142,6 +142,8 @@ pub struct Outcome {
     pub speed_limited: f64,
     /// Work that it took, in steps of particles.
     pub work: f64,
+    /// The largest share that is no fault.
+    pub allowed: f64,
     /// What broke, if anything did.
     pub broken: Option<String>,
 }
@@ -154,7 +156,7 @@ impl Outcome {
             || format!("guards hold {all:.1} % of the particles, that of speed {speed:.1} %");
         self.broken
             .clone()
-            .or_else(|| (self.clamped >= MAX_CLAMPED).then(clamped))
+            .or_else(|| (self.clamped >= self.allowed).then(clamped))
     }
 }
 
@@ -212,6 +214,7 @@ fn watched(
         clamped: clamped / moved,
         speed_limited: speed_limited / moved,
         work,
+        allowed: MAX_CLAMPED,
         broken: broken.or_else(|| fault(fire)),
     }
 }

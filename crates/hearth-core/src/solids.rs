@@ -223,6 +223,17 @@ impl Solids {
         })
     }
 
+    /// The distance of a position from the nearest solid \[m\], at most `farthest`.
+    pub fn nearest(&self, position: Vec2, farthest: f32) -> f32 {
+        self.bodies.iter().fold(farthest, |nearest, body| {
+            if body.may_touch(position, nearest) {
+                fast_min(body.surface.distance(position).0, nearest)
+            } else {
+                nearest
+            }
+        })
+    }
+
     /// The place nearest to a position with this `gap` to every solid and, on a floor, to that;
     /// `None` for a position deeper than `depth` in a solid or, with a negative one, nearer than
     /// that, and where solids leave no place.

@@ -38,7 +38,7 @@ export interface HearthParameters {
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   time_scale: number;
   /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a colour bar; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model, fuel is the remaining life of a particle, and soot is its smoke. Default "fire". */
-  display_mode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
+  display_mode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "distance" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
   /** A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the whole outline of a solid burns, wherever the solid is. Default "line". */
   source_shape: "line" | "solid";
   /** A fire on another solid. Id of the solid whose surface is the source. If no solid has it, the source is a line. Default 0, from 0 to 1000000. */
@@ -214,7 +214,7 @@ export interface HearthProperties {
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   timeScale: number;
   /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a colour bar; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model, fuel is the remaining life of a particle, and soot is its smoke. Default "fire". */
-  displayMode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
+  displayMode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "distance" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
   /** A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the whole outline of a solid burns, wherever the solid is. Default "line". */
   sourceShape: "line" | "solid";
   /** A fire on another solid. Id of the solid whose surface is the source. If no solid has it, the source is a line. Default 0, from 0 to 1000000. */

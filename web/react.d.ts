@@ -109,7 +109,7 @@ export interface HearthFireAttributes {
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   'time-scale'?: number | `${number}` | undefined;
   /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a colour bar; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model, fuel is the remaining life of a particle, and soot is its smoke. Default "fire". */
-  'display-mode'?: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "fuel" | "soot" | "neighbours" | "paper" | "sprites" | undefined;
+  'display-mode'?: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "distance" | "fuel" | "soot" | "neighbours" | "paper" | "sprites" | undefined;
   /** A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the whole outline of a solid burns, wherever the solid is. Default "line". */
   'source-shape'?: "line" | "solid" | undefined;
   /** A fire on another solid. Id of the solid whose surface is the source. If no solid has it, the source is a line. Default 0, from 0 to 1000000. */

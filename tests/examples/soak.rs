@@ -1,9 +1,10 @@
-//! Burns every scene for a minute, and drives many fires to random corners of all
-//! ranges, and back.
+//! Burns every scene for a minute, drives many fires to random corners of all ranges, and back,
+//! and moves solids through fires at such corners.
 //!
-//! `soak [--corners N] [--seed S]`: N corners of each model, and of the combustion model in the
-//! open, of two simulated seconds. Prints how it goes, every corner that fails with all its values,
-//! and the corners that lean most on the guards. `cargo xtask soak` calls it.
+//! `soak [--corners N] [--crowds N] [--seed S]`: N corners, and N crowds of solids, of each model,
+//! and of the combustion model in the open, of two simulated seconds. Without corners, it burns no
+//! scene either. Prints how it goes, every corner that fails with all its values, and the corners
+//! that lean most on the guards. `cargo xtask soak` calls it.
 
 use std::io::{self, Write as _};
 use std::process::ExitCode;
@@ -16,17 +17,26 @@ use hearth_core::params::Model;
 use hearth_core::preset::PRESETS;
 use hearth_core::random::Random;
 use hearth_core::{Parameters, Simulation};
+use hearth_tests::sweep::crowd::Crowd;
 use hearth_tests::sweep::{self, Outcome};
 
 /// Simulated time of a scene [s].
 const MINUTE: f64 = 60.0;
 /// Simulated time at a corner [s].
 const SECONDS: f64 = 2.0;
-/// How a random corner is found: the corners of these take turns.
-const CORNERS: [fn(&mut Random) -> Parameters; 3] = [
-    |random| sweep::corner(Model::Combustion, random),
-    |random| sweep::corner(Model::Classic, random),
-    sweep::open_corner,
+/// Visits a random corner: its values and what came of it.
+type Visit = fn(&mut Random) -> (String, Outcome);
+/// The kinds of corners take turns.
+const CORNERS: [Visit; 3] = [
+    |random| there_and_back(&sweep::corner(Model::Combustion, random)),
+    |random| there_and_back(&sweep::corner(Model::Classic, random)),
+    |random| there_and_back(&sweep::open_corner(random)),
+];
+/// So do the kinds of crowds.
+const CROWDS: [Visit; 3] = [
+    |random| through(Crowd::closed(random)),
+    |random| through(Crowd::classic(random)),
+    |random| through(Crowd::open(random)),
 ];
 /// A line tells how far it is every so many corners.
 const LISTED: usize = 20;
@@ -36,41 +46,51 @@ const SHOWN: usize = 12;
 /// A corner and its outcome.
 struct Finished {
     corner: u32,
-    parameters: Parameters,
+    values: String,
     outcome: Outcome,
 }
 
 fn main() -> ExitCode {
-    let (corners, seed) = match asked() {
+    let asked = match asked() {
         Ok(asked) => asked,
         Err(text) => {
             eprintln!("error: {text}");
             return ExitCode::FAILURE;
         }
     };
-    let start = Instant::now();
-    let dark = scenes();
-    let mut finished = run(corners, seed);
-    let failed = finished
-        .iter()
-        .filter(|f| f.outcome.fault().is_some())
-        .count();
-    finished.sort_by(|a, b| b.outcome.clamped.total_cmp(&a.outcome.clamped));
-    println!("\nMost particles at a guard:");
-    for f in finished.iter().take(SHOWN) {
-        let share = 100.0 * f.outcome.clamped;
-        println!("{share:6.2} %  {}", sweep::described(&f.parameters));
+    let mut failed = 0;
+    if asked.corners > 0 {
+        failed += scenes();
+        failed += visit_all("corners", &CORNERS, asked.corners, asked.seed);
     }
-    println!(
-        "\n{} corners of each model and of open air, {failed} failed, in {:.0} min",
-        corners,
-        start.elapsed().as_secs_f64() / 60.0
-    );
-    if failed == 0 && dark == 0 {
+    if asked.crowds > 0 {
+        failed += visit_all("crowds of solids", &CROWDS, asked.crowds, asked.seed);
+    }
+    if failed == 0 {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE
     }
+}
+
+/// Visits so many corners of each kind; returns how many failed.
+fn visit_all(name: &str, kinds: &[Visit], each: u32, seed: u32) -> u32 {
+    let start = Instant::now();
+    println!("\n{name}, {each} of each model and of open air:");
+    let mut finished = run(kinds, each, seed);
+    let failed = finished.iter().filter(|f| f.outcome.fault().is_some());
+    let failed = failed.count() as u32;
+    finished.sort_by(|a, b| b.outcome.clamped.total_cmp(&a.outcome.clamped));
+    println!("\nMost particles at a guard:");
+    for f in finished.iter().take(SHOWN) {
+        println!("{:6.2} %  {}", 100.0 * f.outcome.clamped, f.values);
+    }
+    println!(
+        "\n{} {name}, {failed} failed, in {:.0} min",
+        finished.len(),
+        start.elapsed().as_secs_f64() / 60.0
+    );
+    failed
 }
 
 /// Burns every scene for a minute of fire; returns how many failed.
@@ -93,9 +113,20 @@ fn scenes() -> u32 {
     failed
 }
 
-/// How many corners, and the seed.
-fn asked() -> Result<(u32, u32), String> {
-    let (mut corners, mut seed) = (500, 1);
+/// What a caller asks for.
+struct Asked {
+    /// Corners and crowds of each kind.
+    corners: u32,
+    crowds: u32,
+    seed: u32,
+}
+
+fn asked() -> Result<Asked, String> {
+    let mut asked = Asked {
+        corners: 500,
+        crowds: 170,
+        seed: 1,
+    };
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {
         let value = arguments.next().unwrap_or_default();
@@ -103,31 +134,33 @@ fn asked() -> Result<(u32, u32), String> {
             .parse()
             .map_err(|_| format!("{argument} wants a whole number, not \"{value}\""))?;
         match argument.as_str() {
-            "--corners" => corners = number,
-            "--seed" => seed = number,
+            "--corners" => asked.corners = number,
+            "--crowds" => asked.crowds = number,
+            "--seed" => asked.seed = number,
             other => return Err(format!("there is no option {other}")),
         }
     }
-    Ok((corners, seed))
+    Ok(asked)
 }
 
 /// Runs all corners on all cores.
-fn run(corners: u32, seed: u32) -> Vec<Finished> {
+fn run(kinds: &[Visit], each: u32, seed: u32) -> Vec<Finished> {
     let next = AtomicU32::new(0);
     let finished = Mutex::new(Vec::new());
     let cores = thread::available_parallelism().map_or(1, usize::from);
+    let all = kinds.len() as u32 * each;
     thread::scope(|scope| {
         for _ in 0..cores {
             scope.spawn(|| {
                 loop {
                     let corner = next.fetch_add(1, Ordering::Relaxed);
-                    if corner >= CORNERS.len() as u32 * corners {
+                    if corner >= all {
                         return;
                     }
-                    let done = visit(corner, seed);
+                    let done = visit(kinds, corner, seed);
                     if let Ok(mut finished) = finished.lock() {
                         finished.push(done);
-                        tell(&finished, corners);
+                        tell(&finished, all);
                     }
                 }
             });
@@ -138,31 +171,35 @@ fn run(corners: u32, seed: u32) -> Vec<Finished> {
 
 /// Runs a corner. Each has a generator of its own, so
 /// that one can be run again without those before it.
-fn visit(corner: u32, seed: u32) -> Finished {
+fn visit(kinds: &[Visit], corner: u32, seed: u32) -> Finished {
     // Seeds that lie side by side begin alike.
     let mixed = seed.wrapping_add(corner).wrapping_mul(0x9E37_79B9);
     let mut random = Random::new(mixed);
     let mut random = Random::new(random.bits());
-    let parameters = CORNERS[corner as usize % CORNERS.len()](&mut random);
-    let outcome = sweep::there_and_back(&parameters, SECONDS);
+    let (values, outcome) = kinds[corner as usize % kinds.len()](&mut random);
     Finished {
         corner,
-        parameters,
+        values,
         outcome,
     }
 }
 
+fn there_and_back(parameters: &Parameters) -> (String, Outcome) {
+    let outcome = sweep::there_and_back(parameters, SECONDS);
+    (sweep::described(parameters), outcome)
+}
+
+fn through(crowd: Crowd) -> (String, Outcome) {
+    (crowd.described(), crowd.burn(SECONDS))
+}
+
 /// Says what the last one brought, where that is news.
-fn tell(finished: &[Finished], corners: u32) {
+fn tell(finished: &[Finished], all: u32) {
     let mut text = String::new();
     if let Some(last) = finished.last()
         && let Some(fault) = last.outcome.fault()
     {
-        text = format!(
-            "FAILED corner {}: {fault}; {}\n",
-            last.corner,
-            sweep::described(&last.parameters)
-        );
+        text = format!("FAILED corner {}: {fault}; {}\n", last.corner, last.values);
     }
     if finished.len().is_multiple_of(LISTED) {
         let worst = finished
@@ -176,7 +213,7 @@ fn tell(finished: &[Finished], corners: u32) {
         text += &format!(
             "{} of {}: {failed} failed, at most {:.2} % at a guard\n",
             finished.len(),
-            CORNERS.len() as u32 * corners,
+            all,
             100.0 * worst
         );
     }

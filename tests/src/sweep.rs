@@ -3,7 +3,9 @@
 //! A corner has every parameter that moves particles at one end of its range.
 //! There the fire stays finite, stays inside, and is not clamped by a
 //! guard; back at the defaults it recovers. `tests/tests/corners.rs` tests this with a
-//! sample of corners, `cargo xtask soak` of hundreds.
+//! sample of corners, `cargo xtask soak` of hundreds. It visits [crowds](crowd) of solids too.
+
+pub mod crowd;
 
 use std::fmt::Write as _;
 
@@ -140,6 +142,8 @@ pub struct Outcome {
     pub speed_limited: f64,
     /// Work that it took, in steps of particles.
     pub work: f64,
+    /// The largest share that is no fault.
+    pub allowed: f64,
     /// What broke, if anything did.
     pub broken: Option<String>,
 }
@@ -152,7 +156,7 @@ impl Outcome {
             || format!("guards hold {all:.1} % of the particles, that of speed {speed:.1} %");
         self.broken
             .clone()
-            .or_else(|| (self.clamped >= MAX_CLAMPED).then(clamped))
+            .or_else(|| (self.clamped >= self.allowed).then(clamped))
     }
 }
 
@@ -173,8 +177,17 @@ pub fn there_and_back(parameters: &Parameters, seconds: f64) -> Outcome {
     outcome
 }
 
-/// Simulates for a time and checks every step.
+/// Simulates for a time and checks the fire.
 pub fn burn(fire: &mut Simulation, seconds: f64) -> Outcome {
+    watched(fire, seconds, &mut |_| None)
+}
+
+/// Simulates for a time and checks the fire. `after_step` returns what else is wrong.
+fn watched(
+    fire: &mut Simulation,
+    seconds: f64,
+    after_step: &mut dyn FnMut(&mut Simulation) -> Option<String>,
+) -> Outcome {
     let until = fire.time() + seconds;
     let (mut steps, mut clamped, mut speed_limited, mut moved) = (0_u32, 0.0, 0.0, 0.0);
     let mut work = 0.0;
@@ -188,8 +201,9 @@ pub fn burn(fire: &mut Simulation, seconds: f64) -> Outcome {
         moved += fire.count() as f64;
         // The classic model divides a step.
         work += fire.count() as f64 * f64::from(report.substeps);
+        broken = after_step(fire);
         if steps.is_multiple_of(256) {
-            broken = fault(fire);
+            broken = broken.or_else(|| fault(fire));
         }
         if f64::from(steps) > MOST_STEPS * seconds {
             broken = Some(format!("steps have shrunk to {} s", report.length));
@@ -200,6 +214,7 @@ pub fn burn(fire: &mut Simulation, seconds: f64) -> Outcome {
         clamped: clamped / moved,
         speed_limited: speed_limited / moved,
         work,
+        allowed: MAX_CLAMPED,
         broken: broken.or_else(|| fault(fire)),
     }
 }

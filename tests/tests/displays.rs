@@ -2,7 +2,7 @@
 //! measuring changes nothing.
 
 use hearth_core::params::{Choice, DisplayMode, Input, Model};
-use hearth_core::{Instance, Parameters, Simulation, Vec2};
+use hearth_core::{Instance, Parameters, Scene, Simulation, Vec2};
 use hearth_tests::fires::{burn, closed_box, combustion, filled, mean, with};
 
 /// Neighbours of each particle, every one compared with every other.
@@ -193,6 +193,51 @@ fn displays_do_not_change_a_fire() {
             watched.step();
             watched.write_instances(&mut instances);
             assert_eq!(left.particles(), watched.particles(), "step {step}");
+        }
+    }
+}
+
+#[test]
+fn a_distance_is_that_from_the_nearest_solid_or_floor() {
+    let open = [("edges", "open"), ("floor", "solid")];
+    for (model, choices, has_floor) in [
+        (Model::Combustion, &[("edges", "periodic")][..], false),
+        (Model::Combustion, &open[..], true),
+        (Model::Classic, &[("walls", "solid")][..], true),
+        (Model::Classic, &[("walls", "open")][..], false),
+    ] {
+        let mut settings = Parameters::new(model);
+        for &(id, name) in choices {
+            assert_eq!(settings.set(id, Input::Text(name)), Ok(()));
+        }
+        let farthest = Simulation::new(settings.clone()).extent();
+        let farthest = farthest[0].distance(farthest[1]);
+        for solids in [0, 2] {
+            let mut scene = Scene::new(settings.clone());
+            for x in [-0.3, 0.2].into_iter().take(solids) {
+                let fields = [
+                    ("kind", Input::Text("solid")),
+                    ("x", Input::Number(x)),
+                    ("y", Input::Number(0.4)),
+                ];
+                assert!(scene.add(&fields).is_ok());
+            }
+            let mut fire = Simulation::new(scene);
+            while fire.time() < 0.1 {
+                fire.step();
+            }
+            let shown = shown(&fire, DisplayMode::Distance);
+            assert!(!shown.is_empty());
+            for [x, y, _, _, _, _, _, distance] in shown {
+                let floor = if has_floor { y } else { farthest };
+                let at = Vec2::new(x, y);
+                let solids = fire.scene().solids().map(|one| one.distance(at).0);
+                let expected = solids.fold(floor, f32::min);
+                // At an edge, the image of a solid may be nearer.
+                if (at - Vec2::new(0.0, 0.4)).abs().max_element() < 0.4 {
+                    assert!((distance - expected).abs() < 1e-6, "{distance} at {at}");
+                }
+            }
         }
     }
 }

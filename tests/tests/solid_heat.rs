@@ -120,3 +120,45 @@ fn a_solid_at_an_edge_has_one_temperature() {
     fires::burn_on(&mut fire, 0.2);
     assert!((AIR..899.0).contains(&temperature(&fire)));
 }
+
+#[test]
+fn a_restored_solid_has_the_temperature_that_it_had() {
+    let mut hot = scene(&[], 900.0);
+    // One at an edge, with an image, and one that conducts no heat.
+    assert_eq!(hot.change(2, &[("x", Input::Number(0.4))]), Ok(()));
+    for (thermal, y) in [("fixed", 0.1), ("conducting", 0.7)] {
+        let added = hot.add(&[
+            ("kind", Input::Text("solid")),
+            ("width", Input::Number(0.1)),
+            ("y", Input::Number(y)),
+            ("thermal", Input::Text(thermal)),
+            ("temperature", Input::Number(500.0)),
+        ]);
+        assert!(added.is_ok(), "{added:?}");
+    }
+    let mut fire = Simulation::new(hot.clone());
+    fires::burn_on(&mut fire, 0.3);
+    let saved = fire.burning().unwrap_or_default();
+    let all = |fire: &Simulation| fire.solid_temperatures().collect::<Vec<_>>();
+    let cooled = all(&fire);
+    assert_eq!(cooled.len(), 2);
+    assert!(cooled.iter().all(|one| one.1 < 899.0 && one.1 != 500.0));
+    let mut restored = Simulation::new(hot.clone());
+    assert_eq!(restored.restore_burning(&saved), Ok(()));
+    assert_eq!(all(&restored), cooled);
+
+    // Bytes of the first version have no temperatures: the solids keep theirs.
+    let mut first = saved[..saved.len() - 8].to_vec();
+    first[4] = 1;
+    let mut restored = Simulation::new(hot.clone());
+    assert_eq!(restored.restore_burning(&first), Ok(()));
+    assert_eq!(all(&restored)[0].1, 900.0);
+    // Damaged ones change nothing.
+    let mut damaged = Vec::from([saved[..saved.len() - 4].to_vec(), saved.clone()]);
+    damaged[1].truncate(saved.len() - 4);
+    damaged[1].extend(f32::NAN.to_le_bytes());
+    for bytes in damaged {
+        assert!(restored.restore_burning(&bytes).is_err());
+        assert_eq!(all(&restored)[0].1, 900.0);
+    }
+}

@@ -7,6 +7,7 @@ use hearth_core::params::Input;
 use hearth_core::random::Random;
 use hearth_core::scene::Surface;
 use hearth_core::{Particle, Scene, Simulation, Vec2};
+use hearth_tests::sweep::crowd::{Crowd, MOST};
 
 type Numbers<'a> = &'a [(&'a str, f64)];
 
@@ -227,6 +228,20 @@ fn no_gas_is_inside(add: &mut dyn FnMut(&mut Scene, usize, &mut Random) -> u32) 
             fire.step();
             assert_outside(&fire, case);
         }
+    }
+}
+
+#[test]
+fn no_gas_is_inside_of_as_many_moving_solids_as_a_scene_holds() {
+    for (choices, seed) in [
+        (&[][..], 1),
+        (&[("edges", "open")], 2),
+        (&[("model", "classic")], 3),
+    ] {
+        let scene = scene(choices, &[("max_particles", 900.0)]);
+        let settings = scene.settings().clone();
+        let crowd = Crowd::of(settings, MOST, MOST, &mut Random::new(seed));
+        assert_eq!(crowd.burn(0.3).fault(), None, "{choices:?}");
     }
 }
 

@@ -9,6 +9,7 @@ export const QUANTITIES = {
   pressure: {"unit":"Pa","signed":true,"whole":false},
   velocity: {"unit":"m/s","signed":false,"whole":false},
   vorticity: {"unit":"1/s","signed":true,"whole":false},
+  distance: {"unit":"m","signed":false,"whole":false},
   fuel: {"unit":"","signed":false,"whole":false},
   soot: {"unit":"","signed":false,"whole":false},
   neighbours: {"unit":"","signed":false,"whole":true},

@@ -62,7 +62,7 @@ impl Classic {
     pub fn new(scene: &Scene) -> Classic {
         let values: &Physics = scene.settings();
         Classic {
-            solids: Solids::of(scene, &bounds(values), values.smoothing_radius),
+            solids: Solids::of(scene, &bounds(values), 2.0 * values.smoothing_radius),
             ..Classic::default()
         }
     }
@@ -86,7 +86,7 @@ impl Classic {
 
         pairs.sort(particles, &bounds, &kernel);
         on_stage(Stage::Sort);
-        pairs.sum_density(particles, &kernel, values);
+        pairs.sum_density(particles, &kernel, values, &self.solids);
         on_stage(Stage::Density);
         interactions::sum(pairs, &kernel, values, substeps.viscosity);
         on_stage(Stage::Forces);
@@ -122,7 +122,8 @@ impl Solver for Classic {
         let bounds = bounds(values);
         while made < substeps.count && work <= MAX_WORK {
             made += 1;
-            self.solids.renew_images(&bounds, values.smoothing_radius);
+            self.solids
+                .renew_images(&bounds, 2.0 * values.smoothing_radius);
             let end = time + f64::from(made as f32 * substeps.length);
             self.substep(values, &substeps, (&forces, end), on_stage);
             work += self.pairs.work();
@@ -138,11 +139,12 @@ impl Solver for Classic {
     fn adapt(&mut self, scene: &Scene, _random: &mut Random, time: f64) {
         let values = scene.settings();
         let bounds = bounds(values);
-        self.particles.retain(|one| bounds.contains(one.position()));
-        self.solids
-            .update(scene, time, &bounds, values.smoothing_radius);
+        let stays = |one: &ParticleState| one.is_alive() && bounds.contains(one.position());
+        self.particles.retain(stays);
+        let support = 2.0 * values.smoothing_radius;
+        self.solids.update(scene, time, &bounds, support);
         solids::hold(&mut self.particles, &self.solids, values);
-        self.particles.retain(ParticleState::is_alive);
+        self.particles.retain(stays);
     }
 
     fn set_particles(&mut self, particles: &[Particle], values: &Physics) {
@@ -150,8 +152,10 @@ impl Solver for Classic {
         for &particle in particles {
             self.particles.push(particle);
         }
+        let bounds = bounds(values);
         solids::hold(&mut self.particles, &self.solids, values);
-        self.particles.retain(ParticleState::is_alive);
+        self.particles
+            .retain(|one| one.is_alive() && bounds.contains(one.position()));
         self.motion = Motion::default();
         self.cut = None;
     }
@@ -162,6 +166,10 @@ impl Solver for Classic {
 
     fn bounds(&self, values: &Physics) -> Bounds {
         bounds(values)
+    }
+
+    fn solids(&self) -> &Solids {
+        &self.solids
     }
 
     fn sound_speed(&self, scene: &Scene) -> f32 {

@@ -260,6 +260,11 @@ impl Combustion {
         self.solids.temperatures()
     }
 
+    /// Sets the temperatures of the solids that conduct heat, in their order \[K\].
+    pub fn set_solid_temperatures(&mut self, all: &[f32]) {
+        self.solids.set_temperatures(all);
+    }
+
     /// Writes the embers for the renderer.
     pub fn write_embers(&self, out: &mut Vec<Instance>) {
         self.embers.write_instances(out);
@@ -295,7 +300,8 @@ impl Solver for Combustion {
         self.fit_open_air(scene);
         let resampled = discretisation != self.discretisation;
         if resampled {
-            let old = Old::new(&self.gas, &self.discretisation, parameters, self.seen);
+            let old = (&self.gas, &self.solids);
+            let old = Old::new(old, &self.discretisation, parameters, self.seen);
             self.gas = match &self.open {
                 None => resample::resample(&old, parameters, random),
                 Some(open) => resample::resample_open(&old, parameters, open),
@@ -338,6 +344,10 @@ impl Solver for Combustion {
 
     fn bounds(&self, values: &Physics) -> Bounds {
         self.present_bounds(values)
+    }
+
+    fn solids(&self) -> &Solids {
+        &self.solids
     }
 
     fn sound_speed(&self, scene: &Scene) -> f32 {

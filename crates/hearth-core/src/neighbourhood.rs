@@ -6,10 +6,13 @@
 //! of each instance holds the next particle of the same cell. So a frame of a warm fire
 //! allocates nothing.
 
+use glam::Vec2;
+
 use crate::bounds::Bounds;
 use crate::extremes::fast_max;
 use crate::instance::Instance;
 use crate::kernel;
+use crate::solids::Solids;
 
 /// Fields of an instance: the volume, the next particle of the cell, and the result.
 const VOLUME: usize = 5;
@@ -27,7 +30,14 @@ const FIELDS: usize = size_of::<Instance>() / size_of::<f32>();
 /// The vorticity is twice the angular velocity of the neighbours around the particle,
 /// ω = 2 Σ V g (r × v)/Σ V g r², g = −W'/r, with the offsets r and relative velocities v. It is
 /// the curl of SPH, normalised so that a rigid rotation is exact at the rim of the gas too.
-pub(crate) fn measure(instances: &mut Vec<Instance>, bounds: &Bounds, h: f32, vorticity: bool) {
+/// Particles behind a thin solid are no neighbours.
+pub(crate) fn measure(
+    instances: &mut Vec<Instance>,
+    bounds: &Bounds,
+    solids: &Solids,
+    h: f32,
+    vorticity: bool,
+) {
     let count = instances.len();
     let reach = 2.0 * h;
     // Cells are at least a support radius wide, and no more than the particles.
@@ -59,6 +69,8 @@ pub(crate) fn measure(instances: &mut Vec<Instance>, bounds: &Bounds, h: f32, vo
         let (column, row) = cell(&one);
         // The search includes the particle itself, which has no angular momentum.
         let (mut rotation, mut inertia, mut near) = (0.0, 0.0, -1.0);
+        let place = Vec2::new(one[0], one[1]);
+        let beside_solid = solids.touch(place, reach);
         for side in 0..9 {
             let (column, beside) = axis_x.next_to(column, side % 3);
             let (row, above) = axis_y.next_to(row, side / 3);
@@ -68,7 +80,8 @@ pub(crate) fn measure(instances: &mut Vec<Instance>, bounds: &Bounds, h: f32, vo
                 next = other[NEXT];
                 let (x, y) = (other[0] + beside - one[0], other[1] + above - one[1]);
                 let square = x * x + y * y;
-                if square < reach * reach {
+                let parted = || beside_solid && solids.part(place, place + Vec2::new(x, y), reach);
+                if square < reach * reach && !parted() {
                     near += 1.0;
                     let q = fast_max(square.sqrt() / h, 1e-6);
                     let weight = other[VOLUME] * kernel::minus_dw(q) / q;

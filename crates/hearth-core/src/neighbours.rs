@@ -26,6 +26,23 @@ const SUPPORT_SQUARED: Lanes = Lanes::splat(4.0);
 /// Number of subsets of four particles.
 const SUBSETS: usize = 1 << LANES;
 
+/// One in the lanes of each subset, and zero in the others.
+const KEEP: [Lanes; SUBSETS] = {
+    let mut keep = [Lanes::ZERO; SUBSETS];
+    let mut subset = 0;
+    while subset < SUBSETS {
+        let mut lanes = [0.0; LANES];
+        let mut lane = 0;
+        while lane < LANES {
+            lanes[lane] = (subset >> lane & 1) as f32;
+            lane += 1;
+        }
+        keep[subset] = Lanes::new(lanes);
+        subset += 1;
+    }
+    keep
+};
+
 /// The lanes of each subset, padded with zeros, and their number.
 const MEMBERS: [([u32; LANES], usize); SUBSETS] = {
     let mut members = [([0; LANES], 0); SUBSETS];
@@ -101,6 +118,13 @@ impl Sweep {
         let begin = self.begin as usize + lane * self.stride as usize;
         &entries[begin..begin + self.counts[lane] as usize]
     }
+
+    /// The neighbours of a lane in its own block, as a bit mask.
+    #[inline(never)]
+    fn within(&self, lane: usize) -> usize {
+        let earlier = (0..lane).filter(|&other| self.inner[other] >> lane & 1 != 0);
+        earlier.fold(self.inner[lane].into(), |all, other| all | 1 << other)
+    }
 }
 
 /// The neighbours of every particle.
@@ -115,6 +139,8 @@ pub(crate) struct Neighbours {
     /// Number of particles and of blocks in the last search.
     particles: usize,
     blocks: usize,
+    /// Whether solids part some pairs.
+    parted: bool,
 }
 
 impl Neighbours {
@@ -123,6 +149,7 @@ impl Neighbours {
     /// \[m\].
     pub fn find<B: Block>(&mut self, blocks: &mut [B], grid: &Grid, h: f32) {
         self.used = 0;
+        self.parted = false;
         self.sweeps.clear();
         (self.particles, self.blocks) = (grid.len(), blocks.len());
         let inverse_h = 1.0 / h;
@@ -225,7 +252,7 @@ impl Neighbours {
     }
 
     /// Removes the pairs that a solid parts from the lists and from the sums of the first pass.
-    /// Passes by [`sum`](Self::sum) still visit them. `planes` gives the solids near a particle,
+    /// `planes` gives the solids near a particle,
     /// after sorting: normal, distance and number; a zero normal where the solid is not convex. `parts` tells whether a solid is between two
     /// positions. Lengths are in smoothing lengths.
     pub fn part<B: Block, P: Iterator<Item = (Vec2, f32, u32)>>(
@@ -235,6 +262,7 @@ impl Neighbours {
         planes: impl Fn(usize) -> P,
         parts: impl Fn(u32, Vec2, Vec2) -> bool,
     ) {
+        self.parted = true;
         let entries = &mut self.entries;
         for sweep in &mut self.sweeps {
             let block = sweep.block as usize;
@@ -287,10 +315,19 @@ impl Neighbours {
                 let one = pairs.broadcast(&blocks[block], lane, sweep.shift);
                 if sweep.own {
                     *sum = pairs.pair(&one, &blocks[block]).0;
+                    if self.parted {
+                        let keep = KEEP[sweep.within(lane)];
+                        *sum = sum.map(|term| term * keep);
+                    }
                 }
                 for &entry in sweep.list(&self.entries, lane) {
                     let others = &mut blocks[entry as usize / SUBSETS];
-                    let (added, subtracted) = pairs.pair(&one, others);
+                    let (mut added, mut subtracted) = pairs.pair(&one, others);
+                    if self.parted {
+                        let keep = KEEP[entry as usize % SUBSETS];
+                        added = added.map(|term| term * keep);
+                        subtracted = subtracted.map(|term| term * keep);
+                    }
                     let theirs = P::accumulator(others);
                     for k in 0..N {
                         sum[k] += added[k];

@@ -237,7 +237,7 @@ impl Scene {
             Some(("length", count, "at most 64 of each kind"))
         } else if kind.is_none() {
             Some((KIND, name, "source or solid"))
-        } else if id != Input::Number(number.into()) {
+        } else if number == 0 || id != Input::Number(number.into()) {
             let words = "a whole number from 1 to 1000000 that no other object has";
             Some((ID, id, words))
         } else {

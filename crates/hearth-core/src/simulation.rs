@@ -9,10 +9,11 @@ mod readers;
 use glam::Vec2;
 
 use crate::combustion::Seen;
+use crate::extremes::fast_min;
 use crate::forces::BodyForce;
 use crate::instance::Instance;
 use crate::neighbourhood;
-use crate::params::{DisplayMode, Input, ParamError, Parameters};
+use crate::params::{DisplayMode, Edges, Floor, Input, Model, ParamError, Parameters, Walls};
 use crate::particle::Particle;
 use crate::random::Random;
 use crate::scene::Scene;
@@ -183,10 +184,23 @@ impl Simulation {
         let (solver, values) = (&self.solver, self.scene.settings());
         let measured = (0..solver.count()).map(|i| solver.measured(i, values, mode));
         out.extend(measured.map(Instance::from));
+        if mode == DisplayMode::Distance {
+            let has_floor = match values.model() {
+                Model::Classic => values.walls != Walls::Open,
+                Model::Combustion => values.edges == Edges::Open && values.floor == Floor::Solid,
+            };
+            let [low, high] = self.extent();
+            let farthest = high.distance(low);
+            for one in &mut *out {
+                let floor = if has_floor { one[1] } else { farthest };
+                let place = Vec2::new(one[0], one[1]);
+                one[7] = solver.solids().nearest(place, fast_min(floor, farthest));
+            }
+        }
         let vorticity = mode == DisplayMode::Vorticity;
         if vorticity || mode == DisplayMode::Neighbours {
             let h = values.smoothing_length();
-            neighbourhood::measure(out, &solver.bounds(values), h, vorticity);
+            neighbourhood::measure(out, &solver.bounds(values), solver.solids(), h, vorticity);
         }
     }
 

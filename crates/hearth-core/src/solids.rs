@@ -5,6 +5,8 @@
 //! [`LONGEST_MOTION`]. A solid may also move by itself, as a function of the time.
 
 mod heat;
+mod images;
+mod thin;
 
 use std::f32::consts::PI;
 
@@ -23,9 +25,6 @@ const SHORTEST_MOTION: f32 = 1e-3;
 const ATTEMPTS: u32 = 6;
 /// Tolerance for rounding in the distance from a surface.
 const ROUNDING: f32 = 0.9;
-
-/// Largest sine of the angle of a body that is upright.
-const UPRIGHT: f32 = 1e-4;
 
 /// A solid, or its image beyond a periodic edge.
 #[derive(Clone, Debug, PartialEq)]
@@ -161,44 +160,6 @@ impl Solids {
         self.spare = old;
     }
 
-    /// Adds a body and its images.
-    fn place(&mut self, body: Body, bounds: &Bounds, near: f32) {
-        let shape = &body.surface.frame;
-        let size = 2.0 * shape.extent();
-        let reach = 0.5 * size + near;
-        let is_inside = |at: Vec2| {
-            let low = Vec2::new(-0.5 * bounds.width, bounds.bottom) - reach;
-            let high = low + Vec2::new(bounds.width, bounds.height) + 2.0 * reach;
-            at.cmpgt(low).all() && at.cmplt(high).all()
-        };
-        let centre = shape.centre;
-        self.bodies.push(body.clone());
-        if !is_inside(centre) {
-            return;
-        }
-        // A body that is upright and as long as the period needs no image: it would overlap it.
-        let is_upright = body.surface.field.is_none() && shape.axis.abs().min_element() < UPRIGHT;
-        let turns = |periodic: bool, size: f32, period: f32| {
-            if periodic && !(is_upright && size >= period) {
-                -1..=1
-            } else {
-                0..=0
-            }
-        };
-        for row in turns(bounds.periodic_y, size.y, bounds.height) {
-            for column in turns(bounds.periodic_x, size.x, bounds.width) {
-                let period = Vec2::new(bounds.width, bounds.height);
-                let image = Vec2::new(column as f32, row as f32) * period;
-                if (column, row) != (0, 0) && is_inside(centre + image) {
-                    let mut body = body.clone();
-                    body.image = image;
-                    body.surface.frame.centre = centre + image;
-                    self.bodies.push(body);
-                }
-            }
-        }
-    }
-
     /// Heats the bodies that conduct heat by what came in a step. Around them is air of that
     /// temperature \[K\].
     pub fn warm(&mut self, dt: f32, air: f32) {
@@ -236,6 +197,17 @@ impl Solids {
             .unwrap_or_default()
     }
 
+    /// Sets the temperatures of the bodies that conduct heat, in their order \[K\].
+    pub fn set_temperatures(&mut self, all: &[f32]) {
+        let bodies = self.bodies.chunk_by_mut(|one, other| one.id == other.id);
+        let conducting = bodies.filter(|parts| parts[0].heated().is_some());
+        for (parts, &temperature) in conducting.zip(all) {
+            for body in parts {
+                body.temperature = Some(temperature);
+            }
+        }
+    }
+
     /// Lets time pass: motions end.
     pub fn pass(&mut self, dt: f32) {
         for body in &mut self.bodies {
@@ -260,13 +232,25 @@ impl Solids {
         })
     }
 
+    /// The distance of a position from the nearest solid \[m\], at most `farthest`.
+    pub fn nearest(&self, position: Vec2, farthest: f32) -> f32 {
+        self.bodies.iter().fold(farthest, |nearest, body| {
+            if body.may_touch(position, nearest) {
+                fast_min(body.surface.distance(position).0, nearest)
+            } else {
+                nearest
+            }
+        })
+    }
+
     /// The place nearest to a position with this `gap` to every solid and, on a floor, to that;
     /// `None` for a position deeper than `depth` in a solid or, with a negative one, nearer than
     /// that, and where solids leave no place.
     pub fn outside(&self, position: Vec2, gap: f32, depth: f32, floor: bool) -> Option<Vec2> {
         let mut place = position;
         for _ in 0..ATTEMPTS {
-            let before = place;
+            // Two that push against each other may return it to the same place.
+            let mut pushed = false;
             for body in &self.bodies {
                 if body.may_touch(place, fast_max(gap, -depth)) {
                     let (distance, normal) = body.surface.distance(place);
@@ -275,13 +259,15 @@ impl Solids {
                     }
                     if distance < ROUNDING * gap {
                         place += normal * (gap - distance);
+                        pushed = true;
                     }
                 }
             }
             if floor && place.y < ROUNDING * gap {
                 place.y = gap;
+                pushed = true;
             }
-            if place == before {
+            if !pushed {
                 return Some(place);
             }
         }
@@ -382,11 +368,21 @@ mod tests {
         let solids = Solids::of(&scene(0.95), &BOX, 0.1);
         assert_eq!(solids.bodies.len(), 2);
         assert!(solids.touch(Vec2::new(-0.99, 1.0), 0.0));
-        // One that is as wide as the domain has none: it would overlap it.
+        // One that is as wide as the domain has none, which would overlap it: it has no end.
         let mut wide = scene(0.5);
         let fields = [("shape", Input::Text("box")), ("width", Input::Number(2.0))];
         assert_eq!(wide.change(2, &fields), Ok(()));
-        assert_eq!(Solids::of(&wide, &BOX, 0.1).bodies.len(), 1);
+        let plate = Solids::of(&wide, &BOX, 0.1);
+        assert_eq!(plate.bodies.len(), 1);
+        assert!((0..20).all(|i| plate.touch(Vec2::new(0.1 * i as f32 - 1.0, 1.0), 0.0)));
+        // A disc that is wider than the domain covers it with its images.
+        let disc = [
+            ("shape", Input::Text("circle")),
+            ("width", Input::Number(2.2)),
+        ];
+        assert_eq!(wide.change(2, &disc), Ok(()));
+        let discs = Solids::of(&wide, &BOX, 0.1);
+        assert!((0..20).all(|i| discs.touch(Vec2::new(0.1 * i as f32 - 1.0, 1.0), 0.0)));
         // One far outside has none.
         assert_eq!(Solids::of(&scene(2.0), &BOX, 0.1).bodies.len(), 1);
     }
@@ -408,5 +404,14 @@ mod tests {
         );
         let deep = solids.outside(Vec2::new(0.0, 1.0), 0.01, 0.05, false);
         assert_eq!(deep, None);
+        // Two that return a position to the same place leave none.
+        let closed = [("x", Input::Number(0.205))];
+        assert_eq!(scene.change(3, &closed), Ok(()));
+        let solids = Solids::of(&scene, &BOX, 0.1);
+        for place in [0.1, 0.1025, 0.105] {
+            let place = solids.outside(Vec2::new(place, 1.0), 0.01, 0.1, false);
+            let free = place.is_none_or(|place| !solids.touch(place, 0.0));
+            assert!(free, "{place:?}");
+        }
     }
 }

@@ -8,6 +8,7 @@ use crate::particle::Particle;
 use crate::random::Random;
 use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
+use crate::solids::Solids;
 
 /// Declares the trait, and implements it for [`Either`] by delegation. A `dyn Solver` would
 /// keep all methods of both models in every download.
@@ -76,6 +77,9 @@ solver! {
 
         /// The domain.
         fn bounds(values: &Physics) -> Bounds;
+
+        /// The solids.
+        fn solids() -> &Solids;
 
         /// Speed of sound [m/s].
         fn sound_speed(scene: &Scene) -> f32;

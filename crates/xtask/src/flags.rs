@@ -39,10 +39,12 @@ xflags::xflags! {
             /// How the names of the cases begin.
             repeated case: String
         }
-        /// Drives fires to random corners of all ranges and back.
+        /// Drives fires to random corners of all ranges and back, and moves solids through them.
         cmd soak {
-            /// The number of corners of each model.
+            /// The number of corners of each model; 0 leaves out the scenes too.
             optional --corners number: u32
+            /// The number of crowds of solids of each model.
+            optional --crowds number: u32
             /// The seed of the corners.
             optional --seed number: u32
         }
@@ -159,7 +161,7 @@ mod tests {
             "thumbnails candle → scene: [\"candle\"]",
             "look default → scene: [\"default\"]",
             "goldens --snapshots default → name: [\"default\"], snapshots: true",
-            "soak --seed 7 → corners: None, seed: Some(7)",
+            "soak --seed 7 → corners: None, crowds: None, seed: Some(7)",
             "fuzz --minutes 3 → minutes: Some(3), seed: None",
             "bench --yardstick=./other → yardstick: Some(\"./other\")",
             "bench --write --instructions → instructions: true, write: true",

@@ -1,7 +1,7 @@
 //! Long runs of the physics: `cargo xtask validate` compares it with theory and writes
 //! the table and its plots into `docs/evaluation.md` and `docs/validation`; `cargo xtask
-//! soak` drives fires to random corners of all ranges and back; `cargo xtask fuzz` sends random
-//! values to every decoder.
+//! soak` drives fires to random corners of all ranges and back, and moves solids through them;
+//! `cargo xtask fuzz` sends random values to every decoder.
 
 use anyhow::Result;
 use xshell::{Cmd, cmd};
@@ -37,11 +37,17 @@ pub(crate) fn run(names: &[String]) -> Result<()> {
     Ok(passed?)
 }
 
-/// Runs that many corners of each model.
-pub(crate) fn soak(corners: Option<u32>, seed: Option<u32>) -> Result<()> {
+/// Runs that many corners, and crowds of solids, of each model.
+pub(crate) fn soak(corners: Option<u32>, crowds: Option<u32>, seed: Option<u32>) -> Result<()> {
     let sh = Shell::new()?;
-    let options = [("--corners", corners), ("--seed", seed)].into_iter();
-    let given = options.filter_map(|(name, value)| Some([name.to_owned(), value?.to_string()]));
+    let options = [
+        ("--corners", corners),
+        ("--crowds", crowds),
+        ("--seed", seed),
+    ];
+    let given = options
+        .into_iter()
+        .filter_map(|(name, value)| Some([name.to_owned(), value?.to_string()]));
     Ok(example(&sh, "soak").args(given.flatten()).run()?)
 }
 

@@ -74,6 +74,7 @@ mod tests {
     use crate::params::{Input, Model, Parameters};
     use crate::particle::Particle;
     use crate::random::Random;
+    use crate::solids::Solids;
 
     const BOUNDS: Bounds = Bounds {
         bottom: 0.0,
@@ -100,7 +101,7 @@ mod tests {
         let kernel = Kernel::new(parameters.smoothing_radius);
         let mut pairs = Pairs::default();
         pairs.sort(&mut particles, &BOUNDS, &kernel);
-        pairs.sum_density(&mut particles, &kernel, parameters);
+        pairs.sum_density(&mut particles, &kernel, parameters, &Solids::default());
         (particles, pairs, kernel)
     }
 
@@ -176,7 +177,7 @@ mod tests {
             }
             let mut pairs = Pairs::default();
             pairs.sort(&mut particles, &BOUNDS, &kernel);
-            pairs.sum_density(&mut particles, &kernel, &parameters);
+            pairs.sum_density(&mut particles, &kernel, &parameters, &Solids::default());
             sum(&mut pairs, &kernel, &parameters, parameters.viscosity);
             let accelerations = pairs.accelerations();
             let each = particles.iter().map(|p| p.velocity()).zip(&accelerations);
@@ -197,7 +198,7 @@ mod tests {
         }
         let mut pairs = Pairs::default();
         pairs.sort(&mut particles, &BOUNDS, &kernel);
-        pairs.sum_density(&mut particles, &kernel, parameters);
+        pairs.sum_density(&mut particles, &kernel, parameters, &Solids::default());
         pairs.set_pressure(&particles, &kernel, parameters.particle_mass, |at| at.x);
         sum(&mut pairs, &kernel, parameters, 0.0);
         let middle = Vec2::new(0.0, 0.1 + 10.0 * dx);

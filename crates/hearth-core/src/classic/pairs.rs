@@ -4,6 +4,8 @@
 
 use std::ops::Range;
 
+use glam::Vec2;
+
 use super::equation_of_state;
 use super::particles::{ParticleState, Particles};
 use crate::bounds::Bounds;
@@ -12,6 +14,7 @@ use crate::kernel::Kernel;
 use crate::lanes::{LANES, Lanes, transposed};
 use crate::neighbours::{self, FAR_AWAY, Neighbours, PairSum};
 use crate::params::Physics;
+use crate::solids::Solids;
 
 /// Entries of the neighbour lists that cost as much as sorting and moving a particle.
 const ENTRIES_PER_PARTICLE: usize = 16;
@@ -96,15 +99,31 @@ impl Pairs {
         }
     }
 
-    /// Finds all pairs of sorted particles, and computes densities, ρᵢ = Σⱼ mⱼ W(rᵢⱼ), the
-    /// particle itself included, and pressures.
-    pub fn sum_density(&mut self, particles: &mut Particles, kernel: &Kernel, values: &Physics) {
+    /// Finds all pairs of sorted particles that no solid parts, and computes densities,
+    /// ρᵢ = Σⱼ mⱼ W(rᵢⱼ), the particle itself included, and pressures.
+    pub fn sum_density(
+        &mut self,
+        particles: &mut Particles,
+        kernel: &Kernel,
+        values: &Physics,
+        solids: &Solids,
+    ) {
         let Pairs {
             grid,
             blocks,
             neighbours,
         } = self;
-        neighbours.find(blocks, grid, kernel.smoothing_length());
+        let h = kernel.smoothing_length();
+        neighbours.find(blocks, grid, h);
+        if solids.any_thin(2.0 * h) {
+            let planes = |one: usize| {
+                let all = solids.thin_near(particles[one].position(), 2.0 * h);
+                all.map(|(normal, distance, solid)| (normal, distance / h, solid))
+            };
+            let parts =
+                |solid: u32, one: Vec2, other: Vec2| solids.crosses(solid, one * h, other * h);
+            neighbours.part(blocks, grid, planes, parts);
+        }
         let each = values.particle_mass * kernel.w_norm();
         let factor = pressure_factor(kernel, values.particle_mass);
         for (block, members) in blocks.iter_mut().zip(grid.members()) {
@@ -141,9 +160,6 @@ impl Pairs {
         self.neighbours.mean_and_max()
     }
 }
-
-#[cfg(test)]
-use glam::Vec2;
 
 #[cfg(test)]
 impl Pairs {

@@ -185,14 +185,19 @@ pub(crate) struct Air<'a> {
 }
 
 impl Air<'_> {
-    /// Velocity of the gas at a position: the mean of the neighbours, weighted by kernel and
-    /// volume (Shepard).
+    /// Velocity of the gas at a position: the mean of the neighbours that no thin solid parts
+    /// from it, weighted by kernel and volume (Shepard).
     fn velocity_at(&self, at: Vec2) -> Vec2 {
         let (mut sum, mut weights) = (Vec2::ZERO, 0.0);
+        let support = self.kernel.support();
         self.grid.candidates(at, &mut |run, shift| {
             for j in run {
+                let place = self.gas.position[j] + shift;
                 let distance = (at - shift).distance(self.gas.position[j]);
                 let weight = self.kernel.value(distance) * self.gas.volume[j];
+                if weight > 0.0 && self.solids.part(at, place, support) {
+                    continue;
+                }
                 sum += self.gas.velocity[j] * weight;
                 weights += weight;
             }
@@ -201,6 +206,54 @@ impl Air<'_> {
             sum / weights
         } else {
             self.wind
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::combustion::gas::periodic_bounds;
+    use crate::combustion::gas::tests::{random_gas, with};
+    use crate::params::Input;
+    use crate::scene::Scene;
+
+    #[test]
+    fn an_ember_does_not_feel_the_gas_behind_a_thin_plate() {
+        let mut scene = Scene::new(with(&[]));
+        let fields = [
+            ("kind", Input::Text("solid")),
+            ("shape", Input::Text("line")),
+            ("y", Input::Number(0.9)),
+            ("width", Input::Number(2.0)),
+            ("height", Input::Number(0.01)),
+        ];
+        assert!(scene.add(&fields).is_ok());
+        let values = scene.settings();
+        let (bounds, kernel) = (
+            periodic_bounds(values),
+            Kernel::new(values.smoothing_length()),
+        );
+        let mut gas = random_gas(values, 3);
+        for (at, velocity) in gas.position.iter().zip(&mut gas.velocity) {
+            let speed = if at.y > 0.9 { 1.0 } else { 0.0 };
+            *velocity = Vec2::new(speed, 0.0);
+        }
+        let mut grid = Grid::default();
+        let positions = gas.position.clone().into_iter();
+        gas.reorder(grid.sort(positions, &bounds, kernel.support()));
+        let plate = Solids::of(&scene, &bounds, kernel.support());
+        for (solids, felt) in [(&Solids::default(), true), (&plate, false)] {
+            let air = Air {
+                gas: &gas,
+                grid: &grid,
+                bounds: &bounds,
+                kernel: &kernel,
+                wind: Vec2::ZERO,
+                solids,
+            };
+            let speed = air.velocity_at(Vec2::new(0.1, 0.89)).x;
+            assert_eq!(speed > 0.0, felt, "{speed} m/s");
         }
     }
 }

@@ -12,7 +12,7 @@ use glam::Vec2;
 use super::equation_of_state::expansion;
 use super::gas::{Gas, make_room};
 use super::pair::Context;
-use super::walls::{self, Walls};
+use super::walls::Walls;
 use crate::grid::Grid;
 use crate::lanes::{LANES, Lanes};
 use crate::neighbours::{self, FAR_AWAY, Neighbours};
@@ -97,13 +97,12 @@ impl NumberDensity {
             let planes = |one: usize| {
                 let all = walls.thin_near(one);
                 all.map(|(normal, distance, solid)| {
-                    let normal = walls::plane(solids, solid, normal);
+                    let normal = solids.plane(solid, normal);
                     (normal, distance * inverse_h, solid)
                 })
             };
-            let parts = |solid: u32, one: Vec2, other: Vec2| {
-                walls::crosses(solids, solid, one * h, other * h)
-            };
+            let parts =
+                |solid: u32, one: Vec2, other: Vec2| solids.crosses(solid, one * h, other * h);
             neighbours.part(&mut self.blocks, grid, planes, parts);
         }
 

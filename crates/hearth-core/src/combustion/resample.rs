@@ -19,6 +19,7 @@ use crate::grid::Grid;
 use crate::kernel::Kernel;
 use crate::params::{Edges, Parameters, Physics};
 use crate::random::Random;
+use crate::solids::Solids;
 
 /// Points of the lattice per particle of cold air, for compressed gas.
 const OVERSAMPLING: f32 = 1.04;
@@ -120,6 +121,7 @@ pub(super) fn resample_open(old: &Old, parameters: &Parameters, open: &OpenAir) 
 /// Interpolates the old gas.
 pub(super) struct Old<'a> {
     gas: &'a Gas,
+    solids: &'a Solids,
     bounds: Bounds,
     grid: Grid,
     order: Vec<usize>,
@@ -132,7 +134,7 @@ pub(super) struct Old<'a> {
 impl<'a> Old<'a> {
     /// Gas of that discretisation.
     pub fn new(
-        gas: &'a Gas,
+        (gas, solids): (&'a Gas, &'a Solids),
         discretisation: &Discretisation,
         values: &Physics,
         seen: Option<Seen>,
@@ -165,6 +167,7 @@ impl<'a> Old<'a> {
         }
         Old {
             gas,
+            solids,
             bounds,
             grid,
             order,
@@ -230,18 +233,28 @@ impl<'a> Old<'a> {
             return (particle, 1.0);
         }
         let (mut velocity, mut state) = (Vec2::ZERO, Vec4::ZERO);
-        let mut weights = 0.0;
+        let (mut all, mut weights) = (0.0, 0.0);
+        let support = self.kernel.support();
         self.grid.candidates(place, &mut |run, shift| {
             for &j in &self.order[run] {
-                let distance = (place - shift).distance(self.gas.position[j]);
-                let weight = self.kernel.value(distance);
+                let old = self.gas.position[j];
+                let weight = self.kernel.value((place - shift).distance(old));
+                all += weight;
+                // Gas behind a plate is gas of another state, but no gap.
+                if weight == 0.0 || self.solids.part(place, old + shift, support) {
+                    continue;
+                }
                 velocity += self.gas.velocity[j] * weight;
                 state += self.gas.state[j] * weight;
                 weights += weight;
             }
         });
-        if weights <= 0.0 {
+        if all <= 0.0 {
             return (particle, 1.0);
+        }
+        let density = all / self.air_density;
+        if weights <= 0.0 {
+            return (particle, density);
         }
         let [temperature, fuel, oxygen, soot] = (state / weights).to_array();
         particle.velocity = velocity / weights;
@@ -249,7 +262,7 @@ impl<'a> Old<'a> {
         particle.fuel = fuel;
         particle.oxygen = oxygen;
         particle.soot = soot;
-        (particle, weights / self.air_density)
+        (particle, density)
     }
 }
 
@@ -264,7 +277,8 @@ mod tests {
 
     fn taken_over(old: &Gas, old_discretisation: &Parameters, parameters: &Parameters) -> Gas {
         let discretisation = Discretisation::of(old_discretisation);
-        let old = Old::new(old, &discretisation, parameters, None);
+        let bare = Solids::default();
+        let old = Old::new((old, &bare), &discretisation, parameters, None);
         resample(&old, parameters, &mut Random::new(4))
     }
 

@@ -104,7 +104,7 @@ impl Combustion {
         let (h, max_speed) = (kernel.smoothing_length(), self.motion.max_speed);
         self.clamped_shifts = time_step::advance(gas, values.shifting, h, max_speed, dt);
         solids.advance(time + f64::from(dt));
-        let stays = walls.hold(gas, solids, parameters.spacing());
+        let stays = walls.hold(gas, solids, parameters.spacing(), dt);
         solids.warm(dt, values.ambient_temperature);
         solids.pass(dt);
         match &open {

@@ -181,10 +181,13 @@ mod tests {
     use crate::combustion::number_density::{self, NumberDensity};
     use crate::combustion::pair::Context;
     use crate::combustion::walls::Walls;
+    use crate::params::Input;
+    use crate::scene::Scene;
     use crate::solids::Solids;
 
-    #[test]
-    fn it_accelerates_vortices_and_not_uniform_flow() {
+    /// Gas of random motion above y = `still`, at rest below, and what the confinement adds to
+    /// its accelerations.
+    fn confined(still: f32, solids: &Solids) -> (Gas, Vec<Vec2>) {
         let parameters = with(&[("max_particles", 1500.0)]);
         let mut gas = random_gas(&parameters, 9);
         let context = Context {
@@ -194,29 +197,64 @@ mod tests {
             mass: gas.mass,
         };
         let kernel = context.kernel;
+        for (at, velocity) in gas.position.iter().zip(&mut gas.velocity) {
+            if at.y < still {
+                *velocity = Vec2::ZERO;
+            }
+        }
         let (mut grid, mut neighbours) = (Grid::default(), Neighbours::default());
         let positions = gas.position.clone().into_iter();
         gas.reorder(grid.sort(positions, &bounds(&parameters), kernel.support()));
-        let bare = (&Walls::default(), &Solids::default());
-        let mean = NumberDensity::default().sum(&mut gas, &grid, &mut neighbours, &context, bare);
+        let mut walls = Walls::default();
+        walls.find(&gas, &grid, solids, false, kernel);
+        let all = (&walls, solids);
+        let mean = NumberDensity::default().sum(&mut gas, &grid, &mut neighbours, &context, all);
         number_density::apply(&mut gas, mean, context.sound);
         let mut interactions = Interactions::default();
         interactions.sum(&mut gas, &grid, &neighbours, &context);
-        let before = gas.acceleration.clone();
-
-        let confine = |gas: &mut Gas, interactions: &Interactions, strength| {
-            let packed = interactions.packed();
+        gas.acceleration.fill(Vec2::ZERO);
+        let packed = interactions.packed();
+        let confine = |gas: &mut Gas, strength| {
             VorticityConfinement::default().add(gas, &grid, &neighbours, packed, kernel, strength);
+            gas.acceleration.clone()
         };
-        confine(&mut gas, &interactions, 0.0);
-        assert_eq!(gas.acceleration, before);
-        confine(&mut gas, &interactions, 0.5);
-        assert_ne!(gas.acceleration, before);
+        let none = confine(&mut gas, 0.0);
+        assert!(none.iter().all(|&a| a == Vec2::ZERO));
+        let added = confine(&mut gas, 0.5);
+        (gas, added)
+    }
 
-        gas.velocity.fill(Vec2::new(0.7, -0.2));
-        interactions.sum(&mut gas, &grid, &neighbours, &context);
-        let before = gas.acceleration.clone();
-        confine(&mut gas, &interactions, 0.5);
-        assert_eq!(gas.acceleration, before);
+    #[test]
+    fn it_accelerates_vortices_and_not_gas_at_rest() {
+        let bare = Solids::default();
+        let (_, moved) = confined(0.0, &bare);
+        assert!(moved.iter().any(|&a| a != Vec2::ZERO));
+        let (_, moved) = confined(f32::MAX, &bare);
+        assert!(moved.iter().all(|&a| a == Vec2::ZERO));
+    }
+
+    #[test]
+    fn it_does_not_act_through_a_thin_plate() {
+        // The domain is periodic, so there is one plate at its edge too.
+        let mut scene = Scene::new(with(&[("max_particles", 1500.0)]));
+        for y in [0.0, 0.9] {
+            let fields = [
+                ("shape", Input::Text("line")),
+                ("y", Input::Number(y)),
+                ("width", Input::Number(2.0)),
+                ("height", Input::Number(0.01)),
+            ];
+            let kind = ("kind", Input::Text("solid"));
+            assert!(scene.add(&[&[kind], &fields[..]].concat()).is_ok());
+        }
+        let domain = bounds(scene.settings());
+        let plates = Solids::of(&scene, &domain, 0.2);
+        for (solids, felt) in [(&Solids::default(), true), (&plates, false)] {
+            let (gas, added) = confined(0.9, solids);
+            let still = gas.position.iter().zip(&added).filter(|one| one.0.y < 0.9);
+            let moved = still.filter(|one| *one.1 != Vec2::ZERO).count();
+            assert_eq!(moved > 0, felt, "{moved} particles");
+            assert!(added.iter().any(|&a| a != Vec2::ZERO));
+        }
     }
 }

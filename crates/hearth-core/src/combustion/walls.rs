@@ -27,7 +27,7 @@ use super::pair::Context;
 use crate::extremes::{fast_max, fast_min};
 use crate::grid::Grid;
 use crate::kernel::Kernel;
-use crate::scene::{RoundedBox, Surface};
+use crate::scene::MAX_SPEED;
 use crate::solids::Solids;
 
 /// Smallest distance of a particle from a wall, in spacings.
@@ -40,8 +40,6 @@ const FLOOR: u32 = u32::MAX;
 const NONE: u32 = u32::MAX;
 /// Attempts to find a place between walls.
 const ATTEMPTS: u32 = 3;
-/// The part of a rounded corner that hides the particles behind it, in radii.
-const OPAQUE: f32 = 0.7;
 
 /// A particle near a wall.
 #[derive(Clone, Copy, Debug)]
@@ -94,7 +92,7 @@ impl Walls {
             }
         }
         for (number, body) in (0..).zip(&solids.bodies) {
-            let is_thin = is_thin(&body.surface, support);
+            let is_thin = body.is_thin(support);
             let reach = Vec2::splat(body.reach + support);
             let (low, high) = (
                 body.surface.frame.centre - reach,
@@ -192,13 +190,18 @@ impl Walls {
     }
 
     /// Keeps the gas outside of the walls. A particle without a place between them stays where
-    /// it was; returns whether there is one.
-    pub fn hold(&self, gas: &mut Gas, solids: &Solids, spacing: f32) -> bool {
+    /// it was; returns whether there is one. `dt` is the time since the walls were found \[s\].
+    pub fn hold(&self, gas: &mut Gas, solids: &Solids, spacing: f32, dt: f32) -> bool {
         let gap = MIN_DISTANCE * spacing;
+        let moved = if solids.drive() { MAX_SPEED * dt } else { 0.0 };
         for _ in 0..ATTEMPTS {
             let mut held = false;
             for near in &self.near {
-                held |= near.hold(gas, solids, gap);
+                let path = gas.position[near.index as usize].distance(near.from) + moved;
+                // Sampled distances are uncertain by half.
+                if near.distance <= 2.0 * (gap + 2.0 * path) {
+                    held |= near.hold(gas, solids, gap);
+                }
             }
             if !held {
                 return false;
@@ -263,85 +266,5 @@ impl Near {
             gas.velocity[i] -= normal * inward;
         }
         inside
-    }
-}
-
-/// Whether a solid is thinner somewhere than the support of the kernel. The thickness of a sampled
-/// one is unknown.
-fn is_thin(surface: &Surface, support: f32) -> bool {
-    let shape = &surface.frame;
-    surface.field.is_some() || 2.0 * (shape.half.min_element() + shape.radius) < support
-}
-
-/// The normal of the plane that a thin solid lies behind; zero for one that is not convex.
-pub(super) fn plane(solids: &Solids, solid: u32, normal: Vec2) -> Vec2 {
-    let body = solids.bodies.get(solid as usize);
-    match body.and_then(|body| body.surface.field.as_ref()) {
-        Some(_) => Vec2::ZERO,
-        None => normal,
-    }
-}
-
-/// Whether the line between two points crosses a solid.
-pub(super) fn crosses(solids: &Solids, solid: u32, one: Vec2, other: Vec2) -> bool {
-    let body = solids.bodies.get(solid as usize);
-    body.is_some_and(|body| {
-        let Surface { frame, field } = &body.surface;
-        match field {
-            Some(field) => field.crosses(frame.local(one), frame.local(other)),
-            None => crosses_shape(frame, one, other),
-        }
-    })
-}
-
-fn crosses_shape(shape: &RoundedBox, one: Vec2, other: Vec2) -> bool {
-    let local = |at: Vec2| {
-        let from = at - shape.centre;
-        [shape.axis.dot(from), shape.axis.perp_dot(from)]
-    };
-    let (from, to) = (local(one), local(other));
-    let half = (shape.half + OPAQUE * shape.radius).to_array();
-    let (mut enter, mut leave) = (0.0, 1.0);
-    for k in 0..2 {
-        let path = to[k] - from[k];
-        if path.abs() < 1e-9 {
-            if from[k].abs() >= half[k] {
-                return false;
-            }
-            continue;
-        }
-        let ends = [(-half[k] - from[k]) / path, (half[k] - from[k]) / path];
-        enter = fast_max(fast_min(ends[0], ends[1]), enter);
-        leave = fast_min(fast_max(ends[0], ends[1]), leave);
-    }
-    enter < leave
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_plate_is_between_the_particles_on_its_two_sides() {
-        let plate = RoundedBox {
-            centre: Vec2::new(1.0, 0.0),
-            axis: Vec2::Y,
-            half: Vec2::new(0.5, 0.0),
-            radius: 0.01,
-        };
-        let left = Vec2::new(0.97, 0.1);
-        assert!(crosses_shape(&plate, left, Vec2::new(1.08, 0.3)));
-        assert!(!crosses_shape(&plate, left, Vec2::new(0.95, 0.3)));
-        // Around its end.
-        assert!(!crosses_shape(
-            &plate,
-            Vec2::new(0.97, 0.5),
-            Vec2::new(1.03, 0.55)
-        ));
-        assert!(crosses_shape(
-            &plate,
-            Vec2::new(0.97, 0.47),
-            Vec2::new(1.03, 0.51)
-        ));
     }
 }

@@ -174,6 +174,8 @@ choices! {
         Velocity = "velocity",
         /// Vorticity of the gas [1/s].
         Vorticity = "vorticity",
+        /// Distance of the gas from the nearest solid or floor \[m\].
+        Distance = "distance",
         /// Fuel in the gas; in the classic model, the remaining life of a particle.
         Fuel = "fuel",
         /// Soot in the gas; in the classic model, the smoke of a particle.

@@ -24,6 +24,7 @@ impl DisplayMode {
             Mode::Pressure => "Pa",
             Mode::Velocity => "m/s",
             Mode::Vorticity => "1/s",
+            Mode::Distance => "m",
             Mode::Fuel | Mode::Soot | Mode::Neighbours => "",
         };
         Some(Quantity {

@@ -14,6 +14,7 @@
 //! | 4 × 6 | largest velocity, excess temperature and soot; of embers, velocity, size and life |
 //! | particles × 10 | x, y (2 each), u, v, temperature, fuel, oxygen, soot (1 each), column by column |
 //! | embers × 10 | x, y (2 each), u, v, temperature, size, age, life (1 each), column by column |
+//! | solids × 4 | temperature \[K\] of each that conducts heat, in the order of the objects |
 //!
 //! A velocity is the root of its share of the largest, so that slow gas is precise.
 
@@ -27,6 +28,7 @@ use glam::Vec2;
 use super::Simulation;
 use crate::bounds::Bounds;
 use crate::combustion::Ember;
+use crate::params::{Solid, Thermal};
 use crate::particle::Particle;
 use crate::random::Random;
 use format::{Bytes, Columns, EACH, EMBERS, HEADER, Header, MAGIC, quantised, quantised_signed};
@@ -129,6 +131,7 @@ impl Simulation {
         out.extend(embers.iter().map(|one| quantised(one.size, size)));
         out.extend(embers.iter().map(|one| quantised(one.age, life)));
         out.extend(embers.iter().map(|one| quantised(one.lifetime, life)));
+        out.extend(gas.solid_temperatures().flat_map(|one| one.1.to_le_bytes()));
         Some(out)
     }
 
@@ -178,17 +181,33 @@ impl Simulation {
             lifetime: columns.share(5, i) * life,
         });
         let embers = embers.filter(|one| one.size > 0.0 && one.age < one.lifetime);
+        let embers = embers.collect();
+        let solids = bytes.numbers();
+        let conducting = |one: &&Solid| one.thermal == Thermal::Conducting;
+        let count = self.scene.solids().filter(conducting).count();
+        // Those of the first version keep their temperatures.
+        if !(solids.is_empty() || solids.len() == count) {
+            return Err(BurningError::Damaged(
+                "the burning fire has the wrong length",
+            ));
+        }
+        if !solids.iter().all(|kelvin| (1.0..=1e5).contains(kelvin)) {
+            return Err(BurningError::Damaged(
+                "the burning fire has values out of range",
+            ));
+        }
 
         self.random = Random::new(parameters.seed);
         self.time = header.time;
         gas.resume(
             &particles,
-            embers.collect(),
+            embers,
             header.made_with,
             &self.scene,
             &mut self.random,
             self.time,
         );
+        gas.set_solid_temperatures(&solids);
         Ok(())
     }
 }

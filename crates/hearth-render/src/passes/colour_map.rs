@@ -64,6 +64,7 @@ fn far_air(frame: &Frame) -> f32 {
         DisplayMode::Temperature => values.ambient_temperature,
         DisplayMode::Density => values.ambient_density,
         DisplayMode::Velocity => values.wind.abs(),
+        DisplayMode::Distance => f32::MAX,
         _ => 0.0,
     };
     let [from, per_span] = frame.span();

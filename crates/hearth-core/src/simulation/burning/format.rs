@@ -3,9 +3,10 @@
 use glam::Vec2;
 
 use crate::bounds::Bounds;
+use crate::scene::MAX_OBJECTS;
 
-/// The version of the format.
-pub const VERSION: u16 = 1;
+/// The version of the format. Version 1 has no temperatures of solids.
+pub const VERSION: u16 = 2;
 
 pub(super) const MAGIC: &[u8; 4] = b"Fire";
 pub(super) const HEADER: usize = 56;
@@ -13,6 +14,8 @@ pub(super) const HEADER: usize = 56;
 pub(super) const EACH: usize = 10;
 /// Most stored embers.
 pub(super) const EMBERS: usize = 1000;
+/// Bytes of the temperature of a solid.
+const TEMPERATURE: usize = 4;
 /// Largest plausible time \[s\].
 const MAX_TIME: f64 = 1e6;
 
@@ -57,13 +60,15 @@ impl Header {
     pub fn check(&self, rest: usize) -> Result<(), &'static str> {
         // Enough for any fire, without an overflow below.
         let allowed = 1..=100_000;
-        if self.version != VERSION {
+        if !(1..=VERSION).contains(&self.version) {
             return Err("the burning fire has another version");
         }
         if !allowed.contains(&self.particles) || self.embers > EMBERS {
             return Err("the burning fire has an invalid number of particles");
         }
-        if rest != EACH * (self.particles + self.embers) {
+        let solids = rest.checked_sub(EACH * (self.particles + self.embers));
+        let most = [0, MAX_OBJECTS][usize::from(self.version > 1)];
+        if !solids.is_some_and(|rest| rest % TEMPERATURE == 0 && rest / TEMPERATURE <= most) {
             return Err("the burning fire has the wrong length");
         }
         let [velocity, hot, sooty, rest @ ..] = self.scales;
@@ -88,6 +93,12 @@ impl<'a> Bytes<'a> {
         let (first, rest) = self.0.split_first_chunk()?;
         self.0 = rest;
         Some(*first)
+    }
+
+    /// The numbers in all that is left.
+    pub fn numbers(self) -> Vec<f32> {
+        let (fours, _) = self.0.as_chunks();
+        fours.iter().map(|&four| f32::from_le_bytes(four)).collect()
     }
 
     /// The next `count` bytes, or all if there are fewer.

@@ -21,7 +21,7 @@ const FEW: usize = 4;
 const PER_LINE: usize = 3;
 
 /// Maximum height of a line of the list: the longest list fits into a sheet.
-const LINE: f32 = 36.0;
+const LINE: f32 = 30.0;
 
 /// Width of the button that unfolds a list.
 const BUTTON: f32 = 150.0;

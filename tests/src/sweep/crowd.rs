@@ -3,6 +3,7 @@
 //! A crowd is a corner of the parameter ranges with solids of every shape, outlines included.
 //! They move as a page moves them, sixty times a second, and turn back at the edges of the frame.
 
+use std::f32::consts::PI;
 use std::fmt::Write as _;
 
 use hearth_core::params::{Edges, Input, Model, Walls};
@@ -196,7 +197,7 @@ impl Crowd {
         };
         // The fastest point of the surface is at most as fast as gas follows.
         let (speed, turning) = (random.between(0.0, FASTEST), random.unit());
-        let direction = Vec2::from_angle(random.between(-3.14, 3.14));
+        let direction = Vec2::from_angle(random.between(-PI, PI));
         let reach = 0.7 * (width + height).max(extent);
         self.motions.push(Motion {
             id,

@@ -190,12 +190,13 @@ impl Air<'_> {
     fn velocity_at(&self, at: Vec2) -> Vec2 {
         let (mut sum, mut weights) = (Vec2::ZERO, 0.0);
         let support = self.kernel.support();
+        let beside = self.solids.beside(at, support);
         self.grid.candidates(at, &mut |run, shift| {
             for j in run {
                 let place = self.gas.position[j] + shift;
                 let distance = (at - shift).distance(self.gas.position[j]);
                 let weight = self.kernel.value(distance) * self.gas.volume[j];
-                if weight > 0.0 && self.solids.part(at, place, support) {
+                if weight > 0.0 && beside.part(at, place, support) {
                     continue;
                 }
                 sum += self.gas.velocity[j] * weight;

@@ -93,7 +93,7 @@ impl Walls {
         }
         for (number, body) in (0..).zip(&solids.bodies) {
             let is_thin = body.is_thin(support);
-            let reach = Vec2::splat(body.reach + support);
+            let reach = body.surface.frame.extent() + support;
             let (low, high) = (
                 body.surface.frame.centre - reach,
                 body.surface.frame.centre + reach,

@@ -37,7 +37,7 @@ impl Solids {
                 // Its images would overlap it. As one body it has no end.
                 shape.centre[axis] = low[axis] + 0.5 * period[axis];
                 let along = usize::from((shape.axis.x.abs() < 0.5) != (axis == 1));
-                shape.half[along] = fast_max(flat[axis], period[axis] + near);
+                shape.half[along] = fast_max(flat[axis], 0.5 * period[axis] + near);
                 return 0;
             }
             let far = (2.0 * reach[axis] / period[axis]).ceil();

@@ -8,6 +8,8 @@ use crate::scene::RoundedBox;
 
 /// The part of a rounded corner that hides the particles behind it, in radii.
 const OPAQUE: f32 = 0.7;
+/// So many solids near a position are found once for all of its neighbours.
+const FEW: usize = 8;
 
 impl Body {
     /// Whether it is thinner somewhere than the support of the kernel \[m\]. The thickness of a
@@ -73,6 +75,43 @@ impl Solids {
         near.any(|body| {
             body.may_touch(one, support) && body.is_thin(support) && body.is_between(one, other)
         })
+    }
+
+    /// The first thin solids near a position, and whether there are more.
+    pub fn beside(&self, at: Vec2, support: f32) -> Beside<'_> {
+        let mut beside = Beside {
+            solids: self,
+            first: [0; FEW],
+            count: 0,
+        };
+        for (number, body) in self.bodies.iter().enumerate() {
+            if body.may_touch(at, support) && body.is_thin(support) {
+                if let Some(first) = beside.first.get_mut(beside.count) {
+                    *first = number;
+                }
+                beside.count += 1;
+            }
+        }
+        beside
+    }
+}
+
+/// The thin solids near a position.
+pub(crate) struct Beside<'a> {
+    solids: &'a Solids,
+    first: [usize; FEW],
+    count: usize,
+}
+
+impl Beside<'_> {
+    /// Whether one of them is between that position and another one within the support of the
+    /// kernel \[m\].
+    pub fn part(&self, one: Vec2, other: Vec2, support: f32) -> bool {
+        let Some(first) = self.first.get(..self.count) else {
+            return self.solids.part(one, other, support);
+        };
+        let mut bodies = first.iter().filter_map(|&at| self.solids.bodies.get(at));
+        bodies.any(|body| body.is_between(one, other))
     }
 }
 

@@ -1,9 +1,9 @@
 //! Burns every scene for a minute, drives many fires to random corners of all ranges, and back,
 //! and moves solids through fires at such corners.
 //!
-//! `soak [--corners N] [--crowds N] [--seed S]`: N corners, and N crowds of solids, of each model,
+//! `soak [--corners N] [--crowds N] [--seed S] [--hours H]`: N corners, and N crowds of solids, of each model,
 //! and of the combustion model in the open, of two simulated seconds. Without corners, it burns no
-//! scene either. Prints how it goes, every corner that fails with all its values, and the corners
+//! scene either. With hours, it goes on with other seeds until they have passed. Prints how it goes, every corner that fails with all its values, and the corners
 //! that lean most on the guards. `cargo xtask soak` calls it.
 
 use std::io::{self, Write as _};
@@ -38,6 +38,9 @@ const CROWDS: [Visit; 3] = [
     |random| through(Crowd::classic(random)),
     |random| through(Crowd::open(random)),
 ];
+/// Length of an hour \[s\], and the distance of the seeds of rounds, larger than the number of corners.
+const HOUR: f64 = 3600.0;
+const BETWEEN: u32 = 1_000_003;
 /// A line tells how far it is every so many corners.
 const LISTED: usize = 20;
 /// So many of the corners that lean most on the guards are shown.
@@ -58,13 +61,22 @@ fn main() -> ExitCode {
             return ExitCode::FAILURE;
         }
     };
-    let mut failed = 0;
+    let (start, mut seed, mut failed) = (Instant::now(), asked.seed, 0);
     if asked.corners > 0 {
         failed += scenes();
-        failed += visit_all("corners", &CORNERS, asked.corners, asked.seed);
     }
-    if asked.crowds > 0 {
-        failed += visit_all("crowds of solids", &CROWDS, asked.crowds, asked.seed);
+    loop {
+        if asked.corners > 0 {
+            failed += visit_all("corners", &CORNERS, asked.corners, seed);
+        }
+        if asked.crowds > 0 {
+            failed += visit_all("crowds of solids", &CROWDS, asked.crowds, seed);
+        }
+        if start.elapsed().as_secs_f64() >= HOUR * asked.hours {
+            break;
+        }
+        seed = seed.wrapping_add(BETWEEN);
+        println!("\nSeed {seed}:");
     }
     if failed == 0 {
         ExitCode::SUCCESS
@@ -119,6 +131,8 @@ struct Asked {
     corners: u32,
     crowds: u32,
     seed: u32,
+    /// Least time of all rounds.
+    hours: f64,
 }
 
 fn asked() -> Result<Asked, String> {
@@ -126,17 +140,27 @@ fn asked() -> Result<Asked, String> {
         corners: 500,
         crowds: 170,
         seed: 1,
+        hours: 0.0,
     };
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {
         let value = arguments.next().unwrap_or_default();
-        let number = value
-            .parse()
-            .map_err(|_| format!("{argument} wants a whole number, not \"{value}\""))?;
+        let whole = || {
+            value
+                .parse()
+                .map_err(|_| format!("{argument} wants a whole number, not \"{value}\""))
+        };
         match argument.as_str() {
-            "--corners" => asked.corners = number,
-            "--crowds" => asked.crowds = number,
-            "--seed" => asked.seed = number,
+            "--corners" => asked.corners = whole()?,
+            "--crowds" => asked.crowds = whole()?,
+            "--seed" => asked.seed = whole()?,
+            "--hours" => {
+                let hours = value.parse().ok();
+                let words = || format!("--hours wants a number of hours, not \"{value}\"");
+                asked.hours = hours
+                    .filter(|h| (0.0..1000.0).contains(h))
+                    .ok_or_else(words)?;
+            }
             other => return Err(format!("there is no option {other}")),
         }
     }

@@ -47,6 +47,8 @@ xflags::xflags! {
             optional --crowds number: u32
             /// The seed of the corners.
             optional --seed number: u32
+            /// The least time; other seeds follow until it has passed.
+            optional --hours number: f64
         }
         /// Sends random values, messages, links and bytes to every decoder.
         cmd fuzz {
@@ -161,7 +163,8 @@ mod tests {
             "thumbnails candle → scene: [\"candle\"]",
             "look default → scene: [\"default\"]",
             "goldens --snapshots default → name: [\"default\"], snapshots: true",
-            "soak --seed 7 → corners: None, crowds: None, seed: Some(7)",
+            "soak --seed 7 → corners: None, crowds: None, seed: Some(7), hours: None",
+            "soak --hours 0.5 → corners: None, crowds: None, seed: None, hours: Some(0.5)",
             "fuzz --minutes 3 → minutes: Some(3), seed: None",
             "bench --yardstick=./other → yardstick: Some(\"./other\")",
             "bench --write --instructions → instructions: true, write: true",

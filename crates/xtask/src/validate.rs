@@ -37,17 +37,18 @@ pub(crate) fn run(names: &[String]) -> Result<()> {
     Ok(passed?)
 }
 
-/// Runs that many corners, and crowds of solids, of each model.
-pub(crate) fn soak(corners: Option<u32>, crowds: Option<u32>, seed: Option<u32>) -> Result<()> {
+/// Runs that many corners, and crowds of solids, of each model, for so many hours.
+pub(crate) fn soak([corners, crowds, seed]: [Option<u32>; 3], hours: Option<f64>) -> Result<()> {
     let sh = Shell::new()?;
     let options = [
-        ("--corners", corners),
-        ("--crowds", crowds),
-        ("--seed", seed),
+        ("--corners", corners.map(|number| number.to_string())),
+        ("--crowds", crowds.map(|number| number.to_string())),
+        ("--seed", seed.map(|number| number.to_string())),
+        ("--hours", hours.map(|number| number.to_string())),
     ];
     let given = options
         .into_iter()
-        .filter_map(|(name, value)| Some([name.to_owned(), value?.to_string()]));
+        .filter_map(|(name, value)| Some([name.to_owned(), value?]));
     Ok(example(&sh, "soak").args(given.flatten()).run()?)
 }
 

@@ -47,7 +47,7 @@ pub(crate) fn showcase() -> Result<()> {
     let milliseconds = (1000 / RATE).to_string();
     // Every frame is a key frame: differences between frames show as blocks.
     let options = [
-        "-loop", "0", "-kmin", "0", "-kmax", "1", "-lossy", "-q", "50", "-m", "6",
+        "-loop", "0", "-kmin", "0", "-kmax", "1", "-lossy", "-q", "20", "-m", "6",
     ];
     cmd!(
         sh,

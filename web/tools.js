@@ -8,20 +8,18 @@ import { editingOf } from './panel/editing.js';
 import { copyOf, entriesOf, isFull, nameOf, newObject, objectsOf } from './panel/objects.js';
 import { MAX_OBJECTS } from './generated/scene-objects.js';
 import { addStyle } from './panel/style.js';
+import { Bar, element } from './tools/bar.js';
 import { begin, PolygonDrawing } from './tools/gestures.js';
 import { outlineOf, rounded, scaled } from './tools/geometry.js';
 import { askForText, pictureOf } from './tools/insert.js';
 import { Overlay } from './tools/overlay.js';
-import { ICONS, TOOLS } from './tools/table.js';
+import { ARROWS, TOOLS } from './tools/table.js';
 
 /**
  * @typedef {import('./hearth-fire.js').HearthFire} HearthFire
  * @typedef {import('./tools/geometry.js').Fields} Fields
  * @typedef {import('./tools/geometry.js').Point} Point
  */
-
-/** Materials of new solids. */
-const MATERIALS = ['stone', 'wood', 'iron', 'brick', 'coal', 'wax', 'glass', 'none'];
 
 /** Power of a metre of a surface that burns [kW/m]. */
 const POWER = 150;
@@ -36,9 +34,6 @@ const TURN = 5;
 
 /** How long a message stays [ms]. */
 const SAID_MS = 5000;
-
-/** @type {{[key: string]: [number, number]}} */
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /**
  * Shows the toolbar of a fire.
@@ -68,17 +63,12 @@ export async function mountTools({ host, fire, page = false, closed = () => {} }
 class Toolbar {
   #fire;
   #host;
-  #closed;
   #editing;
   #overlay;
   #polygon;
   #tool = 'select';
-  #bar = element('div', { class: 'hearth-tools', role: 'toolbar', 'aria-label': 'Tools', 'aria-orientation': 'vertical' });
+  #bar;
   #said = element('p', { class: 'hearth-said', role: 'status' });
-  #list = /** @type {HTMLSelectElement} */ (element('select', { 'aria-label': 'Selected object' }));
-  #material = /** @type {HTMLSelectElement} */ (element('select', { 'aria-label': 'Material of new solids' }));
-  #burns = /** @type {HTMLInputElement} */ (element('input', { type: 'checkbox' }));
-  #file = /** @type {HTMLInputElement} */ (element('input', { type: 'file', accept: 'image/*', hidden: '' }));
   /** The gesture of each pointer; the keys are the pointer -1. @type {Map<number, import('./tools/gestures.js').Gesture>} */
   #gestures = new Map();
   /** @type {Point | undefined} */
@@ -87,20 +77,30 @@ class Toolbar {
   #form;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #saidEnds;
-  /** @type {Map<string, HTMLButtonElement>} */
-  #buttons = new Map();
 
   /** @param {HTMLElement} host @param {HearthFire} fire @param {() => void} closed */
   constructor(host, fire, closed) {
     this.#host = host;
     this.#fire = fire;
-    this.#closed = closed;
     this.#editing = editingOf(fire);
     this.#overlay = new Overlay(fire);
     this.#polygon = new PolygonDrawing(this.#hands);
-    this.#build();
+    const { history } = this.#editing;
+    this.#bar = new Bar({
+      tool: (name) => this.#choose(name),
+      select: (id) => {
+        this.#editing.select(id);
+        this.#choose('select');
+      },
+      picture: (file) => this.#picture(file),
+      duplicate: () => this.#duplicate(),
+      remove: () => this.#remove(),
+      undo: () => this.#try(() => history.undo()),
+      redo: () => this.#try(() => history.redo()),
+      close: closed,
+    });
     host.classList.add('hearth-hands');
-    host.append(this.#overlay.element, this.#bar, this.#said, this.#file);
+    host.append(this.#overlay.element, this.#bar.element, this.#said);
     this.#choose('select');
     this.#update();
   }
@@ -117,53 +117,6 @@ class Toolbar {
       thickness: () => rounded(Math.max(0.01, THICKNESS * Math.min(this.#fire.params.domain_width, this.#fire.params.domain_height))),
       write: (at) => this.#write(at),
     };
-  }
-
-  #build() {
-    for (const [at, { name, label, hint, icon }] of TOOLS.entries()) {
-      const key = (at + 1) % 10;
-      this.#button(name, `${label} (${key})`, icon, () => this.#choose(name)).title = `${label}: ${hint} (${key})`;
-    }
-    this.#button('picture', 'Picture', ICONS.picture, () => this.#file.click()).title = 'A picture from a file; it may also be dropped or pasted';
-    this.#material.append(...MATERIALS.map((name) => new Option(name === 'none' ? 'invisible' : name, name)));
-    this.#material.title = 'Material of new solids';
-    const burns = element('label', { title: 'New solids burn all around' });
-    burns.append(this.#burns, 'on fire');
-    this.#list.title = 'Selected object';
-    this.#list.addEventListener('change', () => {
-      this.#editing.select(this.#list.value === '' ? undefined : Number(this.#list.value));
-      this.#choose('select');
-    });
-    const settings = element('div', { class: 'settings' });
-    settings.append(this.#material, burns, this.#list);
-    this.#bar.append(settings);
-    this.#button('duplicate', 'Duplicate (Ctrl D)', ICONS.duplicate, () => this.#duplicate());
-    this.#button('remove', 'Delete (Delete)', ICONS.remove, () => this.#remove());
-    this.#button('undo', 'Undo (Ctrl Z)', ICONS.undo, () => this.#try(() => this.#editing.history.undo()));
-    this.#button('redo', 'Redo (Ctrl Y)', ICONS.redo, () => this.#try(() => this.#editing.history.redo()));
-    this.#button('close', 'Close the tools', ICONS.close, () => this.#closed());
-    this.#file.addEventListener('change', () => {
-      const [file] = this.#file.files ?? [];
-      this.#file.value = '';
-      if (file) this.#picture(file);
-    });
-  }
-
-  /** @type {(name: string, label: string, icon: string, act: () => void) => HTMLButtonElement} */
-  #button(name, label, icon, act) {
-    const button = /** @type {HTMLButtonElement} */ (element('button', { type: 'button', 'aria-label': label, title: label, 'data-tool': name }));
-    const picture = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-    picture.setAttribute('viewBox', '0 0 24 24');
-    picture.setAttribute('aria-hidden', 'true');
-    const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-    path.setAttribute('d', icon);
-    picture.append(path);
-    button.append(picture);
-    button.addEventListener('click', act);
-    this.#bar.append(button);
-    button.tabIndex = this.#buttons.size === 0 ? 0 : -1;
-    this.#buttons.set(name, button);
-    return button;
   }
 
   /** Starts to listen. @type {(keys: EventTarget, signal: AbortSignal) => void} */
@@ -188,14 +141,19 @@ class Toolbar {
     for (const name of ['objects-change', 'params-change', 'ready']) on(this.#fire, name, () => this.#update());
     const sizes = new ResizeObserver(() => this.#update());
     sizes.observe(this.#fire);
-    signal.addEventListener('abort', () => sizes.disconnect());
+    const view = new MutationObserver(() => this.#update());
+    view.observe(this.#fire, { attributeFilter: ['zoom', 'pan', 'fit', 'align'] });
+    signal.addEventListener('abort', () => {
+      sizes.disconnect();
+      view.disconnect();
+    });
   }
 
   remove() {
     clearTimeout(this.#saidEnds);
     for (const id of [...this.#gestures.keys()]) this.#cancel(id);
     this.#host.classList.remove('hearth-hands');
-    for (const one of [this.#overlay.element, this.#bar, this.#said, this.#file]) one.remove();
+    for (const one of [this.#overlay.element, this.#bar.element, this.#said]) one.remove();
     this.#form?.();
   }
 
@@ -205,7 +163,7 @@ class Toolbar {
     this.#polygon.cancel();
     this.#tool = name;
     const tool = TOOLS.find((one) => one.name === name);
-    for (const { name: other } of TOOLS) this.#buttons.get(other)?.setAttribute('aria-pressed', String(other === name));
+    this.#bar.choose(name);
     const layer = this.#overlay.element;
     layer.style.cursor = tool?.cursor ?? '';
     layer.classList.toggle('idle', name === 'stir');
@@ -220,15 +178,7 @@ class Toolbar {
     // A source at the surface of a solid is where that is.
     const place = all.find((one) => selected && isOn(selected, one.id)) ?? selected;
     this.#overlay.select(place, this.#tool === 'select' && place === selected);
-    const names = all.map((object) => `${object.id}:${nameOf(object)}`).join();
-    if (this.#list.dataset.names !== names) {
-      this.#list.dataset.names = names;
-      this.#list.replaceChildren(new Option('nothing selected', ''), ...all.map((object) => new Option(nameOf(object), String(object.id))));
-    }
-    this.#list.value = selected ? String(selected.id) : '';
-    for (const [name, works] of Object.entries({ undo: history.canUndo, redo: history.canRedo, duplicate: selected, remove: selected })) {
-      this.#buttons.get(name)?.setAttribute('aria-disabled', String(!works));
-    }
+    this.#bar.show(all, selected, history);
   }
 
   /** Shows a message for a while. @param {string} text */
@@ -253,8 +203,8 @@ class Toolbar {
     return this.#try(async () => {
       const kind = /** @type {'source' | 'solid'} */ (drawn.kind);
       if (isFull(this.#fire, kind)) throw new Error(`A fire has at most ${MAX_OBJECTS} ${kind}s.`);
-      const fields = kind === 'source' ? this.#sourceOf(drawn) : { ...drawn, material: this.#material.value };
-      const burns = kind === 'solid' && this.#burns.checked && !isFull(this.#fire, 'source');
+      const fields = kind === 'source' ? this.#sourceOf(drawn) : { ...drawn, material: this.#bar.material };
+      const burns = kind === 'solid' && this.#bar.burns && !isFull(this.#fire, 'source');
       let id = 0;
       await this.#editing.history.objects(async () => {
         id = await this.#fire.addObject(/** @type {any} */ (fields));
@@ -417,23 +367,10 @@ class Toolbar {
     if (!at) this.#cancel(-1);
   }
 
-  /** Arrow keys lead through the buttons, of which the Tab key reaches one. @type {(button: HTMLElement, key: string) => boolean} */
-  #rove(button, key) {
-    const all = [...this.#buttons.values()];
-    const at = all.indexOf(/** @type {HTMLButtonElement} */ (button));
-    const [right, up] = ARROWS[key] ?? [0, 0];
-    const to = { Home: 0, End: all.length - 1 }[key] ?? (at + right - up + all.length) % all.length;
-    if (at < 0 || to === at) return false;
-    for (const one of all) one.tabIndex = -1;
-    all[to].tabIndex = 0;
-    all[to].focus();
-    return true;
-  }
-
   /** @param {KeyboardEvent} event */
   #key(event) {
     const target = /** @type {Partial<HTMLElement>} */ (event.composedPath()[0]);
-    if (this.#rove(/** @type {HTMLElement} */ (target), event.key)) {
+    if (this.#bar.rove(/** @type {HTMLElement} */ (target), event.key)) {
       event.preventDefault();
       return;
     }
@@ -510,11 +447,4 @@ class Toolbar {
 /** Whether an object is a source that is the surface of a solid. @type {(object: Fields, id: number) => boolean} */
 function isOn({ kind, shape, solid }, id) {
   return kind === 'source' && shape === 'solid' && solid === id;
-}
-
-/** @type {(name: string, attributes: {[name: string]: string}) => HTMLElement} */
-function element(name, attributes) {
-  const made = document.createElement(name);
-  for (const [attribute, value] of Object.entries(attributes)) made.setAttribute(attribute, value);
-  return made;
 }

@@ -32,3 +32,6 @@ export const ICONS = {
   remove: 'M5 7h14M9 7V4h6v3M7 7l1 13h8l1-13',
   close: 'M6 6l12 12M18 6L6 18',
 };
+
+/** The arrow keys: right and up. @type {{[key: string]: [number, number]}} */
+export const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };

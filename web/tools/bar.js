@@ -1,0 +1,125 @@
+/**
+ * The bar of buttons, with the settings of new solids and the list of objects.
+ *
+ * @typedef {import('../panel/objects.js').Fields} Fields
+ *
+ * @typedef {object} Acts  What the bar asks for.
+ * @property {(name: string) => void} tool
+ * @property {(id: number | undefined) => void} select
+ * @property {(file: Blob) => void} picture
+ * @property {() => void} duplicate
+ * @property {() => void} remove
+ * @property {() => void} undo
+ * @property {() => void} redo
+ * @property {() => void} close
+ */
+
+import { nameOf } from '../panel/objects.js';
+import { ARROWS, ICONS, TOOLS } from './table.js';
+
+/** Materials of new solids. */
+const MATERIALS = ['stone', 'wood', 'iron', 'brick', 'coal', 'wax', 'glass', 'none'];
+
+/** @type {(name: string, attributes: {[name: string]: string}) => HTMLElement} */
+export function element(name, attributes) {
+  const made = document.createElement(name);
+  for (const [attribute, value] of Object.entries(attributes)) made.setAttribute(attribute, value);
+  return made;
+}
+
+/** The bar of one toolbar. */
+export class Bar {
+  element = element('div', { class: 'hearth-tools', role: 'toolbar', 'aria-label': 'Tools', 'aria-orientation': 'vertical' });
+  #list = /** @type {HTMLSelectElement} */ (element('select', { 'aria-label': 'Selected object', title: 'Selected object' }));
+  #material = /** @type {HTMLSelectElement} */ (element('select', { 'aria-label': 'Material of new solids', title: 'Material of new solids' }));
+  #burns = /** @type {HTMLInputElement} */ (element('input', { type: 'checkbox' }));
+  /** @type {Map<string, HTMLButtonElement>} */
+  #buttons = new Map();
+  #names = '';
+
+  /** @param {Acts} acts */
+  constructor(acts) {
+    for (const [at, { name, label, hint, icon }] of TOOLS.entries()) {
+      const key = (at + 1) % 10;
+      this.#button(name, `${label} (${key})`, icon, () => acts.tool(name)).title = `${label}: ${hint} (${key})`;
+    }
+    const file = /** @type {HTMLInputElement} */ (element('input', { type: 'file', accept: 'image/*', hidden: '' }));
+    file.addEventListener('change', () => {
+      const [first] = file.files ?? [];
+      if (first) acts.picture(first);
+      // The same file can be chosen again.
+      file.value = '';
+    });
+    this.#button('picture', 'Picture', ICONS.picture, () => file.click()).title = 'A picture from a file; it may also be dropped or pasted';
+    this.#material.append(...MATERIALS.map((name) => new Option(name === 'none' ? 'invisible' : name, name)));
+    const burns = element('label', { title: 'New solids burn all around' });
+    burns.append(this.#burns, 'on fire');
+    this.#list.addEventListener('change', () => acts.select(this.#list.value === '' ? undefined : Number(this.#list.value)));
+    const settings = element('div', { class: 'settings' });
+    settings.append(this.#material, burns, this.#list, file);
+    this.element.append(settings);
+    this.#button('duplicate', 'Duplicate (Ctrl D)', ICONS.duplicate, acts.duplicate);
+    this.#button('remove', 'Delete (Delete)', ICONS.remove, acts.remove);
+    this.#button('undo', 'Undo (Ctrl Z)', ICONS.undo, acts.undo);
+    this.#button('redo', 'Redo (Ctrl Y)', ICONS.redo, acts.redo);
+    this.#button('close', 'Close the tools', ICONS.close, acts.close);
+  }
+
+  /** The material of new solids. */
+  get material() {
+    return this.#material.value;
+  }
+
+  /** Whether new solids burn. */
+  get burns() {
+    return this.#burns.checked;
+  }
+
+  /** @type {(name: string, label: string, icon: string, act: () => void) => HTMLButtonElement} */
+  #button(name, label, icon, act) {
+    const button = /** @type {HTMLButtonElement} */ (element('button', { type: 'button', 'aria-label': label, title: label, 'data-tool': name }));
+    const picture = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+    picture.setAttribute('viewBox', '0 0 24 24');
+    picture.setAttribute('aria-hidden', 'true');
+    const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+    path.setAttribute('d', icon);
+    picture.append(path);
+    button.append(picture);
+    button.addEventListener('click', act);
+    button.tabIndex = this.#buttons.size === 0 ? 0 : -1;
+    this.element.append(button);
+    this.#buttons.set(name, button);
+    return button;
+  }
+
+  /** Marks a tool. @param {string} name */
+  choose(name) {
+    for (const { name: other } of TOOLS) this.#buttons.get(other)?.setAttribute('aria-pressed', String(other === name));
+  }
+
+  /** Shows the objects, the selected one, and what can be done. @type {(all: Fields[], selected: Fields | undefined, history: {canUndo: boolean, canRedo: boolean}) => void} */
+  show(all, selected, { canUndo, canRedo }) {
+    const names = all.map((object) => `${object.id}:${nameOf(object)}`).join();
+    if (this.#names !== names) {
+      this.#names = names;
+      this.#list.replaceChildren(new Option('nothing selected', ''), ...all.map((object) => new Option(nameOf(object), String(object.id))));
+    }
+    this.#list.value = selected ? String(selected.id) : '';
+    for (const [name, works] of Object.entries({ undo: canUndo, redo: canRedo, duplicate: selected, remove: selected })) {
+      this.#buttons.get(name)?.setAttribute('aria-disabled', String(!works));
+    }
+  }
+
+  /** Arrow keys lead through the buttons, of which the Tab key reaches one. @type {(button: HTMLElement, key: string) => boolean} */
+  rove(button, key) {
+    const all = [...this.#buttons.values()];
+    const at = all.indexOf(/** @type {HTMLButtonElement} */ (button));
+    const [right, up] = ARROWS[key] ?? [0, 0];
+    const to = { Home: 0, End: all.length - 1 }[key] ?? (at + right - up + all.length) % all.length;
+    if (at < 0 || to === at) return false;
+    for (const one of all) one.tabIndex = -1;
+    all[to].tabIndex = 0;
+    all[to].focus();
+    return true;
+  }
+}

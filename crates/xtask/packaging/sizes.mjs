@@ -26,9 +26,9 @@ const requested = (await reached(folder, [ELEMENT], isEntry)).filter((file) => !
 
 /** Files that a browser loads for one purpose; without a ceiling they are only printed. */
 const DOWNLOADS = [
-  { name: 'element and engine', files: always, ceiling: 139_500 },
+  { name: 'element and engine', files: always, ceiling: 140_500 },
   { name: "element's rest, each on request", files: requested, ceiling: 18_300 },
-  { name: 'headless library', files: await loaded('sim.js'), ceiling: 87_000 },
+  { name: 'headless library', files: await loaded('sim.js'), ceiling: 87_700 },
   { name: 'panel, on request', files: await loaded('panel.js'), ceiling: 850_000 },
   { name: 'tools, on request', files: await loaded('tools.js'), ceiling: 30_000 },
   { name: 'all of the element in one file', files: await present('hearth-fire.inline.js'), ceiling: Infinity },

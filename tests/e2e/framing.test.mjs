@@ -8,9 +8,6 @@ import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { BARS, SIZES, measure } from './framing.mjs';
 
-/** Enough for a median. */
-const MOMENTS = 16;
-
 /** @type {Browser} */
 let browser;
 before(async () => {
@@ -20,7 +17,7 @@ after(() => browser?.close());
 
 for (const size of [SIZES[0], /** @type {[number, number]} */ (SIZES.at(-1))]) {
   test(`the fire of a page of ${size.join(' × ')} fills its stage`, async () => {
-    const { linear: { height, base } } = await measure(browser, size, '', MOMENTS);
+    const { linear: { height, base } } = await measure(browser, size);
     const [[low, high], [near, far]] = [BARS.height, BARS.base];
     assert.ok(height >= low && height <= high, `it is bright on ${height} of the stage's height`);
     assert.ok(base >= near && base <= far, `its base is ${base} of it above the lower edge`);

@@ -10,7 +10,6 @@ import { fileURLToPath } from 'node:url';
 import { pictures, reached, typesReached } from './graph.mjs';
 import { inlined } from './inline.mjs';
 import { DOCS, beginningsOf, packageJson, typesOf } from './manifest.mjs';
-import { shrink } from './wasm.mjs';
 
 const HERE = path.dirname(fileURLToPath(import.meta.url));
 const ROOT = path.resolve(HERE, '../../..');
@@ -48,7 +47,6 @@ for (const name of DOCS) {
   await writeFile(path.join(out, name), withoutLinksOut(name, text));
 }
 await writeFile(path.join(out, 'package.json'), `${JSON.stringify(built, null, 2)}\n`);
-await shrink(path.join(out, 'wasm'));
 await writeFile(path.join(out, 'hearth-fire.inline.js'), await inlined(path.join(ROOT, 'web'), path.join(out, 'wasm'), built));
 
 /** @type {(from: string, to: string) => Promise<void>} */

@@ -35,6 +35,11 @@ export interface SimulationOptions {
    * All simulations share one: that of the first call.
    */
   wasm?: string | URL | BufferSource | WebAssembly.Module;
+  /**
+   * The part of the wasm with the classic model, if it is not beside the module. Without this, a
+   * browser fetches it with the first simulation that needs it.
+   */
+  wasmClassic?: string | URL | BufferSource | WebAssembly.Module;
 }
 
 /** Numbers in an array of any kind. */

@@ -15,10 +15,12 @@ import { columns, fields, known, refusal, text, whole, words } from './sim/value
 
 /** Most steps of one call: minutes of work. */
 const MAX_STEPS = 100_000;
+/** The name of the part of the wasm with the classic model. */
+const CLASSIC = 'classic';
 /** Largest id of an object. */
 const MAX_ID = 1_000_000;
 
-const OPTIONS = ['model', 'preset', 'seed', 'params', 'objects', 'wasm'];
+const OPTIONS = ['model', 'preset', 'seed', 'params', 'objects', 'wasm', 'wasmClassic'];
 
 /**
  * Makes a simulation with its sources lit. Rejects with a `RangeError` for values out of range.
@@ -30,11 +32,14 @@ export async function createSimulation(options = {}) {
   /** @type {any} */
   let wasm;
   /** @type {any} */
+  let part;
+  /** @type {any} */
   let preset;
   for (const [name, value] of fields('options', options)) {
     known('option', name, OPTIONS);
     if (value === undefined) continue;
     if (name === 'wasm') wasm = value;
+    else if (name === 'wasmClassic') part = value;
     else if (name === 'preset') preset = value;
     // Of a parameter and an object's property, the later one wins.
     else if (name === 'params') values.push(...fields(name, value));
@@ -45,8 +50,15 @@ export async function createSimulation(options = {}) {
   if (twice !== undefined) throw new TypeError(`${twice} is given twice: as an option and in params`);
   if (preset !== undefined) text('preset', preset);
   const [sent, columnsOfValues] = columns(values);
-  const { Fire } = await loaded(wasm);
-  return new Simulation(() => new Fire(preset, sent, columnsOfValues), [['preset', preset], ...values], Fire);
+  const { Fire } = await loaded(wasm, part);
+  const make = () => new Simulation(() => new Fire(preset, sent, columnsOfValues), [['preset', preset], ...values], Fire);
+  try {
+    return make();
+  } catch (missing) {
+    if (missing !== CLASSIC) throw missing;
+    await loadClassic();
+    return make();
+  }
 }
 
 /** A fire, step by step. */
@@ -310,6 +322,11 @@ class Simulation {
       return act();
     } catch (cause) {
       if (Array.isArray(cause)) throw refusal(cause, values);
+      // A new simulation waits for the part, a call cannot.
+      if (cause === CLASSIC && this.#fire) {
+        loadClassicNow();
+        return act();
+      }
       if (!(cause instanceof WebAssembly.RuntimeError)) throw cause;
       this.#fire = undefined;
       this.#gone = 'this simulation has stopped for good';
@@ -331,43 +348,90 @@ if (Symbol.dispose) {
 /** The maximum time until the wasm arrives [ms]. */
 const WASM_MS = 60_000;
 
+/** Whether this is Node, or another runtime with its modules. */
+const NODE = Boolean(/** @type {{process?: {versions?: {node?: string}}}} */ (globalThis).process?.versions?.node);
+
 /** @type {Promise<any>} The loaded wasm module, or undefined. */
 let module = Promise.resolve();
+
+/** Adds a part to the loaded wasm. @type {(part: WebAssembly.Module) => void} */
+let extend;
 
 /**
  * The wasm module: the loaded one, or that at `wasm`, or the file beside this script. After a
  * failure, the next call tries again.
  * @param {unknown} wasm
+ * @param {unknown} part its part with the classic model
  */
-function loaded(wasm) {
-  const attempt = module.then((already) => already ?? load(wasm));
+function loaded(wasm, part) {
+  const attempt = module.then((already) => already ?? load(wasm, part));
   module = attempt.catch(() => undefined);
   return attempt;
 }
 
-/** @param {unknown} wasm */
-async function load(wasm) {
-  /** @type {any} */
-  const source = wasm ?? new URL('./wasm/hearth-sim_bg.wasm', import.meta.url);
-  const bytes = source instanceof ArrayBuffer || ArrayBuffer.isView(source);
-  const compiled = source instanceof WebAssembly.Module;
-  if (!bytes && !compiled && typeof source !== 'string' && !(source instanceof URL)) {
-    throw new TypeError(`wasm must be a URL, bytes or a WebAssembly.Module, not ${words(source)}`);
-  }
+/** @type {(wasm: unknown, part: unknown) => Promise<any>} */
+async function load(wasm, part) {
+  const compiled = compiling('wasm', wasm ?? new URL('./wasm/hearth-sim_bg.wasm', import.meta.url));
+  const ofPart = part === undefined ? undefined : compiling('wasmClassic', part);
   try {
     const glue = await import('./wasm/hearth-sim.js');
-    let ready = source;
-    if (bytes) ready = await WebAssembly.compile(/** @type {BufferSource} */ (source));
-    else if (!compiled) ready = await compiledFrom(source);
+    const ready = await compiled();
     // The glue cannot replace a module that it has started.
     if (!WebAssembly.Module.exports(ready).some(({ name }) => name === 'fire_new')) {
       throw new TypeError('this is the wasm of something else');
     }
     await glue.default({ module_or_path: ready });
+    extend = (added) => glue.default(/** @type {any} */ ({ part: added }));
+    // Node has no request that a call can wait for, and reads the file from a disk.
+    if (ofPart) extend(await ofPart());
+    else if (NODE) await loadClassic().catch(() => {});
     return glue;
   } catch (cause) {
     throw new Error(`the simulation's wasm could not be loaded: ${cause}`, { cause });
   }
+}
+
+/** The part with the classic model. */
+const classic = () => new URL('./wasm/hearth-sim_classic.wasm', import.meta.url);
+
+/** Adds the part with the classic model. */
+async function loadClassic() {
+  try {
+    extend(await compiledFrom(classic()));
+  } catch (cause) {
+    throw new Error(`the classic model could not be loaded: ${cause}`, { cause });
+  }
+}
+
+/** Adds the part with the classic model, and waits for it: only a request of this old kind can. */
+function loadClassicNow() {
+  try {
+    const request = new XMLHttpRequest();
+    request.open('GET', classic(), false);
+    // Each character is a byte.
+    request.overrideMimeType('text/plain; charset=x-user-defined');
+    request.send();
+    if (request.status !== 200) throw new Error(`${classic()} answers ${request.status}`);
+    extend(new WebAssembly.Module(Uint8Array.from(request.responseText, (byte) => byte.charCodeAt(0))));
+  } catch (cause) {
+    throw new Error(`the classic model could not be loaded: ${cause}`, { cause });
+  }
+}
+
+/**
+ * Compiles what an option gives.
+ * @param {string} name of the option
+ * @param {any} source
+ * @returns {() => Promise<WebAssembly.Module>}
+ * @throws {TypeError}
+ */
+function compiling(name, source) {
+  if (source instanceof WebAssembly.Module) return async () => source;
+  if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) {
+    return () => WebAssembly.compile(/** @type {BufferSource} */ (source));
+  }
+  if (typeof source === 'string' || source instanceof URL) return () => compiledFrom(source);
+  throw new TypeError(`${name} must be a URL, bytes or a WebAssembly.Module, not ${words(source)}`);
 }
 
 /**
@@ -377,7 +441,7 @@ async function load(wasm) {
 async function compiledFrom(url) {
   const base = globalThis.document?.baseURI ?? globalThis.location?.href;
   const { href, protocol } = new URL(url, base);
-  if (protocol === 'file:' && /** @type {{process?: {versions?: {node?: string}}}} */ (globalThis).process?.versions?.node) {
+  if (protocol === 'file:' && NODE) {
     // A bundler for browsers would resolve a literal name.
     const files = 'node:fs/promises';
     const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ files);

@@ -89,6 +89,45 @@ test('the library loads with a policy that allows wasm, and else rejects with th
   }
 });
 
+test('a simulation in a browser changes to the classic model, or throws and goes on', async () => {
+  const part = 'hearth-sim_classic.wasm';
+  const page = `<!doctype html><meta charset="utf-8"><title>The library</title><link rel="icon" href="data:,">`;
+  const change = async (/** @type {string} */ url) => {
+    const { createSimulation } = await import(url);
+    const sim = await createSimulation({ seed: 3 });
+    sim.step(5);
+    let thrown = '';
+    try {
+      sim.set('model', 'classic');
+    } catch (error) {
+      thrown = String(error);
+    }
+    sim.step(5);
+    return { thrown, model: sim.get('model'), bits: [...sim.positions()] };
+  };
+  const url = '/web/sim.js';
+  const node = (/** @type {string} */ file) => change(pathToFileURL(path.join(SITE, file)).href);
+  const browser = await Browser.launch(...FOLDERS);
+  try {
+    const tab = await browser.open(page);
+    const there = await tab.evaluate(change, url);
+    assert.deepEqual(there, await node('web/sim.js'));
+    assert.equal(there.model, 'classic');
+    const without = await browser.open(page, { files: { [part]: { status: 404, body: '' } } });
+    const { thrown, model, bits } = await without.evaluate(change, url);
+    assert.match(thrown, /the classic model could not be loaded: Error: .*hearth-sim_classic\.wasm answers 404/);
+    assert.equal(model, 'combustion');
+    assert.ok(bits.length > 0);
+    const rejected = await without.evaluate(async (from) => {
+      const { createSimulation } = await import(from);
+      return createSimulation({ model: 'classic' }).then(() => '', String);
+    }, url);
+    assert.match(rejected, /the classic model could not be loaded/);
+  } finally {
+    await browser.close();
+  }
+});
+
 /** Burns on until the lower middle of the window glows; and it moves. */
 async function burns(/** @type {any} */ tab) {
   const part = async () => (await tab.picture()).part(0.25, 0.4, 0.75, 1);

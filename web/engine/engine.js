@@ -13,10 +13,11 @@
  * @typedef {{onMessage: (message: Message) => void, onPicture: (picture: Drawn) => void}} Listener
  * @typedef {'auto' | 'worker' | 'main'} Place
  * @typedef {string | URL | BufferSource | Promise<BufferSource>} Source URL or bytes of wasm
+ * @typedef {{part: string, module?: WebAssembly.Module, why?: string}} Part a part of the wasm, or why it is missing
  */
 
 import { VERSION } from '../generated/version.js';
-import { glue, wasm, worker } from './files.js';
+import { classic, glue, wasm, worker } from './files.js';
 import { countdown, timely } from './time-limit.js';
 
 /** The smallest module that uses a SIMD instruction. */
@@ -27,6 +28,9 @@ const SIMD_MODULE = new Uint8Array([
 
 /** Maximum time until the wasm arrives [ms]. */
 const WASM_MS = 60_000;
+
+/** The end of the name of the wasm, in an URL. */
+const WASM_NAME = /_bg\.wasm(?=[?#]|$)/;
 
 /** Lifetime of an engine without fires [ms]. */
 const IDLE_MS = 5000;
@@ -76,7 +80,7 @@ function missingFeature() {
 class EnginePort {
   /** A problem of the server's configuration that does not prevent the fire; else empty. */
   warning = '';
-  /** @type {(call: [fire: number, request: number, ...call: Call] | number) => void} */
+  /** @type {(sent: [fire: number, request: number, ...call: Call] | number | Part) => void} */
   send = () => {};
   end = () => {};
   /** @type {Map<number, Listener>} */
@@ -143,13 +147,28 @@ class EnginePort {
 
   /** @param {Message} message */
   deliver(message) {
-    if (message.kind === 'context-lost') {
+    if (message.type === 'part') {
+      this.#load(message.part);
+    } else if (message.kind === 'context-lost') {
       this.#contextless ??= countdown(CONTEXT_S, () => this.fail('the browser has not restored its graphics context'));
     } else if (message.type === 'restored') {
       this.#contextless?.();
       this.#contextless = undefined;
     }
     this.#listeners.get(message.fire ?? 0)?.onMessage(message);
+  }
+
+  /** Loads a part that a call needs. @param {string} part */
+  async #load(part) {
+    keptClassic ??= compile(classicBeside ?? classic());
+    const loads = keptClassic;
+    try {
+      const { module } = await loads;
+      this.send({ part, module });
+    } catch (error) {
+      if (keptClassic === loads) keptClassic = undefined;
+      this.send({ part, why: /** @type {Error} */ (error).message });
+    }
   }
 
   /** @type {(fire: number, picture: Drawn) => void} */
@@ -189,6 +208,10 @@ let opened;
 let current;
 /** The wasm, kept so that a new engine needs no network. @type {ReturnType<typeof compile> | undefined} */
 let kept;
+/** The part of it with the classic model. @type {ReturnType<typeof compile> | undefined} */
+let keptClassic;
+/** The URL of that part, if it is beside a wasm that the page names. @type {string | undefined} */
+let classicBeside;
 
 /**
  * Connects to the page's engine. The first call loads it; after a failure the next call tries
@@ -214,7 +237,13 @@ async function load(source, place) {
   const missing = missingFeature();
   if (missing) throw new EngineError('unsupported', missing);
   // The worker's script and the wasm load in parallel.
-  kept ??= compile(source ?? wasm());
+  if (!kept) {
+    const named = typeof source === 'string' || source instanceof URL ? new URL(source, document.baseURI).href : '';
+    classicBeside = WASM_NAME.test(named) ? named.replace(WASM_NAME, '_classic.wasm') : undefined;
+    kept = compile(source ?? wasm()).catch((error) => {
+      throw new EngineError('load', `The fire's engine could not be loaded: ${error.message}`);
+    });
+  }
   const compiled = kept;
   compiled.catch(() => (kept = undefined));
   const port = (place !== 'main' && await inWorker(compiled)) || undefined;
@@ -253,8 +282,7 @@ async function compile(source) {
     const warning = `${url} is served as ${type} instead of application/wasm, so that the fire starts later.`;
     return checked(await WebAssembly.compile(bytes), warning);
   } catch (error) {
-    const why = limit.aborted ? `no answer within ${WASM_MS / 1000} s` : error instanceof Error ? error.message : error;
-    throw new EngineError('load', `The fire's engine could not be loaded: ${why}`);
+    throw limit.aborted ? new Error(`no answer within ${WASM_MS / 1000} s`) : error;
   }
 }
 
@@ -336,7 +364,7 @@ async function onMainThread(module) {
   await init({ module_or_path: module, fresh: true });
   const port = new EnginePort('main');
   try {
-    start(Engine, port);
+    start(Engine, port, (part) => init({ part }));
   } catch (error) {
     throw new EngineError('unsupported', `The fire cannot be drawn: ${error instanceof Error ? error.message : error}.`);
   }

@@ -1,5 +1,5 @@
 /**
- * Locations of the engine's files: its wasm, its script, the script of its worker, and saved
+ * Locations of the engine's files: its wasm and the parts of it, its script, the script of its worker, and saved
  * fires.
  *
  * They have the form that bundlers recognise. No other module has locations, so a build to a
@@ -18,6 +18,14 @@ const BURNING_MS = 5000;
  */
 export function wasm() {
   return new URL('../wasm/hearth-engine_bg.wasm', import.meta.url);
+}
+
+/**
+ * The part of the wasm with the classic model: its URL or its bytes.
+ * @returns {import('./engine.js').Source}
+ */
+export function classic() {
+  return new URL('../wasm/hearth-engine_classic.wasm', import.meta.url);
 }
 
 /**

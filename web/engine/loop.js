@@ -4,6 +4,11 @@
  */
 
 /**
+ * @typedef {[fire: number, request: number, ...call: import('./engine.js').Call]} Sent
+ * @typedef {{part: string, calls: Sent[]}} Waiting
+ */
+
+/**
  * Runs an engine.
  * @param {new (post: Function, canvas: any, context: WebGL2RenderingContext | null, show: Function, onPage: boolean) => any} Engine
  * @param {HTMLCanvasElement | OffscreenCanvas} canvas the canvas to draw on
@@ -11,14 +16,19 @@
  * @param {(message: object) => void} callbacks.post delivers a message
  * @param {(fire: number) => boolean} callbacks.show takes the picture of a fire from the canvas
  *   and returns whether it is already shown. It never throws
+ * @param {(part: WebAssembly.Module) => void} callbacks.extend adds a part to the wasm
  * @param {(reason: {why: string, at?: string}) => void} callbacks.fail called when the engine has
  *   stopped
  * @param {boolean} [onPage] whether the thread is the page's own, which the engine leaves most of
  * @throws if the browser cannot draw
  */
-export function runEngine(Engine, canvas, { post, show, fail }, onPage = false) {
+export function runEngine(Engine, canvas, { post, show, extend, fail }, onPage = false) {
   let engine = new Engine(post, canvas, contextOf(canvas), show, onPage);
   let frame = 0;
+  /** Calls of fires that wait for a part, which the first of each needs. @type {Map<number, Waiting>} */
+  const waiting = new Map();
+  /** Parts that have arrived. @type {Set<string>} */
+  const added = new Set();
 
   const stop = () => {
     cancelAnimationFrame(frame);
@@ -61,13 +71,46 @@ export function runEngine(Engine, canvas, { post, show, fail }, onPage = false) 
   canvas.addEventListener('webglcontextlost', lost);
   canvas.addEventListener('webglcontextrestored', restored);
 
+  const call = (/** @type {Sent} */ sent) => {
+    const calls = waiting.get(sent[0])?.calls;
+    if (calls) {
+      calls.push(sent);
+      return;
+    }
+    try {
+      if (engine) requestFrame(engine.call(sent));
+    } catch (error) {
+      if (typeof error !== 'string') failed(error);
+      else if (added.has(error)) post(refusal(error, 'it is of another build', sent));
+      else wait(error, sent);
+    }
+  };
+  const wait = (/** @type {string} */ part, /** @type {Sent} */ sent) => {
+    if (![...waiting.values()].some((other) => other.part === part)) post({ type: 'part', part });
+    waiting.set(sent[0], { part, calls: [sent] });
+  };
+
   return {
-    /** @param {[fire: number, request: number, ...call: import('./engine.js').Call]} call */
-    call(call) {
+    call,
+    /**
+     * Adds a part that a call waits for, or refuses the call.
+     * @param {{part: string, module?: WebAssembly.Module, why?: string}} arrived
+     */
+    add({ part, module, why }) {
       try {
-        if (engine) requestFrame(engine.call(call));
+        if (module) {
+          extend(module);
+          added.add(part);
+        }
       } catch (error) {
-        failed(error);
+        why = `${error}`;
+      }
+      for (const [fire, { part: needed, calls }] of waiting) {
+        if (needed === part) {
+          waiting.delete(fire);
+          if (why) post(refusal(part, why, calls[0]));
+          calls.slice(why ? 1 : 0).forEach(call);
+        }
       }
     },
     /** Counts a picture of a fire as shown. @param {number} fire */
@@ -83,6 +126,17 @@ export function runEngine(Engine, canvas, { post, show, fail }, onPage = false) 
       stop()?.free();
     },
   };
+}
+
+/**
+ * The event of a call that needs a part which could not be loaded: a new fire does not start, and
+ * another keeps its settings.
+ * @type {(part: string, why: string, sent: Sent) => object}
+ */
+function refusal(part, why, [fire, request, name]) {
+  const message = `The ${part} model could not be loaded: ${why}`;
+  if (name === 'add') return { type: 'error', fire, kind: 'load', message };
+  return { type: 'refused', fire, request, errors: [{ id: 'model', value: part, message }] };
 }
 
 /**

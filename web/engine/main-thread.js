@@ -8,9 +8,10 @@ import { pictureCanvas, runEngine } from './loop.js';
  * Starts the engine. Calls and events are delivered later and in order, as with a worker.
  * @param {new (post: Function, canvas: any, context: WebGL2RenderingContext | null, show: Function, onPage: boolean) => any} Engine
  * @param {import('./engine.js').Port} port the connection to it
+ * @param {(part: WebAssembly.Module) => void} extend adds a part to the wasm
  * @throws if the browser cannot draw
  */
-export function start(Engine, port) {
+export function start(Engine, port, extend) {
   const run = (/** @type {any} */ canvas) => runEngine(Engine, canvas, {
     post: (/** @type {any} */ message) => queueMicrotask(() => port.deliver(message)),
     show: (fire) => {
@@ -19,12 +20,17 @@ export function start(Engine, port) {
       if (picture) port.draw(fire, picture);
       return true;
     },
+    extend,
     fail: ({ why, at }) => port.fail(at ? `${why} (${at})` : why),
   }, true);
   const offscreen = pictureCanvas();
   // Some ports of WebKit have an `OffscreenCanvas` but cannot draw on it.
   const engine = (offscreen && attempt(() => run(offscreen))) ?? run(document.createElement('canvas'));
-  port.send = (call) => queueMicrotask(() => typeof call === 'number' ? engine.shown(call) : engine.call(call));
+  port.send = (sent) => queueMicrotask(() => {
+    if (typeof sent === 'number') engine.shown(sent);
+    else if (Array.isArray(sent)) engine.call(sent);
+    else engine.add(sent);
+  });
   port.end = () => engine.end();
 }
 

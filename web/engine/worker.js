@@ -31,6 +31,7 @@ async function start(module) {
         return true;
       }
     },
+    extend: (part) => init(/** @type {any} */ ({ part })),
     fail: (reason) => postMessage({ type: 'stopped', ...reason }),
   });
 }
@@ -40,6 +41,7 @@ addEventListener('message', ({ data }) => {
   // A number: the picture of that fire is shown. Zero asks for an answer.
   else if (data === 0) postMessage({ type: 'answer' });
   else if (typeof data === 'number') engine?.shown(data);
+  else if (data.part) engine?.add(data);
   else start(data.module).then(
     () => postMessage({ type: 'started' }),
     (error) => postMessage({ type: 'stopped', why: String(error) }),

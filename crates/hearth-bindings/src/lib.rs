@@ -9,6 +9,7 @@ mod check;
 mod error;
 pub mod memory;
 pub mod panic;
+pub mod parts;
 mod record;
 pub mod settings;
 mod untrusted;

@@ -3,7 +3,7 @@
 //! `web/engine/loop.js` requests frames and listens to the canvas's context. Each method
 //! returns whether to request another frame, so no loop runs while all fires rest.
 
-use hearth_bindings::{Untrusted, ValidationError, memory, panic, settings};
+use hearth_bindings::{Untrusted, ValidationError, memory, panic, parts, settings};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::WebGl2RenderingContext;
@@ -44,6 +44,8 @@ enum Answer {
     Done,
     /// The command, now or later.
     Deferred,
+    /// Nobody: a part is missing, and nothing has changed.
+    Missing(&'static str),
 }
 
 #[wasm_bindgen]
@@ -87,11 +89,15 @@ impl Engine {
 
     /// Executes a call, `[fire, request, command, …arguments]`, and answers with an event.
     /// Returns whether to request a frame.
-    pub fn call(&mut self, call: &JsValue) -> bool {
+    ///
+    /// # Errors
+    /// The name of a [part](parts) that the call needs. The caller repeats the call when the part
+    /// is loaded.
+    pub fn call(&mut self, call: &JsValue) -> Result<bool, JsValue> {
         let start = self.clock.now();
         let call = Untrusted::of(call);
         let [fire, request, name, arguments @ ..] = call.list() else {
-            return self.needs_frame();
+            return Ok(self.needs_frame());
         };
         let (fire, request) = (fire.number() as u32, request.number() as u32);
         let answer = Command::parse(name, arguments)
@@ -100,10 +106,11 @@ impl Engine {
         match answer {
             Ok(Answer::Done) => self.events.done(fire, request),
             Ok(Answer::Deferred) => {}
+            Ok(Answer::Missing(part)) => return Err(part.into()),
             Err(errors) => self.events.refused(fire, request, &errors),
         }
         self.duty.spend(self.clock.now() - start);
-        self.needs_frame()
+        Ok(self.needs_frame())
     }
 
     /// Counts a picture of a fire as shown. Returns whether to request a frame. JavaScript calls
@@ -197,6 +204,9 @@ impl Engine {
         let fire = match (found, command) {
             (None, Command::Add { start }) => {
                 let (requested, errors) = Requested::at_first(&start);
+                if let Some(part) = parts::missing(&requested.scene) {
+                    return Ok(Answer::Missing(part));
+                }
                 if !errors.is_empty() {
                     events.refused(id, 0, &errors);
                 }
@@ -225,6 +235,9 @@ impl Engine {
         let (fire, command) = fire;
         if let Some(requested) = fire.requested().after(&command) {
             let requested = requested?;
+            if let Some(part) = parts::missing(&requested.scene) {
+                return Ok(Answer::Missing(part));
+            }
             let [old, new] = [fire.requested(), &requested].map(Requested::completed);
             memory::reserve(Some(&old), &new, limit(self.on_page)).map_err(|error| vec![error])?;
             if let Command::Set { source, .. }

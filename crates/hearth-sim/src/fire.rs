@@ -1,6 +1,6 @@
 //! The simulation behind `web/sim.js`.
 
-use hearth_bindings::{Record, Untrusted, ValidationError, memory, panic, settings};
+use hearth_bindings::{Record, Untrusted, ValidationError, memory, panic, parts, settings};
 use hearth_core::params::{PARAMETERS, Parameters};
 use hearth_core::preset::PRESETS;
 use hearth_core::simulation::ParticleError;
@@ -23,7 +23,7 @@ impl Fire {
     /// resolution of open air is the number of particles that would fill the frame.
     ///
     /// # Errors
-    /// An unknown preset, or a value that is refused.
+    /// An unknown preset, or a value that is refused; the name of a [part](parts) that is missing.
     #[wasm_bindgen(constructor)]
     pub fn new(preset: Option<String>, ids: Array, values: Array) -> Result<Fire, JsValue> {
         panic::record();
@@ -92,7 +92,8 @@ impl Fire {
     /// of everything if there are no ids.
     ///
     /// # Errors
-    /// Every value that is refused and every id that is unknown.
+    /// Every value that is refused and every id that is unknown; the name of a [part](parts) that
+    /// is missing.
     pub fn set(&mut self, ids: Array, values: Option<Array>) -> Result<(), JsValue> {
         let old = self.simulation.scene();
         let changed = match values {
@@ -169,12 +170,15 @@ impl Fire {
     }
 }
 
-/// The scene, with memory for its particles.
+/// The scene, with its parts and memory for its particles.
 fn affordable(
     old: Option<&Parameters>,
     scene: Result<Scene, Vec<ValidationError>>,
 ) -> Result<Scene, JsValue> {
     let scene = scene.map_err(thrown)?;
+    if let Some(part) = parts::missing(&scene) {
+        return Err(part.into());
+    }
     memory::reserve(old, scene.settings(), u32::MAX).map_err(|error| thrown(vec![error]))?;
     Ok(scene)
 }

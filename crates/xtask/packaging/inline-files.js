@@ -3,17 +3,29 @@
  * are in the file itself. No fire is kept in it: each is lit.
  */
 
+import CLASSIC from 'inline:classic';
 import WASM from 'inline:wasm';
 import WORKER from 'inline:worker';
 import { trustedWorker } from './engine/trusted-worker.js';
 
+/** The engine's wasm. */
+export function wasm() {
+  return unpacked(WASM);
+}
+
+/** The part of the wasm with the classic model. */
+export function classic() {
+  return unpacked(CLASSIC);
+}
+
 /**
- * The engine's wasm. It lies deflated in the file, which saves an eighth of the
+ * The bytes of wasm. It lies deflated in the file, which saves an eighth of the
  * download, and more than half of it where a server does not compress.
+ * @param {string} text
  * @returns {Promise<ArrayBuffer>}
  */
-export function wasm() {
-  const packed = Uint8Array.from(atob(WASM), (character) => character.charCodeAt(0));
+function unpacked(text) {
+  const packed = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate-raw'))).arrayBuffer();
 }
 

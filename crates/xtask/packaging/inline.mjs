@@ -34,7 +34,7 @@ const COMMON = /** @type {const} */ ({
  * @param {{name: string, version: string, license: string}} about
  */
 export async function inlined(sources, wasm, { name, version, license }) {
-  const engine = await readFile(path.join(wasm, 'hearth-engine_bg.wasm'));
+  const deflated = async (/** @type {string} */ name) => deflateRawSync(await readFile(path.join(wasm, name)), { level: 9 }).toString('base64');
   const [worker] = await built({
     entryPoints: [path.join(sources, 'engine/worker.js')],
     format: 'iife',
@@ -45,7 +45,8 @@ export async function inlined(sources, wasm, { name, version, license }) {
     format: 'esm',
     banner: { js: `/* ${name} ${version}, ${license} */` },
     plugins: [filesInside(sources, wasm, {
-      wasm: deflateRawSync(engine, { level: 9 }).toString('base64'),
+      classic: await deflated('hearth-engine_classic.wasm'),
+      wasm: await deflated('hearth-engine_bg.wasm'),
       worker: worker.text,
     })],
   });

@@ -7,6 +7,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
 use walrus::{ElementItems, Module, ModuleConfig, RawCustomSection};
+use wasm_parts::{Divided, Part, REST};
 
 use crate::shell::Shell;
 
@@ -15,16 +16,31 @@ use crate::shell::Shell;
 /// futures, which the engine and the library lack.
 const DEAD: [&str; 2] = ["wasm_bindgen::convert::closures::", "js_sys::futures::"];
 
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// The parts of engine and library. `hearth_bindings::parts` tells when a scene needs one.
+const PARTS: [Part; 1] = [Part {
+    name: "classic",
+    symbols: &[
+        "hearth_core::classic::",
+        "<hearth_core::classic::",
+        "<F as hearth_core::classic::",
+        "core::ptr::drop_in_place<hearth_core::classic::",
+    ],
+    is_loaded: "hearth_bindings::parts::classic_is_loaded",
+}];
+
 /// The start of the glue's loader, which reaches to the end.
 const LOADER: &str = "let wasmModule, wasmInstance, wasm;";
 
 /// The loader of a compiled module, which the caller has fetched. A `fresh` instance replaces the
 /// earlier one, which may be damaged by a panic, and whose memory never shrinks; no object of the
-/// earlier one may be used.
+/// earlier one may be used. A `part` of the module is added to the instance.
 const SHORT_LOADER: &str = "\
 let wasm, ready;
-export default ({ module_or_path, fresh }) => ready = !fresh && ready ||
-  WebAssembly.instantiate(module_or_path, __wbg_get_imports()).then(
+export default ({ module_or_path, fresh, part }) => part
+  ? new WebAssembly.Instance(part, { \"rest\": wasm })
+  : ready = !fresh && ready || WebAssembly.instantiate(module_or_path, __wbg_get_imports()).then(
     (made) => {
       wasm = made.exports;
       wasm.__wbindgen_start();
@@ -73,20 +89,30 @@ pub(crate) fn shorten(sh: &Shell, web: &Path) -> Result<()> {
         let Some(name) = name.strip_suffix("_bg.wasm") else {
             continue;
         };
-        let mut config = ModuleConfig::new();
-        config
+        let mut nameless = ModuleConfig::new();
+        nameless
             .generate_producers_section(false)
             .generate_name_section(false);
-        let mut module = config.parse_file(&wasm)?;
+        let mut module = ModuleConfig::new().parse_file(&wasm)?;
         let script = wasm.with_file_name(format!("{name}.js"));
         let mut code = sh.read_file(&script)?;
         // The panel has futures, and its glue fetches its module.
         if name != "hearth-panel" {
             code = short(&code).with_context(|| format!("cannot shorten {}", script.display()))?;
             remove_dead(&mut module, &code);
+            for part in &PARTS {
+                let Divided { rest, taken } = wasm_parts::take(&module.emit_wasm(), part)
+                    .with_context(|| format!("cannot divide {name}"))?;
+                module = ModuleConfig::new().parse(&rest)?;
+                let mut taken = nameless.parse(&taken)?;
+                write_version(&mut taken);
+                taken.emit_wasm_file(wasm.with_file_name(format!("{name}_{}.wasm", part.name)))?;
+            }
         }
+        let mut module = nameless.parse(&module.emit_wasm())?;
         shorten_names(&mut module, &mut code)?;
-        write_version(&mut module, &mut code)?;
+        name_version(&module, &mut code)?;
+        write_version(&mut module);
         module.emit_wasm_file(&wasm)?;
         sh.write_file(script, code)?;
     }
@@ -156,24 +182,31 @@ fn shorten_names(module: &mut Module, code: &mut String) -> Result<()> {
     Ok(())
 }
 
-/// Writes the version into the module, for the element to read before it starts the module, and as
-/// the name that wasm and glue give the glue: short names of other versions mean other functions,
-/// and a cache may hold an old file beside a new one.
-fn write_version(module: &mut Module, code: &mut String) -> Result<()> {
-    const VERSION: &str = env!("CARGO_PKG_VERSION");
-    for import in module.imports.iter_mut() {
-        *code = code.replace(&format!("\"{}\"", import.module), &format!("\"{VERSION}\""));
-        VERSION.clone_into(&mut import.module);
+/// Writes the version into the glue, as the name of what wasm imports: short names of other versions
+/// mean other functions, and a cache may hold an old file beside a new one.
+fn name_version(module: &Module, code: &mut String) -> Result<()> {
+    let version = format!("\"{VERSION}\"");
+    for import in module.imports.iter() {
+        *code = code.replace(&format!("\"{}\"", import.module), &version);
     }
+    *code = code.replace(&format!("\"{REST}\""), &version);
     ensure!(
-        code.contains(&format!("\"{VERSION}\":")),
+        code.contains(&format!("{version}:")),
         "the glue lacks the name of its module"
     );
+    Ok(())
+}
+
+/// Writes the version into a module, for the element to read before it starts the module, and as
+/// the name of what it imports.
+fn write_version(module: &mut Module) {
+    for import in module.imports.iter_mut() {
+        VERSION.clone_into(&mut import.module);
+    }
     module.customs.add(RawCustomSection {
         name: "hearth".to_owned(),
         data: VERSION.into(),
     });
-    Ok(())
 }
 
 /// A name of letters: a, b, … z, ba, bb, …

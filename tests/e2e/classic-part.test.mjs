@@ -1,0 +1,91 @@
+/**
+ * The part of the wasm with the classic model: it is fetched when a fire needs it, and a fire that
+ * does not get it keeps its settings.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from './driver.mjs';
+import { assertBurns, events, recording } from './assertions.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+const PART = 'hearth-engine_classic.wasm';
+const GONE = { files: { [PART]: { status: 404, body: '' } } };
+
+/** The fire's model, its engine, and how often the page and its worker fetched the part. @param {import('./driver.mjs').Tab} tab */
+const state = (tab) => tab.fire((fire) => ({
+  model: fire.params.model,
+  fetched: performance.getEntriesByType('resource').filter(({ name }) => name.endsWith('_classic.wasm')).length,
+}));
+
+/** A page whose engine runs at `place`. @param {string} place @param {string} body */
+const page = (place, body) => recording(body).replace('<script>', `<script type="module">
+    import { HearthFire } from '/web/hearth-fire.js';
+    HearthFire.engine = '${place}';
+  </script><script>`);
+
+for (const place of ['worker', 'main']) {
+  test(`the first classic fire fetches the part, and calls keep their order (${place})`, async () => {
+    const tab = await browser.open(page(place, '<hearth-fire></hearth-fire><hearth-fire></hearth-fire>'));
+    await tab.burnt(0.3);
+    assert.deepEqual(await state(tab), { model: 'combustion', fetched: 0 });
+    const radius = await tab.fire(async (fire) => {
+      // The second value belongs to the classic model alone.
+      const calls = [fire.set('model', 'classic'), fire.set('smoothing_radius', 0.07)];
+      await Promise.all(calls);
+      return fire.params.smoothing_radius;
+    });
+    assert.equal(radius, 0.07);
+    assert.deepEqual(await state(tab), { model: 'classic', fetched: 1 });
+    assert.equal(await tab.fire((fire) => fire.stats.engine), place);
+    await tab.evaluate(async () => {
+      const [, other] = /** @type {any} */ (document.querySelectorAll('hearth-fire'));
+      await other.set('model', 'classic');
+    });
+    assert.deepEqual(await state(tab), { model: 'classic', fetched: 1 });
+    await assertBurns(tab);
+    assert.deepEqual(await tab.complaints(), []);
+  });
+
+  test(`without the part a fire keeps its settings and burns on (${place})`, async () => {
+    const tab = await browser.open(page(place, '<hearth-fire></hearth-fire>'), GONE);
+    await tab.burnt(0.3);
+    const outcomes = await tab.fire((fire) => Promise.allSettled([
+      fire.set({ model: 'classic' }), fire.set('wind', 0.5), fire.importConfig({ preset: 'paper-fire' }),
+    ]).then((all) => all.map(({ status, reason }) => reason?.message ?? status)));
+    assert.match(outcomes[0], /^The classic model could not be loaded: .*hearth-engine_classic\.wasm gave 404$/);
+    assert.equal(outcomes[1], 'fulfilled');
+    assert.match(outcomes[2], /^The classic model could not be loaded/);
+    assert.deepEqual(await tab.fire(({ params }) => [params.model, params.wind]), ['combustion', 0.5]);
+    await assertBurns(tab);
+  });
+}
+
+test('a classic fire starts, and without the part shows the poster, the reason and a button', async () => {
+  const body = recording('<hearth-fire preset="paper-fire"><p slot="poster" id="poster">A poster</p></hearth-fire>');
+  const tab = await browser.open(body);
+  await tab.burnt(0.3);
+  assert.deepEqual(await state(tab), { model: 'classic', fetched: 1 });
+
+  const without = await browser.open(body, GONE);
+  assert.equal(await without.fire((fire) => fire.ready.then(() => '', ({ kind }) => kind)), 'load');
+  const [error] = await events(without, 'error');
+  assert.match(error.message, /^The classic model could not be loaded/);
+  assert.ok(await without.fire((fire) => fire.shadowRoot.querySelector('button').checkVisibility()));
+  assert.ok(await without.evaluate(() => document.querySelector('#poster')?.checkVisibility()));
+});
+
+test('the part of another build is refused', async () => {
+  // An empty module has no version, and so that of the element: it adds nothing.
+  const empty = Buffer.from([0, 97, 115, 109, 1, 0, 0, 0]);
+  const tab = await browser.open('<hearth-fire></hearth-fire>', { files: { [PART]: { body: empty, type: 'application/wasm' } } });
+  await tab.burnt(0.3);
+  const refused = await tab.fire((fire) => fire.set('model', 'classic').then(() => '', ({ message }) => message));
+  assert.match(refused, /^The classic model could not be loaded/);
+  await assertBurns(tab);
+});

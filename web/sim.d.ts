@@ -36,10 +36,10 @@ export interface SimulationOptions {
    */
   wasm?: string | URL | BufferSource | WebAssembly.Module;
   /**
-   * The part of the wasm with the classic model, if it is not beside the module. Without this, a
-   * browser fetches it with the first simulation that needs it.
+   * The parts of the wasm that are not beside the module: the classic model; polygons, strokes and
+   * masks. A browser fetches the others when a simulation needs them.
    */
-  wasmClassic?: string | URL | BufferSource | WebAssembly.Module;
+  wasmParts?: { [part in 'classic' | 'outlines']?: string | URL | BufferSource | WebAssembly.Module };
 }
 
 /** Numbers in an array of any kind. */

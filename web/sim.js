@@ -15,12 +15,10 @@ import { columns, fields, known, refusal, text, whole, words } from './sim/value
 
 /** Most steps of one call: minutes of work. */
 const MAX_STEPS = 100_000;
-/** The name of the part of the wasm with the classic model. */
-const CLASSIC = 'classic';
 /** Largest id of an object. */
 const MAX_ID = 1_000_000;
 
-const OPTIONS = ['model', 'preset', 'seed', 'params', 'objects', 'wasm', 'wasmClassic'];
+const OPTIONS = ['model', 'preset', 'seed', 'params', 'objects', 'wasm', 'wasmParts'];
 
 /**
  * Makes a simulation with its sources lit. Rejects with a `RangeError` for values out of range.
@@ -31,15 +29,15 @@ export async function createSimulation(options = {}) {
   const values = [];
   /** @type {any} */
   let wasm;
-  /** @type {any} */
-  let part;
+  /** @type {[string, any][]} */
+  let parts = [];
   /** @type {any} */
   let preset;
   for (const [name, value] of fields('options', options)) {
     known('option', name, OPTIONS);
     if (value === undefined) continue;
     if (name === 'wasm') wasm = value;
-    else if (name === 'wasmClassic') part = value;
+    else if (name === 'wasmParts') parts = fields(name, value);
     else if (name === 'preset') preset = value;
     // Of a parameter and an object's property, the later one wins.
     else if (name === 'params') values.push(...fields(name, value));
@@ -50,14 +48,15 @@ export async function createSimulation(options = {}) {
   if (twice !== undefined) throw new TypeError(`${twice} is given twice: as an option and in params`);
   if (preset !== undefined) text('preset', preset);
   const [sent, columnsOfValues] = columns(values);
-  const { Fire } = await loaded(wasm, part);
+  const { Fire } = await loaded(wasm, parts);
   const make = () => new Simulation(() => new Fire(preset, sent, columnsOfValues), [['preset', preset], ...values], Fire);
-  try {
-    return make();
-  } catch (missing) {
-    if (missing !== CLASSIC) throw missing;
-    await loadClassic();
-    return make();
+  for (;;) {
+    try {
+      return make();
+    } catch (missing) {
+      if (typeof missing !== 'string') throw missing;
+      await add(missing);
+    }
   }
 }
 
@@ -323,9 +322,9 @@ class Simulation {
     } catch (cause) {
       if (Array.isArray(cause)) throw refusal(cause, values);
       // A new simulation waits for the part, a call cannot.
-      if (cause === CLASSIC && this.#fire) {
-        loadClassicNow();
-        return act();
+      if (typeof cause === 'string' && this.#fire) {
+        addNow(cause);
+        return this.#guard(act, values);
       }
       if (!(cause instanceof WebAssembly.RuntimeError)) throw cause;
       this.#fire = undefined;
@@ -361,18 +360,21 @@ let extend;
  * The wasm module: the loaded one, or that at `wasm`, or the file beside this script. After a
  * failure, the next call tries again.
  * @param {unknown} wasm
- * @param {unknown} part its part with the classic model
+ * @param {[string, any][]} parts parts of it that are elsewhere
  */
-function loaded(wasm, part) {
-  const attempt = module.then((already) => already ?? load(wasm, part));
+function loaded(wasm, parts) {
+  const attempt = module.then((already) => already ?? load(wasm, parts));
   module = attempt.catch(() => undefined);
   return attempt;
 }
 
-/** @type {(wasm: unknown, part: unknown) => Promise<any>} */
-async function load(wasm, part) {
+/** @type {(wasm: unknown, parts: [string, any][]) => Promise<any>} */
+async function load(wasm, parts) {
   const compiled = compiling('wasm', wasm ?? new URL('./wasm/hearth-sim_bg.wasm', import.meta.url));
-  const ofPart = part === undefined ? undefined : compiling('wasmClassic', part);
+  const others = parts.filter(([, source]) => source !== undefined).map(([name, source]) => {
+    known('wasmParts', name, Object.keys(PARTS));
+    return /** @type {const} */ ([name, compiling(`wasmParts.${name}`, source)]);
+  });
   try {
     const glue = await import('./wasm/hearth-sim.js');
     const ready = await compiled();
@@ -381,40 +383,59 @@ async function load(wasm, part) {
       throw new TypeError('this is the wasm of something else');
     }
     await glue.default({ module_or_path: ready });
-    extend = (added) => glue.default(/** @type {any} */ ({ part: added }));
-    // Node has no request that a call can wait for, and reads the file from a disk.
-    if (ofPart) extend(await ofPart());
-    else if (NODE) await loadClassic().catch(() => {});
+    extend = (part) => glue.default(/** @type {any} */ ({ part }));
+    for (const [name, source] of others) put(name, await source());
+    // Node has no request that a call can wait for, and reads the files from a disk.
+    const left = NODE ? Object.keys(PARTS).filter((name) => !there.has(name)) : [];
+    await Promise.all(left.map((name) => add(name).catch(() => {})));
     return glue;
   } catch (cause) {
     throw new Error(`the simulation's wasm could not be loaded: ${cause}`, { cause });
   }
 }
 
-/** The part with the classic model. */
-const classic = () => new URL('./wasm/hearth-sim_classic.wasm', import.meta.url);
+/** The parts of the wasm that are there. @type {Set<string>} */
+const there = new Set();
 
-/** Adds the part with the classic model. */
-async function loadClassic() {
+/** The files of the parts. @type {{[part: string]: () => URL}} */
+const PARTS = {
+  classic: () => new URL('./wasm/hearth-sim_classic.wasm', import.meta.url),
+  outlines: () => new URL('./wasm/hearth-sim_outlines.wasm', import.meta.url),
+};
+
+/** @type {(name: string, cause: unknown) => Error} */
+const missingPart = (name, cause) => new Error(`the part "${name}" of the wasm could not be loaded: ${cause}`, { cause });
+
+/** Puts a part into the wasm. @type {(name: string, part: WebAssembly.Module) => void} */
+function put(name, part) {
+  // A part that is missing still is that of another build.
+  if (there.has(name)) throw new Error('it is of another build');
+  extend(part);
+  there.add(name);
+}
+
+/** Loads a part. @param {string} name */
+async function add(name) {
   try {
-    extend(await compiledFrom(classic()));
+    put(name, await compiledFrom(PARTS[name]()));
   } catch (cause) {
-    throw new Error(`the classic model could not be loaded: ${cause}`, { cause });
+    throw missingPart(name, cause);
   }
 }
 
-/** Adds the part with the classic model, and waits for it: only a request of this old kind can. */
-function loadClassicNow() {
+/** Loads a part while the caller waits, which only a request of this old kind can. @param {string} name */
+function addNow(name) {
   try {
+    const url = PARTS[name]();
     const request = new XMLHttpRequest();
-    request.open('GET', classic(), false);
+    request.open('GET', url, false);
     // Each character is a byte.
     request.overrideMimeType('text/plain; charset=x-user-defined');
     request.send();
-    if (request.status !== 200) throw new Error(`${classic()} answers ${request.status}`);
-    extend(new WebAssembly.Module(Uint8Array.from(request.responseText, (byte) => byte.charCodeAt(0))));
+    if (request.status !== 200) throw new Error(`${url} answers ${request.status}`);
+    put(name, new WebAssembly.Module(Uint8Array.from(request.responseText, (byte) => byte.charCodeAt(0))));
   } catch (cause) {
-    throw new Error(`the classic model could not be loaded: ${cause}`, { cause });
+    throw missingPart(name, cause);
   }
 }
 

@@ -115,14 +115,14 @@ test('a simulation in a browser changes to the classic model, or throws and goes
     assert.equal(there.model, 'classic');
     const without = await browser.open(page, { files: { [part]: { status: 404, body: '' } } });
     const { thrown, model, bits } = await without.evaluate(change, url);
-    assert.match(thrown, /the classic model could not be loaded: Error: .*hearth-sim_classic\.wasm answers 404/);
+    assert.match(thrown, /the part "classic" of the wasm could not be loaded: Error: .*hearth-sim_classic\.wasm answers 404/);
     assert.equal(model, 'combustion');
     assert.ok(bits.length > 0);
     const rejected = await without.evaluate(async (from) => {
       const { createSimulation } = await import(from);
       return createSimulation({ model: 'classic' }).then(() => '', String);
     }, url);
-    assert.match(rejected, /the classic model could not be loaded/);
+    assert.match(rejected, /the part "classic" of the wasm could not be loaded/);
   } finally {
     await browser.close();
   }

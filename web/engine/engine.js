@@ -17,7 +17,7 @@
  */
 
 import { VERSION } from '../generated/version.js';
-import { classic, glue, wasm, worker } from './files.js';
+import { PARTS, glue, wasm, worker } from './files.js';
 import { countdown, timely } from './time-limit.js';
 
 /** The smallest module that uses a SIMD instruction. */
@@ -160,13 +160,13 @@ class EnginePort {
 
   /** Loads a part that a call needs. @param {string} part */
   async #load(part) {
-    keptClassic ??= compile(classicBeside ?? classic());
-    const loads = keptClassic;
+    keptParts[part] ??= compile(named ? named.replace(WASM_NAME, `_${part}.wasm`) : PARTS[part]());
+    const loads = keptParts[part];
     try {
       const { module } = await loads;
       this.send({ part, module });
     } catch (error) {
-      if (keptClassic === loads) keptClassic = undefined;
+      if (keptParts[part] === loads) delete keptParts[part];
       this.send({ part, why: /** @type {Error} */ (error).message });
     }
   }
@@ -208,10 +208,10 @@ let opened;
 let current;
 /** The wasm, kept so that a new engine needs no network. @type {ReturnType<typeof compile> | undefined} */
 let kept;
-/** The part of it with the classic model. @type {ReturnType<typeof compile> | undefined} */
-let keptClassic;
-/** The URL of that part, if it is beside a wasm that the page names. @type {string | undefined} */
-let classicBeside;
+/** The parts of it, by name. @type {{[part: string]: ReturnType<typeof compile>}} */
+const keptParts = {};
+/** The URL of the wasm, if the page names one whose parts are beside it. */
+let named = '';
 
 /**
  * Connects to the page's engine. The first call loads it; after a failure the next call tries
@@ -238,8 +238,8 @@ async function load(source, place) {
   if (missing) throw new EngineError('unsupported', missing);
   // The worker's script and the wasm load in parallel.
   if (!kept) {
-    const named = typeof source === 'string' || source instanceof URL ? new URL(source, document.baseURI).href : '';
-    classicBeside = WASM_NAME.test(named) ? named.replace(WASM_NAME, '_classic.wasm') : undefined;
+    const url = typeof source === 'string' || source instanceof URL ? new URL(source, document.baseURI).href : '';
+    named = WASM_NAME.test(url) ? url : '';
     kept = compile(source ?? wasm()).catch((error) => {
       throw new EngineError('load', `The fire's engine could not be loaded: ${error.message}`);
     });

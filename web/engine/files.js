@@ -21,12 +21,13 @@ export function wasm() {
 }
 
 /**
- * The part of the wasm with the classic model: its URL or its bytes.
- * @returns {import('./engine.js').Source}
+ * The parts of the wasm, by name: the classic model, and the distance from the outlines of solids.
+ * @type {{[name: string]: () => import('./engine.js').Source}}
  */
-export function classic() {
-  return new URL('../wasm/hearth-engine_classic.wasm', import.meta.url);
-}
+export const PARTS = {
+  classic: () => new URL('../wasm/hearth-engine_classic.wasm', import.meta.url),
+  outlines: () => new URL('../wasm/hearth-engine_outlines.wasm', import.meta.url),
+};
 
 /**
  * The saved fire of a scene as bytes; `undefined` if there is none or it fails to load. The fire

@@ -8,6 +8,9 @@
  * @typedef {{part: string, calls: Sent[]}} Waiting
  */
 
+/** What needs each part of the wasm: a parameter or property, and its values in words. @type {{[part: string]: [id: string, values: string]}} */
+const NEEDS = { classic: ['model', 'the classic model'], outlines: ['shape', 'polygons, strokes and masks'] };
+
 /**
  * Runs an engine.
  * @param {new (post: Function, canvas: any, context: WebGL2RenderingContext | null, show: Function, onPage: boolean) => any} Engine
@@ -134,9 +137,10 @@ export function runEngine(Engine, canvas, { post, show, extend, fail }, onPage =
  * @type {(part: string, why: string, sent: Sent) => object}
  */
 function refusal(part, why, [fire, request, name]) {
-  const message = `The ${part} model could not be loaded: ${why}`;
+  const [id, subject] = NEEDS[part];
+  const message = `The code for ${subject} could not be loaded: ${why}`;
   if (name === 'add') return { type: 'error', fire, kind: 'load', message };
-  return { type: 'refused', fire, request, errors: [{ id: 'model', value: part, message }] };
+  return { type: 'refused', fire, request, errors: [{ id, message }] };
 }
 
 /**

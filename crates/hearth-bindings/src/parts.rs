@@ -2,7 +2,7 @@
 //!
 //! Cargo links a whole module. `cargo xtask build` takes the parts out of it and replaces each
 //! function that returns whether a part is loaded. No function of a part is called for a scene
-//! that [`missing`] names the part for.
+//! that [`missing`] names a part for.
 
 use std::hint::black_box;
 
@@ -11,7 +11,11 @@ use hearth_core::params::Model;
 
 /// The part that a scene needs and that is not loaded.
 pub fn missing(scene: &Scene) -> Option<&'static str> {
-    (scene.settings().model() == Model::Classic && !classic_is_loaded()).then_some("classic")
+    if scene.settings().model() == Model::Classic && !classic_is_loaded() {
+        Some("classic")
+    } else {
+        scene.lacks_fields().then_some("outlines")
+    }
 }
 
 /// Whether the part with the classic model is loaded, as it is in a whole module.

@@ -120,6 +120,12 @@ impl Scene {
         })
     }
 
+    /// Whether a solid has no sampled distance yet, because a part of the build is not loaded.
+    pub fn lacks_fields(&self) -> bool {
+        let mut surfaces = self.surfaces();
+        surfaces.any(|(_, solid, surface)| solid.lacks_field(surface))
+    }
+
     /// The solid that a source is on and its surface; `None` if the source is a line.
     pub fn solid_of(&self, source: &Physics) -> Option<(&Solid, &Surface)> {
         let id = source.solid_of_source()?;

@@ -230,7 +230,8 @@ fn keep_only(
     let table = function_table(taken)?;
     let size = taken.tables.get_mut(table);
     size.initial += slots.called.len() as u64;
-    size.maximum = size.maximum.map(|maximum| maximum.max(size.initial));
+    // The table of the rest may be larger, with slots of other parts.
+    size.maximum = None;
     let mut runs: Vec<(u64, Vec<FunctionId>)> = Vec::new();
     for (&slot, index) in &slots.all {
         match runs.last_mut() {

@@ -4,6 +4,7 @@
  */
 
 import CLASSIC from 'inline:classic';
+import OUTLINES from 'inline:outlines';
 import WASM from 'inline:wasm';
 import WORKER from 'inline:worker';
 import { trustedWorker } from './engine/trusted-worker.js';
@@ -13,10 +14,11 @@ export function wasm() {
   return unpacked(WASM);
 }
 
-/** The part of the wasm with the classic model. */
-export function classic() {
-  return unpacked(CLASSIC);
-}
+/** The parts of the wasm. */
+export const PARTS = {
+  classic: () => unpacked(CLASSIC),
+  outlines: () => unpacked(OUTLINES),
+};
 
 /**
  * The bytes of wasm. It lies deflated in the file, which saves an eighth of the

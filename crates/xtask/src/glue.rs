@@ -19,16 +19,26 @@ const DEAD: [&str; 2] = ["wasm_bindgen::convert::closures::", "js_sys::futures::
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// The parts of engine and library. `hearth_bindings::parts` tells when a scene needs one.
-const PARTS: [Part; 1] = [Part {
-    name: "classic",
-    symbols: &[
-        "hearth_core::classic::",
-        "<hearth_core::classic::",
-        "<F as hearth_core::classic::",
-        "core::ptr::drop_in_place<hearth_core::classic::",
-    ],
-    is_loaded: "hearth_bindings::parts::classic_is_loaded",
-}];
+const PARTS: [Part; 2] = [
+    Part {
+        name: "classic",
+        symbols: &[
+            "hearth_core::classic::",
+            "<hearth_core::classic::",
+            "<F as hearth_core::classic::",
+            "core::ptr::drop_in_place<hearth_core::classic::",
+        ],
+        is_loaded: "hearth_bindings::parts::classic_is_loaded",
+    },
+    Part {
+        name: "outlines",
+        symbols: &[
+            "hearth_core::scene::field::Field::",
+            "hearth_core::scene::contour::",
+        ],
+        is_loaded: "hearth_core::scene::field::is_loaded",
+    },
+];
 
 /// The start of the glue's loader, which reaches to the end.
 const LOADER: &str = "let wasmModule, wasmInstance, wasm;";

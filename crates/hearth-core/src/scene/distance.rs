@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::Vec2;
 
-use super::field::Field;
+use super::field::{self, Field, is_sampled};
 
 use crate::direction::direction;
 use crate::extremes::{fast_max, fast_min};
@@ -116,7 +116,7 @@ impl Solid {
     /// Its surface. That of a polygon, a stroke or a mask takes a millisecond: a scene keeps those
     /// of its solids.
     pub fn surface(&self) -> Surface {
-        self.surface_with(Field::of(self).map(Arc::new))
+        self.surface_with(field::of(self).map(Arc::new))
     }
 
     /// Its surface with a field that was sampled before.
@@ -151,6 +151,11 @@ impl Solid {
             radius,
         };
         Surface { frame, field }
+    }
+
+    /// Whether it has a field that its `surface` lacks.
+    pub(super) fn lacks_field(&self, surface: &Surface) -> bool {
+        is_sampled(self.shape) && surface.field.is_none()
     }
 
     /// Whether the field of another solid is its own.

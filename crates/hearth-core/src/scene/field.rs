@@ -5,6 +5,8 @@
 //! 1980, with lines in place of points). Between nodes the distance is interpolated linearly in
 //! both directions.
 
+use std::hint::black_box;
+
 use glam::Vec2;
 
 use super::contour::{self, Line, Nodes};
@@ -29,6 +31,23 @@ const NEAR: f32 = 1.1;
 /// No line.
 const NONE: u32 = u32::MAX;
 
+/// Whether a solid of this shape has a field.
+pub(super) fn is_sampled(shape: Shape) -> bool {
+    matches!(shape, Shape::Polygon | Shape::Stroke | Shape::Mask)
+}
+
+/// Whether the code of fields is there. A build may leave it to a part that is loaded later, and
+/// then replaces this function; `black_box` keeps the compiler from doing without it.
+#[inline(never)]
+fn is_loaded() -> bool {
+    black_box(1_u8) == 1
+}
+
+/// The field of a solid; `None` for a rounded box, and while the code of fields is not there.
+pub(super) fn of(solid: &Solid) -> Option<Field> {
+    (is_sampled(solid.shape) && is_loaded()).then(|| Field::of(solid))
+}
+
 /// A sampled signed distance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
@@ -51,16 +70,16 @@ pub struct Field {
 }
 
 impl Field {
-    /// The field of a solid; `None` for a rounded box.
+    /// The field of a solid that has one.
     #[inline(never)]
-    pub fn of(solid: &Solid) -> Option<Field> {
+    fn of(solid: &Solid) -> Field {
         match solid.shape {
             Shape::Polygon => {
                 let points = solid.points.all();
                 let mut field = Field::around(points, 0.0);
                 field.measure(&contour::of_polygon(points));
                 field.fill(points);
-                Some(field.measured())
+                field.measured()
             }
             Shape::Stroke => {
                 let points = solid.points.all();
@@ -73,13 +92,12 @@ impl Field {
                 for distance in &mut field.distances {
                     *distance -= radius;
                 }
-                Some(field.measured())
+                field.measured()
             }
-            Shape::Mask => {
+            _ => {
                 let size = Vec2::new(solid.width, solid.height);
-                Some(Field::of_mask(&solid.mask, size).measured())
+                Field::of_mask(&solid.mask, size).measured()
             }
-            Shape::Circle | Shape::Box | Shape::Line => None,
         }
     }
 

@@ -1,6 +1,6 @@
 /**
- * The part of the wasm with the classic model: it is fetched when a fire needs it, and a fire that
- * does not get it keeps its settings.
+ * Parts of the wasm: a page fetches one when a fire needs it, and a fire that does not get it keeps
+ * its settings.
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -14,10 +14,11 @@ before(async () => {
 });
 after(() => browser?.close());
 
-const PART = 'hearth-engine_classic.wasm';
-const GONE = { files: { [PART]: { status: 404, body: '' } } };
+const CLASSIC = 'hearth-engine_classic.wasm';
+const OUTLINES = 'hearth-engine_outlines.wasm';
+const GONE = { files: { [CLASSIC]: { status: 404, body: '' }, [OUTLINES]: { status: 404, body: '' } } };
 
-/** The fire's model, its engine, and how often the page and its worker fetched the part. @param {import('./driver.mjs').Tab} tab */
+/** The fire's model, and how often the page fetched the part for it. @param {import('./driver.mjs').Tab} tab */
 const state = (tab) => tab.fire((fire) => ({
   model: fire.params.model,
   fetched: performance.getEntriesByType('resource').filter(({ name }) => name.endsWith('_classic.wasm')).length,
@@ -58,9 +59,9 @@ for (const place of ['worker', 'main']) {
     const outcomes = await tab.fire((fire) => Promise.allSettled([
       fire.set({ model: 'classic' }), fire.set('wind', 0.5), fire.importConfig({ preset: 'paper-fire' }),
     ]).then((all) => all.map(({ status, reason }) => reason?.message ?? status)));
-    assert.match(outcomes[0], /^The classic model could not be loaded: .*hearth-engine_classic\.wasm gave 404$/);
+    assert.match(outcomes[0], /^The code for the classic model could not be loaded: .*hearth-engine_classic\.wasm gave 404$/);
     assert.equal(outcomes[1], 'fulfilled');
-    assert.match(outcomes[2], /^The classic model could not be loaded/);
+    assert.match(outcomes[2], /^The code for the classic model could not be loaded/);
     assert.deepEqual(await tab.fire(({ params }) => [params.model, params.wind]), ['combustion', 0.5]);
     await assertBurns(tab);
   });
@@ -75,7 +76,7 @@ test('a classic fire starts, and without the part shows the poster, the reason a
   const without = await browser.open(body, GONE);
   assert.equal(await without.fire((fire) => fire.ready.then(() => '', ({ kind }) => kind)), 'load');
   const [error] = await events(without, 'error');
-  assert.match(error.message, /^The classic model could not be loaded/);
+  assert.match(error.message, /^The code for the classic model could not be loaded/);
   assert.ok(await without.fire((fire) => fire.shadowRoot.querySelector('button').checkVisibility()));
   assert.ok(await without.evaluate(() => document.querySelector('#poster')?.checkVisibility()));
 });
@@ -83,9 +84,50 @@ test('a classic fire starts, and without the part shows the poster, the reason a
 test('the part of another build is refused', async () => {
   // An empty module has no version, and so that of the element: it adds nothing.
   const empty = Buffer.from([0, 97, 115, 109, 1, 0, 0, 0]);
-  const tab = await browser.open('<hearth-fire></hearth-fire>', { files: { [PART]: { body: empty, type: 'application/wasm' } } });
+  const tab = await browser.open('<hearth-fire></hearth-fire>', { files: { [CLASSIC]: { body: empty, type: 'application/wasm' } } });
   await tab.burnt(0.3);
   const refused = await tab.fire((fire) => fire.set('model', 'classic').then(() => '', ({ message }) => message));
-  assert.match(refused, /^The classic model could not be loaded/);
+  assert.match(refused, /^The code for the classic model could not be loaded/);
   await assertBurns(tab);
+});
+
+/** A solid of each shape that is a list of points or a picture. */
+const SHAPES = {
+  polygon: { shape: 'polygon', points: '-0.1,0 0.1,0 0,0.2' },
+  stroke: { shape: 'stroke', points: '-0.1,0 0.1,0.1', height: 0.03 },
+  mask: { shape: 'mask', mask: '16x16:7', width: 0.1 },
+};
+
+for (const [shape, properties] of Object.entries(SHAPES)) {
+  test(`the first ${shape} fetches the code for its outline, and without it is refused`, async () => {
+    const solid = { kind: 'solid', x: 0.3, y: 0.5, ...properties };
+    const add = (/** @type {import('./driver.mjs').Tab} */ tab) => tab.fire(async (fire, object) => {
+      const box = await fire.addObject({ kind: 'solid', shape: 'box' });
+      const outcome = await fire.addObject(object).then(() => 'added', ({ message }) => message);
+      const { kind: _, ...shape } = object;
+      const changed = await fire.changeObject(box, shape).then(() => 'changed', ({ message }) => message);
+      return [outcome, changed, fire.objects.filter(({ kind }) => kind === 'solid').map((one) => one.shape).join()];
+    }, solid);
+    const tab = await browser.open('<hearth-fire></hearth-fire>');
+    await tab.burnt(0.3);
+    const fetched = () => tab.evaluate((part) => performance.getEntriesByType('resource').filter(({ name }) => name.endsWith(part)).length, OUTLINES);
+    assert.equal(await fetched(), 0);
+    assert.deepEqual(await add(tab), ['added', 'changed', `${shape},${shape}`]);
+    assert.equal(await fetched(), 1);
+    await assertBurns(tab);
+
+    const without = await browser.open('<hearth-fire></hearth-fire>', GONE);
+    await without.burnt(0.3);
+    const [outcome, changed, shapes] = await add(without);
+    for (const message of [outcome, changed]) assert.match(message, /^The code for polygons, strokes and masks could not be loaded/);
+    assert.equal(shapes, 'box');
+    await assertBurns(without);
+  });
+}
+
+test('a scene that needs both parts gets both', async () => {
+  const tab = await browser.open('<hearth-fire model="classic"><hearth-solid shape="polygon" points="-0.1,0 0.1,0 0,0.2"></hearth-solid></hearth-fire>');
+  await tab.burnt(0.3);
+  await tab.until('the solid is there', () => /** @type {any} */ (document.querySelector('hearth-fire')).objects.length === 2);
+  assert.equal(await tab.fire((fire) => fire.params.model), 'classic');
 });

@@ -1,9 +1,12 @@
-//! Divides a wasm module: what few visitors need becomes modules of their own, its parts, which
-//! a page fetches when it needs them.
+//! Makes a wasm module smaller to download: it divides it, and [orders](order()) its functions.
 //!
+//! What few visitors need becomes modules of their own, its parts, which a page fetches when it needs
+//! them.
 //! A part imports memory, function table, globals and functions of the module that it is taken
 //! from, the rest, and puts its own functions into the table. The rest calls them through the
 //! table. Both come from one link, so a part fits its own rest and no other.
+
+mod order;
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
@@ -14,6 +17,8 @@ use walrus::{
     FunctionKind, GlobalKind, ImportKind, ImportedFunction, LocalFunction, Module, ModuleConfig,
     TableId, ValType,
 };
+
+pub use order::order;
 
 /// What a part takes from a module.
 pub struct Part {

@@ -116,14 +116,15 @@ pub(crate) fn shorten(sh: &Shell, web: &Path) -> Result<()> {
                 module = ModuleConfig::new().parse(&rest)?;
                 let mut taken = nameless.parse(&taken)?;
                 write_version(&mut taken);
-                taken.emit_wasm_file(wasm.with_file_name(format!("{name}_{}.wasm", part.name)))?;
+                let file = wasm.with_file_name(format!("{name}_{}.wasm", part.name));
+                sh.write_file(file, wasm_parts::order(&taken.emit_wasm())?)?;
             }
         }
         let mut module = nameless.parse(&module.emit_wasm())?;
         shorten_names(&mut module, &mut code)?;
         name_version(&module, &mut code)?;
         write_version(&mut module);
-        module.emit_wasm_file(&wasm)?;
+        sh.write_file(&wasm, wasm_parts::order(&module.emit_wasm())?)?;
         sh.write_file(script, code)?;
     }
     Ok(())

@@ -96,11 +96,14 @@ test('other values than those of the kept fire burn first, and those of the look
   }
 });
 
-test('a damaged stored fire is reported, a missing one is not, and the fire burns', async () => {
-  for (const answer of ['damaged', 'gone']) {
-    const tab = await open('<hearth-fire preset="fireside" warm="1" paused></hearth-fire>', {
-      before: answer === 'damaged' ? damage : lose,
-    });
+test('a damaged stored fire is reported, a missing one or one without its code is not, and the fire burns', async () => {
+  const answers = {
+    damaged: { before: damage },
+    gone: { before: lose },
+    'without its code': { files: { 'hearth-engine_burning.wasm': { status: 404, body: '' } } },
+  };
+  for (const [answer, options] of Object.entries(answers)) {
+    const tab = await open('<hearth-fire preset="fireside" warm="1" paused></hearth-fire>', options);
     await tab.ready();
     const time = await tab.fire((fire) => fire.stats.time);
     assert.ok(time >= 1 && time < 1.1, `${time} s`);

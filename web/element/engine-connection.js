@@ -108,7 +108,9 @@ export class EngineConnection {
     await this.#due(loading);
     if (this.closed) return;
     const options = engine();
-    const [, prepared] = await Promise.all([connect(...options), prepare()]);
+    const [engineOfPage, prepared] = await Promise.all([connect(...options), prepare()]);
+    // A fire that does not get the code for its saved state burns for some seconds first.
+    if (prepared) await engineOfPage.provide('burning');
     if (this.closed) return;
     // An engine without fires may have ended meanwhile.
     const port = await connect(...options);

@@ -18,7 +18,7 @@
 
 import { VERSION } from '../generated/version.js';
 import { PARTS, glue, wasm, worker } from './files.js';
-import { countdown, timely } from './time-limit.js';
+import { BURNING_MS, countdown, timely } from './time-limit.js';
 
 /** The smallest module that uses a SIMD instruction. */
 const SIMD_MODULE = new Uint8Array([
@@ -148,7 +148,7 @@ class EnginePort {
   /** @param {Message} message */
   deliver(message) {
     if (message.type === 'part') {
-      this.#load(message.part);
+      this.provide(message.part);
     } else if (message.kind === 'context-lost') {
       this.#contextless ??= countdown(CONTEXT_S, () => this.fail('the browser has not restored its graphics context'));
     } else if (message.type === 'restored') {
@@ -158,15 +158,12 @@ class EnginePort {
     this.#listeners.get(message.fire ?? 0)?.onMessage(message);
   }
 
-  /** Loads a part that a call needs. @param {string} part */
-  async #load(part) {
-    keptParts[part] ??= compile(named ? named.replace(WASM_NAME, `_${part}.wasm`) : PARTS[part]());
-    const loads = keptParts[part];
+  /** Gives the engine a part, or the reason why it is missing. @param {string} part */
+  async provide(part) {
     try {
-      const { module } = await loads;
+      const { module } = await loadPart(part);
       this.send({ part, module });
     } catch (error) {
-      if (keptParts[part] === loads) delete keptParts[part];
       this.send({ part, why: /** @type {Error} */ (error).message });
     }
   }
@@ -232,6 +229,21 @@ export function connect(source, place = 'auto') {
   return opening;
 }
 
+/**
+ * Loads a part of the wasm. After a failure the next call tries again.
+ * @param {string} part
+ */
+export function loadPart(part) {
+  keptParts[part] ??= compile(
+    named ? named.replace(WASM_NAME, `_${part}.wasm`) : PARTS[part](),
+    part === 'burning' ? BURNING_MS : WASM_MS,
+  ).catch((error) => {
+    delete keptParts[part];
+    throw error;
+  });
+  return keptParts[part];
+}
+
 /** @type {(source: Source | undefined, place: Place) => Promise<EnginePort>} */
 async function load(source, place) {
   const missing = missingFeature();
@@ -259,10 +271,11 @@ async function load(source, place) {
 /**
  * Fetches and compiles the wasm, in parallel if the server sends the right type.
  * @param {Source} source
+ * @param {number} milliseconds the limit of its time
  * @returns {Promise<{module: WebAssembly.Module, warning: string}>}
  */
-async function compile(source) {
-  const limit = AbortSignal.timeout(WASM_MS);
+async function compile(source, milliseconds = WASM_MS) {
+  const limit = AbortSignal.timeout(milliseconds);
   try {
     const given = await source;
     if (typeof given !== 'string' && !(given instanceof URL)) {
@@ -282,7 +295,7 @@ async function compile(source) {
     const warning = `${url} is served as ${type} instead of application/wasm, so that the fire starts later.`;
     return checked(await WebAssembly.compile(bytes), warning);
   } catch (error) {
-    throw limit.aborted ? new Error(`no answer within ${WASM_MS / 1000} s`) : error;
+    throw limit.aborted ? new Error(`no answer within ${milliseconds / 1000} s`) : error;
   }
 }
 

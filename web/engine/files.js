@@ -7,10 +7,8 @@
  */
 
 import { BURNING } from '../generated/burning.js';
+import { BURNING_MS } from './time-limit.js';
 import { trustedWorker } from './trusted-worker.js';
-
-/** The maximum time until a saved fire arrives [ms]. A fire without it burns for some seconds first. */
-const BURNING_MS = 5000;
 
 /**
  * The engine's wasm: its URL or its bytes.
@@ -21,10 +19,12 @@ export function wasm() {
 }
 
 /**
- * The parts of the wasm, by name: the classic model, and the distance from the outlines of solids.
+ * The parts of the wasm, by name: what reads saved fires, the classic model, and the distance from the
+ * outlines of solids.
  * @type {{[name: string]: () => import('./engine.js').Source}}
  */
 export const PARTS = {
+  burning: () => new URL('../wasm/hearth-engine_burning.wasm', import.meta.url),
   classic: () => new URL('../wasm/hearth-engine_classic.wasm', import.meta.url),
   outlines: () => new URL('../wasm/hearth-engine_outlines.wasm', import.meta.url),
 };

@@ -26,6 +26,8 @@ pub struct Part {
     pub name: &'static str,
     /// How the symbols of its functions begin. Functions that only these call move with them.
     pub symbols: &'static [&'static str],
+    /// How the symbols of the functions begin that call the part, which they do if it is loaded.
+    pub callers: &'static [&'static str],
     /// How the symbol of the function begins that returns whether the part is loaded. It stays.
     pub is_loaded: &'static str,
 }
@@ -51,6 +53,7 @@ pub fn take(bytes: &[u8], part: &Part) -> Result<Divided> {
     let mut taken = ModuleConfig::new().parse(bytes)?;
     let moved = moved(&rest, part.symbols);
     ensure!(!moved.is_empty(), "no function of {} is found", part.name);
+    check_callers(&rest, &moved, part)?;
     let slots = Slots::new(&mut rest, &moved)?;
     // Numbers are no names of exports but those for parts.
     let names = rest
@@ -95,6 +98,22 @@ fn moved(module: &Module, symbols: &[&str]) -> BTreeSet<usize> {
         .filter(|id| !staying.contains(id))
         .map(|id| id.index())
         .collect()
+}
+
+/// Checks that no other functions than those named call the part: a call before it is loaded traps.
+fn check_callers(module: &Module, moved: &BTreeSet<usize>, part: &Part) -> Result<()> {
+    for (id, function) in module.funcs.iter_local() {
+        let called = calls(function).find(|called| moved.contains(&called.index()));
+        if let Some(called) = called
+            && !moved.contains(&id.index())
+        {
+            let name = |id| module.funcs.get(id).name.as_deref().unwrap_or("a function");
+            let (from, to) = (name(id), name(called));
+            let is_known = part.callers.iter().any(|caller| from.starts_with(caller));
+            ensure!(is_known, "{from} calls {to}, which moves to {}", part.name);
+        }
+    }
+    Ok(())
 }
 
 /// The functions that a function names.
@@ -413,6 +432,7 @@ mod tests {
     const PART: Part = Part {
         name: "part",
         symbols: &["part::"],
+        callers: &["main"],
         is_loaded: "is_loaded",
     };
 
@@ -457,6 +477,10 @@ mod tests {
         for part in [
             Part {
                 symbols: &["other::"],
+                ..PART
+            },
+            Part {
+                callers: &["other::"],
                 ..PART
             },
             Part {

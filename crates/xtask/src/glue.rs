@@ -18,26 +18,52 @@ const DEAD: [&str; 2] = ["wasm_bindgen::convert::closures::", "js_sys::futures::
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The parts of engine and library. `hearth_bindings::parts` tells when a scene needs one.
-const PARTS: [Part; 2] = [
-    Part {
-        name: "classic",
-        symbols: &[
-            "hearth_core::classic::",
-            "<hearth_core::classic::",
-            "<F as hearth_core::classic::",
-            "core::ptr::drop_in_place<hearth_core::classic::",
-        ],
-        is_loaded: "hearth_bindings::parts::classic_is_loaded",
-    },
-    Part {
-        name: "outlines",
-        symbols: &[
-            "hearth_core::scene::field::Field::",
-            "hearth_core::scene::contour::",
-        ],
-        is_loaded: "hearth_core::scene::field::is_loaded",
-    },
+/// The parts, with the modules that they are taken from. `hearth_bindings::parts` tells when one is
+/// needed.
+const PARTS: [(Part, &[&str]); 3] = [
+    (
+        Part {
+            name: "classic",
+            symbols: &[
+                "hearth_core::classic::",
+                "<hearth_core::classic::",
+                "<F as hearth_core::classic::",
+                "core::ptr::drop_in_place<hearth_core::classic::",
+            ],
+            // Each calls the solver of the present model.
+            callers: &["hearth_core::simulation::"],
+            is_loaded: "hearth_bindings::parts::classic_is_loaded",
+        },
+        &["hearth-engine", "hearth-sim"],
+    ),
+    (
+        Part {
+            name: "outlines",
+            symbols: &[
+                "hearth_core::scene::field::Field::",
+                "hearth_core::scene::contour::",
+            ],
+            // A surface that is not sampled has no field.
+            callers: &[
+                "hearth_core::scene::distance::",
+                "hearth_core::solids::thin::",
+            ],
+            is_loaded: "hearth_core::scene::field::is_loaded",
+        },
+        &["hearth-engine", "hearth-sim"],
+    ),
+    (
+        Part {
+            name: "burning",
+            symbols: &[
+                "hearth_core::simulation::burning::<impl",
+                "hearth_core::simulation::burning::format::",
+            ],
+            callers: &["hearth_engine::warm::"],
+            is_loaded: "hearth_bindings::parts::burning_is_loaded",
+        },
+        &["hearth-engine"],
+    ),
 ];
 
 /// The start of the glue's loader, which reaches to the end.
@@ -110,7 +136,7 @@ pub(crate) fn shorten(sh: &Shell, web: &Path) -> Result<()> {
         if name != "hearth-panel" {
             code = short(&code).with_context(|| format!("cannot shorten {}", script.display()))?;
             remove_dead(&mut module, &code);
-            for part in &PARTS {
+            for (part, _) in PARTS.iter().filter(|(_, of)| of.contains(&name)) {
                 let Divided { rest, taken } = wasm_parts::take(&module.emit_wasm(), part)
                     .with_context(|| format!("cannot divide {name}"))?;
                 module = ModuleConfig::new().parse(&rest)?;

@@ -50,11 +50,13 @@ export async function createSimulation(options = {}) {
   const [sent, columnsOfValues] = columns(values);
   const { Fire } = await loaded(wasm, parts);
   const make = () => new Simulation(() => new Fire(preset, sent, columnsOfValues), [['preset', preset], ...values], Fire);
-  for (;;) {
+  for (const added = new Set(); ; ) {
     try {
       return make();
     } catch (missing) {
       if (typeof missing !== 'string') throw missing;
+      if (added.has(missing)) throw missingPart(missing, OTHER_BUILD);
+      added.add(missing);
       await add(missing);
     }
   }
@@ -314,17 +316,19 @@ class Simulation {
    * @template T
    * @param {() => T} act
    * @param {any[][]} [values]
+   * @param {string} [added] the part that was added for the call
    * @returns {T}
    */
-  #guard(act, values) {
+  #guard(act, values, added) {
     try {
       return act();
     } catch (cause) {
       if (Array.isArray(cause)) throw refusal(cause, values);
       // A new simulation waits for the part, a call cannot.
       if (typeof cause === 'string' && this.#fire) {
+        if (cause === added) throw missingPart(cause, OTHER_BUILD);
         addNow(cause);
-        return this.#guard(act, values);
+        return this.#guard(act, values, cause);
       }
       if (!(cause instanceof WebAssembly.RuntimeError)) throw cause;
       this.#fire = undefined;
@@ -384,18 +388,20 @@ async function load(wasm, parts) {
     }
     await glue.default({ module_or_path: ready });
     extend = (part) => glue.default(/** @type {any} */ ({ part }));
-    for (const [name, source] of others) put(name, await source());
+    for (const [name, source] of others) {
+      adding[name] = source().then(extend);
+      await adding[name];
+    }
     // Node has no request that a call can wait for, and reads the files from a disk.
-    const left = NODE ? Object.keys(PARTS).filter((name) => !there.has(name)) : [];
-    await Promise.all(left.map((name) => add(name).catch(() => {})));
+    if (NODE) await Promise.all(Object.keys(PARTS).map((name) => add(name).catch(() => {})));
     return glue;
   } catch (cause) {
     throw new Error(`the simulation's wasm could not be loaded: ${cause}`, { cause });
   }
 }
 
-/** The parts of the wasm that are there. @type {Set<string>} */
-const there = new Set();
+/** The parts of the wasm that are there or on their way. @type {{[part: string]: Promise<void>}} */
+const adding = {};
 
 /** The files of the parts. @type {{[part: string]: () => URL}} */
 const PARTS = {
@@ -406,21 +412,16 @@ const PARTS = {
 /** @type {(name: string, cause: unknown) => Error} */
 const missingPart = (name, cause) => new Error(`the part "${name}" of the wasm could not be loaded: ${cause}`, { cause });
 
-/** Puts a part into the wasm. @type {(name: string, part: WebAssembly.Module) => void} */
-function put(name, part) {
-  // A part that is missing still is that of another build.
-  if (there.has(name)) throw new Error('it is of another build');
-  extend(part);
-  there.add(name);
-}
+/** Why a part that is there is missing still. */
+const OTHER_BUILD = 'it is of another build';
 
-/** Loads a part. @param {string} name */
-async function add(name) {
-  try {
-    put(name, await compiledFrom(PARTS[name]()));
-  } catch (cause) {
+/** Loads a part. After a failure, the next call tries again. @param {string} name */
+function add(name) {
+  adding[name] ??= compiledFrom(PARTS[name]()).then(extend).catch((cause) => {
+    delete adding[name];
     throw missingPart(name, cause);
-  }
+  });
+  return adding[name];
 }
 
 /** Loads a part while the caller waits, which only a request of this old kind can. @param {string} name */
@@ -433,7 +434,7 @@ function addNow(name) {
     request.overrideMimeType('text/plain; charset=x-user-defined');
     request.send();
     if (request.status !== 200) throw new Error(`${url} answers ${request.status}`);
-    put(name, new WebAssembly.Module(Uint8Array.from(request.responseText, (byte) => byte.charCodeAt(0))));
+    extend(new WebAssembly.Module(Uint8Array.from(request.responseText, (byte) => byte.charCodeAt(0))));
   } catch (cause) {
     throw missingPart(name, cause);
   }

@@ -113,6 +113,15 @@ test('a simulation in a browser changes to the classic model, or throws and goes
     const there = await tab.evaluate(change, url);
     assert.deepEqual(there, await node('web/sim.js'));
     assert.equal(there.model, 'classic');
+    const both = await (await browser.open(page)).evaluate(async (from) => {
+      const { createSimulation } = await import(from);
+      const solid = { kind: 'solid', shape: 'polygon', points: '-0.1,0 0.1,0 0,0.2' };
+      const two = await Promise.all([0, 1].map(() => createSimulation({ model: 'classic' })));
+      const one = await createSimulation();
+      one.set({ model: 'classic', objects: [{ kind: 'source' }, solid] });
+      return [...two, one].map((sim) => `${sim.get('model')} ${sim.objects.length}`);
+    }, url);
+    assert.deepEqual(both, ['classic 1', 'classic 1', 'classic 2']);
     const without = await browser.open(page, { files: { [part]: { status: 404, body: '' } } });
     const { thrown, model, bits } = await without.evaluate(change, url);
     assert.match(thrown, /the part "classic" of the wasm could not be loaded: Error: .*hearth-sim_classic\.wasm answers 404/);

@@ -101,7 +101,7 @@ export function runEngine(Engine, canvas, { post, show, extend, fail }, onPage =
      */
     add({ part, module, why }) {
       try {
-        if (module) {
+        if (module && !added.has(part)) {
           extend(module);
           added.add(part);
         }

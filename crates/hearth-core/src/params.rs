@@ -20,6 +20,7 @@ mod solid;
 mod table;
 #[cfg(test)]
 mod tests;
+pub(crate) mod text;
 mod value;
 
 pub use choices::{

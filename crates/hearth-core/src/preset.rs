@@ -40,10 +40,10 @@ mod tests {
     fn every_value_of_every_preset_is_accepted_and_read_back() {
         for preset in PRESETS {
             let mut parameters = Parameters::default();
-            let set = parameters.set_all(preset.values.iter().copied());
+            let set = parameters.set_all(preset.values());
             assert_eq!(set, Ok(()), "preset {}", preset.name);
             let model = parameters.model();
-            for &(id, input) in preset.values {
+            for (id, input) in preset.values() {
                 let param = crate::params::PARAMETERS
                     .iter()
                     .find(|param| param.id == id);

@@ -205,7 +205,7 @@ fn sources(all: &[&[(&str, f64)]]) -> Untrusted {
 fn version_1_is_read_and_exported_as_version_2() {
     for preset in PRESETS {
         // A scene file of version 1 with all differences from the defaults.
-        let values = preset.values.iter().map(|&(id, input)| {
+        let values = preset.values().map(|(id, input)| {
             let value = match input {
                 Input::Number(x) => Untrusted::Number(x),
                 Input::Text(words) => text(words),

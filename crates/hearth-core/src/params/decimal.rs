@@ -7,6 +7,8 @@
 
 use std::fmt;
 
+use super::text::split_once;
+
 /// Largest power of ten that is exact as an `f64`.
 const EXACT_POWER: i32 = 22;
 /// Whole numbers below are exact as an `f64`.
@@ -14,24 +16,33 @@ const EXACT_WHOLE: f64 = 9_007_199_254_740_992.0;
 
 /// Parses numbers such as `-12.5`, `.5` and `3e-4`.
 pub(super) fn parse(text: &str) -> Option<f64> {
-    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
+    let (mantissa, exponent) = match split_once(text, b"eE") {
         Some((mantissa, exponent)) => (mantissa, exponent.parse().ok()?),
         None => (text, 0_i32),
     };
-    let digits = mantissa.strip_prefix(['-', '+']).unwrap_or(mantissa);
-    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
-    let all = || whole.bytes().chain(fraction.bytes());
-    if all().next().is_none() || !all().all(|digit| digit.is_ascii_digit()) {
+    let (is_negative, digits) = match mantissa.as_bytes() {
+        [b'-', digits @ ..] => (true, digits),
+        [b'+', digits @ ..] | digits => (false, digits),
+    };
+    let (mut number, mut count) = (0.0, 0);
+    // The number of digits before the point.
+    let mut whole = None;
+    for &digit in digits {
+        match digit {
+            b'0'..=b'9' => {
+                number = number * 10.0 + f64::from(digit - b'0');
+                count += 1;
+            }
+            b'.' if whole.is_none() => whole = Some(count),
+            _ => return None,
+        }
+    }
+    if count == 0 {
         return None;
     }
-    let number = all().fold(0.0, |sum, digit| sum * 10.0 + f64::from(digit - b'0'));
-    let places = i32::try_from(fraction.len()).ok()?;
+    let places = count - whole.unwrap_or(count);
     let size = scaled(number, exponent.saturating_sub(places));
-    Some(if mantissa.starts_with('-') {
-        -size
-    } else {
-        size
-    })
+    Some(if is_negative { -size } else { size })
 }
 
 /// `x · 10^exponent`.

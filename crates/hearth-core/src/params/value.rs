@@ -121,7 +121,12 @@ pub enum Input<'a> {
     Flag(bool),
 }
 
-impl Input<'_> {
+impl<'a> Input<'a> {
+    /// The number that a text is, or the text.
+    pub(crate) fn from_decimal(text: &'a str) -> Input<'a> {
+        decimal::parse(text).map_or(Input::Text(text), Input::Number)
+    }
+
     pub(super) fn number(&self) -> Option<f64> {
         match *self {
             Input::Number(x) => Some(x),

@@ -1,5 +1,6 @@
 //! The types of the presets.
 
+use crate::params::text::split_once;
 use crate::params::{IN_FRAME, Input, Parameters};
 use crate::scene::Scene;
 
@@ -8,10 +9,11 @@ use crate::scene::Scene;
 pub struct Preset {
     /// Its name in attributes and URLs.
     pub name: &'static str,
-    /// The values that differ from the defaults.
-    pub values: &'static [(&'static str, Input<'static>)],
-    /// The fields of its objects besides its source.
-    pub objects: &'static [&'static [(&'static str, Input<'static>)]],
+    /// The values that differ from the defaults, as text: an id and a value in each line. A table
+    /// of inputs costs a kilobyte of download.
+    pub(super) values: &'static str,
+    /// The fields of its objects besides its source, as text.
+    pub(super) objects: &'static [&'static str],
 }
 
 /// The label and description of a preset. A separate array, so that a build without text does
@@ -25,10 +27,15 @@ pub struct Caption {
 }
 
 impl Preset {
+    /// The values that differ from the defaults.
+    pub fn values(&self) -> impl Iterator<Item = (&'static str, Input<'static>)> + Clone {
+        Fields(self.values)
+    }
+
     /// Its values, with their resolution.
     pub fn parameters(&self) -> Parameters {
         let mut parameters = Parameters::default();
-        let set = parameters.set_all(self.values.iter().copied());
+        let set = parameters.set_all(self.values());
         debug_assert!(set.is_ok(), "preset {}: {set:?}", self.name);
         let [spacing, number] = ["spacing", "max_particles"].map(|id| self.names(id));
         parameters.complete(spacing, number, IN_FRAME);
@@ -37,16 +44,33 @@ impl Preset {
 
     /// Whether it sets this parameter.
     pub fn names(&self, id: &str) -> bool {
-        self.values.iter().any(|(known, _)| *known == id)
+        self.values().any(|(known, _)| known == id)
     }
 
     /// Its scene: these values, with one source and its other objects.
     pub fn scene(&self) -> Scene {
         let mut scene = Scene::new(self.parameters());
-        for fields in self.objects {
-            let added = scene.add(fields);
+        for text in self.objects {
+            let fields: Vec<_> = Fields(text).collect();
+            let added = scene.add(&fields);
             debug_assert!(added.is_ok(), "preset {}: {added:?}", self.name);
         }
         scene
+    }
+}
+
+/// The fields that a text still holds.
+#[derive(Clone)]
+struct Fields(&'static str);
+
+impl Iterator for Fields {
+    type Item = (&'static str, Input<'static>);
+
+    #[inline(never)]
+    fn next(&mut self) -> Option<Self::Item> {
+        let (line, rest) = split_once(self.0, b"\n").unwrap_or((self.0, ""));
+        self.0 = rest;
+        let (id, value) = split_once(line, b" ")?;
+        Some((id, Input::from_decimal(value)))
     }
 }

@@ -11,7 +11,6 @@ const HEADER: &str = "\
 // Generated from the files of scenes/ by `cargo xtask codegen`; edit those instead.
 
 use super::definition::{Caption, Preset};
-use crate::params::Input;
 
 ";
 
@@ -24,13 +23,10 @@ pub(super) fn table(scenes: &[Scene]) -> String {
     );
     for scene in scenes {
         let _ = writeln!(text, "    Preset {{\n        name: {:?},", scene.name);
-        text.push_str("        values: &[\n");
-        fields(&mut text, &scene.values);
-        text.push_str("        ],\n        objects: &[");
+        let _ = writeln!(text, "        values: \"{}\",", fields(&scene.values));
+        text.push_str("        objects: &[");
         for object in &scene.objects {
-            text.push_str("&[\n");
-            fields(&mut text, object);
-            text.push_str("        ], ");
+            let _ = write!(text, "\n            \"{}\",", fields(object));
         }
         text.push_str("],\n    },\n");
     }
@@ -50,14 +46,16 @@ pub(super) fn table(scenes: &[Scene]) -> String {
     text
 }
 
-/// The fields of an object, a line each.
-fn fields(text: &mut String, fields: &[(String, Value)]) {
-    for (id, value) in fields {
-        let input = match value {
-            Value::String(text) => format!("Text({text:?})"),
-            Value::Bool(on) => format!("Flag({on})"),
-            number => format!("Number({:?})", number.as_f64().unwrap_or_default()),
-        };
-        let _ = writeln!(text, "            ({id:?}, Input::{input}),");
-    }
+/// The content of a text literal with a field in each line: its id and its value.
+fn fields(fields: &[(String, Value)]) -> String {
+    let lines = fields.iter().map(|(id, value)| match value {
+        Value::String(text) => format!("{id} {text}"),
+        Value::Bool(on) => format!("{id} {on}"),
+        number => format!("{id} {}", number.as_f64().unwrap_or_default()),
+    });
+    let text = lines.collect::<Vec<_>>().join("\n");
+    // Long literals stay legible: a line of text is a line of the file.
+    text.escape_debug()
+        .to_string()
+        .replace("\\n", "\\n\\\n            ")
 }

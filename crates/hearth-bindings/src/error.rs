@@ -36,7 +36,7 @@ impl ValidationError {
         ValidationError {
             id: error.id.clone(),
             value: value.summary(),
-            message: error.to_string(),
+            message: format!("{error}"),
             range: error.range(),
         }
     }

@@ -12,7 +12,7 @@ thread_local! {
 
 /// Records panics from now on, instead of printing them.
 pub fn record() {
-    panic::set_hook(Box::new(|info| LAST.set(info.to_string())));
+    panic::set_hook(Box::new(|info| LAST.set(format!("{info}"))));
 }
 
 /// The place and the text of the last panic; empty before the first.

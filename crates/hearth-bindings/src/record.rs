@@ -43,7 +43,7 @@ impl Record {
             AnyValue::Flag(on) => self.set_flag(name, on),
             _ => match value.as_number() {
                 Some(number) => self.set_number(name, number),
-                None => self.set_text(name, &value.to_string()),
+                None => self.set_text(name, &format!("{value}")),
             },
         }
     }

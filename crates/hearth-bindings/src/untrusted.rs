@@ -125,7 +125,7 @@ impl Untrusted {
             AnyValue::Flag(on) => Untrusted::Flag(on),
             _ => match value.as_number() {
                 Some(number) => Untrusted::Number(number),
-                None => Untrusted::Text(value.to_string()),
+                None => Untrusted::Text(format!("{value}")),
             },
         }
     }

@@ -231,6 +231,13 @@ impl Grid {
         self.starts[base + first] as usize..self.starts[base + last + 1] as usize
     }
 
+    /// [`run`](Grid::run) across a periodic edge, where few blocks are.
+    #[cold]
+    #[inline(never)]
+    fn run_across(&self, row: usize, bins: [usize; 2], shift: Vec2) -> Run {
+        self.run(row, bins, shift)
+    }
+
     /// The blocks of a row with particles in the bins from `first` to `last`.
     #[inline(always)]
     fn run(&self, row: usize, [first, last]: [usize; 2], shift: Vec2) -> Run {
@@ -281,14 +288,14 @@ impl Grid {
             let (beyond, before) = ([0, right], [left, self.bins - 1]);
             let is_beyond = high > self.left + self.width;
             if is_beyond {
-                visit(self.run(row, beyond, Vec2::new(width, 0.0)));
+                visit(self.run_across(row, beyond, Vec2::new(width, 0.0)));
             }
             if let Some((row, up)) = row_above {
                 if is_beyond {
-                    visit(self.run(row, beyond, Vec2::new(width, up)));
+                    visit(self.run_across(row, beyond, Vec2::new(width, up)));
                 }
                 if low < self.left {
-                    visit(self.run(row, before, Vec2::new(-width, up)));
+                    visit(self.run_across(row, before, Vec2::new(-width, up)));
                 }
             }
         }

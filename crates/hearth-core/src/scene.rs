@@ -38,7 +38,7 @@ const KIND: &str = "kind";
 const ID: &str = "id";
 
 /// Settings and objects: the input of a fire. Every value is in range.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Scene {
     settings: Parameters,
     /// The values of the first source are in `settings`, which keep them while there is no
@@ -55,6 +55,17 @@ struct Stored {
 
 /// The unchecked fields of an object: its `kind`, optionally its `id`, and its properties.
 pub type Fields<'a> = [(&'a str, Input<'a>)];
+
+impl Clone for Scene {
+    // Derived, every crate that clones a scene has this code.
+    #[inline(never)]
+    fn clone(&self) -> Scene {
+        Scene {
+            settings: self.settings.clone(),
+            objects: self.objects.clone(),
+        }
+    }
+}
 
 impl From<Parameters> for Scene {
     fn from(settings: Parameters) -> Scene {
@@ -343,7 +354,7 @@ fn with_properties_of(settings: &Parameters, source: &Parameters) -> Parameters 
 fn must_be(id: String, input: Input<'_>, words: &'static str) -> ParamError {
     ParamError {
         id,
-        value: input.to_string(),
+        value: format!("{input}"),
         kind: ParamErrorKind::Other(words),
     }
 }

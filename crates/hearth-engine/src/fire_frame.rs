@@ -127,7 +127,7 @@ impl FireFrame {
             Err(_) if context.is_context_lost() => Ok(clock.now()),
             Err(error) => {
                 self.free();
-                Err(error.to_string())
+                Err(format!("{error}"))
             }
         }
     }

@@ -120,7 +120,7 @@ impl SharedCanvas {
         self.gpu = match Gpu::new(&self.context) {
             Ok(gpu) => Some(gpu),
             Err(_) if self.context.is_context_lost() => None,
-            Err(error) => return Err(error.to_string()),
+            Err(error) => return Err(format!("{error}")),
         };
         Ok(())
     }

@@ -99,7 +99,7 @@ impl Param {
     pub(super) fn error(&self, input: Input<'_>, kind: ParamErrorKind) -> ParamError {
         ParamError {
             id: self.id.to_owned(),
-            value: input.to_string(),
+            value: format!("{input}"),
             kind,
         }
     }

@@ -4,7 +4,6 @@
 //! SVG's attribute `points`. A mask starts with its size, as in `64x32:`, and a letter per run of
 //! pixels follows, row by row from the upper left: see [`Mask`].
 
-use std::fmt::Write as _;
 use std::sync::Arc;
 
 use glam::Vec2;
@@ -98,8 +97,7 @@ impl Points {
         for point in &points {
             let space = if text.is_empty() { "" } else { " " };
             let [x, y] = point.to_array().map(|x| Decimal(decimal::shortest(x)));
-            // Writing to a text does not fail.
-            let _ = write!(text, "{space}{x},{y}");
+            text.push_str(&format!("{space}{x},{y}"));
         }
         Some(Points(Arc::new((text, points))))
     }

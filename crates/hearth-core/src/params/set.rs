@@ -166,7 +166,7 @@ fn unknown(id: &str, input: Input<'_>) -> ParamError {
     let (start, dots) = abbreviated(id);
     ParamError {
         id: format!("{start}{dots}"),
-        value: input.to_string(),
+        value: format!("{input}"),
         kind: ParamErrorKind::UnknownId {
             nearest: nearest_id(id),
         },

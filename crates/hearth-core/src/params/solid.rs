@@ -84,10 +84,7 @@ impl Solid {
         match (property.kind, property.id) {
             (Kind::Text(_), "mask") => Some(AnyValue::Text(self.mask.text())),
             (Kind::Text(_), _) => Some(AnyValue::Text(self.points.text())),
-            _ => {
-                let place = place(property)?;
-                self.clone().slots().nth(place).map(Slot::value)
-            }
+            _ => self.clone().slot(property).map(Slot::value),
         }
     }
 
@@ -96,7 +93,7 @@ impl Solid {
     /// # Errors
     /// An outline in another form.
     pub(crate) fn put(&mut self, property: &Param, value: AnyValue<'_>) -> Result<(), ParamError> {
-        let slot = place(property).and_then(|place| self.slots().nth(place));
+        let slot = self.slot(property);
         match (
             slot.is_none_or(|slot| slot.put(value)),
             value,
@@ -108,9 +105,11 @@ impl Solid {
             _ => Ok(()),
         }
     }
-}
 
-/// The place of a property in the table.
-fn place(property: &Param) -> Option<usize> {
-    SOLID.iter().position(|one| one.id == property.id)
+    /// The field of a property.
+    #[inline(never)]
+    fn slot(&mut self, property: &Param) -> Option<Slot<'_>> {
+        let place = SOLID.iter().position(|one| one.id == property.id)?;
+        self.slots().nth(place)
+    }
 }

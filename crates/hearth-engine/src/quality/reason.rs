@@ -1,28 +1,26 @@
 //! Why a fire changes its level, as text for `stats`.
 
-use std::fmt::Write as _;
-
 use super::level::Level;
 use super::load::Load;
 
 /// The reason of a change to `level`: what takes how long \[ms\], and what changes.
 pub fn of_change(what: &str, ms: f64, load: &Load, level: Level) -> String {
-    let mut reason = of_times([(what, ms), (" for a frame of ", load.budget)]);
+    let reason = of_times([(what, ms), (" for a frame of ", load.budget)]);
     let number = |level: Level| load.particles.map(|numbers| numbers[level as usize]);
-    let _ = if let (Some(new), Some(old)) = (number(level), number(load.level))
+    let change = if let (Some(new), Some(old)) = (number(level), number(load.level))
         && new != old
     {
         let (new, old) = (with_separator(new), with_separator(old));
-        write!(reason, ": {new} particles instead of {old}")
+        format!("{new} particles instead of {old}")
     } else {
         let than = if level < load.level {
             "coarser"
         } else {
             "finer"
         };
-        write!(reason, ": a {than} picture")
+        format!("a {than} picture")
     };
-    reason
+    reason + ": " + &change
 }
 
 /// The reason of a number of particles `now`, instead of the `wanted` one: a step takes that time
@@ -41,16 +39,15 @@ fn of_times(times: [(&str, f64); 2]) -> String {
     for (words, ms) in times {
         // Formatting a fraction would add 20 KB of code.
         let tenths = (ms * 10.0).round() as u32;
-        let _ = write!(text, "{words}{}.{} ms", tenths / 10, tenths % 10);
+        text.push_str(&format!("{words}{}.{} ms", tenths / 10, tenths % 10));
     }
     text
 }
 
 /// A number of particles with a separator of thousands.
 fn with_separator(number: u32) -> String {
-    let mut text = number.to_string();
-    if number >= 1000 {
-        text.insert(text.len() - 3, ',');
+    match number / 1000 {
+        0 => format!("{number}"),
+        thousands => format!("{thousands},{:03}", number % 1000),
     }
-    text
 }

@@ -16,7 +16,8 @@ after(() => browser?.close());
 
 const CLASSIC = 'hearth-engine_classic.wasm';
 const OUTLINES = 'hearth-engine_outlines.wasm';
-const GONE = { files: { [CLASSIC]: { status: 404, body: '' }, [OUTLINES]: { status: 404, body: '' } } };
+const QUANTITIES = 'hearth-engine_quantities.wasm';
+const GONE = { files: Object.fromEntries([CLASSIC, OUTLINES, QUANTITIES].map((file) => [file, { status: 404, body: '' }])) };
 
 /** The fire's model, and how often the page fetched the part for it. @param {import('./driver.mjs').Tab} tab */
 const state = (tab) => tab.fire((fire) => ({
@@ -124,6 +125,28 @@ for (const [shape, properties] of Object.entries(SHAPES)) {
     await assertBurns(without);
   });
 }
+
+test('the display modes that show particles or a quantity fetch their code, and without it are refused', async () => {
+  const show = (/** @type {import('./driver.mjs').Tab} */ tab, /** @type {string[]} */ modes) => tab.fire(async (fire, all) => {
+    const outcomes = [];
+    for (const mode of all) {
+      outcomes.push(await fire.set('display_mode', mode).then(() => '', ({ message }) => message));
+      await fire.step(2);
+    }
+    return outcomes;
+  }, modes);
+  const others = ['particles', 'temperature', 'density', 'pressure', 'velocity', 'vorticity', 'distance', 'fuel', 'soot', 'neighbours', 'sprites'];
+  const tab = await browser.open('<hearth-fire></hearth-fire>', GONE);
+  await tab.burnt(0.3);
+  for (const message of await show(tab, others)) assert.match(message, /^The code for this display mode could not be loaded/);
+  // Those of a fire need no code.
+  assert.deepEqual(await show(tab, ['paper', 'fire']), ['', '']);
+  await assertBurns(tab);
+  const whole = await browser.open('<hearth-fire></hearth-fire>');
+  await whole.burnt(0.3);
+  assert.deepEqual(await show(whole, [...others, 'paper', 'fire']), Array(others.length + 2).fill(''));
+  assert.deepEqual(await whole.complaints(), []);
+});
 
 test('a scene that needs both parts gets both', async () => {
   const tab = await browser.open('<hearth-fire model="classic"><hearth-solid shape="polygon" points="-0.1,0 0.1,0 0,0.2"></hearth-solid></hearth-fire>');

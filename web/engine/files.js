@@ -19,13 +19,14 @@ export function wasm() {
 }
 
 /**
- * The parts of the wasm, by name: what reads saved fires, the classic model, and the distance from the
- * outlines of solids.
+ * The parts of the wasm, by name: what reads saved fires, the classic model, the quantities of display
+ * modes, and the distance from the outlines of solids.
  * @type {{[name: string]: () => import('./engine.js').Source}}
  */
 export const PARTS = {
   burning: () => new URL('../wasm/hearth-engine_burning.wasm', import.meta.url),
   classic: () => new URL('../wasm/hearth-engine_classic.wasm', import.meta.url),
+  quantities: () => new URL('../wasm/hearth-engine_quantities.wasm', import.meta.url),
   outlines: () => new URL('../wasm/hearth-engine_outlines.wasm', import.meta.url),
 };
 

@@ -9,7 +9,11 @@
  */
 
 /** What needs each part of the wasm: a parameter or property, and its values in words. @type {{[part: string]: [id: string, values: string]}} */
-const NEEDS = { classic: ['model', 'the classic model'], outlines: ['shape', 'polygons, strokes and masks'] };
+const NEEDS = {
+  classic: ['model', 'the classic model'],
+  outlines: ['shape', 'polygons, strokes and masks'],
+  quantities: ['display_mode', 'this display mode'],
+};
 
 /**
  * Runs an engine.

@@ -7,12 +7,19 @@
 use std::hint::black_box;
 
 use hearth_core::Scene;
-use hearth_core::params::Model;
+use hearth_core::params::{DisplayMode, Model};
 
 /// The part that a scene needs and that is not loaded.
 pub fn missing(scene: &Scene) -> Option<&'static str> {
-    if scene.settings().model() == Model::Classic && !classic_is_loaded() {
+    let settings = scene.settings();
+    let measures = !matches!(
+        settings.display_mode,
+        DisplayMode::Fire | DisplayMode::Paper
+    );
+    if settings.model() == Model::Classic && !classic_is_loaded() {
         Some("classic")
+    } else if measures && !quantities_is_loaded() {
+        Some("quantities")
     } else {
         scene.lacks_fields().then_some("outlines")
     }
@@ -22,6 +29,12 @@ pub fn missing(scene: &Scene) -> Option<&'static str> {
 #[inline(never)]
 pub fn burning_is_loaded() -> bool {
     black_box(2_u8) == 2
+}
+
+/// Whether the part that measures what display modes show is loaded.
+#[inline(never)]
+fn quantities_is_loaded() -> bool {
+    black_box(3_u8) == 3
 }
 
 /// Whether the part with the classic model is loaded, as it is in a whole module.

@@ -5,6 +5,7 @@
 
 import CLASSIC from 'inline:classic';
 import OUTLINES from 'inline:outlines';
+import QUANTITIES from 'inline:quantities';
 import WASM from 'inline:wasm';
 import WORKER from 'inline:worker';
 import { trustedWorker } from './engine/trusted-worker.js';
@@ -18,6 +19,7 @@ export function wasm() {
 export const PARTS = {
   classic: () => unpacked(CLASSIC),
   outlines: () => unpacked(OUTLINES),
+  quantities: () => unpacked(QUANTITIES),
 };
 
 /**

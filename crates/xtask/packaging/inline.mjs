@@ -46,6 +46,7 @@ export async function inlined(sources, wasm, { name, version, license }) {
     banner: { js: `/* ${name} ${version}, ${license} */` },
     plugins: [filesInside(sources, wasm, {
       classic: await deflated('hearth-engine_classic.wasm'),
+      quantities: await deflated('hearth-engine_quantities.wasm'),
       outlines: await deflated('hearth-engine_outlines.wasm'),
       wasm: await deflated('hearth-engine_bg.wasm'),
       worker: worker.text,

@@ -20,7 +20,7 @@ const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// The parts, with the modules that they are taken from. `hearth_bindings::parts` tells when one is
 /// needed.
-const PARTS: [(Part, &[&str]); 3] = [
+const PARTS: [(Part, &[&str]); 4] = [
     (
         Part {
             name: "classic",
@@ -51,6 +51,19 @@ const PARTS: [(Part, &[&str]); 3] = [
             is_loaded: "hearth_core::scene::field::is_loaded",
         },
         &["hearth-engine", "hearth-sim"],
+    ),
+    (
+        Part {
+            name: "quantities",
+            symbols: &[
+                "hearth_core::simulation::Simulation::write_measured",
+                "hearth_render::scale::extremes",
+            ],
+            // Of a display mode that shows neither fire nor the paper's sprites.
+            callers: &["hearth_core::simulation::", "hearth_engine::fire::"],
+            is_loaded: "hearth_bindings::parts::quantities_is_loaded",
+        },
+        &["hearth-engine"],
     ),
     (
         Part {

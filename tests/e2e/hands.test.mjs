@@ -17,6 +17,10 @@ after(() => browser?.close());
 const WIDE = { width: 1280, height: 800 };
 const PHONES = [{ width: 390, height: 844, touch: true }, { width: 844, height: 390, touch: true }];
 
+/** A fire whose particles are all flame, and one that throws no sparks by itself. */
+const CLASSIC = 'scene=default&model=classic&paused&quality=low';
+const SPARKLESS = 'scene=default&paused&quality=low&ember-rate=0';
+
 const objects = (tab) => tab.fire((fire) => fire.objects);
 const said = (tab) => tab.evaluate(() => document.querySelector('.hearth-said')?.textContent ?? '');
 const tool = (tab, name) => tab.page.click(`[data-tool="${name}"]`);
@@ -51,6 +55,57 @@ async function until(tab, what, holds) {
   }
   throw new Error(`the objects should be ${what} and are ${JSON.stringify(now)}`);
 }
+
+/** Taps or clicks a place of the world [m]. */
+async function tap(tab, x, y, touch = false) {
+  const at = await pixel(tab, x, y);
+  await (touch ? tab.page.touchscreen.tap(at.x, at.y) : tab.click(at));
+  await tab.frames();
+}
+
+/** Presses a key while another one is down. */
+async function chord(tab, held, key) {
+  await tab.page.keyboard.down(held);
+  await tab.key(key);
+  await tab.page.keyboard.up(held);
+}
+
+/** Whether there is a step to undo. */
+const canUndo = (tab) => tab.on('[data-tool="undo"]', (button) => button.getAttribute('aria-disabled') !== 'true');
+
+/** Where the glow of the same fire is, as a share of its width, after each of these. */
+async function glowsAfter(tab, acts) {
+  const places = [];
+  for (const act of acts) {
+    await tab.fire((fire) => fire.reset());
+    await tab.fire((fire) => fire.step(240));
+    for (let round = 0; round < 3; round += 1) {
+      await act();
+      await tab.fire((fire) => fire.step(20));
+    }
+    await tab.frames();
+    places.push(await glowAt(tab));
+  }
+  return places;
+}
+
+async function glowAt(tab) {
+  // The toolbar glows too. Without visibility, it would lose the focus.
+  const shows = (how) => tab.on('.hearth-hands', (host, opacity) => (host.style.opacity = opacity), how);
+  await shows('0');
+  const picture = await tab.firePicture();
+  await shows('');
+  const columns = Array.from({ length: 48 }, (_, at) => picture.part(at / 48, 0, (at + 1) / 48, 1).glowing());
+  const all = columns.reduce((sum, column) => sum + column);
+  return columns.reduce((sum, column, at) => sum + column * (at + 0.5), 0) / (48 * all);
+}
+
+/** Number of embers, as the fire says after a step. */
+const embers = async (tab) => {
+  await tab.fire((fire) => fire.step(1));
+  await tab.frames(3);
+  return tab.fire((fire) => fire.stats?.embers ?? 0);
+};
 
 /** Drags with the mouse, or with a finger where the page has touch. */
 async function drag(tab, from, to, touch = false) {
@@ -113,19 +168,38 @@ for (const size of [WIDE, ...PHONES]) {
       assert.deepEqual(tab.problems, []);
     });
 
+    test('a drag blows flames its way, which is no step', async () => {
+      const tab = await openPage(size, CLASSIC);
+      await tool(tab, 'blow');
+      assert.match(await said(tab), /^Blow: Drag to blow/);
+      const [right, left] = await glowsAfter(tab, [1, -1].map((way) => () => drag(tab, [-0.1 * way, 0.3], [0.1 * way, 0.3], touch)));
+      assert.ok(right > left + 0.01, `blown to the right, the flames are at ${right}, to the left at ${left}`);
+      assert.equal(await canUndo(tab), false);
+      assert.deepEqual(tab.problems, []);
+    });
+
+    test('a drag throws sparks along its way, which is no step', async () => {
+      const tab = await openPage(size, SPARKLESS);
+      const before = await embers(tab);
+      await tool(tab, 'sparks');
+      await drag(tab, [-0.3, 1.1], [0.3, 1.1], touch);
+      const thrown = await embers(tab) - before;
+      assert.ok(thrown > 40, `${thrown} sparks`);
+      assert.equal(await canUndo(tab), false);
+      assert.equal((await objects(tab)).length, 1);
+      assert.deepEqual(tab.problems, []);
+    });
+
     test('a polygon has the corners that are clicked, a word is a mask', async () => {
       const tab = await openPage(size);
       await tool(tab, 'polygon');
       for (const place of [[-0.1, 1], [0.1, 1], [0, 1.2], [-0.1, 1]]) {
-        const at = await pixel(tab, ...place);
-        await (touch ? tab.page.touchscreen.tap(at.x, at.y) : tab.click(at));
-        await tab.frames();
+        await tap(tab, ...place, touch);
       }
       const [, polygon] = await until(tab, 'a polygon', (all) => all.length === 2);
       assert.deepEqual([polygon.shape, polygon.points.split(' ').length], ['polygon', 3]);
       await tool(tab, 'text');
-      const at = await pixel(tab, 0, 0.8);
-      await (touch ? tab.page.touchscreen.tap(at.x, at.y) : tab.click(at));
+      await tap(tab, 0, 0.8, touch);
       await tab.page.waitForSelector('.hearth-text');
       await tab.page.keyboard.type('OK');
       await tab.key('Enter');
@@ -142,7 +216,7 @@ test('keys draw, choose, move, turn, scale, duplicate and delete without a point
   await tab.page.focus('.hearth-overlay');
   await tab.key('5');
   await tab.key('Enter');
-  for (const key of ['ArrowRight', 'ArrowUp']) await tab.page.keyboard.down('Shift').then(() => tab.key(key)).finally(() => tab.page.keyboard.up('Shift'));
+  for (const key of ['ArrowRight', 'ArrowUp']) await chord(tab, 'Shift', key);
   await tab.key('Enter');
   const [, box] = await until(tab, 'a box', (all) => all.length === 2);
   assert.deepEqual([box.shape, box.width, box.height], ['box', 0.1, 0.1]);
@@ -154,9 +228,7 @@ test('keys draw, choose, move, turn, scale, duplicate and delete without a point
   await until(tab, 'turned', ([, one]) => one.angle === 5);
   await tab.key('+');
   await until(tab, 'larger', ([, one]) => close(one.width, 0.11, 1e-4));
-  await tab.page.keyboard.down('Control');
-  await tab.key('d');
-  await tab.page.keyboard.up('Control');
+  await chord(tab, 'Control', 'd');
   await until(tab, 'three', (all) => all.length === 3);
   await tab.key('Delete');
   await until(tab, 'two', (all) => all.length === 2);
@@ -165,6 +237,38 @@ test('keys draw, choose, move, turn, scale, duplicate and delete without a point
   await tab.page.focus('.hearth-overlay');
   await tab.key('Delete');
   await until(tab, 'one', (all) => all.length === 1);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('keys blow from the cross', async () => {
+  const tab = await openPage(WIDE, CLASSIC);
+  await tab.page.focus('.hearth-overlay');
+  await tab.key('b');
+  const cross = () => tab.on('.hearth-overlay .cross', (path) => path.getBoundingClientRect().y);
+  await tab.key('Enter');
+  const middle = await cross();
+  for (let down = 0; down < 4; down += 1) await chord(tab, 'Shift', 'ArrowDown');
+  assert.ok(await cross() > middle, 'with Shift, an arrow moves the cross');
+  const at = await cross();
+  const [right, left] = await glowsAfter(tab, ['ArrowRight', 'ArrowLeft'].map((key) => () => tab.key(key)));
+  assert.ok(right > left + 0.01, `blown to the right, the flames are at ${right}, to the left at ${left}`);
+  assert.equal(await cross(), at, 'an arrow blows and moves nothing');
+  await tab.key('k');
+  assert.match(await said(tab), /The classic model has none/);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('Enter throws sparks at the cross', async () => {
+  const tab = await openPage(WIDE, SPARKLESS);
+  await tab.page.focus('.hearth-overlay');
+  await tab.key('k');
+  const before = await embers(tab);
+  await tab.key('Enter');
+  await tab.key('Enter');
+  assert.equal(await embers(tab) - before, 48);
+  assert.equal(await canUndo(tab), false);
+  const names = await tab.evaluate(() => ['blow', 'sparks'].map((name) => document.querySelector(`[data-tool="${name}"]`)?.getAttribute('aria-label')));
+  assert.deepEqual(names, ['Blow (B)', 'Sparks (K)']);
   assert.deepEqual(tab.problems, []);
 });
 

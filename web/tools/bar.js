@@ -39,9 +39,9 @@ export class Bar {
 
   /** @param {Acts} acts */
   constructor(acts) {
-    for (const [at, { name, label, hint, icon }] of TOOLS.entries()) {
-      const key = (at + 1) % 10;
-      this.#button(name, `${label} (${key})`, icon, () => acts.tool(name)).title = `${label}: ${hint} (${key})`;
+    for (const { name, key, label, hint, icon } of TOOLS) {
+      const shown = key.toUpperCase();
+      this.#button(name, `${label} (${shown})`, icon, () => acts.tool(name)).title = `${label}: ${hint} (${shown})`;
     }
     const file = /** @type {HTMLInputElement} */ (element('input', { type: 'file', accept: 'image/*', hidden: '' }));
     file.addEventListener('change', () => {

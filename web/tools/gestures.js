@@ -8,6 +8,7 @@
  * @typedef {{snaps: boolean, perPixel: number}} How  Whether angles snap, and metres of a pixel.
  *
  * @typedef {object} Hands  What gestures need of the toolbar.
+ * @property {import('../hearth-fire.js').HearthFire} fire
  * @property {import('../panel/editing.js').Editing} editing
  * @property {() => Fields[]} objects
  * @property {(fields: Fields) => void} add
@@ -24,6 +25,7 @@
  */
 
 import { distance } from '../panel/objects.js';
+import { blow, throwSparks } from './air.js';
 import {
   boxBetween, circleAround, lineBetween, moved, outlineOf, polygonOf, sized, snapped, sourceBetween, strokeAlong, turned,
 } from './geometry.js';
@@ -188,6 +190,8 @@ export class PolygonDrawing {
  */
 export function begin(tool, hands, from, how) {
   switch (tool) {
+    case 'blow': return blow(hands, from);
+    case 'sparks': return throwSparks(hands, from);
     case 'select': return select(hands, from, how);
     case 'erase': return erase(hands, from, how);
     case 'brush': return brush(hands, from);

@@ -102,6 +102,7 @@ class Toolbar {
       picture: (file) => this.#picture(file),
       duplicate: () => this.#edits.duplicate(),
       remove: () => this.#edits.remove(),
+      order: (front) => this.#edits.order(front),
       undo: () => this.#edits.attempt(() => history.undo()),
       redo: () => this.#edits.attempt(() => history.redo()),
       close: closed,

@@ -190,6 +190,38 @@ for (const size of [WIDE, ...PHONES]) {
       assert.deepEqual(tab.problems, []);
     });
 
+    test('the selected solid goes to the front and to the back, each as one step', async () => {
+      const tab = await openPage(size);
+      for (const [from, to] of [[[-0.15, 1.2], [0.05, 1]], [[-0.05, 1.15], [0.15, 0.95]]]) {
+        await tool(tab, 'box');
+        await drag(tab, from, to, touch);
+        await tab.frames();
+      }
+      const order = (ids) => until(tab, `in the order ${ids}`, (all) => all.map(({ id }) => id).join() === ids);
+      const first = await order('1,2,3');
+      await tool(tab, 'back');
+      const behind = await order('3,1,2');
+      assert.deepEqual(behind, [first[2], first[0], first[1]]);
+      // A press finds what is drawn before the other.
+      await tool(tab, 'select');
+      await tap(tab, 0, 1.08, touch);
+      assert.equal(await tab.on('[aria-label="Selected object"]', (list) => list.value), '2');
+      await tool(tab, 'back');
+      await order('2,3,1');
+      await tool(tab, 'front');
+      await order('3,1,2');
+      for (const before of ['2,3,1', '3,1,2', '1,2,3']) {
+        await tool(tab, 'undo');
+        await order(before);
+      }
+      await tool(tab, 'redo');
+      await order('3,1,2');
+      await tab.page.select('.hearth-tools select[aria-label="Selected object"]', '1');
+      const disabled = (name) => tab.on(`[data-tool="${name}"]`, (button) => button.getAttribute('aria-disabled'));
+      assert.deepEqual([await disabled('front'), await disabled('back')], ['true', 'true'], 'a source has no place in front');
+      assert.deepEqual(tab.problems, []);
+    });
+
     test('a polygon has the corners that are clicked, a word is a mask', async () => {
       const tab = await openPage(size);
       await tool(tab, 'polygon');

@@ -52,6 +52,19 @@ export class Editing extends EventTarget {
     this.#changed();
   }
 
+  /**
+   * Moves solids to the end of the list, where they are before the others, or to its beginning: one step.
+   * @type {(ids: number[], front: boolean) => Promise<void>}
+   */
+  order(ids, front) {
+    return this.history.objects(() => {
+      const all = objectsOf(this.#fire);
+      const moves = (/** @type {Fields} */ { id, kind }) => kind === 'solid' && ids.includes(id);
+      const [moved, rest] = [all.filter(moves), all.filter((one) => !moves(one))];
+      return this.#fire.set({ objects: /** @type {any[]} */ (front ? [...rest, ...moved] : [...moved, ...rest]) });
+    });
+  }
+
   #changed() {
     this.dispatchEvent(new Event('change'));
   }

@@ -4,7 +4,8 @@
  * A step is one gesture: a drag of a slider, a typed value, a press of a button. A page's own script
  * may change values sixty times a second, so its changes are not steps, and undoing one value keeps
  * them. A command that replaces all values, such as a preset or pasted settings, is undone as a
- * whole. A step that adds or removes objects restores which there are; those that stay keep their values.
+ * whole. A step that adds, removes or reorders objects restores which there
+ * are and their order; those that stay keep their values.
  *
  * The fire answers in order, so a step knows what it changed without another request. A step that
  * changes all values waits for the steps before it, and later steps wait for it.
@@ -43,7 +44,7 @@ const MODEL = 'model';
  * @property {Value | Values} [value]  The value of a step that changes one, or the properties of an object.
  * @property {Values} [values]  The value with the model, or all values.
  * @property {number} [object]  The object that has the properties.
- * @property {Fields[]} [objects]  All objects, if a step adds or removes some.
+ * @property {Fields[]} [objects]  All objects, if a step adds, removes or reorders some.
  * @property {boolean} [named]  Whether the number or the spacing of a step that changes it is set.
  * @property {HearthConfig} [config]  The settings, if all may have changed.
  * @property {Map<ModelName, Values>} [kept]  The last known values of the other models: settings hold those
@@ -138,7 +139,7 @@ export class UndoHistory {
   }
 
   /**
-   * Does something that adds or removes objects.
+   * Does something that adds, removes or reorders objects.
    * @param {() => unknown} act
    * @returns {Promise<void>}
    */

@@ -9,6 +9,7 @@
  * @property {(file: Blob) => void} picture
  * @property {() => void} duplicate
  * @property {() => void} remove
+ * @property {(front: boolean) => void} order
  * @property {() => void} undo
  * @property {() => void} redo
  * @property {() => void} close
@@ -60,6 +61,8 @@ export class Bar {
     this.element.append(settings);
     this.#button('duplicate', 'Duplicate (Ctrl D)', ICONS.duplicate, acts.duplicate);
     this.#button('remove', 'Delete (Delete)', ICONS.remove, acts.remove);
+    this.#button('back', 'To back', ICONS.back, () => acts.order(false)).title = 'Draw the solid behind the others';
+    this.#button('front', 'To front', ICONS.front, () => acts.order(true)).title = 'Draw the solid before the others';
     this.#button('undo', 'Undo (Ctrl Z)', ICONS.undo, acts.undo);
     this.#button('redo', 'Redo (Ctrl Y)', ICONS.redo, acts.redo);
     this.#button('close', 'Close the tools', ICONS.close, acts.close);
@@ -105,7 +108,8 @@ export class Bar {
       this.#list.replaceChildren(new Option('nothing selected', ''), ...all.map((object) => new Option(nameOf(object), String(object.id))));
     }
     this.#list.value = selected ? String(selected.id) : '';
-    for (const [name, works] of Object.entries({ undo: canUndo, redo: canRedo, duplicate: selected, remove: selected })) {
+    const solid = selected?.kind === 'solid';
+    for (const [name, works] of Object.entries({ undo: canUndo, redo: canRedo, duplicate: selected, remove: selected, back: solid, front: solid })) {
       this.#buttons.get(name)?.setAttribute('aria-disabled', String(!works));
     }
   }

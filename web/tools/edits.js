@@ -107,6 +107,14 @@ export class Edits {
     this.#say(`${nameOf(selected)} is removed.`);
   }
 
+  /** Moves the selected solid before all others, or behind them. @param {boolean} front */
+  order(front) {
+    const { selected } = this.#editing;
+    if (selected?.kind !== 'solid') return;
+    this.attempt(() => this.#editing.order([selected.id], front));
+    this.#say(`${nameOf(selected)} is ${front ? 'before' : 'behind'} the other solids.`);
+  }
+
   /** Removes an object, and the sources that are its surface: they would burn elsewhere. @param {number} id */
   async takeAway(id) {
     const on = objectsOf(this.#fire).filter((one) => isOn(one, id));

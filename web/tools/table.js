@@ -32,6 +32,8 @@ export const ICONS = {
   undo: 'M9 6L4 11l5 5M4 11h10a6 6 0 0 1 0 12h-3',
   redo: 'M15 6l5 5-5 5M20 11H10a6 6 0 0 0 0 12h3',
   duplicate: 'M8 8h12v12H8zM4 16V4h12',
+  back: 'M3 3h10v10H3zM16 9h5v12H9v-5M17 12l-4 5M13 13v4h4',
+  front: 'M9 9h12v12H9zM13 6V3H3v10h3M12 17l5-5M13 12h4v4',
   remove: 'M5 7h14M9 7V4h6v3M7 7l1 13h8l1-13',
   close: 'M6 6l12 12M18 6L6 18',
 };

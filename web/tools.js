@@ -12,7 +12,7 @@ import { Bar, element } from './tools/bar.js';
 import { Edits, isOn } from './tools/edits.js';
 import { begin, PolygonDrawing } from './tools/gestures.js';
 import { rounded, scaled } from './tools/geometry.js';
-import { askForText, pictureOf } from './tools/insert.js';
+import { Inserts } from './tools/insert.js';
 import { Overlay } from './tools/overlay.js';
 import { ARROWS, TOOLS } from './tools/table.js';
 
@@ -20,6 +20,7 @@ import { ARROWS, TOOLS } from './tools/table.js';
  * @typedef {import('./hearth-fire.js').HearthFire} HearthFire
  * @typedef {import('./tools/geometry.js').Fields} Fields
  * @typedef {import('./tools/geometry.js').Point} Point
+ * @typedef {import('./tools/gestures.js').How} How
  */
 
 /** Thickness of a new line, as a share of the frame's smaller side. */
@@ -66,6 +67,7 @@ class Toolbar {
   #host;
   #editing;
   #edits;
+  #inserts;
   #overlay;
   #polygon;
   #tool = 'select';
@@ -75,8 +77,6 @@ class Toolbar {
   #gestures = new Map();
   /** @type {Point | undefined} */
   #cross;
-  /** @type {(() => void) | undefined} */
-  #form;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #saidEnds;
   /** Where the keys blow. @type {Point} */
@@ -91,24 +91,27 @@ class Toolbar {
     this.#editing = editingOf(fire);
     this.#edits = new Edits(fire, this.#editing, () => this.#bar, (text) => this.#say(text));
     this.#overlay = new Overlay(fire);
+    this.#inserts = new Inserts(host, this.#overlay, this.#edits, (text) => this.#open(text));
     this.#polygon = new PolygonDrawing(this.#hands);
     const { history } = this.#editing;
     this.#bar = new Bar({
       tool: (name) => this.#choose(name),
       select: (id) => {
-        this.#editing.select(id);
-        this.#choose('select');
+        if (this.#bar.several && id !== undefined) this.#edits.toggle(id);
+        else this.#editing.select(id);
+        this.#choose('select', false);
       },
-      picture: (file) => this.#picture(file),
+      picture: (file) => this.#inserts.picture(file),
       duplicate: () => this.#edits.duplicate(),
       remove: () => this.#edits.remove(),
       order: (front) => this.#edits.order(front),
+      align: (to) => this.#align(to),
       undo: () => this.#edits.attempt(() => history.undo()),
       redo: () => this.#edits.attempt(() => history.redo()),
       close: closed,
     });
     host.classList.add('hearth-hands');
-    host.append(this.#overlay.element, this.#bar.element, this.#said);
+    host.append(this.#overlay.element, this.#bar.element, this.#bar.align, this.#said);
     this.#choose('select');
     this.#update();
   }
@@ -124,10 +127,13 @@ class Toolbar {
         this.#edits.add(fields);
       },
       remove: (id) => this.#edits.takeAway(id),
+      changes: (objects, fields) => this.#edits.changes(objects, fields),
       handleAt: (object, at) => this.#overlay.handleAt(object, at),
       preview: (shown) => this.#overlay.preview(shown),
+      guide: (lines) => this.#overlay.guide(lines),
+      toggle: (id) => this.#edits.toggle(id),
       thickness: () => rounded(Math.max(0.01, THICKNESS * Math.min(this.#fire.params.domain_width, this.#fire.params.domain_height))),
-      write: (at) => this.#write(at),
+      write: (at) => this.#inserts.write(at),
     };
   }
 
@@ -142,13 +148,7 @@ class Toolbar {
     on(layer, 'blur', () => this.#point(undefined));
     on(layer, 'dblclick', () => this.#polygon.close());
     on(keys, 'keydown', (event) => this.#key(event));
-    on(document, 'paste', (event) => this.#paste(event));
-    for (const place of [this.#fire, this.#host]) {
-      on(place, 'dragover', (event) => {
-        if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
-      });
-      on(place, 'drop', (event) => this.#drop(event));
-    }
+    this.#inserts.listen([this.#fire, this.#host], signal);
     on(this.#editing, 'change', () => this.#update());
     for (const name of ['objects-change', 'params-change', 'ready']) on(this.#fire, name, () => this.#update());
     const sizes = new ResizeObserver(() => this.#update());
@@ -166,12 +166,12 @@ class Toolbar {
     clearTimeout(this.#puffEnds);
     for (const id of [...this.#gestures.keys()]) this.#cancel(id);
     this.#host.classList.remove('hearth-hands');
-    for (const one of [this.#overlay.element, this.#bar.element, this.#said]) one.remove();
-    this.#form?.();
+    for (const one of [this.#overlay.element, this.#bar.element, this.#bar.align, this.#said]) one.remove();
+    this.#inserts.close();
   }
 
-  /** @param {string} name */
-  #choose(name) {
+  /** @type {(name: string, says?: boolean) => void} */
+  #choose(name, says = true) {
     for (const id of [...this.#gestures.keys()]) this.#cancel(id);
     this.#polygon.cancel();
     this.#tool = name;
@@ -181,17 +181,18 @@ class Toolbar {
     layer.style.cursor = tool?.cursor ?? '';
     layer.classList.toggle('idle', name === 'stir');
     const without = name === 'sparks' && this.#fire.params.model === 'classic' ? ' The classic model has none.' : '';
-    this.#say(tool ? `${tool.label}: ${tool.hint}.${without}` : '');
+    if (says && tool) this.#say(`${tool.label}: ${tool.hint}.${without}`);
     this.#update();
   }
 
   /** Shows the state of the fire. */
   #update() {
-    const { selected, history } = this.#editing;
+    const { all: selected, history } = this.#editing;
     const all = objectsOf(this.#fire);
     // A source at the surface of a solid is where that is.
-    const place = all.find((one) => selected && isOn(selected, one.id)) ?? selected;
-    this.#overlay.select(place, this.#tool === 'select' && place === selected);
+    const places = selected.map((one) => all.find(({ id }) => isOn(one, id)) ?? one);
+    const isOne = places.length === 1 && places[0] === selected[0] && this.#tool === 'select';
+    this.#overlay.select(places, isOne ? places[0] : undefined);
     this.#bar.show(all, selected, history);
   }
 
@@ -202,53 +203,17 @@ class Toolbar {
     this.#saidEnds = setTimeout(() => (this.#said.textContent = ''), SAID_MS);
   }
 
-  /** Width and middle of what is seen [m]. */
-  get #seen() {
-    const { clientWidth, clientHeight } = this.#fire;
-    const [low, high] = [this.#fire.toMetres(0, clientHeight), this.#fire.toMetres(clientWidth, 0)];
-    const { domain_width: width, domain_height: height } = this.#fire.params;
-    if (!low || !high) return { width, x: 0, y: height / 2 };
-    return { width: Math.min(width, high.x - low.x), x: (low.x + high.x) / 2, y: (Math.max(0, low.y) + high.y) / 2 };
+  /** Opens settings. @param {string} text */
+  #open(text) {
+    return this.#editing.history.all(() => this.#fire.importConfig(text), { replaces: true });
   }
 
-  /** Asks for a word at a point. @param {Point} at */
-  #write(at) {
-    this.#form?.();
-    const place = (/** @type {Fields} */ fields) => this.#edits.add({ ...fields, x: rounded(at.x), y: rounded(at.y) });
-    this.#form = askForText(this.#host, this.#seen.width, place, () => (this.#form = undefined));
-  }
-
-  /** @type {(file: Blob, at?: Point | null) => Promise<void>} */
-  #picture(file, at) {
-    return this.#edits.attempt(async () => {
-      const { width, x, y } = this.#seen;
-      const fields = await pictureOf(file, width);
-      await this.#edits.add({ ...fields, x: rounded(at?.x ?? x), y: rounded(at?.y ?? y) });
-    });
-  }
-
-  /** @param {DragEvent} event */
-  #drop(event) {
-    const [file] = event.dataTransfer?.files ?? [];
-    if (!file) return;
-    event.preventDefault();
-    event.stopPropagation();
-    if (file.type !== 'application/json') this.#picture(file, this.#overlay.metres(event));
-    else this.#edits.attempt(async () => this.#editing.history.all(async () => this.#fire.importConfig(await file.text()), { replaces: true }));
-  }
-
-  /** @param {ClipboardEvent} event */
-  #paste(event) {
-    const typing = event.composedPath().some((node) => /** @type {Partial<Element>} */ (node).matches?.('input, textarea'));
-    const [file] = event.clipboardData?.files ?? [];
-    if (!file || typing) return;
-    event.preventDefault();
-    this.#picture(file);
-  }
-
-  /** @param {{shiftKey: boolean}} event @returns {import('./tools/gestures.js').How} */
-  #how({ shiftKey }) {
-    return { snaps: shiftKey, perPixel: this.#overlay.perPixel };
+  /** @param {MouseEvent | KeyboardEvent} event @returns {How} */
+  #how(event) {
+    const { shiftKey, altKey } = event;
+    // A key moves by whole steps.
+    const free = altKey || event instanceof KeyboardEvent;
+    return { snaps: shiftKey, adds: shiftKey || this.#bar.several, free, perPixel: this.#overlay.perPixel };
   }
 
   /** @param {PointerEvent} event */
@@ -274,7 +239,7 @@ class Toolbar {
     if (at) this.#end(event.pointerId, at, this.#how(event));
   }
 
-  /** @type {(pointer: number, at: Point, how: import('./tools/gestures.js').How) => void} */
+  /** @type {(pointer: number, at: Point, how: How) => void} */
   #begin(pointer, at, how) {
     this.#editing.history.press();
     if (this.#tool === 'polygon') {
@@ -287,7 +252,7 @@ class Toolbar {
     if (gesture) this.#gestures.set(pointer, gesture);
   }
 
-  /** @type {(pointer: number, at: Point, how: import('./tools/gestures.js').How) => void} */
+  /** @type {(pointer: number, at: Point, how: How) => void} */
   #end(pointer, at, how) {
     const gesture = this.#gestures.get(pointer);
     this.#gestures.delete(pointer);
@@ -347,14 +312,21 @@ class Toolbar {
       if (key === 'Enter' || key === ' ') return () => this.#pressCross(this.#how(event));
     }
     if (!selected) return undefined;
-    const change = (/** @type {Fields} */ fields) => () => {
+    const change = (/** @type {(object: Fields) => Fields} */ of) => () => {
       if (!event.repeat) history.press();
-      this.#edits.attempt(() => history.change(selected.id, fields));
+      this.#edits.change(this.#editing.all.map(of));
     };
-    if (arrow) return change({ x: rounded(selected.x + arrow[0] * far), y: rounded(selected.y + arrow[1] * far) });
-    if (key === '[' || key === ']') return change({ angle: (selected.angle ?? 0) + (key === '[' ? TURN : -TURN) });
-    if (key === '+' || key === '-') return change(scaled(selected, key === '+' ? 1.1 : 1 / 1.1));
-    return undefined;
+    if (arrow) return change(({ x, y }) => ({ x: rounded(x + arrow[0] * far), y: rounded(y + arrow[1] * far) }));
+    if (key === '[' || key === ']') return change(({ angle = 0 }) => ({ angle: angle + (key === '[' ? TURN : -TURN) }));
+    if (key === '+' || key === '-') return change((object) => scaled(object, key === '+' ? 1.1 : 1 / 1.1));
+    // Enter shows the cross, with which other objects are chosen.
+    return onLayer && key === 'Enter' ? () => this.#point({ x: selected.x, y: selected.y }) : undefined;
+  }
+
+  /** @param {import('./tools/geometry.js').Alignment} to */
+  #align(to) {
+    this.#editing.history.press();
+    this.#edits.align(to);
   }
 
   #escape() {
@@ -370,9 +342,9 @@ class Toolbar {
     }
   }
 
-  /** @type {(right: number, up: number, how: import('./tools/gestures.js').How) => void} */
+  /** @type {(right: number, up: number, how: How) => void} */
   #moveCross(right, up, how) {
-    const from = this.#cross ?? this.#seen;
+    const from = this.#cross ?? this.#overlay.seen;
     const at = { x: from.x + right, y: from.y + up };
     this.#point(at);
     this.#polygon.show(at);
@@ -382,12 +354,12 @@ class Toolbar {
 
   /** The cross, shown in the middle of what is seen if there was none. */
   #showCross() {
-    const { x, y } = this.#cross ?? this.#seen;
+    const { x, y } = this.#cross ?? this.#overlay.seen;
     this.#point({ x, y });
     return { x, y };
   }
 
-  /** Blows from the cross for a moment. @type {(towards: Point, how: import('./tools/gestures.js').How) => void} */
+  /** Blows from the cross for a moment. @type {(towards: Point, how: How) => void} */
   #puff(towards, how) {
     const at = this.#showCross();
     this.#aim = towards;
@@ -399,7 +371,7 @@ class Toolbar {
     this.#puffEnds = setTimeout(() => this.#cancel(-1), PUFF_MS);
   }
 
-  /** Presses at the cross or, after that, releases. What acts on the fire acts at once. @param {import('./tools/gestures.js').How} how */
+  /** Presses at the cross or, after that, releases. What acts on the fire acts at once. @param {How} how */
   #pressCross(how) {
     if (this.#tool === 'blow') {
       this.#puff(this.#aim, how);
@@ -410,7 +382,9 @@ class Toolbar {
       throwSparks(this.#hands, at);
       return;
     }
-    if (this.#gestures.has(-1)) this.#end(-1, at, how);
-    else this.#begin(-1, at, how);
+    const began = this.#gestures.has(-1);
+    if (!began) this.#begin(-1, at, how);
+    // A press that adds to the selection is a click.
+    if (began || (how.adds && this.#tool === 'select')) this.#end(-1, at, how);
   }
 }

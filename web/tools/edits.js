@@ -12,7 +12,8 @@
 
 import { MAX_OBJECTS } from '../generated/scene-objects.js';
 import { copyOf, entriesOf, isFull, nameOf, newObject, objectsOf } from '../panel/objects.js';
-import { outlineOf, rounded } from './geometry.js';
+import { aligned, moved, outlineOf, rounded } from './geometry.js';
+import { placed } from './gestures.js';
 
 /** Power of a metre of a surface that burns [kW/m]. */
 const POWER = 150;
@@ -76,7 +77,7 @@ export class Edits {
     const fields = { ...like, ...drawn };
     for (const name of ['power', 'rate']) {
       if (!(name in like)) continue;
-      fields[name] = this.#inRange(name, (like[name] * drawn.width) / like.width);
+      fields[name] = rounded(this.#inRange(name, (like[name] * drawn.width) / like.width));
     }
     return { ...fields, shape: 'line', width: this.#inRange('width', drawn.width) };
   }
@@ -86,38 +87,85 @@ export class Edits {
     const { points, closed } = outlineOf(solid);
     const ends = closed ? [...points, points[0]] : [...points, ...points.slice(0, -1).reverse()];
     const around = ends.reduce((sum, point, at) => sum + (at ? Math.hypot(point.x - ends[at - 1].x, point.y - ends[at - 1].y) : 0), 0);
-    return { kind: 'source', shape: 'solid', solid: id, power: this.#inRange('power', POWER * around) };
+    return { kind: 'source', shape: 'solid', solid: id, power: rounded(this.#inRange('power', POWER * around)) };
   }
 
-  /** @type {(name: string, value: number) => number} */
-  #inRange(name, value) {
-    const { min = value, max = value } = entriesOf('source').find((one) => one.name === name)?.domain(this.#fire.params.model) ?? {};
-    return rounded(Math.min(max, Math.max(min, value)));
+  /** @type {(name: string, value: number, kind?: 'source' | 'solid') => number} */
+  #inRange(name, value, kind = 'source') {
+    const { min = value, max = value } = entriesOf(kind).find((one) => one.name === name)?.domain(this.#fire.params.model) ?? {};
+    return Math.min(max, Math.max(min, value));
   }
 
+  /** Adds an object like each selected one, and selects the new ones. */
   duplicate() {
-    const { selected } = this.#editing;
-    if (selected) this.add({ ...copyOf(this.#fire, selected) });
+    return this.attempt(async () => {
+      const { all, history } = this.#editing;
+      /** @type {number[]} */
+      const ids = [];
+      await history.objects(async () => {
+        for (const object of all) {
+          if (isFull(this.#fire, object.kind)) throw new Error(`A fire has at most ${MAX_OBJECTS} ${object.kind}s.`);
+          ids.push(await this.#fire.addObject(/** @type {any} */ (copyOf(this.#fire, object))));
+        }
+      });
+      this.#editing.select(...ids);
+      this.#say(`${this.#named} ${ids.length > 1 ? 'are' : 'is'} new.`);
+    });
   }
 
+  /** Removes the selected objects. */
   remove() {
-    const { selected, history } = this.#editing;
-    if (!selected) return;
-    this.attempt(() => history.objects(() => this.takeAway(selected.id)));
-    this.#say(`${nameOf(selected)} is removed.`);
+    const { all, history } = this.#editing;
+    if (all.length === 0) return;
+    this.#say(`${this.#named} ${all.length > 1 ? 'are' : 'is'} removed.`);
+    this.attempt(() => history.objects(() => this.takeAway(...all.map(({ id }) => id))));
   }
 
-  /** Moves the selected solid before all others, or behind them. @param {boolean} front */
+  /** Moves the selected solids before all others, or behind them. @param {boolean} front */
   order(front) {
-    const { selected } = this.#editing;
-    if (selected?.kind !== 'solid') return;
-    this.attempt(() => this.#editing.order([selected.id], front));
-    this.#say(`${nameOf(selected)} is ${front ? 'before' : 'behind'} the other solids.`);
+    const solids = this.#editing.all.filter(({ kind }) => kind === 'solid');
+    if (solids.length === 0) return;
+    this.#say(`${this.#named} ${solids.length > 1 ? 'are' : 'is'} ${front ? 'before' : 'behind'} the other solids.`);
+    this.attempt(() => this.#editing.order(solids.map(({ id }) => id), front));
   }
 
-  /** Removes an object, and the sources that are its surface: they would burn elsewhere. @param {number} id */
-  async takeAway(id) {
-    const on = objectsOf(this.#fire).filter((one) => isOn(one, id));
-    await Promise.all([...on.map((one) => one.id), id].map((one) => this.#fire.removeObject(one)));
+  /** Aligns the selected objects. @param {import('./geometry.js').Alignment} to */
+  align(to) {
+    const { all } = this.#editing;
+    const objects = placed(objectsOf(this.#fire)).filter(({ id }) => all.some((one) => one.id === id));
+    const by = aligned(objects, to);
+    this.change(objects.map((object, at) => moved(object, { x: 0, y: 0 }, by[at])), objects);
+    this.#say(`${this.#named} are aligned: ${to}.`);
+  }
+
+  /** Changes objects, by default the selected ones. @type {(fields: Drawn[], objects?: Fields[]) => void} */
+  change(fields, objects = this.#editing.all) {
+    this.attempt(() => this.#editing.history.changeAll(this.changes(objects, fields)));
+  }
+
+  /** Changes of objects, within the ranges of the properties: one that is refused would leave the others. @type {(objects: Fields[], fields: Drawn[]) => Map<number, Drawn>} */
+  changes(objects, fields) {
+    return new Map(objects.map(({ id, kind }, at) => [id, Object.fromEntries(Object.entries(fields[at]).map(([name, value]) => (
+      [name, typeof value === 'number' ? this.#inRange(name, value, kind) : value]
+    )))]));
+  }
+
+  /** Adds an object to the selection, or takes it out. @param {number} id */
+  toggle(id) {
+    this.#editing.toggle(id);
+    const { length } = this.#editing.all;
+    this.#say(length === 1 ? `${this.#named} is selected.` : `${length} objects are selected.`);
+  }
+
+  /** The selected objects in words. */
+  get #named() {
+    const { all } = this.#editing;
+    return all.length === 1 ? nameOf(all[0]) : `${all.length} objects`;
+  }
+
+  /** Removes objects, and the sources that are their surfaces: they would burn elsewhere. @param {number[]} ids */
+  async takeAway(...ids) {
+    const on = objectsOf(this.#fire).filter((one) => ids.some((id) => isOn(one, id)));
+    await Promise.all([...new Set([...on.map(({ id }) => id), ...ids])].map((id) => this.#fire.removeObject(id)));
   }
 }

@@ -5,13 +5,14 @@
  */
 
 import { editingOf } from './panel/editing.js';
-import { copyOf, entriesOf, isFull, nameOf, newObject, objectsOf } from './panel/objects.js';
-import { MAX_OBJECTS } from './generated/scene-objects.js';
+import { objectsOf } from './panel/objects.js';
 import { addStyle } from './panel/style.js';
+import { blow, throwSparks } from './tools/air.js';
 import { Bar, element } from './tools/bar.js';
+import { Edits, isOn } from './tools/edits.js';
 import { begin, PolygonDrawing } from './tools/gestures.js';
-import { outlineOf, rounded, scaled } from './tools/geometry.js';
-import { askForText, pictureOf } from './tools/insert.js';
+import { rounded, scaled } from './tools/geometry.js';
+import { Inserts } from './tools/insert.js';
 import { Overlay } from './tools/overlay.js';
 import { ARROWS, TOOLS } from './tools/table.js';
 
@@ -19,10 +20,8 @@ import { ARROWS, TOOLS } from './tools/table.js';
  * @typedef {import('./hearth-fire.js').HearthFire} HearthFire
  * @typedef {import('./tools/geometry.js').Fields} Fields
  * @typedef {import('./tools/geometry.js').Point} Point
+ * @typedef {import('./tools/gestures.js').How} How
  */
-
-/** Power of a metre of a surface that burns [kW/m]. */
-const POWER = 150;
 
 /** Thickness of a new line, as a share of the frame's smaller side. */
 const THICKNESS = 0.03;
@@ -34,6 +33,9 @@ const TURN = 5;
 
 /** How long a message stays [ms]. */
 const SAID_MS = 5000;
+
+/** How long a key blows [ms]. */
+const PUFF_MS = 250;
 
 /**
  * Shows the toolbar of a fire.
@@ -64,6 +66,8 @@ class Toolbar {
   #fire;
   #host;
   #editing;
+  #edits;
+  #inserts;
   #overlay;
   #polygon;
   #tool = 'select';
@@ -73,34 +77,41 @@ class Toolbar {
   #gestures = new Map();
   /** @type {Point | undefined} */
   #cross;
-  /** @type {(() => void) | undefined} */
-  #form;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #saidEnds;
+  /** Where the keys blow. @type {Point} */
+  #aim = { x: 0, y: 1 };
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #puffEnds;
 
   /** @param {HTMLElement} host @param {HearthFire} fire @param {() => void} closed */
   constructor(host, fire, closed) {
     this.#host = host;
     this.#fire = fire;
     this.#editing = editingOf(fire);
+    this.#edits = new Edits(fire, this.#editing, () => this.#bar, (text) => this.#say(text));
     this.#overlay = new Overlay(fire);
+    this.#inserts = new Inserts(host, this.#overlay, this.#edits, (text) => this.#open(text));
     this.#polygon = new PolygonDrawing(this.#hands);
     const { history } = this.#editing;
     this.#bar = new Bar({
       tool: (name) => this.#choose(name),
       select: (id) => {
-        this.#editing.select(id);
-        this.#choose('select');
+        if (this.#bar.several && id !== undefined) this.#edits.toggle(id);
+        else this.#editing.select(id);
+        this.#choose('select', false);
       },
-      picture: (file) => this.#picture(file),
-      duplicate: () => this.#duplicate(),
-      remove: () => this.#remove(),
-      undo: () => this.#try(() => history.undo()),
-      redo: () => this.#try(() => history.redo()),
+      picture: (file) => this.#inserts.picture(file),
+      duplicate: () => this.#edits.duplicate(),
+      remove: () => this.#edits.remove(),
+      order: (front) => this.#edits.order(front),
+      align: (to) => this.#align(to),
+      undo: () => this.#edits.attempt(() => history.undo()),
+      redo: () => this.#edits.attempt(() => history.redo()),
       close: closed,
     });
     host.classList.add('hearth-hands');
-    host.append(this.#overlay.element, this.#bar.element, this.#said);
+    host.append(this.#overlay.element, this.#bar.element, this.#bar.align, this.#said);
     this.#choose('select');
     this.#update();
   }
@@ -108,14 +119,21 @@ class Toolbar {
   /** What gestures need. @returns {import('./tools/gestures.js').Hands} */
   get #hands() {
     return {
+      fire: this.#fire,
       editing: this.#editing,
       objects: () => objectsOf(this.#fire),
-      add: (fields) => this.#add(fields),
-      remove: (id) => this.#takeAway(id),
+      add: (fields) => {
+        this.#overlay.preview([]);
+        this.#edits.add(fields);
+      },
+      remove: (id) => this.#edits.takeAway(id),
+      changes: (objects, fields) => this.#edits.changes(objects, fields),
       handleAt: (object, at) => this.#overlay.handleAt(object, at),
       preview: (shown) => this.#overlay.preview(shown),
+      guide: (lines) => this.#overlay.guide(lines),
+      toggle: (id) => this.#edits.toggle(id),
       thickness: () => rounded(Math.max(0.01, THICKNESS * Math.min(this.#fire.params.domain_width, this.#fire.params.domain_height))),
-      write: (at) => this.#write(at),
+      write: (at) => this.#inserts.write(at),
     };
   }
 
@@ -130,13 +148,7 @@ class Toolbar {
     on(layer, 'blur', () => this.#point(undefined));
     on(layer, 'dblclick', () => this.#polygon.close());
     on(keys, 'keydown', (event) => this.#key(event));
-    on(document, 'paste', (event) => this.#paste(event));
-    for (const place of [this.#fire, this.#host]) {
-      on(place, 'dragover', (event) => {
-        if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
-      });
-      on(place, 'drop', (event) => this.#drop(event));
-    }
+    this.#inserts.listen([this.#fire, this.#host], signal);
     on(this.#editing, 'change', () => this.#update());
     for (const name of ['objects-change', 'params-change', 'ready']) on(this.#fire, name, () => this.#update());
     const sizes = new ResizeObserver(() => this.#update());
@@ -151,14 +163,15 @@ class Toolbar {
 
   remove() {
     clearTimeout(this.#saidEnds);
+    clearTimeout(this.#puffEnds);
     for (const id of [...this.#gestures.keys()]) this.#cancel(id);
     this.#host.classList.remove('hearth-hands');
-    for (const one of [this.#overlay.element, this.#bar.element, this.#said]) one.remove();
-    this.#form?.();
+    for (const one of [this.#overlay.element, this.#bar.element, this.#bar.align, this.#said]) one.remove();
+    this.#inserts.close();
   }
 
-  /** @param {string} name */
-  #choose(name) {
+  /** @type {(name: string, says?: boolean) => void} */
+  #choose(name, says = true) {
     for (const id of [...this.#gestures.keys()]) this.#cancel(id);
     this.#polygon.cancel();
     this.#tool = name;
@@ -167,17 +180,19 @@ class Toolbar {
     const layer = this.#overlay.element;
     layer.style.cursor = tool?.cursor ?? '';
     layer.classList.toggle('idle', name === 'stir');
-    this.#say(tool ? `${tool.label}: ${tool.hint}.` : '');
+    const without = name === 'sparks' && this.#fire.params.model === 'classic' ? ' The classic model has none.' : '';
+    if (says && tool) this.#say(`${tool.label}: ${tool.hint}.${without}`);
     this.#update();
   }
 
   /** Shows the state of the fire. */
   #update() {
-    const { selected, history } = this.#editing;
+    const { all: selected, history } = this.#editing;
     const all = objectsOf(this.#fire);
     // A source at the surface of a solid is where that is.
-    const place = all.find((one) => selected && isOn(selected, one.id)) ?? selected;
-    this.#overlay.select(place, this.#tool === 'select' && place === selected);
+    const places = selected.map((one) => all.find(({ id }) => isOn(one, id)) ?? one);
+    const isOne = places.length === 1 && places[0] === selected[0] && this.#tool === 'select';
+    this.#overlay.select(places, isOne ? places[0] : undefined);
     this.#bar.show(all, selected, history);
   }
 
@@ -188,124 +203,17 @@ class Toolbar {
     this.#saidEnds = setTimeout(() => (this.#said.textContent = ''), SAID_MS);
   }
 
-  /** Does something that the fire may refuse; a refusal becomes a message. @param {() => unknown} act */
-  async #try(act) {
-    try {
-      await act();
-    } catch (error) {
-      this.#say(error instanceof Error ? error.message : String(error));
-    }
+  /** Opens settings. @param {string} text */
+  #open(text) {
+    return this.#editing.history.all(() => this.#fire.importConfig(text), { replaces: true });
   }
 
-  /** Adds an object and selects it: one step. @param {Fields} drawn */
-  #add(drawn) {
-    this.#overlay.preview([]);
-    return this.#try(async () => {
-      const kind = /** @type {'source' | 'solid'} */ (drawn.kind);
-      if (isFull(this.#fire, kind)) throw new Error(`A fire has at most ${MAX_OBJECTS} ${kind}s.`);
-      const fields = kind === 'source' ? this.#sourceOf(drawn) : { ...drawn, material: this.#bar.material };
-      const burns = kind === 'solid' && this.#bar.burns && !isFull(this.#fire, 'source');
-      let id = 0;
-      await this.#editing.history.objects(async () => {
-        id = await this.#fire.addObject(/** @type {any} */ (fields));
-        if (burns) await this.#fire.addObject(/** @type {any} */ (this.#surfaceOf(id, fields)));
-      });
-      this.#editing.select(id);
-      const object = this.#editing.selected;
-      if (object) this.#say(`${nameOf(object)} at ${object.x.toFixed(2)}, ${object.y.toFixed(2)} m.`);
-    });
-  }
-
-  /** A source as strong by its width as the first one, or as a new one. @param {Fields} drawn */
-  #sourceOf(drawn) {
-    const like = /** @type {Fields} */ (newObject(this.#fire, 'source'));
-    const fields = { ...like, ...drawn };
-    for (const name of ['power', 'rate']) {
-      if (!(name in like)) continue;
-      fields[name] = this.#inRange(name, (like[name] * drawn.width) / like.width);
-    }
-    return { ...fields, shape: 'line', width: this.#inRange('width', drawn.width) };
-  }
-
-  /** A source at the surface of a solid. @type {(id: number, solid: Fields) => Fields} */
-  #surfaceOf(id, solid) {
-    const { points, closed } = outlineOf(solid);
-    const ends = closed ? [...points, points[0]] : [...points, ...points.slice(0, -1).reverse()];
-    const around = ends.reduce((sum, point, at) => sum + (at ? Math.hypot(point.x - ends[at - 1].x, point.y - ends[at - 1].y) : 0), 0);
-    return { kind: 'source', shape: 'solid', solid: id, power: this.#inRange('power', POWER * around) };
-  }
-
-  /** @type {(name: string, value: number) => number} */
-  #inRange(name, value) {
-    const { min = value, max = value } = entriesOf('source').find((one) => one.name === name)?.domain(this.#fire.params.model) ?? {};
-    return rounded(Math.min(max, Math.max(min, value)));
-  }
-
-  #duplicate() {
-    const { selected } = this.#editing;
-    if (selected) this.#add({ ...copyOf(this.#fire, selected) });
-  }
-
-  #remove() {
-    const { selected, history } = this.#editing;
-    if (!selected) return;
-    this.#try(() => history.objects(() => this.#takeAway(selected.id)));
-    this.#say(`${nameOf(selected)} is removed.`);
-  }
-
-  /** Removes an object, and the sources that are its surface: they would burn elsewhere. @param {number} id */
-  async #takeAway(id) {
-    const on = objectsOf(this.#fire).filter((one) => isOn(one, id));
-    await Promise.all([...on.map((one) => one.id), id].map((one) => this.#fire.removeObject(one)));
-  }
-
-  /** Width and middle of what is seen [m]. */
-  get #seen() {
-    const { clientWidth, clientHeight } = this.#fire;
-    const [low, high] = [this.#fire.toMetres(0, clientHeight), this.#fire.toMetres(clientWidth, 0)];
-    const { domain_width: width, domain_height: height } = this.#fire.params;
-    if (!low || !high) return { width, x: 0, y: height / 2 };
-    return { width: Math.min(width, high.x - low.x), x: (low.x + high.x) / 2, y: (Math.max(0, low.y) + high.y) / 2 };
-  }
-
-  /** Asks for a word at a point. @param {Point} at */
-  #write(at) {
-    this.#form?.();
-    const place = (/** @type {Fields} */ fields) => this.#add({ ...fields, x: rounded(at.x), y: rounded(at.y) });
-    this.#form = askForText(this.#host, this.#seen.width, place, () => (this.#form = undefined));
-  }
-
-  /** @type {(file: Blob, at?: Point | null) => Promise<void>} */
-  #picture(file, at) {
-    return this.#try(async () => {
-      const { width, x, y } = this.#seen;
-      const fields = await pictureOf(file, width);
-      await this.#add({ ...fields, x: rounded(at?.x ?? x), y: rounded(at?.y ?? y) });
-    });
-  }
-
-  /** @param {DragEvent} event */
-  #drop(event) {
-    const [file] = event.dataTransfer?.files ?? [];
-    if (!file) return;
-    event.preventDefault();
-    event.stopPropagation();
-    if (file.type !== 'application/json') this.#picture(file, this.#overlay.metres(event));
-    else this.#try(async () => this.#editing.history.all(async () => this.#fire.importConfig(await file.text()), { replaces: true }));
-  }
-
-  /** @param {ClipboardEvent} event */
-  #paste(event) {
-    const typing = event.composedPath().some((node) => /** @type {Partial<Element>} */ (node).matches?.('input, textarea'));
-    const [file] = event.clipboardData?.files ?? [];
-    if (!file || typing) return;
-    event.preventDefault();
-    this.#picture(file);
-  }
-
-  /** @param {{shiftKey: boolean}} event @returns {import('./tools/gestures.js').How} */
-  #how({ shiftKey }) {
-    return { snaps: shiftKey, perPixel: this.#overlay.perPixel };
+  /** @param {MouseEvent | KeyboardEvent} event @returns {How} */
+  #how(event) {
+    const { shiftKey, altKey } = event;
+    // A key moves by whole steps.
+    const free = altKey || event instanceof KeyboardEvent;
+    return { snaps: shiftKey, adds: shiftKey || this.#bar.several, free, perPixel: this.#overlay.perPixel };
   }
 
   /** @param {PointerEvent} event */
@@ -331,7 +239,7 @@ class Toolbar {
     if (at) this.#end(event.pointerId, at, this.#how(event));
   }
 
-  /** @type {(pointer: number, at: Point, how: import('./tools/gestures.js').How) => void} */
+  /** @type {(pointer: number, at: Point, how: How) => void} */
   #begin(pointer, at, how) {
     this.#editing.history.press();
     if (this.#tool === 'polygon') {
@@ -344,7 +252,7 @@ class Toolbar {
     if (gesture) this.#gestures.set(pointer, gesture);
   }
 
-  /** @type {(pointer: number, at: Point, how: import('./tools/gestures.js').How) => void} */
+  /** @type {(pointer: number, at: Point, how: How) => void} */
   #end(pointer, at, how) {
     const gesture = this.#gestures.get(pointer);
     this.#gestures.delete(pointer);
@@ -388,28 +296,37 @@ class Toolbar {
     const { selected, history } = this.#editing;
     if (event.altKey) return undefined;
     if (event.ctrlKey || event.metaKey) {
-      if (key.toLowerCase() === 'z') return () => this.#try(() => (shiftKey ? history.redo() : history.undo()));
-      if (key.toLowerCase() === 'y') return () => this.#try(() => history.redo());
-      return key.toLowerCase() === 'd' && selected ? () => this.#duplicate() : undefined;
+      if (key.toLowerCase() === 'z') return () => this.#edits.attempt(() => (shiftKey ? history.redo() : history.undo()));
+      if (key.toLowerCase() === 'y') return () => this.#edits.attempt(() => history.redo());
+      return key.toLowerCase() === 'd' && selected ? () => this.#edits.duplicate() : undefined;
     }
-    if (/^\d$/.test(key)) return () => this.#choose(TOOLS[(Number(key) + 9) % 10].name);
+    const tool = TOOLS.find((one) => one.key === key.toLowerCase());
+    if (tool) return () => this.#choose(tool.name);
     if (key === 'Escape') return () => this.#escape();
-    if (key === 'Delete' || key === 'Backspace') return selected && (() => this.#remove());
+    if (key === 'Delete' || key === 'Backspace') return selected && (() => this.#edits.remove());
     const arrow = ARROWS[key];
     const far = STEP * (shiftKey ? FAST : 1);
     if (onLayer && (this.#tool !== 'select' || this.#cross || !selected)) {
+      if (this.#tool === 'blow' && arrow && !shiftKey) return () => this.#puff({ x: arrow[0], y: arrow[1] }, this.#how(event));
       if (arrow) return () => this.#moveCross(arrow[0] * far, arrow[1] * far, this.#how(event));
       if (key === 'Enter' || key === ' ') return () => this.#pressCross(this.#how(event));
     }
     if (!selected) return undefined;
-    const change = (/** @type {Fields} */ fields) => () => {
+    const change = (/** @type {(object: Fields) => Fields} */ of) => () => {
       if (!event.repeat) history.press();
-      this.#try(() => history.change(selected.id, fields));
+      this.#edits.change(this.#editing.all.map(of));
     };
-    if (arrow) return change({ x: rounded(selected.x + arrow[0] * far), y: rounded(selected.y + arrow[1] * far) });
-    if (key === '[' || key === ']') return change({ angle: (selected.angle ?? 0) + (key === '[' ? TURN : -TURN) });
-    if (key === '+' || key === '-') return change(scaled(selected, key === '+' ? 1.1 : 1 / 1.1));
-    return undefined;
+    if (arrow) return change(({ x, y }) => ({ x: rounded(x + arrow[0] * far), y: rounded(y + arrow[1] * far) }));
+    if (key === '[' || key === ']') return change(({ angle = 0 }) => ({ angle: angle + (key === '[' ? TURN : -TURN) }));
+    if (key === '+' || key === '-') return change((object) => scaled(object, key === '+' ? 1.1 : 1 / 1.1));
+    // Enter shows the cross, with which other objects are chosen.
+    return onLayer && key === 'Enter' ? () => this.#point({ x: selected.x, y: selected.y }) : undefined;
+  }
+
+  /** @param {import('./tools/geometry.js').Alignment} to */
+  #align(to) {
+    this.#editing.history.press();
+    this.#edits.align(to);
   }
 
   #escape() {
@@ -425,9 +342,9 @@ class Toolbar {
     }
   }
 
-  /** @type {(right: number, up: number, how: import('./tools/gestures.js').How) => void} */
+  /** @type {(right: number, up: number, how: How) => void} */
   #moveCross(right, up, how) {
-    const from = this.#cross ?? this.#seen;
+    const from = this.#cross ?? this.#overlay.seen;
     const at = { x: from.x + right, y: from.y + up };
     this.#point(at);
     this.#polygon.show(at);
@@ -435,16 +352,39 @@ class Toolbar {
     this.#say(`${at.x.toFixed(2)}, ${at.y.toFixed(2)} m`);
   }
 
-  /** Presses at the cross or, after that, releases. @param {import('./tools/gestures.js').How} how */
-  #pressCross(how) {
-    const at = this.#cross ?? { x: this.#seen.x, y: this.#seen.y };
-    this.#point(at);
-    if (this.#gestures.has(-1)) this.#end(-1, at, how);
-    else this.#begin(-1, at, how);
+  /** The cross, shown in the middle of what is seen if there was none. */
+  #showCross() {
+    const { x, y } = this.#cross ?? this.#overlay.seen;
+    this.#point({ x, y });
+    return { x, y };
   }
-}
 
-/** Whether an object is a source that is the surface of a solid. @type {(object: Fields, id: number) => boolean} */
-function isOn({ kind, shape, solid }, id) {
-  return kind === 'source' && shape === 'solid' && solid === id;
+  /** Blows from the cross for a moment. @type {(towards: Point, how: How) => void} */
+  #puff(towards, how) {
+    const at = this.#showCross();
+    this.#aim = towards;
+    this.#cancel(-1);
+    const gesture = blow(this.#hands, at, towards);
+    gesture.move(at, how);
+    this.#gestures.set(-1, gesture);
+    clearTimeout(this.#puffEnds);
+    this.#puffEnds = setTimeout(() => this.#cancel(-1), PUFF_MS);
+  }
+
+  /** Presses at the cross or, after that, releases. What acts on the fire acts at once. @param {How} how */
+  #pressCross(how) {
+    if (this.#tool === 'blow') {
+      this.#puff(this.#aim, how);
+      return;
+    }
+    const at = this.#showCross();
+    if (this.#tool === 'sparks') {
+      throwSparks(this.#hands, at);
+      return;
+    }
+    const began = this.#gestures.has(-1);
+    if (!began) this.#begin(-1, at, how);
+    // A press that adds to the selection is a click.
+    if (began || (how.adds && this.#tool === 'select')) this.#end(-1, at, how);
+  }
 }

@@ -105,6 +105,10 @@ describe('a mouse', () => {
     const { x: oldX, y: oldY, id: oldId, ...log } = before[1];
     assert.deepEqual(copy, log);
     assert.notDeepEqual([x, y], [oldX, oldY]);
+    await press(panel, tab, 'to:back');
+    await until(tab, 'the first in the list', (all) => all[0].id === id);
+    await press(panel, tab, 'to:front');
+    await until(tab, 'the last in the list', (all) => all.at(-1).id === id);
     await panel.press('reset-all');
     await until(tab, 'those of the scene', (all) => JSON.stringify(all) === JSON.stringify(before));
     await titled(panel, 'Campfire');
@@ -207,6 +211,10 @@ test('accessible controls add, change, reset and delete by keys', async () => {
   await until(tab, 'turned', (all) => all[4].angle !== 8);
   await enter('restore:solid:angle');
   await until(tab, 'as in the scene', (all) => all[4].angle === 8);
+  await enter('to:back');
+  await until(tab, 'behind the others', (all) => all[0].id === 5);
+  await enter('undo');
+  await until(tab, 'in its place', (all) => all[4].id === 5);
   await tab.page.select(actionOf('select-object'), String(id));
   await enter('delete');
   await until(tab, 'as many as before', (all) => all.length === count);

@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import {
-  boxBetween, circleAround, handlesOf, lineBetween, moved, outlineOf, polygonOf, scaled, simplified, sized, snapped,
-  sourceBetween, strokeAlong, turned,
+  aligned, boundsOf, boxBetween, circleAround, handlesOf, lineBetween, moved, outlineOf, polygonOf, scaled, simplified, sized,
+  snapped, snapTo, sourceBetween, strokeAlong, turned,
 } from '../../web/tools/geometry.js';
 
 const near = (one, other) => Math.hypot(one.x - other.x, one.y - other.y) < 2e-3;
@@ -107,3 +107,30 @@ for (const object of OBJECTS) {
     }
   });
 }
+
+test('aligned objects have the edge or the middle of the box around them in common, and keep the other direction', () => {
+  const around = boundsOf(OBJECTS);
+  for (const [to, axis, line] of [
+    ['left', 'x', ({ left }) => left], ['centre', 'x', ({ left, right }) => (left + right) / 2], ['right', 'x', ({ right }) => right],
+    ['bottom', 'y', ({ bottom }) => bottom], ['middle', 'y', ({ bottom, top }) => (bottom + top) / 2], ['top', 'y', ({ top }) => top],
+  ]) {
+    const by = aligned(OBJECTS, to);
+    for (const [at, object] of OBJECTS.entries()) {
+      assert.equal(by[at][axis === 'x' ? 'y' : 'x'], 0);
+      const after = boundsOf([{ ...object, x: object.x + by[at].x, y: object.y + by[at].y }]);
+      assert.ok(Math.abs(line(after) - line(around)) < 1e-9, `${to} of ${object.shape ?? object.kind}`);
+    }
+  }
+});
+
+test('a box snaps to the nearest edge or middle of others, in each direction by itself, and to none that is far', () => {
+  const others = [{ left: 0, right: 1, bottom: 0, top: 1 }, { left: 3, right: 4, bottom: 5, top: 7 }];
+  const near = snapTo({ left: 1.02, right: 1.32, bottom: 3, top: 3.2 }, others, 0.05);
+  assert.ok(Math.abs(near.by.x + 0.02) < 1e-9 && near.by.y === 0);
+  // A line along the common edge, over both.
+  assert.deepEqual(near.guides, [[{ x: 1, y: 0 }, { x: 1, y: 3.2 }]]);
+  const middle = snapTo({ left: 3.21, right: 3.81, bottom: 5.5, top: 6.51 }, others, 0.05);
+  assert.ok(Math.abs(middle.by.x + 0.01) < 1e-9 && Math.abs(middle.by.y + 0.005) < 1e-9);
+  assert.deepEqual(snapTo({ left: 1.06, right: 1.3, bottom: 3, top: 3.2 }, others, 0.05), { by: { x: 0, y: 0 }, guides: [] });
+  assert.deepEqual(snapTo({ left: 1.06, right: 1.3, bottom: 3, top: 3.2 }, [], 0.05), { by: { x: 0, y: 0 }, guides: [] });
+});

@@ -158,8 +158,10 @@ function deedWithObjects(steps, fire, random) {
     // By then, the object may be gone.
     () => steps.change(last()?.id, { width: value }).catch(() => {}),
     () => steps.change(2, { width: value }).catch(() => {}),
+    () => steps.changeAll(new Map(fire.objects.map((one) => [one.id, { width: one.width + value }]))).catch(() => {}),
     () => steps.objects(() => fire.addObject({ kind: 'solid', width: 1 })),
     () => steps.objects(() => fire.objects.length > 0 && fire.removeObject(pick(fire.objects).id)),
+    () => steps.objects(() => fire.set({ objects: [...fire.objects.slice(1), ...fire.objects.slice(0, 1)] })),
     () => steps.all(() => fire.importConfig({ preset: 'windy' }), REPLACES),
   ])();
 }

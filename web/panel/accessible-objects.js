@@ -1,5 +1,5 @@
 /**
- * The objects among the accessible controls: buttons to add, duplicate and delete, a list to select one,
+ * The objects among the accessible controls: buttons to add, duplicate, delete and order, a list to select one,
  * and a control for each property of the selected object.
  *
  * The properties of the first source are parameters, whose controls stand in their own groups.
@@ -50,6 +50,9 @@ export function mountAccessibleObjects({ root, fire, controller, reveal, addButt
     return object !== undefined && !isFull(fire, object.kind);
   }, () => controller.selected && controller.duplicate(controller.selected.id));
   add('delete', 'Delete', () => controller.selected !== undefined, () => controller.selected && controller.remove(controller.selected.id));
+  for (const [place, front] of /** @type {[string, boolean][]} */ ([['back', false], ['front', true]])) {
+    add(`to:${place}`, `To ${place}`, () => controller.selected?.kind === 'solid', () => controller.selected && controller.order(controller.selected.id, front));
+  }
 
   const selection = makeControl({ label: 'Selected object', kind: 'choice', unit: '' }, (value) => {
     controller.select(value === '' ? undefined : Number(value));

@@ -211,6 +211,11 @@ export class PanelController extends EventTarget {
     });
   }
 
+  /** Moves a solid before all others, or behind them. @type {(id: number, front: boolean) => Promise<void>} */
+  order(id, front) {
+    return this.#editing.order([id], front);
+  }
+
   /** @param {() => object | undefined} fields */
   async #add(fields) {
     /** @type {number | undefined} */

@@ -25,8 +25,8 @@ export function editingOf(fire) {
 /** The history and the selection of one fire. It dispatches `change`. */
 export class Editing extends EventTarget {
   #fire;
-  /** @type {number | undefined} */
-  #selected;
+  /** The ids of the selected objects; the last one's properties have rows. @type {number[]} */
+  #ids = [];
 
   /** @param {HearthFire} fire */
   constructor(fire) {
@@ -35,21 +35,47 @@ export class Editing extends EventTarget {
     this.history = new UndoHistory(fire, () => this.#changed(), modelDefault, (id) => sceneValue(fire, id));
   }
 
-  /** The selected object. @returns {Fields | undefined} */
+  /** The selected object; of several, the one that was selected last. @returns {Fields | undefined} */
   get selected() {
-    return objectsOf(this.#fire).find(({ id }) => id === this.#selected);
+    const all = this.all;
+    return all.find(({ id }) => id === this.#ids.at(-1)) ?? all.at(-1);
+  }
+
+  /** All selected objects, in the order of the list. */
+  get all() {
+    return objectsOf(this.#fire).filter(({ id }) => this.#ids.includes(id));
   }
 
   /** The id of the object that was selected last; it may be removed. */
   get id() {
-    return this.#selected;
+    return this.selected?.id ?? this.#ids.at(-1);
   }
 
-  /** Selects an object, or none. @param {number} [id] */
-  select(id) {
-    if (id === this.#selected) return;
-    this.#selected = id;
+  /** Selects these objects and no other. @param {(number | undefined)[]} ids */
+  select(...ids) {
+    const known = ids.filter((id) => id !== undefined);
+    if (known.join() === this.#ids.join()) return;
+    this.#ids = known;
     this.#changed();
+  }
+
+  /** Selects an object besides the others, or deselects it. @param {number} id */
+  toggle(id) {
+    const others = this.#ids.filter((one) => one !== id);
+    this.select(...others, ...(others.length < this.#ids.length ? [] : [id]));
+  }
+
+  /**
+   * Moves solids to the end of the list, where they are before the others, or to its beginning: one step.
+   * @type {(ids: number[], front: boolean) => Promise<void>}
+   */
+  order(ids, front) {
+    return this.history.objects(() => {
+      const all = objectsOf(this.#fire);
+      const moves = (/** @type {Fields} */ { id, kind }) => kind === 'solid' && ids.includes(id);
+      const [moved, rest] = [all.filter(moves), all.filter((one) => !moves(one))];
+      return this.#fire.set({ objects: /** @type {any[]} */ (front ? [...rest, ...moved] : [...moved, ...rest]) });
+    });
   }
 
   #changed() {

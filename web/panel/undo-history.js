@@ -4,7 +4,8 @@
  * A step is one gesture: a drag of a slider, a typed value, a press of a button. A page's own script
  * may change values sixty times a second, so its changes are not steps, and undoing one value keeps
  * them. A command that replaces all values, such as a preset or pasted settings, is undone as a
- * whole. A step that adds or removes objects restores which there are; those that stay keep their values.
+ * whole. A step that adds, removes or reorders objects restores which there
+ * are and their order; those that stay keep their values.
  *
  * The fire answers in order, so a step knows what it changed without another request. A step that
  * changes all values waits for the steps before it, and later steps wait for it.
@@ -30,6 +31,8 @@ const MODEL = 'model';
  * @typedef {import('../parameters.js').HearthParameters[Id]} Value
  * @typedef {Partial<import('../parameters.js').HearthParameters>} Values
  * @typedef {import('./objects.js').Fields} Fields
+ * @typedef {{[name: string]: any}} Properties  Those of an object that change.
+ * @typedef {Map<number, Properties>} Changes  By the ids of the objects.
  * @typedef {Pick<HearthFire, 'params' | 'objects' | 'set' | 'restore' | 'changeObject' | 'exportConfig' | 'importConfig'>} Fire
  *   the part of the element's API that an undo history uses
  *
@@ -40,10 +43,10 @@ const MODEL = 'model';
  * @property {Side} after
  *
  * @typedef {object} Side
- * @property {Value | Values} [value]  The value of a step that changes one, or the properties of an object.
+ * @property {Value | Values | [number, Properties][]} [value]  The value of a step that changes one, or the properties of objects.
  * @property {Values} [values]  The value with the model, or all values.
- * @property {number} [object]  The object that has the properties.
- * @property {Fields[]} [objects]  All objects, if a step adds or removes some.
+ * @property {[number, Properties][]} [changed]  The properties of a step that changes objects.
+ * @property {Fields[]} [objects]  All objects, if a step adds, removes or reorders some.
  * @property {boolean} [named]  Whether the number or the spacing of a step that changes it is set.
  * @property {HearthConfig} [config]  The settings, if all may have changed.
  * @property {Map<ModelName, Values>} [kept]  The last known values of the other models: settings hold those
@@ -63,7 +66,7 @@ export class UndoHistory {
   /** @type {Step[]} */
   #undone = [];
   #gesture = 0;
-  /** Values without an answer yet, with the number of calls. @type {Map<string, {value: Value | Values | undefined, count: number}>} */
+  /** Values without an answer yet, with the number of calls. @type {Map<string, {value: Side['value'], count: number}>} */
   #pending = new Map();
   /** @type {Set<Promise<unknown>>} */
   #running = new Set();
@@ -117,28 +120,40 @@ export class UndoHistory {
     return this.#value(id, !ofResolution(id) || !isDefault(), target, act);
   }
 
-  /** Sets properties of an object. @type {(id: number, properties: {[name: string]: any}) => Promise<void>} */
-  async change(id, properties) {
+  /** Sets properties of an object. @type {(id: number, properties: Properties) => Promise<void>} */
+  change(id, properties) {
+    return this.changeAll(new Map([[id, properties]]));
+  }
+
+  /** Sets properties of several objects: one step. @param {Changes} changes */
+  async changeAll(changes) {
     const gesture = this.#gesture;
     while (this.#gate) await this.#gate;
-    // A step before this one may have removed it.
-    if (!objectsOf(this.#fire).some((one) => one.id === id)) return;
-    const names = Object.keys(properties);
+    const find = (/** @type {number} */ id) => objectsOf(this.#fire).find((one) => one.id === id);
+    // A step before this one may have removed some.
+    const target = [...changes].filter(([id]) => find(id));
+    if (target.length === 0) return;
+    /** @type {() => [number, Properties][]} */
+    const now = () => target.map(([id, properties]) => (
+      [id, Object.fromEntries(Object.keys(properties).map((name) => [name, find(id)?.[name]]))]
+    ));
     await this.#change({
-      key: `${id}.${names}`,
+      key: target.map(([id, properties]) => `${id}.${Object.keys(properties)}`).join(),
       gesture,
-      now: () => {
-        const now = objectsOf(this.#fire).find((one) => one.id === id);
-        return Object.fromEntries(names.map((name) => [name, now?.[name]]));
-      },
-      target: properties,
-      side: (value) => ({ value, object: id }),
-      act: () => this.#fire.changeObject(id, properties),
+      now,
+      target,
+      side: (changed) => ({ value: changed, changed }),
+      act: () => this.#changeObjects(target),
     });
   }
 
+  /** @param {[number, Properties][]} changes */
+  async #changeObjects(changes) {
+    await Promise.all(changes.map(([id, properties]) => this.#fire.changeObject(id, properties)));
+  }
+
   /**
-   * Does something that adds or removes objects.
+   * Does something that adds, removes or reorders objects.
    * @param {() => unknown} act
    * @returns {Promise<void>}
    */
@@ -187,8 +202,8 @@ export class UndoHistory {
    * @typedef {object} Change  Of one value.
    * @property {string} key
    * @property {number} gesture
-   * @property {() => Value | Values | undefined} now
-   * @property {Value | Values | undefined} target  The new value.
+   * @property {() => Side['value']} now
+   * @property {Side['value']} target  The new value.
    * @property {(value: any) => Side} side  What sets a value again.
    * @property {() => unknown} act
    */
@@ -272,9 +287,9 @@ export class UndoHistory {
   }
 
   /** @param {Side} side */
-  async #apply({ value, values, object, objects, named, config, kept }) {
+  async #apply({ values, changed, objects, named, config, kept }) {
     const fire = this.#fire;
-    if (object !== undefined) await fire.changeObject(object, /** @type {any} */ (value));
+    if (changed) await this.#changeObjects(changed);
     if (objects) {
       // Objects that are there keep what a page has changed meanwhile.
       const now = objectsOf(fire);

@@ -9,13 +9,15 @@
  * @property {(file: Blob) => void} picture
  * @property {() => void} duplicate
  * @property {() => void} remove
+ * @property {(front: boolean) => void} order
+ * @property {(to: import('./geometry.js').Alignment) => void} align
  * @property {() => void} undo
  * @property {() => void} redo
  * @property {() => void} close
  */
 
 import { nameOf } from '../panel/objects.js';
-import { ARROWS, ICONS, TOOLS } from './table.js';
+import { ALIGNMENTS, ARROWS, ICONS, TOOLS } from './table.js';
 
 /** Materials of new solids. */
 const MATERIALS = ['stone', 'wood', 'iron', 'brick', 'coal', 'wax', 'glass', 'none'];
@@ -30,18 +32,22 @@ export function element(name, attributes) {
 /** The bar of one toolbar. */
 export class Bar {
   element = element('div', { class: 'hearth-tools', role: 'toolbar', 'aria-label': 'Tools', 'aria-orientation': 'vertical' });
+  /** Shown while several objects are selected. */
+  align = element('div', { class: 'hearth-align', role: 'toolbar', 'aria-label': 'Align', hidden: '' });
   #list = /** @type {HTMLSelectElement} */ (element('select', { 'aria-label': 'Selected object', title: 'Selected object' }));
   #material = /** @type {HTMLSelectElement} */ (element('select', { 'aria-label': 'Material of new solids', title: 'Material of new solids' }));
   #burns = /** @type {HTMLInputElement} */ (element('input', { type: 'checkbox' }));
   /** @type {Map<string, HTMLButtonElement>} */
   #buttons = new Map();
+  /** @type {HTMLButtonElement} */
+  #several;
   #names = '';
 
   /** @param {Acts} acts */
   constructor(acts) {
-    for (const [at, { name, label, hint, icon }] of TOOLS.entries()) {
-      const key = (at + 1) % 10;
-      this.#button(name, `${label} (${key})`, icon, () => acts.tool(name)).title = `${label}: ${hint} (${key})`;
+    for (const { name, key, label, hint, icon } of TOOLS) {
+      const shown = key.toUpperCase();
+      this.#button(name, `${label} (${shown})`, icon, () => acts.tool(name)).title = `${label}: ${hint} (${shown})`;
     }
     const file = /** @type {HTMLInputElement} */ (element('input', { type: 'file', accept: 'image/*', hidden: '' }));
     file.addEventListener('change', () => {
@@ -58,11 +64,17 @@ export class Bar {
     const settings = element('div', { class: 'settings' });
     settings.append(this.#material, burns, this.#list, file);
     this.element.append(settings);
+    this.#several = this.#button('several', 'Select several', ICONS.several, () => this.#setSeveral(!this.several));
+    this.#several.title = 'Select several: each click adds an object, as with Shift';
+    this.#setSeveral(false);
     this.#button('duplicate', 'Duplicate (Ctrl D)', ICONS.duplicate, acts.duplicate);
     this.#button('remove', 'Delete (Delete)', ICONS.remove, acts.remove);
+    this.#button('back', 'To back', ICONS.back, () => acts.order(false)).title = 'Draw the solid behind the others';
+    this.#button('front', 'To front', ICONS.front, () => acts.order(true)).title = 'Draw the solid before the others';
     this.#button('undo', 'Undo (Ctrl Z)', ICONS.undo, acts.undo);
     this.#button('redo', 'Redo (Ctrl Y)', ICONS.redo, acts.redo);
     this.#button('close', 'Close the tools', ICONS.close, acts.close);
+    for (const [to, icon] of ALIGNMENTS) this.#button(`align-${to}`, `Align: ${to}`, icon, () => acts.align(to), this.align);
   }
 
   /** The material of new solids. */
@@ -75,8 +87,18 @@ export class Bar {
     return this.#burns.checked;
   }
 
-  /** @type {(name: string, label: string, icon: string, act: () => void) => HTMLButtonElement} */
-  #button(name, label, icon, act) {
+  /** Whether each click adds an object to the selection. */
+  get several() {
+    return this.#several.getAttribute('aria-pressed') === 'true';
+  }
+
+  /** @param {boolean} on */
+  #setSeveral(on) {
+    this.#several.setAttribute('aria-pressed', String(on));
+  }
+
+  /** @type {(name: string, label: string, icon: string, act: () => void, bar?: HTMLElement) => HTMLButtonElement} */
+  #button(name, label, icon, act, bar = this.element) {
     const button = /** @type {HTMLButtonElement} */ (element('button', { type: 'button', 'aria-label': label, title: label, 'data-tool': name }));
     const picture = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     picture.setAttribute('viewBox', '0 0 24 24');
@@ -86,8 +108,8 @@ export class Bar {
     picture.append(path);
     button.append(picture);
     button.addEventListener('click', act);
-    button.tabIndex = this.#buttons.size === 0 ? 0 : -1;
-    this.element.append(button);
+    button.tabIndex = bar.querySelector('button') ? -1 : 0;
+    bar.append(button);
     this.#buttons.set(name, button);
     return button;
   }
@@ -97,22 +119,26 @@ export class Bar {
     for (const { name: other } of TOOLS) this.#buttons.get(other)?.setAttribute('aria-pressed', String(other === name));
   }
 
-  /** Shows the objects, the selected one, and what can be done. @type {(all: Fields[], selected: Fields | undefined, history: {canUndo: boolean, canRedo: boolean}) => void} */
+  /** Shows the objects, the selected ones, and what can be done. @type {(all: Fields[], selected: Fields[], history: {canUndo: boolean, canRedo: boolean}) => void} */
   show(all, selected, { canUndo, canRedo }) {
-    const names = all.map((object) => `${object.id}:${nameOf(object)}`).join();
+    const [one, ...more] = selected;
+    const none = more.length > 0 ? `${selected.length} selected` : 'nothing selected';
+    const names = [none, ...all.map((object) => `${object.id}:${nameOf(object)}`)].join();
     if (this.#names !== names) {
       this.#names = names;
-      this.#list.replaceChildren(new Option('nothing selected', ''), ...all.map((object) => new Option(nameOf(object), String(object.id))));
+      this.#list.replaceChildren(new Option(none, ''), ...all.map((object) => new Option(nameOf(object), String(object.id))));
     }
-    this.#list.value = selected ? String(selected.id) : '';
-    for (const [name, works] of Object.entries({ undo: canUndo, redo: canRedo, duplicate: selected, remove: selected })) {
+    this.#list.value = one && more.length === 0 ? String(one.id) : '';
+    this.align.hidden = more.length === 0;
+    const solid = selected.some(({ kind }) => kind === 'solid');
+    for (const [name, works] of Object.entries({ undo: canUndo, redo: canRedo, duplicate: one, remove: one, back: solid, front: solid })) {
       this.#buttons.get(name)?.setAttribute('aria-disabled', String(!works));
     }
   }
 
   /** Arrow keys lead through the buttons, of which the Tab key reaches one. @type {(button: HTMLElement, key: string) => boolean} */
   rove(button, key) {
-    const all = [...this.#buttons.values()];
+    const all = [...this.#buttons.values()].filter((one) => one.parentElement === button.parentElement);
     const at = all.indexOf(/** @type {HTMLButtonElement} */ (button));
     const [right, up] = ARROWS[key] ?? [0, 0];
     const to = { Home: 0, End: all.length - 1 }[key] ?? (at + right - up + all.length) % all.length;

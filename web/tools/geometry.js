@@ -184,6 +184,61 @@ export function outlineOf(object) {
   return { points: corners.map(([x, y]) => outOf(object, { x, y })), closed: object.kind === 'solid' };
 }
 
+/** @typedef {{left: number, right: number, bottom: number, top: number}} Bounds */
+
+/** The upright box around objects. @param {Fields[]} objects @returns {Bounds} */
+export function boundsOf(objects) {
+  const points = objects.flatMap((object) => {
+    // A stroke is as thick as its ends.
+    const reach = object.shape === 'stroke' ? object.height / 2 : 0;
+    return outlineOf(object).points.flatMap(({ x, y }) => [{ x: x - reach, y: y - reach }, { x: x + reach, y: y + reach }]);
+  });
+  const [xs, ys] = [points.map(({ x }) => x), points.map(({ y }) => y)];
+  return { left: Math.min(...xs), right: Math.max(...xs), bottom: Math.min(...ys), top: Math.max(...ys) };
+}
+
+/** The edges and the middle of a box in one direction. @type {(box: Bounds) => {[axis in 'x' | 'y']: number[]}} */
+const linesOf = ({ left, right, bottom, top }) => ({ x: [left, (left + right) / 2, right], y: [bottom, (bottom + top) / 2, top] });
+
+/**
+ * How far a moved box has to go so that an edge or its middle is at one of another box, at most `near` in each
+ * direction, and the lines on which they are.
+ * @type {(box: Bounds, others: Bounds[], near: number) => {by: Point, guides: Point[][]}}
+ */
+export function snapTo(box, others, near) {
+  const by = { x: 0, y: 0 };
+  /** @type {Point[][]} */
+  const guides = [];
+  for (const axis of /** @type {const} */ (['x', 'y'])) {
+    /** @type {{away: number, at: number, other: Bounds} | undefined} */
+    let best;
+    for (const other of others) {
+      for (const at of linesOf(other)[axis]) {
+        for (const own of linesOf(box)[axis]) {
+          if (Math.abs(at - own) <= (best ? Math.abs(best.away) - 1e-9 : near)) best = { away: at - own, at, other };
+        }
+      }
+    }
+    if (!best) continue;
+    by[axis] = best.away;
+    const { at, other } = best;
+    const both = [linesOf(box), linesOf(other)].flatMap((lines) => lines[axis === 'x' ? 'y' : 'x']);
+    guides.push([Math.min(...both), Math.max(...both)].map((end) => (axis === 'x' ? { x: at, y: end } : { x: end, y: at })));
+  }
+  return { by, guides };
+}
+
+/** The ways to align. @typedef {'left' | 'centre' | 'right' | 'top' | 'middle' | 'bottom'} Alignment */
+
+/** How far each object has to go so that all are at an edge or the middle of the box around them. @type {(objects: Fields[], to: Alignment) => Point[]} */
+export function aligned(objects, to) {
+  const axis = ['left', 'centre', 'right'].includes(to) ? 'x' : 'y';
+  const line = { left: 0, bottom: 0, centre: 1, middle: 1, right: 2, top: 2 }[to];
+  const at = (/** @type {Fields[]} */ some) => linesOf(boundsOf(some))[axis][line];
+  const goal = at(objects);
+  return objects.map((object) => ({ x: 0, y: 0, [axis]: goal - at([object]) }));
+}
+
 /**
  * The handles of an object: those that size it at the corners of its box, and the one that turns it.
  * @param {Fields} object

@@ -5,15 +5,25 @@
  * @typedef {import('./geometry.js').Point} Point
  * @typedef {import('./geometry.js').Fields} Fields
  * @typedef {import('./geometry.js').Placed} Placed
- * @typedef {{snaps: boolean, perPixel: number}} How  Whether angles snap, and metres of a pixel.
+ * @typedef {import('../panel/objects.js').Fields} Owned  An object of the fire.
+ *
+ * @typedef {object} How
+ * @property {boolean} snaps  Whether angles snap.
+ * @property {boolean} adds  Whether a press adds to the selection.
+ * @property {boolean} free  Whether what moves does not snap to other objects.
+ * @property {number} perPixel  Metres of a pixel.
  *
  * @typedef {object} Hands  What gestures need of the toolbar.
+ * @property {import('../hearth-fire.js').HearthFire} fire
  * @property {import('../panel/editing.js').Editing} editing
- * @property {() => Fields[]} objects
+ * @property {() => Owned[]} objects
  * @property {(fields: Fields) => void} add
  * @property {(id: number) => Promise<void>} remove
+ * @property {(objects: Owned[], fields: Fields[]) => Map<number, Fields>} changes  Of objects, in range.
  * @property {(object: Fields | undefined, at: Point) => ({does: 'size' | 'turn', at: Point} | undefined)} handleAt
  * @property {(shown: {points: Point[], closed: boolean}[]) => void} preview
+ * @property {(lines: Point[][]) => void} guide  Shows the lines to which an object snaps.
+ * @property {(id: number) => void} toggle  Adds an object to the selection, or takes it out.
  * @property {() => number} thickness  Of a new line [m].
  * @property {(at: Point) => void} write  Asks for a word.
  *
@@ -24,8 +34,9 @@
  */
 
 import { distance } from '../panel/objects.js';
+import { blow, throwSparks } from './air.js';
 import {
-  boxBetween, circleAround, lineBetween, moved, outlineOf, polygonOf, sized, snapped, sourceBetween, strokeAlong, turned,
+  boundsOf, boxBetween, circleAround, lineBetween, moved, outlineOf, polygonOf, sized, snapped, snapTo, sourceBetween, strokeAlong, turned,
 } from './geometry.js';
 
 /** How near to an object or to the first corner of a polygon a press is on it [px]. */
@@ -34,14 +45,20 @@ const NEAR_PX = 10;
 /** The shortest move that draws [px]: a click draws nothing by accident. */
 const SHORT_PX = 4;
 
-/** The last object at a point, which is drawn before the others; undefined without one. @type {(hands: Hands, at: Point, near: number) => Fields | undefined} */
-function objectAt(hands, at, near) {
-  const objects = hands.objects();
-  // A source on a solid has no place of its own.
-  const hasPlace = (/** @type {Fields} */ { kind, shape, solid }) => (
+/** The longest move of a click on an object, and how near to another one its edges and its middle snap [px]. */
+const CLICK_PX = 2;
+const SNAP_PX = 6;
+
+/** The objects that have a place: a source on a solid is where that is. @param {Owned[]} objects */
+export function placed(objects) {
+  return objects.filter(({ kind, shape, solid }) => (
     kind !== 'source' || shape !== 'solid' || !objects.some((one) => one.kind === 'solid' && one.id === solid)
-  );
-  return objects.findLast((object) => hasPlace(object) && distance(/** @type {any} */ (object), at.x, at.y) <= near);
+  ));
+}
+
+/** The last object at a point, which is drawn before the others; undefined without one. @type {(hands: Hands, at: Point, near: number) => Owned | undefined} */
+function objectAt(hands, at, near) {
+  return placed(hands.objects()).findLast((object) => distance(object, at.x, at.y) <= near);
 }
 
 /** Draws something between the press and the release. @type {(hands: Hands, from: Point, draw: (from: Point, to: Point) => Fields, turns?: boolean) => Gesture} */
@@ -56,13 +73,14 @@ function between(hands, from, draw, turns = false) {
   };
 }
 
-/** Changes an object while it is dragged: one step of the history. @type {(hands: Hands, object: Fields, change: (to: Point, how: How) => Fields) => Gesture} */
-function changing(hands, object, change) {
+/** Changes objects while a pointer drags: one step of the history. @type {(hands: Hands, objects: Owned[], change: (to: Point, how: How) => Fields[]) => Gesture} */
+function changing(hands, objects, change) {
   const { history } = hands.editing;
-  /** @type {Fields | undefined} */
+  /** @type {Fields[] | undefined} */
   let wanted;
+  /** @type {Fields[] | undefined} */
+  let last;
   let busy = false;
-  let began = false;
   // A pointer moves more often than the fire answers; the last place counts.
   const send = async () => {
     if (busy) return;
@@ -70,41 +88,75 @@ function changing(hands, object, change) {
     while (wanted) {
       const next = wanted;
       wanted = undefined;
-      await history.change(object.id, next).catch(() => {});
+      await history.changeAll(hands.changes(objects, next)).catch(() => {});
     }
     busy = false;
   };
-  const to = (/** @type {Fields} */ fields) => {
+  const to = (/** @type {Fields[]} */ fields) => {
     wanted = fields;
+    last = fields;
     send();
   };
   return {
-    move(at, how) {
-      began = true;
-      to(change(at, how));
-    },
+    move: (at, how) => to(change(at, how)),
     end(at, how) {
-      if (began) to(change(at, how));
+      if (last) to(change(at, how));
+      hands.guide([]);
     },
     cancel() {
-      if (began) to(Object.fromEntries(Object.keys(change(/** @type {any} */ (object), { snaps: false, perPixel: 0 })).map((name) => [name, object[name]])));
+      const names = Object.keys(last?.[0] ?? {});
+      if (last) to(objects.map((object) => Object.fromEntries(names.map((name) => [name, object[name]]))));
+      hands.guide([]);
     },
   };
 }
 
+/** Moves objects; a press that moves nothing ends in `click`. @type {(hands: Hands, objects: Owned[], from: Point, click: () => void) => Gesture} */
+function moving(hands, objects, from, click) {
+  const box = boundsOf(objects);
+  const ids = objects.map(({ id }) => id);
+  const others = placed(hands.objects()).filter(({ id }) => !ids.includes(id)).map((one) => boundsOf([one]));
+  const drag = changing(hands, objects, (to, { free, perPixel }) => {
+    const [x, y] = [to.x - from.x, to.y - from.y];
+    const there = { left: box.left + x, right: box.right + x, bottom: box.bottom + y, top: box.top + y };
+    const { by, guides } = snapTo(there, free ? [] : others, SNAP_PX * perPixel);
+    hands.guide(guides);
+    return objects.map((object) => moved(object, from, { x: to.x + by.x, y: to.y + by.y }));
+  });
+  let began = false;
+  return {
+    move(to, how) {
+      began ||= Math.hypot(to.x - from.x, to.y - from.y) > CLICK_PX * how.perPixel;
+      if (began) drag.move(to, how);
+    },
+    end(to, how) {
+      drag.end(to, how);
+      if (!began) click();
+    },
+    cancel: drag.cancel,
+  };
+}
+
 /** @type {(hands: Hands, from: Point, how: How) => Gesture | undefined} */
-function select(hands, from, { perPixel }) {
+function select(hands, from, { perPixel, adds }) {
   const { editing } = hands;
-  const handle = hands.handleAt(editing.selected, from);
-  const chosen = editing.selected;
+  const [chosen, ...more] = editing.all;
+  const handle = more.length === 0 && hands.handleAt(chosen, from);
   if (handle && chosen) {
-    const before = /** @type {Placed & {id: number}} */ (/** @type {any} */ ({ ...chosen }));
-    return changing(hands, before, (to, { snaps }) => (handle.does === 'turn' ? turned(before, to, snaps) : sized(before, handle.at, to)));
+    const before = /** @type {Owned & Placed} */ ({ ...chosen });
+    return changing(hands, [before], (to, { snaps }) => [handle.does === 'turn' ? turned(before, to, snaps) : sized(before, handle.at, to)]);
   }
   const object = objectAt(hands, from, NEAR_PX * perPixel);
-  editing.select(object?.id);
-  if (!object) return undefined;
-  return changing(hands, { ...object }, (to) => moved(object, from, to));
+  const isChosen = editing.all.some(({ id }) => id === object?.id);
+  if (adds) {
+    if (object) hands.toggle(object.id);
+  } else if (!isChosen) {
+    editing.select(object?.id);
+  }
+  if (!object || (adds && isChosen)) return undefined;
+  const objects = placed(hands.objects()).filter(({ id }) => editing.all.some((one) => one.id === id));
+  // A click on one of several selects it alone.
+  return moving(hands, objects, from, () => adds || editing.select(object.id));
 }
 
 /** @type {(hands: Hands, from: Point, how: How) => Gesture} */
@@ -188,6 +240,8 @@ export class PolygonDrawing {
  */
 export function begin(tool, hands, from, how) {
   switch (tool) {
+    case 'blow': return blow(hands, from);
+    case 'sparks': return throwSparks(hands, from);
     case 'select': return select(hands, from, how);
     case 'erase': return erase(hands, from, how);
     case 'brush': return brush(hands, from);

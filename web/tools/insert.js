@@ -3,9 +3,11 @@
  * pastes. Each becomes a mask; nothing of a URL or a file is kept.
  *
  * @typedef {import('./geometry.js').Fields} Fields
+ * @typedef {import('./geometry.js').Point} Point
  */
 
 import { maskOfImage, maskOfText } from '../mask.js';
+import { rounded } from './geometry.js';
 
 /** The largest file [bytes], and the most pixels of an image. */
 const MAX_BYTES = 20e6;
@@ -21,6 +23,75 @@ const FAMILIES = ['serif', 'sans-serif', 'monospace', 'cursive', 'Georgia', 'Imp
 const LETTER = 0.13;
 const LARGEST = 0.8;
 
+/** Words and pictures on one fire. */
+export class Inserts {
+  #host;
+  #overlay;
+  #edits;
+  #open;
+  /** Closes the form that asks for a word. */
+  close = () => {};
+
+  /**
+   * @param {HTMLElement} host
+   * @param {import('./overlay.js').Overlay} overlay
+   * @param {import('./edits.js').Edits} edits
+   * @param {(text: string) => Promise<void>} open  Opens settings.
+   */
+  constructor(host, overlay, edits, open) {
+    this.#host = host;
+    this.#overlay = overlay;
+    this.#edits = edits;
+    this.#open = open;
+  }
+
+  /** Listens to files that are dropped on `places` or pasted. @type {(places: EventTarget[], signal: AbortSignal) => void} */
+  listen(places, signal) {
+    document.addEventListener('paste', (event) => this.#paste(event), { signal });
+    for (const place of places) {
+      place.addEventListener('dragover', (event) => {
+        if (/** @type {DragEvent} */ (event).dataTransfer?.types.includes('Files')) event.preventDefault();
+      }, { signal });
+      place.addEventListener('drop', (event) => this.#drop(/** @type {DragEvent} */ (event)), { signal });
+    }
+  }
+
+  /** Asks for a word at a point. @param {Point} at */
+  write(at) {
+    this.close();
+    const place = (/** @type {Fields} */ fields) => this.#edits.add({ ...fields, x: rounded(at.x), y: rounded(at.y) });
+    this.close = askForText(this.#host, this.#overlay.seen.width, place, () => (this.close = () => {}));
+  }
+
+  /** Adds a picture, by default in the middle of what is seen. @type {(file: Blob, at?: Point | null) => Promise<void>} */
+  picture(file, at) {
+    return this.#edits.attempt(async () => {
+      const { width, x, y } = this.#overlay.seen;
+      const fields = await pictureOf(file, width);
+      await this.#edits.add({ ...fields, x: rounded(at?.x ?? x), y: rounded(at?.y ?? y) });
+    });
+  }
+
+  /** @param {DragEvent} event */
+  #drop(event) {
+    const [file] = event.dataTransfer?.files ?? [];
+    if (!file) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (file.type === 'application/json') this.#edits.attempt(async () => this.#open(await file.text()));
+    else this.picture(file, this.#overlay.metres(event));
+  }
+
+  /** @param {ClipboardEvent} event */
+  #paste(event) {
+    const typing = event.composedPath().some((node) => /** @type {Partial<Element>} */ (node).matches?.('input, textarea'));
+    const [file] = event.clipboardData?.files ?? [];
+    if (!file || typing) return;
+    event.preventDefault();
+    this.picture(file);
+  }
+}
+
 /**
  * Asks for a word.
  * @param {HTMLElement} host  Gets the form.
@@ -29,7 +100,7 @@ const LARGEST = 0.8;
  * @param {() => void} closed
  * @returns {() => void} closes the form
  */
-export function askForText(host, across, place, closed) {
+function askForText(host, across, place, closed) {
   const form = document.createElement('form');
   form.className = 'hearth-text';
   form.setAttribute('aria-label', 'A word as a solid');
@@ -86,7 +157,7 @@ function field(name, value, maxLength) {
  * @returns {Fields}
  * @throws {Error} there is no such font, or nothing of the word is seen
  */
-export function textOf(word, family, across) {
+function textOf(word, family, across) {
   if (word.trim() === '') throw new Error('A word has at least one letter.');
   const names = family.split(',').map((name) => name.trim().replace(/^(["'])(.*)\1$/, '$2')).filter(Boolean);
   const absent = names.find((name) => !isPresent(name));
@@ -117,7 +188,7 @@ function isPresent(name) {
  * @returns {Promise<Fields>}
  * @throws {Error} it is no image, too large, or nothing in it is opaque
  */
-export async function pictureOf(file, across) {
+async function pictureOf(file, across) {
   const name = 'name' in file && file.name ? `“${file.name}”` : 'What was pasted';
   if (!file.type.startsWith('image/')) throw new Error(`${name} is no image.`);
   if (file.size > MAX_BYTES) throw new Error(`${name} has ${Math.round(file.size / 1e6)} MB; an image has at most ${MAX_BYTES / 1e6} MB.`);

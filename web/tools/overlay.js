@@ -26,6 +26,7 @@ export class Overlay {
   #fire;
   #outline = svg('path', { class: 'outline' });
   #preview = svg('path', { class: 'preview' });
+  #guides = svg('path', { class: 'guide' });
   #cross = svg('path', { class: 'cross' });
   #handles = svg('g', {});
   element = document.createElement('div');
@@ -38,7 +39,7 @@ export class Overlay {
     this.element.setAttribute('role', 'application');
     this.element.setAttribute('aria-label', 'Drawing area: arrow keys move the cross, Enter presses and releases');
     const drawing = svg('svg', { 'aria-hidden': 'true' });
-    drawing.append(this.#outline, this.#preview, this.#handles, this.#cross);
+    drawing.append(this.#outline, this.#preview, this.#guides, this.#handles, this.#cross);
     this.element.append(drawing);
   }
 
@@ -54,6 +55,15 @@ export class Overlay {
     return one && other ? other.x - one.x : 0.001;
   }
 
+  /** Width and middle of what is seen [m]. */
+  get seen() {
+    const { clientWidth, clientHeight } = this.#fire;
+    const [low, high] = [this.#fire.toMetres(0, clientHeight), this.#fire.toMetres(clientWidth, 0)];
+    const { domain_width: width, domain_height: height } = this.#fire.params;
+    if (!low || !high) return { width, x: 0, y: height / 2 };
+    return { width: Math.min(width, high.x - low.x), x: (low.x + high.x) / 2, y: (Math.max(0, low.y) + high.y) / 2 };
+  }
+
   /** The handle at a point of the world; undefined without one. @type {(object: Fields | undefined, at: Point) => ReturnType<typeof handlesOf>[number] | undefined} */
   handleAt(object, at) {
     const size = this.perPixel;
@@ -63,10 +73,10 @@ export class Overlay {
     return nearest && away(nearest.at) <= GRIP_PX * size ? nearest : undefined;
   }
 
-  /** Shows the outline of an object, with handles on request. @type {(object: Fields | undefined, handles: boolean) => void} */
-  select(object, handles) {
-    this.#outline.setAttribute('d', object ? this.#path(outlineOf(object)) : '');
-    const all = object && handles ? handlesOf(object, this.perPixel) : [];
+  /** Shows the outlines of objects, and the handles of one. @type {(objects: Fields[], handled: Fields | undefined) => void} */
+  select(objects, handled) {
+    this.#outline.setAttribute('d', objects.map((object) => this.#path(outlineOf(object))).join(''));
+    const all = handled ? handlesOf(handled, this.perPixel) : [];
     this.#handles.replaceChildren(...all.flatMap(({ does, at }) => {
       const { x, y } = this.#pixels(at);
       return [svg('circle', { class: `handle ${does}`, cx: x, cy: y, r: HANDLE_PX })];
@@ -76,6 +86,11 @@ export class Overlay {
   /** Shows what a gesture draws: objects, or an open path. @type {(shown: {points: Point[], closed: boolean}[]) => void} */
   preview(shown) {
     this.#preview.setAttribute('d', shown.map((one) => this.#path(one)).join(''));
+  }
+
+  /** Shows the lines to which a moved object snaps. @param {Point[][]} lines */
+  guide(lines) {
+    this.#guides.setAttribute('d', lines.map((points) => this.#path({ points, closed: false })).join(''));
   }
 
   /** Shows the cross. @param {Point | undefined} at */

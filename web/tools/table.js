@@ -3,35 +3,51 @@
  *
  * @typedef {object} Tool
  * @property {string} name
+ * @property {string} key  The key that chooses it.
  * @property {string} label
  * @property {string} hint  What a visitor does with it.
  * @property {string} icon
  * @property {string} cursor
  */
 
-/** In the order of the toolbar and of the keys 1 to 9 and 0. @type {Tool[]} */
+/** In the order of the toolbar. @type {Tool[]} */
 export const TOOLS = [
-  { name: 'stir', label: 'Stir', hint: 'Move to blow, click for sparks', cursor: '', icon: 'M3 9h11a3 3 0 1 0-3-3M3 13h16a2.5 2.5 0 1 1-2.5 2.5M3 17h7a2 2 0 1 1-2 2' },
-  { name: 'select', label: 'Select', hint: 'Click an object; drag it, its corners, or the handle that turns it', cursor: 'default', icon: 'M6 3l13 9-6 1.2L9.5 19z' },
-  { name: 'brush', label: 'Brush', hint: 'Draw a stroke', cursor: 'crosshair', icon: 'M20 4c-5 2-9 6-11 10M9 14c-3 0-3 2-4 4-.5 1-1 1.5-2 2 4 1 8 0 8-3a3 3 0 0 0-2-3z' },
-  { name: 'line', label: 'Line', hint: 'Drag from end to end', cursor: 'crosshair', icon: 'M5 19L19 5' },
-  { name: 'box', label: 'Box', hint: 'Drag from corner to corner', cursor: 'crosshair', icon: 'M4 6h16v12H4z' },
-  { name: 'circle', label: 'Circle', hint: 'Drag from the centre outwards', cursor: 'crosshair', icon: 'M12 4a8 8 0 1 1 0 16a8 8 0 1 1 0-16z' },
-  { name: 'polygon', label: 'Polygon', hint: 'Click corners; click the first one again to close', cursor: 'crosshair', icon: 'M12 3l9 7-4 10H7L3 10z' },
-  { name: 'text', label: 'Text', hint: 'Click where a word goes', cursor: 'text', icon: 'M5 6V4h14v2M12 4v16M9 20h6' },
-  { name: 'source', label: 'Source', hint: 'Drag a line of fire', cursor: 'crosshair', icon: 'M12 3c1 4 6 6 6 12a6 6 0 0 1-12 0c0-3 2-4 2-7 2 1 3 2 3 4 2-2 2-5 1-9z' },
-  { name: 'erase', label: 'Erase', hint: 'Drag over objects to remove them', cursor: 'cell', icon: 'M9 20h11M4 15l9-10 7 6-8 9H8z' },
+  { name: 'stir', key: '1', label: 'Stir', hint: 'Move to blow, click for sparks', cursor: '', icon: 'M3 9h11a3 3 0 1 0-3-3M3 13h16a2.5 2.5 0 1 1-2.5 2.5M3 17h7a2 2 0 1 1-2 2' },
+  { name: 'blow', key: 'b', label: 'Blow', hint: 'Drag to blow; arrow keys blow from the cross and, with Shift, move it', cursor: 'all-scroll', icon: 'M3 8h9M3 12h14M3 16h9M14 7l5 5-5 5' },
+  { name: 'sparks', key: 'k', label: 'Sparks', hint: 'Drag to throw sparks, or press Enter at the cross', cursor: 'crosshair', icon: 'M12 3v5M12 16v5M3 12h5M16 12h5M6 6l3 3M15 15l3 3M18 6l-3 3M9 15l-3 3' },
+  { name: 'select', key: '2', label: 'Select', hint: 'Click an object, with Shift several; drag them, or the handles of one', cursor: 'default', icon: 'M6 3l13 9-6 1.2L9.5 19z' },
+  { name: 'brush', key: '3', label: 'Brush', hint: 'Draw a stroke', cursor: 'crosshair', icon: 'M20 4c-5 2-9 6-11 10M9 14c-3 0-3 2-4 4-.5 1-1 1.5-2 2 4 1 8 0 8-3a3 3 0 0 0-2-3z' },
+  { name: 'line', key: '4', label: 'Line', hint: 'Drag from end to end', cursor: 'crosshair', icon: 'M5 19L19 5' },
+  { name: 'box', key: '5', label: 'Box', hint: 'Drag from corner to corner', cursor: 'crosshair', icon: 'M4 6h16v12H4z' },
+  { name: 'circle', key: '6', label: 'Circle', hint: 'Drag from the centre outwards', cursor: 'crosshair', icon: 'M12 4a8 8 0 1 1 0 16a8 8 0 1 1 0-16z' },
+  { name: 'polygon', key: '7', label: 'Polygon', hint: 'Click corners; click the first one again to close', cursor: 'crosshair', icon: 'M12 3l9 7-4 10H7L3 10z' },
+  { name: 'text', key: '8', label: 'Text', hint: 'Click where a word goes', cursor: 'text', icon: 'M5 6V4h14v2M12 4v16M9 20h6' },
+  { name: 'source', key: '9', label: 'Source', hint: 'Drag a line of fire', cursor: 'crosshair', icon: 'M12 3c1 4 6 6 6 12a6 6 0 0 1-12 0c0-3 2-4 2-7 2 1 3 2 3 4 2-2 2-5 1-9z' },
+  { name: 'erase', key: '0', label: 'Erase', hint: 'Drag over objects to remove them', cursor: 'cell', icon: 'M9 20h11M4 15l9-10 7 6-8 9H8z' },
 ];
 
 /** Icons of the buttons that act at once. */
 export const ICONS = {
+  several: 'M4 4h8v8H4zM9 15v5h11V9h-5M17 2v5M14.5 4.5h5',
   picture: 'M4 5h16v14H4zM4 16l5-5 4 4 3-3 4 4M15.5 9h.01',
   undo: 'M9 6L4 11l5 5M4 11h10a6 6 0 0 1 0 12h-3',
   redo: 'M15 6l5 5-5 5M20 11H10a6 6 0 0 0 0 12h3',
   duplicate: 'M8 8h12v12H8zM4 16V4h12',
+  back: 'M3 3h10v10H3zM16 9h5v12H9v-5M17 12l-4 5M13 13v4h4',
+  front: 'M9 9h12v12H9zM13 6V3H3v10h3M12 17l5-5M13 12h4v4',
   remove: 'M5 7h14M9 7V4h6v3M7 7l1 13h8l1-13',
   close: 'M6 6l12 12M18 6L6 18',
 };
+
+/** The ways to align, with their icons. @type {[import('./geometry.js').Alignment, string][]} */
+export const ALIGNMENTS = [
+  ['left', 'M4 3v18M7 6h13v4H7zM7 14h8v4H7z'],
+  ['centre', 'M12 3v3M12 10v4M12 18v3M5 6h14v4H5zM8 14h8v4H8z'],
+  ['right', 'M20 3v18M4 6h13v4H4zM9 14h8v4H9z'],
+  ['top', 'M3 4h18M6 7h4v13H6zM14 7h4v8h-4z'],
+  ['middle', 'M3 12h3M10 12h4M18 12h3M6 5h4v14H6zM14 8h4v8h-4z'],
+  ['bottom', 'M3 20h18M6 4h4v13H6zM14 9h4v8h-4z'],
+];
 
 /** The arrow keys: right and up. @type {{[key: string]: [number, number]}} */
 export const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };

@@ -22,6 +22,8 @@ pub enum Command {
     Duplicate(u32),
     /// Remove an object.
     Remove(u32),
+    /// Move an object to the end of the list, before all others, or to its beginning.
+    Order(u32, bool),
     /// Select an object, or none.
     Select(Option<u32>),
     /// Reset all parameters, the model included.

@@ -1,4 +1,4 @@
-//! The objects: buttons to add, duplicate and delete, a list to select one, and the properties of
+//! The objects: buttons to add, duplicate, delete and order, a list to select one, and the properties of
 //! the selected one.
 //!
 //! The properties of the first source are parameters, whose rows stand in their own groups. A
@@ -19,6 +19,9 @@ use crate::view::row;
 /// Entries of the list per line.
 const PER_LINE: usize = 2;
 
+/// Buttons per line.
+const BUTTONS: usize = 4;
+
 /// Maximum height of a line of the list.
 const LINE: f32 = 36.0;
 
@@ -27,7 +30,6 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui) {
     let top = ui.cursor().top();
     let gap = state.device.measures.gap;
     buttons(state, out, ui);
-    ui.add_space(4.0);
     let all: Vec<Object<'_>> = state.fire.objects.objects().collect();
     let height = state.device.measures.control.min(LINE);
     for (at, line) in all.chunks(PER_LINE).enumerate() {
@@ -131,7 +133,6 @@ fn entry(state: &State, out: &mut Output, ui: &Ui, rect: Rect, object: Object<'_
 
 /// The buttons, and why one is disabled.
 fn buttons(state: &State, out: &mut Output, ui: &mut Ui) {
-    let rect = strip(ui, state.device.measures.control);
     let selected = state.selected_object();
     let full = |kind: &Kind| state.fire.is_full(kind);
     let adds = KINDS.iter().map(|kind| {
@@ -139,34 +140,53 @@ fn buttons(state: &State, out: &mut Output, ui: &mut Ui) {
         (label, Command::Add(kind.name), !full(kind), kind.doc)
     });
     let id = selected.map_or(0, |object| object.id);
+    let solid = selected.is_some_and(|object| object.kind.name == "solid");
+    let copies = selected.is_some_and(|object| !full(object.kind));
     let rest = [
         (
-            "Duplicate".to_owned(),
+            "Duplicate",
             Command::Duplicate(id),
-            selected.is_some_and(|object| !full(object.kind)),
+            copies,
             "Another object like the selected one",
         ),
         (
-            "Delete".to_owned(),
+            "Delete",
             Command::Remove(id),
             selected.is_some(),
             "Delete the selected object",
         ),
+        (
+            "To back",
+            Command::Order(id, false),
+            solid,
+            "Draw the selected solid behind the others",
+        ),
+        (
+            "To front",
+            Command::Order(id, true),
+            solid,
+            "Draw the selected solid before the others",
+        ),
     ];
+    let rest = rest.map(|(label, command, on, hint)| (label.to_owned(), command, on, hint));
     let all: Vec<_> = adds.chain(rest).collect();
-    let words: Vec<&str> = all.iter().map(|(label, ..)| label.as_str()).collect();
-    let parts = button::split_by_words(ui, rect, &words, 4.0);
-    for (rect, (label, command, enabled, hint)) in parts.into_iter().zip(&all) {
-        let place = format!("action:{}", label.to_lowercase().replace(' ', ":"));
-        let face = Face {
-            enabled: *enabled,
-            ..Face::text(label)
-        };
-        let response = button::show(ui, rect, Id::unique(&place), face);
-        out.place(ui, place, rect);
-        if response.on_hover_text(*hint).clicked() && *enabled {
-            out.send(command.clone());
+    for line in all.chunks(BUTTONS) {
+        let rect = strip(ui, state.device.measures.control);
+        let words: Vec<&str> = line.iter().map(|(label, ..)| label.as_str()).collect();
+        let parts = button::split_by_words(ui, rect, &words, 4.0);
+        for (rect, (label, command, enabled, hint)) in parts.into_iter().zip(line) {
+            let place = format!("action:{}", label.to_lowercase().replace(' ', ":"));
+            let face = Face {
+                enabled: *enabled,
+                ..Face::text(label)
+            };
+            let response = button::show(ui, rect, Id::unique(&place), face);
+            out.place(ui, place, rect);
+            if response.on_hover_text(*hint).clicked() && *enabled {
+                out.send(command.clone());
+            }
         }
+        ui.add_space(4.0);
     }
     for kind in KINDS.iter().filter(|kind| full(kind)) {
         let text = format!("A scene has at most {MAX_OBJECTS} {}s.", kind.name);

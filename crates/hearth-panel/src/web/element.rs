@@ -136,6 +136,11 @@ impl Element {
                 arguments.push(&id.into());
                 "remove"
             }
+            Command::Order(id, front) => {
+                arguments.push(&id.into());
+                arguments.push(&front.into());
+                "order"
+            }
             Command::Select(id) => {
                 arguments.push(&id.into());
                 "select"

@@ -274,6 +274,8 @@ fn buttons_send_their_commands() {
         ("action:add:solid", Command::Add("solid")),
         ("action:duplicate", Command::Duplicate(3)),
         ("action:delete", Command::Remove(3)),
+        ("action:to:back", Command::Order(3, false)),
+        ("action:to:front", Command::Order(3, true)),
     ] {
         harness.reveal(OBJECTS);
         harness.click(button);

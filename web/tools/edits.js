@@ -1,0 +1,171 @@
+/**
+ * What the toolbar does to objects. Each call is one step of the history; what the fire refuses becomes a message.
+ *
+ * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
+ * @typedef {import('../panel/objects.js').Fields} Fields
+ * @typedef {import('./geometry.js').Fields} Drawn
+ *
+ * @typedef {object} Made  What new solids are.
+ * @property {string} material
+ * @property {boolean} burns
+ */
+
+import { MAX_OBJECTS } from '../generated/scene-objects.js';
+import { copyOf, entriesOf, isFull, nameOf, newObject, objectsOf } from '../panel/objects.js';
+import { aligned, moved, outlineOf, rounded } from './geometry.js';
+import { placed } from './gestures.js';
+
+/** Power of a metre of a surface that burns [kW/m]. */
+const POWER = 150;
+
+/** Whether an object is a source that is the surface of a solid. @type {(object: Drawn, id: number) => boolean} */
+export function isOn({ kind, shape, solid }, id) {
+  return kind === 'source' && shape === 'solid' && solid === id;
+}
+
+/** The edits of one fire. */
+export class Edits {
+  #fire;
+  #editing;
+  #made;
+  #say;
+
+  /**
+   * @param {HearthFire} fire
+   * @param {import('../panel/editing.js').Editing} editing
+   * @param {() => Made} made
+   * @param {(text: string) => void} say
+   */
+  constructor(fire, editing, made, say) {
+    this.#fire = fire;
+    this.#editing = editing;
+    this.#made = made;
+    this.#say = say;
+  }
+
+  /** Does something that the fire may refuse; a refusal becomes a message. @param {() => unknown} act */
+  async attempt(act) {
+    try {
+      await act();
+    } catch (error) {
+      this.#say(error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  /** Adds an object and selects it. @param {Drawn} drawn */
+  add(drawn) {
+    return this.attempt(async () => {
+      const kind = /** @type {'source' | 'solid'} */ (drawn.kind);
+      if (isFull(this.#fire, kind)) throw new Error(`A fire has at most ${MAX_OBJECTS} ${kind}s.`);
+      const { material, burns } = this.#made();
+      const fields = kind === 'source' ? this.#sourceOf(drawn) : { ...drawn, material };
+      const isSurface = kind === 'solid' && burns && !isFull(this.#fire, 'source');
+      let id = 0;
+      await this.#editing.history.objects(async () => {
+        id = await this.#fire.addObject(/** @type {any} */ (fields));
+        if (isSurface) await this.#fire.addObject(/** @type {any} */ (this.#surfaceOf(id, fields)));
+      });
+      this.#editing.select(id);
+      const object = this.#editing.selected;
+      if (object) this.#say(`${nameOf(object)} at ${object.x.toFixed(2)}, ${object.y.toFixed(2)} m.`);
+    });
+  }
+
+  /** A source as strong by its width as the first one, or as a new one. @param {Drawn} drawn */
+  #sourceOf(drawn) {
+    const like = /** @type {Drawn} */ (newObject(this.#fire, 'source'));
+    const fields = { ...like, ...drawn };
+    for (const name of ['power', 'rate']) {
+      if (!(name in like)) continue;
+      fields[name] = rounded(this.#inRange(name, (like[name] * drawn.width) / like.width));
+    }
+    return { ...fields, shape: 'line', width: this.#inRange('width', drawn.width) };
+  }
+
+  /** A source at the surface of a solid. @type {(id: number, solid: Drawn) => Drawn} */
+  #surfaceOf(id, solid) {
+    const { points, closed } = outlineOf(solid);
+    const ends = closed ? [...points, points[0]] : [...points, ...points.slice(0, -1).reverse()];
+    const around = ends.reduce((sum, point, at) => sum + (at ? Math.hypot(point.x - ends[at - 1].x, point.y - ends[at - 1].y) : 0), 0);
+    return { kind: 'source', shape: 'solid', solid: id, power: rounded(this.#inRange('power', POWER * around)) };
+  }
+
+  /** @type {(name: string, value: number, kind?: 'source' | 'solid') => number} */
+  #inRange(name, value, kind = 'source') {
+    const { min = value, max = value } = entriesOf(kind).find((one) => one.name === name)?.domain(this.#fire.params.model) ?? {};
+    return Math.min(max, Math.max(min, value));
+  }
+
+  /** Adds an object like each selected one, and selects the new ones. */
+  duplicate() {
+    return this.attempt(async () => {
+      const { all, history } = this.#editing;
+      /** @type {number[]} */
+      const ids = [];
+      await history.objects(async () => {
+        for (const object of all) {
+          if (isFull(this.#fire, object.kind)) throw new Error(`A fire has at most ${MAX_OBJECTS} ${object.kind}s.`);
+          ids.push(await this.#fire.addObject(/** @type {any} */ (copyOf(this.#fire, object))));
+        }
+      });
+      this.#editing.select(...ids);
+      this.#say(`${this.#named} ${ids.length > 1 ? 'are' : 'is'} new.`);
+    });
+  }
+
+  /** Removes the selected objects. */
+  remove() {
+    const { all, history } = this.#editing;
+    if (all.length === 0) return;
+    this.#say(`${this.#named} ${all.length > 1 ? 'are' : 'is'} removed.`);
+    this.attempt(() => history.objects(() => this.takeAway(...all.map(({ id }) => id))));
+  }
+
+  /** Moves the selected solids before all others, or behind them. @param {boolean} front */
+  order(front) {
+    const solids = this.#editing.all.filter(({ kind }) => kind === 'solid');
+    if (solids.length === 0) return;
+    this.#say(`${this.#named} ${solids.length > 1 ? 'are' : 'is'} ${front ? 'before' : 'behind'} the other solids.`);
+    this.attempt(() => this.#editing.order(solids.map(({ id }) => id), front));
+  }
+
+  /** Aligns the selected objects. @param {import('./geometry.js').Alignment} to */
+  align(to) {
+    const { all } = this.#editing;
+    const objects = placed(objectsOf(this.#fire)).filter(({ id }) => all.some((one) => one.id === id));
+    const by = aligned(objects, to);
+    this.change(objects.map((object, at) => moved(object, { x: 0, y: 0 }, by[at])), objects);
+    this.#say(`${this.#named} are aligned: ${to}.`);
+  }
+
+  /** Changes objects, by default the selected ones. @type {(fields: Drawn[], objects?: Fields[]) => void} */
+  change(fields, objects = this.#editing.all) {
+    this.attempt(() => this.#editing.history.changeAll(this.changes(objects, fields)));
+  }
+
+  /** Changes of objects, within the ranges of the properties: one that is refused would leave the others. @type {(objects: Fields[], fields: Drawn[]) => Map<number, Drawn>} */
+  changes(objects, fields) {
+    return new Map(objects.map(({ id, kind }, at) => [id, Object.fromEntries(Object.entries(fields[at]).map(([name, value]) => (
+      [name, typeof value === 'number' ? this.#inRange(name, value, kind) : value]
+    )))]));
+  }
+
+  /** Adds an object to the selection, or takes it out. @param {number} id */
+  toggle(id) {
+    this.#editing.toggle(id);
+    const { length } = this.#editing.all;
+    this.#say(length === 1 ? `${this.#named} is selected.` : `${length} objects are selected.`);
+  }
+
+  /** The selected objects in words. */
+  get #named() {
+    const { all } = this.#editing;
+    return all.length === 1 ? nameOf(all[0]) : `${all.length} objects`;
+  }
+
+  /** Removes objects, and the sources that are their surfaces: they would burn elsewhere. @param {number[]} ids */
+  async takeAway(...ids) {
+    const on = objectsOf(this.#fire).filter((one) => ids.some((id) => isOn(one, id)));
+    await Promise.all([...new Set([...on.map(({ id }) => id), ...ids])].map((id) => this.#fire.removeObject(id)));
+  }
+}

@@ -297,9 +297,8 @@ impl Neighbours {
                     }
                     let begin = sweep.begin as usize + lane * sweep.stride as usize;
                     for entry in &mut entries[begin..begin + sweep.counts[lane] as usize] {
-                        let number = *entry as usize / SUBSETS;
-                        let mask = rest(number, *entry % SUBSETS as u32);
-                        *entry = (number * SUBSETS) as u32 + mask;
+                        let mask = *entry % SUBSETS as u32;
+                        *entry -= mask - rest(*entry as usize / SUBSETS, mask);
                     }
                 }
             }

@@ -52,10 +52,9 @@ pub(crate) fn react(gas: &mut Gas, values: &Physics, source: f32, dt: f32) -> f3
 
     for (i, state) in gas.state.iter_mut().enumerate() {
         let [t, fuel, oxygen, soot] = (*state + gas.change[i] * dt).to_array();
-        let fuel = fuel.clamp(0.0, 1.0);
-        let oxygen = oxygen.clamp(0.0, 1.0);
+        let (fuel, oxygen) = (share(fuel), share(oxygen));
         let burn = if t > values.ignition_temperature {
-            let lacking = ((equilibrium - t) / rise).clamp(0.0, 1.0);
+            let lacking = share((equilibrium - t) / rise);
             fast_min(fast_min(fuel, oxygen / demand), lacking) * reacted
         } else {
             0.0
@@ -67,17 +66,23 @@ pub(crate) fn react(gas: &mut Gas, values: &Physics, source: f32, dt: f32) -> f3
         // Radiation does not cool below the temperature of the air in a long step.
         let cooled = fast_max(t - lost, fast_min(air, t));
         let t = cooled + rise * burn;
-        let glowing = ((t - cool) / (hot - cool)).clamp(0.0, 1.0);
+        let glowing = share((t - cool) / (hot - cool));
         let left = smoke_left + glowing * (soot_left - smoke_left);
         *state = State::new(
             t,
             fuel - burn,
             oxygen - demand * burn,
-            (soot.clamp(0.0, f32::MAX) + (1.0 + demand) * burn) * left,
+            (fast_max(soot, 0.0) + (1.0 + demand) * burn) * left,
         );
     }
     let per_second = burnt / f64::from(dt) * f64::from(gas.mass * heat_of_combustion(values));
     per_second as f32
+}
+
+/// A number from 0 to 1.
+#[inline(always)]
+fn share(number: f32) -> f32 {
+    fast_min(fast_max(number, 0.0), 1.0)
 }
 
 #[cfg(test)]

@@ -34,9 +34,10 @@ impl RoundedBox {
         let sign = Vec2::new(sign(local.x), sign(local.y));
         // Beyond the inner box, the distance is that from its corner or edge.
         let beyond = local * sign - self.half;
-        let (distance, normal) = if beyond.x > 0.0 && beyond.y > 0.0 {
-            let length = beyond.length();
-            (length, beyond / length)
+        let outside = Vec2::new(fast_max(beyond.x, 0.0), fast_max(beyond.y, 0.0));
+        let length = outside.length();
+        let (distance, normal) = if length > 0.0 {
+            (length, outside / length)
         } else if beyond.x > beyond.y {
             (beyond.x, Vec2::X)
         } else {

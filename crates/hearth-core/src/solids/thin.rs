@@ -3,7 +3,6 @@
 use glam::Vec2;
 
 use super::{Body, Solids};
-use crate::extremes::{fast_max, fast_min};
 use crate::scene::RoundedBox;
 
 /// The part of a rounded corner that hides the particles behind it, in radii.
@@ -115,23 +114,17 @@ impl Beside<'_> {
     }
 }
 
+/// Whether a line has a part inside of a box, whose corners hide less if they are round: whether
+/// neither an axis of the box nor the normal of the line separates them.
 fn crosses(shape: &RoundedBox, one: Vec2, other: Vec2) -> bool {
-    let (from, to) = (shape.local(one).to_array(), shape.local(other).to_array());
-    let half = (shape.half + OPAQUE * shape.radius).to_array();
-    let (mut enter, mut leave) = (0.0, 1.0);
-    for k in 0..2 {
-        let path = to[k] - from[k];
-        if path.abs() < 1e-9 {
-            if from[k].abs() >= half[k] {
-                return false;
-            }
-            continue;
-        }
-        let ends = [(-half[k] - from[k]) / path, (half[k] - from[k]) / path];
-        enter = fast_max(fast_min(ends[0], ends[1]), enter);
-        leave = fast_min(fast_max(ends[0], ends[1]), leave);
-    }
-    enter < leave
+    let (from, to) = (shape.local(one), shape.local(other));
+    let half = shape.half + OPAQUE * shape.radius;
+    let (middle, path) = (0.5 * (from + to), 0.5 * (to - from));
+    let (beside, along) = (middle.abs(), path.abs());
+    // Without branches: which of them separates is unpredictable.
+    (beside.x < half.x + along.x)
+        & (beside.y < half.y + along.y)
+        & (middle.perp_dot(path).abs() < half.x * along.y + half.y * along.x)
 }
 
 #[cfg(test)]

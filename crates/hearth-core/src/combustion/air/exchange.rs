@@ -297,23 +297,31 @@ impl Exchange {
         full: u32,
     ) {
         let step = map.layout.cell / PLACES as f32;
+        let place = |index: usize| {
+            let (x, y) = (index as u32 % PLACES, index as u32 / PLACES);
+            corner + (Vec2::new(x as f32, y as f32) + 0.5) * step
+        };
+        let mut rooms = [0.0; (PLACES * PLACES) as usize];
+        for (index, room) in rooms.iter_mut().enumerate() {
+            *room = self.room(place(index));
+        }
         for _ in 0..MOST {
             if map.cell(cell).count >= full {
                 return;
             }
-            let (mut freest, mut room) = (None, ROOM * inflow.spacing * (ROOM * inflow.spacing));
-            for index in 0..PLACES * PLACES {
-                let (x, y) = ((index % PLACES) as f32, (index / PLACES) as f32);
-                let place = corner + Vec2::new(x + 0.5, y + 0.5) * step;
-                let here = self.room(place);
-                if here > room && inflow.is_free(place) {
-                    (freest, room) = (Some(place), here);
+            let (mut freest, mut most) = (None, ROOM * inflow.spacing * (ROOM * inflow.spacing));
+            for (index, &room) in rooms.iter().enumerate() {
+                if room > most && inflow.is_free(place(index)) {
+                    (freest, most) = (Some(place(index)), room);
                 }
             }
-            let Some(place) = freest else {
+            let Some(birth) = freest else {
                 return;
             };
-            self.add(map.cell(cell), gas, inflow, place, velocity);
+            self.add(map.cell(cell), gas, inflow, birth, velocity);
+            for (index, room) in rooms.iter_mut().enumerate() {
+                *room = fast_min(place(index).distance_squared(birth), *room);
+            }
         }
     }
 }

@@ -12,7 +12,7 @@ use glam::Vec2;
 
 use super::super::gas::Gas;
 use crate::bounds::Bounds;
-use crate::extremes::fast_min;
+use crate::extremes::{fast_max, fast_min};
 
 /// Largest depth that the map distinguishes.
 pub(super) const DEEP: f32 = 5.0;
@@ -114,7 +114,7 @@ impl Layout {
     #[inline]
     fn index(&self, along: f32, count: usize) -> usize {
         // A cast saturates, so a negative number and NaN become 0.
-        ((along * self.per_metre) as usize).min(count - 1)
+        ((along * self.per_metre) as u32 as usize).min(count - 1)
     }
 
     /// Lower left corner of the cell in a column and row \[m\].
@@ -303,9 +303,9 @@ impl Map {
             ..
         } = self.layout;
         let part = |along: f32, count: usize| {
-            let at = (along * per_metre - 0.5).max(0.0);
-            let index = (at as usize).min(count - 2);
-            (index, (at - index as f32).min(1.0))
+            let at = fast_max(along * per_metre - 0.5, 0.0);
+            let index = (at as u32 as usize).min(count - 2);
+            (index, fast_min(at - index as f32, 1.0))
         };
         let (column, x) = part(position.x - left, columns);
         let (row, y) = part(position.y - bottom, rows);

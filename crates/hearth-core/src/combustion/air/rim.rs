@@ -11,7 +11,7 @@
 
 use super::super::gas::Gas;
 use super::map::{Map, RIM};
-use crate::extremes::fast_min;
+use crate::extremes::{fast_max, fast_min};
 
 /// Depths between which the motion becomes that of the gas.
 const LIVE: (f32, f32) = (0.75, 1.5);
@@ -111,5 +111,5 @@ impl Rim {
 /// How far `depth` is between two depths, from 0 to 1.
 #[inline]
 fn share(depth: f32, (from, to): (f32, f32)) -> f32 {
-    ((depth - from) / (to - from)).clamp(0.0, 1.0)
+    fast_min(fast_max((depth - from) / (to - from), 0.0), 1.0)
 }

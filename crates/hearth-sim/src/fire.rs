@@ -115,7 +115,8 @@ impl Fire {
     /// fields, removes the object. Returns the id of the last object.
     ///
     /// # Errors
-    /// There is no object with this id, or every invalid field.
+    /// There is no object with this id, or every invalid field; the name of a [part](parts) that
+    /// is missing.
     #[wasm_bindgen(js_name = setObject)]
     pub fn set_object(
         &mut self,
@@ -126,7 +127,8 @@ impl Fire {
         let fields = names.zip(values);
         let fields = fields.map(|(names, values)| columns(&names, &values));
         let changed = settings::with_object(self.simulation.scene(), id, fields.as_deref());
-        self.simulation.set_scene(changed.map_err(thrown)?);
+        let scene = affordable(Some(self.simulation.parameters()), changed)?;
+        self.simulation.set_scene(scene);
         let last = self.simulation.scene().objects().last();
         Ok(last.map_or(0, |object| object.id))
     }

@@ -108,9 +108,7 @@ export class EngineConnection {
     await this.#due(loading);
     if (this.closed) return;
     const options = engine();
-    const [engineOfPage, prepared] = await Promise.all([connect(...options), prepare()]);
-    // A fire that does not get the code for its saved state burns for some seconds first.
-    if (prepared) await engineOfPage.provide('burning');
+    const [, prepared] = await Promise.all([connect(...options), prepare()]);
     if (this.closed) return;
     // An engine without fires may have ended meanwhile.
     const port = await connect(...options);

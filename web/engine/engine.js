@@ -233,7 +233,7 @@ export function connect(source, place = 'auto') {
  * Loads a part of the wasm. After a failure the next call tries again.
  * @param {string} part
  */
-export function loadPart(part) {
+function loadPart(part) {
   keptParts[part] ??= compile(
     named ? named.replace(WASM_NAME, `_${part}.wasm`) : PARTS[part](),
     part === 'burning' ? BURNING_MS : WASM_MS,

@@ -115,8 +115,14 @@ export function runEngine(Engine, canvas, { post, show, extend, fail }, onPage =
       for (const [fire, { part: needed, calls }] of waiting) {
         if (needed === part) {
           waiting.delete(fire);
-          if (why) post(refusal(part, why, calls[0]));
-          calls.slice(why ? 1 : 0).forEach(call);
+          if (part === 'burning') {
+            // A new fire that does not get the code for its saved state burns for some seconds first.
+            if (why) calls[0][3].state = undefined;
+          } else if (why) {
+            post(refusal(part, why, calls[0]));
+            calls.shift();
+          }
+          calls.forEach(call);
         }
       }
     },

@@ -25,7 +25,7 @@ pub fn missing(scene: &Scene) -> Option<&'static str> {
     }
 }
 
-/// Whether the part that reads saved fires is loaded. Nothing needs it: a fire without it warms up.
+/// Whether the part that reads saved fires is loaded.
 #[inline(never)]
 pub fn burning_is_loaded() -> bool {
     black_box(2_u8) == 2

@@ -203,6 +203,9 @@ impl Engine {
         let found = self.fires.iter_mut().find(|fire| fire.id() == id);
         let fire = match (found, command) {
             (None, Command::Add { start }) => {
+                if !start.state.is_empty() && !parts::burning_is_loaded() {
+                    return Ok(Answer::Missing("burning"));
+                }
                 let (requested, errors) = Requested::at_first(&start);
                 if let Some(part) = parts::missing(&requested.scene) {
                     return Ok(Answer::Missing(part));

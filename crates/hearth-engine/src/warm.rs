@@ -5,7 +5,6 @@
 //! power of 1.5, so most of the warm-up uses few particles. The full number replaces them
 //! for the last part.
 
-use hearth_bindings::parts;
 use hearth_core::burning::BurningError;
 use hearth_core::params::Model;
 use hearth_core::{Scene, Simulation};
@@ -61,7 +60,7 @@ impl Warm {
             return None;
         }
         let mut wrong = None;
-        if !self.saved.is_empty() && parts::burning_is_loaded() {
+        if !self.saved.is_empty() {
             match simulation.restore_burning(&self.saved) {
                 Ok(()) => return None,
                 Err(BurningError::OtherValues) => {}

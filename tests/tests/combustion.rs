@@ -32,6 +32,28 @@ fn in_and_out(gas: &Simulation, began: &[Vec2], figure: &[f32]) -> (f64, f64) {
     (of(true), of(false))
 }
 
+/// The root mean square of the speed of all gas.
+fn agitation(gas: &Simulation) -> f64 {
+    mean(gas.velocities().iter().map(|v| v.length_squared())).sqrt()
+}
+
+#[test]
+fn noise_in_gas_at_rest_decays_whether_it_is_cold_or_the_hottest() {
+    // The fastest sound is that of the hottest gas, with the longest step where nothing moves.
+    for kelvin in [293.0, 3700.0] {
+        let still = closed_box(&[("gas_expansion", 1.0)]);
+        let mut gas = filled(still, SIDE, |particle| particle.temperature = kelvin);
+        let steps = |gas: &mut Simulation, count: u32| {
+            for _ in 0..count {
+                gas.step();
+            }
+            agitation(gas)
+        };
+        let (early, late) = (steps(&mut gas, 120), steps(&mut gas, 240));
+        assert!(late < early, "{early} and {late} m/s at {kelvin} K");
+    }
+}
+
 #[test]
 fn hot_gas_is_thinner_by_its_expansion() {
     for (expansion, hot) in [(1.0, 1172.0), (1.0, 586.0), (0.5, 1172.0), (0.0, 1172.0)] {

@@ -222,7 +222,7 @@ impl Combustion {
             f64::from(p.kinematic_viscosity) + f64::from(p.artificial_viscosity) * h * sound / 8.0;
         let eddies = f64::from(p.eddy_viscosity).powi(2) * h * speed;
         let diffusivity = viscosity.max(p.diffusion.into()) + eddies;
-        (0.4 * h / (sound + speed))
+        (0.5 * h / (sound + speed))
             .min(0.25 * (h / hardest.max(1e-6)).sqrt())
             .min(0.125 * h * h / diffusivity.max(1e-9))
             .min(LONGEST)
@@ -396,16 +396,16 @@ impl Combustion {
         }
     }
 
-    /// Motion, and the shift −min(8 h u dt, 0.3 h²) ∇C, at most 0.3 h.
+    /// Motion, and the shift −min(8 h u dt, 0.375 h²) ∇C, at most 0.375 h.
     fn advance(&mut self, common: &Common, rates: &[Rates], max_speed: f64, dt: f64) {
         let h = common.kernel.h;
         let strength = 8.0 * f64::from(common.p.shifting) * h * max_speed * dt;
-        let shift = strength.min(0.3 * h * h);
+        let shift = strength.min(0.375 * h * h);
         for (particle, rates) in self.particles.iter_mut().zip(rates) {
             let mut displacement = rates.concentration_gradient.times(-shift);
             let far = displacement.value.length();
-            if far > 0.3 * h {
-                displacement = displacement.times(0.3 * h / far);
+            if far > 0.375 * h {
+                displacement = displacement.times(0.375 * h / far);
             }
             let position = &mut particle.position;
             position.add_sum(particle.velocity.times(dt));

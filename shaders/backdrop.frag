@@ -6,7 +6,7 @@ in vec2 uv;
 
 uniform sampler2D shown;
 uniform sampler2D scenery;    // square root of colour; share of ground
-uniform sampler2D irradiance; // square root of the irradiance / range
+uniform sampler2D irradiance; // square root of 16 irradiance / range
 uniform sampler2D noise;      // a tile; 0.5 is zero
 uniform vec2 haze_tiles;   // noise tiles across and up the picture
 uniform float haze_risen;  // tiles
@@ -26,7 +26,7 @@ const float THIN = 0.05;      // weight below which the temperature is uncertain
 const float DENSE = 1.5;      // 1 / weight of complete displacement
 const float FLOOR_LIGHT = 0.2; // height in the picture of the light that reaches the ground
 const float FLOOR_GAIN = 1.3; // light on the ground, which faces the flame, relative to the wall
-const float LIT = 30.0;       // brightness of the irradiance
+const float LIT = 30.0 / 16.0; // brightness of the irradiance
 const vec3 NIGHT = vec3(0.035, 0.04, 0.055); // bluish light without the fire
 const float SHOULDER = 0.6;   // compression of the lit backdrop
 

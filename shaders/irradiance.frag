@@ -5,7 +5,8 @@ in vec2 uv;
 uniform sampler2D widest_blur; // of the light
 uniform vec2 size; // of the picture, in heights of the domain
 
-out vec4 irradiance; // square root of the light / range
+// Square root of 16 light / range: a wall gets far less light than a flame gives.
+out vec4 irradiance;
 
 const float DISTANCE_SQUARED = 0.06; // square of the fire's distance from the wall, in heights of the domain
 
@@ -23,5 +24,5 @@ void main() {
             sum += root * root * near * near;
         }
     }
-    irradiance = vec4(sqrt(sum * size.x * size.y / (reads.x * reads.y)), 1.0);
+    irradiance = vec4(4.0 * sqrt(sum * size.x * size.y / (reads.x * reads.y)), 1.0);
 }

@@ -2,7 +2,7 @@
 // lower edge of the frame and approaches the viewer downwards.
 #include "particle.glsl"
 
-uniform sampler2D irradiance; // square root of the irradiance / range
+uniform sampler2D irradiance; // square root of 16 irradiance / range
 uniform vec2 per_height; // height of the domain as a share of the picture, across and up
 
 out vec2 uv;         // 0–1 over the picture
@@ -32,5 +32,5 @@ void main() {
     vec2 side = vec2(AROUND * per_height.x, 0.0);
     float left = length(textureLod(irradiance, middle - side, 0.0).rgb);
     float right = length(textureLod(irradiance, middle + side, 0.0).rgb);
-    away = (left - right) / (left + right + 1e-4);
+    away = (left - right) / (left + right + 4e-4);
 }

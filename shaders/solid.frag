@@ -8,7 +8,7 @@ flat in vec3 turn;
 
 uniform sampler2D shown;
 uniform sampler2D glow;       // square root of light / range
-uniform sampler2D irradiance; // square root of the irradiance / range
+uniform sampler2D irradiance; // square root of 16 irradiance / range
 uniform sampler2D noise;      // a tile; 0.5 is zero
 uniform vec2 floor_middle; // middle of the world's floor, 0–1 over the picture
 uniform vec2 picture_size; // [m]
@@ -21,7 +21,7 @@ uniform float breath;      // tiles by which the noise of embers has moved
 out vec4 pixel;
 
 const float NEAR_LIT = 0.7; // brightness of the light nearby
-const float FAR_LIT = 85.0; // and of the irradiance
+const float FAR_LIT = 85.0 / 16.0; // and of the irradiance
 const float PALE = 0.15;    // share of the irradiance that loses its hue, so that materials keep theirs
 const float AROUND = 0.1;   // distance of the irradiance that gives its direction, in heights of the domain
 const float TOUCH = 0.025;  // distance of the light that touches a surface

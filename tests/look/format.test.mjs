@@ -11,14 +11,12 @@ import { sheet } from './sheet.mjs';
 import { Painter } from './painter.mjs';
 
 /** Most that eight bits may change where the structure is the same, in hundredths of
-    OkLab, as everything here. A gas flame, of little soot, is grainy, and the highlight of iron
-    follows the slope of a light that has steps: 7.6 in a ring of flames. Most scenes stay below half
-    of this. */
-const ROUNDED = { colour: 1.25, worst: 8, structure: 0.97 };
+    OkLab, as everything here. The thin smoke of a stack has few steps between black and grey: 4.5.
+    Most scenes stay below half of this. */
+const ROUNDED = { colour: 0.6, worst: 6, structure: 0.99 };
 
-/** And the colours of the whole where it is another: most, of a wall in the light of a flame that
-    fine structure tears, 3.9. */
-const SHIFT = 4.2;
+/** And the colours of the whole where it is another: most, of the ground below a campfire, 2.0. */
+const SHIFT = 3;
 
 /** What a device lacks that draws into half floats alone, or into no floats. */
 const [HALF, NONE] = [

@@ -5,6 +5,7 @@
  */
 import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
+import { WHOLE } from '../../web/pages/framing.js';
 import { Browser } from './driver.mjs';
 import { table } from './site.mjs';
 import { burnSteps } from './still.mjs';
@@ -60,10 +61,11 @@ try {
 async function taken(name) {
   const tab = await browser.open(PAGE, { width: WIDTH * FINER, height: HEIGHT * FINER });
   await tab.ready();
-  const model = await tab.fire(async (fire, preset) => {
+  const model = await tab.fire(async (fire, preset, whole) => {
+    if (whole) fire.fit = 'contain';
     await fire.importConfig({ preset });
     return fire.params.model;
-  }, name);
+  }, name, WHOLE.includes(name));
   await burnSteps(tab, STEPS[model]);
   const seen = await tab.page.screenshot({ encoding: 'base64' });
   for (const quality of QUALITIES) {

@@ -4,7 +4,7 @@
  */
 
 /** The scenes that a stage shows whole. */
-const WHOLE = ['burning-word', 'fireplace', 'ring-of-fire', 'sheltered-candle'];
+export const WHOLE = ['burning-word', 'fireplace', 'ring-of-fire', 'sheltered-candle'];
 
 /**
  * Sets `fit` for the present scene and later ones, unless the page or its URL says how the fire fits.

@@ -154,3 +154,12 @@ test('a scene that needs both parts gets both', async () => {
   await tab.until('the solid is there', () => /** @type {any} */ (document.querySelector('hearth-fire')).objects.length === 2);
   assert.equal(await tab.fire((fire) => fire.params.model), 'classic');
 });
+
+test('the code for a stored burning scene loads before the engine runs', async () => {
+  const tab = await browser.open(page('worker', '<hearth-fire preset="fireside" warm></hearth-fire>'), {
+    files: { 'engine/worker.js': { silent: true } },
+  });
+  await tab.until('the code', () => (
+    performance.getEntriesByType('resource').some(({ name }) => name.endsWith('hearth-engine_burning.wasm'))
+  ));
+});

@@ -244,6 +244,17 @@ function loadPart(part) {
   return keptParts[part];
 }
 
+/**
+ * Loads a part that a fire will need while the engine starts. A whole module has no parts, and exports nothing for
+ * them, which names are numbers. The engine's own request reports a failure.
+ * @param {string} part
+ */
+export function prefetch(part) {
+  kept?.then(({ module }) => (
+    WebAssembly.Module.exports(module).some(({ name }) => name === '0') ? loadPart(part) : undefined
+  )).catch(() => {});
+}
+
 /** @type {(source: Source | undefined, place: Place) => Promise<EnginePort>} */
 async function load(source, place) {
   const missing = missingFeature();

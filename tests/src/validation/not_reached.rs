@@ -21,12 +21,6 @@ pub const NOT_REACHED: &[NotReached] = &[
                  has fewer of them; the rows above keep their number.",
     },
     NotReached {
-        row: "entrainment",
-        reason: "The plume takes in a third more air than those of experiments, a little beyond the \
-                 tolerance. Records of 25 s scatter from 0.12 to 0.15; those of a minute, of two sets \
-                 of three seeds, agree to 0.003.",
-    },
-    NotReached {
         row: "soot-enters-tall",
         reason: "The plume sways over the sides of a view that is 1.2 m wide and ends 2.3 m above \
                  the source. From above, 0.2 % comes back; with twice the air above the view, 4.2 % \

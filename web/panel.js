@@ -13,6 +13,7 @@ import { addFold } from './panel/fold.js';
 import { listenToKeys } from './panel/keys.js';
 import { addSheet } from './panel/sheet.js';
 import { addStyle } from './panel/style.js';
+import { zoomKey } from './panel/zoom-keys.js';
 
 /** The maximum time until the panel's wasm arrives [ms]. */
 const WASM_MS = 120_000;
@@ -133,7 +134,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
   const fold = inside ? addFold(host) : undefined;
   atEnd(fold?.remove ?? stayAboveKeyboard(host));
   if (inside || page !== undefined) atEnd(addSheet(host, inside ? fire : undefined));
-  atEnd(listenToKeys({ own: [host, fire], page: page !== undefined, fire, controller, hide: fold?.toggle }));
+  atEnd(listenToKeys({ own: [host, fire], page: page !== undefined, fire, controller, hide: fold?.toggle, zoomKey }));
   // Escape closes things in the panel, not the dialog around it.
   listen(host, 'keydown', (event) => {
     if (event.key !== 'Escape') return;

@@ -53,6 +53,31 @@ test('space pauses and plays the fire, R restarts it', async () => {
   assert.deepEqual(tab.problems, []);
 });
 
+test('plus and minus enlarge and reduce the picture, Shift and arrow keys move it, 0 shows all of it', async () => {
+  const { tab } = await openPage();
+  const withShift = async (key) => {
+    await tab.page.keyboard.down('Shift');
+    await tab.key(key);
+    await tab.page.keyboard.up('Shift');
+  };
+  const camera = () => tab.fire(({ zoom, pan }) => [zoom, ...pan.split(' ').map(Number)]);
+  await withShift('ArrowRight');
+  assert.deepEqual(await camera(), [1, 0], 'the whole picture does not move');
+  await tab.key('+');
+  assert.deepEqual(await camera(), [1.25, 0.5, 0.25]);
+  for (let press = 0; press < 12; press += 1) await tab.key('+');
+  assert.deepEqual(await camera(), [10, 0.5, 0.25]);
+  await withShift('ArrowLeft');
+  await withShift('ArrowUp');
+  const [zoom, x, y] = await camera();
+  assert.ok(zoom === 10 && x < 0.5 && x > 0.48 && y > 0.25 && y < 0.27, `${x} ${y}`);
+  await tab.key('-');
+  assert.equal((await camera())[0], 8);
+  await tab.key('0');
+  assert.deepEqual(await tab.fire((fire) => [fire.zoom, fire.hasAttribute('zoom'), fire.hasAttribute('pan')]), [1, false, false]);
+  assert.deepEqual(tab.problems, []);
+});
+
 test('S saves a picture, F enters and leaves full screen', async () => {
   const { tab } = await openPage(countSaved);
   await tab.key('s');
@@ -83,7 +108,7 @@ test('the question mark lists every key; it or Escape closes the list', async ()
   ));
   for (const leave of ['?', 'Escape']) {
     await tab.key('?');
-    assert.deepEqual(await listed(), ['Space', 'R', 'H', 'F', 'S', 'Ctrl Z', 'Ctrl Shift Z', 'Ctrl Y', 'Ctrl C', '/', '?']);
+    assert.deepEqual(await listed(), ['Space', 'R', 'H', 'F', 'S', '+', '-', '0', 'Shift arrow keys', 'Ctrl Z', 'Ctrl Shift Z', 'Ctrl Y', 'Ctrl C', '/', '?']);
     await tab.key(leave);
     assert.deepEqual(await listed(), []);
   }

@@ -15,6 +15,9 @@ export const KEYS = [
   [['H'], 'hide or show the controls'],
   [['F'], 'full screen'],
   [['S'], 'save an image'],
+  [['+', '-'], 'enlarge, reduce the picture'],
+  [['0'], 'the whole picture'],
+  [['Shift arrow keys'], 'move an enlarged picture'],
   [['Ctrl Z'], 'undo'],
   [['Ctrl Shift Z', 'Ctrl Y'], 'redo'],
   [['Ctrl C'], 'copy the value under the pointer'],
@@ -36,9 +39,10 @@ const PRESSED = 'button, summary, a[href], input[type=checkbox], input[type=radi
  * @param {import('../hearth-fire.js').HearthFire} parts.fire
  * @param {import('./controller.js').PanelController} parts.controller
  * @param {() => void} [parts.hide]  Hides or shows the panel, unless the page does.
+ * @param {typeof import('./zoom-keys.js').zoomKey} parts.zoomKey  What a key does to the picture.
  * @returns {() => void} stops
  */
-export function listenToKeys({ own, page, fire, controller, hide }) {
+export function listenToKeys({ own, page, fire, controller, hide, zoomKey }) {
   const actions = new Map(Object.entries({
     ' ': () => (fire.paused ? controller.play() : controller.pause()),
     r: () => controller.reset(),
@@ -59,6 +63,10 @@ export function listenToKeys({ own, page, fire, controller, hide }) {
     if (command && key === 'z') return () => (event.shiftKey ? controller.redo() : controller.undo());
     if (command && key === 'y') return () => controller.redo();
     if (command && key === 'c' && !event.shiftKey) return controller.copyHovered;
+    // Tools use some of its keys, and the controls of the panel the arrow keys.
+    const used = event.defaultPrevented || (key.startsWith('arrow') && event.composedPath().includes(own[0]));
+    const zooms = command || used ? undefined : zoomKey(fire, event);
+    if (zooms) return areSilent(...own) ? undefined : zooms;
     if (command || event.repeat || (event.shiftKey && !['?', '/'].includes(key))) return undefined;
     return areSilent(...own) ? undefined : actions.get(key);
   };

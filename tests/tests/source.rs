@@ -3,7 +3,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use hearth_core::params::Input;
-use hearth_core::{Parameters, Simulation, Source, Vec2};
+use hearth_core::{Parameters, Scene, Simulation, Source, Vec2};
 use hearth_tests::fires::{burn, burn_on, combustion, mean, watch, with_numbers};
 
 /// Mean power and mean number of particles over so many seconds.
@@ -139,4 +139,39 @@ fn a_turned_source_emits_at_right_angles_to_its_width() {
         let direction = sum.normalize();
         assert!(direction.dot(out) > 0.9, "{model}, {angle}°: {direction}");
     }
+}
+
+#[test]
+fn classic_sources_share_the_places_of_a_fire_that_is_full() {
+    let settings = with_numbers(&[
+        ("max_particles", 300.0),
+        ("source_width", 0.2),
+        ("source_x", -0.4),
+    ]);
+    let mut scene = Scene::from(settings);
+    for x in [0.0, 0.4] {
+        let added = scene.add(&[
+            ("kind", Input::Text("source")),
+            ("width", Input::Number(0.2)),
+            ("x", Input::Number(x)),
+        ]);
+        assert!(added.is_ok(), "{added:?}");
+    }
+    let mut fire = Simulation::new(scene);
+    burn_on(&mut fire, 3.0);
+    let mut born = [0; 3];
+    let dt = fire.parameters().time_step;
+    for _ in 0..480 {
+        fire.step();
+        for particle in fire
+            .particles()
+            .iter()
+            .filter(|particle| particle.age < 1.5 * dt)
+        {
+            born[((particle.position.x + 0.6) / 0.4) as usize] += 1;
+        }
+    }
+    let [least, most] = [born.iter().min(), born.iter().max()];
+    assert!(fire.count() >= 290, "{} particles", fire.count());
+    assert!(least > most.map(|most| most * 3 / 4).as_ref(), "{born:?}");
 }

@@ -8,8 +8,12 @@
 /** Side of a picture [px]. */
 export const SIDE = 600;
 
-/** The source finds room for so many particles in the usual domain. */
+/** A source finds room for so many particles in the usual domain, and for so many in the largest. */
 const USUAL = 10_000;
+const LARGEST = 30_000;
+
+/** The distance of sources beside each other [m]. */
+const APART = 1.2;
 
 /** Steps between two looks at the number of particles. */
 const FILL_STEPS = 48;
@@ -71,13 +75,17 @@ export function addFire(parent, model, count) {
 }
 
 /**
- * Steps a paused fire until its source has filled it.
+ * Steps a paused fire until its sources have filled it; two more than usual fill a very large one.
  * @param {HearthFire} fire
  * @param {number} count
  * @param {() => Promise<void>} pause
  */
 export async function fill(fire, count, pause) {
   await fire.ready;
+  if (fire.params.model === 'classic' && count > LARGEST) {
+    const { x: _x, id: _id, ...first } = fire.objects[0];
+    for (const x of [-APART, APART]) await fire.addObject({ ...first, x });
+  }
   for (let before = -1, alive = 0; alive > before && alive < FULL * count;) {
     await pause();
     before = alive;

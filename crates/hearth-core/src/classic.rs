@@ -110,10 +110,28 @@ impl Solver for Classic {
         let values: &Physics = scene.settings();
         self.emitters
             .resize_with(scene.sources().count(), Emitter::default);
+        let passed = |source: &Physics| self.cut.unwrap_or(source.time_step);
+        let emitters = self.emitters.iter_mut().zip(scene.sources());
+        let mut due: f32 = emitters
+            .map(|(emitter, source)| emitter.due(source, passed(source), time))
+            .sum();
         for (emitter, source) in self.emitters.iter_mut().zip(scene.sources()) {
-            let passed = self.cut.unwrap_or(source.time_step);
+            // Sources share the free places of a fire that is nearly full; the last one gets the rest.
+            let (alive, own) = (self.particles.len(), emitter.backlog);
+            let free = (values.max_particles as usize).saturating_sub(alive);
+            let share = match due > free as f32 && due > own {
+                true => (free as f32 * own / due + random.unit()) as usize,
+                false => free,
+            };
+            due -= own;
             let solid = self.solids.parts(source);
-            emitter.emit(&mut self.particles, (source, solid), passed, random, time);
+            emitter.emit(
+                &mut self.particles,
+                (source, solid),
+                alive + share.min(free),
+                random,
+                time,
+            );
         }
         let substeps =
             Substeps::divide(values, self.motion.max_speed, self.motion.max_acceleration);

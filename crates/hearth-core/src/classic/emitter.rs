@@ -48,7 +48,7 @@ const NOISE_PER_SECOND: f64 = 3.0;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Emitter {
     /// Births that are due.
-    backlog: f32,
+    pub backlog: f32,
     /// Position of the next birth along the source, 0–1.
     along: f32,
     /// Positions near the source, births included.
@@ -56,27 +56,32 @@ pub(crate) struct Emitter {
 }
 
 impl Emitter {
-    /// Emits the particles that are due at `time`, `passed` seconds after the last emission.
-    pub fn emit(
-        &mut self,
-        particles: &mut Particles,
-        (values, solid): (&Physics, &[Body]),
-        passed: f32,
-        random: &mut Random,
-        time: f64,
-    ) {
+    /// The births that are due at `time`, `passed` seconds after the last ones.
+    pub fn due(&mut self, values: &Physics, passed: f32, time: f64) -> f32 {
         let flicker = perlin(values.seed, 0.5, time * NOISE_PER_SECOND);
         let rate = values.emission_rate * (1.0 + values.emission_noise * flicker);
         // The backlog is at least the births of one step and a fraction of a birth.
         let max_backlog = 1.0 + rate * values.time_step.max(MAX_WAIT);
         self.backlog = (self.backlog + rate * passed).min(max_backlog);
+        self.backlog
+    }
+
+    /// Emits the particles that are due, until there are `most`.
+    pub fn emit(
+        &mut self,
+        particles: &mut Particles,
+        (values, solid): (&Physics, &[Body]),
+        most: usize,
+        random: &mut Random,
+        time: f64,
+    ) {
         if self.backlog < 1.0 {
             return;
         }
 
         let source = Source::new(values, solid, time);
         self.find_near(particles, &source);
-        while self.backlog >= 1.0 && particles.len() < values.max_particles as usize {
+        while self.backlog >= 1.0 && particles.len() < most {
             let Some(particle) = self.try_spawn(values, &source, random) else {
                 break;
             };

@@ -49,8 +49,8 @@ const MODEL = 'model';
  * @property {Fields[]} [objects]  All objects, if a step adds, removes or reorders some.
  * @property {boolean} [named]  Whether the number or the spacing of a step that changes it is set.
  * @property {HearthConfig} [config]  The settings, if all may have changed.
- * @property {Map<ModelName, Values>} [kept]  The last known values of the other models: settings hold those
- *   of one model.
+ * @property {Map<ModelName, Values>} [kept]  The values that the other models have for themselves: settings
+ *   hold those of one model.
  */
 
 /** The steps of one panel. */
@@ -59,14 +59,17 @@ export class UndoHistory {
   #changed;
   #defaultOf;
   #resetTo;
-  /** The values of each model when another one replaced it. @type {Map<ModelName, Values>} */
+  /**
+   * The values that each model but the burning one has for itself, if they are set or not its defaults.
+   * @type {Map<ModelName, Values>}
+   */
   #kept = new Map();
   /** @type {Step[]} */
   #done = [];
   /** @type {Step[]} */
   #undone = [];
   #gesture = 0;
-  /** Values without an answer yet, with the number of calls. @type {Map<string, {value: Side['value'], count: number}>} */
+  /** Values without an answer yet, with the number of calls. @type {Map<string, {value: unknown, count: number}>} */
   #pending = new Map();
   /** @type {Set<Promise<unknown>>} */
   #running = new Set();
@@ -133,16 +136,21 @@ export class UndoHistory {
     // A step before this one may have removed some.
     const target = [...changes].filter(([id]) => find(id));
     if (target.length === 0) return;
-    /** @type {() => [number, Properties][]} */
-    const now = () => target.map(([id, properties]) => (
-      [id, Object.fromEntries(Object.keys(properties).map((name) => [name, find(id)?.[name]]))]
+    const latest = (/** @type {number} */ id, /** @type {string} */ name) => this.#latest(`${id}.${name}`, find(id)?.[name]);
+    /** @type {[number, Properties][]} */
+    const before = target.map(([id, properties]) => (
+      [id, Object.fromEntries(Object.keys(properties).map((name) => [name, latest(id, name)]))]
+    ));
+    /** @type {Change['sent']} */
+    const sent = target.flatMap(([id, properties]) => (
+      Object.entries(properties).map(([name, value]) => /** @type {[string, unknown]} */ ([`${id}.${name}`, value]))
     ));
     await this.#change({
       key: target.map(([id, properties]) => `${id}.${Object.keys(properties)}`).join(),
       gesture,
-      now,
-      target,
-      side: (changed) => ({ value: changed, changed }),
+      before: { value: before, changed: before },
+      after: { value: target, changed: target },
+      sent,
       act: () => this.#changeObjects(target),
     });
   }
@@ -181,10 +189,8 @@ export class UndoHistory {
       await act();
       if (replaces) this.#kept.clear();
       const after = await this.#snapshot();
-      const same = JSON.stringify([before.values, before.config]);
-      if (same !== JSON.stringify([after.values, after.config])) {
-        this.#record({ gesture, before, after });
-      }
+      const [old, now] = [before, after].map(({ values, config, kept = [] }) => JSON.stringify([values, config, [...kept]]));
+      if (old !== now) this.#record({ gesture, before, after });
     });
   }
 
@@ -199,13 +205,8 @@ export class UndoHistory {
   }
 
   /**
-   * @typedef {object} Change  Of one value.
-   * @property {string} key
-   * @property {number} gesture
-   * @property {() => Side['value']} now
-   * @property {Side['value']} target  The new value.
-   * @property {(value: any) => Side} side  What sets a value again.
-   * @property {() => unknown} act
+   * @typedef {Omit<Step, 'key'> & {key: string, sent: [name: string, value: unknown][], act: () => unknown}} Change
+   *   A step that changes values, with those that it sends.
    */
 
   /**
@@ -220,16 +221,16 @@ export class UndoHistory {
     const change = async () => {
       const now = this.#fire.params;
       const model = now[MODEL];
-      if (id === MODEL) this.#kept.set(model, now);
       // The answers are in order, so these are the settings before the change.
       const config = ofResolution(id) ? this.#fire.exportConfig() : undefined;
       const value = target();
       const wasNamed = async () => !ofResolution(id) || (await config)?.values[id] !== undefined;
       const side = (/** @type {Value | undefined} */ value) => ({ value, values: { [MODEL]: model, [id]: value }, named });
-      return this.#change({ key: id, gesture, now: () => now[id], target: value, side, act }, wasNamed);
+      const before = side(this.#latest(id, now[id]));
+      return this.#change({ key: id, gesture, before, after: side(value), sent: [[id, value]], act }, wasNamed);
     };
     // Another model has other values.
-    if (id === MODEL) return this.#alone(change);
+    if (id === MODEL) return this.#alone(() => this.#keeping(change));
     while (this.#gate) await this.#gate;
     return change();
   }
@@ -238,20 +239,54 @@ export class UndoHistory {
    * @param {Change} change
    * @param {() => Promise<boolean>} [wasNamed]  Whether the value counted as set before.
    */
-  async #change({ key, gesture, now, target, side, act }, wasNamed) {
-    const pending = this.#pending.get(key) ?? { value: now(), count: 0 };
-    const before = side(pending.value);
-    this.#pending.set(key, { value: target, count: pending.count + 1 });
+  async #change({ key, gesture, before, after, sent, act }, wasNamed) {
+    for (const [name, value] of sent) {
+      this.#pending.set(name, { value, count: (this.#pending.get(name)?.count ?? 0) + 1 });
+    }
     const answer = this.#started(Promise.resolve(act()));
     try {
       await answer;
       if (wasNamed) before.named = await wasNamed();
-      this.#record({ key, gesture, before, after: side(target) });
+      this.#record({ key, gesture, before, after });
     } finally {
-      const left = this.#pending.get(key);
-      if (left && left.count > 1) left.count -= 1;
-      else this.#pending.delete(key);
+      for (const [name] of sent) {
+        const left = this.#pending.get(name);
+        if (left && left.count > 1) left.count -= 1;
+        else this.#pending.delete(name);
+      }
     }
+  }
+
+  /**
+   * A value after the calls without an answer yet.
+   * @type {<T>(name: string, now: T) => T}
+   */
+  #latest(name, now) {
+    const pending = this.#pending.get(name);
+    return pending ? /** @type {typeof now} */ (pending.value) : now;
+  }
+
+  /**
+   * Does something that may change the model, and keeps the values of the one that burned.
+   * @template T
+   * @param {() => Promise<T>} act
+   */
+  async #keeping(act) {
+    const values = this.#fire.params;
+    const config = this.#fire.exportConfig();
+    const result = await act();
+    const set = (await config).values;
+    const [model, burning] = [values[MODEL], this.#fire.params[MODEL]];
+    if (burning === model) return result;
+    const own = entries(values).filter(([id, value]) => {
+      const standard = this.#defaultOf(id, model);
+      // The models share the other values.
+      if (id === MODEL || standard === undefined || standard === this.#defaultOf(id, burning)) return false;
+      return id in set || !ofResolution(id) && value !== standard;
+    });
+    this.#kept.delete(burning);
+    if (own.length > 0) this.#kept.set(model, Object.fromEntries(own));
+    return result;
   }
 
   /** @param {Step} step */
@@ -308,26 +343,21 @@ export class UndoHistory {
       const isRight = ofResolution(id) ? !isNamed(id) || (config && !moved) : !moved && value === now[id];
       if (isRight) delete changes[id];
     }
-    if (Object.keys(changes).length > 0) await fire.set(changes);
+    const set = () => fire.set(changes);
+    if (Object.keys(changes).length > 0) await (config ? set() : this.#keeping(set));
     for (const id of RESOLUTION) {
       if ((moved || !config) && !isNamed(id) && id in values) await fire.restore(id);
     }
   }
 
   /**
-   * Restores the values of the models that do not burn, unless they were the defaults.
+   * Restores the values of the models that do not burn.
    * @type {(kept: Map<ModelName, Values>, burning: ModelName | undefined) => Promise<void>}
    */
   async #applyKept(kept, burning) {
     this.#kept = new Map(kept);
     for (const [model, values] of kept) {
-      const own = entries(values).filter(([id, value]) => {
-        const standard = this.#defaultOf(id, model);
-        return standard !== undefined && value !== standard;
-      });
-      if (model !== burning && own.length > 0) {
-        await this.#fire.set({ ...Object.fromEntries(own), [MODEL]: model });
-      }
+      if (model !== burning) await this.#fire.set({ ...values, [MODEL]: model });
     }
   }
 

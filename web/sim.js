@@ -407,6 +407,7 @@ const adding = {};
 const PARTS = {
   classic: () => new URL('./wasm/hearth-sim_classic.wasm', import.meta.url),
   outlines: () => new URL('./wasm/hearth-sim_outlines.wasm', import.meta.url),
+  presets: () => new URL('./wasm/hearth-sim_presets.wasm', import.meta.url),
 };
 
 /** @type {(name: string, cause: unknown) => Error} */

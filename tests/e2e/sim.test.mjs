@@ -137,6 +137,35 @@ test('a simulation in a browser changes to the classic model, or throws and goes
   }
 });
 
+test('a simulation of a preset in a browser fetches the part of presets, and another does not', async () => {
+  const page = `<!doctype html><meta charset="utf-8"><title>The library</title><link rel="icon" href="data:,">`;
+  const part = 'hearth-sim_presets.wasm';
+  const start = async (/** @type {string} */ url) => {
+    const { createSimulation } = await import(url);
+    const fetched = () => performance.getEntriesByType?.('resource').filter(({ name }) => name.endsWith('_presets.wasm')).length;
+    const sim = await createSimulation({ params: { wind: 0.5 } });
+    sim.restore();
+    const before = fetched();
+    const made = (/** @type {string} */ preset) => createSimulation({ preset }).then(
+      (/** @type {any} */ one) => [one.params, one.objects], String,
+    );
+    const all = [await made('no-preset'), await made('campfire'), await made('paper-fire')];
+    return { all, fetches: [before, fetched()] };
+  };
+  const { all } = await start(pathToFileURL(path.join(SITE, 'web/sim.js')).href);
+  assert.match(all[0], /^RangeError: preset = "no-preset" is refused: .*campfire/);
+  const browser = await Browser.launch(...FOLDERS);
+  try {
+    assert.deepEqual(await (await browser.open(page)).evaluate(start, '/web/sim.js'), { all, fetches: [0, 1] });
+    const without = await browser.open(page, { files: { [part]: { status: 404, body: '' } } });
+    const [unknown, campfire] = (await without.evaluate(start, '/web/sim.js')).all;
+    assert.equal(unknown, all[0]);
+    assert.match(campfire, /the part "presets" of the wasm could not be loaded: Error: .*hearth-sim_presets\.wasm answers 404/);
+  } finally {
+    await browser.close();
+  }
+});
+
 /** Burns on until the lower middle of the window glows; and it moves. */
 async function burns(/** @type {any} */ tab) {
   const part = async () => (await tab.picture()).part(0.25, 0.4, 0.75, 1);

@@ -25,6 +25,12 @@ pub fn missing(scene: &Scene) -> Option<&'static str> {
     }
 }
 
+/// Whether the part with the presets is loaded.
+#[inline(never)]
+pub fn presets_are_loaded() -> bool {
+    black_box(4_u8) == 4
+}
+
 /// Whether the part that reads saved fires is loaded.
 #[inline(never)]
 pub fn burning_is_loaded() -> bool {

@@ -1,6 +1,6 @@
 //! Untrusted values and objects applied to a scene.
 
-use hearth_core::params::{Input, ParamError, Parameters};
+use hearth_core::params::{IN_FRAME, Input, ParamError, Parameters};
 use hearth_core::preset::{PRESETS, Preset};
 use hearth_core::scene::{Object, Scene};
 use js_sys::Array;
@@ -29,16 +29,26 @@ pub fn with_values(scene: &Scene, values: Values<'_>) -> Result<Scene, Vec<Valid
     changed(scene, values, false)
 }
 
-/// The scene of a document: a preset with these values, all of them or none. Its resolution is
-/// [completed](Preset::complete).
+/// The scene of a document: a preset, or the defaults, with these values, all of them or none. Its
+/// resolution is [completed](Preset::complete).
 ///
 /// # Errors
 /// Every invalid value.
-pub fn document(preset: &Preset, values: Values<'_>) -> Result<Scene, Vec<ValidationError>> {
-    let mut scene = with_values(&preset.scene(), values)?;
+// Inlined, it could not be told from other callers of presets.
+#[inline(never)]
+pub fn document(
+    preset: Option<&Preset>,
+    values: Values<'_>,
+) -> Result<Scene, Vec<ValidationError>> {
+    let base = preset.map_or_else(Scene::default, Preset::scene);
+    let mut scene = with_values(&base, values)?;
     let names = |name: &str| values.iter().any(|(id, _)| id == name);
     let mut settings = scene.settings().clone();
-    preset.complete(&mut settings, names("spacing"), names("max_particles"));
+    let [spacing, number] = ["spacing", "max_particles"].map(names);
+    match preset {
+        Some(preset) => preset.complete(&mut settings, spacing, number),
+        None => settings.complete(spacing, number, IN_FRAME),
+    }
     scene.set_settings(settings);
     Ok(scene)
 }

@@ -181,7 +181,8 @@ fn every_scene_and_link_of_the_closed_domain_keeps_its_frame_and_resolution() {
         }
         // The library reads the same.
         let (preset, values) = read(link);
-        let library = settings::preset(&preset).map(|preset| settings::document(preset, &values));
+        let library =
+            settings::preset(&preset).map(|preset| settings::document(Some(preset), &values));
         match library {
             Ok(Ok(scene)) => assert_eq!(*scene.settings(), file.completed(), "{link}"),
             other => panic!("{link}: {other:?}"),

@@ -131,7 +131,7 @@ impl Words {
                 "{} {} {} {} {}",
                 param.id,
                 param.id.replace('_', "-"),
-                param.group,
+                about.group,
                 param.unit,
                 about.doc
             )

@@ -2,7 +2,6 @@
 
 use hearth_bindings::{Record, Untrusted, ValidationError, memory, panic, parts, settings};
 use hearth_core::params::{PARAMETERS, Parameters};
-use hearth_core::preset::PRESETS;
 use hearth_core::simulation::ParticleError;
 use hearth_core::{Scene, Simulation};
 use js_sys::Array;
@@ -27,10 +26,11 @@ impl Fire {
     #[wasm_bindgen(constructor)]
     pub fn new(preset: Option<String>, ids: Array, values: Array) -> Result<Fire, JsValue> {
         panic::record();
-        let preset = match preset {
-            Some(name) => settings::preset(&name).map_err(|error| thrown(vec![error]))?,
-            None => &PRESETS[0],
-        };
+        let preset = preset.map(|name| settings::preset(&name)).transpose();
+        let preset = preset.map_err(|error| thrown(vec![error]))?;
+        if preset.is_some() && !parts::presets_are_loaded() {
+            return Err("presets".into());
+        }
         let scene = settings::document(preset, &columns(&ids, &values));
         let simulation = Simulation::new(affordable(None, scene)?);
         Ok(Fire { simulation })

@@ -7,6 +7,7 @@
 //! table. Both come from one link, so a part fits its own rest and no other.
 
 mod order;
+mod texts;
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
@@ -18,6 +19,8 @@ use walrus::{
     TableId, ValType,
 };
 
+use texts::Text;
+
 pub use order::order;
 
 /// What a part takes from a module.
@@ -26,6 +29,8 @@ pub struct Part {
     pub name: &'static str,
     /// How the symbols of its functions begin. Functions that only these call move with them.
     pub symbols: &'static [&'static str],
+    /// The texts that only its functions read. Zeros are in their places until it is loaded.
+    pub texts: fn() -> Vec<&'static str>,
     /// How the symbols of the functions begin that call the part, which they do if it is loaded.
     pub callers: &'static [&'static str],
     /// How the symbol of the function begins that returns whether the part is loaded. It stays.
@@ -61,7 +66,8 @@ pub fn take(bytes: &[u8], part: &Part) -> Result<Divided> {
         .iter()
         .filter(|export| export.name.parse::<usize>().is_ok());
     let first_name = names.count();
-    let imported = keep_only(&mut taken, &moved, &slots, first_name)?;
+    let texts = texts::take(&mut rest, (part.texts)())?;
+    let imported = keep_only(&mut taken, &moved, texts, &slots, first_name)?;
     leave_calls(&mut rest, &moved, &slots, &imported)?;
     look_for(&mut rest, part, &slots)?;
     walrus::passes::gc::run(&mut rest);
@@ -209,11 +215,12 @@ enum Imported {
     Table,
 }
 
-/// Makes everything but the functions of `moved` an import of `taken`. Returns what it imports, by
-/// the name of the import.
+/// Makes everything but the functions of `moved` and the `texts` an import of `taken`. Returns what
+/// it imports, by the name of the import.
 fn keep_only(
     taken: &mut Module,
     moved: &BTreeSet<usize>,
+    texts: Vec<Text>,
     slots: &Slots,
     first_name: usize,
 ) -> Result<Vec<(String, Imported)>> {
@@ -230,6 +237,9 @@ fn keep_only(
     for memory in taken.memories.iter_mut() {
         memory.data_segments.clear();
         memory.import = Some(taken.imports.add(REST, "", memory.id()));
+    }
+    for text in texts {
+        text.put(taken)?;
     }
     for table in taken.tables.iter_mut() {
         table.elem_segments.clear();
@@ -432,6 +442,7 @@ mod tests {
     const PART: Part = Part {
         name: "part",
         symbols: &["part::"],
+        texts: Vec::new,
         callers: &["main"],
         is_loaded: "is_loaded",
     };

@@ -6,6 +6,7 @@ use std::collections::HashSet;
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
+use hearth_core::preset::{PRESETS, Preset};
 use walrus::{ElementItems, Module, ModuleConfig, RawCustomSection};
 use wasm_parts::{Divided, Part, REST};
 
@@ -20,7 +21,7 @@ const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// The parts, with the modules that they are taken from. `hearth_bindings::parts` tells when one is
 /// needed.
-const PARTS: [(Part, &[&str]); 4] = [
+const PARTS: [(Part, &[&str]); 5] = [
     (
         Part {
             name: "classic",
@@ -32,6 +33,7 @@ const PARTS: [(Part, &[&str]); 4] = [
             ],
             // Each calls the solver of the present model.
             callers: &["hearth_core::simulation::"],
+            texts: Vec::new,
             is_loaded: "hearth_bindings::parts::classic_is_loaded",
         },
         &["hearth-engine", "hearth-sim"],
@@ -48,6 +50,7 @@ const PARTS: [(Part, &[&str]); 4] = [
                 "hearth_core::scene::distance::",
                 "hearth_core::solids::thin::",
             ],
+            texts: Vec::new,
             is_loaded: "hearth_core::scene::field::is_loaded",
         },
         &["hearth-engine", "hearth-sim"],
@@ -61,6 +64,7 @@ const PARTS: [(Part, &[&str]); 4] = [
             ],
             // Of a display mode that shows neither fire nor the paper's sprites.
             callers: &["hearth_core::simulation::", "hearth_engine::fire::"],
+            texts: Vec::new,
             is_loaded: "hearth_bindings::parts::quantities_is_loaded",
         },
         &["hearth-engine"],
@@ -73,9 +77,24 @@ const PARTS: [(Part, &[&str]); 4] = [
                 "hearth_core::simulation::burning::format::",
             ],
             callers: &["hearth_engine::warm::"],
+            texts: Vec::new,
             is_loaded: "hearth_bindings::parts::burning_is_loaded",
         },
         &["hearth-engine"],
+    ),
+    (
+        Part {
+            name: "presets",
+            symbols: &[
+                "hearth_core::preset::definition::",
+                "<hearth_core::preset::definition::",
+                "hearth_core::preset::resolution::",
+            ],
+            texts: || PRESETS.iter().map(Preset::text).collect(),
+            callers: &["hearth_bindings::settings::document"],
+            is_loaded: "hearth_bindings::parts::presets_are_loaded",
+        },
+        &["hearth-sim"],
     ),
 ];
 

@@ -20,6 +20,11 @@ impl Param {
         found.map_or(&DESCRIPTIONS[0], |(_, description)| description)
     }
 
+    /// Its group in a panel.
+    pub fn group(&self) -> &'static str {
+        self.description().group
+    }
+
     /// Default and range in `model`; `None` if the model does not use it.
     pub fn domain(&self, model: Model) -> Option<&'static Domain> {
         self.domains

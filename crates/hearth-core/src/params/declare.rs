@@ -108,7 +108,6 @@ macro_rules! parameters {
         pub static PARAMETERS: &[Param] = &[ $($(
             Param {
                 id: stringify!($($shown)? $($id)?),
-                group: $group,
                 unit: concat!($($unit)?),
                 kind: parameters!(@kind $kind $($scale)?),
                 domains: &[ $(
@@ -126,6 +125,7 @@ macro_rules! parameters {
         /// The label and documentation of each parameter, in the order of [`PARAMETERS`].
         pub static DESCRIPTIONS: &[Description] = &[ $($(
             Description {
+                group: $group,
                 label: $label,
                 doc: concat!($($doc),+).trim_ascii(),
                 when: &[ $($( (stringify!($choice), $names) ),+)? ],
@@ -219,7 +219,6 @@ macro_rules! properties {
         /// Every property, in the order of a panel.
         pub static $entries: &[Param] = &[ $( Param {
             id: stringify!($id),
-            group: "",
             unit: concat!($($unit)?),
             kind: parameters!(@kind $kind $($scale)?),
             domains: &[Domain {
@@ -233,6 +232,7 @@ macro_rules! properties {
 
         /// The label and documentation of each property, in the same order.
         pub(super) static $descriptions: &[Description] = &[ $( Description {
+            group: "",
             label: $label,
             doc: concat!($first_doc, $($doc),*).trim_ascii(),
             when: &[ $($( (stringify!($choice), $names) ),+)? ],

@@ -54,10 +54,12 @@ pub enum Role {
     View,
 }
 
-/// The label and documentation of a parameter. A separate array, so that a build without text
-/// does not include it.
+/// The place and documentation of a parameter in a panel. A separate array, so that a build without
+/// text does not include it.
 #[derive(Debug)]
 pub struct Description {
+    /// Its group in a panel; empty for a property of an object.
+    pub group: &'static str,
     /// Name of its control.
     pub label: &'static str,
     /// Sentences for a tooltip and the reference.

@@ -21,8 +21,6 @@ use super::value::{AnyValue, Colour, Value};
 pub struct Param {
     /// Unique, flat, snake_case; the attribute is the same in kebab-case.
     pub id: &'static str,
-    /// Its group in a panel.
-    pub group: &'static str,
     /// Unit of its values; empty for a pure number.
     pub unit: &'static str,
     /// Kind of its values.

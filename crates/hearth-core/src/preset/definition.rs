@@ -9,11 +9,10 @@ use crate::scene::Scene;
 pub struct Preset {
     /// Its name in attributes and URLs.
     pub name: &'static str,
-    /// The values that differ from the defaults, as text: an id and a value in each line. A table
-    /// of inputs costs a kilobyte of download.
-    pub(super) values: &'static str,
-    /// The fields of its objects besides its source, as text.
-    pub(super) objects: &'static [&'static str],
+    /// The values that differ from the defaults, then the fields of each object besides its
+    /// source, with an empty line before each object. A line is an id and a value: a table of
+    /// inputs costs a kilobyte of download.
+    pub(super) text: &'static str,
 }
 
 /// The label and description of a preset. A separate array, so that a build without text does
@@ -29,7 +28,13 @@ pub struct Caption {
 impl Preset {
     /// The values that differ from the defaults.
     pub fn values(&self) -> impl Iterator<Item = (&'static str, Input<'static>)> + Clone {
-        Fields(self.values)
+        Fields(self.text).fuse()
+    }
+
+    /// Everything but its name, as text: what `cargo xtask build` takes out of a wasm module that
+    /// loads it on request.
+    pub fn text(&self) -> &'static str {
+        self.text
     }
 
     /// Its values, with their resolution.
@@ -50,8 +55,10 @@ impl Preset {
     /// Its scene: these values, with one source and its other objects.
     pub fn scene(&self) -> Scene {
         let mut scene = Scene::new(self.parameters());
-        for text in self.objects {
-            let fields: Vec<_> = Fields(text).collect();
+        let mut rest = Fields(self.text);
+        rest.by_ref().for_each(drop);
+        while !rest.0.is_empty() {
+            let fields: Vec<_> = rest.by_ref().collect();
             let added = scene.add(&fields);
             debug_assert!(added.is_ok(), "preset {}: {added:?}", self.name);
         }
@@ -59,7 +66,7 @@ impl Preset {
     }
 }
 
-/// The fields that a text still holds.
+/// The fields that a text still holds. After those of the values and of each object comes `None`, once.
 #[derive(Clone)]
 struct Fields(&'static str);
 

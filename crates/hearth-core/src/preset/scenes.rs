@@ -6,12 +6,11 @@ use super::definition::{Caption, Preset};
 pub static PRESETS: &[Preset] = &[
     Preset {
         name: "default",
-        values: "",
-        objects: &[],
+        text: "",
     },
     Preset {
         name: "bonfire-in-wind",
-        values: "fuel_power 500\n\
+        text: "fuel_power 500\n\
             source_width 0.7\n\
             turbulence 2\n\
             wind 1\n\
@@ -27,33 +26,36 @@ pub static PRESETS: &[Preset] = &[
             domain_width 2.8\n\
             domain_height 2\n\
             spacing 0.037417\n\
-            max_particles 8000",
-        objects: &[
-            "kind solid\n\
+            max_particles 8000\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x -0.14\n\
             y 0.17\n\
             angle 16\n\
             width 0.8\n\
             height 0.11\n\
-            material wood",
-            "kind solid\n\
+            material wood\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x 0.16\n\
             y 0.16\n\
             angle -19\n\
             width 0.76\n\
             height 0.1\n\
-            material wood",
-            "kind solid\n\
+            material wood\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x 0\n\
             y 0.1\n\
             angle 2\n\
             width 0.8\n\
             height 0.11\n\
-            material wood",
-            "kind solid\n\
+            material wood\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x -0.72\n\
             y 0.07\n\
@@ -61,8 +63,9 @@ pub static PRESETS: &[Preset] = &[
             width 0.2\n\
             height 0.14\n\
             corner 0.06\n\
-            material stone",
-            "kind solid\n\
+            material stone\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x 0.72\n\
             y 0.07\n\
@@ -70,11 +73,11 @@ pub static PRESETS: &[Preset] = &[
             width 0.19\n\
             height 0.14\n\
             corner 0.06\n\
-            material stone",],
+            material stone",
     },
     Preset {
         name: "burning-word",
-        values: "fuel_power 600\n\
+        text: "fuel_power 600\n\
             exposure 0.4\n\
             smoke_opacity 0.2\n\
             ember_rate 120\n\
@@ -91,9 +94,9 @@ pub static PRESETS: &[Preset] = &[
             domain_width 1.26\n\
             domain_height 1.05\n\
             spacing 0.0182\n\
-            max_particles 9000",
-        objects: &[
-            "kind solid\n\
+            max_particles 9000\n\
+            \n\
+            kind solid\n\
             shape mask\n\
             x 0\n\
             y 0.231\n\
@@ -104,11 +107,11 @@ pub static PRESETS: &[Preset] = &[
             front true\n\
             thermal conducting\n\
             temperature 800\n\
-            heat_capacity 400",],
+            heat_capacity 400",
     },
     Preset {
         name: "campfire",
-        values: "fuel_power 300\n\
+        text: "fuel_power 300\n\
             source_width 0.5\n\
             turbulence 0.8\n\
             exposure 0.5\n\
@@ -126,33 +129,36 @@ pub static PRESETS: &[Preset] = &[
             ember_life_max 3\n\
             domain_width 1.8\n\
             domain_height 1.8\n\
-            spacing 0.032863",
-        objects: &[
-            "kind solid\n\
+            spacing 0.032863\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x -0.1\n\
             y 0.155\n\
             angle 15\n\
             width 0.5\n\
             height 0.075\n\
-            material wood",
-            "kind solid\n\
+            material wood\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x 0.12\n\
             y 0.145\n\
             angle -18\n\
             width 0.48\n\
             height 0.07\n\
-            material wood",
-            "kind solid\n\
+            material wood\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x 0.02\n\
             y 0.105\n\
             angle 3\n\
             width 0.46\n\
             height 0.08\n\
-            material wood",
-            "kind solid\n\
+            material wood\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x -0.46\n\
             y 0.085\n\
@@ -160,8 +166,9 @@ pub static PRESETS: &[Preset] = &[
             width 0.17\n\
             height 0.12\n\
             corner 0.05\n\
-            material stone",
-            "kind solid\n\
+            material stone\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x 0.48\n\
             y 0.085\n\
@@ -169,8 +176,9 @@ pub static PRESETS: &[Preset] = &[
             width 0.15\n\
             height 0.12\n\
             corner 0.055\n\
-            material stone",
-            "kind solid\n\
+            material stone\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x -0.62\n\
             y 0.07\n\
@@ -178,11 +186,11 @@ pub static PRESETS: &[Preset] = &[
             width 0.13\n\
             height 0.09\n\
             corner 0.04\n\
-            material stone",],
+            material stone",
     },
     Preset {
         name: "candle",
-        values: "fuel_power 24\n\
+        text: "fuel_power 24\n\
             source_width 0.08\n\
             exposure 1\n\
             smoke_opacity 0.1\n\
@@ -200,28 +208,29 @@ pub static PRESETS: &[Preset] = &[
             spacing 0.0083666\n\
             kinematic_viscosity 0.01\n\
             eddy_viscosity 0.3\n\
-            diffusion 0.001",
-        objects: &[
-            "kind solid\n\
+            diffusion 0.001\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x 0\n\
             y 0.048\n\
             width 0.07\n\
             height 0.104\n\
             corner 0.012\n\
-            material wax",
-            "kind solid\n\
+            material wax\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x 0\n\
             y 0.106\n\
             angle 90\n\
             width 0.016\n\
             height 0.005\n\
-            material coal",],
+            material coal",
     },
     Preset {
         name: "fireplace",
-        values: "fuel_power 200\n\
+        text: "fuel_power 200\n\
             source_width 0.5\n\
             turbulence 0.6\n\
             exposure 1.2\n\
@@ -236,110 +245,122 @@ pub static PRESETS: &[Preset] = &[
             domain_width 2\n\
             domain_height 1.6\n\
             spacing 0.0323\n\
-            max_particles 7000",
-        objects: &[
-            "kind solid\n\
+            max_particles 7000\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x -0.78\n\
             y 0.53\n\
             width 0.36\n\
             height 0.94\n\
-            material brick",
-            "kind solid\n\
+            material brick\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x 0.78\n\
             y 0.53\n\
             width 0.36\n\
             height 0.94\n\
-            material brick",
-            "kind solid\n\
+            material brick\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x -0.58\n\
             y 1.4\n\
             width 0.84\n\
             height 0.8\n\
-            material brick",
-            "kind solid\n\
+            material brick\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x 0.58\n\
             y 1.4\n\
             width 0.84\n\
             height 0.8\n\
-            material brick",
-            "kind solid\n\
+            material brick\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x -0.6\n\
             y 1.03\n\
             width 0.8\n\
             height 0.09\n\
             corner 0.02\n\
-            material stone",
-            "kind solid\n\
+            material stone\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x 0.6\n\
             y 1.03\n\
             width 0.8\n\
             height 0.09\n\
             corner 0.02\n\
-            material stone",
-            "kind solid\n\
+            material stone\n\
+            \n\
+            kind solid\n\
             shape line\n\
             y 0.06\n\
             width 0.7\n\
             height 0.025\n\
-            material iron",
-            "kind solid\n\
+            material iron\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x -0.28\n\
             y 0.03\n\
             angle 90\n\
             width 0.05\n\
             height 0.025\n\
-            material iron",
-            "kind solid\n\
+            material iron\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x 0.28\n\
             y 0.03\n\
             angle 90\n\
             width 0.05\n\
             height 0.025\n\
-            material iron",
-            "kind solid\n\
+            material iron\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x -0.36\n\
             y 0.12\n\
             angle 100\n\
             width 0.12\n\
             height 0.025\n\
-            material iron",
-            "kind solid\n\
+            material iron\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x 0.36\n\
             y 0.12\n\
             angle 80\n\
             width 0.12\n\
             height 0.025\n\
-            material iron",
-            "kind solid\n\
+            material iron\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x -0.03\n\
             y 0.12\n\
             angle 3\n\
             width 0.48\n\
             height 0.09\n\
-            material wood",
-            "kind solid\n\
+            material wood\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x 0.04\n\
             y 0.19\n\
             angle -8\n\
             width 0.4\n\
             height 0.07\n\
-            material wood",],
+            material wood",
     },
     Preset {
         name: "fireside",
-        values: "fuel_power 300\n\
+        text: "fuel_power 300\n\
             source_width 0.44\n\
             turbulence 0.8\n\
             exposure 1.75\n\
@@ -358,25 +379,27 @@ pub static PRESETS: &[Preset] = &[
             domain_width 1.6\n\
             domain_height 1.6\n\
             spacing 0.035777\n\
-            max_particles 4000",
-        objects: &[
-            "kind solid\n\
+            max_particles 4000\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x -0.09\n\
             y 0.065\n\
             angle 14\n\
             width 0.44\n\
             height 0.07\n\
-            material wood",
-            "kind solid\n\
+            material wood\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x 0.1\n\
             y 0.06\n\
             angle -16\n\
             width 0.42\n\
             height 0.065\n\
-            material wood",
-            "kind solid\n\
+            material wood\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x -0.4\n\
             y 0.055\n\
@@ -384,8 +407,9 @@ pub static PRESETS: &[Preset] = &[
             width 0.15\n\
             height 0.11\n\
             corner 0.05\n\
-            material stone",
-            "kind solid\n\
+            material stone\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x 0.42\n\
             y 0.055\n\
@@ -393,11 +417,11 @@ pub static PRESETS: &[Preset] = &[
             width 0.14\n\
             height 0.11\n\
             corner 0.05\n\
-            material stone",],
+            material stone",
     },
     Preset {
         name: "forge",
-        values: "fuel_power 200\n\
+        text: "fuel_power 200\n\
             source_width 1\n\
             exposure 1.8\n\
             bloom 0.4\n\
@@ -417,75 +441,84 @@ pub static PRESETS: &[Preset] = &[
             domain_width 2.8\n\
             domain_height 1.15\n\
             spacing 0.032762\n\
-            gas_expansion 0.5",
-        objects: &[
-            "kind solid\n\
+            gas_expansion 0.5\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x 0\n\
             y 0.025\n\
             width 1.6\n\
             height 0.13\n\
-            material brick",
-            "kind solid\n\
+            material brick\n\
+            \n\
+            kind solid\n\
             shape circle\n\
             x -0.5\n\
             y 0.14\n\
             width 0.13\n\
-            material coal",
-            "kind solid\n\
+            material coal\n\
+            \n\
+            kind solid\n\
             shape circle\n\
             x -0.36\n\
             y 0.15200000000000002\n\
             width 0.16\n\
-            material coal",
-            "kind solid\n\
+            material coal\n\
+            \n\
+            kind solid\n\
             shape circle\n\
             x -0.22\n\
             y 0.164\n\
             width 0.14500000000000002\n\
-            material coal",
-            "kind solid\n\
+            material coal\n\
+            \n\
+            kind solid\n\
             shape circle\n\
             x -0.08\n\
             y 0.14\n\
             width 0.13\n\
-            material coal",
-            "kind solid\n\
+            material coal\n\
+            \n\
+            kind solid\n\
             shape circle\n\
             x 0.06\n\
             y 0.15200000000000002\n\
             width 0.16\n\
-            material coal",
-            "kind solid\n\
+            material coal\n\
+            \n\
+            kind solid\n\
             shape circle\n\
             x 0.2\n\
             y 0.164\n\
             width 0.14500000000000002\n\
-            material coal",
-            "kind solid\n\
+            material coal\n\
+            \n\
+            kind solid\n\
             shape circle\n\
             x 0.34\n\
             y 0.14\n\
             width 0.13\n\
-            material coal",
-            "kind solid\n\
+            material coal\n\
+            \n\
+            kind solid\n\
             shape circle\n\
             x 0.48\n\
             y 0.15200000000000002\n\
             width 0.16\n\
-            material coal",
-            "kind solid\n\
+            material coal\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x 0.78\n\
             y 0.27\n\
             angle 14\n\
             width 0.8\n\
             height 0.035\n\
-            material iron",],
+            material iron",
     },
     Preset {
         name: "gas-burner",
-        values: "fuel_power 22\n\
+        text: "fuel_power 22\n\
             source_width 0.12\n\
             palette gas\n\
             exposure 3.8\n\
@@ -507,27 +540,28 @@ pub static PRESETS: &[Preset] = &[
             domain_height 0.5\n\
             spacing 0.0085635\n\
             kinematic_viscosity 0.005\n\
-            diffusion 0.001",
-        objects: &[
-            "kind solid\n\
+            diffusion 0.001\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x 0\n\
             y 0.098\n\
             width 0.15\n\
             height 0.026\n\
             corner 0.008\n\
-            material iron",
-            "kind solid\n\
+            material iron\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x 0\n\
             y 0.035\n\
             width 0.04\n\
             height 0.102\n\
-            material iron",],
+            material iron",
     },
     Preset {
         name: "ghost-fire",
-        values: "fuel_power 220\n\
+        text: "fuel_power 220\n\
             source_width 0.3\n\
             turbulence 1.5\n\
             palette ghost\n\
@@ -544,11 +578,10 @@ pub static PRESETS: &[Preset] = &[
             domain_width 1.1\n\
             domain_height 1.6\n\
             spacing 0.024221",
-        objects: &[],
     },
     Preset {
         name: "match",
-        values: "fuel_power 15\n\
+        text: "fuel_power 15\n\
             source_width 0.06\n\
             wind 0.06\n\
             exposure 0.8\n\
@@ -568,26 +601,27 @@ pub static PRESETS: &[Preset] = &[
             spacing 0.0083666\n\
             kinematic_viscosity 0.005\n\
             eddy_viscosity 0.25\n\
-            diffusion 0.0005",
-        objects: &[
-            "kind solid\n\
+            diffusion 0.0005\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x 0.028\n\
             y 0.088\n\
             angle 115\n\
             width 0.13\n\
             height 0.011\n\
-            material wood",
-            "kind solid\n\
+            material wood\n\
+            \n\
+            kind solid\n\
             shape circle\n\
             x -0.002\n\
             y 0.148\n\
             width 0.017\n\
-            material coal",],
+            material coal",
     },
     Preset {
         name: "ring-of-fire",
-        values: "fuel_power 50\n\
+        text: "fuel_power 50\n\
             source_width 0.16\n\
             exposure 0.6\n\
             smoke_opacity 0.2\n\
@@ -603,9 +637,9 @@ pub static PRESETS: &[Preset] = &[
             domain_width 1.3\n\
             domain_height 1.6\n\
             spacing 0.026\n\
-            max_particles 9000",
-        objects: &[
-            "kind source\n\
+            max_particles 9000\n\
+            \n\
+            kind source\n\
             x 0.235\n\
             y 0.256\n\
             angle -144\n\
@@ -613,8 +647,9 @@ pub static PRESETS: &[Preset] = &[
             width 0.16\n\
             speed 0.4\n\
             noise 0.5\n\
-            oxygen 0.4",
-            "kind source\n\
+            oxygen 0.4\n\
+            \n\
+            kind source\n\
             x 0.38\n\
             y 0.456\n\
             angle -108\n\
@@ -622,8 +657,9 @@ pub static PRESETS: &[Preset] = &[
             width 0.16\n\
             speed 0.4\n\
             noise 0.5\n\
-            oxygen 0.4",
-            "kind source\n\
+            oxygen 0.4\n\
+            \n\
+            kind source\n\
             x 0.38\n\
             y 0.704\n\
             angle -72\n\
@@ -631,8 +667,9 @@ pub static PRESETS: &[Preset] = &[
             width 0.16\n\
             speed 0.4\n\
             noise 0.5\n\
-            oxygen 0.4",
-            "kind source\n\
+            oxygen 0.4\n\
+            \n\
+            kind source\n\
             x 0.235\n\
             y 0.904\n\
             angle -36\n\
@@ -640,8 +677,9 @@ pub static PRESETS: &[Preset] = &[
             width 0.16\n\
             speed 0.4\n\
             noise 0.5\n\
-            oxygen 0.4",
-            "kind source\n\
+            oxygen 0.4\n\
+            \n\
+            kind source\n\
             x 0\n\
             y 0.98\n\
             angle 0\n\
@@ -649,8 +687,9 @@ pub static PRESETS: &[Preset] = &[
             width 0.16\n\
             speed 0.4\n\
             noise 0.5\n\
-            oxygen 0.4",
-            "kind source\n\
+            oxygen 0.4\n\
+            \n\
+            kind source\n\
             x -0.235\n\
             y 0.904\n\
             angle 36\n\
@@ -658,8 +697,9 @@ pub static PRESETS: &[Preset] = &[
             width 0.16\n\
             speed 0.4\n\
             noise 0.5\n\
-            oxygen 0.4",
-            "kind source\n\
+            oxygen 0.4\n\
+            \n\
+            kind source\n\
             x -0.38\n\
             y 0.704\n\
             angle 72\n\
@@ -667,8 +707,9 @@ pub static PRESETS: &[Preset] = &[
             width 0.16\n\
             speed 0.4\n\
             noise 0.5\n\
-            oxygen 0.4",
-            "kind source\n\
+            oxygen 0.4\n\
+            \n\
+            kind source\n\
             x -0.38\n\
             y 0.456\n\
             angle 108\n\
@@ -676,8 +717,9 @@ pub static PRESETS: &[Preset] = &[
             width 0.16\n\
             speed 0.4\n\
             noise 0.5\n\
-            oxygen 0.4",
-            "kind source\n\
+            oxygen 0.4\n\
+            \n\
+            kind source\n\
             x -0.235\n\
             y 0.256\n\
             angle 144\n\
@@ -685,31 +727,34 @@ pub static PRESETS: &[Preset] = &[
             width 0.16\n\
             speed 0.4\n\
             noise 0.5\n\
-            oxygen 0.4",
-            "kind solid\n\
+            oxygen 0.4\n\
+            \n\
+            kind solid\n\
             shape line\n\
             y 0.11\n\
             angle 90\n\
             width 0.2\n\
             height 0.045\n\
-            material iron",
-            "kind solid\n\
+            material iron\n\
+            \n\
+            kind solid\n\
             shape line\n\
             y 0.012\n\
             width 0.4\n\
             height 0.024\n\
-            material iron",
-            "kind solid\n\
+            material iron\n\
+            \n\
+            kind solid\n\
             shape stroke\n\
             y 0.58\n\
             height 0.03\n\
             points 0.37,0 0.363,0.072 0.342,0.142 0.308,0.206 0.262,0.262 0.206,0.308 0.142,0.342 0.072,0.363 0,0.37 -0.072,0.363 -0.142,0.342 -0.206,0.308 -0.262,0.262 -0.308,0.206 -0.342,0.142 -0.363,0.072 -0.37,0 -0.363,-0.072 -0.342,-0.142 -0.308,-0.206 -0.262,-0.262 -0.206,-0.308 -0.142,-0.342 -0.072,-0.363 0,-0.37 0.072,-0.363 0.142,-0.342 0.206,-0.308 0.262,-0.262 0.308,-0.206 0.342,-0.142 0.363,-0.072 0.37,0\n\
             material iron\n\
-            thermal conducting",],
+            thermal conducting",
     },
     Preset {
         name: "sheltered-candle",
-        values: "fuel_power 24\n\
+        text: "fuel_power 24\n\
             source_width 0.08\n\
             wind 0.4\n\
             exposure 1\n\
@@ -730,25 +775,27 @@ pub static PRESETS: &[Preset] = &[
             max_particles 7000\n\
             kinematic_viscosity 0.01\n\
             eddy_viscosity 0.3\n\
-            diffusion 0.001",
-        objects: &[
-            "kind solid\n\
+            diffusion 0.001\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x 0\n\
             y 0.048\n\
             width 0.07\n\
             height 0.104\n\
             corner 0.012\n\
-            material wax",
-            "kind solid\n\
+            material wax\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x 0\n\
             y 0.106\n\
             angle 90\n\
             width 0.016\n\
             height 0.005\n\
-            material coal",
-            "kind solid\n\
+            material coal\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x -0.13\n\
             y 0.24\n\
@@ -760,11 +807,11 @@ pub static PRESETS: &[Preset] = &[
             motion sway\n\
             sway 0.12\n\
             heading -90\n\
-            period 6",],
+            period 6",
     },
     Preset {
         name: "smoke-stack",
-        values: "fuel_power 150\n\
+        text: "fuel_power 150\n\
             source_width 0.25\n\
             turbulence 1\n\
             smoke_opacity 2\n\
@@ -780,19 +827,19 @@ pub static PRESETS: &[Preset] = &[
             smoke_life 10\n\
             domain_width 1.6\n\
             domain_height 2.2\n\
-            spacing 0.034254",
-        objects: &[
-            "kind solid\n\
+            spacing 0.034254\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x 0\n\
             y 0.05\n\
             width 0.34\n\
             height 0.32\n\
-            material brick",],
+            material brick",
     },
     Preset {
         name: "torch",
-        values: "fuel_power 190\n\
+        text: "fuel_power 190\n\
             source_width 0.14\n\
             turbulence 1.5\n\
             exposure 0.3\n\
@@ -807,28 +854,29 @@ pub static PRESETS: &[Preset] = &[
             turbulence_scale 0.12\n\
             domain_width 1\n\
             domain_height 1.3\n\
-            spacing 0.020817",
-        objects: &[
-            "kind solid\n\
+            spacing 0.020817\n\
+            \n\
+            kind solid\n\
             shape line\n\
             x 0\n\
             y 0.12\n\
             angle 90\n\
             width 0.34\n\
             height 0.045\n\
-            material wood",
-            "kind solid\n\
+            material wood\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x 0\n\
             y 0.31\n\
             width 0.12\n\
             height 0.05\n\
             corner 0.015\n\
-            material iron",],
+            material iron",
     },
     Preset {
         name: "wall-of-fire",
-        values: "fuel_power 150\n\
+        text: "fuel_power 150\n\
             source_width 0.4\n\
             turbulence 1\n\
             exposure 0.3\n\
@@ -842,9 +890,9 @@ pub static PRESETS: &[Preset] = &[
             ground stone\n\
             domain_width 2.8\n\
             domain_height 1.4\n\
-            spacing 0.036148",
-        objects: &[
-            "kind source\n\
+            spacing 0.036148\n\
+            \n\
+            kind source\n\
             x -1\n\
             power 150\n\
             speed 0.6\n\
@@ -852,8 +900,9 @@ pub static PRESETS: &[Preset] = &[
             width 0.4\n\
             y 0.1\n\
             temperature 900\n\
-            oxygen 0.5",
-            "kind source\n\
+            oxygen 0.5\n\
+            \n\
+            kind source\n\
             x -0.5\n\
             power 150\n\
             speed 0.6\n\
@@ -861,8 +910,9 @@ pub static PRESETS: &[Preset] = &[
             width 0.4\n\
             y 0.1\n\
             temperature 900\n\
-            oxygen 0.5",
-            "kind source\n\
+            oxygen 0.5\n\
+            \n\
+            kind source\n\
             x 0.5\n\
             power 150\n\
             speed 0.6\n\
@@ -870,8 +920,9 @@ pub static PRESETS: &[Preset] = &[
             width 0.4\n\
             y 0.1\n\
             temperature 900\n\
-            oxygen 0.5",
-            "kind source\n\
+            oxygen 0.5\n\
+            \n\
+            kind source\n\
             x 1\n\
             power 150\n\
             speed 0.6\n\
@@ -879,23 +930,23 @@ pub static PRESETS: &[Preset] = &[
             width 0.4\n\
             y 0.1\n\
             temperature 900\n\
-            oxygen 0.5",
-            "kind solid\n\
+            oxygen 0.5\n\
+            \n\
+            kind solid\n\
             shape box\n\
             x 0\n\
             y 0.045\n\
             width 2.7\n\
             height 0.1\n\
-            material brick",],
+            material brick",
     },
     Preset {
         name: "classic",
-        values: "model classic",
-        objects: &[],
+        text: "model classic",
     },
     Preset {
         name: "paper-buoyancy",
-        values: "model classic\n\
+        text: "model classic\n\
             emission_rate 2500\n\
             source_width 0.24\n\
             lifetime_max 0.8\n\
@@ -913,11 +964,10 @@ pub static PRESETS: &[Preset] = &[
             smoothing_radius 0.022\n\
             particle_mass 0.00015\n\
             gas_constant 0.6",
-        objects: &[],
     },
     Preset {
         name: "paper-fire",
-        values: "model classic\n\
+        text: "model classic\n\
             emission_rate 2500\n\
             source_width 0.24\n\
             lifetime_max 1.2\n\
@@ -935,11 +985,10 @@ pub static PRESETS: &[Preset] = &[
             smoothing_radius 0.022\n\
             particle_mass 0.00015\n\
             gas_constant 0.6",
-        objects: &[],
     },
     Preset {
         name: "paper-smoothing",
-        values: "model classic\n\
+        text: "model classic\n\
             emission_rate 2500\n\
             source_width 0.24\n\
             lifetime_max 1.2\n\
@@ -957,11 +1006,10 @@ pub static PRESETS: &[Preset] = &[
             smoothing_radius 0.07\n\
             particle_mass 0.00015\n\
             gas_constant 0.6",
-        objects: &[],
     },
     Preset {
         name: "paper-stiffness",
-        values: "model classic\n\
+        text: "model classic\n\
             emission_rate 2500\n\
             source_width 0.24\n\
             lifetime_max 1.2\n\
@@ -979,11 +1027,10 @@ pub static PRESETS: &[Preset] = &[
             smoothing_radius 0.022\n\
             particle_mass 0.00015\n\
             gas_constant 6",
-        objects: &[],
     },
     Preset {
         name: "paper-viscosity",
-        values: "model classic\n\
+        text: "model classic\n\
             emission_rate 2500\n\
             source_width 0.24\n\
             lifetime_max 1.2\n\
@@ -1003,11 +1050,10 @@ pub static PRESETS: &[Preset] = &[
             gas_constant 0.6\n\
             viscosity 0.016\n\
             printed_viscosity true",
-        objects: &[],
     },
     Preset {
         name: "seed",
-        values: "model classic\n\
+        text: "model classic\n\
             emission_rate 400\n\
             source_width 0.125\n\
             lifetime_max 2\n\
@@ -1030,7 +1076,6 @@ pub static PRESETS: &[Preset] = &[
             particle_mass 0.0001\n\
             gas_constant 2\n\
             viscosity 0.0002",
-        objects: &[],
     },
 ];
 

@@ -11,8 +11,6 @@ use crate::params::{PARAMETERS, Property, SOLID_NAMES, SOLID_PROPERTIES};
 pub struct Kind {
     /// Its name in the field `kind`.
     pub name: &'static str,
-    /// Its description, in a sentence.
-    pub doc: &'static str,
     /// The names of its properties, as text for an error.
     pub(super) allowed: &'static str,
     /// Its properties.
@@ -21,11 +19,10 @@ pub struct Kind {
 
 /// A kind with parameters as properties, whose error of an unknown property lists all of its properties.
 macro_rules! kind {
-    ($kind:literal, $doc:literal, $first:literal = $first_id:literal
+    ($kind:literal, $first:literal = $first_id:literal
         $(, $name:literal = $id:literal)*) => {
         Kind {
             name: $kind,
-            doc: $doc,
             allowed: concat!("one of ", $first $(, ", ", $name)*),
             properties: &[
                 Property { name: $first, id: $first_id, table: PARAMETERS },
@@ -40,7 +37,6 @@ pub static KINDS: &[Kind] = &[SOURCE, SOLID];
 
 const SOURCE: Kind = kind!(
     "source",
-    "Where fuel comes into the air, or where the classic model's particles are born.",
     "shape" = "source_shape",
     "solid" = "source_solid",
     "x" = "source_x",
@@ -62,12 +58,20 @@ const SOURCE: Kind = kind!(
 
 const SOLID: Kind = Kind {
     name: "solid",
-    doc: "A body that gas flows around and does not enter.",
     allowed: SOLID_NAMES,
     properties: SOLID_PROPERTIES,
 };
 
 impl Kind {
+    /// Its description, in a sentence. A build without text does not include it.
+    pub fn doc(&self) -> &'static str {
+        if self.name == SOURCE.name {
+            "Where fuel comes into the air, or where the classic model's particles are born."
+        } else {
+            "A body that gas flows around and does not enter."
+        }
+    }
+
     /// The property with this name.
     pub fn property(&self, name: &str) -> Option<&'static Property> {
         let all: &'static [Property] = self.properties;

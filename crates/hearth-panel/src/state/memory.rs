@@ -31,7 +31,7 @@ impl Memory {
     /// Folds the groups of these names and unfolds all others. Unknown names are ignored.
     pub fn fold<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) {
         let group = |name: &str| {
-            let groups = PARAMETERS.iter().map(|param| param.group);
+            let groups = PARAMETERS.iter().map(|param| param.group());
             let mut groups = groups.chain([OBJECTS]);
             groups.find(|&group| group == name)
         };

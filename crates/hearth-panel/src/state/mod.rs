@@ -174,7 +174,7 @@ impl State {
         }
         if let Some(param) = param.filter(|param| param.id != MODEL) {
             self.reveal.row = true;
-            self.memory.folded.remove(param.group);
+            self.memory.folded.remove(param.group());
             if !search::matches(&self.search.text, param) {
                 self.search.text.clear();
             }

@@ -137,7 +137,7 @@ fn buttons(state: &State, out: &mut Output, ui: &mut Ui) {
     let full = |kind: &Kind| state.fire.is_full(kind);
     let adds = KINDS.iter().map(|kind| {
         let label = format!("Add {}", kind.name);
-        (label, Command::Add(kind.name), !full(kind), kind.doc)
+        (label, Command::Add(kind.name), !full(kind), kind.doc())
     });
     let id = selected.map_or(0, |object| object.id);
     let solid = selected.is_some_and(|object| object.kind.name == "solid");
@@ -200,7 +200,7 @@ fn groups_of(kind: &Kind, model: Model) -> String {
         .properties
         .iter()
         .filter_map(|property| property.param(model));
-    let mut groups: Vec<&str> = used.map(|param| param.group).collect();
+    let mut groups: Vec<&str> = used.map(|param| param.group()).collect();
     groups.sort_unstable();
     groups.dedup();
     format!(

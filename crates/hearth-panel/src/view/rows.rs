@@ -28,8 +28,8 @@ fn groups(state: &State, out: &mut Output, ui: &mut Ui) {
     let anchor = state.anchor();
     let used: Vec<&'static Param> = state.fire.used().collect();
     let mut objects_shown = false;
-    for group in used.chunk_by(|a, b| a.group == b.group) {
-        let name = group[0].group;
+    for group in used.chunk_by(|a, b| a.group() == b.group()) {
+        let name = group[0].group();
         if !objects_shown && name != BASICS {
             object_group(state, out, ui);
             objects_shown = true;

@@ -48,12 +48,15 @@ fn simple_controls_come_first_and_physics_is_folded() {
     for model in models() {
         let harness = Harness::of_model(model, (340.0, 9000.0, Measures::FINE));
         let used = harness.used();
-        let basics = used.iter().filter(|param| param.group == "Basics").count();
+        let basics = used
+            .iter()
+            .filter(|param| param.group() == "Basics")
+            .count();
         assert!(
             (10..=12).contains(&basics),
             "{basics} simple controls of {model:?}"
         );
-        let mut groups: Vec<&str> = used.iter().map(|param| param.group).collect();
+        let mut groups: Vec<&str> = used.iter().map(|param| param.group()).collect();
         groups.dedup();
         let order = [
             "Basics",
@@ -70,7 +73,7 @@ fn simple_controls_come_first_and_physics_is_folded() {
         for param in used {
             assert_eq!(
                 harness.in_sight(param.id),
-                param.group != "Physics",
+                param.group() != "Physics",
                 "{}",
                 param.id
             );

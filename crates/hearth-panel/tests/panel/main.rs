@@ -277,7 +277,7 @@ fn each_model_has_its_own_rows_ranges_and_defaults() {
         !harness
             .used()
             .iter()
-            .any(|param| param.group == "Sparks and smoke")
+            .any(|param| param.group() == "Sparks and smoke")
     );
     harness.reveal("walls");
     harness.place("walls");

@@ -245,7 +245,7 @@ fn entry(param: &Param) -> Value {
     };
     let mut entry = json!({
         "id": param.id, "attribute": attribute(param.id), "property": property(param.id),
-        "label": description.label, "group": param.group, "unit": param.unit,
+        "label": description.label, "group": description.group, "unit": param.unit,
         "doc": description.doc, "kind": kind,
     });
     match (scale, param.kind) {

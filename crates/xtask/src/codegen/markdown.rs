@@ -15,8 +15,8 @@ pub(super) fn reference() -> String {
     let mut tables = String::new();
     let mut group = "";
     for param in PARAMETERS {
-        if param.group != group {
-            group = param.group;
+        if param.group() != group {
+            group = param.group();
             let models: Vec<_> = models().into_iter().map(Model::name).collect();
             let _ = write!(
                 tables,

@@ -2,6 +2,7 @@
 //! published by itself and reads no file.
 
 use std::fmt::Write as _;
+use std::iter;
 
 use serde_json::Value;
 
@@ -23,12 +24,14 @@ pub(super) fn table(scenes: &[Scene]) -> String {
     );
     for scene in scenes {
         let _ = writeln!(text, "    Preset {{\n        name: {:?},", scene.name);
-        let _ = writeln!(text, "        values: \"{}\",", fields(&scene.values));
-        text.push_str("        objects: &[");
-        for object in &scene.objects {
-            let _ = write!(text, "\n            \"{}\",", fields(object));
-        }
-        text.push_str("],\n    },\n");
+        let lines: Vec<_> = iter::once(&scene.values)
+            .chain(&scene.objects)
+            .map(|values| fields(values))
+            .collect();
+        // Long literals stay legible: a line of text is a line of the file.
+        let lines = lines.join("\n\n").escape_debug().to_string();
+        let lines = lines.replace("\\n", "\\n\\\n            ");
+        let _ = writeln!(text, "        text: \"{lines}\",\n    }},");
     }
     text.push_str(
         "];\n\n\
@@ -46,16 +49,12 @@ pub(super) fn table(scenes: &[Scene]) -> String {
     text
 }
 
-/// The content of a text literal with a field in each line: its id and its value.
+/// A line for each field: its id and its value.
 fn fields(fields: &[(String, Value)]) -> String {
     let lines = fields.iter().map(|(id, value)| match value {
         Value::String(text) => format!("{id} {text}"),
         Value::Bool(on) => format!("{id} {on}"),
         number => format!("{id} {}", number.as_f64().unwrap_or_default()),
     });
-    let text = lines.collect::<Vec<_>>().join("\n");
-    // Long literals stay legible: a line of text is a line of the file.
-    text.escape_debug()
-        .to_string()
-        .replace("\\n", "\\n\\\n            ")
+    lines.collect::<Vec<_>>().join("\n")
 }

@@ -1,12 +1,16 @@
 /**
- * The panel inside its fire. This code is loaded when a fire with the attribute `controls` burns.
+ * The panel and the button of the toolbar inside their fire. This code is loaded when a fire with the attribute `controls` burns.
  */
 
 import { DEFAULTS } from '../generated/defaults.js';
-import { offerInside } from '../tools/offer.js';
+import { offerTools } from '../tools/offer.js';
+import { iconButton } from './icon-button.js';
 
 /** Values of `controls` that mean all parameters. */
 const ALL = ['', 'true', 'controls'];
+
+/** A pencil. */
+const ICON = 'M4 20l1-5L16 4l4 4L9 19zM13 7l4 4';
 
 /**
  * Mounts the panel.
@@ -51,4 +55,25 @@ const idOf = (name) => name.replaceAll('-', '_');
 async function misspelt(name, reports) {
   const { suggestion } = await import('./spelling.js').catch(() => ({ suggestion: () => '' }));
   reports.refuse('controls', name, `a list of parameters${suggestion(name, Object.keys(DEFAULTS))}`);
+}
+
+/**
+ * Offers the toolbar inside a fire.
+ * @param {import('../hearth-fire.js').HearthFire} fire
+ * @param {(why: unknown) => void} failed
+ * @returns {() => void} removes the button and the toolbar
+ */
+function offerInside(fire, failed) {
+  const host = document.createElement('div');
+  host.className = 'hands';
+  const button = iconButton(ICON, {
+    class: 'hearth-fold hearth-draw', 'aria-label': 'Tools', 'aria-expanded': 'false', title: 'Draw, move and erase things',
+  });
+  fire.shadowRoot?.append(host, button);
+  const close = offerTools({ button, host, fire, failed });
+  return () => {
+    close();
+    host.remove();
+    button.remove();
+  };
 }

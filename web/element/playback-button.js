@@ -3,6 +3,8 @@
  * loaded for visitors who prefer reduced motion.
  */
 
+import { iconButton } from './icon-button.js';
+
 const STYLES = /* css */ `
 .play {
   position: absolute; inset: 50% auto auto 50%; display: grid; place-items: center; inline-size: 64px; block-size: 64px; padding: 0;
@@ -24,22 +26,13 @@ const ACTIONS = {
 
 /** The button of one element. */
 export class PlaybackButton {
-  #button = document.createElement('button');
-  #path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+  #button = iconButton('', { class: 'play', part: 'play' });
 
   /**
    * @param {import('./view.js').FireView} view
    * @param {() => void} press what the button does
    */
   constructor(view, press) {
-    this.#button.className = 'play';
-    this.#button.type = 'button';
-    this.#button.setAttribute('part', 'play');
-    const icon = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-    icon.setAttribute('viewBox', '0 0 24 24');
-    icon.setAttribute('aria-hidden', 'true');
-    icon.append(this.#path);
-    this.#button.append(icon);
     this.#button.addEventListener('click', press);
     view.style(STYLES);
     view.root.append(this.#button);
@@ -52,6 +45,6 @@ export class PlaybackButton {
     const [shape, label] = ACTIONS[action];
     this.#button.dataset.does = action;
     this.#button.setAttribute('aria-label', label);
-    this.#path.setAttribute('d', shape);
+    this.#button.querySelector('path')?.setAttribute('d', shape);
   }
 }

@@ -3,6 +3,7 @@
  * small for it, or if the visitor folded it at the last visit.
  */
 
+import { iconButton } from '../element/icon-button.js';
 import { remember, remembered } from './memory.js';
 
 /** The minimum height of an open panel: a lower one shows hardly more than its header [CSS pixels]. */
@@ -18,18 +19,7 @@ export function addFold(host) {
   host.classList.add('hearth-inside');
   host.setAttribute('role', 'group');
   host.setAttribute('aria-label', 'Fire controls');
-  const button = document.createElement('button');
-  button.type = 'button';
-  button.className = 'hearth-fold';
-  button.setAttribute('aria-label', 'Controls');
-  button.title = 'Hide or show the controls (H)';
-  const icon = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  icon.setAttribute('viewBox', '0 0 24 24');
-  icon.setAttribute('aria-hidden', 'true');
-  const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-  path.setAttribute('d', ICON);
-  icon.append(path);
-  button.append(icon);
+  const button = iconButton(ICON, { class: 'hearth-fold', 'aria-label': 'Controls', title: 'Hide or show the controls (H)' });
   host.append(button);
 
   /** @param {boolean} folded */

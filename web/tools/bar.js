@@ -16,6 +16,7 @@
  * @property {() => void} close
  */
 
+import { iconButton } from '../element/icon-button.js';
 import { nameOf } from '../panel/objects.js';
 import { ALIGNMENTS, ARROWS, ICONS, TOOLS } from './table.js';
 
@@ -99,14 +100,7 @@ export class Bar {
 
   /** @type {(name: string, label: string, icon: string, act: () => void, bar?: HTMLElement) => HTMLButtonElement} */
   #button(name, label, icon, act, bar = this.element) {
-    const button = /** @type {HTMLButtonElement} */ (element('button', { type: 'button', 'aria-label': label, title: label, 'data-tool': name }));
-    const picture = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-    picture.setAttribute('viewBox', '0 0 24 24');
-    picture.setAttribute('aria-hidden', 'true');
-    const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-    path.setAttribute('d', icon);
-    picture.append(path);
-    button.append(picture);
+    const button = iconButton(icon, { 'aria-label': label, title: label, 'data-tool': name });
     button.addEventListener('click', act);
     button.tabIndex = bar.querySelector('button') ? -1 : 0;
     bar.append(button);

@@ -10,6 +10,7 @@ import { violations } from './axe.mjs';
 import { Browser } from './driver.mjs';
 import { Panel } from './panel.mjs';
 import { SITE } from './site.mjs';
+import { strip } from './waits.mjs';
 
 const WIDE = { width: 1000, height: 640 };
 const PHONE = { width: 360, height: 640, touch: true };
@@ -21,11 +22,6 @@ before(async () => {
   browser = await Browser.launch();
 });
 after(() => browser?.close());
-
-/** Waits until the strip of scenes is there. @param {import('./driver.mjs').Tab} tab */
-const strip = (tab) => tab.until('the strip of scenes', () => (
-  document.querySelector('#scenes [aria-current="true"]') !== null
-));
 
 /** Shows the tools, and their form for a word. @param {import('./driver.mjs').Tab} tab */
 async function tools(tab) {

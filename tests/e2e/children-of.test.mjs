@@ -4,6 +4,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
+import { childUntil as until } from './waits.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -23,15 +24,6 @@ async function opened(children, { attributes = '', style = HEADLINE, more = '' }
     <hearth-fire autoplay="false" quality="low" max-pixels="10000" ${attributes} style="width: 200px; height: 300px">${children}</hearth-fire>${more}`);
   await tab.ready();
   return tab;
-}
-
-/** Waits until a property of the object of the first child has such a value; gives the object. */
-function until(tab, what, holds, ...args) {
-  return tab.until(what, new Function('...args', `
-    const fire = document.querySelector('hearth-fire');
-    const object = fire.objects.find(({ id }) => id === fire.firstElementChild.objectId);
-    return (${holds})(object ?? null, ...args) && (object ?? 'none');
-  `), ...args);
 }
 
 /** Waits until the first child has the border box of the headline. */

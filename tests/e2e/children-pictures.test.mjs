@@ -6,6 +6,7 @@ import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { decoded } from './masks.mjs';
 import { serve } from './server.mjs';
+import { childUntil as until } from './waits.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -30,19 +31,6 @@ async function opened(target, children, { style = '', options = {} } = {}) {
     <hearth-fire autoplay="false" quality="low" max-pixels="10000">${children}</hearth-fire>`, options);
   await tab.ready();
   return tab;
-}
-
-/** Waits until the object of the first child has such a value; gives it with its box in pixels of the window. */
-function until(tab, what, holds, ...args) {
-  return tab.until(what, new Function('...args', `
-    const fire = document.querySelector('hearth-fire');
-    const object = fire.objects.find(({ id }) => id === fire.firstElementChild.objectId);
-    if (!(${holds})(object ?? null, ...args)) return false;
-    if (!object) return 'none';
-    const { x, y, width, height } = object;
-    const [from, to] = [fire.toPixels(x - width / 2, y + height / 2), fire.toPixels(x + width / 2, y - height / 2)];
-    return { ...object, box: [from.x, from.y, to.x, to.y] };
-  `), ...args);
 }
 
 const masked = (tab, what = 'the mask') => until(tab, what, (object) => object?.shape === 'mask');

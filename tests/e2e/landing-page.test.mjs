@@ -6,6 +6,7 @@ import { after, before, describe, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { Panel } from './panel.mjs';
 import { table } from './site.mjs';
+import { strip } from './waits.mjs';
 
 const { PRESETS } = await table();
 
@@ -19,11 +20,6 @@ before(async () => {
   browser = await Browser.launch();
 });
 after(() => browser?.close());
-
-/** Waits until the strip of scenes is there. @param {import('./driver.mjs').Tab} tab */
-const strip = (tab) => tab.until('the strip of scenes', () => (
-  document.querySelector('#scenes [aria-current="true"]') !== null
-));
 
 /** The scene that the strip marks. @param {import('./driver.mjs').Tab} tab */
 const marked = (tab) => tab.evaluate(() => (

@@ -5,6 +5,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { events, recording } from './assertions.mjs';
+import { destroyedAndBack } from './waits.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -118,13 +119,7 @@ test('objects go with settings, and come back when the element does', async () =
   await tab.fire((fire, objects) => fire.set({ objects, wind: 1 }), TWO);
   const config = await tab.fire((fire) => fire.exportConfig());
   assert.deepEqual(config, { hearth: 2, values: { wind: 1 }, objects: TWO });
-  await tab.fire(async (fire) => {
-    const { parentNode } = fire;
-    fire.remove();
-    await fire.destroy();
-    parentNode.append(fire);
-    await fire.ready;
-  });
+  await destroyedAndBack(tab);
   assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), config);
   await tab.fire((fire) => fire.importConfig({ hearth: 1, values: { source_x: 0.1 } }));
   assert.deepEqual(await places(tab), { 1: 0.1 });

@@ -6,6 +6,7 @@ import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { Panel, actionOf, along } from './panel.mjs';
+import { objects, objectsUntil as until } from './waits.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -25,22 +26,10 @@ async function openPage(query, size = SIZES[0]) {
   return { tab, panel: await new Panel(tab).mounted() };
 }
 
-const objects = (tab) => tab.fire((fire) => fire.objects);
 const scene = (panel) => panel.in((root) => root.querySelector('[data-action="scenes"]').textContent);
 const titled = (panel, text) => panel.until(`the scene is called ${text}`, (root, wanted) => (
   root.querySelector('[data-action="scenes"]').textContent === `Scene: ${wanted}`
 ), text);
-
-/** Waits until the objects are as `holds` requires, and returns them. */
-async function until(tab, what, holds) {
-  let now;
-  for (let patience = 200; patience > 0; patience -= 1) {
-    now = await objects(tab);
-    if (holds(now)) return now;
-    await tab.frames();
-  }
-  throw new Error(`the objects should be ${what} and are ${JSON.stringify(now)}`);
-}
 
 /** Clicks a button of the group with the mouse. */
 async function press(panel, tab, action) {

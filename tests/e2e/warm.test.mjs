@@ -6,6 +6,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { assertBurns, events, recording } from './assertions.mjs';
+import { destroyedAndBack } from './waits.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -179,14 +180,8 @@ test('a fire that is hidden, removed or loses its context while it warms is show
     document.body.append(fire);
     return fire.ready;
   });
-  await tab.fire(async (fire) => {
-    const { parentNode } = fire;
-    fire.remove();
-    await fire.destroy();
-    parentNode.append(fire);
-    await fire.ready;
-    await fire.toBlob();
-  });
+  await destroyedAndBack(tab);
+  await tab.fire((fire) => fire.toBlob());
   assert.ok((await seen(tab)).drawn);
 
   const lost = await open('<hearth-fire warm="2" paused></hearth-fire>');

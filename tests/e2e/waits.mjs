@@ -1,0 +1,53 @@
+/**
+ * What more than one test file waits for.
+ */
+
+/** @typedef {import('./driver.mjs').Tab} Tab */
+
+/** The objects of the first fire. @param {Tab} tab */
+export const objects = (tab) => tab.fire((fire) => fire.objects);
+
+/**
+ * Waits until the objects of the first fire are as `holds` requires, and returns them.
+ * @param {Tab} tab @param {string} what @param {(all: any[]) => unknown} holds
+ */
+export async function objectsUntil(tab, what, holds) {
+  let now;
+  for (let patience = 200; patience > 0; patience -= 1) {
+    now = await objects(tab);
+    if (holds(now)) return now;
+    await tab.frames();
+  }
+  throw new Error(`the objects should be ${what} and are ${JSON.stringify(now)}`);
+}
+
+/**
+ * Waits until the object of the fire's first child, or null without one, is as `holds` requires; returns it
+ * with its box in pixels of the fire, or 'none'.
+ * @param {Tab} tab @param {string} what @param {Function | string} holds runs in the page @param {any[]} args of `holds`
+ */
+export function childUntil(tab, what, holds, ...args) {
+  return tab.until(what, new Function('...args', `
+    const fire = document.querySelector('hearth-fire');
+    const object = fire.objects.find(({ id }) => id === fire.firstElementChild.objectId);
+    if (!(${holds})(object ?? null, ...args)) return false;
+    if (!object) return 'none';
+    const { x, y, width, height = 0 } = object;
+    const [from, to] = [fire.toPixels(x - width / 2, y + height / 2), fire.toPixels(x + width / 2, y - height / 2)];
+    return { ...object, box: [from.x, from.y, to.x, to.y] };
+  `), ...args);
+}
+
+/** Waits until the strip of scenes is there. @param {Tab} tab */
+export const strip = (tab) => tab.until('the strip of scenes', () => (
+  document.querySelector('#scenes [aria-current="true"]') !== null
+));
+
+/** Destroys the first fire and inserts it again. @param {Tab} tab */
+export const destroyedAndBack = (tab) => tab.fire(async (fire) => {
+  const { parentNode } = fire;
+  fire.remove();
+  await fire.destroy();
+  parentNode.append(fire);
+  await fire.ready;
+});

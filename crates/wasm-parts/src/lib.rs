@@ -1,4 +1,5 @@
-//! Makes a wasm module smaller to download: it divides it, and [orders](order()) its functions.
+//! Makes a wasm module smaller to download: it divides it, [orders](order()) its functions, and shortens
+//! it together with its [script](Bound).
 //!
 //! What few visitors need becomes modules of their own, its parts, which a page fetches when it needs
 //! them.
@@ -6,6 +7,7 @@
 //! from, the rest, and puts its own functions into the table. The rest calls them through the
 //! table. Both come from one link, so a part fits its own rest and no other.
 
+mod glue;
 mod order;
 mod texts;
 
@@ -21,6 +23,7 @@ use walrus::{
 
 use texts::Text;
 
+pub use glue::Bound;
 pub use order::order;
 
 /// What a part takes from a module.

@@ -22,10 +22,7 @@ use crate::{evaluation, paths, tools};
 use figures::Figures;
 
 /// The scenes of the benchmarks as a wasm module, compiled as the page's engine is.
-const SCENES: Module = Module {
-    package: "hearth-benches",
-    profile: "engine",
-};
+const SCENES: Module = Module::new("hearth-benches", "engine");
 
 /// The groups of criterion's benchmarks.
 const CRITERION: [&str; 2] = ["fire", "block"];

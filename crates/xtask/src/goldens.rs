@@ -17,10 +17,7 @@ use crate::{paths, tools};
 
 /// The renderer for tests, in the profile of the other browser tests, so that little of it
 /// is compiled twice.
-const PAINTER: Module = Module {
-    package: "hearth-painter",
-    profile: "dev",
-};
+const PAINTER: Module = Module::new("hearth-painter", "dev");
 
 /// Draws the pictures whose names begin with one of `names`, or all; with `snapshots` of
 /// fires simulated again.

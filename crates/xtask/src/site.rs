@@ -13,7 +13,7 @@ use wasm_bindgen_cli_support::Bindgen;
 use xshell::cmd;
 
 use crate::shell::Shell;
-use crate::{glue, paths, script, tools};
+use crate::{parts, paths, script, tools};
 
 /// A crate that becomes a wasm module of the same name.
 pub(crate) struct Module {
@@ -22,18 +22,15 @@ pub(crate) struct Module {
     pub profile: &'static str,
 }
 
-const ENGINE: Module = Module {
-    package: "hearth-engine",
-    profile: "engine",
-};
-const SIM: Module = Module {
-    package: "hearth-sim",
-    profile: "engine",
-};
-const PANEL: Module = Module {
-    package: "hearth-panel",
-    profile: "panel",
-};
+impl Module {
+    pub(crate) const fn new(package: &'static str, profile: &'static str) -> Module {
+        Module { package, profile }
+    }
+}
+
+const ENGINE: Module = Module::new("hearth-engine", "engine");
+const SIM: Module = Module::new("hearth-sim", "engine");
+const PANEL: Module = Module::new("hearth-panel", "panel");
 
 /// Builds the whole site in `dist/site`.
 pub(crate) fn build() -> Result<()> {
@@ -59,7 +56,7 @@ pub(crate) fn build() -> Result<()> {
         bind(module, module.package, &wasm)?;
         keep_types(&sh, module.package, &wasm)?;
     }
-    glue::shorten(&sh, &web)?;
+    parts::divide(&sh, &web)?;
     script::minify(&web)?;
     // Examples in folders of their own need packages.
     let examples = sh.create_dir(site.join("examples"))?;
@@ -125,7 +122,7 @@ pub(crate) fn bind(module: &Module, name: &str, into: &Path) -> Result<()> {
             bindgen
                 .typescript(true)
                 .omit_default_module_path(false)
-                // `glue` finds dead functions by name, and then removes the names.
+                // `wasm-parts` finds dead functions by name, and then removes the names.
                 .remove_name_section(false)
                 .remove_producers_section(true)
                 .generate(into)

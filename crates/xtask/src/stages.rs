@@ -29,33 +29,26 @@ struct Stage {
     remembered: bool,
 }
 
+/// A table of stages: the name, the stage that it needs, what it checks, the function and flags.
+macro_rules! stages {
+    ($( $name:literal $(needs $needs:literal)? : $about:literal, $run:path $(, $flag:ident)*; )+) => {
+        &[ $( {
+            let stage = Stage {
+                name: $name,
+                about: $about,
+                run: $run,
+                needs: None,
+                in_browser: false,
+                remembered: false,
+            };
+            $( let stage = Stage { needs: Some($needs), ..stage }; )?
+            $( let stage = Stage { $flag: true, ..stage }; )*
+            stage
+        }, )+ ]
+    };
+}
+
 impl Stage {
-    const fn new(name: &'static str, about: &'static str, run: fn() -> Result<()>) -> Stage {
-        Stage {
-            name,
-            about,
-            run,
-            needs: None,
-            in_browser: false,
-            remembered: false,
-        }
-    }
-
-    const fn needs(mut self, stage: &'static str) -> Stage {
-        self.needs = Some(stage);
-        self
-    }
-
-    const fn in_browser(mut self) -> Stage {
-        self.in_browser = true;
-        self
-    }
-
-    const fn remembered(mut self) -> Stage {
-        self.remembered = true;
-        self
-    }
-
     fn run(&self) -> Result<()> {
         if !self.remembered {
             return (self.run)();
@@ -72,115 +65,32 @@ impl Stage {
     }
 }
 
-const STAGES: &[Stage] = &[
-    Stage::new("format", "the code is formatted", code::format),
-    Stage::new(
-        "generated",
-        "generated files match the parameter table",
-        generated,
-    ),
-    Stage::new("lint", "clippy accepts the native code", code::lint),
-    Stage::new(
-        "lint-wasm",
-        "clippy accepts the code for the browser",
-        code::lint_wasm,
-    ),
-    Stage::new(
-        "lint-web",
-        "biome accepts the scripts and style sheets",
-        script::lint,
-    ),
-    Stage::new(
-        "docs",
-        "the libraries' documentation builds without a warning",
-        code::docs,
-    ),
-    Stage::new(
-        "native",
-        "laws of the physics, and every unit test",
-        code::native,
-    )
-    .remembered(),
-    Stage::new(
-        "shaders",
-        "the reference compiler accepts every shader",
-        code::shaders,
-    ),
-    Stage::new(
-        "web",
-        "scripts that need no browser, in Node",
-        library::scripts_in_node,
-    ),
-    Stage::new("site", "the static site builds", site::build),
-    Stage::new(
-        "types",
-        "the compiler accepts the types of the scripts",
-        script::check_types,
-    )
-    .needs("site"),
-    Stage::new("size", "downloads stay small", size).needs("site"),
-    Stage::new(
-        "package",
-        "the npm package is whole and reproducible, and names no folder of this machine",
-        package::make,
-    )
-    .needs("site"),
-    Stage::new(
-        "library",
-        "the headless library keeps its laws in Node, and the native bits",
-        library::laws_in_node,
-    )
-    .needs("site")
-    .remembered(),
-    Stage::new(
-        "publish",
-        "the crates could be published",
-        library::publishable,
-    ),
-    Stage::new(
-        "baselines",
-        "the benchmarks' baselines compute the same gas",
-        bench::baselines,
-    ),
-    Stage::new(
-        "cost",
-        "a step takes no more instructions than recorded",
-        bench::instructions,
-    )
-    .remembered(),
-    Stage::new("wasm", "wasm gives the native bits", browser::wasm_in_node).remembered(),
-    Stage::new(
-        "browser",
-        "shaders and canvases in headless Chromium",
-        browser::wasm_in_chromium,
-    )
-    .in_browser()
-    .remembered(),
-    Stage::new("goldens", "fires match the golden pictures", goldens::check).in_browser(),
-    Stage::new(
-        "e2e",
-        "the page in Chromium, and its element in every browser",
-        browser::end_to_end,
-    )
-    .needs("site")
-    .in_browser(),
-    Stage::new(
-        "consumers",
-        "the npm package works in pages, bundlers, React and on servers",
-        browser::consumers,
-    )
-    .needs("package")
-    .in_browser()
-    .remembered(),
-    Stage::new("trunk", "Trunk builds the same site", trunk::same_site).needs("site"),
-    Stage::new(
-        "trunk-page",
-        "the page that Trunk builds and serves burns",
-        trunk::page_burns,
-    )
-    .needs("trunk")
-    .in_browser(),
-];
+const STAGES: &[Stage] = stages! {
+    "format": "the code is formatted", code::format;
+    "generated": "generated files match the parameter table", generated;
+    "lint": "clippy accepts the native code", code::lint;
+    "lint-wasm": "clippy accepts the code for the browser", code::lint_wasm;
+    "lint-web": "biome accepts the scripts and style sheets", script::lint;
+    "docs": "the libraries' documentation builds without a warning", code::docs;
+    "native": "laws of the physics, and every unit test", code::native, remembered;
+    "shaders": "the reference compiler accepts every shader", code::shaders;
+    "web": "scripts that need no browser, in Node", library::scripts_in_node;
+    "site": "the static site builds", site::build;
+    "types" needs "site": "the compiler accepts the types of the scripts", script::check_types;
+    "size" needs "site": "downloads stay small", size;
+    "package" needs "site": "the npm package is whole and reproducible, and names no folder of this machine", package::make;
+    "library" needs "site": "the headless library keeps its laws in Node, and the native bits", library::laws_in_node, remembered;
+    "publish": "the crates could be published", library::publishable;
+    "baselines": "the benchmarks' baselines compute the same gas", bench::baselines;
+    "cost": "a step takes no more instructions than recorded", bench::instructions, remembered;
+    "wasm": "wasm gives the native bits", browser::wasm_in_node, remembered;
+    "browser": "shaders and canvases in headless Chromium", browser::wasm_in_chromium, in_browser, remembered;
+    "goldens": "fires match the golden pictures", goldens::check, in_browser;
+    "e2e" needs "site": "the page in Chromium, and its element in every browser", browser::end_to_end, in_browser;
+    "consumers" needs "package": "the npm package works in pages, bundlers, React and on servers", browser::consumers, in_browser, remembered;
+    "trunk" needs "site": "Trunk builds the same site", trunk::same_site;
+    "trunk-page" needs "trunk": "the page that Trunk builds and serves burns", trunk::page_burns, in_browser;
+};
 
 /// Runs the named stages, or every stage, and prints a report; returns whether all passed.
 /// With `all`, what passed before runs again.

@@ -11,7 +11,7 @@ use xshell::{Cmd, cmd};
 
 use super::browser;
 use crate::shell::Shell;
-use crate::{glue, paths, script, site, tools};
+use crate::{parts, paths, script, site, tools};
 
 /// `trunk build --release` gives the files of the site.
 pub(super) fn same_site() -> Result<()> {
@@ -24,7 +24,7 @@ pub(super) fn same_site() -> Result<()> {
     let copy = tools::target()?.join("trunk-minified");
     sh.remove_path(&copy)?;
     site::copy_folder(&sh, &paths::trunk_site(), &copy)?;
-    glue::shorten(&sh, &copy.join("web"))?;
+    parts::divide(&sh, &copy.join("web"))?;
     script::minify(&copy.join("web"))?;
     let (scripts, site) = (paths::packaging(), paths::site());
     Ok(cmd!(sh, "node {scripts}/same.mjs {site} {copy}").run()?)

@@ -1,0 +1,118 @@
+//! What wasm-bindgen makes of a module, without what no visitor needs, and with the parts that few
+//! need apart.
+
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use hearth_core::preset::{PRESETS, Preset};
+use wasm_parts::{Bound, Part};
+
+use crate::shell::Shell;
+
+/// The parts, with the modules that they are taken from. `hearth_bindings::parts` tells when one is
+/// needed.
+const PARTS: [(Part, &[&str]); 5] = [
+    (
+        Part {
+            name: "classic",
+            symbols: &[
+                "hearth_core::classic::",
+                "<hearth_core::classic::",
+                "<F as hearth_core::classic::",
+                "core::ptr::drop_in_place<hearth_core::classic::",
+            ],
+            // Each calls the solver of the present model.
+            callers: &["hearth_core::simulation::"],
+            texts: Vec::new,
+            is_loaded: "hearth_bindings::parts::classic_is_loaded",
+        },
+        &["hearth-engine", "hearth-sim"],
+    ),
+    (
+        Part {
+            name: "outlines",
+            symbols: &[
+                "hearth_core::scene::field::Field::",
+                "hearth_core::scene::contour::",
+            ],
+            // A surface that is not sampled has no field.
+            callers: &[
+                "hearth_core::scene::distance::",
+                "hearth_core::solids::thin::",
+            ],
+            texts: Vec::new,
+            is_loaded: "hearth_core::scene::field::is_loaded",
+        },
+        &["hearth-engine", "hearth-sim"],
+    ),
+    (
+        Part {
+            name: "quantities",
+            symbols: &[
+                "hearth_core::simulation::Simulation::write_measured",
+                "hearth_render::scale::extremes",
+            ],
+            // Of a display mode that shows neither fire nor the paper's sprites.
+            callers: &["hearth_core::simulation::", "hearth_engine::fire::"],
+            texts: Vec::new,
+            is_loaded: "hearth_bindings::parts::quantities_is_loaded",
+        },
+        &["hearth-engine"],
+    ),
+    (
+        Part {
+            name: "burning",
+            symbols: &[
+                "hearth_core::simulation::burning::<impl",
+                "hearth_core::simulation::burning::format::",
+            ],
+            callers: &["hearth_engine::warm::"],
+            texts: Vec::new,
+            is_loaded: "hearth_bindings::parts::burning_is_loaded",
+        },
+        &["hearth-engine"],
+    ),
+    (
+        Part {
+            name: "presets",
+            symbols: &[
+                "hearth_core::preset::definition::",
+                "<hearth_core::preset::definition::",
+                "hearth_core::preset::resolution::",
+            ],
+            texts: || PRESETS.iter().map(Preset::text).collect(),
+            callers: &["hearth_bindings::settings::document"],
+            is_loaded: "hearth_bindings::parts::presets_are_loaded",
+        },
+        &["hearth-sim"],
+    ),
+];
+
+/// Makes each wasm module and its glue smaller, and takes the parts out of those of the engine and the
+/// library.
+pub(crate) fn divide(sh: &Shell, web: &Path) -> Result<()> {
+    for wasm in sh.read_dir(web.join("wasm"))? {
+        let name = wasm.file_name().unwrap_or_default().to_string_lossy();
+        let Some(name) = name.strip_suffix("_bg.wasm") else {
+            continue;
+        };
+        let script = wasm.with_file_name(format!("{name}.js"));
+        let (bytes, glue) = (sh.read_binary_file(&wasm)?, sh.read_file(&script)?);
+        let mut bound = Bound::new(&bytes, glue, env!("CARGO_PKG_VERSION"))?;
+        // The panel has futures, and its glue fetches its module.
+        if name != "hearth-panel" {
+            let dead = bound.remove_dead();
+            dead.with_context(|| format!("cannot shorten {}", script.display()))?;
+            for (part, _) in PARTS.iter().filter(|(_, of)| of.contains(&name)) {
+                let taken = bound.take(part);
+                let taken = taken.with_context(|| format!("cannot divide {name}"))?;
+                let file = format!("{name}_{}.wasm", part.name);
+                sh.write_file(wasm.with_file_name(file), taken)?;
+            }
+        }
+        let (bytes, glue) = bound.finish()?;
+        sh.write_file(&wasm, bytes)?;
+        sh.write_file(script, glue)?;
+    }
+    Ok(())
+}

@@ -7,19 +7,18 @@
 import { editingOf } from './panel/editing.js';
 import { objectsOf } from './panel/objects.js';
 import { addStyle } from './panel/style.js';
-import { blow, throwSparks } from './tools/air.js';
 import { Bar, element } from './tools/bar.js';
+import { Cross } from './tools/cross.js';
 import { Edits, isOn } from './tools/edits.js';
-import { begin, PolygonDrawing } from './tools/gestures.js';
 import { rounded, scaled } from './tools/geometry.js';
 import { Inserts } from './tools/insert.js';
 import { Overlay } from './tools/overlay.js';
+import { Pointers } from './tools/pointers.js';
 import { ARROWS, TOOLS } from './tools/table.js';
 
 /**
  * @typedef {import('./hearth-fire.js').HearthFire} HearthFire
  * @typedef {import('./tools/geometry.js').Fields} Fields
- * @typedef {import('./tools/geometry.js').Point} Point
  * @typedef {import('./tools/gestures.js').How} How
  */
 
@@ -33,9 +32,6 @@ const TURN = 5;
 
 /** How long a message stays [ms]. */
 const SAID_MS = 5000;
-
-/** How long a key blows [ms]. */
-const PUFF_MS = 250;
 
 /**
  * Shows the toolbar of a fire.
@@ -69,20 +65,13 @@ class Toolbar {
   #edits;
   #inserts;
   #overlay;
-  #polygon;
+  #pointers;
+  #cross;
   #tool = 'select';
   #bar;
   #said = element('p', { class: 'hearth-said', role: 'status' });
-  /** The gesture of each pointer; the keys are the pointer -1. @type {Map<number, import('./tools/gestures.js').Gesture>} */
-  #gestures = new Map();
-  /** @type {Point | undefined} */
-  #cross;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #saidEnds;
-  /** Where the keys blow. @type {Point} */
-  #aim = { x: 0, y: 1 };
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #puffEnds;
 
   /** @param {HTMLElement} host @param {HearthFire} fire @param {() => void} closed */
   constructor(host, fire, closed) {
@@ -92,7 +81,9 @@ class Toolbar {
     this.#edits = new Edits(fire, this.#editing, () => this.#bar, (text) => this.#say(text));
     this.#overlay = new Overlay(fire);
     this.#inserts = new Inserts(host, this.#overlay, this.#edits, (text) => this.#open(text));
-    this.#polygon = new PolygonDrawing(this.#hands);
+    const hands = this.#hands;
+    this.#pointers = new Pointers(hands);
+    this.#cross = new Cross(hands, this.#pointers, this.#overlay);
     const { history } = this.#editing;
     this.#bar = new Bar({
       tool: (name) => this.#choose(name),
@@ -144,9 +135,9 @@ class Toolbar {
     on(layer, 'pointerdown', (event) => this.#press(event));
     on(layer, 'pointermove', (event) => this.#move(event));
     on(layer, 'pointerup', (event) => this.#lift(event));
-    on(layer, 'pointercancel', ({ pointerId }) => this.#cancel(pointerId));
-    on(layer, 'blur', () => this.#point(undefined));
-    on(layer, 'dblclick', () => this.#polygon.close());
+    on(layer, 'pointercancel', ({ pointerId }) => this.#pointers.cancel(pointerId));
+    on(layer, 'blur', () => this.#cross.point(undefined));
+    on(layer, 'dblclick', () => this.#pointers.polygon.close());
     on(keys, 'keydown', (event) => this.#key(event));
     this.#inserts.listen([this.#fire, this.#host], signal);
     on(this.#editing, 'change', () => this.#update());
@@ -163,8 +154,8 @@ class Toolbar {
 
   remove() {
     clearTimeout(this.#saidEnds);
-    clearTimeout(this.#puffEnds);
-    for (const id of [...this.#gestures.keys()]) this.#cancel(id);
+    this.#cross.remove();
+    this.#pointers.cancelAll();
     this.#host.classList.remove('hearth-hands');
     for (const one of [this.#overlay.element, this.#bar.element, this.#bar.align, this.#said]) one.remove();
     this.#inserts.close();
@@ -172,8 +163,7 @@ class Toolbar {
 
   /** @type {(name: string, says?: boolean) => void} */
   #choose(name, says = true) {
-    for (const id of [...this.#gestures.keys()]) this.#cancel(id);
-    this.#polygon.cancel();
+    this.#pointers.cancelAll();
     this.#tool = name;
     const tool = TOOLS.find((one) => one.name === name);
     this.#bar.choose(name);
@@ -222,57 +212,19 @@ class Toolbar {
     if (event.button !== 0 || !at) return;
     event.preventDefault();
     this.#overlay.element.setPointerCapture(event.pointerId);
-    this.#begin(event.pointerId, at, this.#how(event));
+    this.#pointers.begin(this.#tool, event.pointerId, at, this.#how(event));
   }
 
   /** @param {PointerEvent} event */
   #move(event) {
     const at = this.#overlay.metres(event);
-    if (!at) return;
-    this.#polygon.show(at);
-    this.#gestures.get(event.pointerId)?.move(at, this.#how(event));
+    if (at) this.#pointers.move(event.pointerId, at, this.#how(event));
   }
 
   /** @param {PointerEvent} event */
   #lift(event) {
     const at = this.#overlay.metres(event);
-    if (at) this.#end(event.pointerId, at, this.#how(event));
-  }
-
-  /** @type {(pointer: number, at: Point, how: How) => void} */
-  #begin(pointer, at, how) {
-    this.#editing.history.press();
-    if (this.#tool === 'polygon') {
-      this.#polygon.press(at, how);
-      return;
-    }
-    // A second finger ends what the first one draws.
-    for (const id of [...this.#gestures.keys()]) this.#cancel(id);
-    const gesture = begin(this.#tool, this.#hands, at, how);
-    if (gesture) this.#gestures.set(pointer, gesture);
-  }
-
-  /** @type {(pointer: number, at: Point, how: How) => void} */
-  #end(pointer, at, how) {
-    const gesture = this.#gestures.get(pointer);
-    this.#gestures.delete(pointer);
-    if (!gesture) return;
-    gesture.end(at, how);
-    this.#overlay.preview([]);
-  }
-
-  /** @param {number} pointer */
-  #cancel(pointer) {
-    this.#gestures.get(pointer)?.cancel();
-    this.#gestures.delete(pointer);
-    this.#overlay.preview([]);
-  }
-
-  /** Moves the cross that stands for the pointer, or hides it. @param {Point | undefined} at */
-  #point(at) {
-    this.#cross = at;
-    this.#overlay.cross(at);
-    if (!at) this.#cancel(-1);
+    if (at) this.#pointers.end(event.pointerId, at, this.#how(event));
   }
 
   /** @param {KeyboardEvent} event */
@@ -306,10 +258,10 @@ class Toolbar {
     if (key === 'Delete' || key === 'Backspace') return selected && (() => this.#edits.remove());
     const arrow = ARROWS[key];
     const far = STEP * (shiftKey ? FAST : 1);
-    if (onLayer && (this.#tool !== 'select' || this.#cross || !selected)) {
-      if (this.#tool === 'blow' && arrow && !shiftKey) return () => this.#puff({ x: arrow[0], y: arrow[1] }, this.#how(event));
+    if (onLayer && (this.#tool !== 'select' || this.#cross.shown || !selected)) {
+      if (this.#tool === 'blow' && arrow && !shiftKey) return () => this.#cross.puff(this.#how(event), { x: arrow[0], y: arrow[1] });
       if (arrow) return () => this.#moveCross(arrow[0] * far, arrow[1] * far, this.#how(event));
-      if (key === 'Enter' || key === ' ') return () => this.#pressCross(this.#how(event));
+      if (key === 'Enter' || key === ' ') return () => this.#cross.press(this.#tool, this.#how(event));
     }
     if (!selected) return undefined;
     const change = (/** @type {(object: Fields) => Fields} */ of) => () => {
@@ -320,7 +272,7 @@ class Toolbar {
     if (key === '[' || key === ']') return change(({ angle = 0 }) => ({ angle: angle + (key === '[' ? TURN : -TURN) }));
     if (key === '+' || key === '-') return change((object) => scaled(object, key === '+' ? 1.1 : 1 / 1.1));
     // Enter shows the cross, with which other objects are chosen.
-    return onLayer && key === 'Enter' ? () => this.#point({ x: selected.x, y: selected.y }) : undefined;
+    return onLayer && key === 'Enter' ? () => this.#cross.point({ x: selected.x, y: selected.y }) : undefined;
   }
 
   /** @param {import('./tools/geometry.js').Alignment} to */
@@ -330,11 +282,10 @@ class Toolbar {
   }
 
   #escape() {
-    if (this.#gestures.size > 0 || this.#polygon.active) {
-      for (const id of [...this.#gestures.keys()]) this.#cancel(id);
-      this.#polygon.cancel();
-    } else if (this.#cross) {
-      this.#point(undefined);
+    if (this.#pointers.active) {
+      this.#pointers.cancelAll();
+    } else if (this.#cross.shown) {
+      this.#cross.point(undefined);
     } else if (this.#editing.selected) {
       this.#editing.select();
     } else {
@@ -344,47 +295,7 @@ class Toolbar {
 
   /** @type {(right: number, up: number, how: How) => void} */
   #moveCross(right, up, how) {
-    const from = this.#cross ?? this.#overlay.seen;
-    const at = { x: from.x + right, y: from.y + up };
-    this.#point(at);
-    this.#polygon.show(at);
-    this.#gestures.get(-1)?.move(at, how);
+    const at = this.#cross.move(right, up, how);
     this.#say(`${at.x.toFixed(2)}, ${at.y.toFixed(2)} m`);
-  }
-
-  /** The cross, shown in the middle of what is seen if there was none. */
-  #showCross() {
-    const { x, y } = this.#cross ?? this.#overlay.seen;
-    this.#point({ x, y });
-    return { x, y };
-  }
-
-  /** Blows from the cross for a moment. @type {(towards: Point, how: How) => void} */
-  #puff(towards, how) {
-    const at = this.#showCross();
-    this.#aim = towards;
-    this.#cancel(-1);
-    const gesture = blow(this.#hands, at, towards);
-    gesture.move(at, how);
-    this.#gestures.set(-1, gesture);
-    clearTimeout(this.#puffEnds);
-    this.#puffEnds = setTimeout(() => this.#cancel(-1), PUFF_MS);
-  }
-
-  /** Presses at the cross or, after that, releases. What acts on the fire acts at once. @param {How} how */
-  #pressCross(how) {
-    if (this.#tool === 'blow') {
-      this.#puff(this.#aim, how);
-      return;
-    }
-    const at = this.#showCross();
-    if (this.#tool === 'sparks') {
-      throwSparks(this.#hands, at);
-      return;
-    }
-    const began = this.#gestures.has(-1);
-    if (!began) this.#begin(-1, at, how);
-    // A press that adds to the selection is a click.
-    if (began || (how.adds && this.#tool === 'select')) this.#end(-1, at, how);
   }
 }

@@ -8,7 +8,7 @@
  * while the panel does not show it. Tests click there with a real mouse.
  */
 
-import { COPIES, COPY_LABELS } from './controller.js';
+import { COPIES, COPY_LABELS } from './exchange.js';
 import { OBJECTS, mountAccessibleObjects } from './accessible-objects.js';
 import { idDomain } from './objects.js';
 import { addQuality, inWords, makeControl } from './native-controls.js';

@@ -8,39 +8,20 @@
 import { askForSettings, showKeys, showText } from './cards.js';
 import { showScenes } from './scenes.js';
 import { editingOf } from './editing.js';
+import { COPY_LABELS, beside, download, textOf } from './exchange.js';
 import { remember, remembered } from './memory.js';
-import { copyOf, newObject, objectsOf } from './objects.js';
-import { deleteScene, ownScenes, pictureOf, renameScene, saveScene } from './own-scenes.js';
+import { copyOf, newObject } from './objects.js';
+import { ownScenesOf } from './own-scenes.js';
 import { PARAMETERS, PRESETS } from '../parameters.js';
 import { Report } from './report.js';
 import { DOMAINS, MODEL, hasSceneObjects, modelDefault, presetOf, sceneObjects, sceneOf, sceneProperty, sceneValue, valuesOf } from './scene.js';
-import { FILE as SHARE, elementCode, iframeCode, pageLink } from '../share.js';
-
-/**
- * A URL in the folder of `hearth-fire.js`. Bundlers merge modules or give them `file:` URLs, and drop
- * files that no module names. The folder is known if share.js still is the file that this module
- * imports.
- */
-const FOLDER = /^https?:/.test(SHARE) && SHARE.split('?')[0] === new URL('../share.js', import.meta.url).href
-  ? SHARE : undefined;
+import { pageLink } from '../share.js';
 
 /** How long a button confirms its action [ms]. */
 const DONE_MS = 2000;
 
-/** The largest file of settings [bytes]. */
-const MAX_FILE = 400_000;
-
 /** The events after which the scene may have changed. */
 const CHANGES = ['ready', 'params-change', 'objects-change'];
-
-/** What the panel copies, in the order of the buttons. */
-export const COPIES = ['link', 'element', 'iframe', 'json', 'report'];
-
-/** Their labels. @type {{[what: string]: string}} */
-export const COPY_LABELS = {
-  link: 'link', element: 'HTML of the element', iframe: 'HTML of an iframe', json: 'settings as JSON',
-  report: 'report for an issue',
-};
 
 /**
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
@@ -71,8 +52,8 @@ export class PanelController extends EventTarget {
   #fire;
   #host;
   #page;
-  #script;
-  #embed;
+  /** For the texts that are copied. */
+  #addresses;
   #editing;
   #history;
   #report;
@@ -102,8 +83,7 @@ export class PanelController extends EventTarget {
     this.#fire = fire;
     this.#host = host;
     this.#page = page;
-    this.#script = script;
-    this.#embed = embed;
+    this.#addresses = { page, script, embed };
     const known = only?.map((id) => id.replaceAll('-', '_')).filter(isParameter);
     /** The parameters that the panel shows, in this order; undefined means all. */
     this.only = known?.length ? known : undefined;
@@ -127,7 +107,7 @@ export class PanelController extends EventTarget {
       undo: this.#history.canUndo,
       redo: this.#history.canRedo,
       link: this.#page !== undefined,
-      iframe: this.#embed !== undefined,
+      iframe: this.#addresses.embed !== undefined,
       fullscreen: document.fullscreenEnabled === true,
       done: this.#done,
       said: this.#said,
@@ -185,46 +165,32 @@ export class PanelController extends EventTarget {
 
   /** Resets a property of an object to its value in the scene. @type {(id: number, name: string) => Promise<void>} */
   async restoreProperty(id, name) {
-    const object = objectsOf(this.#fire).find((one) => one.id === id);
+    const object = this.#editing.find(id);
     const value = object && this.propertyOf(object, name);
     if (value !== undefined) await this.change(id, name, value);
   }
 
   /** Adds an object of a kind beside the fire, and selects it. @param {Kind} kind */
   add(kind) {
-    return this.#add(() => newObject(this.#fire, kind));
+    return this.#editing.add(() => newObject(this.#fire, kind));
   }
 
   /** Adds an object like another one beside it, and selects it. @param {number} id */
   duplicate(id) {
-    return this.#add(() => {
-      const object = objectsOf(this.#fire).find((one) => one.id === id);
+    return this.#editing.add(() => {
+      const object = this.#editing.find(id);
       return object && copyOf(this.#fire, object);
     });
   }
 
   /** Removes an object. @param {number} id */
   remove(id) {
-    return this.#history.objects(async () => {
-      // A step before this one may have removed it.
-      if (objectsOf(this.#fire).some((one) => one.id === id)) await this.#fire.removeObject(id);
-    });
+    return this.#editing.remove(id);
   }
 
   /** Moves a solid before all others, or behind them. @type {(id: number, front: boolean) => Promise<void>} */
   order(id, front) {
     return this.#editing.order([id], front);
-  }
-
-  /** @param {() => object | undefined} fields */
-  async #add(fields) {
-    /** @type {number | undefined} */
-    let id;
-    await this.#history.objects(async () => {
-      const object = /** @type {import('../parameters.js').HearthObject | undefined} */ (fields());
-      if (object) id = await this.#fire.addObject(object);
-    });
-    if (id !== undefined) this.select(id);
   }
 
   /**
@@ -263,24 +229,7 @@ export class PanelController extends EventTarget {
       pictureOf: (name) => beside(`scenes/${name}.jpg`),
       current: () => this.#fire.preset,
       choose: (name) => this.#try(() => this.preset(name)).then(this.#update),
-      own: {
-        list: ownScenes,
-        rename: renameScene,
-        remove: deleteScene,
-        choose: ({ config }) => this.#replace(config),
-        save: async () => {
-          const config = await this.#fire.exportConfig();
-          saveScene(presetOf(this.#fire)?.label ?? '', config, await pictureOf(this.#fire));
-        },
-        download: ({ name, config }) => {
-          const text = JSON.stringify({ ...config, label: name }, null, 2);
-          this.#download(new Blob([text], { type: 'application/json' }), `${name.replace(/[^\p{L}\p{N} _-]+/gu, '').trim() || 'hearth'}.json`);
-        },
-        open: async (file) => {
-          if (file.size > MAX_FILE) throw new Error(`The file has ${Math.round(file.size / 1000)} KB; settings have at most ${MAX_FILE / 1000} KB.`);
-          await this.#replace(settingsOf(await file.text()));
-        },
-      },
+      own: ownScenesOf(this.#fire, (config) => this.#replace(config)),
     }));
   }
 
@@ -348,13 +297,13 @@ export class PanelController extends EventTarget {
 
   /**
    * Copies the fire in one of several forms. If the browser refuses, a card shows the text.
-   * @param {string} what  One of {@link COPIES}.
+   * @param {string} what  One of `COPIES`.
    */
   async copy(what) {
     const label = COPY_LABELS[what];
     const config = await this.#try(() => this.#fire.exportConfig());
     // A fire that has failed has a report alone.
-    const text = what === 'report' ? this.#report.text(this.#page && config && pageLink(config, this.#page), config) : config && this.#textOf(what, config);
+    const text = what === 'report' ? this.#report.text(this.#page && config && pageLink(config, this.#page), config) : config && textOf(what, config, this.#addresses);
     if (!text) return;
     try {
       await navigator.clipboard.writeText(text);
@@ -377,18 +326,8 @@ export class PanelController extends EventTarget {
   async picture() {
     const blob = await this.#try(() => this.#fire.toBlob('image/png'));
     if (!blob) return;
-    this.#download(blob, 'hearth.png');
+    download(blob, 'hearth.png');
     this.#notify('picture', 'Saved an image');
-  }
-
-  /** @type {(blob: Blob, name: string) => void} */
-  #download(blob, name) {
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(blob);
-    link.download = name;
-    link.click();
-    // The download has begun by then, even if the browser asks first.
-    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
   }
 
   /** Enters or leaves full screen: for the fire, or for a page about it. */
@@ -434,20 +373,6 @@ export class PanelController extends EventTarget {
     fire.quality = quality;
   }
 
-  /** @type {(what: string, config: HearthConfig) => string} */
-  #textOf(what, config) {
-    switch (what) {
-      case 'link':
-        return pageLink(config, this.#page ?? location.href);
-      case 'element':
-        return elementCode(config, this.#script);
-      case 'iframe':
-        return iframeCode(config, this.#embed ?? '');
-      default:
-        return JSON.stringify(config, null, 2);
-    }
-  }
-
   /**
    * Does something that the fire or the browser may refuse; a refusal becomes a message.
    * @template T
@@ -485,21 +410,7 @@ export class PanelController extends EventTarget {
   };
 }
 
-/** Settings of a file; a text that is not JSON stays one, which the fire refuses in words. @param {string} text */
-function settingsOf(text) {
-  try {
-    return JSON.parse(text);
-  } catch {
-    return text;
-  }
-}
-
 /** @type {(id: string) => id is Id} */
 function isParameter(id) {
   return DOMAINS.has(id);
-}
-
-/** The URL of a file beside `hearth-fire.js`. @param {string} file */
-function beside(file) {
-  return FOLDER ? new URL(file, FOLDER) : undefined;
 }

@@ -65,6 +65,28 @@ export class Editing extends EventTarget {
     this.select(...others, ...(others.length < this.#ids.length ? [] : [id]));
   }
 
+  /** The object of this id; undefined without one. @param {number} id */
+  find(id) {
+    return objectsOf(this.#fire).find((one) => one.id === id);
+  }
+
+  /** Adds an object and selects it: one step. @param {() => object | undefined} fields  Called when the fire is ready for it. */
+  async add(fields) {
+    /** @type {number | undefined} */
+    let id;
+    await this.history.objects(async () => {
+      const object = /** @type {import('../parameters.js').HearthObject | undefined} */ (fields());
+      if (object) id = await this.#fire.addObject(object);
+    });
+    if (id !== undefined) this.select(id);
+  }
+
+  /** Removes an object: one step. @param {number} id */
+  remove(id) {
+    // A step before this one may have removed it.
+    return this.history.objects(() => this.find(id) && this.#fire.removeObject(id));
+  }
+
   /**
    * Moves solids to the end of the list, where they are before the others, or to its beginning: one step.
    * @type {(ids: number[], front: boolean) => Promise<void>}

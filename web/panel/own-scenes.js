@@ -6,6 +6,9 @@
  * @typedef {{name: string, config: HearthConfig, picture: string}} OwnScene  `picture` is a data URL, or empty.
  */
 
+import { download, settingsOf } from './exchange.js';
+import { presetOf } from './scene.js';
+
 const KEY = 'hearth-scenes';
 
 /** The most scenes, and the most letters of a name. */
@@ -92,4 +95,28 @@ export async function pictureOf(fire) {
   } catch {
     return '';
   }
+}
+
+/**
+ * What the card of scenes does with the saved ones.
+ * @param {import('../hearth-fire.js').HearthFire} fire
+ * @param {(config: HearthConfig | string) => Promise<void>} replace  Shows the fire of settings.
+ * @returns {import('./scenes.js').Own}
+ */
+export function ownScenesOf(fire, replace) {
+  return {
+    list: ownScenes,
+    rename: renameScene,
+    remove: deleteScene,
+    choose: ({ config }) => replace(config),
+    async save() {
+      const config = await fire.exportConfig();
+      saveScene(presetOf(fire)?.label ?? '', config, await pictureOf(fire));
+    },
+    download({ name, config }) {
+      const text = JSON.stringify({ ...config, label: name }, null, 2);
+      download(new Blob([text], { type: 'application/json' }), `${name.replace(/[^\p{L}\p{N} _-]+/gu, '').trim() || 'hearth'}.json`);
+    },
+    open: async (file) => replace(await settingsOf(file)),
+  };
 }

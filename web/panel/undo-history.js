@@ -11,15 +11,11 @@
  * changes all values waits for the steps before it, and later steps wait for it.
  */
 
+import { KeptValues, RESOLUTION, SPACING, entries, ofResolution } from './kept-values.js';
 import { objectsOf } from './objects.js';
 
 /** The maximum number of steps. */
 const MAX_STEPS = 200;
-
-/** The number of particles and their spacing: the resolution follows the quality until one is set. */
-const COUNT = 'max_particles';
-const SPACING = 'spacing';
-const RESOLUTION = /** @type {const} */ ([COUNT, SPACING]);
 
 const MODEL = 'model';
 
@@ -59,11 +55,7 @@ export class UndoHistory {
   #changed;
   #defaultOf;
   #resetTo;
-  /**
-   * The values that each model but the burning one has for itself, if they are set or not its defaults.
-   * @type {Map<ModelName, Values>}
-   */
-  #kept = new Map();
+  #kept;
   /** @type {Step[]} */
   #done = [];
   /** @type {Step[]} */
@@ -89,6 +81,7 @@ export class UndoHistory {
     this.#changed = changed;
     this.#defaultOf = defaultOf;
     this.#resetTo = resetTo;
+    this.#kept = new KeptValues(fire, defaultOf);
   }
 
   /** Whether there is a step to undo. */
@@ -230,7 +223,7 @@ export class UndoHistory {
       return this.#change({ key: id, gesture, before, after: side(value), sent: [[id, value]], act }, wasNamed);
     };
     // Another model has other values.
-    if (id === MODEL) return this.#alone(() => this.#keeping(change));
+    if (id === MODEL) return this.#alone(() => this.#kept.through(change));
     while (this.#gate) await this.#gate;
     return change();
   }
@@ -264,29 +257,6 @@ export class UndoHistory {
   #latest(name, now) {
     const pending = this.#pending.get(name);
     return pending ? /** @type {typeof now} */ (pending.value) : now;
-  }
-
-  /**
-   * Does something that may change the model, and keeps the values of the one that burned.
-   * @template T
-   * @param {() => Promise<T>} act
-   */
-  async #keeping(act) {
-    const values = this.#fire.params;
-    const config = this.#fire.exportConfig();
-    const result = await act();
-    const set = (await config).values;
-    const [model, burning] = [values[MODEL], this.#fire.params[MODEL]];
-    if (burning === model) return result;
-    const own = entries(values).filter(([id, value]) => {
-      const standard = this.#defaultOf(id, model);
-      // The models share the other values.
-      if (id === MODEL || standard === undefined || standard === this.#defaultOf(id, burning)) return false;
-      return id in set || !ofResolution(id) && value !== standard;
-    });
-    this.#kept.delete(burning);
-    if (own.length > 0) this.#kept.set(model, Object.fromEntries(own));
-    return result;
   }
 
   /** @param {Step} step */
@@ -333,7 +303,7 @@ export class UndoHistory {
     }
     if (!values) return;
     if (config) await fire.importConfig(config);
-    if (kept) await this.#applyKept(kept, values[MODEL]);
+    if (kept) await this.#kept.restore(kept, values[MODEL]);
     const now = fire.params;
     const moved = values[MODEL] !== now[MODEL];
     const changes = { ...values };
@@ -344,20 +314,9 @@ export class UndoHistory {
       if (isRight) delete changes[id];
     }
     const set = () => fire.set(changes);
-    if (Object.keys(changes).length > 0) await (config ? set() : this.#keeping(set));
+    if (Object.keys(changes).length > 0) await (config ? set() : this.#kept.through(set));
     for (const id of RESOLUTION) {
       if ((moved || !config) && !isNamed(id) && id in values) await fire.restore(id);
-    }
-  }
-
-  /**
-   * Restores the values of the models that do not burn.
-   * @type {(kept: Map<ModelName, Values>, burning: ModelName | undefined) => Promise<void>}
-   */
-  async #applyKept(kept, burning) {
-    this.#kept = new Map(kept);
-    for (const [model, values] of kept) {
-      if (model !== burning) await this.#fire.set({ ...values, [MODEL]: model });
     }
   }
 
@@ -365,7 +324,7 @@ export class UndoHistory {
   async #snapshot() {
     const config = await this.#fire.exportConfig();
     const values = this.#fire.params;
-    return { values, config, kept: new Map(this.#kept) };
+    return { values, config, kept: this.#kept.all };
   }
 
   /**
@@ -395,16 +354,6 @@ export class UndoHistory {
     promise.then(close, close);
     return promise;
   }
-}
-
-/** @type {(values: Values) => [Id, Value][]} */
-function entries(values) {
-  return /** @type {[Id, Value][]} */ (Object.entries(values));
-}
-
-/** Whether the resolution follows the quality until this parameter is set. @type {(id: Id) => boolean} */
-function ofResolution(id) {
-  return id === COUNT || id === SPACING;
 }
 
 /** Whether a step that changes one value changes nothing. @param {Step} step */

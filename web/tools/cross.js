@@ -1,0 +1,99 @@
+/**
+ * The cross that stands for the pointer while keys draw.
+ *
+ * @typedef {import('./geometry.js').Point} Point
+ * @typedef {import('./gestures.js').How} How
+ */
+
+import { blow, throwSparks } from './air.js';
+
+/** The pointer that the keys are. */
+const KEYS = -1;
+
+/** How long a key blows [ms]. */
+const PUFF_MS = 250;
+
+/** The cross of one toolbar. */
+export class Cross {
+  #hands;
+  #pointers;
+  #overlay;
+  /** @type {Point | undefined} */
+  #at;
+  /** Where it blows. @type {Point} */
+  #aim = { x: 0, y: 1 };
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #puffEnds;
+
+  /**
+   * @param {import('./gestures.js').Hands} hands
+   * @param {import('./pointers.js').Pointers} pointers
+   * @param {import('./overlay.js').Overlay} overlay
+   */
+  constructor(hands, pointers, overlay) {
+    this.#hands = hands;
+    this.#pointers = pointers;
+    this.#overlay = overlay;
+  }
+
+  /** Whether it is shown. */
+  get shown() {
+    return this.#at !== undefined;
+  }
+
+  /** Moves it to a point, or hides it. @param {Point | undefined} at */
+  point(at) {
+    this.#at = at;
+    this.#overlay.cross(at);
+    if (!at) this.#pointers.cancel(KEYS);
+  }
+
+  /** Where it is; in the middle of what is seen if it was hidden. */
+  #show() {
+    const { x, y } = this.#at ?? this.#overlay.seen;
+    this.point({ x, y });
+    return { x, y };
+  }
+
+  /** Moves it, and returns where it is. @type {(right: number, up: number, how: How) => Point} */
+  move(right, up, how) {
+    const from = this.#at ?? this.#overlay.seen;
+    const at = { x: from.x + right, y: from.y + up };
+    this.point(at);
+    this.#pointers.move(KEYS, at, how);
+    return at;
+  }
+
+  /** Blows from it for a moment, in the direction of the last time if there is none. @type {(how: How, towards?: Point) => void} */
+  puff(how, towards = this.#aim) {
+    const at = this.#show();
+    this.#aim = towards;
+    const gesture = blow(this.#hands, at, towards);
+    this.#pointers.follow(KEYS, gesture);
+    gesture.move(at, how);
+    clearTimeout(this.#puffEnds);
+    this.#puffEnds = setTimeout(() => this.#pointers.cancel(KEYS), PUFF_MS);
+  }
+
+  /** Presses at it or, after that, releases. What acts on the fire acts at once. @type {(tool: string, how: How) => void} */
+  press(tool, how) {
+    if (tool === 'blow') {
+      this.puff(how);
+      return;
+    }
+    const at = this.#show();
+    if (tool === 'sparks') {
+      throwSparks(this.#hands, at);
+      return;
+    }
+    const began = this.#pointers.has(KEYS);
+    if (!began) this.#pointers.begin(tool, KEYS, at, how);
+    // A press that adds to the selection is a click.
+    if (began || (how.adds && tool === 'select')) this.#pointers.end(KEYS, at, how);
+  }
+
+  /** Ends what its keys have begun. */
+  remove() {
+    clearTimeout(this.#puffEnds);
+  }
+}

@@ -14,14 +14,15 @@ const BYTES_PER_PARTICLE: usize = 1024;
 /// particles. The allocator keeps it.
 ///
 /// # Errors
-/// The fire grows or changes its model, and the browser gives no more memory.
+/// The fire grows or changes its model or its edges, and the browser gives no more memory.
 pub fn reserve(
     old: Option<&Parameters>,
     new: &Parameters,
     limit: u32,
 ) -> Result<(), ValidationError> {
     let wanted = new.max_particles;
-    if old.is_some_and(|old| wanted <= old.max_particles && new.model() == old.model())
+    let kind = |values: &Parameters| (values.model(), values.has_open_edges());
+    if old.is_some_and(|old| wanted <= old.max_particles && kind(new) == kind(old))
         || has_room(wanted.min(limit) as usize)
     {
         return Ok(());

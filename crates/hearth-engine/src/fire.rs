@@ -245,11 +245,12 @@ impl Fire {
     /// Tells the simulation what the picture shows before it is enlarged.
     fn see(&mut self) {
         let (width, height) = self.size;
+        let values = self.requested.parameters();
         // The map of what is seen needs less memory than so many particles.
-        if width == 0 || height == 0 || !memory::has_room(MAP_IN_PARTICLES) {
+        let has_room = !values.has_open_edges() || memory::has_room(MAP_IN_PARTICLES);
+        if width == 0 || height == 0 || !has_room {
             return;
         }
-        let values = self.requested.parameters();
         let domain = [values.domain_width, values.domain_height];
         let viewport = Viewport::new([width, height], domain, self.camera.zoomed_out());
         self.simulation

@@ -8,10 +8,15 @@ flat in vec4 field;
 uniform sampler2D particles; // the solids
 uniform float pixel_size;    // [m]
 
-float sampled(ivec2 at) {
-    int number = at.y * int(field.y) + at.x;
-    int texel = int(field.x) + number / 4;
+// A number of a list of rows: its first texel and the length of a row come first.
+float listed(vec2 first, ivec2 at) {
+    int number = at.y * int(first.y) + at.x;
+    int texel = int(first.x) + number / 4;
     return texelFetch(particles, ivec2(texel % (ROW * TEXELS), texel / (ROW * TEXELS)), 0)[number % 4];
+}
+
+float sampled(ivec2 at) {
+    return listed(field.xy, at);
 }
 
 // Outward normal and distance [m], negative inside.

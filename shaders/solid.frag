@@ -5,6 +5,8 @@
 
 in vec2 uv;
 flat in vec3 turn;
+flat in vec3 grid;
+in vec2 spot;
 
 uniform sampler2D shown;
 uniform sampler2D glow;       // square root of light / range
@@ -36,6 +38,12 @@ vec3 light_at(vec2 side) {
     vec3 root = texture(irradiance, uv + side * AROUND * per_height).rgb;
     vec3 light = root * root;
     return mix(light, vec3(dot(light, vec3(0.333))), PALE);
+}
+
+// Temperature [kK] and char of a cell.
+vec2 cell_at(vec2 at) {
+    float number = listed(grid.xy, ivec2(clamp(at, vec2(0.0), grid.yz - 1.0)));
+    return vec2(floor(number) * 1e-3, fract(number));
 }
 
 void main() {
@@ -104,6 +112,15 @@ void main() {
         shine = 1.0;
         cover = 0.12 + 0.6 * rim * rim * rim;
     }
+    if (grid.y > 0.0) {
+        vec2 low = floor(spot);
+        vec2 part = spot - low;
+        vec2 state = mix(mix(cell_at(low), cell_at(low + vec2(1.0, 0.0)), part.x),
+                         mix(cell_at(low + vec2(0.0, 1.0)), cell_at(low + 1.0), part.x), part.y);
+        kilokelvin = state.x;
+        // Char begins in spots.
+        colour *= 1.0 - 0.9 * smoothstep(0.0, 0.3, state.y + 0.2 * fine.w);
+    }
     vec2 tilt = turned * (normal + bump);
     vec3 facing = normalize(vec3(tilt, sqrt(max(1.0 - dot(normal, normal), 0.0)) + 0.05));
     // The irradiance, and the direction of the fire from its slope.
@@ -123,12 +140,14 @@ void main() {
     float open = (1.0 - 0.4 * rim * rim * rim) * mix(0.3, 1.0, smoothstep(0.0, 0.5, (uv.y - floor_middle.y) * picture_size.y / size));
     if (material == 1.0) {
         // Wood in the flame is black, and its cracks glow.
-        float burnt = smoothstep(0.05, 0.5, max(nearby.r, 0.02 * fire_light.r));
+        float burnt = grid.y > 0.0 ? 0.0 : smoothstep(0.05, 0.5, max(nearby.r, 0.02 * fire_light.r));
         colour *= 1.0 - 0.75 * burnt;
         ember *= burnt;
     }
     vec3 seen = open * (colour * (lit * fire_light + nearby + (NIGHT + sky) * (1.2 + facing.y)) + gloss * fire_light);
-    if (kilokelvin > 0.0) {
+    if (grid.y > 0.0) {
+        ember = smoothstep(0.65, 0.9, kilokelvin + 0.15 * fine.w);
+    } else if (kilokelvin > 0.0) {
         // A solid of a fixed temperature glows everywhere.
         ember = 1.0 - 0.5 * rim * rim;
     } else {

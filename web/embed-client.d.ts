@@ -76,6 +76,8 @@ export interface FrameFire extends EventTarget {
   toBlob(type?: string, quality?: number): Promise<Blob>;
   stir(x: number, y: number, u: number, v: number): Promise<void>;
   sparks(x: number, y: number, count?: number): Promise<void>;
+  ignite(place: number, y?: number): Promise<void>;
+  extinguish(place: number, y?: number, radius?: number): Promise<void>;
   /** Resolves to an attribute of the element. A value sets it; null removes it, and so does false, except for `autoplay`. */
   option(name: FrameOption, value?: string | number | boolean | null): Promise<string | null>;
   /** Calls a method by its name. */

@@ -12,7 +12,8 @@
 /** The methods of the fire; each returns a promise. */
 const METHODS = [
   'ready', 'play', 'pause', 'reset', 'step', 'set', 'get', 'params', 'objects', 'stats', 'restore',
-  'addObject', 'changeObject', 'removeObject', 'exportConfig', 'importConfig', 'toBlob', 'stir', 'sparks', 'option',
+  'addObject', 'changeObject', 'removeObject', 'exportConfig', 'importConfig', 'toBlob', 'stir', 'sparks', 'ignite',
+  'extinguish', 'option',
 ];
 
 /** The maximum time from the load of the iframe to its first message [ms]. */

@@ -163,6 +163,19 @@ export class HearthFire extends HTMLElement {
    */
   sparks(x: number, y: number, count?: number): Promise<void>;
   /**
+   * Lights a solid that has fuel: all of its surface, by its id, or what is within 0.1 m of a point.
+   * @param place the id, or metres from the middle of the floor
+   * @param y metres above the floor
+   */
+  ignite(place: number, y?: number): Promise<void>;
+  /**
+   * Puts out a solid that has fuel, by its id, or all that is within a radius of a point: cools it and the gas there.
+   * @param place the id, or metres from the middle of the floor
+   * @param y metres above the floor
+   * @param radius in metres, 0.2 without it
+   */
+  extinguish(place: number, y?: number, radius?: number): Promise<void>;
+  /**
    * Converts a point of the element to the domain: metres from the middle of the floor, y upwards. Null while there is no picture.
    * @param x CSS pixels from the element's left edge
    * @param y CSS pixels from its upper edge

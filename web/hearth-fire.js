@@ -355,6 +355,28 @@ class HearthFire extends FireAttributes {
   }
 
   /**
+   * Lights a solid that has fuel: all of its surface, by its id, or what is within 0.1 m of a point.
+   * @param {number} place the id, or metres from the middle of the floor
+   * @param {number} [y] metres above the floor
+   * @returns {Promise<void>}
+   */
+  ignite(place, y) {
+    return this.#session.call('light', true, y === undefined ? -1 : 0, ...postable([place, y ?? 0], 1));
+  }
+
+  /**
+   * Puts out a solid that has fuel, by its id, or all that is within a radius of a point: cools it and the
+   * gas there.
+   * @param {number} place the id, or metres from the middle of the floor
+   * @param {number} [y] metres above the floor
+   * @param {number} [radius] in metres, 0.2 without it
+   * @returns {Promise<void>}
+   */
+  extinguish(place, y, radius = 0.2) {
+    return this.#session.call('light', false, ...postable([y === undefined ? -1 : radius, place, y ?? 0], 1));
+  }
+
+  /**
    * Converts a point of the element to the domain: metres from the middle of the floor, y upwards. Null
    * while there is no picture.
    * @param {number} x CSS pixels from the element's left edge

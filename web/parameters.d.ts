@@ -5,7 +5,7 @@
 export type ModelName = "classic" | "combustion";
 
 /** The name of a preset. */
-export type PresetName = "default" | "bonfire-in-wind" | "burning-word" | "campfire" | "candle" | "fireplace" | "fireside" | "forge" | "gas-burner" | "ghost-fire" | "match" | "ring-of-fire" | "sheltered-candle" | "smoke-stack" | "torch" | "wall-of-fire" | "classic" | "paper-buoyancy" | "paper-fire" | "paper-smoothing" | "paper-stiffness" | "paper-viscosity" | "seed";
+export type PresetName = "default" | "bonfire-in-wind" | "burning-word" | "campfire" | "candle" | "fireplace" | "fireside" | "forge" | "gas-burner" | "ghost-fire" | "match" | "ring-of-fire" | "sheltered-candle" | "smoke-stack" | "torch" | "wall-of-fire" | "wooden-word" | "classic" | "paper-buoyancy" | "paper-fire" | "paper-smoothing" | "paper-stiffness" | "paper-viscosity" | "seed";
 
 /** The value of every parameter, by its id. */
 export interface HearthParameters {
@@ -433,6 +433,12 @@ export interface HearthSolid {
   temperature?: number;
   /** A solid that heats and cools more slowly. Heat capacity by volume; that of stone and iron is 2000 to 3500. [kJ/(m³·K)] Default 100, from 10 to 5000. */
   heat_capacity?: number;
+  /** A solid that burns where it is hot enough, until nothing is left. It has a temperature in each part of it, whatever `thermal` is. In the classic model it does not burn. Default "none". */
+  fuel?: "none" | "wood" | "paper" | "coal" | "wax" | "cloth";
+  /** A fire that lasts longer and spreads more slowly. Dry mass of the fuel by area of the solid. [kg/m²] Default 2, from 0.05 to 200. */
+  load?: number;
+  /** A fuel that catches fire later. Mass of the water as a share of that of the dry fuel. [%] Default 8, from 0 to 100. */
+  moisture?: number;
   /** A solid that moves by itself, and pushes the gas. Sway: to and fro along a line. Spin: around its place. No part of it is faster than 3 m/s. Default "still". */
   motion?: "still" | "sway" | "spin";
   /** A solid that moves farther. Distance of its turning points from its place. [m] Default 0.3, from 0 to 5. */
@@ -534,6 +540,10 @@ export interface HearthStats {
   time: number;
   /** Power of the combustion [kW/m]; 0 in the classic model. */
   power: number;
+  /** Fuel that is left in solids, as a share; 0 without any. */
+  fuelLeft: number;
+  /** Whether solids with fuel burn: `burning` if one does. Otherwise `no-oxygen` or `out`, if one went out for want of oxygen or of heat; `unlit`; `burnt`, if nothing is left; empty without fuel. */
+  fuel: string;
   /** Real-time factor: seconds of fire per second of the clock, averaged over a second. */
   timeScale: number;
   /** Whether the fire fell behind the clock in the last second, so that the page stays responsive. */

@@ -350,6 +350,12 @@ export interface HearthSolidAttributes {
   temperature?: number | `${number}` | undefined;
   /** A solid that heats and cools more slowly. Heat capacity by volume; that of stone and iron is 2000 to 3500. [kJ/(m³·K)] Default 100, from 10 to 5000. */
   'heat-capacity'?: number | `${number}` | undefined;
+  /** A solid that burns where it is hot enough, until nothing is left. It has a temperature in each part of it, whatever `thermal` is. In the classic model it does not burn. Default "none". */
+  fuel?: "none" | "wood" | "paper" | "coal" | "wax" | "cloth" | undefined;
+  /** A fire that lasts longer and spreads more slowly. Dry mass of the fuel by area of the solid. [kg/m²] Default 2, from 0.05 to 200. */
+  load?: number | `${number}` | undefined;
+  /** A fuel that catches fire later. Mass of the water as a share of that of the dry fuel. [%] Default 8, from 0 to 100. */
+  moisture?: number | `${number}` | undefined;
   /** A solid that moves by itself, and pushes the gas. Sway: to and fro along a line. Spin: around its place. No part of it is faster than 3 m/s. Default "still". */
   motion?: "still" | "sway" | "spin" | undefined;
   /** A solid that moves farther. Distance of its turning points from its place. [m] Default 0.3, from 0 to 5. */

@@ -91,6 +91,25 @@ export interface Embers {
   lifetimes: Float32Array;
 }
 
+/** A solid with fuel; masses in kg per metre of depth. */
+export interface BurningSolid {
+  id: number;
+  /** Whether it burns, has burnt, or went out for want of heat or of oxygen. */
+  state: 'unlit' | 'burning' | 'burnt' | 'out' | 'no-oxygen';
+  /** Dry mass at first. */
+  first: number;
+  /** Fuel that is left. */
+  fuel: number;
+  /** Water that is left. */
+  water: number;
+  /** Char and ash that are left. */
+  char: number;
+  /** Power of the gas that it gives off and of its char [kW/m]. */
+  power: number;
+  /** Highest temperature [K]. */
+  temperature: number;
+}
+
 /** A refused value. A call with a refused value changes nothing. */
 export interface SimulationRangeError extends RangeError {
   id: string;
@@ -178,6 +197,17 @@ export interface Simulation {
   particles(): Particles;
   /** The embers; none in the classic model. */
   embers(): Embers;
+  /** The solids with fuel, in the order of the objects; none in the classic model. */
+  fuels(): BurningSolid[];
+  /**
+   * Lights a solid with fuel: all of its surface, by its id, or what is within 0.1 m of a point [m].
+   * Throws a `RangeError` if there is no fuel.
+   */
+  ignite(id: number): void;
+  ignite(x: number, y: number): void;
+  /** Puts out a solid with fuel, by its id, or all that is within a radius of a point [m], 0.2 by default. */
+  extinguish(id: number): void;
+  extinguish(x: number, y: number, radius?: number): void;
 
   /**
    * Replaces all particles. Throws and changes nothing if one of them is out of range; the

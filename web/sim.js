@@ -10,8 +10,8 @@
  * @typedef {{[id: string]: unknown}} Values
  */
 
-import { PARTICLE, embersOf, numbersOf } from './sim/particles.js';
-import { columns, fields, known, refusal, text, whole, words } from './sim/values.js';
+import { PARTICLE, embersOf, fuelsOf, numbersOf } from './sim/particles.js';
+import { columns, fields, finite, known, refusal, text, whole, words } from './sim/values.js';
 
 /** Most steps of one call: minutes of work. */
 const MAX_STEPS = 100_000;
@@ -268,6 +268,36 @@ class Simulation {
     return embersOf(this.#read('embers'));
   }
 
+  /** The solids with fuel, in the order of the objects; none in the classic model. */
+  fuels() {
+    return fuelsOf(this.#read('fuels'));
+  }
+
+  /**
+   * Lights a solid with fuel: all of its surface, by its id, or what is within 0.1 m of a point.
+   * @param {number} place the id, or metres from the middle of the floor
+   * @param {number} [y] metres above the floor
+   */
+  ignite(place, y) {
+    this.#light(true, 0, place, y);
+  }
+
+  /**
+   * Puts out a solid with fuel, by its id, or all that is within a radius of a point.
+   * @param {number} place the id, or metres from the middle of the floor
+   * @param {number} [y] metres above the floor
+   * @param {number} [radius] in metres
+   */
+  extinguish(place, y, radius = 0.2) {
+    this.#light(false, radius, place, y);
+  }
+
+  /** @param {boolean} lit @param {number} radius @param {number} place @param {number} [y] */
+  #light(lit, radius, place, y) {
+    for (const [name, value] of Object.entries({ place, y: y ?? 0, radius })) finite(name, value);
+    this.#use((fire) => fire.light(lit, y === undefined ? -1 : radius, place, y ?? 0));
+  }
+
   /**
    * Replaces all particles, or throws and changes nothing.
    * @param {Values} particles
@@ -408,6 +438,7 @@ const PARTS = {
   classic: () => new URL('./wasm/hearth-sim_classic.wasm', import.meta.url),
   outlines: () => new URL('./wasm/hearth-sim_outlines.wasm', import.meta.url),
   presets: () => new URL('./wasm/hearth-sim_presets.wasm', import.meta.url),
+  fuels: () => new URL('./wasm/hearth-sim_fuels.wasm', import.meta.url),
 };
 
 /** @type {(name: string, cause: unknown) => Error} */

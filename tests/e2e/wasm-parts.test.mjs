@@ -17,7 +17,8 @@ after(() => browser?.close());
 const CLASSIC = 'hearth-engine_classic.wasm';
 const OUTLINES = 'hearth-engine_outlines.wasm';
 const QUANTITIES = 'hearth-engine_quantities.wasm';
-const GONE = { files: Object.fromEntries([CLASSIC, OUTLINES, QUANTITIES].map((file) => [file, { status: 404, body: '' }])) };
+const FUELS = 'hearth-engine_fuels.wasm';
+const GONE = { files: Object.fromEntries([CLASSIC, OUTLINES, QUANTITIES, FUELS].map((file) => [file, { status: 404, body: '' }])) };
 
 /** The fire's model, and how often the page fetched the part for it. @param {import('./driver.mjs').Tab} tab */
 const state = (tab) => tab.fire((fire) => ({
@@ -125,6 +126,55 @@ for (const [shape, properties] of Object.entries(SHAPES)) {
     await assertBurns(without);
   });
 }
+
+test('the first solid with fuel fetches the code for it, burns when it is lit, and without the code is refused', async () => {
+  const solid = { kind: 'solid', shape: 'box', x: 0.3, y: 0.6, width: 0.1, height: 0.1, fuel: 'wood', load: 1 };
+  const tab = await browser.open('<hearth-fire max-particles="1500" ember-rate="0"></hearth-fire>');
+  await tab.burnt(0.3);
+  const fetched = () => tab.evaluate((part) => performance.getEntriesByType('resource').filter(({ name }) => name.endsWith(part)).length, FUELS);
+  assert.equal(await fetched(), 0);
+  assert.equal(await tab.fire((fire) => fire.stats.fuel), '');
+  const states = await tab.fire(async (fire, object) => {
+    const all = [];
+    const note = async () => {
+      await fire.step(60);
+      all.push(fire.stats.fuel);
+    };
+    // The statistics of a paused fire follow each picture.
+    fire.pause();
+    const id = await fire.addObject(object);
+    await note();
+    await fire.ignite(id);
+    await note();
+    await fire.extinguish(id);
+    await fire.step(300);
+    await note();
+    await fire.ignite(0.3, 0.55);
+    await note();
+    await fire.extinguish(0.3, 0.6, 0.5);
+    await fire.play();
+    return all;
+  }, solid);
+  assert.deepEqual(states, ['unlit', 'burning', 'out', 'burning']);
+  assert.equal(await fetched(), 1);
+  assert.deepEqual(await tab.complaints(), []);
+  const refused = await tab.fire(async (fire) => {
+    const calls = [fire.ignite(99), fire.ignite(5, 5), fire.extinguish(1), fire.ignite(NaN, 1), fire.ignite('x')];
+    return (await Promise.allSettled(calls)).map(({ reason }) => reason?.message ?? 'done');
+  });
+  for (const message of refused.slice(0, 3)) assert.match(message, /^place = \d+ is refused: it must be a solid with fuel/);
+  for (const message of refused.slice(3)) assert.match(message, /is refused/);
+  await assertBurns(tab);
+
+  const without = await browser.open('<hearth-fire></hearth-fire>', GONE);
+  await without.burnt(0.3);
+  const { fuel: _, ...cold } = solid;
+  const outcomes = await without.fire(async (fire, objects) => Promise.allSettled(objects.map((object) => fire.addObject(object)))
+    .then((all) => all.map(({ status, reason }) => reason?.message ?? status)), [cold, solid]);
+  assert.equal(outcomes[0], 'fulfilled');
+  assert.match(outcomes[1], /^The code for (solids that burn|polygons, strokes and masks) could not be loaded/);
+  await assertBurns(without);
+});
 
 test('the display modes that show particles or a quantity fetch their code, and without it are refused', async () => {
   const show = (/** @type {import('./driver.mjs').Tab} */ tab, /** @type {string[]} */ modes) => tab.fire(async (fire, all) => {

@@ -110,7 +110,7 @@ pub fn fingerprints() -> String {
     let others = others.map(|(name, parameters)| (name, Scene::from(parameters)));
     let beside = fires::in_the_open(fires::combustion(&[]), 900);
     let beside = [("outlines", fires::beside_outlines(beside))];
-    let lit = presets.chain(others).chain(beside);
+    let lit = presets.chain(others).chain(beside).chain(burning_solids());
     let lit = lit.map(|(name, parameters)| (name, fingerprint(parameters)));
     // Taken up as it is, and by fewer particles.
     let kept = [
@@ -129,6 +129,26 @@ pub fn fingerprints() -> String {
         .chain(around)
         .map(|(name, print)| format!("{name} {print:016x}\n"))
         .collect()
+}
+
+/// Fires around a burning solid of each fuel.
+fn burning_solids() -> impl Iterator<Item = (&'static str, Scene)> {
+    ["wood", "paper", "coal", "wax", "cloth"]
+        .into_iter()
+        .map(|fuel| {
+            let settings = fires::in_the_open(fires::combustion(&[("source_height", 0.2)]), 1200);
+            let mut scene = Scene::new(settings);
+            let added = scene.add(&[
+                ("kind", Input::Text("solid")),
+                ("shape", Input::Text("line")),
+                ("angle", Input::Number(20.0)),
+                ("y", Input::Number(0.5)),
+                ("fuel", Input::Text(fuel)),
+                ("load", Input::Number(0.6)),
+            ]);
+            assert!(added.is_ok(), "{added:?}");
+            (fuel, scene)
+        })
 }
 
 /// The fingerprint of a fire around solids of every shape, one of which moves.

@@ -20,7 +20,7 @@ export function wasm() {
 
 /**
  * The parts of the wasm, by name: what reads saved fires, the classic model, the quantities of display
- * modes, and the distance from the outlines of solids.
+ * modes, the distance from the outlines of solids, and solids that burn.
  * @type {{[name: string]: () => import('./engine.js').Source}}
  */
 export const PARTS = {
@@ -28,6 +28,7 @@ export const PARTS = {
   classic: () => new URL('../wasm/hearth-engine_classic.wasm', import.meta.url),
   quantities: () => new URL('../wasm/hearth-engine_quantities.wasm', import.meta.url),
   outlines: () => new URL('../wasm/hearth-engine_outlines.wasm', import.meta.url),
+  fuels: () => new URL('../wasm/hearth-engine_fuels.wasm', import.meta.url),
 };
 
 /**

@@ -12,6 +12,7 @@
 const NEEDS = {
   classic: ['model', 'the classic model'],
   outlines: ['shape', 'polygons, strokes and masks'],
+  fuels: ['fuel', 'solids that burn'],
   quantities: ['display_mode', 'this display mode'],
 };
 

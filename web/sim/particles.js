@@ -41,6 +41,20 @@ export function embersOf(numbers) {
   return embers;
 }
 
+/** The states of a solid with fuel in the order of wasm. */
+const STATES = ['burnt', 'unlit', 'out', 'no-oxygen', 'burning'];
+
+/**
+ * The solids with fuel, from all numbers of one, then of the next.
+ * @param {Float32Array} numbers
+ */
+export function fuelsOf(numbers) {
+  return Array.from({ length: numbers.length / 8 }, (_, at) => {
+    const [id, state, first, fuel, water, char, power, temperature] = numbers.subarray(8 * at);
+    return { id, state: STATES[state], first, fuel, water, char, power, temperature };
+  });
+}
+
 /**
  * All numbers of one particle, then of the next, from an array or a number a property.
  * @param {unknown} particles

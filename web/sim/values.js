@@ -103,6 +103,12 @@ export function whole(id, value, min, max) {
   throw refusal([{ id, value, min, max, message }]);
 }
 
+/** @param {string} id @param {unknown} value */
+export function finite(id, value) {
+  if (Number.isFinite(value)) return;
+  throw refusal([{ id, value, message: `${id} = ${words(value)} is refused: it must be a finite number` }]);
+}
+
 /** @param {string} name @param {unknown} value */
 export function text(name, value) {
   if (typeof value !== 'string') throw new TypeError(`${name} must be a text, not ${words(value)}`);

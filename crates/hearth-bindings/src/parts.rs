@@ -20,9 +20,17 @@ pub fn missing(scene: &Scene) -> Option<&'static str> {
         Some("classic")
     } else if measures && !quantities_is_loaded() {
         Some("quantities")
+    } else if scene.lacks_fields() {
+        Some("outlines")
     } else {
-        scene.lacks_fields().then_some("outlines")
+        (scene.has_fuel() && !fuels_is_loaded()).then_some("fuels")
     }
+}
+
+/// Whether the part that burns solids is loaded.
+#[inline(never)]
+pub fn fuels_is_loaded() -> bool {
+    black_box(5_u8) == 5
 }
 
 /// Whether the part with the presets is loaded.

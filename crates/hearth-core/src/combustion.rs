@@ -8,10 +8,12 @@
 
 mod air;
 mod burner;
+mod charred;
 mod chemistry;
 mod embers;
 mod equation_of_state;
 mod forces;
+mod fuels;
 mod gas;
 mod interactions;
 mod number_density;
@@ -45,8 +47,11 @@ use air::OpenAir;
 pub(crate) use air::Seen;
 pub use burner::Burner;
 use burner::Fed;
+pub use charred::Charred;
 pub use embers::Ember;
 use embers::Embers;
+pub use fuels::{BurningSolid, BurningState, FuelTotal, NoFuel, Where};
+use fuels::{Fuels, Held};
 pub(crate) use gas::Gas;
 use gas::periodic_bounds;
 use interactions::Interactions;
@@ -96,6 +101,8 @@ pub(crate) struct Combustion {
     /// The particles at a burner.
     fed: Vec<Fed>,
     removed: Removed,
+    /// The solids that burn.
+    fuels: Held,
     /// Power of the combustion in the last step, and of the heating at the sources [kW/m].
     power: f32,
     preheat: f32,
@@ -133,11 +140,13 @@ impl Combustion {
             walls: Walls::default(),
             fed: Vec::new(),
             removed: Removed::default(),
+            fuels: Held::default(),
             power: 0.0,
             preheat: 0.0,
             clamped_shifts: 0,
             length: 0.0,
         };
+        combustion.set_fuels(scene);
         combustion.settle_lattice(parameters);
         combustion.reserve(parameters);
         combustion
@@ -149,6 +158,9 @@ impl Combustion {
         gas::make_room(&mut self.fed, capacity);
         if self.open.is_some() || !self.solids.is_empty() {
             self.walls.reserve(self.capacity(values));
+        }
+        if let Some(fuels) = &mut *self.fuels {
+            fuels.reserve(capacity);
         }
         let Some(open) = &self.open else {
             return;
@@ -200,6 +212,8 @@ impl Combustion {
         random: &mut Random,
         time: f64,
     ) {
+        // A saved fire does not hold what solids with fuel have lost.
+        self.fuels = Held::default();
         // The solids first: the gas of the particles is around them.
         self.place_solids(scene, time);
         self.set_particles(particles, scene.settings());
@@ -220,6 +234,20 @@ impl Combustion {
         let bounds = self.present_bounds(values);
         let support = 2.0 * values.smoothing_length();
         self.solids.update(scene, time, &bounds, support);
+        self.set_fuels(scene);
+    }
+
+    /// Gives the solids that burn their cells.
+    fn set_fuels(&mut self, scene: &Scene) {
+        if self.fuels.is_some() || scene.has_fuel() {
+            Fuels::set(&mut self.fuels, scene, &mut self.solids);
+        }
+    }
+
+    /// Total power of the sources and of the solids that burn [kW/m].
+    fn total_power(&self, scene: &Scene) -> f32 {
+        let burning = self.fuels.as_ref().map_or(0.0, |fuels| fuels.power());
+        scene.power() + burning
     }
 
     /// The rectangle of the gas at present.
@@ -263,6 +291,50 @@ impl Combustion {
     /// Sets the temperatures of the solids that conduct heat, in their order \[K\].
     pub fn set_solid_temperatures(&mut self, all: &[f32]) {
         self.solids.set_temperatures(all);
+    }
+
+    /// Lights solids that have fuel.
+    pub fn ignite(&mut self, at: Where, values: &Physics) -> Result<(), NoFuel> {
+        match &mut *self.fuels {
+            Some(fuels) => fuels.ignite(at, &mut self.gas, &self.solids, values),
+            None => Err(NoFuel),
+        }
+    }
+
+    /// Puts out solids that have fuel, and gas.
+    pub fn extinguish(&mut self, at: Where, values: &Physics) -> Result<(), NoFuel> {
+        match &mut *self.fuels {
+            Some(fuels) => fuels.extinguish(at, &mut self.gas, &self.solids, values),
+            None => Err(NoFuel),
+        }
+    }
+
+    /// The solids that have fuel.
+    pub fn burning_solids(&self, values: &Physics) -> Vec<BurningSolid> {
+        let heat = chemistry::heat_of_combustion(values);
+        let fuels = self.fuels.as_ref();
+        fuels.map_or_else(Vec::new, |fuels| {
+            fuels.solids(values.ambient_temperature, heat)
+        })
+    }
+
+    /// All solids that have fuel, together.
+    pub fn fuel_total(&self, values: &Physics) -> FuelTotal {
+        let heat = chemistry::heat_of_combustion(values);
+        let fuels = self.fuels.as_ref();
+        fuels.map_or_else(FuelTotal::default, |fuels| fuels.total(heat))
+    }
+
+    /// Updates what a picture shows of the solids that have fuel.
+    pub fn show_fuels(&mut self) {
+        if let Some(fuels) = &mut *self.fuels {
+            fuels.show();
+        }
+    }
+
+    /// The solids that have fuel, for a picture, as they were when they were last updated.
+    pub fn charred(&self) -> Option<&Charred> {
+        self.fuels.as_ref().map(|fuels| &fuels.charred)
     }
 
     /// Writes the embers for the renderer.
@@ -351,7 +423,7 @@ impl Solver for Combustion {
     }
 
     fn sound_speed(&self, scene: &Scene) -> f32 {
-        sound_speed(scene.settings(), scene.power())
+        sound_speed(scene.settings(), self.total_power(scene))
     }
 
     /// Length of the last step, or an estimate of the first \[s\].

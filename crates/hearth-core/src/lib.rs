@@ -49,7 +49,9 @@ mod solver;
 mod source;
 mod time_step;
 
-pub use combustion::{Burner, Ember, Removed};
+pub use combustion::{
+    Burner, BurningSolid, BurningState, Charred, Ember, FuelTotal, NoFuel, Removed, Where,
+};
 pub use forces::{BodyForce, LocalGas};
 pub use glam::Vec2;
 pub use instance::Instance;

@@ -24,8 +24,8 @@ pub(crate) mod text;
 mod value;
 
 pub use choices::{
-    Backdrop, Choice, DisplayMode, Edges, Floor, Ground, Layers, Material, Model, Motion, Palette,
-    Shape, SourceShape, Thermal, Walls,
+    Backdrop, Choice, DisplayMode, Edges, Floor, Fuel, Ground, Layers, Material, Model, Motion,
+    Palette, Shape, SourceShape, Thermal, Walls,
 };
 pub use entry::{Condition, Description, Domain, Kind, Role, Scale, conditions_in_words};
 pub use outline::{Mask, Points};

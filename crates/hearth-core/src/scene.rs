@@ -14,7 +14,7 @@ mod object;
 #[cfg(test)]
 mod tests;
 
-use crate::params::{Input, ParamError, ParamErrorKind, Parameters, Physics, Solid};
+use crate::params::{Fuel, Input, ParamError, ParamErrorKind, Parameters, Physics, Solid};
 
 pub use crate::params::Property;
 pub use distance::{RoundedBox, Surface};
@@ -135,6 +135,11 @@ impl Scene {
     pub fn lacks_fields(&self) -> bool {
         let mut surfaces = self.surfaces();
         surfaces.any(|(_, solid, surface)| solid.lacks_field(surface))
+    }
+
+    /// Whether a solid has fuel.
+    pub fn has_fuel(&self) -> bool {
+        self.solids().any(|solid| solid.fuel != Fuel::None)
     }
 
     /// The solid that a source is on and its surface; `None` if the source is a line.

@@ -2,6 +2,7 @@
 //! [`Combustion`](crate::params::Model::Combustion).
 
 pub mod burning;
+mod fuels;
 mod model;
 mod place;
 mod readers;

@@ -11,13 +11,14 @@ mod tests;
 mod thin;
 
 use std::f32::consts::PI;
+use std::sync::Arc;
 
 use glam::Vec2;
 
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
-use crate::params::{Physics, Thermal};
-use crate::scene::{Drive, MAX_SPEED, RoundedBox, Scene, Surface};
+use crate::params::{Fuel, Physics, Thermal};
+use crate::scene::{Drive, Field, MAX_SPEED, RoundedBox, Scene, Surface};
 use heat::{Inflow, Store};
 
 /// Longest and shortest time of a motion \[s\].
@@ -44,6 +45,8 @@ pub(crate) struct Body {
     pub reach: f32,
     /// Temperature of the surface \[K\]; `None` if no heat passes.
     pub temperature: Option<f32>,
+    /// Whether it has fuel.
+    pub burns: bool,
     /// How a body that conducts heat stores and radiates it.
     store: Option<Store>,
     /// Velocity [m/s] and angular velocity [1/s] of the last motion.
@@ -55,6 +58,11 @@ pub(crate) struct Body {
 }
 
 impl Body {
+    /// The id of its solid.
+    pub fn id(&self) -> u32 {
+        self.id
+    }
+
     /// Notes that gas of a temperature \[K\] exchanges heat with it at that conductance [kW/K].
     #[inline]
     pub fn exchange(&mut self, conductance: f32, temperature: f32) {
@@ -109,6 +117,13 @@ impl Solids {
         let old = std::mem::take(&mut self.bodies);
         for (id, solid, surface) in scene.surfaces() {
             let frame = surface.frame;
+            let burns = solid.fuel != Fuel::None;
+            // One that burns has a temperature in each part of it.
+            let thermal = if burns {
+                Thermal::Adiabatic
+            } else {
+                solid.thermal
+            };
             let mut body = Body {
                 id,
                 rest: frame,
@@ -118,8 +133,9 @@ impl Solids {
                 driven: (Vec2::ZERO, 0.0),
                 surface: surface.clone(),
                 reach: frame.reach(),
-                temperature: (solid.thermal != Thermal::Adiabatic).then_some(solid.temperature),
-                store: (solid.thermal == Thermal::Conducting).then(|| Store::of(solid, surface)),
+                temperature: (thermal != Thermal::Adiabatic).then_some(solid.temperature),
+                burns,
+                store: (thermal == Thermal::Conducting).then(|| Store::of(solid, surface)),
                 velocity: Vec2::ZERO,
                 spin: 0.0,
                 left: 0.0,
@@ -218,6 +234,23 @@ impl Solids {
             if body.left <= 0.0 {
                 (body.velocity, body.spin) = (Vec2::ZERO, 0.0);
             }
+        }
+    }
+
+    /// The first body of a solid.
+    pub fn first(&self, id: u32) -> Option<&Body> {
+        self.bodies.iter().find(|body| body.id == id)
+    }
+
+    /// Gives the bodies of a solid a sampled surface around the same centre.
+    #[inline(never)]
+    pub fn reshape(&mut self, id: u32, field: &Arc<Field>) {
+        for body in self.bodies.iter_mut().filter(|body| body.id == id) {
+            for frame in [&mut body.rest, &mut body.surface.frame] {
+                (frame.half, frame.radius) = (field.half, 0.0);
+            }
+            body.reach = body.rest.reach();
+            body.surface.field = Some(field.clone());
         }
     }
 

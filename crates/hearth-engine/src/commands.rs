@@ -163,6 +163,9 @@ commands! { 'a
     "stir" Stir { x: Metres, y: Metres, u: Speed, v: Speed }
     /// Throws sparks from a position \[m\].
     "sparks" Sparks { x: Metres, y: Metres, count: Whole<1, 200> }
+    /// Lights what is within a radius of a position \[m\] or, unless `lit`, puts it out; 0 is the
+    /// usual radius. With a radius below 0, `place` is the id of a solid with fuel.
+    "light" Light { lit: bool, radius: f64, place: f64, y: f64 }
     /// Sets how the domain fits the picture, and its alignment from the left and from below.
     "view" View { fit: NamedFit, x: Align, y: Align }
     /// Enlarges a part of the picture at that position from the left and from below.

@@ -4,6 +4,7 @@
 //! returns whether to request another frame, so no loop runs while all fires rest.
 
 use hearth_bindings::{Untrusted, ValidationError, memory, panic, parts, settings};
+use hearth_core::{NoFuel, Vec2, Where};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::WebGl2RenderingContext;
@@ -183,6 +184,26 @@ impl Engine {
     }
 }
 
+/// Lights an object or a place of a fire, or puts it out.
+#[inline(never)]
+fn light(
+    fire: &mut Fire,
+    lit: bool,
+    radius: f64,
+    place: f64,
+    y: f64,
+) -> Result<(), Vec<ValidationError>> {
+    let at = if radius < 0.0 {
+        Where::Object(place as u32)
+    } else {
+        Where::Place(Vec2::new(place as f32, y as f32), radius as f32)
+    };
+    fire.light(lit, at).map_err(|_| {
+        let place = Untrusted::Number(place);
+        vec![ValidationError::new("place", &place, NoFuel::ALLOWED)]
+    })
+}
+
 /// Maximum number of particles of a fire that is not measured yet: limited on a page's own thread.
 const fn limit(on_page: bool) -> u32 {
     if on_page { START } else { u32::MAX }
@@ -283,6 +304,17 @@ impl Engine {
                 fire.apply_force(PointerForce::new(pair(x.0, y.0), pair(u.0, v.0)));
             }
             Command::Sparks { x, y, count } => fire.throw_sparks(x.0 as f32, y.0 as f32, count.0),
+            Command::Light {
+                lit,
+                radius,
+                place,
+                y,
+            } => {
+                if !parts::fuels_is_loaded() {
+                    return Ok(Answer::Missing("fuels"));
+                }
+                light(fire, lit, radius, place, y)?;
+            }
             Command::View { fit, x, y } => fire.set_fit(fit.0, [x.0 as f32, y.0 as f32]),
             Command::Zoom { zoom, x, y } => fire.set_zoom(zoom.0 as f32, [x.0 as f32, y.0 as f32]),
             Command::Quality { quality } => fire.request_quality(quality.0, events),

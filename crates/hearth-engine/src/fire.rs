@@ -7,7 +7,7 @@ use glam::Vec2;
 use hearth_bindings::memory;
 use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
-use hearth_core::{Instance, Parameters, Simulation, burning};
+use hearth_core::{Instance, NoFuel, Parameters, Simulation, Where, burning};
 use hearth_render::{Camera, Fit, Viewport};
 
 use crate::average::Averages;
@@ -219,6 +219,17 @@ impl Fire {
     pub fn throw_sparks(&mut self, x: f32, y: f32, count: u32) {
         self.simulation.throw_embers(Vec2::new(x, y), count);
         self.stale = true;
+    }
+
+    /// Lights what is there, or puts it out.
+    pub fn light(&mut self, lit: bool, at: Where) -> Result<(), NoFuel> {
+        self.stale = true;
+        let act = if lit {
+            Simulation::ignite
+        } else {
+            Simulation::extinguish
+        };
+        act(&mut self.simulation, at)
     }
 
     /// Sets how the domain fits the picture.

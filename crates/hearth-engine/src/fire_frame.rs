@@ -1,7 +1,7 @@
 //! The rendering of one fire in the context that all fires share.
 
 use hearth_core::params::{DisplayMode, Model};
-use hearth_core::{Instance, Scene};
+use hearth_core::{Charred, Instance, Scene};
 use hearth_render::{Camera, CarriedNoise, Motion, RenderError, Renderer, ResolutionLimits, View};
 
 use crate::pass_times::PassTimes;
@@ -72,7 +72,7 @@ impl FireFrame {
         size: (u32, u32),
         limits: ResolutionLimits,
         (instances, embers): (&[Instance], &[Instance]),
-        (time, scene, temperatures): (f64, &Scene, &[(u32, f32)]),
+        (time, scene, temperatures, charred): (f64, &Scene, &[(u32, f32)], Option<&Charred>),
         camera: Camera,
         paused: bool,
         clock: &WallClock,
@@ -92,7 +92,7 @@ impl FireFrame {
             let passes = &mut drawing.passes;
             let [width, height] = canvas.resize(size);
             renderer.upload(gl, parameters.display_mode, instances, embers);
-            renderer.upload_solids(gl, scene, time, temperatures);
+            renderer.upload_solids(gl, scene, time, temperatures, charred);
             let sent = clock.now();
             renderer.set_limits(limits);
             passes.begin(context, clock);

@@ -25,7 +25,7 @@ pub struct Stat {
 
 /// Expands the table to [`STATS`] and, in wasm, to the function that fills an object.
 macro_rules! stats {
-    ($fire:ident, $report:ident, $canvas:ident => $(
+    ($fire:ident, $report:ident, $fuels:ident, $canvas:ident => $(
         $(#[doc = $doc:literal])+
         $name:literal : $kind:literal = $setter:ident($value:expr)
     )+) => {
@@ -41,6 +41,7 @@ macro_rules! stats {
         pub(crate) fn of($fire: &Fire, $canvas: &SharedCanvas) -> Record {
             // The report counts the neighbours again.
             let $report = $fire.simulation.report();
+            let $fuels = $fire.simulation.fuel_total();
             let record = Record::new();
             $( record.$setter($name, $value); )+
             record
@@ -48,7 +49,7 @@ macro_rules! stats {
     };
 }
 
-stats! { fire, report, canvas =>
+stats! { fire, report, fuels, canvas =>
     /// Pictures per second.
     "fps": "number" = set_number(fire.fps.fps())
     /// Number of particles.
@@ -63,6 +64,11 @@ stats! { fire, report, canvas =>
     "time": "number" = set_number(fire.simulation.time())
     /// Power of the combustion [kW/m]; 0 in the classic model.
     "power": "number" = set_number(fire.averages.power)
+    /// Fuel that is left in solids, as a share; 0 without any.
+    "fuelLeft": "number" = set_number(fuels.left)
+    /// Whether solids with fuel burn: `burning` if one does. Otherwise `no-oxygen` or `out`, if one went
+    /// out for want of oxygen or of heat; `unlit`; `burnt`, if nothing is left; empty without fuel.
+    "fuel": "string" = set_text(fuels.state)
     /// Real-time factor: seconds of fire per second of the clock, averaged over a second.
     "timeScale": "number" = set_number(fire.real_time.factor())
     /// Whether the fire fell behind the clock in the last second, so that the page stays

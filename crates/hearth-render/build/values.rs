@@ -1,7 +1,7 @@
 //! Constants of `src/constants.rs` for shaders.
 
 use crate::constants::{
-    BLOCK, COOLEST, ENTRIES, FRONT, HOTTEST, NOISE_LEVELS, ROW, SURFACES, TEXELS,
+    BLOCK, BURNING, COOLEST, ENTRIES, FRONT, HOTTEST, NOISE_LEVELS, ROW, SURFACES, TEXELS,
 };
 
 /// Names and values in GLSL.
@@ -17,6 +17,7 @@ pub fn shared() -> Vec<(&'static str, String)> {
         ("NOISE_LEVELS", real(NOISE_LEVELS as f32)),
         ("SURFACES", real(SURFACES)),
         ("FRONT", real(FRONT)),
+        ("BURNING", real(BURNING)),
         ("TABLE_SCALE", real(scale)),
         ("TABLE_OFFSET", real(offset)),
     ]

@@ -11,6 +11,9 @@ pub const TEXELS: usize = 2;
 pub const SURFACES: f32 = 4096.0;
 /// Added to the number of the material of a solid before the fire.
 pub const FRONT: f32 = 16.0;
+/// Added to the number of the material of a solid with fuel. The place of its cells is then in place
+/// of the temperature.
+pub const BURNING: f32 = 32.0;
 
 /// Mipmap levels of the noise tile below its finest one.
 pub const NOISE_LEVELS: u32 = 7;

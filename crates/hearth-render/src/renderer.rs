@@ -6,7 +6,7 @@ mod fit;
 use std::rc::Rc;
 
 use hearth_core::params::DisplayMode;
-use hearth_core::{Instance, Parameters, Scene, Source};
+use hearth_core::{Charred, Instance, Parameters, Scene, Source};
 
 use crate::advection;
 use crate::bounds::ParticleBounds;
@@ -158,10 +158,18 @@ impl<G: Graphics> Renderer<G> {
     }
 
     /// Uploads the solids of a scene at a time of its fire \[s\]. Until the next call they stay in the pictures. Those that
-    /// conduct heat have the temperatures \[K\] of their ids, or at first that of the scene.
-    pub fn upload_solids(&mut self, gl: &G, scene: &Scene, time: f64, temperatures: &[(u32, f32)]) {
+    /// conduct heat have the temperatures \[K\] of their ids, or at first that of the scene; those that have
+    /// fuel, what is left of them.
+    pub fn upload_solids(
+        &mut self,
+        gl: &G,
+        scene: &Scene,
+        time: f64,
+        temperatures: &[(u32, f32)],
+        charred: Option<&Charred>,
+    ) {
         self.source = Source::on_solid(scene, time);
-        self.solids.upload(gl, scene, time, temperatures);
+        self.solids.upload(gl, scene, time, temperatures, charred);
     }
 
     /// Draws the uploaded particles and solids. Ignores a picture without pixels.

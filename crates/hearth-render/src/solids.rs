@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use hearth_core::params::{Material, Solid, Thermal};
 use hearth_core::scene::{Field, RoundedBox};
-use hearth_core::{Instance, Scene};
+use hearth_core::{Charred, Instance, Scene};
 
-use crate::constants::{FRONT, ROW, SURFACES};
+use crate::constants::{BURNING, FRONT, ROW, SURFACES};
 use crate::gl::Graphics;
 use crate::particles::Particles;
 
@@ -22,6 +22,8 @@ pub struct Solids<G: Graphics> {
     pub texture: Particles<G>,
     /// The fields in the texture. They are uploaded only when they change.
     fields: Vec<Arc<Field>>,
+    /// Records between the first row and the fields.
+    between: usize,
 }
 
 impl<G: Graphics> Solids<G> {
@@ -29,25 +31,40 @@ impl<G: Graphics> Solids<G> {
         Solids {
             texture,
             fields: Vec::new(),
+            between: 0,
         }
     }
 
     /// Uploads the visible solids of a scene at a time \[s\], with the temperatures of those that
-    /// conduct heat.
-    pub fn upload(&mut self, gl: &G, scene: &Scene, time: f64, temperatures: &[(u32, f32)]) {
+    /// conduct heat and the cells of those that have fuel.
+    pub fn upload(
+        &mut self,
+        gl: &G,
+        scene: &Scene,
+        time: f64,
+        temperatures: &[(u32, f32)],
+        charred: Option<&Charred>,
+    ) {
         let mut fields = Vec::new();
-        let mut instances = records(scene, time, temperatures, &mut fields);
+        let mut instances = records(scene, time, temperatures, charred, &mut fields);
         let count = instances.len();
+        let cells = charred.map_or(&[][..], |charred| &charred.records);
+        let between = cells.len();
+        if between > 0 {
+            instances.resize(ROW, [0.0; 8]);
+            instances.extend_from_slice(cells);
+            self.texture.upload(gl, &instances);
+        }
         let same = |(one, other): (&Arc<Field>, &Arc<Field>)| Arc::ptr_eq(one, other);
         let is_known =
             fields.len() == self.fields.len() && fields.iter().zip(&self.fields).all(same);
-        if !is_known {
-            instances.resize(ROW, [0.0; 8]);
+        if !is_known || between != self.between {
+            instances.resize(ROW + between, [0.0; 8]);
             fields
                 .iter()
                 .for_each(|field| append(&mut instances, field));
             self.texture.upload(gl, &instances);
-            self.fields = fields;
+            (self.fields, self.between) = (fields, between);
         }
         if count > 0 || self.texture.count() > 0 {
             self.texture.upload(gl, &instances[..count]);
@@ -60,17 +77,23 @@ fn records(
     scene: &Scene,
     time: f64,
     temperatures: &[(u32, f32)],
+    charred: Option<&Charred>,
     fields: &mut Vec<Arc<Field>>,
 ) -> Vec<Instance> {
-    let mut place = ROW;
+    let mut place = ROW + charred.map_or(0, |charred| charred.records.len());
     let visible = scene
         .surfaces()
         .filter(|one| one.1.material != Material::None);
     let records = visible.map(|(id, solid, surface)| {
         let present = temperatures.iter().find(|one| one.0 == id);
         let kelvin = present.map_or(solid.temperature, |one| one.1);
-        let mut record = record(solid, kelvin, &solid.frame_at(surface, time));
-        if let Some(field) = &surface.field {
+        let mut frame = solid.frame_at(surface, time);
+        let mut field = surface.field.as_ref();
+        let known = charred.and_then(|all| all.solids.iter().find(|one| one.0 == id));
+        let cells = known.map_or(0.0, |known| burnt(known, &mut frame, &mut field));
+        let mut record = record(solid, if cells > 0.0 { 0.0 } else { kelvin }, &frame);
+        record[7] += cells;
+        if let Some(field) = field {
             record[6] = -(place as f32);
             place += 1 + field.distances.len().div_ceil(record.len());
             fields.push(field.clone());
@@ -80,7 +103,29 @@ fn records(
     records.collect()
 }
 
+/// The number to add to the surface of a solid that has fuel, whose box and field become those of
+/// what is left of it.
+#[inline(never)]
+fn burnt<'a>(
+    (_, place, left): &'a (u32, usize, Option<Arc<Field>>),
+    frame: &mut RoundedBox,
+    field: &mut Option<&'a Arc<Field>>,
+) -> f32 {
+    if let Some(left) = left {
+        (frame.half, frame.radius) = (left.half, 0.0);
+        *field = Some(left);
+    }
+    let place = *place as f32;
+    // The first solids of so many that there is no number for the others.
+    if place < SURFACES {
+        BURNING * SURFACES + place
+    } else {
+        0.0
+    }
+}
+
 /// Appends a field: a head, then its distances. The depth of a round solid is negative.
+#[inline(never)]
 fn append(instances: &mut Vec<Instance>, field: &Field) {
     let step = 2.0 * field.half.x / (field.columns as f32 - 1.0);
     let rise = 2.0 * field.half.y / (field.rows as f32 - 1.0);
@@ -129,7 +174,7 @@ mod tests {
             ("temperature", Input::Number(kelvin)),
         ]);
         assert!(added.is_ok(), "{added:?}");
-        records(&scene, 0.0, &[], &mut Vec::new())
+        records(&scene, 0.0, &[], None, &mut Vec::new())
             .first()
             .map(|[.., surface]| *surface)
     }

@@ -3,7 +3,7 @@
 use hearth_bindings::{Record, Untrusted, ValidationError, memory, panic, parts, settings};
 use hearth_core::params::{PARAMETERS, Parameters};
 use hearth_core::simulation::ParticleError;
-use hearth_core::{Scene, Simulation};
+use hearth_core::{NoFuel, Scene, Simulation, Vec2, Where};
 use js_sys::Array;
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
@@ -131,6 +131,29 @@ impl Fire {
         self.simulation.set_scene(scene);
         let last = self.simulation.scene().objects().last();
         Ok(last.map_or(0, |object| object.id))
+    }
+
+    /// Lights what is within a radius of a position \[m\] or, unless `lit`, puts it out; 0 is the
+    /// usual radius. With a radius below 0, `place` is the id of a solid with fuel.
+    ///
+    /// # Errors
+    /// There is no fuel.
+    pub fn light(&mut self, lit: bool, radius: f64, place: f64, y: f64) -> Result<(), JsValue> {
+        let at = if radius < 0.0 {
+            Where::Object(place as u32)
+        } else {
+            Where::Place(Vec2::new(place as f32, y as f32), radius as f32)
+        };
+        let act = if lit {
+            Simulation::ignite
+        } else {
+            Simulation::extinguish
+        };
+        act(&mut self.simulation, at).map_err(|_| {
+            let place = Untrusted::Number(place);
+            let error = ValidationError::new("place", &place, NoFuel::ALLOWED);
+            thrown(vec![error])
+        })
     }
 
     /// The ids of the particles.

@@ -49,6 +49,7 @@ pub fn property(simulation: &Simulation, name: &str) -> Vec<f32> {
         "soot" => simulation.soots(),
         "burnRates" => simulation.burn_rates(),
         "embers" => embers(simulation.embers()),
+        "fuels" => fuels(simulation),
         _ => Vec::new(),
     }
 }
@@ -66,6 +67,28 @@ fn pairs(vectors: Vec<Vec2>) -> Vec<f32> {
 fn lifetimes(simulation: &Simulation) -> Vec<f32> {
     let particles = simulation.particles().into_iter();
     particles.map(|particle| particle.lifetime).collect()
+}
+
+/// Numbers of every solid with fuel: id, state, dry mass at first, fuel, water, char, power, highest
+/// temperature.
+fn fuels(simulation: &Simulation) -> Vec<f32> {
+    let solids = simulation.burning_solids();
+    let rows = solids.iter().map(|one| {
+        let masses = [one.first, one.fuel, one.water, one.char].map(|mass| mass as f32);
+        let [first, fuel, water, char] = masses;
+        let state = f32::from(one.state as u8);
+        [
+            one.id as f32,
+            state,
+            first,
+            fuel,
+            water,
+            char,
+            one.power,
+            one.hottest,
+        ]
+    });
+    rows.flatten().collect()
 }
 
 /// Numbers of every ember: position, velocity, temperature, size, age, lifetime.

@@ -47,6 +47,7 @@ export async function inlined(sources, wasm, { name, version, license }) {
     plugins: [filesInside(sources, wasm, {
       classic: await deflated('hearth-engine_classic.wasm'),
       quantities: await deflated('hearth-engine_quantities.wasm'),
+      fuels: await deflated('hearth-engine_fuels.wasm'),
       outlines: await deflated('hearth-engine_outlines.wasm'),
       wasm: await deflated('hearth-engine_bg.wasm'),
       worker: worker.text,

@@ -11,7 +11,7 @@ use crate::shell::Shell;
 
 /// The parts, with the modules that they are taken from. `hearth_bindings::parts` tells when one is
 /// needed.
-const PARTS: [(Part, &[&str]); 5] = [
+const PARTS: [(Part, &[&str]); 6] = [
     (
         Part {
             name: "classic",
@@ -34,14 +34,42 @@ const PARTS: [(Part, &[&str]); 5] = [
             symbols: &[
                 "hearth_core::scene::field::Field::",
                 "hearth_core::scene::contour::",
+                "hearth_core::scene::distance::Surface::sampled",
+                "hearth_render::solids::append",
             ],
             // A surface that is not sampled has no field.
             callers: &[
                 "hearth_core::scene::distance::",
-                "hearth_core::solids::thin::",
+                "hearth_core::solids::",
+                "hearth_core::combustion::",
+                "hearth_core::classic::",
+                "hearth_engine::fire::frame::",
             ],
             texts: Vec::new,
             is_loaded: "hearth_core::scene::field::is_loaded",
+        },
+        &["hearth-engine", "hearth-sim"],
+    ),
+    (
+        Part {
+            name: "fuels",
+            symbols: &[
+                "hearth_core::combustion::fuels::",
+                "<hearth_core::combustion::fuels::",
+                "core::ptr::drop_in_place<alloc::boxed::Box<hearth_core::combustion::fuels::",
+                "hearth_engine::engine::light",
+                "hearth_render::solids::burnt",
+            ],
+            // A scene without fuel has none of them.
+            callers: &[
+                "hearth_core::combustion::",
+                "hearth_core::simulation::",
+                "core::ptr::drop_in_place<hearth_",
+                "hearth_engine::",
+                "<core::iter::adapters::map::Map<",
+            ],
+            texts: Vec::new,
+            is_loaded: "hearth_bindings::parts::fuels_is_loaded",
         },
         &["hearth-engine", "hearth-sim"],
     ),

@@ -268,7 +268,7 @@ impl FirePainter {
         let renderer = self.renderer.as_mut().ok_or("the painter is destroyed")?;
         let mode = fire.scene.settings().display_mode;
         renderer.upload(&self.gl, mode, &fire.instances, &fire.embers);
-        renderer.upload_solids(&self.gl, &fire.scene, time, &[]);
+        renderer.upload_solids(&self.gl, &fire.scene, time, &[], None);
         let view = View {
             width,
             height,

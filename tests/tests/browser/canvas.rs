@@ -144,7 +144,7 @@ impl Drop for Canvas {
 /// Paints a scene with its solids.
 pub fn painted(canvas: &Canvas, scene: &Scene, gas: &[Instance]) -> Result<Pixels, JsValue> {
     let mut renderer = Renderer::new(&canvas.gl).map_err(words)?;
-    renderer.upload_solids(&canvas.gl, scene, 0.0, &[]);
+    renderer.upload_solids(&canvas.gl, scene, 0.0, &[], None);
     let pixels = canvas.paint_with(&mut renderer, gas, scene.settings());
     renderer.destroy(&canvas.gl);
     assert_eq!(canvas.gl_error(), 0);

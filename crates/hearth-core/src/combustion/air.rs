@@ -166,6 +166,12 @@ impl OpenAir {
         self.since_map = 0.0;
     }
 
+    /// Wakes the air in a rectangle. Only a part of the build calls this.
+    #[inline(always)]
+    pub fn wake(&mut self, low: Vec2, high: Vec2) {
+        awake::wake_source(&mut self.map, &Rectangle { low, high });
+    }
+
     /// Removes what has left, and lets air in, after a step of the length `dt`.
     pub fn breathe(&mut self, gas: &mut Gas, scene: &Scene, solids: &Solids, dt: f32) {
         self.since_exchange += dt;

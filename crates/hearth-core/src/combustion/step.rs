@@ -27,7 +27,7 @@ impl Combustion {
         let parameters = scene.settings();
         let values: &Physics = parameters;
         let kernel = Kernel::new(parameters.smoothing_length());
-        let sound = sound_speed(values, scene.power());
+        let sound = sound_speed(values, self.total_power(scene));
         let bounds = self.present_bounds(values);
         let gas = &mut self.gas;
         let mut open = self.open.as_deref_mut();
@@ -89,8 +89,15 @@ impl Combustion {
         if let Some(open) = &open {
             open.carry(gas, dt);
         }
+        let film = match &mut *self.fuels {
+            Some(fuels) => {
+                let around = (open.as_deref_mut(), &mut *solids);
+                fuels.burn((gas, walls), around, &mut self.embers, values, random, dt)
+            }
+            None => 0.0,
+        };
         let hottest = scene.sources().map(|source| source.source_temperature);
-        self.power = chemistry::react(gas, values, hottest.fold(0.0, f32::max), dt);
+        self.power = film + chemistry::react(gas, values, hottest.fold(0.0, f32::max), dt);
         self.preheat = 0.0;
         for source in scene.sources() {
             if let Some(burner) = Burner::new(source, parameters.spacing()) {

@@ -43,23 +43,23 @@ const ATTEMPTS: u32 = 3;
 
 /// A particle near a wall.
 #[derive(Clone, Copy, Debug)]
-struct Near {
-    index: u32,
+pub(super) struct Near {
+    pub index: u32,
     /// The index of the solid, or [`FLOOR`].
-    solid: u32,
+    pub solid: u32,
     /// The next entry of the same particle at a thin solid.
     next: u32,
     /// Distance \[m\].
-    distance: f32,
-    normal: Vec2,
+    pub distance: f32,
+    pub normal: Vec2,
     /// Γ.
     gamma: f32,
     /// W₁ [1/m].
-    slope: f32,
+    pub slope: f32,
     /// K [1/m²].
-    friction: f32,
+    pub friction: f32,
     /// Position \[m\].
-    from: Vec2,
+    pub from: Vec2,
 }
 
 /// The particles near walls.
@@ -139,6 +139,11 @@ impl Walls {
             entry = near.next;
             Some((near.normal, near.distance, near.solid))
         })
+    }
+
+    /// The particles near walls.
+    pub fn near(&self) -> &[Near] {
+        &self.near
     }
 
     /// Sum of Γ over all particles.

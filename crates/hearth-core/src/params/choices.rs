@@ -138,6 +138,22 @@ choices! {
         Conducting = "conducting",
     }
 
+    /// The fuel of a solid.
+    Fuel {
+        /// None: it does not burn.
+        None = "none",
+        /// Wood.
+        Wood = "wood",
+        /// Paper.
+        Paper = "paper",
+        /// Coal.
+        Coal = "coal",
+        /// Wax.
+        Wax = "wax",
+        /// Cloth of cotton.
+        Cloth = "cloth",
+    }
+
     /// The motion of a solid by itself.
     Motion {
         /// None.

@@ -1,6 +1,6 @@
 //! THE table of a solid's properties, with entries as those of the parameters.
 
-use super::choices::{Choice, Material, Motion, Shape, Thermal};
+use super::choices::{Choice, Fuel, Material, Motion, Shape, Thermal};
 use super::declare::{parameters, properties};
 use super::entry::{Description, Domain, Kind, Role, Scale};
 use super::outline::{Mask, Points};
@@ -21,6 +21,9 @@ const MASKED: &[&str] = &["mask"];
 /// The thermal boundary conditions with a temperature, and that with a heat capacity.
 const TEMPERED: &[&str] = &["fixed", "conducting"];
 const CONDUCTING: &[&str] = &["conducting"];
+
+/// The fuels that burn.
+const BURNING: &[&str] = &["wood", "paper", "coal", "wax", "cloth"];
 
 /// The motion to and fro, and that around the place.
 const SWAYING: &[&str] = &["sway"];
@@ -65,6 +68,13 @@ properties! {
     /// A solid that heats and cools more slowly. Heat capacity by volume; that of stone and iron is
     /// 2000 to 3500.
     heat_capacity: number "Heat capacity" ["kJ/(m³·K)"] Log { (100.0, 10.0..=5000.0) } when { thermal: CONDUCTING }
+    /// A solid that burns where it is hot enough, until nothing is left. It has a temperature in each
+    /// part of it, whatever `thermal` is. In the classic model it does not burn.
+    fuel: (choice Fuel) "Fuel" { (None) }
+    /// A fire that lasts longer and spreads more slowly. Dry mass of the fuel by area of the solid.
+    load: number "Load" ["kg/m²"] Log { (2.0, 0.05..=200.0) } when { fuel: BURNING }
+    /// A fuel that catches fire later. Mass of the water as a share of that of the dry fuel.
+    moisture: number "Moisture" ["%"] Linear { (8.0, 0.0..=100.0) } when { fuel: BURNING }
     /// A solid that moves by itself, and pushes the gas. Sway: to and fro along a line. Spin: around
     /// its place. No part of it is faster than 3 m/s.
     motion: (choice Motion) "Motion" { (Still) }

@@ -941,6 +941,37 @@ pub static PRESETS: &[Preset] = &[
             material brick",
     },
     Preset {
+        name: "wooden-word",
+        text: "fuel_power 40\n\
+            source_width 0.08\n\
+            wind 0.25\n\
+            exposure 0.4\n\
+            smoke_opacity 0.3\n\
+            ember_rate 60\n\
+            source_x -0.5\n\
+            source_height 0.02\n\
+            emission_speed 0.3\n\
+            radiative_cooling 500\n\
+            ground stone\n\
+            domain_width 1.26\n\
+            domain_height 1.05\n\
+            spacing 0.0182\n\
+            max_particles 9000\n\
+            \n\
+            kind solid\n\
+            shape mask\n\
+            x 0\n\
+            y 0.231\n\
+            width 1.008\n\
+            height 0.291\n\
+            mask 128x37:jB3xLSO2BAF3ONMKIGDbB3yFUB3xLSO2BAF3tOKDYB3yFVBDEGM3sLSBDEGLtLGEDBRBDFGOtMLLLMwJBXBDEGM3tFZKtHaHoLWItJZNtETCFLtMBaKtHbLoFZKtHaFoLWItJZNtEWEtLaKtHbJoFZKtHaDoLWItJZNtEXHtGZKtHbHoFZKtHaBoLWItJZNtEXBtNZKtHbFoFZKtHbOPLWItJZNtEYMtCYKtHbDoFZKtHbMPLWItJZNtEYLtEYKtHcoFZKtHbFHGWItJZNtEYKtFYKtHfZKtHfVItJZNtEYLtFYKtHfZKtHfVItJZNtEYLtDYKtHfZKtHfVItJZNtEYOtBYKtHXLPJeKtHWGobItJZNtEXCtLZKtHXoJeKtHWIobItJZNtEXJtFZKtHWDoJeKtHWLobItJZNtEWGtMaKtHWGoJeKtHWOobItJZNtETCEKtOCaK3oJeKtNLLLLLLLLpbItJZNtMLLLMOvMCbK3oJeK3obItJZN3pMFdK3oJeK3obItJZN3oKfKtHWGoJeKtHWpbItJZNtERDuEeKtHWCoJeKtHWMobItJZNtESItNBdKtHXOPJeKtHWKobItJZNtETMtLdKtHXILHeKtHWHobItJZNtETDuGcKtHfZKtHWELLbItJZNtEUJtOCbKtHfZKtHfVItJZNtEUBNtMbKtHeKLGXKtHfVItJZNtEVEuIaKtHdBoHXKtHfVItJZNtEWKuEZKtHdFoGXKtHfVItJZNtEWBOtNBYKtHdIoFXKtHfVItJZNtEXFuKYKtHdLoFXKtHfVItJZNtEYLuGXKtHdpEXKtHfVItJZNtEYCOtOCWKtHcFpDVDFMtKFECfBDEGLtLGEDBRBEHJuLIGDWGuNIGDABDEGM3vDTJ2MDcO2BQ2KWMxG30CTL3DcO2BQ2KWDxG30BS\n\
+            material wood\n\
+            front false\n\
+            fuel wood\n\
+            load 1.6\n\
+            moisture 25",
+    },
+    Preset {
         name: "classic",
         text: "model classic",
     },
@@ -1144,6 +1175,10 @@ pub static CAPTIONS: &[Caption] = &[
     Caption {
         label: "Wall of fire",
         description: "A broad front of flames, in slow motion.",
+    },
+    Caption {
+        label: "Wooden word",
+        description: "A word of wood that a small flame sets on fire at one end, and that burns away.",
     },
     Caption {
         label: "Classic",

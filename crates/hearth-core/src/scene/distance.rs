@@ -9,7 +9,7 @@ use super::field::{self, Field, is_sampled};
 
 use crate::direction::direction;
 use crate::extremes::{fast_max, fast_min};
-use crate::params::{Shape, Solid};
+use crate::params::{Fuel, Shape, Solid};
 
 /// A circle, a box or a line as a rounded box.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -157,6 +157,7 @@ impl Solid {
     /// Whether it has a field that its `surface` lacks.
     pub(super) fn lacks_field(&self, surface: &Surface) -> bool {
         is_sampled(self.shape) && surface.field.is_none()
+            || self.fuel != Fuel::None && !field::is_loaded()
     }
 
     /// Whether the field of another solid is its own.

@@ -39,7 +39,7 @@ pub(super) fn is_sampled(shape: Shape) -> bool {
 /// Whether the code of fields is there. A build may leave it to a part that is loaded later, and
 /// then replaces this function; `black_box` keeps the compiler from doing without it.
 #[inline(never)]
-fn is_loaded() -> bool {
+pub(super) fn is_loaded() -> bool {
     black_box(1_u8) == 1
 }
 
@@ -146,18 +146,39 @@ impl Field {
                 mask.opacity(column.wrapping_sub(MARGIN), row)
             })
             .collect();
-        field.measure(&contour::of_nodes(&field.nodes(), &opacity));
+        field.enclose(opacity);
+        field
+    }
+
+    /// Measures the distance from the outline of what is opaque at these nodes.
+    #[inline(never)]
+    fn enclose(&mut self, opacity: Vec<f32>) {
+        self.measure(&contour::of_nodes(&self.nodes(), &opacity));
         for (node, opacity) in opacity.into_iter().enumerate() {
             if opacity > contour::EDGE {
-                field.turn(node);
+                self.turn(node);
             }
         }
-        field
+    }
+
+    /// The field of what is more opaque than half, of this size about its middle \[m\], with about
+    /// that distance between nodes \[m\].
+    #[inline(never)]
+    pub(crate) fn of_opacity(half: Vec2, step: f32, at: &dyn Fn(Vec2) -> f32) -> Field {
+        let cells = (2.0 * half / step).to_array();
+        let nodes = cells.map(|cells| cells as usize + 2 * MARGIN + 2);
+        let mut field = Field::new(Vec2::ZERO, Vec2::splat(step), nodes);
+        let places = field.nodes();
+        let all = (0..field.distances.len())
+            .map(|node| at(places.place(node % places.columns, node / places.columns)));
+        let opacity: Vec<f32> = all.collect();
+        field.enclose(opacity);
+        field.measured()
     }
 
     /// Area \[m²\] and circumference \[m\]: from the nodes inside, and from those within a step of
     /// the surface.
-    pub(super) fn measures(&self) -> (f32, f32) {
+    pub(crate) fn measures(&self) -> (f32, f32) {
         let cell = self.step.x * self.step.y;
         let near = fast_max(self.step.x, self.step.y);
         let count = |is_counted: &dyn Fn(f32) -> bool| {

@@ -16,6 +16,8 @@
 //! | embers × 10 | x, y (2 each), u, v, temperature, size, age, life (1 each), column by column |
 //! | solids × 4 | temperature \[K\] of each that conducts heat, in the order of the objects |
 //!
+//! What solids with fuel have lost is not in it: a restored fire has them whole and cold.
+//!
 //! A velocity is the root of its share of the largest, so that slow gas is precise.
 
 mod digest;

@@ -212,6 +212,7 @@ impl Fire {
     ) -> f64 {
         let start = clock.now();
         self.simulation.write_instances(&mut self.instances);
+        self.simulation.show_fuels();
         if self.simulation.parameters().display_mode == DisplayMode::Fire {
             self.simulation.write_embers(&mut self.embers);
         } else {
@@ -234,6 +235,7 @@ impl Fire {
                 self.simulation.time(),
                 self.simulation.scene(),
                 &temperatures,
+                self.simulation.charred(),
             ),
             self.camera,
             paused,

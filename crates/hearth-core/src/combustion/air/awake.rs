@@ -70,6 +70,8 @@ pub(super) fn hot(values: &Physics) -> f32 {
 }
 
 /// Wakes the cells of a source; none of one outside of the map.
+// One of its two callers is in a part of the build, where its code is then too.
+#[inline(always)]
 pub(super) fn wake_source(map: &mut Map, source: &Rectangle) {
     let Layout { columns, .. } = map.layout;
     if !map.layout.bounds().meets(source.low, source.high) {

@@ -1,0 +1,116 @@
+//! Solids that burn: fuel in cells, which the gas and its radiation heat, which dry, give off gas,
+//! char, glow and fall.
+//!
+//! A solid gets [cells](cells) when it is set, or when the spacing changes. Every step
+//! [exchanges](step) heat, fuel and oxygen with the gas beside them. A few times a second the
+//! [outline](outline) follows what is left. The code is a part of the wasm that a page loads for a
+//! scene with a fuel: nothing outside of it calls a function of it without one.
+
+mod cells;
+mod command;
+mod material;
+mod outline;
+mod radiation;
+mod report;
+mod state;
+mod step;
+
+use super::air::OpenAir;
+use super::embers::Embers;
+use super::gas::{Gas, make_room};
+use super::walls::Walls;
+use crate::params::Physics;
+use crate::random::Random;
+use crate::scene::Scene;
+use crate::solids::Solids;
+use cells::Burning;
+use state::{BLOCKS, Beside, Block};
+
+pub use command::{NoFuel, Where};
+pub use report::{BurningSolid, BurningState, FuelTotal};
+pub(crate) use state::{Fuels, Held};
+
+/// Steps from one radiation to the next.
+const RADIATION_STEPS: u32 = 4;
+
+impl Fuels {
+    /// The solids of a scene that burn, in place of those of the scene before.
+    #[inline(never)]
+    pub fn set(held: &mut Held, scene: &Scene, solids: &mut Solids) {
+        let values = scene.settings();
+        let (air, spacing) = (values.ambient_temperature, values.spacing());
+        let mut fuels = held.take().unwrap_or_default();
+        let mut before = std::mem::take(&mut fuels.all);
+        for (id, solid, surface) in scene.surfaces() {
+            let known = before.iter().position(|one| one.id == id);
+            let known = known.map(|at| before.swap_remove(at));
+            let burning = match known {
+                Some(known) if known.is(solid, surface, spacing) => Some(known),
+                known => {
+                    let mut new = Burning::new(id, solid, surface, spacing, air);
+                    if let (Some(new), Some(known)) = (&mut new, &known)
+                        && new.is_finer_or_coarser(known)
+                    {
+                        new.continue_from(known);
+                    }
+                    new
+                }
+            };
+            fuels.all.extend(burning);
+        }
+        let mut cells = 0;
+        for burning in &mut fuels.all {
+            burning.first_beside = cells;
+            cells += burning.cells.len();
+            if let Some(field) = &burning.left {
+                solids.reshape(burning.id, field);
+            }
+        }
+        fuels.beside.resize(cells, Beside::default());
+        fuels.blocks.resize(BLOCKS * BLOCKS, Block::default());
+        if !fuels.all.is_empty() {
+            **held = Some(fuels);
+        }
+    }
+
+    /// Makes room for so many particles near walls.
+    #[inline(never)]
+    pub fn reserve(&mut self, particles: usize) {
+        make_room(&mut self.touches, particles);
+    }
+
+    /// Burns for `dt`. Returns the power of the flames in the film at the surface [kW/m].
+    #[inline(never)]
+    pub fn burn(
+        &mut self,
+        (gas, walls): (&mut Gas, &Walls),
+        (open, solids): (Option<&mut OpenAir>, &mut Solids),
+        embers: &mut Embers,
+        values: &Physics,
+        random: &mut Random,
+        dt: f32,
+    ) -> f32 {
+        if let Some(open) = open {
+            for body in solids.bodies.iter().filter(|body| body.burns) {
+                let frame = &body.surface.frame;
+                let half = frame.extent() + values.spacing();
+                open.wake(frame.centre - half, frame.centre + half);
+            }
+        }
+        if self.steps.is_multiple_of(RADIATION_STEPS) {
+            self.irradiate(gas, solids, values);
+        }
+        self.steps = self.steps.wrapping_add(1);
+        self.exchange(gas, walls.near(), solids, values, dt);
+        for burning in &mut self.all {
+            burning.note();
+        }
+        self.shrink(solids, embers, values, random, dt);
+        self.film
+    }
+
+    /// Power of the gas that is given off and of the char that burns [kW/m].
+    pub fn power(&self) -> f32 {
+        self.power
+    }
+}

@@ -1,0 +1,168 @@
+//! The outline of what is left of a solid that burns.
+
+use std::sync::Arc;
+
+use glam::Vec2;
+
+use super::cells::Burning;
+use super::state::Fuels;
+use crate::combustion::embers::Embers;
+use crate::extremes::{fast_max, fast_min};
+use crate::params::Physics;
+use crate::random::Random;
+use crate::scene::Field;
+use crate::solids::Solids;
+
+/// Shortest time between two outlines \[s\].
+const INTERVAL: f32 = 0.25;
+/// How much must have gone for another outline, in cells.
+const GONE: f32 = 0.25;
+/// Most nodes of an outline along a side, and in all.
+const MOST: f32 = 120.0;
+const ALL: f32 = 8000.0;
+/// Embers that a cell throws where it falls.
+const EMBERS: u32 = 2;
+
+impl Fuels {
+    /// Finds the outlines anew, if enough has gone.
+    pub(super) fn shrink(
+        &mut self,
+        solids: &mut Solids,
+        embers: &mut Embers,
+        values: &Physics,
+        random: &mut Random,
+        dt: f32,
+    ) {
+        self.since += dt;
+        if self.since < INTERVAL {
+            return;
+        }
+        self.since = 0.0;
+        for burning in &mut self.all {
+            let standing = burning.standing();
+            if burning.stood - standing < GONE {
+                burning.find_surface();
+                continue;
+            }
+            burning.stood = standing;
+            burning.find_outline();
+            let body = solids.first(burning.id);
+            let frame = body.map(|body| body.surface.frame);
+            for index in 0..burning.cells.len() {
+                let place = burning.place(index);
+                if burning.fall(index, values.ambient_temperature)
+                    && let Some(frame) = frame
+                    && values.ember_rate > 0.0
+                {
+                    let at = frame.centre + frame.axis * place.x + frame.axis.perp() * place.y;
+                    embers.throw_from(at, EMBERS, values, random);
+                }
+            }
+            burning.find_surface();
+            burning.move_waiting();
+            if let Some(field) = &burning.left {
+                solids.reshape(burning.id, field);
+            }
+        }
+    }
+}
+
+impl Burning {
+    /// Finds the outline of what stands.
+    fn find_outline(&mut self) {
+        let longest = 2.0 * fast_max(self.half.x, self.half.y);
+        let area = 4.0 * self.half.x * self.half.y;
+        let step = fast_max(longest / MOST, (area / ALL).sqrt());
+        let field = Field::of_opacity(self.half, step, &|place| {
+            let inside = 0.5 - self.first_distance(place) / (2.0 * step);
+            fast_min(fast_max(inside, 0.0), self.standing_at(place))
+        });
+        self.left = Some(Arc::new(field));
+    }
+
+    /// How much stands at a place, between the middles of cells.
+    fn standing_at(&self, place: Vec2) -> f32 {
+        let at = (place + self.half) / self.side - 0.5;
+        let (column, row) = (at.x.floor(), at.y.floor());
+        let (x, y) = (at.x - column, at.y - row);
+        let (column, row) = (column as isize, row as isize);
+        let stands = |right: isize, up: isize| self.standing_near(column + right, row + up);
+        let (low, high) = (
+            stands(0, 0) + (stands(1, 0) - stands(0, 0)) * x,
+            stands(0, 1) + (stands(1, 1) - stands(0, 1)) * x,
+        );
+        low + (high - low) * y
+    }
+
+    /// How much of a cell stands; outside of the first shape, of the cells around it.
+    fn standing_near(&self, column: isize, row: isize) -> f32 {
+        if let Some(own) = self.standing_of(column, row) {
+            return own;
+        }
+        let mut most = 0.0;
+        for (right, up) in [
+            (-1, 0),
+            (1, 0),
+            (0, -1),
+            (0, 1),
+            (-1, -1),
+            (1, -1),
+            (-1, 1),
+            (1, 1),
+        ] {
+            most = fast_max(
+                self.standing_of(column + right, row + up).unwrap_or(0.0),
+                most,
+            );
+        }
+        most
+    }
+
+    fn standing_of(&self, column: isize, row: isize) -> Option<f32> {
+        let inside = column >= 0 && row >= 0 && column < self.columns as isize;
+        let index = row * self.columns as isize + column;
+        let cell = self.cells.get(index as usize).filter(|_| inside)?;
+        (cell.first > 0.0).then(|| cell.standing(self.material, self.load))
+    }
+
+    /// Lets a cell fall that is beyond the outline. Returns whether it does.
+    fn fall(&mut self, index: usize, air: f32) -> bool {
+        let (distance, _) = self.distance(self.place(index));
+        let deep = 0.25 * fast_min(self.side.x, self.side.y);
+        let (material, load) = (self.material, self.load);
+        let Some(cell) = self.cells.get_mut(index) else {
+            return false;
+        };
+        // A cell at the edge of the shape at first may have its middle outside.
+        let stands = cell.standing(material, load) >= 0.5 || distance < -deep;
+        if cell.mass() <= 0.0 || stands {
+            return false;
+        }
+        let heat = cell.capacity(material) * (cell.temperature - air);
+        self.account.fallen += f64::from(cell.fuel + cell.char);
+        self.account.steam += f64::from(cell.water);
+        self.account.lost += f64::from(heat);
+        (cell.fuel, cell.water, cell.char) = (0.0, 0.0, 0.0);
+        (cell.received, cell.temperature) = (0.0, air);
+        true
+    }
+
+    /// Moves gas that waits at cells that have gone to one that has not.
+    fn move_waiting(&mut self) {
+        let mut waiting = 0.0;
+        for cell in &mut self.cells {
+            if cell.mass() <= 0.0 {
+                waiting += std::mem::take(&mut cell.waiting);
+            }
+        }
+        let mut cells = self.cells.iter_mut();
+        match cells.find(|cell| cell.length > 0.0) {
+            Some(cell) => cell.waiting += waiting,
+            None => {
+                if let Some(cell) = self.cells.first_mut() {
+                    cell.waiting = waiting;
+                }
+            }
+        }
+    }
+}

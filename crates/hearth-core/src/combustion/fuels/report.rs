@@ -1,0 +1,221 @@
+//! What readers see of the solids that burn.
+
+use super::cells::{Burning, Cell};
+use super::state::Fuels;
+
+/// Power below which a solid is out [kW/m].
+const OUT: f32 = 0.05;
+/// Power from which it is lit [kW/m].
+const LIT: f32 = 0.5;
+/// Oxygen beside a solid, relative to air, below which it went out for want of oxygen: flames go
+/// out from 13 to 15 % of 21 % (Drysdale 2011, 3.5.4).
+const STARVED: f32 = 0.65;
+/// Share of the fuel below which nothing is left.
+const NOTHING: f32 = 0.02;
+
+/// Largest share of char in a record, so that it is not a degree.
+const MOST_CHAR: f32 = 0.99;
+
+/// The state of a solid with fuel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum BurningState {
+    /// All of it has burnt.
+    Burnt,
+    /// It has not burnt yet.
+    Unlit,
+    /// It went out for want of heat.
+    Out,
+    /// It went out for want of oxygen.
+    Starved,
+    /// It burns.
+    Burning,
+}
+
+impl BurningState {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            BurningState::Burnt => "burnt",
+            BurningState::Unlit => "unlit",
+            BurningState::Out => "out",
+            BurningState::Starved => "no-oxygen",
+            BurningState::Burning => "burning",
+        }
+    }
+}
+
+/// A solid with fuel; masses in kg and heat in kJ, per metre of depth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BurningSolid {
+    /// Its id.
+    pub id: u32,
+    /// Whether it burns.
+    pub state: BurningState,
+    /// Dry mass at first.
+    pub first: f64,
+    /// Mass of fuel, of water and of char that is left.
+    pub fuel: f64,
+    /// Mass of water that is left.
+    pub water: f64,
+    /// Mass of char and ash that is left.
+    pub char: f64,
+    /// Mass of fuel gas that it has given off, and its heat of combustion.
+    pub gas: f64,
+    /// Heat of combustion of that gas.
+    pub gas_heat: f64,
+    /// Mass of steam that it has given off.
+    pub steam: f64,
+    /// Mass of char that has burnt.
+    pub oxidised: f64,
+    /// Mass that has fallen off as ash.
+    pub fallen: f64,
+    /// Heat that it stores, relative to the air.
+    pub stored: f64,
+    /// Heat that came in: from the gas, by radiation, from its char, and by `ignite`.
+    pub gained: f64,
+    /// Heat that left: by radiation, with what it gave off, and to dry and pyrolyse it.
+    pub lost: f64,
+    /// Heat that the gas has lost to it, less that of what it gave off.
+    pub exchanged: f64,
+    /// Heat of its gas that burnt at its surface: a part of what came in.
+    pub flames: f64,
+    /// Power of its gas and its char, averaged over a moment \[kW/m\].
+    pub power: f32,
+    /// Temperature of its hottest part \[K\].
+    pub hottest: f32,
+}
+
+/// All solids with fuel, together.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FuelTotal {
+    /// Power of their gas and their char, averaged over a moment [kW/m].
+    pub power: f64,
+    /// Share of the fuel that is left.
+    pub left: f64,
+    /// The [state](BurningState) of the solid that comes last in their order; empty without any.
+    pub state: &'static str,
+}
+
+impl Burning {
+    /// Notes whether it burns.
+    pub(super) fn note(&mut self) {
+        let account = &mut self.account;
+        if account.power > LIT {
+            account.lit = true;
+        }
+        if account.power > OUT {
+            account.starved = account.oxygen < STARVED;
+        }
+    }
+
+    fn state(&self, left: f64) -> BurningState {
+        let account = &self.account;
+        if account.lit && account.power > OUT {
+            BurningState::Burning
+        } else if left < f64::from(NOTHING) {
+            BurningState::Burnt
+        } else if !account.lit {
+            BurningState::Unlit
+        } else if account.starved {
+            BurningState::Starved
+        } else {
+            BurningState::Out
+        }
+    }
+}
+
+impl Fuels {
+    /// Every solid with fuel.
+    #[inline(never)]
+    pub fn solids(&self, air: f32, gas_heat: f32) -> Vec<BurningSolid> {
+        let each = |burning: &Burning| {
+            let sum = |of: fn(&Cell) -> f32| -> f64 {
+                burning.cells.iter().map(|cell| f64::from(of(cell))).sum()
+            };
+            let account = &burning.account;
+            let first = sum(|cell| cell.first);
+            let heat = f64::from(burning.material.gas_heat());
+            let waiting = sum(|cell| cell.waiting) * f64::from(gas_heat) / heat;
+            let fuel = sum(|cell| cell.fuel) + waiting;
+            let hottest = burning.cells.iter().filter(|cell| cell.mass() > 0.0);
+            BurningSolid {
+                id: burning.id,
+                state: burning.state(fuel / first.max(1e-12)),
+                first,
+                fuel,
+                water: sum(|cell| cell.water),
+                char: sum(|cell| cell.char),
+                gas: account.gas,
+                gas_heat: account.gas * heat,
+                steam: account.steam,
+                oxidised: account.oxidised,
+                fallen: account.fallen,
+                stored: burning.stored(air),
+                gained: account.gained,
+                lost: account.lost,
+                exchanged: account.exchanged,
+                flames: account.flames,
+                power: account.power,
+                hottest: hottest.fold(0.0, |most, cell| most.max(cell.temperature)),
+            }
+        };
+        self.all.iter().map(each).collect()
+    }
+
+    /// All of them together.
+    #[inline(never)]
+    pub fn total(&self, gas_heat: f32) -> FuelTotal {
+        let (mut power, mut left, mut first) = (0.0, 0.0, 0.0);
+        let mut state = BurningState::Burnt;
+        for solid in self.solids(0.0, gas_heat) {
+            power += f64::from(solid.power);
+            left += solid.fuel;
+            first += solid.first;
+            state = state.max(solid.state);
+        }
+        FuelTotal {
+            power,
+            left: left / first.max(1e-12),
+            state: state.name(),
+        }
+    }
+
+    /// Writes all of them for a picture.
+    #[inline(never)]
+    pub fn show(&mut self) {
+        let out = &mut self.charred;
+        out.records.clear();
+        out.solids.clear();
+        for burning in &self.all {
+            let place = out.records.len();
+            out.solids.push((burning.id, place, burning.left.clone()));
+            let [width, height, radius] = burning.drawn();
+            out.records.push([
+                burning.id as f32,
+                burning.columns as f32,
+                burning.rows as f32,
+                burning.half.x,
+                burning.half.y,
+                width,
+                height,
+                radius,
+            ]);
+            for some in burning.cells.chunks(8) {
+                let mut record = [0.0; 8];
+                for (value, cell) in record.iter_mut().zip(some) {
+                    *value = burning.seen(cell);
+                }
+                out.records.push(record);
+            }
+        }
+    }
+}
+
+impl Burning {
+    /// Temperature and char of a cell; without anything in it, of the cell below it.
+    fn seen(&self, cell: &Cell) -> f32 {
+        let below = self.cells.get(usize::from(cell.vent));
+        let cell = below.filter(|_| cell.mass() <= 0.0).unwrap_or(cell);
+        cell.temperature.floor() + MOST_CHAR * cell.charred()
+    }
+}

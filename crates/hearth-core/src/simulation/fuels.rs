@@ -1,0 +1,61 @@
+//! Solids that have fuel.
+
+use super::Simulation;
+use crate::combustion::{BurningSolid, Charred, FuelTotal, NoFuel, Where};
+
+impl Simulation {
+    /// Lights a solid that has fuel: heats all of its surface, or what is within 0.1 m of a place
+    /// or within the radius, to above its pyrolysis temperature, and dries it.
+    ///
+    /// # Errors
+    /// There is no fuel; the classic model has none.
+    pub fn ignite(&mut self, at: Where) -> Result<(), NoFuel> {
+        let values = self.scene.settings();
+        match self.solver.combustion_mut() {
+            Some(combustion) => combustion.ignite(at, values),
+            None => Err(NoFuel),
+        }
+    }
+
+    /// Puts out a solid that has fuel, or all that is within a radius of a place: cools it and
+    /// the gas there to the temperature of the air, and removes the fuel of that gas.
+    ///
+    /// # Errors
+    /// There is no fuel; the classic model has none.
+    pub fn extinguish(&mut self, at: Where) -> Result<(), NoFuel> {
+        let values = self.scene.settings();
+        match self.solver.combustion_mut() {
+            Some(combustion) => combustion.extinguish(at, values),
+            None => Err(NoFuel),
+        }
+    }
+
+    /// The solids that have fuel, in the order of the objects; none in the classic model.
+    pub fn burning_solids(&self) -> Vec<BurningSolid> {
+        let combustion = self.solver.combustion();
+        combustion.map_or_else(Vec::new, |combustion| {
+            combustion.burning_solids(self.scene.settings())
+        })
+    }
+
+    /// All solids that have fuel, together.
+    pub fn fuel_total(&self) -> FuelTotal {
+        let combustion = self.solver.combustion();
+        combustion.map_or_else(FuelTotal::default, |combustion| {
+            combustion.fuel_total(self.scene.settings())
+        })
+    }
+
+    /// Updates what [`charred`](Simulation::charred) returns.
+    pub fn show_fuels(&mut self) {
+        if let Some(combustion) = self.solver.combustion_mut() {
+            combustion.show_fuels();
+        }
+    }
+
+    /// The solids that have fuel, for a picture, as they were when they were last updated; `None`
+    /// without any.
+    pub fn charred(&self) -> Option<&Charred> {
+        self.solver.combustion()?.charred()
+    }
+}

@@ -57,6 +57,12 @@ describe('messages from an allowed origin', () => {
     assert.deepEqual((await value('objects')).map(({ id, x }) => [id, x]), [[1, 0], [added, -0.1]]);
     await value('removeObject', added);
 
+    await value('set', 'model', 'combustion');
+    const log = await value('addObject', { kind: 'solid', x: 0.3, fuel: 'wood' });
+    await value('ignite', log);
+    await value('extinguish', 0.3, 0.5, 1);
+    await value('removeObject', log);
+
     assert.equal(await value('option', 'quality', 'low'), 'low');
     assert.equal(await value('option', 'quality'), 'low');
     assert.equal(await value('option', 'quality', null), null);

@@ -70,6 +70,7 @@ test('a list of the visit before is there, and a damaged one is not', async () =
       assert.equal(await tab.on('.hearth-own img', (image) => image.hidden), true);
       await press(tab, 'Show Mine');
       await tab.until('the scene', () => /** @type {any} */ (document.querySelector('hearth-fire')).preset === 'torch');
+      assert.equal(await tab.evaluate(() => document.activeElement?.getAttribute('aria-label')), 'Show Mine');
       await press(tab, 'Delete Mine');
       await named(tab, []);
     }

@@ -114,8 +114,13 @@ function ownSection(card, own) {
     }
     show();
   };
+  let shown = '';
   const show = () => {
     const all = own.list();
+    // Rows that are replaced lose the focus and a press that is under way.
+    const listed = JSON.stringify(all);
+    if (listed === shown) return;
+    shown = listed;
     rows.hidden = all.length === 0;
     rows.replaceChildren(...all.map((scene) => {
       const row = document.createElement('li');
@@ -129,7 +134,10 @@ function ownSection(card, own) {
       start.addEventListener('click', () => act(() => own.choose(scene)));
       const name = Object.assign(document.createElement('input'), { value: scene.name, maxLength: MAX_NAME, spellcheck: false });
       name.setAttribute('aria-label', `Name of ${scene.name}`);
-      name.addEventListener('change', () => act(() => own.rename(scene.name, name.value)));
+      name.addEventListener('change', async () => {
+        await act(() => own.rename(scene.name, name.value));
+        name.value = scene.name;
+      });
       const button = (/** @type {string} */ words, /** @type {string} */ sign, /** @type {() => void} */ does) => {
         const made = Object.assign(document.createElement('button'), { type: 'button', textContent: sign, title: words });
         made.setAttribute('aria-label', `${words} ${scene.name}`);

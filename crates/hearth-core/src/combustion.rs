@@ -214,6 +214,8 @@ impl Combustion {
     ) {
         // A saved fire does not hold what solids with fuel have lost.
         self.fuels = Held::default();
+        // Nor where free solids were.
+        self.solids.free = Default::default();
         // The solids first: the gas of the particles is around them.
         self.place_solids(scene, time);
         self.set_particles(particles, scene.settings());

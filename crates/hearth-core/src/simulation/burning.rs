@@ -210,6 +210,7 @@ impl Simulation {
             self.time,
         );
         gas.set_solid_temperatures(&solids);
+        self.show_free();
         Ok(())
     }
 }

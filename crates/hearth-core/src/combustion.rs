@@ -214,8 +214,6 @@ impl Combustion {
     ) {
         // A saved fire does not hold what solids with fuel have lost.
         self.fuels = Held::default();
-        // Nor where free solids were.
-        self.solids.free = Default::default();
         // The solids first: the gas of the particles is around them.
         self.place_solids(scene, time);
         self.set_particles(particles, scene.settings());
@@ -283,6 +281,13 @@ impl Combustion {
     /// The gas that solids have taken the place of.
     pub fn removed(&self) -> Removed {
         self.removed
+    }
+
+    /// Lets free solids start again.
+    // A part of the code of saved fires.
+    #[inline(always)]
+    pub fn forget_free(&mut self) {
+        self.solids.free = Default::default();
     }
 
     /// The ids of the solids that conduct heat, and their temperatures \[K\].

@@ -145,6 +145,7 @@ impl Scene {
     }
 
     /// Whether a solid is free to move.
+    #[inline(never)]
     pub fn has_free(&self) -> bool {
         self.solids().any(|solid| solid.motion == Motion::Free)
     }

@@ -79,13 +79,6 @@ impl Body {
         }
     }
 
-    /// Adds the force of gas at a position on it [N/m].
-    #[inline]
-    pub fn push(&mut self, from: Vec2, force: Vec2) {
-        self.force += force;
-        self.torque += (from - self.surface.frame.centre).perp_dot(force);
-    }
-
     /// What stores its heat, and its temperature \[K\], if it conducts heat.
     fn heated(&self) -> Option<(Store, f32)> {
         Some((self.store?, self.temperature?))

@@ -79,6 +79,8 @@ const PARTS: [(Part, &[&str]); 7] = [
             symbols: &[
                 "hearth_core::solids::free::",
                 "<hearth_core::solids::free::",
+                "<hearth_core::solids::Body>::push",
+                "hearth_core::solids::Body::push",
                 "core::ptr::drop_in_place<alloc::boxed::Box<hearth_core::solids::free::",
             ],
             // A scene without a free solid has none of them.

@@ -189,7 +189,7 @@ impl Walls {
                 continue;
             };
             if body.is_free {
-                body.push(near.from, (slowed - pushed) * mass);
+                body.push(near.from, mass, slowed - pushed);
             }
             if let Some(temperature) = body.temperature {
                 let exchanged = 2.0 * (values.diffusion + mixed) * near.friction;
@@ -276,7 +276,7 @@ impl Near {
             let inward = fast_min((gas.velocity[i] - wall).dot(normal), 0.0);
             gas.velocity[i] -= normal * inward;
             if body.is_free {
-                body.push(position, normal * (inward * gas.mass / dt));
+                body.push(position, gas.mass / dt, normal * inward);
             }
         }
         inside

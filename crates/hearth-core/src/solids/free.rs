@@ -17,7 +17,7 @@ mod state;
 
 use glam::Vec2;
 
-use super::Solids;
+use super::{Body, Solids};
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Edges, Floor, Model, Physics, Walls};
@@ -34,6 +34,17 @@ const SUBSTEP: f32 = 1e-3;
 const LONGEST: f32 = 0.05;
 /// Contacts for each solid that there is room for.
 const CONTACTS: usize = 48;
+
+impl Body {
+    /// Adds the force of a particle of gas at a position, whose mass \[kg/m\] it gave the opposite of this
+    /// acceleration [m/s²].
+    #[inline(never)]
+    pub fn push(&mut self, from: Vec2, mass: f32, acceleration: Vec2) {
+        let force = acceleration * mass;
+        self.force += force;
+        self.torque += (from - self.surface.frame.centre).perp_dot(force);
+    }
+}
 
 impl FreeBodies {
     /// The free solids of a scene, and the others that they meet. Those that the scene has not moved

@@ -235,8 +235,8 @@ fn bodies_and_gas_in_a_closed_box_keep_their_momentum() {
         let (now, of_bodies) = sums(fire);
         moved = moved.max((of_bodies - bodies).length());
         let change = (now + of_bodies - whole).length() / whole.length();
-        // Sums of a thousand roundings of a few millionths of a velocity.
-        assert!(change < 1e-4, "{change} at {} s", fire.time());
+        // Rounding: a run has 1e-7.
+        assert!(change < 1e-5, "{change} at {} s", fire.time());
     });
     assert!(moved > 0.05 * whole.length(), "{moved} of {whole}");
     assert!(free(&fire, ball).spin.is_finite());

@@ -439,8 +439,8 @@ export interface HearthSolid {
   load?: number;
   /** A fuel that catches fire later. Mass of the water as a share of that of the dry fuel. [%] Default 8, from 0 to 100. */
   moisture?: number;
-  /** A solid that moves by itself, and pushes the gas. Sway: to and fro along a line. Spin: around its place. No part of it is faster than 3 m/s. Default "still". */
-  motion?: "still" | "sway" | "spin";
+  /** A solid that moves by itself, and pushes the gas. Sway: to and fro along a line. Spin: around its place. Free: it starts at its place and falls, rests on other solids and is pushed by the gas. No part of it is faster than 3 m/s. Default "still". */
+  motion?: "still" | "sway" | "spin" | "free";
   /** A solid that moves farther. Distance of its turning points from its place. [m] Default 0.3, from 0 to 5. */
   sway?: number;
   /** A motion along another line. Angle from the horizontal at which it starts, counterclockwise. [°] Default 0, from -360 to 360. */
@@ -449,6 +449,12 @@ export interface HearthSolid {
   period?: number;
   /** A solid that turns faster counterclockwise or, below 0, clockwise. [°/s] Default 45, from -720 to 720. */
   spin?: number;
+  /** A heavier solid. Its mass follows from its area; what has burnt of it weighs nothing. That of wood is about 500. None is lighter than the gas beside it. [kg/m³] Default 500, from 0.1 to 10000. */
+  density?: number;
+  /** A rougher solid. Tangent of the angle at which it begins to slide on a fixed solid. Default 0.5, from 0 to 2. */
+  friction?: number;
+  /** A solid that bounces higher. Share of the speed of an impact with which it leaves. Default 0.1, from 0 to 1. */
+  restitution?: number;
 }
 
 /** An object of a scene. */

@@ -37,9 +37,9 @@ export interface SimulationOptions {
   wasm?: string | URL | BufferSource | WebAssembly.Module;
   /**
    * The parts of the wasm that are not beside the module: the classic model; polygons, strokes and
-   * masks; the presets. A browser fetches the others when a simulation needs them.
+   * masks; the presets; solids that burn; free solids. A browser fetches the others when a simulation needs them.
    */
-  wasmParts?: { [part in 'classic' | 'outlines' | 'presets']?: string | URL | BufferSource | WebAssembly.Module };
+  wasmParts?: { [part in 'classic' | 'outlines' | 'presets' | 'fuels' | 'bodies']?: string | URL | BufferSource | WebAssembly.Module };
 }
 
 /** Numbers in an array of any kind. */

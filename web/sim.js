@@ -439,6 +439,7 @@ const PARTS = {
   outlines: () => new URL('./wasm/hearth-sim_outlines.wasm', import.meta.url),
   presets: () => new URL('./wasm/hearth-sim_presets.wasm', import.meta.url),
   fuels: () => new URL('./wasm/hearth-sim_fuels.wasm', import.meta.url),
+  bodies: () => new URL('./wasm/hearth-sim_bodies.wasm', import.meta.url),
 };
 
 /** @type {(name: string, cause: unknown) => Error} */

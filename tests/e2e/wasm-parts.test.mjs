@@ -18,7 +18,8 @@ const CLASSIC = 'hearth-engine_classic.wasm';
 const OUTLINES = 'hearth-engine_outlines.wasm';
 const QUANTITIES = 'hearth-engine_quantities.wasm';
 const FUELS = 'hearth-engine_fuels.wasm';
-const GONE = { files: Object.fromEntries([CLASSIC, OUTLINES, QUANTITIES, FUELS].map((file) => [file, { status: 404, body: '' }])) };
+const BODIES = 'hearth-engine_bodies.wasm';
+const GONE = { files: Object.fromEntries([CLASSIC, OUTLINES, QUANTITIES, FUELS, BODIES].map((file) => [file, { status: 404, body: '' }])) };
 
 /** The fire's model, and how often the page fetched the part for it. @param {import('./driver.mjs').Tab} tab */
 const state = (tab) => tab.fire((fire) => ({
@@ -213,4 +214,28 @@ test('the code for a stored burning scene loads before the engine runs', async (
   await tab.until('the code', () => (
     performance.getEntriesByType('resource').some(({ name }) => name.endsWith('hearth-engine_burning.wasm'))
   ));
+});
+
+test('the first free solid fetches the code for it, falls, and without the code is refused', async () => {
+  const solid = { kind: 'solid', shape: 'box', x: 0.5, y: 0.6, width: 0.1, height: 0.1, motion: 'free' };
+  const tab = await browser.open('<hearth-fire max-particles="1500" floor="solid"></hearth-fire>');
+  await tab.burnt(0.3);
+  const fetched = () => tab.evaluate((part) => performance.getEntriesByType('resource').filter(({ name }) => name.endsWith(part)).length, BODIES);
+  assert.equal(await fetched(), 0);
+  const place = await tab.fire(async (fire, object) => {
+    const id = await fire.addObject(object);
+    await fire.step(60);
+    // The values are those of the start.
+    return fire.objects.find((one) => one.id === id)?.y;
+  }, solid);
+  assert.equal(place, 0.6);
+  assert.equal(await fetched(), 1);
+  await assertBurns(tab);
+  assert.deepEqual(await tab.complaints(), []);
+
+  const without = await browser.open('<hearth-fire></hearth-fire>', GONE);
+  await without.burnt(0.3);
+  const outcome = await without.fire((fire, object) => fire.addObject(object).then(() => 'added', ({ message }) => message), solid);
+  assert.match(outcome, /^The code for free solids could not be loaded/);
+  await assertBurns(without);
 });

@@ -110,7 +110,14 @@ pub fn fingerprints() -> String {
     let others = others.map(|(name, parameters)| (name, Scene::from(parameters)));
     let beside = fires::in_the_open(fires::combustion(&[]), 900);
     let beside = [("outlines", fires::beside_outlines(beside))];
+    let falling = fires::on_floor(fires::in_the_open(fires::combustion(&[]), 900));
+    let falling = [
+        ("free solids", free_solids(falling)),
+        ("free solids, closed", free_solids(fires::combustion(&[]))),
+        ("classic free solids", free_solids(fires::with([]))),
+    ];
     let lit = presets.chain(others).chain(beside).chain(burning_solids());
+    let lit = lit.chain(falling);
     let lit = lit.map(|(name, parameters)| (name, fingerprint(parameters)));
     // Taken up as it is, and by fewer particles.
     let kept = [
@@ -149,6 +156,35 @@ fn burning_solids() -> impl Iterator<Item = (&'static str, Scene)> {
             assert!(added.is_ok(), "{added:?}");
             (fuel, scene)
         })
+}
+
+/// A fire onto which free solids of several shapes fall, one of which burns.
+fn free_solids(parameters: Parameters) -> Scene {
+    let mut scene = Scene::new(parameters);
+    for (number, shape) in ["circle", "box", "line", "polygon", "box"]
+        .into_iter()
+        .enumerate()
+    {
+        let added = scene.add(&[
+            ("kind", Input::Text("solid")),
+            ("motion", Input::Text("free")),
+            ("shape", Input::Text(shape)),
+            ("points", Input::Text("0,0.06 -0.05,-0.03 0.05,-0.03")),
+            ("width", Input::Number(0.1)),
+            ("height", Input::Number(0.05)),
+            ("angle", Input::Number(25.0)),
+            ("x", Input::Number(0.03 * number as f64)),
+            ("y", Input::Number(0.1 + 0.12 * number as f64)),
+            ("density", Input::Number(40.0)),
+            (
+                "fuel",
+                Input::Text(if number == 2 { "paper" } else { "none" }),
+            ),
+            ("load", Input::Number(0.4)),
+        ]);
+        debug_assert!(added.is_ok(), "{added:?}");
+    }
+    scene
 }
 
 /// The fingerprint of a fire around solids of every shape, one of which moves.

@@ -63,7 +63,14 @@ fn a_warm_fire_allocates_nothing() {
     let swaying = [("kind", "solid"), ("motion", "sway")].map(|(id, text)| (id, Input::Text(text)));
     assert!(beside.add(&swaying).is_ok());
     let fires = [Parameters::new(Model::Classic), everything(), open].map(Scene::from);
-    for scene in fires.into_iter().chain([beside]) {
+    let mut falling = Scene::from(on_floor(in_the_open(everything(), 1500)));
+    for height in [0.1, 0.25, 0.4, 2.0] {
+        let free = [("kind", "solid"), ("motion", "free"), ("shape", "box")];
+        let free = free.map(|(id, text)| (id, Input::Text(text)));
+        let place = ("y", Input::Number(height));
+        assert!(falling.add(&[&free[..], &[place]].concat()).is_ok());
+    }
+    for scene in fires.into_iter().chain([beside, falling]) {
         // Briefly where each picture takes as long as a step.
         for (mode, steps) in [("fire", 2400), ("vorticity", 800)] {
             let mut scene = scene.clone();

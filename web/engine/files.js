@@ -20,7 +20,7 @@ export function wasm() {
 
 /**
  * The parts of the wasm, by name: what reads saved fires, the classic model, the quantities of display
- * modes, the distance from the outlines of solids, and solids that burn.
+ * modes, the distance from the outlines of solids, solids that burn, and free solids.
  * @type {{[name: string]: () => import('./engine.js').Source}}
  */
 export const PARTS = {
@@ -29,6 +29,7 @@ export const PARTS = {
   quantities: () => new URL('../wasm/hearth-engine_quantities.wasm', import.meta.url),
   outlines: () => new URL('../wasm/hearth-engine_outlines.wasm', import.meta.url),
   fuels: () => new URL('../wasm/hearth-engine_fuels.wasm', import.meta.url),
+  bodies: () => new URL('../wasm/hearth-engine_bodies.wasm', import.meta.url),
 };
 
 /**

@@ -13,6 +13,7 @@ const NEEDS = {
   classic: ['model', 'the classic model'],
   outlines: ['shape', 'polygons, strokes and masks'],
   fuels: ['fuel', 'solids that burn'],
+  bodies: ['motion', 'free solids'],
   quantities: ['display_mode', 'this display mode'],
 };
 

@@ -53,5 +53,8 @@ export const PROPERTIES = {
     heading: {"every":[0,-360,360]},
     period: {"every":[4,0.5,60]},
     spin: {"every":[45,-720,720]},
+    density: {"every":[500,0.1,10000]},
+    friction: {"every":[0.5,0,2]},
+    restitution: {"every":[0.1,0,1]},
   },
 };

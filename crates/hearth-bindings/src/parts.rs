@@ -22,9 +22,17 @@ pub fn missing(scene: &Scene) -> Option<&'static str> {
         Some("quantities")
     } else if scene.lacks_fields() {
         Some("outlines")
+    } else if scene.has_fuel() && !fuels_is_loaded() {
+        Some("fuels")
     } else {
-        (scene.has_fuel() && !fuels_is_loaded()).then_some("fuels")
+        (scene.has_free() && !bodies_is_loaded()).then_some("bodies")
     }
+}
+
+/// Whether the part that moves free solids is loaded.
+#[inline(never)]
+fn bodies_is_loaded() -> bool {
+    black_box(6_u8) == 6
 }
 
 /// Whether the part that burns solids is loaded.

@@ -283,6 +283,13 @@ impl Combustion {
         self.removed
     }
 
+    /// Lets free solids start again.
+    // A part of the code of saved fires.
+    #[inline(always)]
+    pub fn forget_free(&mut self) {
+        self.solids.free = Default::default();
+    }
+
     /// The ids of the solids that conduct heat, and their temperatures \[K\].
     pub fn solid_temperatures(&self) -> impl Iterator<Item = (u32, f32)> {
         self.solids.temperatures()

@@ -79,6 +79,16 @@ impl Simulation {
         let (scene, random) = (&self.scene, &mut self.random);
         let solver = &mut self.solver;
         self.time += solver.step(scene, random, self.time, force, on_stage);
+        self.show_free();
+    }
+
+    /// Draws the free solids where they are.
+    // Inlined, it would be in each of its callers.
+    #[inline(never)]
+    fn show_free(&mut self) {
+        if let Some(free) = &*self.solver.solids().free {
+            free.show(&mut self.scene);
+        }
     }
 
     /// Starts again: time zero, the generator at its seed.
@@ -86,6 +96,7 @@ impl Simulation {
         self.random = Random::new(self.scene.settings().seed);
         self.solver = AnySolver::new(&self.scene, &mut self.random);
         self.time = 0.0;
+        self.show_free();
         self.see(self.seen);
     }
 
@@ -139,6 +150,7 @@ impl Simulation {
             self.reset();
         }
         self.solver.adapt(&self.scene, &mut self.random, self.time);
+        self.show_free();
     }
 
     /// Simulated time since the start \[s\].

@@ -4,6 +4,7 @@
 //! of that motion for as long as the motion took: the time since the change before, at most
 //! [`LONGEST_MOTION`]. A solid may also move by itself, as a function of the time.
 
+mod free;
 mod heat;
 mod images;
 #[cfg(test)]
@@ -17,8 +18,10 @@ use glam::Vec2;
 
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
-use crate::params::{Fuel, Physics, Thermal};
+use crate::params::{Fuel, Motion, Physics, Thermal};
 use crate::scene::{Drive, Field, MAX_SPEED, RoundedBox, Scene, Surface};
+pub use free::FreeSolid;
+pub(crate) use free::{FreeBodies, Moments};
 use heat::{Inflow, Store};
 
 /// Longest and shortest time of a motion \[s\].
@@ -47,6 +50,11 @@ pub(crate) struct Body {
     pub temperature: Option<f32>,
     /// Whether it has fuel.
     pub burns: bool,
+    /// Whether forces move it; and the force [N/m] and the torque \[N\] of the gas on it in the present
+    /// step, for each metre of depth.
+    pub is_free: bool,
+    force: Vec2,
+    torque: f32,
     /// How a body that conducts heat stores and radiates it.
     store: Option<Store>,
     /// Velocity [m/s] and angular velocity [1/s] of the last motion.
@@ -99,6 +107,8 @@ pub(crate) struct Solids {
     pub bodies: Vec<Body>,
     /// Room for the bodies of the next step.
     spare: Vec<Body>,
+    /// Those that forces move.
+    pub free: free::Held,
 }
 
 impl Solids {
@@ -135,6 +145,9 @@ impl Solids {
                 reach: frame.reach(),
                 temperature: (thermal != Thermal::Adiabatic).then_some(solid.temperature),
                 burns,
+                is_free: solid.motion == Motion::Free,
+                force: Vec2::ZERO,
+                torque: 0.0,
                 store: (thermal == Thermal::Conducting).then(|| Store::of(solid, surface)),
                 velocity: Vec2::ZERO,
                 spin: 0.0,
@@ -147,6 +160,9 @@ impl Solids {
             body.drive_to(time);
             self.place(body, bounds, near);
         }
+        if self.free.is_some() || scene.has_free() {
+            FreeBodies::set(self, scene, time, bounds);
+        }
     }
 
     /// Moves the solids that move by themselves to where they are at a time \[s\]. Each body and
@@ -156,11 +172,15 @@ impl Solids {
         for body in &mut self.bodies {
             body.drive_to(time);
         }
+        if self.free.is_some() {
+            FreeBodies::advance(self, time);
+        }
     }
 
     /// Whether a solid moves by itself.
     pub fn drive(&self) -> bool {
-        self.bodies.iter().any(|body| body.drive.is_some())
+        let mut all = self.bodies.iter();
+        all.any(|body| body.is_free || body.drive.is_some())
     }
 
     /// Gives solids that move by themselves images beyond periodic edges anew.
@@ -234,6 +254,9 @@ impl Solids {
             if body.left <= 0.0 {
                 (body.velocity, body.spin) = (Vec2::ZERO, 0.0);
             }
+        }
+        if self.free.is_some() {
+            FreeBodies::feel(self, dt);
         }
     }
 

@@ -3,7 +3,9 @@
  * are in the file itself. No fire is kept in it: each is lit.
  */
 
+import BODIES from 'inline:bodies';
 import CLASSIC from 'inline:classic';
+import FUELS from 'inline:fuels';
 import OUTLINES from 'inline:outlines';
 import QUANTITIES from 'inline:quantities';
 import WASM from 'inline:wasm';
@@ -19,6 +21,8 @@ export function wasm() {
 export const PARTS = {
   classic: () => unpacked(CLASSIC),
   outlines: () => unpacked(OUTLINES),
+  fuels: () => unpacked(FUELS),
+  bodies: () => unpacked(BODIES),
   quantities: () => unpacked(QUANTITIES),
 };
 

@@ -48,6 +48,7 @@ export async function inlined(sources, wasm, { name, version, license }) {
       classic: await deflated('hearth-engine_classic.wasm'),
       quantities: await deflated('hearth-engine_quantities.wasm'),
       fuels: await deflated('hearth-engine_fuels.wasm'),
+      bodies: await deflated('hearth-engine_bodies.wasm'),
       outlines: await deflated('hearth-engine_outlines.wasm'),
       wasm: await deflated('hearth-engine_bg.wasm'),
       worker: worker.text,

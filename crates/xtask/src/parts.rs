@@ -11,7 +11,7 @@ use crate::shell::Shell;
 
 /// The parts, with the modules that they are taken from. `hearth_bindings::parts` tells when one is
 /// needed.
-const PARTS: [(Part, &[&str]); 6] = [
+const PARTS: [(Part, &[&str]); 7] = [
     (
         Part {
             name: "classic",
@@ -70,6 +70,30 @@ const PARTS: [(Part, &[&str]); 6] = [
             ],
             texts: Vec::new,
             is_loaded: "hearth_bindings::parts::fuels_is_loaded",
+        },
+        &["hearth-engine", "hearth-sim"],
+    ),
+    (
+        Part {
+            name: "bodies",
+            symbols: &[
+                "hearth_core::solids::free::",
+                "<hearth_core::solids::free::",
+                "<hearth_core::solids::Body>::push",
+                "hearth_core::solids::Body::push",
+                "core::ptr::drop_in_place<alloc::boxed::Box<hearth_core::solids::free::",
+            ],
+            // A scene without a free solid has none of them.
+            callers: &[
+                "hearth_core::solids::",
+                "hearth_core::combustion::",
+                "hearth_core::simulation::",
+                "core::ptr::drop_in_place<hearth_",
+                "hearth_engine::",
+                "hearth_sim::",
+            ],
+            texts: Vec::new,
+            is_loaded: "hearth_bindings::parts::bodies_is_loaded",
         },
         &["hearth-engine", "hearth-sim"],
     ),

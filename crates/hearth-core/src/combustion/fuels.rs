@@ -65,6 +65,7 @@ impl Fuels {
             if let Some(field) = &burning.left {
                 solids.reshape(burning.id, field);
             }
+            burning.weigh(solids);
         }
         fuels.beside.resize(cells, Beside::default());
         fuels.blocks.resize(BLOCKS * BLOCKS, Block::default());

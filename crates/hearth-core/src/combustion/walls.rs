@@ -179,13 +179,19 @@ impl Walls {
             let friction = values.kinematic_viscosity * linear + mixed * near.friction;
             let inward = fast_min(velocity.dot(normal), 0.0);
             let pressed = 2.0 * gas.volume[i] / mass * gas.pressure[i] * near.slope;
+            let slowed = velocity * (2.0 * friction);
+            let pushed = normal * (pressed - damping * near.friction * inward);
             let acceleration = &mut gas.acceleration[i];
-            *acceleration -= velocity * (2.0 * friction);
-            *acceleration += normal * (pressed - damping * near.friction * inward);
+            *acceleration -= slowed;
+            *acceleration += pushed;
             gas.concentration_gradient[i] -= normal * near.slope;
-            if let Some(body) = body
-                && let Some(temperature) = body.temperature
-            {
+            let Some(body) = body else {
+                continue;
+            };
+            if body.is_free {
+                body.push(near.from, mass, slowed - pushed);
+            }
+            if let Some(temperature) = body.temperature {
                 let exchanged = 2.0 * (values.diffusion + mixed) * near.friction;
                 let own = gas.state[i].x;
                 gas.change[i].x += exchanged * (temperature - own);
@@ -196,7 +202,7 @@ impl Walls {
 
     /// Keeps the gas outside of the walls. A particle without a place between them stays where
     /// it was; returns whether there is one. `dt` is the time since the walls were found \[s\].
-    pub fn hold(&self, gas: &mut Gas, solids: &Solids, spacing: f32, dt: f32) -> bool {
+    pub fn hold(&self, gas: &mut Gas, solids: &mut Solids, spacing: f32, dt: f32) -> bool {
         let gap = MIN_DISTANCE * spacing;
         let moved = if solids.drive() { MAX_SPEED * dt } else { 0.0 };
         for _ in 0..ATTEMPTS {
@@ -205,7 +211,7 @@ impl Walls {
                 let path = gas.position[near.index as usize].distance(near.from) + moved;
                 // Sampled distances are uncertain by half.
                 if near.distance <= 2.0 * (gap + 2.0 * path) {
-                    held |= near.hold(gas, solids, gap);
+                    held |= near.hold(gas, solids, gap, dt);
                 }
             }
             if !held {
@@ -250,10 +256,10 @@ impl Near {
     /// Moves the particle out of the wall, and stops its motion into the wall. Returns whether
     /// it was nearer than the gap.
     #[inline]
-    fn hold(&self, gas: &mut Gas, solids: &Solids, gap: f32) -> bool {
+    fn hold(&self, gas: &mut Gas, solids: &mut Solids, gap: f32, dt: f32) -> bool {
         let i = self.index as usize;
         let position = gas.position[i];
-        let Some(body) = solids.bodies.get(self.solid as usize) else {
+        let Some(body) = solids.bodies.get_mut(self.solid as usize) else {
             let inside = position.y < gap;
             if inside {
                 gas.position[i].y = gap;
@@ -269,6 +275,9 @@ impl Near {
             let wall = body.velocity_at(position);
             let inward = fast_min((gas.velocity[i] - wall).dot(normal), 0.0);
             gas.velocity[i] -= normal * inward;
+            if body.is_free {
+                body.push(position, gas.mass / dt, normal * inward);
+            }
         }
         inside
     }

@@ -162,6 +162,8 @@ choices! {
         Sway = "sway",
         /// Around its place, at a constant rate.
         Spin = "spin",
+        /// By gravity, other solids and the gas.
+        Free = "free",
     }
 
     /// The visible layers.

@@ -29,6 +29,9 @@ const BURNING: &[&str] = &["wood", "paper", "coal", "wax", "cloth"];
 const SWAYING: &[&str] = &["sway"];
 const SPINNING: &[&str] = &["spin"];
 
+/// The motion by forces.
+const FREE: &[&str] = &["free"];
+
 properties! {
     /// A solid: gas neither passes nor enters it. Every value is in range.
     Solid: SOLID, SOLID_DESCRIPTIONS, SOLID_PROPERTIES, SOLID_NAMES;
@@ -76,7 +79,8 @@ properties! {
     /// A fuel that catches fire later. Mass of the water as a share of that of the dry fuel.
     moisture: number "Moisture" ["%"] Linear { (8.0, 0.0..=100.0) } when { fuel: BURNING }
     /// A solid that moves by itself, and pushes the gas. Sway: to and fro along a line. Spin: around
-    /// its place. No part of it is faster than 3 m/s.
+    /// its place. Free: it starts at its place and falls, rests on other solids and is pushed by the
+    /// gas. No part of it is faster than 3 m/s.
     motion: (choice Motion) "Motion" { (Still) }
     /// A solid that moves farther. Distance of its turning points from its place.
     sway: number "Sway" ["m"] Linear { (0.3, 0.0..=5.0) } when { motion: SWAYING }
@@ -86,6 +90,13 @@ properties! {
     period: number "Period" ["s"] Log { (4.0, 0.5..=60.0) } when { motion: SWAYING }
     /// A solid that turns faster counterclockwise or, below 0, clockwise.
     spin: number "Spin" ["°/s"] Linear { (45.0, -720.0..=720.0) } when { motion: SPINNING }
+    /// A heavier solid. Its mass follows from its area; what has burnt of it weighs nothing. That of
+    /// wood is about 500. None is lighter than the gas beside it.
+    density: number "Density" ["kg/m³"] Log { (500.0, 0.1..=10000.0) } when { motion: FREE }
+    /// A rougher solid. Tangent of the angle at which it begins to slide on a fixed solid.
+    friction: number "Friction" [""] Linear { (0.5, 0.0..=2.0) } when { motion: FREE }
+    /// A solid that bounces higher. Share of the speed of an impact with which it leaves.
+    restitution: number "Restitution" [""] Linear { (0.1, 0.0..=1.0) } when { motion: FREE }
 }
 
 impl Solid {

@@ -122,7 +122,7 @@ impl Solid {
 
     /// Its surface with a field that was sampled before.
     #[inline(never)]
-    pub(super) fn surface_with(&self, field: Option<Arc<Field>>) -> Surface {
+    pub(crate) fn surface_with(&self, field: Option<Arc<Field>>) -> Surface {
         let size = 0.5 * Vec2::new(self.width, self.height);
         let radius = match self.shape {
             Shape::Circle => size.x,

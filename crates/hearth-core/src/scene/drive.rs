@@ -43,7 +43,7 @@ impl Drive {
         let frame = &surface.frame;
         let (mut path, mut spin) = (Vec2::ZERO, 0.0);
         match solid.motion {
-            Motion::Still => return None,
+            Motion::Still | Motion::Free => return None,
             Motion::Sway => {
                 let longest = MAX_SPEED * solid.period / (2.0 * PI);
                 path = direction(solid.heading) * fast_min(solid.sway, longest);

@@ -16,7 +16,8 @@
 //! | embers × 10 | x, y (2 each), u, v, temperature, size, age, life (1 each), column by column |
 //! | solids × 4 | temperature \[K\] of each that conducts heat, in the order of the objects |
 //!
-//! What solids with fuel have lost is not in it: a restored fire has them whole and cold.
+//! What solids with fuel have lost is not in it: a restored fire has them whole and cold. Nor is where
+//! free solids are: they start at their places.
 //!
 //! A velocity is the root of its share of the largest, so that slow gas is precise.
 
@@ -201,6 +202,7 @@ impl Simulation {
 
         self.random = Random::new(parameters.seed);
         self.time = header.time;
+        gas.forget_free();
         gas.resume(
             &particles,
             embers,
@@ -210,6 +212,7 @@ impl Simulation {
             self.time,
         );
         gas.set_solid_temperatures(&solids);
+        self.show_free();
         Ok(())
     }
 }

@@ -7,6 +7,7 @@ use crate::combustion::{Combustion, Ember, Removed};
 use crate::instance::Measured;
 use crate::params::DisplayMode;
 use crate::particle::Particle;
+use crate::solids::FreeSolid;
 use crate::solver::Solver;
 
 impl Simulation {
@@ -29,6 +30,12 @@ impl Simulation {
         combustion
             .into_iter()
             .flat_map(Combustion::solid_temperatures)
+    }
+
+    /// The solids that forces move, in the order of the objects.
+    pub fn free_solids(&self) -> Vec<FreeSolid> {
+        let free = self.solver.solids().free.as_ref();
+        free.map_or_else(Vec::new, |free| free.seen())
     }
 
     /// Lower left and upper right corner of the rectangle that the gas can reach \[m\]: the

@@ -28,7 +28,8 @@ impl Solids {
             return;
         }
         let is_upright = shape.axis.abs().min_element() < UPRIGHT;
-        let is_plate = is_upright && body.surface.field.is_none() && body.drive.is_none();
+        let is_plate =
+            is_upright && body.surface.field.is_none() && body.drive.is_none() && !body.is_free;
         let mut count = |periodic: bool, axis: usize| {
             if !periodic {
                 return 0;

@@ -94,7 +94,7 @@ pub(super) struct Burning {
     /// What it was made of, and the shape at first, around its centre.
     fuel: Fuel,
     pub load: f32,
-    moisture: f32,
+    pub moisture: f32,
     shape: Surface,
     /// The spacing that it was made for \[m\].
     spacing: f32,

@@ -11,7 +11,7 @@ use crate::extremes::{fast_max, fast_min};
 use crate::params::Physics;
 use crate::random::Random;
 use crate::scene::Field;
-use crate::solids::Solids;
+use crate::solids::{Moments, Solids};
 
 /// Shortest time between two outlines \[s\].
 const INTERVAL: f32 = 0.25;
@@ -39,6 +39,7 @@ impl Fuels {
         }
         self.since = 0.0;
         for burning in &mut self.all {
+            burning.weigh(solids);
             let standing = burning.standing();
             if burning.stood - standing < GONE {
                 burning.find_surface();
@@ -68,6 +69,18 @@ impl Fuels {
 }
 
 impl Burning {
+    /// Gives a free body the mass that is left.
+    pub(super) fn weigh(&self, solids: &mut Solids) {
+        let Some(free) = &mut *solids.free else {
+            return;
+        };
+        let first: f32 = self.cells.iter().map(|cell| cell.first).sum();
+        let first = fast_max(first * (1.0 + 0.01 * self.moisture), 1e-12);
+        let places = self.cells.iter().enumerate();
+        let left = places.map(|(index, cell)| (cell.mass() / first, self.place(index)));
+        free.weigh(self.id, &Moments::of(left, self.side));
+    }
+
     /// Finds the outline of what stands.
     fn find_outline(&mut self) {
         let longest = 2.0 * fast_max(self.half.x, self.half.y);

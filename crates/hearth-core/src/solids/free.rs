@@ -1,0 +1,195 @@
+//! Solids that forces move: rigid bodies with gravity, contacts and the push of the gas.
+//!
+//! A step divides its time into [substeps](FreeBodies::substep). Each finds the
+//! [contacts](contacts) from points of one surface in the distance of another, and
+//! [solves](solve) them by sequential impulses with a soft bias (Macklin et al. 2019; Catto 2024).
+//! A contact acts before its surfaces meet, so a fast body stops at a thin one. The gas pushes a
+//! body by the force that the body has on the gas (Akinci et al. 2012). The code is a part of the
+//! wasm that a page loads for a scene with such a solid: nothing outside of it calls a function of it
+//! without one.
+
+mod body;
+mod contacts;
+mod rest;
+mod samples;
+mod solve;
+mod state;
+
+use glam::Vec2;
+
+use super::{Body, Solids};
+use crate::bounds::Bounds;
+use crate::extremes::{fast_max, fast_min};
+use crate::params::{Edges, Floor, Model, Physics, Walls};
+use crate::scene::Scene;
+use contacts::Plane;
+
+pub use body::FreeSolid;
+pub(crate) use body::Moments;
+pub(crate) use state::{FreeBodies, Held};
+
+/// Longest substep \[s\].
+const SUBSTEP: f32 = 1e-3;
+/// Longest step that the bodies follow \[s\].
+const LONGEST: f32 = 0.05;
+/// Contacts for each solid that there is room for.
+const CONTACTS: usize = 48;
+
+impl Body {
+    /// Adds the force of a particle of gas at a position, whose mass \[kg/m\] it gave the opposite of this
+    /// acceleration [m/s²].
+    #[inline(never)]
+    pub fn push(&mut self, from: Vec2, mass: f32, acceleration: Vec2) {
+        let force = acceleration * mass;
+        self.force += force;
+        self.torque += (from - self.surface.frame.centre).perp_dot(force);
+    }
+}
+
+impl FreeBodies {
+    /// The free solids of a scene, and the others that they meet. Those that the scene has not moved
+    /// stay where they are.
+    #[inline(never)]
+    pub fn set(solids: &mut Solids, scene: &Scene, time: f64, bounds: &Bounds) {
+        let values = scene.settings();
+        let mut free = solids.free.take().unwrap_or_default();
+        let mut before = std::mem::take(&mut free.all);
+        let ids = before.iter().map(|one| one.id);
+        if !ids.eq(scene.surfaces().map(|one| one.0)) {
+            free.contacts.clear();
+            free.old.clear();
+        }
+        for (id, solid, surface) in scene.surfaces() {
+            let mut body = body::Rigid::of(id, solid, surface, values);
+            let known = before.iter().position(|one| one.id == id);
+            if let Some(known) = known.map(|at| before.swap_remove(at)) {
+                body.continue_from(&known);
+            }
+            free.all.push(body);
+        }
+        free.gravity = values.gravity;
+        free.bounds = Some(*bounds);
+        free.planes = planes(values);
+        free.time = time;
+        let room = free.all.len() * CONTACTS;
+        free.contacts.reserve(room);
+        free.old.reserve(room);
+        free.follow(solids);
+        free.place(solids);
+        for body in solids.bodies.iter_mut().filter(|body| body.is_free) {
+            // The new place in the scene is no motion.
+            (body.velocity, body.spin) = (Vec2::ZERO, 0.0);
+        }
+        *solids.free = free.all.iter().any(|one| one.is_free).then_some(free);
+    }
+
+    /// Moves the free bodies to a time \[s\].
+    #[inline(never)]
+    pub fn advance(solids: &mut Solids, time: f64) {
+        let Some(mut free) = solids.free.take() else {
+            return;
+        };
+        let dt = fast_min((time - free.time) as f32, LONGEST);
+        free.time = time;
+        if dt > 0.0 {
+            free.follow(solids);
+            let count = (dt / SUBSTEP).ceil();
+            for _ in 0..count as u32 {
+                free.substep(dt / count);
+            }
+            free.rest(dt);
+            free.place(solids);
+        }
+        *solids.free = Some(free);
+    }
+
+    /// Accelerates the bodies by the forces of the gas in a step.
+    #[inline(never)]
+    pub fn feel(solids: &mut Solids, dt: f32) {
+        let Some(free) = &mut *solids.free else {
+            return;
+        };
+        let gravity = fast_max(free.gravity, 1e-3);
+        for body in solids.bodies.iter_mut().filter(|body| body.is_free) {
+            let (force, torque) = (body.force, body.torque);
+            (body.force, body.torque) = (Vec2::ZERO, 0.0);
+            if let Some(one) = free.all.iter_mut().find(|one| one.id == body.id) {
+                one.feel(force, torque, gravity, dt);
+            }
+        }
+    }
+
+    /// Sets what a solid that burns weighs: a share of its mass, and where that is.
+    #[inline(never)]
+    pub fn weigh(&mut self, id: u32, left: &Moments) {
+        if let Some(one) = self.all.iter_mut().find(|one| one.id == id) {
+            one.weigh(left);
+        }
+    }
+
+    /// Draws the bodies of a scene where they are.
+    #[inline(never)]
+    pub fn show(&self, scene: &mut Scene) {
+        for one in self.all.iter().filter(|one| one.is_free) {
+            scene.show_at(one.id, one.surface.frame.centre, one.surface.frame.axis);
+        }
+    }
+
+    /// The free solids, in the order of the objects.
+    #[inline(never)]
+    pub fn seen(&self) -> Vec<FreeSolid> {
+        let free = self.all.iter().filter(|one| one.is_free);
+        free.map(body::Rigid::seen).collect()
+    }
+
+    /// Takes over the surfaces that have changed, and where the solids are that no force moves.
+    fn follow(&mut self, solids: &Solids) {
+        for one in &mut self.all {
+            if let Some(body) = solids.first(one.id) {
+                one.follow(body);
+            }
+        }
+    }
+
+    /// Moves the solids and their images to where the bodies are.
+    fn place(&self, solids: &mut Solids) {
+        for body in solids.bodies.iter_mut().filter(|body| body.is_free) {
+            if let Some(one) = self.all.iter().find(|one| one.id == body.id) {
+                let frame = &one.surface.frame;
+                body.surface.frame.centre = frame.centre + body.image;
+                body.surface.frame.axis = frame.axis;
+                let arm = frame.centre - one.centre;
+                body.driven = (one.velocity + arm.perp() * one.spin, one.spin);
+            }
+        }
+    }
+
+    fn substep(&mut self, dt: f32) {
+        for one in self.all.iter_mut().filter(|one| one.is_awake()) {
+            one.velocity.y -= self.gravity * one.weight * dt;
+            one.limit();
+        }
+        self.find_contacts(dt);
+        self.solve(dt);
+        for one in self.all.iter_mut().filter(|one| one.is_free) {
+            one.advance(dt, self.bounds.as_ref());
+        }
+        self.relax(dt);
+    }
+}
+
+/// The floor, and the walls of the classic model.
+fn planes(values: &Physics) -> [Option<Plane>; 3] {
+    let plane = |normal: Vec2, offset: f32| Some(Plane { normal, offset });
+    let floor = plane(Vec2::Y, 0.0);
+    let side = -0.5 * values.domain_width;
+    match (values.model, values.walls) {
+        (Model::Classic, Walls::Open) => [None; 3],
+        (Model::Classic, Walls::Periodic) => [floor, None, None],
+        (Model::Classic, Walls::Solid) => [floor, plane(Vec2::X, side), plane(-Vec2::X, side)],
+        (Model::Combustion, _) => {
+            let stands = values.edges == Edges::Open && values.floor == Floor::Solid;
+            [floor.filter(|_| stands), None, None]
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! Contacts: where a disc of one surface is near another surface, or a plane.
+
+use glam::Vec2;
+
+use super::body::Rigid;
+use super::state::FreeBodies;
+use crate::bounds::Bounds;
+use crate::extremes::fast_max;
+
+/// Distance at which a contact is found, beyond the path in a substep \[m\].
+const MARGIN: f32 = 1e-3;
+/// Bodies and samples have numbers below this in a key.
+const KEYS: usize = 256;
+/// The number of the first plane, in place of that of a body.
+pub(super) const PLANES: usize = 200;
+
+/// A half space that is solid below it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Plane {
+    pub normal: Vec2,
+    pub offset: f32,
+}
+
+/// A contact of the body `one` with the body or plane `other`.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Contact {
+    /// The bodies and the sample.
+    key: usize,
+    pub one: usize,
+    pub other: usize,
+    /// From the other to the one.
+    pub normal: Vec2,
+    /// From the centres of mass to the contact \[m\].
+    pub arms: [Vec2; 2],
+    /// Distance of the surfaces \[m\].
+    pub gap: f32,
+    /// Impulses along the normal and along the surface [N·s/m], and the largest one along the normal.
+    pub impulse: f32,
+    pub along: f32,
+    pub most: f32,
+    /// Masses that the impulses move [kg/m].
+    pub normal_mass: f32,
+    pub along_mass: f32,
+    pub friction: f32,
+    pub restitution: f32,
+    /// Velocity along the normal before the impulses [m/s].
+    pub approach: f32,
+}
+
+impl FreeBodies {
+    /// Finds the contacts of a substep. Those known before keep their impulses.
+    pub(super) fn find_contacts(&mut self, dt: f32) {
+        std::mem::swap(&mut self.contacts, &mut self.old);
+        self.contacts.clear();
+        for (number, one) in self.all.iter().enumerate() {
+            for (second, other) in self.all.iter().enumerate() {
+                let lives = one.is_live() || other.is_live();
+                let moves = one.is_free || other.is_free;
+                if number == second || !lives || !moves {
+                    continue;
+                }
+                let shift = shift(self.bounds.as_ref(), one, other);
+                let near = MARGIN + (one.speed() + other.speed()) * dt;
+                let (a, b) = (&one.surface.frame, &other.surface.frame);
+                let reach = a.reach() + b.reach() + near;
+                if (a.centre - shift).distance_squared(b.centre) > reach * reach {
+                    continue;
+                }
+                for (index, sample) in one.samples.all().iter().enumerate() {
+                    let at = a.centre + a.axis.rotate(sample.at);
+                    let (distance, normal) = other.surface.distance(at - shift);
+                    let gap = distance - sample.radius;
+                    if gap < near && !other.samples.all().is_empty() {
+                        let point = at - normal * (sample.radius + 0.5 * gap);
+                        add(
+                            &mut self.contacts,
+                            Contact {
+                                key: (number * KEYS + second) * KEYS + index,
+                                one: number,
+                                other: second,
+                                normal,
+                                arms: [point - one.centre, point - shift - other.centre],
+                                gap,
+                                ..Contact::default()
+                            },
+                        );
+                    }
+                }
+            }
+            if !one.is_awake() {
+                continue;
+            }
+            let frame = &one.surface.frame;
+            for (second, plane) in (PLANES..).zip(&self.planes) {
+                let Some(plane) = plane else { continue };
+                for (index, sample) in one.samples.all().iter().enumerate() {
+                    let at = frame.centre + frame.axis.rotate(sample.at);
+                    let gap = at.dot(plane.normal) - plane.offset - sample.radius;
+                    if gap < MARGIN + one.speed() * dt {
+                        let point = at - plane.normal * sample.radius;
+                        add(
+                            &mut self.contacts,
+                            Contact {
+                                key: (number * KEYS + second) * KEYS + index,
+                                one: number,
+                                other: second,
+                                normal: plane.normal,
+                                arms: [point - one.centre, Vec2::ZERO],
+                                gap,
+                                ..Contact::default()
+                            },
+                        );
+                    }
+                }
+            }
+        }
+        self.remember(dt);
+    }
+
+    /// Gives the contacts that were there before their impulses: both lists have the order of the
+    /// keys.
+    fn remember(&mut self, dt: f32) {
+        let scale = dt / fast_max(self.length, 1e-9);
+        self.length = dt;
+        let mut old = self.old.iter().peekable();
+        for contact in &mut self.contacts {
+            while old.next_if(|old| old.key < contact.key).is_some() {}
+            if let Some(old) = old.next_if(|old| old.key == contact.key)
+                && old.normal.dot(contact.normal) > 0.9
+            {
+                (contact.impulse, contact.along) = (old.impulse * scale, old.along * scale);
+            }
+        }
+    }
+}
+
+/// Adds a contact while there is room.
+fn add(contacts: &mut Vec<Contact>, contact: Contact) {
+    if contacts.len() < contacts.capacity() {
+        contacts.push(contact);
+    }
+}
+
+/// The path from the image of `one` that is nearest to `other` to itself, beyond periodic edges.
+fn shift(bounds: Option<&Bounds>, one: &Rigid, other: &Rigid) -> Vec2 {
+    let Some(bounds) = bounds else {
+        return Vec2::ZERO;
+    };
+    let path = one.surface.frame.centre - other.surface.frame.centre;
+    let whole = |is_periodic: bool, path: f32, period: f32| match is_periodic {
+        true => period * (path / period + 0.5).floor(),
+        false => 0.0,
+    };
+    Vec2::new(
+        whole(bounds.periodic_x, path.x, bounds.width),
+        whole(bounds.periodic_y, path.y, bounds.height),
+    )
+}

@@ -1,0 +1,100 @@
+//! Points of a surface: the middles of discs inside of a solid, whose edges are its outermost
+//! places. A disc, not a corner, meets another solid: the direction of its distance is certain where
+//! two corners meet.
+
+use glam::Vec2;
+
+use crate::direction::direction;
+use crate::extremes::{fast_max, fast_min};
+use crate::scene::{Field, Surface};
+
+/// Directions in which the outermost place of a sampled surface is sought.
+const DIRECTIONS: usize = 24;
+/// Radius of the discs in the corners of a solid, in halves of its thickness, and at most \[m\].
+const ROUND: f32 = 0.1;
+const ROUNDEST: f32 = 0.004;
+
+/// A disc, in the frame of the solid.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Sample {
+    pub at: Vec2,
+    pub radius: f32,
+}
+
+/// The discs of a solid.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Samples {
+    all: [Sample; DIRECTIONS],
+    count: usize,
+}
+
+impl Samples {
+    /// Those of a surface.
+    pub fn of(surface: &Surface) -> Samples {
+        let mut samples = Samples::default();
+        match &surface.field {
+            None => {
+                let frame = &surface.frame;
+                let thinnest = fast_min(frame.half.x, frame.half.y) + frame.radius;
+                let radius = fast_max(frame.radius, fast_min(ROUND * thinnest, ROUNDEST));
+                let inner = frame.half + frame.radius - radius;
+                let (x, y) = (fast_max(inner.x, 0.0), fast_max(inner.y, 0.0));
+                for at in [(-x, -y), (x, -y), (x, y), (-x, y)] {
+                    samples.add(Sample {
+                        at: at.into(),
+                        radius,
+                    });
+                }
+            }
+            Some(field) => samples.find(field),
+        }
+        samples
+    }
+
+    /// All of them.
+    pub fn all(&self) -> &[Sample] {
+        self.all.get(..self.count).unwrap_or_default()
+    }
+
+    fn add(&mut self, sample: Sample) {
+        if self.all().contains(&sample) {
+            return;
+        }
+        if let Some(place) = self.all.get_mut(self.count) {
+            *place = sample;
+            self.count += 1;
+        }
+    }
+
+    /// Finds the outermost nodes of a field at a small depth.
+    fn find(&mut self, field: &Field) {
+        let cells = Vec2::new(field.columns as f32 - 1.0, field.rows as f32 - 1.0);
+        let step = 2.0 * field.half / cells;
+        let cell = fast_max(step.x, step.y);
+        let radius = fast_min(fast_max(ROUNDEST * 0.5, cell), 0.5 * field.depth);
+        let mut best = [(f32::MIN, Sample::default()); DIRECTIONS];
+        let mut directions = [Vec2::ZERO; DIRECTIONS];
+        for (number, one) in directions.iter_mut().enumerate() {
+            *one = direction(360.0 / DIRECTIONS as f32 * number as f32);
+        }
+        for (index, &distance) in field.distances.iter().enumerate() {
+            let depth = -distance;
+            if depth < radius || depth > radius + 2.0 * cell || depth <= 0.0 {
+                continue;
+            }
+            let (column, row) = (index % field.columns, index / field.columns);
+            let at = Vec2::new(column as f32, row as f32) * step - field.half;
+            for (best, direction) in best.iter_mut().zip(&directions) {
+                let far = at.dot(*direction) + depth;
+                if far > best.0 {
+                    *best = (far, Sample { at, radius: depth });
+                }
+            }
+        }
+        for (far, sample) in best {
+            if far > f32::MIN {
+                self.add(sample);
+            }
+        }
+    }
+}

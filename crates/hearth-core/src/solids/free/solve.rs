@@ -1,0 +1,178 @@
+//! Sequential impulses: each contact in turn gets the impulse that stops its approach and, up to
+//! the friction, its sliding.
+//!
+//! A soft bias removes an overlap over several substeps; impulses without the bias follow the
+//! motion, so that it adds no energy (the soft step of Catto 2024).
+
+use std::f32::consts::PI;
+
+use glam::Vec2;
+
+use super::body::Rigid;
+use super::contacts::{Contact, PLANES};
+use super::state::FreeBodies;
+use crate::extremes::{fast_max, fast_min};
+
+/// Rounds with a bias, and rounds without it.
+const ROUNDS: u32 = 8;
+const RELAXATIONS: u32 = 4;
+/// Damping ratio of the bias, and its frequency, in substeps.
+const DAMPING: f32 = 10.0;
+const FREQUENCY: f32 = 0.25;
+/// Overlap that stays \[m\], and the greatest velocity at which an overlap ends [m/s].
+const SLOP: f32 = 2e-5;
+const FASTEST: f32 = 1.0;
+/// Slowest impact that bounces [m/s].
+const BOUNCE: f32 = 0.2;
+
+/// How soft a contact is.
+#[derive(Clone, Copy)]
+struct Soft {
+    rate: f32,
+    mass: f32,
+    impulse: f32,
+}
+
+/// The velocity, the inverse mass and the inverse inertia of a body; a plane has none.
+fn motion(all: &[Rigid], index: usize) -> (Vec2, f32, f32, f32) {
+    match all.get(index) {
+        Some(one) => (
+            one.velocity,
+            one.spin,
+            one.inverse_mass,
+            one.inverse_inertia,
+        ),
+        None => (Vec2::ZERO, 0.0, 0.0, 0.0),
+    }
+}
+
+/// The velocity of the one relative to the other at a contact.
+fn relative(all: &[Rigid], contact: &Contact) -> Vec2 {
+    let [one, other] = [contact.one, contact.other].map(|index| motion(all, index));
+    let [arm, far] = contact.arms;
+    one.0 + arm.perp() * one.1 - other.0 - far.perp() * other.1
+}
+
+/// Applies an impulse to the one, and its opposite to the other.
+fn apply(all: &mut [Rigid], contact: &Contact, impulse: Vec2) {
+    let sides = [(contact.one, 1.0), (contact.other, -1.0)];
+    for ((index, sign), arm) in sides.into_iter().zip(contact.arms) {
+        if let Some(body) = all.get_mut(index) {
+            body.velocity += impulse * (sign * body.inverse_mass);
+            body.spin += arm.perp_dot(impulse) * (sign * body.inverse_inertia);
+        }
+    }
+}
+
+/// The mass that an impulse in a direction moves at a contact [kg/m].
+fn mass_at(all: &[Rigid], contact: &Contact, direction: Vec2) -> f32 {
+    let mut inverse = 0.0;
+    for (index, arm) in [contact.one, contact.other].into_iter().zip(contact.arms) {
+        let (_, _, mass, inertia) = motion(all, index);
+        let lever = arm.perp_dot(direction);
+        inverse += mass + lever * lever * inertia;
+    }
+    1.0 / fast_max(inverse, 1e-12)
+}
+
+impl FreeBodies {
+    /// Finds the impulses of a substep, with the bias.
+    pub(super) fn solve(&mut self, dt: f32) {
+        for contact in &mut self.contacts {
+            contact.prepare(&self.all);
+        }
+        for contact in &self.contacts {
+            let impulse = contact.normal * contact.impulse + contact.normal.perp() * contact.along;
+            apply(&mut self.all, contact, impulse);
+        }
+        let frequency = 2.0 * PI * FREQUENCY;
+        let damped = 2.0 * DAMPING + frequency;
+        let scale = 1.0 / (1.0 + frequency * damped);
+        let soft = Soft {
+            rate: frequency / (damped * dt),
+            mass: frequency * damped * scale,
+            impulse: scale,
+        };
+        for _ in 0..ROUNDS {
+            for contact in &mut self.contacts {
+                contact.solve(&mut self.all, dt, Some(soft));
+            }
+        }
+        for contact in &mut self.contacts {
+            contact.gap += relative(&self.all, contact).dot(contact.normal) * dt;
+        }
+    }
+
+    /// Takes the velocity of the bias away, and lets impacts bounce.
+    pub(super) fn relax(&mut self, dt: f32) {
+        for _ in 0..RELAXATIONS {
+            for contact in &mut self.contacts {
+                contact.solve(&mut self.all, dt, None);
+            }
+        }
+        for contact in &mut self.contacts {
+            if contact.approach > -BOUNCE || contact.most <= 0.0 || contact.restitution <= 0.0 {
+                continue;
+            }
+            let leaving = relative(&self.all, contact).dot(contact.normal);
+            let wanted = leaving + contact.restitution * contact.approach;
+            let impulse = fast_max(contact.impulse - contact.normal_mass * wanted, 0.0);
+            let change = impulse - contact.impulse;
+            contact.impulse = impulse;
+            apply(&mut self.all, contact, contact.normal * change);
+        }
+    }
+}
+
+impl Contact {
+    /// Finds its masses, its friction and its approach.
+    fn prepare(&mut self, all: &[Rigid]) {
+        self.normal_mass = mass_at(all, self, self.normal);
+        self.along_mass = mass_at(all, self, self.normal.perp());
+        self.approach = relative(all, self).dot(self.normal);
+        let (one, other) = (all.get(self.one), all.get(self.other));
+        let free = |body: Option<&Rigid>| {
+            let body = body.filter(|body| body.is_free);
+            body.map(|body| (body.friction, body.restitution))
+        };
+        (self.friction, self.restitution) = match (free(one), free(other)) {
+            (Some(one), Some(other)) => ((one.0 * other.0).sqrt(), fast_max(one.1, other.1)),
+            (Some(own), None) | (None, Some(own)) => own,
+            (None, None) => (0.0, 0.0),
+        };
+    }
+
+    /// Changes its impulses, and the velocities by them.
+    fn solve(&mut self, all: &mut [Rigid], dt: f32, soft: Option<Soft>) {
+        let (bias, mass, share) = match soft {
+            _ if self.gap > 0.0 => (self.gap / dt, 1.0, 0.0),
+            Some(soft) => {
+                let bias = soft.rate * fast_min(self.gap + SLOP, 0.0);
+                (fast_max(bias, -FASTEST), soft.mass, soft.impulse)
+            }
+            None => (0.0, 1.0, 0.0),
+        };
+        let approach = relative(all, self).dot(self.normal) + bias;
+        let wanted = self.impulse * (1.0 - share) - self.normal_mass * mass * approach;
+        let impulse = fast_max(wanted, 0.0);
+        let change = impulse - self.impulse;
+        self.impulse = impulse;
+        self.most = fast_max(self.most, impulse);
+        apply(all, self, self.normal * change);
+        let side = self.normal.perp();
+        let sliding = relative(all, self).dot(side);
+        let most = self.friction * self.impulse;
+        let along = fast_min(
+            fast_max(self.along - self.along_mass * sliding, -most),
+            most,
+        );
+        let change = along - self.along;
+        self.along = along;
+        apply(all, self, side * change);
+    }
+
+    /// Whether its other side is a plane.
+    pub(super) fn is_at_plane(&self) -> bool {
+        self.other >= PLANES
+    }
+}

@@ -1,0 +1,419 @@
+//! Laws of solids that forces move: they fall, stack, slide, float and burn as rigid bodies do, and
+//! the gas and they exchange momentum.
+#![cfg(not(target_arch = "wasm32"))]
+
+use glam::DVec2;
+use hearth_core::params::Input;
+use hearth_core::{FreeSolid, Parameters, Scene, Simulation, Vec2, Where};
+use hearth_tests::fires::{
+    burn_on, closed_box, combustion, in_the_open, on_floor, watch, with_numbers,
+};
+use hearth_tests::sweep::crowd::gas_inside;
+
+const GRAVITY: f32 = 9.81;
+
+/// Coarse open air without a source, on a floor.
+fn floor(values: &[(&str, f64)]) -> Parameters {
+    let unlit = [("fuel_power", 0.0), ("ember_rate", 0.0)];
+    let mut settings = on_floor(in_the_open(combustion(&[&unlit, values].concat()), 1500));
+    assert_eq!(settings.set("spacing", Input::Number(0.06)), Ok(()));
+    settings
+}
+
+/// Adds a solid of that shape and motion.
+fn add(scene: &mut Scene, shape: &str, motion: &str, numbers: &[(&str, f64)]) -> u32 {
+    let mut fields = vec![
+        ("kind", Input::Text("solid")),
+        ("shape", Input::Text(shape)),
+        ("motion", Input::Text(motion)),
+    ];
+    fields.extend(numbers.iter().map(|&(name, x)| (name, Input::Number(x))));
+    match scene.add(&fields) {
+        Ok(id) => id,
+        Err(refused) => panic!("{refused:?}"),
+    }
+}
+
+fn free(fire: &Simulation, id: u32) -> FreeSolid {
+    let found = fire.free_solids().into_iter().find(|one| one.id == id);
+    match found {
+        Some(found) => found,
+        None => panic!("no free solid {id}"),
+    }
+}
+
+/// A scene of the classic model without any particle: bodies alone, quick.
+fn alone() -> Scene {
+    let mut settings = with_numbers(&[("time_step", 0.002)]);
+    assert_eq!(settings.set("walls", Input::Text("solid")), Ok(()));
+    let mut scene = Scene::new(settings);
+    scene.clear();
+    scene
+}
+
+#[test]
+fn five_boxes_stand_for_a_minute() {
+    for mut scene in [alone(), Scene::new(floor(&[]))] {
+        let box_of = [("width", 0.1), ("height", 0.1), ("x", 0.0)];
+        let ids: Vec<u32> = (0..5)
+            .map(|number| {
+                let y = ("y", 0.05 + 0.1 * f64::from(number));
+                add(&mut scene, "box", "free", &[&box_of[..], &[y]].concat())
+            })
+            .collect();
+        let mut fire = Simulation::new(scene);
+        let start = fire.free_solids();
+        watch(&mut fire, 60.0, |fire| {
+            for (one, now) in start.iter().zip(fire.free_solids()) {
+                let path = one.place.distance(now.place);
+                assert!(
+                    path < 1e-3,
+                    "{} moved {path} m at {} s",
+                    one.id,
+                    fire.time()
+                );
+            }
+        });
+        assert!(ids.into_iter().all(|id| free(&fire, id).asleep));
+    }
+}
+
+/// How far a box slides in a second on a line at that angle, with that friction.
+fn slid(degrees: f64, friction: f64) -> f32 {
+    let mut scene = alone();
+    let slope = [
+        ("width", 3.0),
+        ("height", 0.1),
+        ("y", 0.5),
+        ("angle", degrees),
+    ];
+    add(&mut scene, "line", "still", &slope);
+    let up = Vec2::from_angle(degrees.to_radians() as f32).perp() * 0.1;
+    let place = [
+        ("x", f64::from(up.x)),
+        ("y", f64::from(0.5 + up.y)),
+        ("angle", degrees),
+        ("width", 0.16),
+        ("height", 0.1),
+        ("friction", friction),
+    ];
+    let id = add(&mut scene, "box", "free", &place);
+    let mut fire = Simulation::new(scene);
+    let before = free(&fire, id).place;
+    burn_on(&mut fire, 1.0);
+    free(&fire, id).place.distance(before)
+}
+
+#[test]
+fn a_box_holds_and_slides_at_its_friction_angle() {
+    for friction in [0.2, 0.5, 0.8] {
+        let angle = f64::atan(friction).to_degrees();
+        let (held, moved) = (slid(angle - 2.0, friction), slid(angle + 2.0, friction));
+        assert!(held < 1e-3, "{friction}: it slid {held} m");
+        // ½ g (sin α − μ cos α) t², with 10 % for the start.
+        let (sine, cosine) = (angle + 2.0).to_radians().sin_cos();
+        let path = 0.5 * GRAVITY * (sine - friction * cosine) as f32;
+        assert!(
+            (moved / path - 1.0).abs() < 0.1,
+            "{friction}: {moved} m, not {path} m"
+        );
+    }
+}
+
+#[test]
+fn a_body_falls_as_gravity_tells_and_bounces_as_its_restitution_tells() {
+    for restitution in [0.0, 0.5, 0.9] {
+        let mut scene = alone();
+        let ball = [
+            ("width", 0.1),
+            ("y", 0.35),
+            ("density", 10_000.0),
+            ("restitution", restitution),
+        ];
+        let id = add(&mut scene, "circle", "free", &ball);
+        let mut fire = Simulation::new(scene);
+        burn_on(&mut fire, 0.2);
+        let fallen = 0.35 - free(&fire, id).place.y;
+        // Half of g t², within the path of a step.
+        assert!((fallen - 0.5 * GRAVITY * 0.04).abs() < 4e-3, "{fallen}");
+        let mut highest = 0.0_f32;
+        burn_on(&mut fire, 0.07);
+        watch(&mut fire, 0.4, |fire| {
+            highest = highest.max(free(fire, id).place.y)
+        });
+        let height = 0.05 + 0.3 * (restitution * restitution) as f32;
+        assert!(
+            (highest - height).abs() < 0.015,
+            "{restitution}: {highest}, not {height}"
+        );
+    }
+}
+
+#[test]
+fn none_tunnels_at_three_metres_a_second() {
+    for shape in ["circle", "box", "line", "polygon", "mask"] {
+        for angle in [0.0, 20.0, 90.0] {
+            let mut scene = alone();
+            // The thinnest wall, 1 m below: it is reached at the largest speed.
+            add(
+                &mut scene,
+                "line",
+                "still",
+                &[("width", 2.0), ("height", 0.002), ("y", 0.2)],
+            );
+            let place = [
+                ("y", 1.3),
+                ("width", 0.03),
+                ("height", 0.004),
+                ("angle", angle),
+            ];
+            let id = add(&mut scene, shape, "free", &place);
+            let outline = match shape {
+                "mask" => ("mask", Input::Text("8x4:3PSqSo")),
+                _ => ("points", Input::Text("0,0.02 -0.02,-0.01 0.02,-0.01")),
+            };
+            assert_eq!(scene.change(id, &[outline]), Ok(()));
+            let mut fire = Simulation::new(scene);
+            let mut fastest = 0.0_f32;
+            watch(&mut fire, 2.0, |fire| {
+                let now = free(fire, id);
+                fastest = fastest.max(now.velocity.length());
+                assert!(now.place.y > 0.2, "{shape} at {angle}°: {now:?}");
+            });
+            assert!(fastest > 2.9, "{fastest}");
+        }
+    }
+}
+
+#[test]
+fn bodies_and_gas_in_a_closed_box_keep_their_momentum() {
+    let settings = closed_box(&[("gravity", 0.0), ("turbulence", 0.0)]);
+    let mut scene = Scene::new(settings);
+    let density = ("density", 20.0);
+    let ball = add(
+        &mut scene,
+        "circle",
+        "free",
+        &[("x", -0.1), ("y", 0.4), ("width", 0.1), density],
+    );
+    let plate = [
+        ("x", 0.2),
+        ("y", 0.5),
+        ("width", 0.2),
+        ("height", 0.03),
+        ("angle", 30.0),
+        density,
+    ];
+    add(&mut scene, "line", "free", &plate);
+    // Every particle has the same share of the air that would fill the box without them.
+    let places = Simulation::new(scene.settings().clone()).count();
+    let mut fire = Simulation::new(scene);
+    let particle = f64::from(fire.parameters().ambient_density) * 0.64 / places as f64;
+    let sums = |fire: &Simulation| {
+        let gas = fire.velocities().into_iter().map(Vec2::as_dvec2);
+        let gas: DVec2 = gas.map(|v| v * particle).sum();
+        let bodies = fire.free_solids().into_iter();
+        let bodies: DVec2 = bodies
+            .map(|one| one.velocity.as_dvec2() * f64::from(one.mass))
+            .sum();
+        (gas, bodies)
+    };
+    // A gust meets them; then nothing acts on the box.
+    let gust = |at: Vec2, _: Vec2| {
+        if at.x < -0.2 {
+            Vec2::new(20.0, 5.0)
+        } else {
+            Vec2::ZERO
+        }
+    };
+    while fire.time() < 0.1 {
+        fire.step_in_stages(Some(&gust), &mut |_| ());
+    }
+    let (gas, bodies) = sums(&fire);
+    let (whole, mut moved) = (gas + bodies, 0.0_f64);
+    watch(&mut fire, 2.0, |fire| {
+        let (now, of_bodies) = sums(fire);
+        moved = moved.max((of_bodies - bodies).length());
+        let change = (now + of_bodies - whole).length() / whole.length();
+        // Rounding: a run has 1e-7.
+        assert!(change < 1e-5, "{change} at {} s", fire.time());
+    });
+    assert!(moved > 0.05 * whole.length(), "{moved} of {whole}");
+    assert!(free(&fire, ball).spin.is_finite());
+}
+
+#[test]
+fn a_light_sheet_rises_on_a_plume_and_a_block_does_not() {
+    let height = |density: f64| {
+        let mut settings = floor(&[]);
+        for (id, value) in [
+            ("fuel_power", 60.0),
+            ("source_height", 0.05),
+            ("spacing", 0.04),
+        ] {
+            assert_eq!(settings.set(id, Input::Number(value)), Ok(()));
+        }
+        let mut scene = Scene::new(settings);
+        let sheet = [
+            ("y", 0.5),
+            ("width", 0.16),
+            ("height", 0.01),
+            ("density", density),
+        ];
+        let id = add(&mut scene, "line", "free", &sheet);
+        let mut fire = Simulation::new(scene);
+        let mut highest = 0.0_f32;
+        watch(&mut fire, 2.0, |fire| {
+            highest = highest.max(free(fire, id).place.y)
+        });
+        highest
+    };
+    let (sheet, block) = (height(4.0), height(500.0));
+    assert!(sheet > 0.6, "{sheet}");
+    assert!(block < 0.501, "{block}");
+}
+
+#[test]
+fn a_balloon_rises_and_a_body_of_the_density_of_air_floats() {
+    let risen = |density: f64| {
+        let mut scene = alone();
+        let ball = [("y", 0.5), ("width", 0.2), ("density", density)];
+        let id = add(&mut scene, "circle", "free", &ball);
+        let mut fire = Simulation::new(scene);
+        burn_on(&mut fire, 0.2);
+        free(&fire, id).place.y - 0.5
+    };
+    let air = f64::from(alone().settings().ambient_density);
+    // With half of its weight, the buoyancy is twice that.
+    let path = 0.5 * GRAVITY * 0.04;
+    assert!((risen(0.5 * air) / path - 1.0).abs() < 0.05);
+    assert!(risen(air).abs() < 1e-5);
+    assert!((risen(2.0 * air) / path + 0.5).abs() < 0.05);
+}
+
+#[test]
+fn a_burning_body_has_the_mass_the_centre_and_the_inertia_of_what_is_left() {
+    let mut scene = Scene::new(floor(&[("gravity", 0.0)]));
+    let plank = [
+        ("y", 0.5),
+        ("width", 0.6),
+        ("height", 0.06),
+        ("load", 0.5),
+        ("moisture", 0.0),
+    ];
+    let id = add(&mut scene, "box", "free", &plank);
+    assert_eq!(scene.change(id, &[("fuel", Input::Text("paper"))]), Ok(()));
+    let mut fire = Simulation::new(scene);
+    let before = free(&fire, id);
+    // 500 kg/m³ of 0.6 m × 0.06 m, as a plank: m (a² + b²) / 12.
+    let mass = 500.0 * 0.6 * 0.06;
+    assert!((before.mass / mass - 1.0).abs() < 1e-3, "{before:?}");
+    let inertia = mass * (0.36 + 0.0036) / 12.0;
+    assert!((before.inertia / inertia - 1.0).abs() < 0.01, "{before:?}");
+    assert_eq!(fire.ignite(Where::Place(Vec2::new(-0.3, 0.5), 0.2)), Ok(()));
+    burn_on(&mut fire, 6.0);
+    let after = free(&fire, id);
+    let fuel = fire.burning_solids();
+    let left = ((fuel[0].fuel + fuel[0].char) / fuel[0].first) as f32;
+    assert!(left < 0.9, "{left}");
+    // The mass is looked at four times a second.
+    assert!(
+        (after.mass / before.mass - left).abs() < 0.05,
+        "{after:?} {left}"
+    );
+    assert!(after.inertia < before.inertia * left, "{after:?}");
+    // Its left end has burnt.
+    let frame = fire.scene().surfaces().find(|one| one.0 == id);
+    let frame = frame.map(|one| one.2.frame);
+    let along = frame.map_or(0.0, |frame| frame.local(after.centre).x);
+    assert!(along > 0.01, "{along}");
+}
+
+/// The solid with gas inside of what is left of it, if there is one.
+fn gas_in_what_is_left(fire: &mut Simulation) -> Option<u32> {
+    fire.show_fuels();
+    let (positions, charred) = (fire.positions(), fire.charred()?);
+    let mut solids = fire.scene().surfaces().zip(&charred.solids);
+    let found = solids.find(|((id, _, surface), (burning, _, left))| {
+        assert_eq!(id, burning);
+        let mut surface = (*surface).clone();
+        if let Some(left) = left {
+            surface.frame.half = left.half;
+            surface.frame.radius = 0.0;
+            surface.field = Some(left.clone());
+        }
+        positions.iter().any(|at| surface.distance(*at).0 <= 0.0)
+    });
+    found.map(|((id, ..), _)| id)
+}
+
+#[test]
+fn a_heap_of_burning_bodies_stays_finite_and_without_gas_inside() {
+    let mut scene = Scene::new(floor(&[]));
+    for number in 0..12 {
+        let row = f64::from(number / 4);
+        let place = [
+            ("x", 0.13 * (f64::from(number % 4) - 1.5) + 0.05 * row),
+            ("y", 0.15 + 0.16 * row),
+            ("angle", 31.0 * f64::from(number)),
+            ("width", 0.12),
+            ("height", 0.08),
+            ("load", 0.4),
+            ("density", 60.0),
+        ];
+        let shape = ["circle", "box", "line", "polygon"][number as usize % 4];
+        let id = add(&mut scene, shape, "free", &place);
+        let points = Input::Text("0,0.06 -0.05,-0.03 0.05,-0.03");
+        let fuel = [("fuel", Input::Text("wood")), ("points", points)];
+        assert_eq!(scene.change(id, &fuel), Ok(()));
+    }
+    let mut fire = Simulation::new(scene);
+    burn_on(&mut fire, 0.5);
+    assert_eq!(fire.ignite(Where::Place(Vec2::new(0.0, 0.2), 0.4)), Ok(()));
+    while fire.time() < 10.0 {
+        fire.step();
+        assert_eq!(gas_in_what_is_left(&mut fire), None, "{} s", fire.time());
+        for one in fire.free_solids() {
+            assert!(one.place.is_finite() && one.velocity.is_finite() && one.spin.is_finite());
+            assert!(one.place.y > -0.05, "{one:?}");
+        }
+    }
+    // Some of it has burnt.
+    assert!(fire.fuel_total().left < 0.9);
+    assert!(fire.positions().into_iter().all(Vec2::is_finite));
+    assert!(fire.temperatures().into_iter().all(f32::is_finite));
+}
+
+#[test]
+fn the_scene_keeps_the_start_and_a_changed_place_puts_a_body_there() {
+    for mut scene in [alone(), Scene::new(floor(&[]))] {
+        let ball = [("x", 0.1), ("y", 0.5), ("width", 0.1)];
+        let id = add(&mut scene, "circle", "free", &ball);
+        let mut fire = Simulation::new(scene.clone());
+        burn_on(&mut fire, 0.2);
+        let fallen = free(&fire, id);
+        assert!(fallen.place.y < 0.4);
+        // The values are those of the start, the surface is where the body is.
+        let (_, solid, surface) = fire.scene().surfaces().last().unwrap();
+        assert_eq!([solid.x, solid.y], [0.1, 0.5]);
+        assert_eq!(surface.frame.centre, fallen.place);
+        // Another property keeps the motion.
+        assert_eq!(
+            scene.change(id, &[("friction", Input::Number(0.9))]),
+            Ok(())
+        );
+        fire.set_scene(scene.clone());
+        assert_eq!(free(&fire, id), fallen);
+        assert_eq!(scene.change(id, &[("x", Input::Number(-0.2))]), Ok(()));
+        fire.set_scene(scene.clone());
+        let put = free(&fire, id);
+        assert_eq!(
+            (put.place, put.velocity),
+            (Vec2::new(-0.2, 0.5), Vec2::ZERO)
+        );
+        burn_on(&mut fire, 0.1);
+        fire.reset();
+        assert_eq!(free(&fire, id), put);
+        assert_eq!(gas_inside(&fire), None);
+    }
+}

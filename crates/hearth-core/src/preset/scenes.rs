@@ -76,6 +76,99 @@ pub static PRESETS: &[Preset] = &[
             material stone",
     },
     Preset {
+        name: "burning-logs",
+        text: "fuel_power 60\n\
+            source_width 0.2\n\
+            turbulence 0.5\n\
+            exposure 0.6\n\
+            bloom 0.2\n\
+            smoke_opacity 0.4\n\
+            ember_rate 60\n\
+            source_height 0.03\n\
+            emission_speed 0.3\n\
+            emission_noise 0.6\n\
+            soot_life 0.35\n\
+            source_oxygen 0.5\n\
+            detail 1.4\n\
+            ground earth\n\
+            turbulence_scale 0.25\n\
+            ember_life_max 3\n\
+            domain_width 1.6\n\
+            domain_height 1.7\n\
+            spacing 0.03\n\
+            max_particles 6000\n\
+            \n\
+            kind solid\n\
+            shape circle\n\
+            x -0.16\n\
+            y 0.07\n\
+            width 0.14\n\
+            material wood\n\
+            fuel wood\n\
+            load 12\n\
+            moisture 4\n\
+            \n\
+            kind solid\n\
+            shape circle\n\
+            x 0.16\n\
+            y 0.065\n\
+            width 0.13\n\
+            material wood\n\
+            fuel wood\n\
+            load 12\n\
+            moisture 4\n\
+            \n\
+            kind solid\n\
+            shape circle\n\
+            x -0.33\n\
+            y 0.05\n\
+            width 0.1\n\
+            material wood\n\
+            fuel wood\n\
+            load 12\n\
+            moisture 4\n\
+            \n\
+            kind solid\n\
+            shape circle\n\
+            x 0.33\n\
+            y 0.055\n\
+            width 0.11\n\
+            material wood\n\
+            fuel wood\n\
+            load 12\n\
+            moisture 4\n\
+            \n\
+            kind solid\n\
+            shape circle\n\
+            x -0.21\n\
+            y 0.215\n\
+            width 0.11\n\
+            material wood\n\
+            fuel wood\n\
+            load 12\n\
+            moisture 4\n\
+            \n\
+            kind solid\n\
+            shape circle\n\
+            x 0.005\n\
+            y 0.22\n\
+            width 0.12\n\
+            material wood\n\
+            fuel wood\n\
+            load 12\n\
+            moisture 4\n\
+            \n\
+            kind solid\n\
+            shape circle\n\
+            x 0.21\n\
+            y 0.2\n\
+            width 0.1\n\
+            material wood\n\
+            fuel wood\n\
+            load 12\n\
+            moisture 4",
+    },
+    Preset {
         name: "burning-word",
         text: "fuel_power 600\n\
             exposure 0.4\n\
@@ -227,6 +320,109 @@ pub static PRESETS: &[Preset] = &[
             width 0.016\n\
             height 0.005\n\
             material coal",
+    },
+    Preset {
+        name: "curtain",
+        text: "fuel_power 12\n\
+            source_width 0.07\n\
+            wind 0.25\n\
+            exposure 0.3\n\
+            smoke_opacity 0.5\n\
+            ember_rate 40\n\
+            time_scale 0.8\n\
+            source_x -0.36\n\
+            source_height 0.27\n\
+            emission_speed 0.15\n\
+            emission_noise 0.2\n\
+            source_oxygen 0.6\n\
+            ground stone\n\
+            domain_width 1.1\n\
+            domain_height 1.5\n\
+            spacing 0.027\n\
+            max_particles 7000\n\
+            \n\
+            kind solid\n\
+            shape line\n\
+            x 0\n\
+            y 1.36\n\
+            width 0.95\n\
+            height 0.035\n\
+            material iron\n\
+            \n\
+            kind solid\n\
+            shape box\n\
+            x -0.36\n\
+            y 0.13\n\
+            width 0.07\n\
+            height 0.26\n\
+            corner 0.01\n\
+            material wax\n\
+            \n\
+            kind solid\n\
+            shape stroke\n\
+            x -0.305\n\
+            y 0.82\n\
+            points 0,0.5 0.002,0.375 0.006,0.25 0.008,0.125 0.01,0 0.013,-0.125 0.024,-0.25 0.041,-0.375 0.06,-0.5\n\
+            height 0.12\n\
+            material wax\n\
+            fuel cloth\n\
+            load 0.8\n\
+            moisture 5\n\
+            \n\
+            kind solid\n\
+            shape stroke\n\
+            x -0.183\n\
+            y 0.805\n\
+            points 0,0.515 0.002,0.386 0.005,0.258 0.007,0.129 0.008,0 0.014,-0.129 0.026,-0.257 0.044,-0.386 0.06,-0.515\n\
+            height 0.12\n\
+            material wax\n\
+            fuel cloth\n\
+            load 0.8\n\
+            moisture 5\n\
+            \n\
+            kind solid\n\
+            shape stroke\n\
+            x -0.061\n\
+            y 0.82\n\
+            points 0,0.5 0.002,0.375 0.004,0.25 0.006,0.125 0.008,0 0.015,-0.125 0.029,-0.25 0.046,-0.375 0.059,-0.5\n\
+            height 0.12\n\
+            material wax\n\
+            fuel cloth\n\
+            load 0.8\n\
+            moisture 5\n\
+            \n\
+            kind solid\n\
+            shape stroke\n\
+            x 0.061\n\
+            y 0.805\n\
+            points 0,0.515 0.002,0.386 0.004,0.258 0.005,0.129 0.008,0 0.016,-0.129 0.031,-0.257 0.047,-0.386 0.057,-0.515\n\
+            height 0.12\n\
+            material wax\n\
+            fuel cloth\n\
+            load 0.8\n\
+            moisture 5\n\
+            \n\
+            kind solid\n\
+            shape stroke\n\
+            x 0.183\n\
+            y 0.82\n\
+            points 0,0.5 0.002,0.375 0.003,0.25 0.004,0.125 0.008,0 0.018,-0.125 0.033,-0.25 0.047,-0.375 0.055,-0.5\n\
+            height 0.12\n\
+            material wax\n\
+            fuel cloth\n\
+            load 0.8\n\
+            moisture 5\n\
+            \n\
+            kind solid\n\
+            shape stroke\n\
+            x 0.305\n\
+            y 0.805\n\
+            points 0,0.515 0.001,0.386 0.002,0.258 0.003,0.129 0.009,0 0.021,-0.129 0.035,-0.257 0.046,-0.386 0.051,-0.515\n\
+            height 0.12\n\
+            material wax\n\
+            fuel cloth\n\
+            load 0.8\n\
+            moisture 5",
     },
     Preset {
         name: "fireplace",
@@ -620,6 +816,69 @@ pub static PRESETS: &[Preset] = &[
             material coal",
     },
     Preset {
+        name: "matchstick",
+        text: "fuel_power 10\n\
+            source_width 0.04\n\
+            wind 0.06\n\
+            exposure 0.6\n\
+            smoke_opacity 0.4\n\
+            ember_rate 3\n\
+            time_scale 0.5\n\
+            source_x -0.135\n\
+            source_height 0.105\n\
+            emission_speed 0.15\n\
+            emission_noise 0.2\n\
+            soot_life 0.8\n\
+            radiative_cooling 500\n\
+            source_oxygen 0.6\n\
+            detail 0.5\n\
+            ember_size 0.0015\n\
+            domain_width 0.42\n\
+            domain_height 0.5\n\
+            spacing 0.01\n\
+            max_particles 3000\n\
+            kinematic_viscosity 0.003\n\
+            eddy_viscosity 0.25\n\
+            diffusion 0.0005\n\
+            \n\
+            kind solid\n\
+            shape line\n\
+            x 0.005\n\
+            y 0.148\n\
+            angle 3\n\
+            width 0.3\n\
+            height 0.016\n\
+            material wood\n\
+            fuel wood\n\
+            load 9\n\
+            moisture 6\n\
+            \n\
+            kind solid\n\
+            shape circle\n\
+            x -0.136\n\
+            y 0.134\n\
+            width 0.028\n\
+            material coal\n\
+            \n\
+            kind solid\n\
+            shape box\n\
+            x -0.136\n\
+            y 0.042\n\
+            width 0.06\n\
+            height 0.104\n\
+            corner 0.01\n\
+            material wax\n\
+            \n\
+            kind solid\n\
+            shape line\n\
+            x -0.136\n\
+            y 0.1\n\
+            angle 90\n\
+            width 0.014\n\
+            height 0.005\n\
+            material coal",
+    },
+    Preset {
         name: "ring-of-fire",
         text: "fuel_power 50\n\
             source_width 0.16\n\
@@ -751,6 +1010,52 @@ pub static PRESETS: &[Preset] = &[
             points 0.37,0 0.363,0.072 0.342,0.142 0.308,0.206 0.262,0.262 0.206,0.308 0.142,0.342 0.072,0.363 0,0.37 -0.072,0.363 -0.142,0.342 -0.206,0.308 -0.262,0.262 -0.308,0.206 -0.342,0.142 -0.363,0.072 -0.37,0 -0.363,-0.072 -0.342,-0.142 -0.308,-0.206 -0.262,-0.262 -0.206,-0.308 -0.142,-0.342 -0.072,-0.363 0,-0.37 0.072,-0.363 0.142,-0.342 0.206,-0.308 0.262,-0.262 0.308,-0.206 0.342,-0.142 0.363,-0.072 0.37,0\n\
             material iron\n\
             thermal conducting",
+    },
+    Preset {
+        name: "rope",
+        text: "fuel_power 16\n\
+            source_width 0.06\n\
+            exposure 0.5\n\
+            smoke_opacity 0.4\n\
+            ember_rate 20\n\
+            time_scale 0.5\n\
+            source_x -0.48\n\
+            source_height 0.275\n\
+            emission_speed 0.15\n\
+            emission_noise 0.2\n\
+            radiative_cooling 500\n\
+            source_oxygen 0.6\n\
+            domain_width 1.3\n\
+            domain_height 1\n\
+            spacing 0.018\n\
+            max_particles 5000\n\
+            \n\
+            kind solid\n\
+            shape stroke\n\
+            x 0\n\
+            y 0.37\n\
+            points -0.5,-0.03 -0.438,-0.037 -0.375,-0.042 -0.312,-0.046 -0.25,-0.048 -0.188,-0.047 -0.125,-0.045 -0.062,-0.041 0,-0.035 0.062,-0.027 0.125,-0.017 0.188,-0.006 0.25,0.008 0.312,0.023 0.375,0.04 0.438,0.059 0.5,0.08\n\
+            height 0.026\n\
+            material wax\n\
+            fuel cloth\n\
+            load 3\n\
+            moisture 5\n\
+            \n\
+            kind solid\n\
+            shape box\n\
+            x -0.48\n\
+            y 0.135\n\
+            width 0.07\n\
+            height 0.25\n\
+            corner 0.01\n\
+            material wax\n\
+            \n\
+            kind solid\n\
+            shape circle\n\
+            x 0.5\n\
+            y 0.45\n\
+            width 0.045\n\
+            material iron",
     },
     Preset {
         name: "sheltered-candle",
@@ -1121,6 +1426,10 @@ pub static CAPTIONS: &[Caption] = &[
         description: "A large fire that a steady wind leans over, and its sparks with it.",
     },
     Caption {
+        label: "Burning logs",
+        description: "A small heap of logs that catch fire one after another and burn away.",
+    },
+    Caption {
         label: "Burning word",
         description: "A word of glowing coal that burns along its letters.",
     },
@@ -1131,6 +1440,10 @@ pub static CAPTIONS: &[Caption] = &[
     Caption {
         label: "Candle",
         description: "A small flame, steady as in a room without a draught.",
+    },
+    Caption {
+        label: "Curtain",
+        description: "A curtain in a draught that a candle sets on fire: the flame climbs it fold by fold.",
     },
     Caption {
         label: "Fireplace",
@@ -1157,8 +1470,16 @@ pub static CAPTIONS: &[Caption] = &[
         description: "A small flame that flickers, leans and smokes a little.",
     },
     Caption {
+        label: "Matchstick",
+        description: "A matchstick that catches fire at a candle: the flame travels along it and leaves char.",
+    },
+    Caption {
         label: "Ring of fire",
         description: "A hoop of iron that burns all around.",
+    },
+    Caption {
+        label: "Rope",
+        description: "A rope that a candle lights at one end: the fire creeps along it to the other end and goes out.",
     },
     Caption {
         label: "Sheltered candle",

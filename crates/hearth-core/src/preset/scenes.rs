@@ -322,109 +322,6 @@ pub static PRESETS: &[Preset] = &[
             material coal",
     },
     Preset {
-        name: "curtain",
-        text: "fuel_power 12\n\
-            source_width 0.07\n\
-            wind 0.25\n\
-            exposure 0.3\n\
-            smoke_opacity 0.5\n\
-            ember_rate 40\n\
-            time_scale 0.8\n\
-            source_x -0.36\n\
-            source_height 0.27\n\
-            emission_speed 0.15\n\
-            emission_noise 0.2\n\
-            source_oxygen 0.6\n\
-            ground stone\n\
-            domain_width 1.1\n\
-            domain_height 1.5\n\
-            spacing 0.027\n\
-            max_particles 7000\n\
-            \n\
-            kind solid\n\
-            shape line\n\
-            x 0\n\
-            y 1.36\n\
-            width 0.95\n\
-            height 0.035\n\
-            material iron\n\
-            \n\
-            kind solid\n\
-            shape box\n\
-            x -0.36\n\
-            y 0.13\n\
-            width 0.07\n\
-            height 0.26\n\
-            corner 0.01\n\
-            material wax\n\
-            \n\
-            kind solid\n\
-            shape stroke\n\
-            x -0.305\n\
-            y 0.82\n\
-            points 0,0.5 0.002,0.375 0.006,0.25 0.008,0.125 0.01,0 0.013,-0.125 0.024,-0.25 0.041,-0.375 0.06,-0.5\n\
-            height 0.12\n\
-            material wax\n\
-            fuel cloth\n\
-            load 0.8\n\
-            moisture 5\n\
-            \n\
-            kind solid\n\
-            shape stroke\n\
-            x -0.183\n\
-            y 0.805\n\
-            points 0,0.515 0.002,0.386 0.005,0.258 0.007,0.129 0.008,0 0.014,-0.129 0.026,-0.257 0.044,-0.386 0.06,-0.515\n\
-            height 0.12\n\
-            material wax\n\
-            fuel cloth\n\
-            load 0.8\n\
-            moisture 5\n\
-            \n\
-            kind solid\n\
-            shape stroke\n\
-            x -0.061\n\
-            y 0.82\n\
-            points 0,0.5 0.002,0.375 0.004,0.25 0.006,0.125 0.008,0 0.015,-0.125 0.029,-0.25 0.046,-0.375 0.059,-0.5\n\
-            height 0.12\n\
-            material wax\n\
-            fuel cloth\n\
-            load 0.8\n\
-            moisture 5\n\
-            \n\
-            kind solid\n\
-            shape stroke\n\
-            x 0.061\n\
-            y 0.805\n\
-            points 0,0.515 0.002,0.386 0.004,0.258 0.005,0.129 0.008,0 0.016,-0.129 0.031,-0.257 0.047,-0.386 0.057,-0.515\n\
-            height 0.12\n\
-            material wax\n\
-            fuel cloth\n\
-            load 0.8\n\
-            moisture 5\n\
-            \n\
-            kind solid\n\
-            shape stroke\n\
-            x 0.183\n\
-            y 0.82\n\
-            points 0,0.5 0.002,0.375 0.003,0.25 0.004,0.125 0.008,0 0.018,-0.125 0.033,-0.25 0.047,-0.375 0.055,-0.5\n\
-            height 0.12\n\
-            material wax\n\
-            fuel cloth\n\
-            load 0.8\n\
-            moisture 5\n\
-            \n\
-            kind solid\n\
-            shape stroke\n\
-            x 0.305\n\
-            y 0.805\n\
-            points 0,0.515 0.001,0.386 0.002,0.258 0.003,0.129 0.009,0 0.021,-0.129 0.035,-0.257 0.046,-0.386 0.051,-0.515\n\
-            height 0.12\n\
-            material wax\n\
-            fuel cloth\n\
-            load 0.8\n\
-            moisture 5",
-    },
-    Preset {
         name: "fireplace",
         text: "fuel_power 200\n\
             source_width 0.5\n\
@@ -1012,52 +909,6 @@ pub static PRESETS: &[Preset] = &[
             thermal conducting",
     },
     Preset {
-        name: "rope",
-        text: "fuel_power 16\n\
-            source_width 0.06\n\
-            exposure 0.5\n\
-            smoke_opacity 0.4\n\
-            ember_rate 20\n\
-            time_scale 0.5\n\
-            source_x -0.48\n\
-            source_height 0.275\n\
-            emission_speed 0.15\n\
-            emission_noise 0.2\n\
-            radiative_cooling 500\n\
-            source_oxygen 0.6\n\
-            domain_width 1.3\n\
-            domain_height 1\n\
-            spacing 0.018\n\
-            max_particles 5000\n\
-            \n\
-            kind solid\n\
-            shape stroke\n\
-            x 0\n\
-            y 0.37\n\
-            points -0.5,-0.03 -0.438,-0.037 -0.375,-0.042 -0.312,-0.046 -0.25,-0.048 -0.188,-0.047 -0.125,-0.045 -0.062,-0.041 0,-0.035 0.062,-0.027 0.125,-0.017 0.188,-0.006 0.25,0.008 0.312,0.023 0.375,0.04 0.438,0.059 0.5,0.08\n\
-            height 0.026\n\
-            material wax\n\
-            fuel cloth\n\
-            load 3\n\
-            moisture 5\n\
-            \n\
-            kind solid\n\
-            shape box\n\
-            x -0.48\n\
-            y 0.135\n\
-            width 0.07\n\
-            height 0.25\n\
-            corner 0.01\n\
-            material wax\n\
-            \n\
-            kind solid\n\
-            shape circle\n\
-            x 0.5\n\
-            y 0.45\n\
-            width 0.045\n\
-            material iron",
-    },
-    Preset {
         name: "sheltered-candle",
         text: "fuel_power 24\n\
             source_width 0.08\n\
@@ -1442,10 +1293,6 @@ pub static CAPTIONS: &[Caption] = &[
         description: "A small flame, steady as in a room without a draught.",
     },
     Caption {
-        label: "Curtain",
-        description: "A curtain in a draught that a candle sets on fire: the flame climbs it fold by fold.",
-    },
-    Caption {
         label: "Fireplace",
         description: "A fire of logs on a grate of iron, in an opening of bricks below its flue.",
     },
@@ -1476,10 +1323,6 @@ pub static CAPTIONS: &[Caption] = &[
     Caption {
         label: "Ring of fire",
         description: "A hoop of iron that burns all around.",
-    },
-    Caption {
-        label: "Rope",
-        description: "A rope that a candle lights at one end: the fire creeps along it to the other end and goes out.",
     },
     Caption {
         label: "Sheltered candle",

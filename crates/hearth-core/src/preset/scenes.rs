@@ -96,7 +96,7 @@ pub static PRESETS: &[Preset] = &[
             domain_width 1.6\n\
             domain_height 1.7\n\
             spacing 0.03\n\
-            max_particles 6000\n\
+            max_particles 6200\n\
             \n\
             kind solid\n\
             shape circle\n\
@@ -733,7 +733,7 @@ pub static PRESETS: &[Preset] = &[
             domain_width 0.42\n\
             domain_height 0.5\n\
             spacing 0.01\n\
-            max_particles 3000\n\
+            max_particles 4300\n\
             kinematic_viscosity 0.003\n\
             eddy_viscosity 0.25\n\
             diffusion 0.0005\n\

@@ -60,7 +60,7 @@ pub use particle::Particle;
 pub use report::{Stage, StepReport};
 pub use scene::Scene;
 pub use simulation::{Simulation, burning};
-pub use solids::FreeSolid;
+pub use solids::free::FreeSolid;
 pub use source::Source;
 
 // Runs the examples of the README as doc tests.

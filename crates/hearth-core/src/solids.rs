@@ -4,7 +4,7 @@
 //! of that motion for as long as the motion took: the time since the change before, at most
 //! [`LONGEST_MOTION`]. A solid may also move by itself, as a function of the time.
 
-mod free;
+pub(crate) mod free;
 mod heat;
 mod images;
 #[cfg(test)]
@@ -20,8 +20,6 @@ use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Fuel, Motion, Physics, Thermal};
 use crate::scene::{Drive, Field, MAX_SPEED, RoundedBox, Scene, Surface};
-pub use free::FreeSolid;
-pub(crate) use free::{FreeBodies, Moments};
 use heat::{Inflow, Store};
 
 /// Longest and shortest time of a motion \[s\].
@@ -161,7 +159,7 @@ impl Solids {
             self.place(body, bounds, near);
         }
         if self.free.is_some() || scene.has_free() {
-            FreeBodies::set(self, scene, time, bounds);
+            free::FreeBodies::set(self, scene, time, bounds);
         }
     }
 
@@ -173,7 +171,7 @@ impl Solids {
             body.drive_to(time);
         }
         if self.free.is_some() {
-            FreeBodies::advance(self, time);
+            free::FreeBodies::advance(self, time);
         }
     }
 
@@ -256,7 +254,7 @@ impl Solids {
             }
         }
         if self.free.is_some() {
-            FreeBodies::feel(self, dt);
+            free::FreeBodies::feel(self, dt);
         }
     }
 

@@ -713,69 +713,6 @@ pub static PRESETS: &[Preset] = &[
             material coal",
     },
     Preset {
-        name: "matchstick",
-        text: "fuel_power 10\n\
-            source_width 0.04\n\
-            wind 0.06\n\
-            exposure 0.6\n\
-            smoke_opacity 0.4\n\
-            ember_rate 3\n\
-            time_scale 0.5\n\
-            source_x -0.135\n\
-            source_height 0.105\n\
-            emission_speed 0.15\n\
-            emission_noise 0.2\n\
-            soot_life 0.8\n\
-            radiative_cooling 500\n\
-            source_oxygen 0.6\n\
-            detail 0.5\n\
-            ember_size 0.0015\n\
-            domain_width 0.42\n\
-            domain_height 0.5\n\
-            spacing 0.01\n\
-            max_particles 4300\n\
-            kinematic_viscosity 0.003\n\
-            eddy_viscosity 0.25\n\
-            diffusion 0.0005\n\
-            \n\
-            kind solid\n\
-            shape line\n\
-            x 0.005\n\
-            y 0.148\n\
-            angle 3\n\
-            width 0.3\n\
-            height 0.016\n\
-            material wood\n\
-            fuel wood\n\
-            load 9\n\
-            moisture 6\n\
-            \n\
-            kind solid\n\
-            shape circle\n\
-            x -0.136\n\
-            y 0.134\n\
-            width 0.028\n\
-            material coal\n\
-            \n\
-            kind solid\n\
-            shape box\n\
-            x -0.136\n\
-            y 0.042\n\
-            width 0.06\n\
-            height 0.104\n\
-            corner 0.01\n\
-            material wax\n\
-            \n\
-            kind solid\n\
-            shape line\n\
-            x -0.136\n\
-            y 0.1\n\
-            angle 90\n\
-            width 0.014\n\
-            height 0.005\n\
-            material coal",
-    },
-    Preset {
         name: "ring-of-fire",
         text: "fuel_power 50\n\
             source_width 0.16\n\
@@ -1315,10 +1252,6 @@ pub static CAPTIONS: &[Caption] = &[
     Caption {
         label: "Match",
         description: "A small flame that flickers, leans and smokes a little.",
-    },
-    Caption {
-        label: "Matchstick",
-        description: "A matchstick that catches fire at a candle: the flame travels along it and leaves char.",
     },
     Caption {
         label: "Ring of fire",

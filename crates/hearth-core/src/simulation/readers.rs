@@ -7,7 +7,7 @@ use crate::combustion::{Combustion, Ember, Removed};
 use crate::instance::Measured;
 use crate::params::DisplayMode;
 use crate::particle::Particle;
-use crate::solids::FreeSolid;
+use crate::solids::free::FreeSolid;
 use crate::solver::Solver;
 
 impl Simulation {

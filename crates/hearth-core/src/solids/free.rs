@@ -9,6 +9,7 @@
 //! without one.
 
 mod body;
+mod contact;
 mod contacts;
 mod rest;
 mod samples;
@@ -22,7 +23,7 @@ use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Edges, Floor, Model, Physics, Walls};
 use crate::scene::Scene;
-use contacts::Plane;
+use contact::Plane;
 
 pub use body::FreeSolid;
 pub(crate) use body::Moments;

@@ -11,7 +11,8 @@ use crate::extremes::{fast_max, fast_min};
 use crate::params::Physics;
 use crate::random::Random;
 use crate::scene::Field;
-use crate::solids::{Moments, Solids};
+use crate::solids::Solids;
+use crate::solids::free::Moments;
 
 /// Shortest time between two outlines \[s\].
 const INTERVAL: f32 = 0.25;

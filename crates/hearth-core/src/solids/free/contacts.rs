@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use super::body::Rigid;
+use super::contact::Contact;
 use super::state::FreeBodies;
 use crate::bounds::Bounds;
 use crate::extremes::fast_max;
@@ -13,39 +14,6 @@ const MARGIN: f32 = 1e-3;
 const KEYS: usize = 256;
 /// The number of the first plane, in place of that of a body.
 pub(super) const PLANES: usize = 200;
-
-/// A half space that is solid below it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Plane {
-    pub normal: Vec2,
-    pub offset: f32,
-}
-
-/// A contact of the body `one` with the body or plane `other`.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Contact {
-    /// The bodies and the sample.
-    key: usize,
-    pub one: usize,
-    pub other: usize,
-    /// From the other to the one.
-    pub normal: Vec2,
-    /// From the centres of mass to the contact \[m\].
-    pub arms: [Vec2; 2],
-    /// Distance of the surfaces \[m\].
-    pub gap: f32,
-    /// Impulses along the normal and along the surface [N·s/m], and the largest one along the normal.
-    pub impulse: f32,
-    pub along: f32,
-    pub most: f32,
-    /// Masses that the impulses move [kg/m].
-    pub normal_mass: f32,
-    pub along_mass: f32,
-    pub friction: f32,
-    pub restitution: f32,
-    /// Velocity along the normal before the impulses [m/s].
-    pub approach: f32,
-}
 
 impl FreeBodies {
     /// Finds the contacts of a substep. Those known before keep their impulses.

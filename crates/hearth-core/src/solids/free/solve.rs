@@ -9,7 +9,8 @@ use std::f32::consts::PI;
 use glam::Vec2;
 
 use super::body::Rigid;
-use super::contacts::{Contact, PLANES};
+use super::contact::Contact;
+use super::contacts::PLANES;
 use super::state::FreeBodies;
 use crate::extremes::{fast_max, fast_min};
 

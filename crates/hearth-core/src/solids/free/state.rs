@@ -4,7 +4,7 @@ use std::mem::ManuallyDrop;
 use std::ops::{Deref, DerefMut};
 
 use super::body::Rigid;
-use super::contacts::{Contact, Plane};
+use super::contact::{Contact, Plane};
 use crate::bounds::Bounds;
 
 /// The free solids of a scene and the solids that they meet.

@@ -6,6 +6,7 @@ import type {
   HearthChangeDetail,
   HearthConfig,
   HearthErrorDetail,
+  HearthFreeSolid,
   HearthObject,
   HearthObjectsDetail,
   HearthParameters,
@@ -76,6 +77,8 @@ export interface FrameFire extends EventTarget {
   toBlob(type?: string, quality?: number): Promise<Blob>;
   stir(x: number, y: number, u: number, v: number): Promise<void>;
   sparks(x: number, y: number, count?: number): Promise<void>;
+  /** Where the solids are that forces move. */
+  freeSolids(): Promise<HearthFreeSolid[]>;
   ignite(place: number, y?: number): Promise<void>;
   extinguish(place: number, y?: number, radius?: number): Promise<void>;
   /** Resolves to an attribute of the element. A value sets it; null removes it, and so does false, except for `autoplay`. */

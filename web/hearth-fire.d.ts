@@ -5,6 +5,7 @@ import type {
   HearthChangeDetail,
   HearthConfig,
   HearthErrorDetail,
+  HearthFreeSolid,
   HearthObjectsDetail,
   HearthPoint,
   HearthQuality,
@@ -162,6 +163,8 @@ export class HearthFire extends HTMLElement {
    * @param count from 1 to 200
    */
   sparks(x: number, y: number, count?: number): Promise<void>;
+  /** Where the solids are that forces move, those with `motion` "free", in the order of the objects. */
+  freeSolids(): Promise<HearthFreeSolid[]>;
   /**
    * Lights a solid that has fuel: all of its surface, by its id, or what is within 0.1 m of a point.
    * @param place the id, or metres from the middle of the floor

@@ -13,6 +13,7 @@
  * @typedef {import('./parameters.js').HearthObject} HearthObject
  * @typedef {import('./parameters.js').PresetName} PresetName
  * @typedef {import('./element/types.js').HearthConfig} HearthConfig
+ * @typedef {import('./element/types.js').HearthFreeSolid} HearthFreeSolid
  * @typedef {import('./element/types.js').HearthPoint} HearthPoint
  * @typedef {import('./element/types.js').HearthQuality} HearthQuality
  * @typedef {import('./parameters.js').HearthStats} HearthStats
@@ -352,6 +353,15 @@ class HearthFire extends FireAttributes {
    */
   sparks(x, y, count = 24) {
     return this.#session.call('sparks', ...postable([x, y, count], 1));
+  }
+
+  /**
+   * Where the solids are that forces move, those with `motion` "free", in the order of the objects.
+   * @returns {Promise<HearthFreeSolid[]>}
+   */
+  async freeSolids() {
+    const [numbers, { freeSolidsOf }] = await Promise.all([this.#session.call('freeSolids'), import('./free-solids.js')]);
+    return freeSolidsOf(numbers);
   }
 
   /**

@@ -4,9 +4,10 @@
  * tables: see `parameters.d.ts`.
  */
 
+import type { HearthFreeSolid } from './element/types.js';
 import type { HearthObject, HearthParameters, ModelName, ParameterId, PresetName } from './parameters.js';
 
-export type { HearthObject, HearthParameters, ModelName, ParameterId, PresetName };
+export type { HearthFreeSolid, HearthObject, HearthParameters, ModelName, ParameterId, PresetName };
 
 declare global {
   /** As in newer libraries of TypeScript. */
@@ -39,7 +40,7 @@ export interface SimulationOptions {
    * The parts of the wasm that are not beside the module: the classic model; polygons, strokes and
    * masks; the presets; solids that burn; free solids. A browser fetches the others when a simulation needs them.
    */
-  wasmParts?: { [part in 'classic' | 'outlines' | 'presets' | 'fuels' | 'bodies']?: string | URL | BufferSource | WebAssembly.Module };
+  wasmParts?: { [part in 'classic' | 'outlines' | 'presets' | 'fuels' | 'bodies' | 'vorticity']?: string | URL | BufferSource | WebAssembly.Module };
 }
 
 /** Numbers in an array of any kind. */
@@ -199,6 +200,8 @@ export interface Simulation {
   embers(): Embers;
   /** The solids with fuel, in the order of the objects; none in the classic model. */
   fuels(): BurningSolid[];
+  /** The solids with `motion` "free" as they are now, in the order of the objects. */
+  freeSolids(): HearthFreeSolid[];
   /**
    * Lights a solid with fuel: all of its surface, by its id, or what is within 0.1 m of a point [m].
    * Throws a `RangeError` if there is no fuel.

@@ -10,8 +10,10 @@
  * @typedef {{[id: string]: unknown}} Values
  */
 
+import { freeSolidsOf } from './free-solids.js';
+import { OTHER_BUILD, add, addNow, loaded, missingPart } from './sim/loading.js';
 import { PARTICLE, embersOf, fuelsOf, numbersOf } from './sim/particles.js';
-import { columns, fields, finite, known, refusal, text, whole, words } from './sim/values.js';
+import { columns, fields, finite, known, refusal, text, whole } from './sim/values.js';
 
 /** Most steps of one call: minutes of work. */
 const MAX_STEPS = 100_000;
@@ -273,6 +275,11 @@ class Simulation {
     return fuelsOf(this.#read('fuels'));
   }
 
+  /** The solids that forces move, in the order of the objects. */
+  freeSolids() {
+    return freeSolidsOf(this.#read('freeSolids'));
+  }
+
   /**
    * Lights a solid with fuel: all of its surface, by its id, or what is within 0.1 m of a point.
    * @param {number} place the id, or metres from the middle of the floor
@@ -376,136 +383,4 @@ if (Symbol.dispose) {
     configurable: true,
     writable: true,
   });
-}
-
-/** The maximum time until the wasm arrives [ms]. */
-const WASM_MS = 60_000;
-
-/** Whether this is Node, or another runtime with its modules. */
-const NODE = Boolean(/** @type {{process?: {versions?: {node?: string}}}} */ (globalThis).process?.versions?.node);
-
-/** @type {Promise<any>} The loaded wasm module, or undefined. */
-let module = Promise.resolve();
-
-/** Adds a part to the loaded wasm. @type {(part: WebAssembly.Module) => void} */
-let extend;
-
-/**
- * The wasm module: the loaded one, or that at `wasm`, or the file beside this script. After a
- * failure, the next call tries again.
- * @param {unknown} wasm
- * @param {[string, any][]} parts parts of it that are elsewhere
- */
-function loaded(wasm, parts) {
-  const attempt = module.then((already) => already ?? load(wasm, parts));
-  module = attempt.catch(() => undefined);
-  return attempt;
-}
-
-/** @type {(wasm: unknown, parts: [string, any][]) => Promise<any>} */
-async function load(wasm, parts) {
-  const compiled = compiling('wasm', wasm ?? new URL('./wasm/hearth-sim_bg.wasm', import.meta.url));
-  const others = parts.filter(([, source]) => source !== undefined).map(([name, source]) => {
-    known('wasmParts', name, Object.keys(PARTS));
-    return /** @type {const} */ ([name, compiling(`wasmParts.${name}`, source)]);
-  });
-  try {
-    const glue = await import('./wasm/hearth-sim.js');
-    const ready = await compiled();
-    // The glue cannot replace a module that it has started.
-    if (!WebAssembly.Module.exports(ready).some(({ name }) => name === 'fire_new')) {
-      throw new TypeError('this is the wasm of something else');
-    }
-    await glue.default({ module_or_path: ready });
-    extend = (part) => glue.default(/** @type {any} */ ({ part }));
-    for (const [name, source] of others) {
-      adding[name] = source().then(extend);
-      await adding[name];
-    }
-    // Node has no request that a call can wait for, and reads the files from a disk.
-    if (NODE) await Promise.all(Object.keys(PARTS).map((name) => add(name).catch(() => {})));
-    return glue;
-  } catch (cause) {
-    throw new Error(`the simulation's wasm could not be loaded: ${cause}`, { cause });
-  }
-}
-
-/** The parts of the wasm that are there or on their way. @type {{[part: string]: Promise<void>}} */
-const adding = {};
-
-/** The files of the parts. @type {{[part: string]: () => URL}} */
-const PARTS = {
-  classic: () => new URL('./wasm/hearth-sim_classic.wasm', import.meta.url),
-  outlines: () => new URL('./wasm/hearth-sim_outlines.wasm', import.meta.url),
-  presets: () => new URL('./wasm/hearth-sim_presets.wasm', import.meta.url),
-  fuels: () => new URL('./wasm/hearth-sim_fuels.wasm', import.meta.url),
-  bodies: () => new URL('./wasm/hearth-sim_bodies.wasm', import.meta.url),
-};
-
-/** @type {(name: string, cause: unknown) => Error} */
-const missingPart = (name, cause) => new Error(`the part "${name}" of the wasm could not be loaded: ${cause}`, { cause });
-
-/** Why a part that is there is missing still. */
-const OTHER_BUILD = 'it is of another build';
-
-/** Loads a part. After a failure, the next call tries again. @param {string} name */
-function add(name) {
-  adding[name] ??= compiledFrom(PARTS[name]()).then(extend).catch((cause) => {
-    delete adding[name];
-    throw missingPart(name, cause);
-  });
-  return adding[name];
-}
-
-/** Loads a part while the caller waits, which only a request of this old kind can. @param {string} name */
-function addNow(name) {
-  try {
-    const url = PARTS[name]();
-    const request = new XMLHttpRequest();
-    request.open('GET', url, false);
-    // Each character is a byte.
-    request.overrideMimeType('text/plain; charset=x-user-defined');
-    request.send();
-    if (request.status !== 200) throw new Error(`${url} answers ${request.status}`);
-    extend(new WebAssembly.Module(Uint8Array.from(request.responseText, (byte) => byte.charCodeAt(0))));
-  } catch (cause) {
-    throw missingPart(name, cause);
-  }
-}
-
-/**
- * Compiles what an option gives.
- * @param {string} name of the option
- * @param {any} source
- * @returns {() => Promise<WebAssembly.Module>}
- * @throws {TypeError}
- */
-function compiling(name, source) {
-  if (source instanceof WebAssembly.Module) return async () => source;
-  if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) {
-    return () => WebAssembly.compile(/** @type {BufferSource} */ (source));
-  }
-  if (typeof source === 'string' || source instanceof URL) return () => compiledFrom(source);
-  throw new TypeError(`${name} must be a URL, bytes or a WebAssembly.Module, not ${words(source)}`);
-}
-
-/**
- * The module at a URL. Node cannot fetch `file:` and reads the file instead.
- * @param {string | URL} url
- */
-async function compiledFrom(url) {
-  const base = globalThis.document?.baseURI ?? globalThis.location?.href;
-  const { href, protocol } = new URL(url, base);
-  if (protocol === 'file:' && NODE) {
-    // A bundler for browsers would resolve a literal name.
-    const files = 'node:fs/promises';
-    const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ files);
-    return WebAssembly.compile(await readFile(new URL(href)));
-  }
-  const response = await fetch(href, { signal: AbortSignal.timeout(WASM_MS) });
-  if (!response.ok) throw new Error(`${href} answers ${response.status}`);
-  // Streaming needs the right content type.
-  return response.headers.get('content-type') === 'application/wasm'
-    ? WebAssembly.compileStreaming(response)
-    : WebAssembly.compile(await response.arrayBuffer());
 }

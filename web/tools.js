@@ -68,6 +68,8 @@ class Toolbar {
   #pointers;
   #cross;
   #tool = 'select';
+  /** Where the solids are that forces move, by their ids. @type {Map<number, {x: number, y: number, angle: number}>} */
+  #places = new Map();
   #bar;
   #said = element('p', { class: 'hearth-said', role: 'status' });
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -78,7 +80,7 @@ class Toolbar {
     this.#host = host;
     this.#fire = fire;
     this.#editing = editingOf(fire);
-    this.#edits = new Edits(fire, this.#editing, () => this.#bar, (text) => this.#say(text));
+    this.#edits = new Edits(fire, this.#editing, () => this.#bar, (text) => this.#say(text), () => this.#objects);
     this.#overlay = new Overlay(fire);
     this.#inserts = new Inserts(host, this.#overlay, this.#edits, (text) => this.#open(text));
     const hands = this.#hands;
@@ -107,18 +109,41 @@ class Toolbar {
     this.#update();
   }
 
+  /** The objects as they are now: forces move some of them. @returns {import('./panel/objects.js').Fields[]} */
+  get #objects() {
+    return objectsOf(this.#fire).map((one) => ({ ...one, ...this.#places.get(one.id) }));
+  }
+
+  /** The selected objects as they are now. */
+  get #selected() {
+    const { all } = this.#editing;
+    return this.#objects.filter(({ id }) => all.some((one) => one.id === id));
+  }
+
+  /** Follows the solids that forces move, until the signal. @param {AbortSignal} signal */
+  async #follow(signal) {
+    while (!signal.aborted) {
+      await new Promise((resolve) => { requestAnimationFrame(resolve); });
+      if (this.#places.size === 0 && !objectsOf(this.#fire).some(({ motion }) => motion === 'free')) continue;
+      const solids = await this.#fire.freeSolids().catch(() => []);
+      this.#places = new Map(solids.map(({ id, x, y, angle }) => [id, { x: rounded(x), y: rounded(y), angle: Math.round(10 * angle) / 10 }]));
+      this.#outline();
+    }
+  }
+
   /** What gestures need. @returns {import('./tools/gestures.js').Hands} */
   get #hands() {
     return {
       fire: this.#fire,
       editing: this.#editing,
-      objects: () => objectsOf(this.#fire),
+      objects: () => this.#objects,
       add: (fields) => {
         this.#overlay.preview([]);
         this.#edits.add(fields);
       },
       remove: (id) => this.#edits.takeAway(id),
-      changes: (objects, fields) => this.#edits.changes(objects, fields),
+      changes: (objects, fields, held) => this.#edits.changes(objects, fields, held),
+      attempt: (act) => this.#edits.attempt(act),
       handleAt: (object, at) => this.#overlay.handleAt(object, at),
       preview: (shown) => this.#overlay.preview(shown),
       guide: (lines) => this.#overlay.guide(lines),
@@ -142,6 +167,7 @@ class Toolbar {
     this.#inserts.listen([this.#fire, this.#host], signal);
     on(this.#editing, 'change', () => this.#update());
     for (const name of ['objects-change', 'params-change', 'ready']) on(this.#fire, name, () => this.#update());
+    this.#follow(signal);
     const sizes = new ResizeObserver(() => this.#update());
     sizes.observe(this.#fire);
     const view = new MutationObserver(() => this.#update());
@@ -170,20 +196,25 @@ class Toolbar {
     const layer = this.#overlay.element;
     layer.style.cursor = tool?.cursor ?? '';
     layer.classList.toggle('idle', name === 'stir');
-    const without = name === 'sparks' && this.#fire.params.model === 'classic' ? ' The classic model has none.' : '';
+    const without = ['sparks', 'ignite', 'extinguish'].includes(name) && this.#fire.params.model === 'classic' ? ' The classic model has none.' : '';
     if (says && tool) this.#say(`${tool.label}: ${tool.hint}.${without}`);
     this.#update();
   }
 
   /** Shows the state of the fire. */
   #update() {
-    const { all: selected, history } = this.#editing;
-    const all = objectsOf(this.#fire);
+    const { all, history } = this.#editing;
+    this.#outline();
+    this.#bar.show(objectsOf(this.#fire), all, history);
+  }
+
+  /** Shows the outlines and the handles of the selected objects. */
+  #outline() {
+    const [all, selected] = [this.#objects, this.#selected];
     // A source at the surface of a solid is where that is.
     const places = selected.map((one) => all.find(({ id }) => isOn(one, id)) ?? one);
     const isOne = places.length === 1 && places[0] === selected[0] && this.#tool === 'select';
     this.#overlay.select(places, isOne ? places[0] : undefined);
-    this.#bar.show(all, selected, history);
   }
 
   /** Shows a message for a while. @param {string} text */
@@ -245,7 +276,9 @@ class Toolbar {
   /** @type {(event: KeyboardEvent, onLayer: boolean) => (() => void) | undefined} */
   #actionOf(event, onLayer) {
     const { key, shiftKey } = event;
-    const { selected, history } = this.#editing;
+    const { history, id: last } = this.#editing;
+    const all = this.#selected;
+    const selected = all.find(({ id }) => id === last);
     if (event.altKey) return undefined;
     if (event.ctrlKey || event.metaKey) {
       if (key.toLowerCase() === 'z') return () => this.#edits.attempt(() => (shiftKey ? history.redo() : history.undo()));
@@ -266,7 +299,7 @@ class Toolbar {
     if (!selected) return undefined;
     const change = (/** @type {(object: Fields) => Fields} */ of) => () => {
       if (!event.repeat) history.press();
-      this.#edits.change(this.#editing.all.map(of));
+      this.#edits.change(all.map(of), all);
     };
     if (arrow) return change(({ x, y }) => ({ x: rounded(x + arrow[0] * far), y: rounded(y + arrow[1] * far) }));
     if (key === '[' || key === ']') return change(({ angle = 0 }) => ({ angle: angle + (key === '[' ? TURN : -TURN) }));

@@ -61,6 +61,7 @@ describe('messages from an allowed origin', () => {
     const log = await value('addObject', { kind: 'solid', x: 0.3, fuel: 'wood' });
     await value('ignite', log);
     await value('extinguish', 0.3, 0.5, 1);
+    assert.deepEqual(await value('freeSolids'), []);
     await value('removeObject', log);
 
     assert.equal(await value('option', 'quality', 'low'), 'low');

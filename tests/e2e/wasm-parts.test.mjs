@@ -19,7 +19,8 @@ const OUTLINES = 'hearth-engine_outlines.wasm';
 const QUANTITIES = 'hearth-engine_quantities.wasm';
 const FUELS = 'hearth-engine_fuels.wasm';
 const BODIES = 'hearth-engine_bodies.wasm';
-const GONE = { files: Object.fromEntries([CLASSIC, OUTLINES, QUANTITIES, FUELS, BODIES].map((file) => [file, { status: 404, body: '' }])) };
+const VORTICITY = 'hearth-engine_vorticity.wasm';
+const GONE = { files: Object.fromEntries([CLASSIC, OUTLINES, QUANTITIES, FUELS, BODIES, VORTICITY].map((file) => [file, { status: 404, body: '' }])) };
 
 /** The fire's model, and how often the page fetched the part for it. @param {import('./driver.mjs').Tab} tab */
 const state = (tab) => tab.fire((fire) => ({
@@ -237,5 +238,24 @@ test('the first free solid fetches the code for it, falls, and without the code 
   await without.burnt(0.3);
   const outcome = await without.fire((fire, object) => fire.addObject(object).then(() => 'added', ({ message }) => message), solid);
   assert.match(outcome, /^The code for free solids could not be loaded/);
+  await assertBurns(without);
+});
+
+test('the first confinement of vorticity fetches the code for it, and without the code is refused', async () => {
+  const tab = await browser.open('<hearth-fire max-particles="1500"></hearth-fire>');
+  await tab.burnt(0.3);
+  const fetched = () => tab.evaluate((part) => performance.getEntriesByType('resource').filter(({ name }) => name.endsWith(part)).length, VORTICITY);
+  assert.equal(await fetched(), 0);
+  await tab.fire((fire) => fire.set('vorticity_confinement', 0.3));
+  await tab.fire((fire) => fire.step(60));
+  assert.equal(await fetched(), 1);
+  await assertBurns(tab);
+  assert.deepEqual(await tab.complaints(), []);
+
+  const without = await browser.open('<hearth-fire></hearth-fire>', GONE);
+  await without.burnt(0.3);
+  const outcome = await without.fire((fire) => fire.set('vorticity_confinement', 0.3).then(() => 'set', ({ message }) => message));
+  assert.match(outcome, /^The code for vorticity confinement could not be loaded/);
+  assert.equal(await without.fire((fire) => fire.params.vorticity_confinement), 0);
   await assertBurns(without);
 });

@@ -124,3 +124,22 @@ test('zero steps change nothing', async () => {
     assert.ok(Math.abs(sim.time - time - sim.stepLength) < 1e-9);
   }
 });
+
+test('a free solid falls, turns and comes to rest', async () => {
+  for (const sim of await fires()) {
+    sim.set({ floor: 'solid', walls: 'solid' });
+    const id = sim.addObject({ kind: 'solid', shape: 'box', x: 0.3, y: 0.4, angle: 20, width: 0.2, height: 0.1, motion: 'free' });
+    const start = sim.freeSolids();
+    assert.equal(start.length, 1);
+    const [{ x, y, angle, u, v, asleep }] = start;
+    assert.ok(Math.abs(x - 0.3) < 1e-6 && Math.abs(y - 0.4) < 1e-6 && Math.abs(angle - 20) < 1e-3);
+    assert.deepEqual([start[0].id, u, v, asleep], [id, 0, 0, false]);
+    assert.ok(Math.abs(start[0].mass - 500 * 0.02) < 0.01, `${start[0].mass} kg/m`);
+    while (sim.time < 0.1) sim.step();
+    assert.ok(sim.freeSolids()[0].v < -0.5);
+    while (sim.time < 4) sim.step();
+    const [rest] = sim.freeSolids();
+    assert.ok(rest.asleep && Math.abs(rest.y - 0.05) < 0.003 && Math.abs(rest.angle) < 1, JSON.stringify(rest));
+    assert.equal(sim.objects.at(-1).y, 0.4);
+  }
+});

@@ -385,6 +385,30 @@ fn a_heap_of_burning_bodies_stays_finite_and_without_gas_inside() {
 }
 
 #[test]
+fn bindings_read_each_free_body() {
+    let mut scene = alone();
+    let square = |x: f64| [("x", x), ("y", 0.5), ("angle", 30.0)];
+    add(&mut scene, "box", "still", &square(-0.3));
+    for x in [0.0, 0.3] {
+        add(&mut scene, "box", "free", &square(x));
+    }
+    let mut fire = Simulation::new(scene);
+    burn_on(&mut fire, 0.1);
+    let (solids, numbers) = (fire.free_solids(), fire.free_solid_numbers());
+    assert_eq!((solids.len(), numbers.len()), (2, 20));
+    for (one, read) in solids.iter().zip(numbers.chunks(10)) {
+        let (sine, cosine) = one.angle.to_radians().sin_cos();
+        assert_eq!(read[..3], [one.id as f32, one.place.x, one.place.y]);
+        assert!((read[3] - cosine).abs() < 1e-5 && (read[4] - sine).abs() < 1e-5);
+        assert_eq!(
+            read[5..9],
+            [one.velocity.x, one.velocity.y, one.spin, one.mass]
+        );
+        assert_eq!(read[9], 0.0);
+    }
+}
+
+#[test]
 fn the_scene_keeps_the_start_and_a_changed_place_puts_a_body_there() {
     for mut scene in [alone(), Scene::new(floor(&[]))] {
         let ball = [("x", 0.1), ("y", 0.5), ("width", 0.1)];

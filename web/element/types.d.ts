@@ -25,6 +25,26 @@ export interface HearthConfig {
   description?: string;
 }
 
+/** A solid that forces move, one with `motion` "free", as it is now. */
+export interface HearthFreeSolid {
+  id: number;
+  /** Its place [m], as that of a solid in `objects`. */
+  x: number;
+  y: number;
+  /** Its angle from -180 to 180 [°]. */
+  angle: number;
+  /** Velocity of its centre of mass to the right [m/s]. */
+  u: number;
+  /** The same upwards [m/s]. */
+  v: number;
+  /** Angular velocity, counterclockwise [1/s]. */
+  spin: number;
+  /** Mass for each metre of depth [kg/m]; 0 of one of which nothing is left. */
+  mass: number;
+  /** Whether it rests until something moves it. */
+  asleep: boolean;
+}
+
 /** A point: of the element in CSS pixels with y downwards, or of the domain in metres with y upwards. */
 export interface HearthPoint {
   x: number;

@@ -54,6 +54,7 @@ const METHODS = new Map(Object.entries({
   toBlob: (fire, type, quality) => fire.toBlob(type, quality),
   stir: (fire, x, y, u, v) => fire.stir(x, y, u, v),
   sparks: (fire, x, y, count) => fire.sparks(x, y, count),
+  freeSolids: (fire) => fire.freeSolids(),
   ignite: (fire, place, y) => fire.ignite(place, y),
   extinguish: (fire, place, y, radius) => fire.extinguish(place, y, radius),
   option: (fire, name, value) => option(fire, name, value),

@@ -5,10 +5,13 @@
  * @typedef {import('./gestures.js').How} How
  */
 
-import { blow, throwSparks } from './air.js';
+import { blow } from './air.js';
 
 /** The pointer that the keys are. */
 const KEYS = -1;
+
+/** The tools whose press is all. */
+const AT_ONCE = ['sparks', 'ignite', 'extinguish'];
 
 /** How long a key blows [ms]. */
 const PUFF_MS = 250;
@@ -75,21 +78,17 @@ export class Cross {
     this.#puffEnds = setTimeout(() => this.#pointers.cancel(KEYS), PUFF_MS);
   }
 
-  /** Presses at it or, after that, releases. What acts on the fire acts at once. @type {(tool: string, how: How) => void} */
+  /** Presses at it or, after that, releases. @type {(tool: string, how: How) => void} */
   press(tool, how) {
     if (tool === 'blow') {
       this.puff(how);
       return;
     }
     const at = this.#show();
-    if (tool === 'sparks') {
-      throwSparks(this.#hands, at);
-      return;
-    }
     const began = this.#pointers.has(KEYS);
     if (!began) this.#pointers.begin(tool, KEYS, at, how);
-    // A press that adds to the selection is a click.
-    if (began || (how.adds && tool === 'select')) this.#pointers.end(KEYS, at, how);
+    // What acts on the fire acts at once, and a press that adds to the selection is a click.
+    if (began || AT_ONCE.includes(tool) || (how.adds && tool === 'select')) this.#pointers.end(KEYS, at, how);
   }
 
   /** Ends what its keys have begun. */

@@ -29,14 +29,17 @@ export class Edits {
   #editing;
   #made;
   #say;
+  #objects;
 
   /**
    * @param {HearthFire} fire
    * @param {import('../panel/editing.js').Editing} editing
    * @param {() => Made} made
    * @param {(text: string) => void} say
+   * @param {() => Fields[]} objects  Where they are now.
    */
-  constructor(fire, editing, made, say) {
+  constructor(fire, editing, made, say, objects) {
+    this.#objects = objects;
     this.#fire = fire;
     this.#editing = editing;
     this.#made = made;
@@ -132,22 +135,29 @@ export class Edits {
   /** Aligns the selected objects. @param {import('./geometry.js').Alignment} to */
   align(to) {
     const { all } = this.#editing;
-    const objects = placed(objectsOf(this.#fire)).filter(({ id }) => all.some((one) => one.id === id));
+    const objects = placed(this.#objects()).filter(({ id }) => all.some((one) => one.id === id));
     const by = aligned(objects, to);
     this.change(objects.map((object, at) => moved(object, { x: 0, y: 0 }, by[at])), objects);
     this.#say(`${this.#named} are aligned: ${to}.`);
   }
 
-  /** Changes objects, by default the selected ones. @type {(fields: Drawn[], objects?: Fields[]) => void} */
-  change(fields, objects = this.#editing.all) {
+  /** Changes objects. @type {(fields: Drawn[], objects: Fields[]) => void} */
+  change(fields, objects) {
     this.attempt(() => this.#editing.history.changeAll(this.changes(objects, fields)));
   }
 
-  /** Changes of objects, within the ranges of the properties: one that is refused would leave the others. @type {(objects: Fields[], fields: Drawn[]) => Map<number, Drawn>} */
-  changes(objects, fields) {
-    return new Map(objects.map(({ id, kind }, at) => [id, Object.fromEntries(Object.entries(fields[at]).map(([name, value]) => (
-      [name, typeof value === 'number' ? this.#inRange(name, value, kind) : value]
-    )))]));
+  /**
+   * Changes of objects, within the ranges of the properties: one that is refused would leave the others. A free
+   * solid gets all of its place, and one that a pointer holds does not fall.
+   * @type {(objects: Fields[], fields: Drawn[], held?: boolean) => Map<number, Drawn>}
+   */
+  changes(objects, fields, held = false) {
+    return new Map(objects.map(({ id, kind, motion, x, y, angle }, at) => {
+      const all = { ...(motion === 'free' && { x, y, angle, motion: held ? 'still' : motion }), ...fields[at] };
+      return [id, Object.fromEntries(Object.entries(all).map(([name, value]) => (
+        [name, typeof value === 'number' ? this.#inRange(name, value, kind) : value]
+      )))];
+    }));
   }
 
   /** Adds an object to the selection, or takes it out. @param {number} id */

@@ -19,7 +19,9 @@
  * @property {() => Owned[]} objects
  * @property {(fields: Fields) => void} add
  * @property {(id: number) => Promise<void>} remove
- * @property {(objects: Owned[], fields: Fields[]) => Map<number, Fields>} changes  Of objects, in range.
+ * @property {(objects: Owned[], fields: Fields[], held?: boolean) => Map<number, Fields>} changes  Of objects, in
+ *   range. Held objects do not fall.
+ * @property {(act: () => unknown) => Promise<void>} attempt  Does something; a refusal becomes a message.
  * @property {(object: Fields | undefined, at: Point) => ({does: 'size' | 'turn', at: Point} | undefined)} handleAt
  * @property {(shown: {points: Point[], closed: boolean}[]) => void} preview
  * @property {(lines: Point[][]) => void} guide  Shows the lines to which an object snaps.
@@ -35,6 +37,7 @@
 
 import { distance } from '../panel/objects.js';
 import { blow, throwSparks } from './air.js';
+import { extinguish, ignite } from './fire.js';
 import {
   boundsOf, boxBetween, circleAround, lineBetween, moved, outlineOf, polygonOf, sized, snapped, snapTo, sourceBetween, strokeAlong, turned,
 } from './geometry.js';
@@ -81,6 +84,7 @@ function changing(hands, objects, change) {
   /** @type {Fields[] | undefined} */
   let last;
   let busy = false;
+  let held = true;
   // A pointer moves more often than the fire answers; the last place counts.
   const send = async () => {
     if (busy) return;
@@ -88,7 +92,7 @@ function changing(hands, objects, change) {
     while (wanted) {
       const next = wanted;
       wanted = undefined;
-      await history.changeAll(hands.changes(objects, next)).catch(() => {});
+      await history.changeAll(hands.changes(objects, next, held)).catch(() => {});
     }
     busy = false;
   };
@@ -100,10 +104,12 @@ function changing(hands, objects, change) {
   return {
     move: (at, how) => to(change(at, how)),
     end(at, how) {
+      held = false;
       if (last) to(change(at, how));
       hands.guide([]);
     },
     cancel() {
+      held = false;
       const names = Object.keys(last?.[0] ?? {});
       if (last) to(objects.map((object) => Object.fromEntries(names.map((name) => [name, object[name]]))));
       hands.guide([]);
@@ -140,7 +146,7 @@ function moving(hands, objects, from, click) {
 /** @type {(hands: Hands, from: Point, how: How) => Gesture | undefined} */
 function select(hands, from, { perPixel, adds }) {
   const { editing } = hands;
-  const [chosen, ...more] = editing.all;
+  const [chosen, ...more] = hands.objects().filter(({ id }) => editing.all.some((one) => one.id === id));
   const handle = more.length === 0 && hands.handleAt(chosen, from);
   if (handle && chosen) {
     const before = /** @type {Owned & Placed} */ ({ ...chosen });
@@ -242,6 +248,8 @@ export function begin(tool, hands, from, how) {
   switch (tool) {
     case 'blow': return blow(hands, from);
     case 'sparks': return throwSparks(hands, from);
+    case 'ignite': return ignite(hands, from, objectAt(hands, from, NEAR_PX * how.perPixel));
+    case 'extinguish': return extinguish(hands, from);
     case 'select': return select(hands, from, how);
     case 'erase': return erase(hands, from, how);
     case 'brush': return brush(hands, from);

@@ -20,6 +20,11 @@ pub fn missing(scene: &Scene) -> Option<&'static str> {
         Some("classic")
     } else if measures && !quantities_is_loaded() {
         Some("quantities")
+    } else if settings.model() == Model::Combustion
+        && settings.vorticity_confinement > 0.0
+        && !vorticity_is_loaded()
+    {
+        Some("vorticity")
     } else if scene.lacks_fields() {
         Some("outlines")
     } else if scene.has_fuel() && !fuels_is_loaded() {
@@ -27,6 +32,12 @@ pub fn missing(scene: &Scene) -> Option<&'static str> {
     } else {
         (scene.has_free() && !bodies_is_loaded()).then_some("bodies")
     }
+}
+
+/// Whether the part that confines vorticity is loaded.
+#[inline(never)]
+fn vorticity_is_loaded() -> bool {
+    black_box(7_u8) == 7
 }
 
 /// Whether the part that moves free solids is loaded.

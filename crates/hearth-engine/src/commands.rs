@@ -166,6 +166,9 @@ commands! { 'a
     /// Lights what is within a radius of a position \[m\] or, unless `lit`, puts it out; 0 is the
     /// usual radius. With a radius below 0, `place` is the id of a solid with fuel.
     "light" Light { lit: bool, radius: f64, place: f64, y: f64 }
+    /// Answers with the [numbers](hearth_core::Simulation::free_solid_numbers) of the solids that
+    /// forces move.
+    "freeSolids" FreeSolids {}
     /// Sets how the domain fits the picture, and its alignment from the left and from below.
     "view" View { fit: NamedFit, x: Align, y: Align }
     /// Enlarges a part of the picture at that position from the left and from below.

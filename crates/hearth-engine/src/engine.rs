@@ -315,6 +315,10 @@ impl Engine {
                 }
                 light(fire, lit, radius, place, y)?;
             }
+            Command::FreeSolids {} => {
+                events.answer(id, request, &fire.free_solids());
+                return Ok(Answer::Deferred);
+            }
             Command::View { fit, x, y } => fire.set_fit(fit.0, [x.0 as f32, y.0 as f32]),
             Command::Zoom { zoom, x, y } => fire.set_zoom(zoom.0 as f32, [x.0 as f32, y.0 as f32]),
             Command::Quality { quality } => fire.request_quality(quality.0, events),

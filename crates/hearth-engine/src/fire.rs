@@ -9,6 +9,8 @@ use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
 use hearth_core::{Instance, NoFuel, Parameters, Simulation, Where, burning};
 use hearth_render::{Camera, Fit, Viewport};
+use js_sys::Float32Array;
+use wasm_bindgen::JsValue;
 
 use crate::average::Averages;
 use crate::budget::RealTime;
@@ -230,6 +232,11 @@ impl Fire {
             Simulation::extinguish
         };
         act(&mut self.simulation, at)
+    }
+
+    /// [Numbers](Simulation::free_solid_numbers) of the solids that forces move.
+    pub fn free_solids(&self) -> JsValue {
+        Float32Array::from(&self.simulation.free_solid_numbers()[..]).into()
     }
 
     /// Sets how the domain fits the picture.

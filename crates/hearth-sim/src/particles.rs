@@ -34,7 +34,8 @@ pub fn particles(numbers: &[f32]) -> Vec<Particle> {
 }
 
 /// One property of all particles, in the order of birth, by its name in JavaScript; vectors are
-/// x and y of each. `embers` gives all numbers of each ember. An unknown name gives nothing.
+/// x and y of each. `embers` gives all numbers of each ember,
+/// `fuels` and `freeSolids` those of each such solid. An unknown name gives nothing.
 pub fn property(simulation: &Simulation, name: &str) -> Vec<f32> {
     match name {
         "positions" => pairs(simulation.positions()),
@@ -50,6 +51,7 @@ pub fn property(simulation: &Simulation, name: &str) -> Vec<f32> {
         "burnRates" => simulation.burn_rates(),
         "embers" => embers(simulation.embers()),
         "fuels" => fuels(simulation),
+        "freeSolids" => simulation.free_solid_numbers(),
         _ => Vec::new(),
     }
 }

@@ -30,6 +30,8 @@ pub use order::order;
 pub struct Part {
     /// The end of the name of its file.
     pub name: &'static str,
+    /// The names of the modules that it is taken from.
+    pub modules: &'static [&'static str],
     /// How the symbols of its functions begin. Functions that only these call move with them.
     pub symbols: &'static [&'static str],
     /// The texts that only its functions read. Zeros are in their places until it is loaded.
@@ -443,6 +445,7 @@ mod tests {
     }
 
     const PART: Part = Part {
+        modules: &[],
         name: "part",
         symbols: &["part::"],
         texts: Vec::new,

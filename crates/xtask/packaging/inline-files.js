@@ -8,6 +8,7 @@ import CLASSIC from 'inline:classic';
 import FUELS from 'inline:fuels';
 import OUTLINES from 'inline:outlines';
 import QUANTITIES from 'inline:quantities';
+import VORTICITY from 'inline:vorticity';
 import WASM from 'inline:wasm';
 import WORKER from 'inline:worker';
 import { trustedWorker } from './engine/trusted-worker.js';
@@ -23,6 +24,7 @@ export const PARTS = {
   outlines: () => unpacked(OUTLINES),
   fuels: () => unpacked(FUELS),
   bodies: () => unpacked(BODIES),
+  vorticity: () => unpacked(VORTICITY),
   quantities: () => unpacked(QUANTITIES),
 };
 

@@ -141,9 +141,22 @@ impl VorticityConfinement {
         kernel: &Kernel,
         strength: f32,
     ) {
-        if strength == 0.0 {
-            return;
+        if strength != 0.0 {
+            self.act(gas, grid, neighbours, packed, kernel, strength);
         }
+    }
+
+    // A part of the wasm: no function of it is called without confinement.
+    #[inline(never)]
+    fn act(
+        &mut self,
+        gas: &mut Gas,
+        grid: &Grid,
+        neighbours: &Neighbours,
+        packed: &[PackedParticle],
+        kernel: &Kernel,
+        strength: f32,
+    ) {
         self.blocks.clear();
         let (fours, _) = packed.as_chunks::<LANES>();
         self.blocks.extend(fours.iter().map(|four| {

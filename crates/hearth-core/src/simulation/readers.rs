@@ -38,6 +38,14 @@ impl Simulation {
         free.map_or_else(Vec::new, |free| free.seen())
     }
 
+    /// Ten numbers of each of the [free solids](Simulation::free_solids), for bindings: id, x and y of its
+    /// place \[m\], cosine and sine of its angle, x and y of its velocity [m/s], spin [1/s], mass [kg/m],
+    /// and 1 if it sleeps.
+    pub fn free_solid_numbers(&self) -> Vec<f32> {
+        let free = self.solver.solids().free.as_ref();
+        free.map_or_else(Vec::new, |free| free.numbers())
+    }
+
     /// Lower left and upper right corner of the rectangle that the gas can reach \[m\]: the
     /// domain or, with open edges, a larger one around the frame and
     /// [what is seen](Simulation::see).

@@ -143,6 +143,19 @@ impl FreeBodies {
         free.map(body::Rigid::seen).collect()
     }
 
+    /// [Numbers](crate::Simulation::free_solid_numbers) of the free solids.
+    #[inline(never)]
+    pub fn numbers(&self) -> Vec<f32> {
+        let mut numbers = Vec::new();
+        for one in self.all.iter().filter(|one| one.is_free) {
+            let (place, axis) = one.place();
+            numbers.extend([one.id as f32, place.x, place.y, axis.x, axis.y]);
+            numbers.extend([one.velocity.x, one.velocity.y, one.spin, one.mass()]);
+            numbers.push(f32::from(u8::from(one.asleep)));
+        }
+        numbers
+    }
+
     /// Takes over the surfaces that have changed, and where the solids are that no force moves.
     fn follow(&mut self, solids: &Solids) {
         for one in &mut self.all {

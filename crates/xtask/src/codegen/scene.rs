@@ -157,10 +157,8 @@ pub(super) fn read_all(folder: &Path) -> Result<Vec<Scene>> {
     for (at, scene) in scenes.iter().enumerate() {
         let (name, label) = (&scene.name, &scene.label);
         if let Some(twin) = scenes[..at].iter().find(|other| other.label == *label) {
-            bail!(
-                "scenes/{name}.json: {} has the label \"{label}\" too",
-                twin.name
-            );
+            let twin = &twin.name;
+            bail!("scenes/{name}.json: {twin} has the label \"{label}\" too");
         }
     }
     Ok(scenes)
@@ -176,10 +174,7 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
         )
     })?;
     let file: File = serde_json::from_str(text)?;
-    ensure!(
-        file.hearth == 2,
-        "\"hearth\" must be 2, the version of the format"
-    );
+    ensure!(file.hearth == 2, "\"hearth\", the version, must be 2");
     for (field, text, longest) in [
         ("label", &file.label, LONGEST_NAME),
         ("description", &file.description, LONGEST_DESCRIPTION),
@@ -189,10 +184,8 @@ fn parse(file: &str, text: &str) -> Result<Scene> {
             "\"{field}\" must be one line of at most {longest} characters"
         );
     }
-    ensure!(
-        file.description.ends_with('.'),
-        "\"description\" must be a sentence, with its full stop"
-    );
+    let end = file.description.ends_with('.');
+    ensure!(end, "\"description\" must end with its full stop");
     let Fields(mut values) = file.values;
     let mut objects = file.objects.into_iter().map(|Fields(object)| object);
     if let Some(object) = objects.next() {
@@ -307,19 +300,13 @@ mod tests {
     fn a_wrong_scene_is_refused_with_the_reason() {
         for (values, named) in [
             (r#"{"wimd": 1}"#, "did you mean \"wind\"?"),
-            (
-                r#"{"wind": 9}"#,
-                "wind = 9 is refused: it must be a number from -3 to 3",
-            ),
+            (r#"{"wind": 9}"#, "it must be a number from -3 to 3"),
             (r#"{"wind": {}}"#, "wind = \"an object\""),
             (r#"{"wind": [1]}"#, "wind = \"a list\""),
             (r#"{"wind": null}"#, "wind = \"null\""),
             (r#"{"wind": 1, "wind": 1}"#, "duplicate field `wind`"),
             (r#"{"palette": "soot"}"#, "one of blackbody"),
-            (
-                r#"{"lifetime_min": 1}"#,
-                "the model combustion does not use lifetime_min",
-            ),
+            (r#"{"lifetime_min": 1}"#, "does not use lifetime_min"),
             // In the range of the other model.
             (r#"{"max_particles": 100}"#, "from 200 to 100000"),
             (r#"{"max_particles": 100, "model": "classic"}"#, "accepted"),
@@ -330,29 +317,18 @@ mod tests {
         }
         for (objects, named) in [
             (source(r#", "x": 9"#), "source_x = 9 is refused"),
-            (
-                source(r#", "pwer": 9"#),
-                "objects[0] has no property \"pwer\"",
-            ),
+            (source(r#", "pwer": 9"#), "has no property \"pwer\""),
             (source(r#", "x": 0, "x": 0"#), "duplicate field `x`"),
-            (
-                source(r#", "power": 60"#).replace("source", "solid"),
-                "objects[0].kind must be",
-            ),
+            (source("").replace("source", "solid"), "[0].kind must be"),
             (source(r#", "width": 0.2"#), "source_width is given twice"),
             (
                 source(r#"}, {"kind": "solid", "x": 11"#),
-                "objects[1].x = 11 is refused",
+                "objects[1].x = 11",
             ),
-            (
-                r#""objects": [{}, {}]"#.to_owned(),
-                "objects[0].kind must be",
-            ),
+            (r#""objects": [{}, {}]"#.to_owned(), "[0].kind must be"),
         ] {
-            let outcome = outcome(
-                "a.json",
-                &with(&format!(r#"{{"source_width": 0.1}}, {objects}"#)),
-            );
+            let text = with(&format!(r#"{{"source_width": 0.1}}, {objects}"#));
+            let outcome = outcome("a.json", &text);
             assert!(outcome.contains(named), "{objects}: {outcome}");
         }
         let whole = with("{}");
@@ -361,44 +337,27 @@ mod tests {
             ("3".to_owned(), "invalid type: integer"),
             (
                 r#"{"label": "A", "label": "B"}"#.to_owned(),
-                "duplicate field `label`",
+                "duplicate field",
             ),
             (whole.replace("label", "wind"), "unknown field `wind`"),
             (whole.replace("hearth", "preset"), "unknown field `preset`"),
-            (whole.replace(": 2", ": 1"), "\"hearth\" must be 2"),
-            (
-                whole.replace("\"A\"", "\" \""),
-                "\"label\" must be one line",
-            ),
-            (
-                whole.replace("A fire.", ""),
-                "\"description\" must be one line",
-            ),
+            (whole.replace(": 2", ": 1"), "must be 2"),
+            (whole.replace("\"A\"", "\" \""), "\"label\" must be"),
+            (whole.replace("A fire.", ""), "\"description\" must"),
             (whole.replace("fire.", "fire"), "with its full stop"),
             (whole.replace("\"A\"", "1"), "expected a string"),
-            (
-                whole.replace(", \"values\": {}", ""),
-                "missing field `values`",
-            ),
+            (whole.replace(", \"values\": {}", ""), "missing field"),
         ] {
             let outcome = outcome("a.json", &text);
             assert!(outcome.contains(named), "{text}: {outcome}");
         }
         for file in [
-            "a",
-            "A.json",
-            "a b.json",
-            "-a.json",
-            "a--b.json",
-            ".json",
-            "é.json",
+            "a", "A.json", "a b.json", "-a.json", "a--.json", ".json", "é.json",
         ] {
             let outcome = outcome(file, &whole);
             assert!(outcome.contains("name of the file"), "{file}: {outcome}");
         }
-        assert!(
-            outcome("default.json", &with(r#"{"wind": 1}"#)).contains("neither values nor solids")
-        );
+        assert!(outcome("default.json", &with(r#"{"wind": 1}"#)).contains("neither values"));
     }
 
     #[test]
@@ -406,9 +365,8 @@ mod tests {
         let sh = Shell::new()?;
         let folder = sh.create_temp_dir()?;
         let folder = folder.path();
-        let outcome = || {
-            read_all(folder).map_or_else(|error| format!("{error:#}"), |all| all.len().to_string())
-        };
+        let read = || read_all(folder).map(|all| all.len().to_string());
+        let outcome = || read().unwrap_or_else(|error| format!("{error:#}"));
         assert_eq!(outcome(), "scenes/default.json is missing");
         sh.write_file(folder.join("default.json"), with("{}"))?;
         assert_eq!(outcome(), "1");

@@ -94,6 +94,11 @@ pub struct FreeSolid {
     pub asleep: bool,
 }
 
+/// The inverse of a positive number, and 0 of 0.
+fn whole(inverse: f32) -> f32 {
+    if inverse > 0.0 { 1.0 / inverse } else { 0.0 }
+}
+
 /// A solid that forces move, or one that it meets.
 #[derive(Clone, Debug)]
 pub(super) struct Rigid {
@@ -261,15 +266,11 @@ impl Rigid {
 
     /// What a reader sees of it.
     pub fn seen(&self) -> FreeSolid {
-        let frame = &self.surface.frame;
-        let whole = |inverse: f32| match inverse > 0.0 {
-            true => 1.0 / inverse,
-            false => 0.0,
-        };
+        let (place, axis) = self.place();
         FreeSolid {
             id: self.id,
-            place: frame.centre - frame.axis.rotate(self.middle),
-            angle: libm::atan2f(frame.axis.y, frame.axis.x).to_degrees(),
+            place,
+            angle: libm::atan2f(axis.y, axis.x).to_degrees(),
             centre: self.centre,
             velocity: self.velocity,
             spin: self.spin,
@@ -277,6 +278,17 @@ impl Rigid {
             inertia: whole(self.inverse_inertia),
             asleep: self.asleep,
         }
+    }
+
+    /// Its place \[m\] as that of a solid in a scene, and the direction of its angle.
+    pub fn place(&self) -> (Vec2, Vec2) {
+        let frame = &self.surface.frame;
+        (frame.centre - frame.axis.rotate(self.middle), frame.axis)
+    }
+
+    /// Its mass [kg/m]; 0 if nothing is left of it.
+    pub fn mass(&self) -> f32 {
+        whole(self.inverse_mass)
     }
 
     /// Limits its speed: gas follows no faster surface.

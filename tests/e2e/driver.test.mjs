@@ -1,11 +1,12 @@
 /**
- * The browser driver: a missing browser is a failure with the name of its package, and the
- * server sends the requested replacements.
+ * The browser driver: a missing browser is a failure with the name of its package, a page's
+ * dialog is a problem of the page, and the server sends the requested replacements.
  */
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { test } from 'node:test';
 import { promisify } from 'node:util';
+import { Browser } from './driver.mjs';
 import { serve } from './server.mjs';
 
 const HERE = new URL('.', import.meta.url);
@@ -36,6 +37,18 @@ test('HEARTH_BROWSERS selects browsers, and a misspelt name is reported', async 
   assert.equal((await asked('')).trim(), 'chromium,firefox,webkit');
   assert.equal((await asked('webkit, chromium')).trim(), 'webkit,chromium');
   assert.match(await asked('webkit,opera'), /"opera"; there are: chromium, firefox, webkit/);
+});
+
+test('a dialog that a page opens is a problem of the page and does not stop it', async () => {
+  const browser = await Browser.launch();
+  try {
+    const tab = await browser.open('<button onclick="setTimeout(() => alert(\'Hello\'))">Greet</button>');
+    await tab.evaluate(() => document.querySelector('button')?.click());
+    await tab.frames(3);
+    assert.deepEqual(await tab.complaints(), ['dialog: Hello']);
+  } finally {
+    await browser.close();
+  }
 });
 
 test('the server sends replacements of files, and files that a browser has need not be sent', async () => {

@@ -100,6 +100,11 @@ export class PuppeteerTab extends Tab {
     page.on('pageerror', (error) => {
       this.problems.push(`uncaught: ${error instanceof Error ? error.message : error}`);
     });
+    // An open dialog stops the page, so that the next evaluation would wait for ever.
+    page.on('dialog', (dialog) => {
+      this.problems.push(`dialog: ${dialog.message()}`);
+      void dialog.dismiss();
+    });
     page.on('requestfailed', (request) => {
       this.problems.push(`request failed: ${request.url()} ${request.failure()?.errorText ?? ''}`);
     });

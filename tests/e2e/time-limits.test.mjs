@@ -151,10 +151,16 @@ test('code that never comes rejects the call that needs it', async () => {
     files: { 'transition.js': { silent: true }, 'capture.js': { silent: true } },
     before: () => {
       const { setTimeout } = window;
-      window.setTimeout = /** @type {any} */ ((act, time, ...rest) => setTimeout(act, time === 30_000 ? 300 : time, ...rest));
+      // Only the code that the test's calls need is in a hurry: a busy machine may be slow with the rest.
+      window.setTimeout = /** @type {any} */ ((act, time, ...rest) => (
+        setTimeout(act, time === 30_000 && /** @type {any} */ (window).isHurried ? 300 : time, ...rest)
+      ));
     },
   });
   await tab.ready();
+  await tab.evaluate(() => {
+    /** @type {any} */ (window).isHurried = true;
+  });
   for (const call of [['to', { wind: 1 }], ['toBlob']]) {
     const said = await tab.fire((fire, name, ...values) => (
       fire[name](...values).then(() => '', ({ message }) => message)

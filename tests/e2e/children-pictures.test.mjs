@@ -179,8 +179,8 @@ test('a mask is made anew when the text, its style or its size changes, and kept
   const italic = await another(tab, 'another style', words.mask);
   await restyle(tab, { width: '20px', overflowWrap: 'anywhere' });
   const narrow = await another(tab, 'more lines', italic.mask);
-  await tab.evaluate(() => document.fonts.dispatchEvent(new Event('loadingdone')));
   const before = await masks(tab);
+  await tab.evaluate(() => document.fonts.dispatchEvent(new Event('loadingdone')));
   await tab.until('it is read again with another font', (before) => /** @type {any} */ (window).masks > before, before);
   await tab.fire((fire) => fire.firstElementChild.removeAttribute('of-text'));
   await boxed(tab, 'the box without of-text');

@@ -113,6 +113,11 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   }
   const scenes = addButton('scenes', 'Scenes', () => controller.scenes());
   scenes.setAttribute('aria-haspopup', 'dialog');
+  const states = /** @type {const} */ (['A', 'B']).map((letter) => (
+    addButton(`compare:${letter}`, `State ${letter}`, () => controller.compare(letter))
+  ));
+  const variants = [...states, addButton('randomise', 'Randomise', () => controller.randomise())];
+  for (const button of variants) button.addEventListener('focus', () => reveal('tools'));
   const resetAll = addButton('reset-all', 'Reset all to the scene', () => controller.restoreAll());
   if (!limited) resetAll.addEventListener('focus', () => reveal('tools'));
 
@@ -120,7 +125,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
   quality.addEventListener('focus', () => reveal('quality'));
   places.set('quality', quality);
   if (limited) {
-    for (const one of [step, picture, fullscreen, ...copies, paste, help, scenes, quality.parentElement]) one?.remove();
+    for (const one of [step, picture, fullscreen, ...copies, paste, help, scenes, ...variants, quality.parentElement]) one?.remove();
   }
 
   /** @type {HTMLFieldSetElement | undefined} */
@@ -217,6 +222,7 @@ export function mountAccessibleControls({ host, fire, controller, reveal }) {
     // A disabled button would lose the focus.
     undo.setAttribute('aria-disabled', String(!state.undo));
     redo.setAttribute('aria-disabled', String(!state.redo));
+    for (const button of states) button.setAttribute('aria-pressed', String(button.dataset.action === `compare:${state.compared}`));
     scenes.textContent = state.scene ? `Scene: ${state.scene}` : 'Scenes';
     fullscreen.hidden = !state.fullscreen;
     copies[COPIES.indexOf('link')].hidden = !state.link;

@@ -38,6 +38,7 @@ const CHANGES = ['ready', 'params-change', 'objects-change'];
  * @property {Values} values  The values of the scene.
  * @property {Fields[]} objects  The objects of the scene.
  * @property {number} [selected]  The id of the selected object.
+ * @property {import('./editing.js').Letter} compared  The state that the fire shows, of the two that are compared.
  * @property {boolean} undo
  * @property {boolean} redo
  * @property {boolean} link  Whether the page has a URL that shows this fire.
@@ -104,6 +105,7 @@ export class PanelController extends EventTarget {
       values: valuesOf(this.#fire),
       objects: sceneObjects(this.#fire),
       selected: this.#editing.id,
+      compared: this.#editing.letter,
       undo: this.#history.canUndo,
       redo: this.#history.canRedo,
       link: this.#page !== undefined,
@@ -215,6 +217,16 @@ export class PanelController extends EventTarget {
     /** @type {HearthConfig} */
     const config = { hearth: 1, preset: /** @type {HearthConfig['preset']} */ (name), values: {} };
     return this.#history.all(() => this.#fire.importConfig(config), { replaces: true });
+  }
+
+  /** Shows one of two states. @param {import('./editing.js').Letter} letter */
+  compare(letter) {
+    return this.#editing.compare(letter);
+  }
+
+  /** Sets random values near those of the scene. */
+  randomise() {
+    return this.#editing.randomise();
   }
 
   /** Shows or hides the card of scenes. */

@@ -1,15 +1,22 @@
 /**
- * What a visitor edits of a fire: the history of steps and the selected object. The panel and the
- * toolbar of the same fire share it, so an undo in one undoes a step of the other.
+ * What a visitor edits of a fire: the history of steps, the selected object and the two states to compare. The
+ * panel and the toolbar of the same fire share it, so an undo in one undoes a step of the other.
  */
 
 import { objectsOf } from './objects.js';
+import { randomValues } from './random-values.js';
 import { modelDefault, sceneValue } from './scene.js';
 import { UndoHistory } from './undo-history.js';
 
 /**
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
  * @typedef {import('./objects.js').Fields} Fields
+ */
+
+/**
+ * @typedef {'A' | 'B'} Letter
+ * @typedef {{letter: Letter, other?: import('../hearth-fire.js').HearthConfig}} Compared  The state that the fire
+ *   shows, and the settings of the other one, once it has been shown.
  */
 
 /** @type {WeakMap<HearthFire, Editing>} */
@@ -27,12 +34,14 @@ export class Editing extends EventTarget {
   #fire;
   /** The ids of the selected objects; the last one's properties have rows. @type {number[]} */
   #ids = [];
+  /** @type {{compared: Compared}} */
+  #variants = { compared: { letter: 'A' } };
 
   /** @param {HearthFire} fire */
   constructor(fire) {
     super();
     this.#fire = fire;
-    this.history = new UndoHistory(fire, () => this.#changed(), modelDefault, (id) => sceneValue(fire, id));
+    this.history = new UndoHistory(fire, () => this.#changed(), modelDefault, (id) => sceneValue(fire, id), this.#variants);
   }
 
   /** The selected object; of several, the one that was selected last. @returns {Fields | undefined} */
@@ -98,6 +107,27 @@ export class Editing extends EventTarget {
       const [moved, rest] = [all.filter(moves), all.filter((one) => !moves(one))];
       return this.#fire.set({ objects: /** @type {any[]} */ (front ? [...rest, ...moved] : [...moved, ...rest]) });
     });
+  }
+
+  /** The letter of the state that the fire shows. */
+  get letter() {
+    return this.#variants.compared.letter;
+  }
+
+  /** Shows the other of two states, which begins as a copy of the first one: one step. @param {Letter} letter */
+  compare(letter) {
+    return this.history.all(async () => {
+      const { compared } = this.#variants;
+      if (letter === compared.letter) return;
+      const shown = await this.#fire.exportConfig();
+      await this.#fire.importConfig(compared.other ?? shown);
+      this.#variants.compared = { letter, other: shown };
+    }, { replaces: true });
+  }
+
+  /** Sets random values near those of the scene: one step. */
+  randomise() {
+    return this.history.all(() => this.#fire.set(randomValues(this.#fire)), { replaces: false });
   }
 
   #changed() {

@@ -45,6 +45,7 @@ const MODEL = 'model';
  * @property {Fields[]} [objects]  All objects, if a step adds, removes or reorders some.
  * @property {boolean} [named]  Whether the number or the spacing of a step that changes it is set.
  * @property {HearthConfig} [config]  The settings, if all may have changed.
+ * @property {unknown} [compared]  Which of two states is shown, if all values may have changed.
  * @property {Map<ModelName, Values>} [kept]  The values that the other models have for themselves: settings
  *   hold those of one model.
  */
@@ -56,6 +57,7 @@ export class UndoHistory {
   #defaultOf;
   #resetTo;
   #kept;
+  #variants;
   /** @type {Step[]} */
   #done = [];
   /** @type {Step[]} */
@@ -75,13 +77,16 @@ export class UndoHistory {
    *   parameter.
    * @param {(id: Id, model: ModelName) => Value | undefined} [resetTo]  The value that `restore` sets, if it
    *   is not the default.
+   * @param {{compared?: unknown}} [variants]  Which of two states is shown: steps that may change every value
+   *   restore it.
    */
-  constructor(fire, changed, defaultOf, resetTo = defaultOf) {
+  constructor(fire, changed, defaultOf, resetTo = defaultOf, variants = {}) {
     this.#fire = fire;
     this.#changed = changed;
     this.#defaultOf = defaultOf;
     this.#resetTo = resetTo;
     this.#kept = new KeptValues(fire, defaultOf);
+    this.#variants = variants;
   }
 
   /** Whether there is a step to undo. */
@@ -182,7 +187,9 @@ export class UndoHistory {
       await act();
       if (replaces) this.#kept.clear();
       const after = await this.#snapshot();
-      const [old, now] = [before, after].map(({ values, config, kept = [] }) => JSON.stringify([values, config, [...kept]]));
+      const [old, now] = [before, after].map(({ values, config, compared, kept = [] }) => (
+        JSON.stringify([values, config, compared, [...kept]])
+      ));
       if (old !== now) this.#record({ gesture, before, after });
     });
   }
@@ -292,7 +299,7 @@ export class UndoHistory {
   }
 
   /** @param {Side} side */
-  async #apply({ values, changed, objects, named, config, kept }) {
+  async #apply({ values, changed, objects, named, config, compared, kept }) {
     const fire = this.#fire;
     if (changed) await this.#changeObjects(changed);
     if (objects) {
@@ -302,7 +309,10 @@ export class UndoHistory {
       await fire.set({ objects: /** @type {any[]} */ (list) });
     }
     if (!values) return;
-    if (config) await fire.importConfig(config);
+    if (config) {
+      await fire.importConfig(config);
+      this.#variants.compared = compared;
+    }
     if (kept) await this.#kept.restore(kept, values[MODEL]);
     const now = fire.params;
     const moved = values[MODEL] !== now[MODEL];
@@ -324,7 +334,7 @@ export class UndoHistory {
   async #snapshot() {
     const config = await this.#fire.exportConfig();
     const values = this.#fire.params;
-    return { values, config, kept: this.#kept.all };
+    return { values, config, compared: this.#variants.compared, kept: this.#kept.all };
   }
 
   /**

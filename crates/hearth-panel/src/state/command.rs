@@ -32,6 +32,10 @@ pub enum Command {
     Remember(Memory),
     /// Toggle the list of scenes.
     Scenes,
+    /// Show one of the two states that are compared, by letter.
+    Compare(&'static str),
+    /// Set random values near those of the scene.
+    Randomise,
     /// Set the quality, by name.
     Quality(&'static str),
     /// Resume the simulation.

@@ -8,6 +8,8 @@ pub struct ControllerState {
     pub scene: String,
     /// The label of the scene alone.
     pub preset: String,
+    /// The letter of the state that the fire shows, of the two that are compared; empty if unknown.
+    pub compared: String,
     /// Whether there is a step to undo.
     pub undo: bool,
     /// Whether there is a step to redo.

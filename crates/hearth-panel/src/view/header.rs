@@ -1,4 +1,4 @@
-//! The header: measurements, tools, scene, model and search.
+//! The header: measurements, tools, scene, variants, model and search.
 
 use egui::{Id, Rect, Ui, pos2, vec2};
 use hearth_core::params::{Kind, Param};
@@ -10,7 +10,7 @@ use crate::view::icons::Icon;
 use crate::view::layout::{beside_label, labelled, paragraph, strip};
 use crate::view::output::Output;
 use crate::view::tools::{self, Tool};
-use crate::view::{choices, row, search_field, telemetry, title};
+use crate::view::{choices, row, search_field, telemetry, title, variants};
 
 /// Width of the button that resets all.
 const RESET: f32 = 100.0;
@@ -45,6 +45,8 @@ pub fn fixed(state: &State, out: &mut Output, ui: &mut Ui, low: bool) {
         let rect = labelled(ui, control, "Scene");
         scene_button(&state.controller.scene, out, ui, rect);
         ui.add_space(gap);
+        variants::show(&state.controller, out, ui, control);
+        ui.add_space(gap);
         model(state, out, ui, false);
         ui.add_space(gap);
         search(state, out, ui);
@@ -63,6 +65,8 @@ pub fn movable(state: &State, out: &mut Output, ui: &mut Ui) {
     if state.open.tools {
         ui.add_space(4.0);
         tools::show(state, out, ui, true);
+        ui.add_space(8.0);
+        variants::show(&state.controller, out, ui, state.device.measures.control);
         ui.add_space(8.0);
         model(state, out, ui, true);
         ui.add_space(8.0);

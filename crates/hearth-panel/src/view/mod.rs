@@ -19,3 +19,4 @@ mod slider;
 mod telemetry;
 mod title;
 mod tools;
+mod variants;

@@ -160,6 +160,11 @@ impl Element {
                 arguments.push(&what.into());
                 "copy"
             }
+            Command::Compare(letter) => {
+                arguments.push(&letter.into());
+                "compare"
+            }
+            Command::Randomise => "randomise",
             Command::Scenes => "scenes",
             Command::Play => "play",
             Command::Pause => "pause",

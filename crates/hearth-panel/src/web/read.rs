@@ -74,6 +74,7 @@ pub(super) fn controller_state(state: &JsValue) -> ControllerState {
     ControllerState {
         scene: text(state, "scene").unwrap_or_default(),
         preset: text(state, "preset").unwrap_or_default(),
+        compared: text(state, "compared").unwrap_or_default(),
         undo: flag("undo"),
         redo: flag("redo"),
         link: flag("link"),

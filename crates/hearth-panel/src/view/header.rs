@@ -43,9 +43,14 @@ pub fn fixed(state: &State, out: &mut Output, ui: &mut Ui, low: bool) {
         tools::show(state, out, ui, false);
         ui.add_space(gap);
         let rect = labelled(ui, control, "Scene");
-        scene_button(&state.controller.scene, out, ui, rect);
-        ui.add_space(gap);
-        variants::show(&state.controller, out, ui, control);
+        let (scene, variants) = rect.split_left_right_at_x(rect.right() - variants::width(control));
+        scene_button(
+            &state.controller.scene,
+            out,
+            ui,
+            scene.with_max_x(scene.right() - gap),
+        );
+        variants::line(&state.controller, out, ui, variants);
         ui.add_space(gap);
         model(state, out, ui, false);
         ui.add_space(gap);
@@ -66,7 +71,8 @@ pub fn movable(state: &State, out: &mut Output, ui: &mut Ui) {
         ui.add_space(4.0);
         tools::show(state, out, ui, true);
         ui.add_space(8.0);
-        variants::show(&state.controller, out, ui, state.device.measures.control);
+        let rect = labelled(ui, state.device.measures.control, "Compare");
+        variants::line(&state.controller, out, ui, rect);
         ui.add_space(8.0);
         model(state, out, ui, true);
         ui.add_space(8.0);

@@ -2,6 +2,8 @@
  * Runs test files, `NAME.test.mjs`: all files of a folder, or those whose names begin with
  * the words on the command line.
  *
+ * Files that fail run once more, alone: a failure by chance is named and does not fail the run.
+ *
  * Where `HEARTH_PASSED` names a store, files that passed before and whose inputs are the same
  * are left out.
  */
@@ -19,7 +21,7 @@ const FILE_TIMEOUT = 20 * 60_000;
  * @param {string} folder
  * @param {number} concurrency
  */
-export function runTests(folder, concurrency) {
+export async function runTests(folder, concurrency) {
   const prefixes = process.argv.slice(2).filter((argument) => !argument.startsWith('-'));
   const names = readdirSync(folder)
     .filter((file) => file.endsWith('.test.mjs'))
@@ -35,25 +37,55 @@ export function runTests(folder, concurrency) {
     console.log(`${files.length - due.length} of ${files.length} test files passed before, unchanged`);
   }
   if (due.length === 0) return;
-  const clean = new Set(due);
-  const ran = new Set();
-  const events = run({ files: due, concurrency, timeout: FILE_TIMEOUT });
-  events.on('test:fail', ({ file = '' }) => {
+  const first = await runOnce(due, concurrency);
+  const again = [...first.failed];
+  if (again.length > 0 && !first.elsewhere) {
+    console.log(`\n${again.length} of ${due.length} test files failed and run once more, alone\n`);
+    const second = await runOnce(again, 1);
+    const tests = first.tests.map((name) => `\n  ${name}`).join('');
+    if (second.failed.size > 0 || second.elsewhere) process.exitCode = 1;
+    else console.log(`\nUNSTABLE: failed at first, passed when run once more:${tests}\n`);
+  } else if (first.failed.size > 0 || first.elsewhere) {
     process.exitCode = 1;
-    // Without its file, a failure counts for all.
-    if (!clean.delete(file)) clean.clear();
+  }
+  if (!store) return;
+  for (const file of due) delete passed[file];
+  // A file that was edited during the run may have been read before or after.
+  const after = digests(due);
+  for (const file of first.clean) if (after[file] === now[file]) passed[file] = now[file];
+  writePassed(store, passed);
+}
+
+/**
+ * What a run found: the files that failed, the failed tests, whether something failed that belongs to no file,
+ * and the files that passed and skipped nothing.
+ * @typedef {{failed: Set<string>, tests: string[], elsewhere: boolean, clean: string[]}} Found
+ */
+
+/** @type {(files: string[], concurrency: number) => Promise<Found>} */
+function runOnce(files, concurrency) {
+  /** @type {Set<string>} */
+  const failed = new Set();
+  /** @type {string[]} */
+  const tests = [];
+  let elsewhere = false;
+  const partly = new Set();
+  const ran = new Set();
+  const events = run({ files, concurrency, timeout: FILE_TIMEOUT });
+  events.on('test:fail', ({ file, name }) => {
+    if (file !== undefined && files.includes(file)) failed.add(file);
+    else elsewhere = true;
+    tests.push(`${path.basename(file ?? '')}: ${name}`);
   });
   events.on('test:pass', ({ file = '', skip, todo }) => {
-    if (skip !== undefined || todo !== undefined) clean.delete(file);
+    if (skip !== undefined || todo !== undefined) partly.add(file);
     else ran.add(file);
   });
-  events.on('end', () => {
-    if (!store) return;
-    for (const file of due) delete passed[file];
-    // A file that was edited during the run may have been read before or after.
-    const after = digests(due);
-    for (const file of clean) if (ran.has(file) && after[file] === now[file]) passed[file] = now[file];
-    writePassed(store, passed);
+  const done = new Promise((resolve) => {
+    events.on('end', () => resolve(undefined));
   });
-  events.compose(new Spec()).pipe(process.stdout);
+  events.compose(new Spec()).pipe(process.stdout, { end: false });
+  return done.then(() => ({
+    failed, tests, elsewhere, clean: elsewhere ? [] : files.filter((file) => ran.has(file) && !failed.has(file) && !partly.has(file)),
+  }));
 }

@@ -128,6 +128,35 @@ describe('the strip of scenes', () => {
   });
 });
 
+for (const [width, height] of [[320, 568], [390, 844], [667, 375], [844, 390], [768, 1024], [1280, 800], [1920, 1080]]) {
+  test(`at ${width} × ${height} words, hint, buttons and scenes lie apart`, async () => {
+    const tab = await browser.open('index.html', { width, height, touch: width < 720 });
+    await tab.until('the hint', () => document.getElementById('hint')?.textContent);
+    await tab.ready();
+    await strip(tab);
+    await tab.page.waitForSelector('#draw:not([hidden])');
+    const parts = await tab.evaluate(() => ['#head h1', '#head p', '#head nav', '#hint', '#draw', '#toggle', '#scenes .tiles']
+      .map((selector) => ({ selector, element: document.querySelector(selector) }))
+      .filter(({ element }) => element?.checkVisibility())
+      .map(({ selector, element }) => {
+        const { left, top, right, bottom } = /** @type {Element} */ (element).getBoundingClientRect();
+        return { selector, left, top, right, bottom };
+      }));
+    assert.ok(parts.length >= 6, parts.map(({ selector }) => selector).join());
+    for (const [at, one] of parts.entries()) {
+      for (const other of parts.slice(at + 1)) {
+        const apart = one.right <= other.left || other.right <= one.left || one.bottom <= other.top || other.bottom <= one.top;
+        assert.ok(apart, `${one.selector} lies over ${other.selector}`);
+      }
+    }
+    // What stands under the flame is in sight where there is room beside it.
+    const tiles = parts.find(({ selector }) => selector.endsWith('.tiles'));
+    const stage = await tab.rectangle('#stage');
+    const middle = stage.x + stage.width / 2;
+    if (width >= 720) assert.ok(tiles.left > middle + stage.width / 4 || tiles.right < middle - stage.width / 4);
+  });
+}
+
 describe('the panel', () => {
   test('is not loaded on a phone before it is opened', async () => {
     const tab = await browser.open('index.html', PHONE);

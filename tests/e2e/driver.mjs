@@ -10,6 +10,7 @@
  */
 export { Browser } from './driver/browser.mjs';
 export { BROWSERS } from './driver/programs.mjs';
+export { eventually } from './driver/tab.mjs';
 
 /** @typedef {import('./driver/puppeteer.mjs').PuppeteerTab} Tab */
 /** @typedef {import('./driver/tab.mjs').Point} Point */

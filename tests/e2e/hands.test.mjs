@@ -3,8 +3,8 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser } from './driver.mjs';
-import { chord, close, drag, openTools, said, tool, WIDE } from './hands.mjs';
+import { Browser, eventually } from './driver.mjs';
+import { canUndo, chord, close, drag, openTools, said, tool, WIDE } from './hands.mjs';
 import { objectsUntil as until } from './waits.mjs';
 
 /** @type {Browser} */
@@ -59,12 +59,10 @@ test('two hundred random actions undone give the first scene', async () => {
   }
   await tab.key('Escape');
   await tab.key('Escape');
-  for (let patience = 300; patience > 0; patience -= 1) {
-    const left = await tab.evaluate(() => document.querySelector('[data-tool="undo"]')?.getAttribute('aria-disabled') !== 'true');
-    if (!left) break;
+  await eventually('every step is undone', () => canUndo(tab), (left) => !left, async () => {
     await tool(tab, 'undo');
     await tab.frames(1);
-  }
+  });
   assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), first);
   assert.deepEqual(tab.problems, []);
 });

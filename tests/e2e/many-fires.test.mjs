@@ -4,7 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser } from './driver.mjs';
+import { Browser, eventually } from './driver.mjs';
 import { assertBurns } from './assertions.mjs';
 
 /** @type {Browser} */
@@ -90,8 +90,7 @@ test('with its last fire a page loses the engine, and gets another with the next
     /** @type {any} */ (window).driver.workers() === 0
   ));
   // The browser reports it a little later.
-  for (let tries = 0; tries < 100 && tab.page.workers().length > 0; tries += 1) await tab.frames();
-  assert.equal(tab.page.workers().length, 0);
+  await eventually('no worker is left', () => tab.page.workers().length, (workers) => workers === 0, () => tab.frames());
   await tab.evaluate(() => document.body.append(document.createElement('hearth-fire')));
   await tab.burnt(1);
   await assertBurns(tab);

@@ -4,6 +4,7 @@
  * the rectangle of the egui control on the page.
  */
 
+import { eventually } from './driver.mjs';
 import { domainOf } from './site.mjs';
 
 /** @typedef {import('./driver.mjs').Tab} Tab */
@@ -227,13 +228,8 @@ export class Panel {
    * @param {string} id @param {string} what @param {(value: any) => boolean} holds
    */
   async value(id, what, holds) {
-    for (let patience = 200; patience > 0; patience -= 1) {
-      const value = await this.tab.fire((fire, name) => fire.params[name], id);
-      if (holds(value)) return value;
-      await this.tab.frames();
-    }
-    const value = await this.tab.fire((fire, name) => fire.params[name], id);
-    throw new Error(`${id} should be ${what} and is ${JSON.stringify(value)}`);
+    const read = () => this.tab.fire((fire, name) => fire.params[name], id);
+    return eventually(`${id} is ${what}`, read, holds, () => this.tab.frames());
   }
 }
 

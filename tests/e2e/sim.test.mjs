@@ -11,7 +11,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { burnEverything } from '../sim/fingerprint.mjs';
-import { BROWSERS, Browser } from './driver.mjs';
+import { BROWSERS, Browser, eventually } from './driver.mjs';
 import { SITE } from './site.mjs';
 
 const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
@@ -169,12 +169,8 @@ test('a simulation of a preset in a browser fetches the part of presets, and ano
 /** Burns on until the lower middle of the window glows; and it moves. */
 async function burns(/** @type {any} */ tab) {
   const part = async () => (await tab.picture()).part(0.25, 0.4, 0.75, 1);
-  let picture = await part();
-  for (let tries = 0; picture.glowing() < 0.02 && tries < 200; tries += 1) {
-    await tab.frames(4);
-    picture = await part();
-  }
-  assert.ok(picture.glowing() >= 0.02, `${picture.glowing()} of the lower middle glows`);
+  const glows = (/** @type {any} */ picture) => picture.glowing() >= 0.02;
+  const picture = await eventually('the lower middle glows', part, glows, () => tab.frames(4), (dark) => dark.glowing());
   await tab.frames(12);
   const moved = picture.difference(await part());
   assert.ok(moved > 0.2, `the picture moved by ${moved}`);

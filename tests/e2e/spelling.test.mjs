@@ -4,7 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser } from './driver.mjs';
+import { Browser, eventually } from './driver.mjs';
 import { recording } from './assertions.mjs';
 
 /** @type {Browser} */
@@ -18,7 +18,7 @@ const SMALL = 'paused quality="low" style="width: 40px; height: 50px"';
 
 /** Waits until the page has warned so often; gives the warnings. */
 async function warnings(tab, count) {
-  for (let tries = 0; tab.problems.length < count && tries < 200; tries += 1) await tab.frames(1);
+  await eventually(`${count} warnings`, () => tab.problems, ({ length }) => length >= count, () => tab.frames(1));
   return tab.problems;
 }
 

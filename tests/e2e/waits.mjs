@@ -2,6 +2,8 @@
  * What more than one test file waits for.
  */
 
+import { eventually } from './driver.mjs';
+
 /** @typedef {import('./driver.mjs').Tab} Tab */
 
 /** The objects of the first fire. @param {Tab} tab */
@@ -11,14 +13,8 @@ export const objects = (tab) => tab.fire((fire) => fire.objects);
  * Waits until the objects of the first fire are as `holds` requires, and returns them.
  * @param {Tab} tab @param {string} what @param {(all: any[]) => unknown} holds
  */
-export async function objectsUntil(tab, what, holds) {
-  let now;
-  for (let patience = 200; patience > 0; patience -= 1) {
-    now = await objects(tab);
-    if (holds(now)) return now;
-    await tab.frames();
-  }
-  throw new Error(`the objects should be ${what} and are ${JSON.stringify(now)}`);
+export function objectsUntil(tab, what, holds) {
+  return eventually(`the objects are ${what}`, () => objects(tab), holds, () => tab.frames());
 }
 
 /**

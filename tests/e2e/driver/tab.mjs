@@ -10,8 +10,26 @@ import { Picture } from '../picture.mjs';
 /** Timeout of every wait [ms]: long, since only a hanging page reaches it. */
 export const PATIENCE = 60_000;
 
-/** Maximum number of pictures that a wait for a picture takes. */
-const PICTURES = 300;
+/**
+ * Reads a value until it is as `holds` requires, and returns it. The wait ends by its time alone: a number of
+ * frames may pass before a worker that gets no processor has drawn one.
+ * @template T
+ * @param {string} what  Describes the condition in the failure's message.
+ * @param {() => T | Promise<T>} read
+ * @param {(value: T) => unknown} holds
+ * @param {() => unknown} [between]  What happens before the next reading.
+ * @param {(value: T) => unknown} [shown]  The value in the failure's message.
+ * @returns {Promise<T>}
+ */
+export async function eventually(what, read, holds, between = () => {}, shown = (value) => value) {
+  const end = Date.now() + PATIENCE;
+  for (;;) {
+    const value = await read();
+    if (holds(value)) return value;
+    if (Date.now() > end) throw new Error(`never came true: ${what}; it is ${JSON.stringify(shown(value))}`);
+    await between();
+  }
+}
 
 /** A page and its problems. */
 export class Tab {
@@ -189,12 +207,7 @@ export class Tab {
    * @param {(picture: Picture) => boolean} holds
    */
   async pictureUntil(what, holds) {
-    for (let left = PICTURES; left > 0; left -= 1) {
-      const picture = await this.firePicture();
-      if (holds(picture)) return picture;
-      await this.frames(1);
-    }
-    throw new Error(`not in ${PICTURES} pictures: ${what}`);
+    return eventually(what, () => this.firePicture(), holds, () => this.frames(1), () => 'another picture');
   }
 
   /**

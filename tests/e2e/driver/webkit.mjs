@@ -104,7 +104,8 @@ export class WebKitTab extends Tab {
     // The window is larger than the page by its toolbar, whose size the page reports.
     const inner = () => this.session.run('arguments[0]([innerWidth, innerHeight])', []);
     let [across, down] = [0, 0];
-    for (let tries = 0; tries < 20; tries += 1) {
+    const end = Date.now() + PATIENCE;
+    while (Date.now() < end) {
       await this.session.post('window/rect', { width: width + across, height: height + down });
       await sleep(50);
       const [w, h] = await inner();

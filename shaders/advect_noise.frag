@@ -5,13 +5,13 @@
 in vec2 uv;
 
 uniform sampler2D flow;           // weight, weight × velocity
-uniform sampler2D carried_before; // the output of this pass in the last picture
+uniform sampler2D noise_offsets_before; // the output of this pass in the last picture
 uniform vec2 step_time; // time since the last picture / size of the picture [s/m]
 uniform vec2 before_scale;  // from a position in this picture to that in the last one: the factor
 uniform vec2 before_offset; // and the offset of that position
 uniform vec2 kept;      // of each pattern: 0 if it restarts in this picture, else 1
 
-out vec4 carried; // in sizes of the picture: first pattern, second pattern
+out vec4 noise_offsets; // in sizes of the picture: first pattern, second pattern
 
 const float THIN = 0.1; // weight below which gas advects less: the rim of a flame has no definite velocity
 
@@ -19,5 +19,5 @@ void main() {
     vec4 gas = texture(flow, uv);
     vec2 moved = gas.yz / max(gas.x, THIN) * step_time;
     vec2 place = (uv - moved) * before_scale + before_offset;
-    carried = texture(carried_before, place) * kept.xxyy / before_scale.xyxy + moved.xyxy;
+    noise_offsets = texture(noise_offsets_before, place) * kept.xxyy / before_scale.xyxy + moved.xyxy;
 }

@@ -8,7 +8,7 @@
 
 in vec2 uv;
 
-uniform sampler2D carried;      // offsets of two advected noise patterns, in sizes of the picture
+uniform sampler2D noise_offsets; // offsets of two advected noise patterns, in sizes of the picture
 uniform vec4 field_range;       // range of weight, weight × kK, × soot, × burning in the field
 uniform float source_width;     // [m]
 uniform float on_solid;         // 1 for a source on a solid, whose flame begins at every height of it; or 0
@@ -84,7 +84,7 @@ vec4 pattern(vec4 places, vec2 level, float finer) {
 void main() {
     light = vec4(0.0);
     vec2 place = to_metres(uv);
-    vec4 offsets = texture(carried, uv) * picture_size.xyxy;
+    vec4 offsets = texture(noise_offsets, uv) * picture_size.xyxy;
     vec4 places = (place.xyxy - offsets) * tiles.xyxy + pattern_starts - vec2(0.0, risen).xyxy;
     vec4 across = dFdx(places);
     vec4 along = dFdy(places);

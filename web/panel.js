@@ -11,6 +11,7 @@ import { mountAccessibleControls } from './panel/accessible-controls.js';
 import { PanelController } from './panel/controller.js';
 import { addFold } from './panel/fold.js';
 import { listenToKeys } from './panel/keys.js';
+import { listenToDrops } from './panel/own-scenes.js';
 import { addSheet } from './panel/sheet.js';
 import { addStyle } from './panel/style.js';
 import { zoomKey } from './panel/zoom-keys.js';
@@ -135,6 +136,7 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
   atEnd(fold?.remove ?? stayAboveKeyboard(host));
   if (inside || page !== undefined) atEnd(addSheet(host, inside ? fire : undefined));
   atEnd(listenToKeys({ own: [host, fire], page: page !== undefined, fire, controller, hide: fold?.toggle, zoomKey }));
+  atEnd(listenToDrops(host, page === undefined ? [fire, host] : [document], (file) => controller.open(file)));
   // Escape closes things in the panel, not the dialog around it.
   listen(host, 'keydown', (event) => {
     if (event.key !== 'Escape') return;

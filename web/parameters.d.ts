@@ -35,10 +35,10 @@ export interface HearthParameters {
   ember_rate: number;
   /** A wall behind the fire, in place of the background. The fire lights it. Default "none". */
   backdrop: "none" | "bricks";
+  /** A ground under the fire, which lights it. Solids cast shadows on it. Over a transparent background, only its light and its shadows are drawn. Default "none". */
+  ground: "none" | "stone" | "earth" | "sand" | "snow";
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   time_scale: number;
-  /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a colour bar; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model, fuel is the remaining life of a particle, and soot is its smoke. Default "fire". */
-  display_mode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "distance" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
   /** A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the whole outline of a solid burns, wherever the solid is. Default "line". */
   source_shape: "line" | "solid";
   /** A fire on another solid. Id of the solid whose surface is the source. If no solid has it, the source is a line. Default 0, from 0 to 1000000. */
@@ -79,6 +79,8 @@ export interface HearthParameters {
   source_temperature: number;
   /** A flame that tears off and goes out more easily. Temperature above which fuel burns where there is oxygen. [K] Default in combustion: 450, from 400 to 900. */
   ignition_temperature: number;
+  /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a colour bar; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model, fuel is the remaining life of a particle, and soot is its smoke. Default "fire". */
+  display_mode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "distance" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
   /** Fire and smoke, the fire alone, or the smoke alone. The visible layers. Default "both". */
   layers: "both" | "fire" | "smoke";
   /** Finer tongues and wisps. Strength of the fine structure that moves with the gas. Default 1, from 0 to 2. */
@@ -93,8 +95,6 @@ export interface HearthParameters {
   hot_colour: string;
   /** Colour behind the fire; with `transparent` the page shows through. Default "transparent". */
   background: string;
-  /** A ground under the fire, which lights it. Solids cast shadows on it. Over a transparent background, only its light and its shadows are drawn. Default "none". */
-  ground: "none" | "stone" | "earth" | "sand" | "snow";
   /** A backdrop that shimmers behind the flame. How strongly hot gas refracts the view of the backdrop. The page behind the element is not refracted. Default 0.3, from 0 to 1. */
   heat_haze: number;
   /** Larger, slower swings of the flame. Size of the eddies of the turbulence. [m] Default 0.15, from 0.03 to 0.6. */
@@ -211,10 +211,10 @@ export interface HearthProperties {
   emberRate: number;
   /** A wall behind the fire, in place of the background. The fire lights it. Default "none". */
   backdrop: "none" | "bricks";
+  /** A ground under the fire, which lights it. Solids cast shadows on it. Over a transparent background, only its light and its shadows are drawn. Default "none". */
+  ground: "none" | "stone" | "earth" | "sand" | "snow";
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   timeScale: number;
-  /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a colour bar; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model, fuel is the remaining life of a particle, and soot is its smoke. Default "fire". */
-  displayMode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "distance" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
   /** A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the whole outline of a solid burns, wherever the solid is. Default "line". */
   sourceShape: "line" | "solid";
   /** A fire on another solid. Id of the solid whose surface is the source. If no solid has it, the source is a line. Default 0, from 0 to 1000000. */
@@ -255,6 +255,8 @@ export interface HearthProperties {
   sourceTemperature: number;
   /** A flame that tears off and goes out more easily. Temperature above which fuel burns where there is oxygen. [K] Default in combustion: 450, from 400 to 900. */
   ignitionTemperature: number;
+  /** Another view of the same gas: the fire; every particle; a quantity of the gas, with a colour bar; the number of neighbours; the hard round sprites of the paper; or sprites with a texture. In the classic model, fuel is the remaining life of a particle, and soot is its smoke. Default "fire". */
+  displayMode: "fire" | "particles" | "temperature" | "density" | "pressure" | "velocity" | "vorticity" | "distance" | "fuel" | "soot" | "neighbours" | "paper" | "sprites";
   /** Fire and smoke, the fire alone, or the smoke alone. The visible layers. Default "both". */
   layers: "both" | "fire" | "smoke";
   /** Finer tongues and wisps. Strength of the fine structure that moves with the gas. Default 1, from 0 to 2. */
@@ -269,8 +271,6 @@ export interface HearthProperties {
   hotColour: string;
   /** Colour behind the fire; with `transparent` the page shows through. Default "transparent". */
   background: string;
-  /** A ground under the fire, which lights it. Solids cast shadows on it. Over a transparent background, only its light and its shadows are drawn. Default "none". */
-  ground: "none" | "stone" | "earth" | "sand" | "snow";
   /** A backdrop that shimmers behind the flame. How strongly hot gas refracts the view of the backdrop. The page behind the element is not refracted. Default 0.3, from 0 to 1. */
   heatHaze: number;
   /** Larger, slower swings of the flame. Size of the eddies of the turbulence. [m] Default 0.15, from 0.03 to 0.6. */
@@ -419,11 +419,11 @@ export interface HearthSolid {
   height?: number;
   /** A rounder box. Radius of its corners, at most half of its smaller side. [m] Default 0, from 0 to 5. */
   corner?: number;
-  /** Another outline. Corners of a polygon or of a stroke, as pairs of numbers in metres from the centre. A polygon is closed, and what its outline winds around is solid; a stroke is open and has round ends. [m] Default "-0.1,-0.1 0.1,-0.1 0,0.1". */
+  /** A solid of any outline. Corners of a polygon or of a stroke, as pairs of numbers in metres from the centre. A polygon is closed, and what its outline winds around is solid; a stroke is open and has round ends. [m] Default "-0.1,-0.1 0.1,-0.1 0,0.1". */
   points?: string | readonly (readonly [number, number])[];
-  /** Another picture. Opacity of the pixels of a mask, which `hearth-fire/mask` makes from a text, a path or an image. Default "16x16:7". */
+  /** A solid in the shape of a picture. Opacity of the pixels of a mask, which `hearth-fire/mask` makes from a text, a path or an image. Default "16x16:7". */
   mask?: string;
-  /** Another appearance. Material that is drawn; `none` is invisible. Default "stone". */
+  /** A surface of stone, wood, iron and so on. Material that is drawn; `none` is invisible. Default "stone". */
   material?: "stone" | "wood" | "iron" | "brick" | "coal" | "wax" | "glass" | "none";
   /** A solid before the fire, which hides the flame behind it. Solids later in the list are before earlier ones. Default false. */
   front?: boolean;
@@ -433,13 +433,13 @@ export interface HearthSolid {
   temperature?: number;
   /** A solid that heats and cools more slowly. Heat capacity by volume; that of stone and iron is 2000 to 3500. [kJ/(m³·K)] Default 100, from 10 to 5000. */
   heat_capacity?: number;
-  /** A solid that burns where it is hot enough, until nothing is left. It has a temperature in each part of it, whatever `thermal` is. In the classic model it does not burn. Default "none". */
+  /** A solid that burns where it is hot enough, until nothing is left. Each part has its own temperature; `thermal` has no effect. In the classic model it does not burn. Default "none". */
   fuel?: "none" | "wood" | "paper" | "coal" | "wax" | "cloth";
   /** A fire that lasts longer and spreads more slowly. Dry mass of the fuel by area of the solid. [kg/m²] Default 2, from 0.05 to 200. */
   load?: number;
   /** A fuel that catches fire later. Mass of the water as a share of that of the dry fuel. [%] Default 8, from 0 to 100. */
   moisture?: number;
-  /** A solid that moves by itself, and pushes the gas. Sway: to and fro along a line. Spin: around its place. Free: it starts at its place and falls, rests on other solids and is pushed by the gas. No part of it is faster than 3 m/s. Default "still". */
+  /** A solid that moves by itself, and pushes the gas. Sway: to and fro along a line. Spin: around its place. Free: it starts at its place and falls, rests on other solids and is pushed by the gas. The speed of each part is limited to 3 m/s. Default "still". */
   motion?: "still" | "sway" | "spin" | "free";
   /** A solid that moves farther. Distance of its turning points from its place. [m] Default 0.3, from 0 to 5. */
   sway?: number;
@@ -449,7 +449,7 @@ export interface HearthSolid {
   period?: number;
   /** A solid that turns faster counterclockwise or, below 0, clockwise. [°/s] Default 45, from -720 to 720. */
   spin?: number;
-  /** A heavier solid. Its mass follows from its area; what has burnt of it weighs nothing. That of wood is about 500. None is lighter than the gas beside it. [kg/m³] Default 500, from 0.1 to 10000. */
+  /** A heavier solid. Its mass follows from its area; burnt material has no mass. That of wood is about 500. None is lighter than the gas beside it. [kg/m³] Default 500, from 0.1 to 10000. */
   density?: number;
   /** A rougher solid. Tangent of the angle at which it begins to slide on a fixed solid. Default 0.5, from 0 to 2. */
   friction?: number;
@@ -538,7 +538,7 @@ export interface HearthStats {
   particles: number;
   /** Share of the air around the fire that is left out, because `max_particles` are reached. */
   asleep: number;
-  /** Number of particles that solids have left no place since the fire began. */
+  /** Number of particles removed because solids left no room, since the fire began. */
   removed: number;
   /** Number of glowing embers. */
   embers: number;
@@ -548,7 +548,7 @@ export interface HearthStats {
   power: number;
   /** Fuel that is left in solids, as a share; 0 without any. */
   fuelLeft: number;
-  /** Whether solids with fuel burn: `burning` if one does. Otherwise `no-oxygen` or `out`, if one went out for want of oxygen or of heat; `unlit`; `burnt`, if nothing is left; empty without fuel. */
+  /** Whether solids with fuel burn: `burning` if one does. Otherwise `no-oxygen` or `out`, if one went out because it lacked oxygen or heat; `unlit`; `burnt`, if nothing is left; empty without fuel. */
   fuel: string;
   /** Real-time factor: seconds of fire per second of the clock, averaged over a second. */
   timeScale: number;

@@ -14,7 +14,7 @@
  */
 
 import { DEFAULTS, OWN_ATTRIBUTES } from './generated/defaults.js';
-import { FURNISHED, SOURCE } from './generated/objects.js';
+import { WITH_OBJECTS, SOURCE } from './generated/objects.js';
 
 /** The URL of this file, or of the bundle that contains it. */
 export const FILE = import.meta.url;
@@ -128,7 +128,7 @@ function valuesOf({ objects, preset = '' }) {
   if (!objects) return {};
   const [first = {}, ...others] = objects;
   const { kind, ...properties } = /** @type {{[name: string]: unknown}} */ (first);
-  const isPlain = kind === 'source' && others.length === 0 && !(preset in FURNISHED) && Object.keys(properties).every((name) => name in SOURCE);
+  const isPlain = kind === 'source' && others.length === 0 && !(preset in WITH_OBJECTS) && Object.keys(properties).every((name) => name in SOURCE);
   if (!isPlain) return { objects: JSON.stringify(objects) };
   return Object.fromEntries(Object.entries(properties).map(([name, value]) => [SOURCE[/** @type {keyof typeof SOURCE} */ (name)], value]));
 }

@@ -95,7 +95,7 @@ export interface Embers {
 /** A solid with fuel; masses in kg per metre of depth. */
 export interface BurningSolid {
   id: number;
-  /** Whether it burns, has burnt, or went out for want of heat or of oxygen. */
+  /** Whether it burns, has burnt, or went out because it lacked heat or oxygen. */
   state: 'unlit' | 'burning' | 'burnt' | 'out' | 'no-oxygen';
   /** Dry mass at first. */
   first: number;

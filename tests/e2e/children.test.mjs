@@ -231,7 +231,7 @@ test('both kinds of children work in the classic model', async () => {
   assert.deepEqual(tab.problems, []);
 });
 
-test('a bad value is told with element, attribute, value and range, and the last good one stays', async () => {
+test('an error names the element, the attribute, the value and the range, and the last valid value stays', async () => {
   const tab = await opened('<hearth-solid id="lid" x="0.1" width="0" y="0.7"></hearth-solid><hearth-source power="700" x="0.2"></hearth-source>');
   const [solid, source] = await owned(tab);
   assert.deepEqual([solid.x, solid.y, solid.width, source.x, source.power], [0.1, 0.7, 0.2, 0.2, 220]);

@@ -35,7 +35,7 @@ async function openPage(model = 'classic') {
 
 const stat = (tab, name) => tab.fire((fire, wanted) => fire.stats[wanted], name);
 
-test('a number slider sets its number where the mouse lets go', async () => {
+test('a number slider sets the value at which the mouse is released', async () => {
   const { tab, panel } = await openPage();
   await panel.dragSlider('buoyancy', 0.2, 0.8);
   const near = (value) => Math.abs(fractionOf(entry.buoyancy, value) - 0.8) < AIM;

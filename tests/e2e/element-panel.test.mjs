@@ -181,7 +181,7 @@ describe('under hand and keys', () => {
     }
   });
 
-  test('keys act in the panel only, and then the page does not hear them', async () => {
+  test('shortcuts act only while the panel or its fire has the focus, and then the page does not receive the keys', async () => {
     const { tab, panel } = await openFire(400, 500, {
       before: () => {
         /** @type {any} */ (window).received = [];

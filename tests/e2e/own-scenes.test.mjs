@@ -1,7 +1,11 @@
-/** The scenes that a visitor saves: they outlive the visit, and what goes wrong is told in words. */
+/**
+ * The scenes that a visitor saves: they outlive the visit, and a failure shows a message. Files of settings are
+ * opened where they are dropped.
+ */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Browser } from './driver.mjs';
+import { openTools } from './hands.mjs';
 import { Panel } from './panel.mjs';
 
 /** @type {Browser} */
@@ -92,5 +96,85 @@ test('storage that is full or forbidden is told, and the list stays', async () =
     await alerted(tab, pattern);
     assert.deepEqual(await names(tab), ['Candle']);
   }
+  assert.deepEqual(tab.problems, []);
+});
+
+/** Drops a file on an element. */
+const drop = (tab, selector, file) => tab.evaluate(([where, { name, type, text }]) => {
+  const data = new DataTransfer();
+  data.items.add(new File([text], name, { type }));
+  const target = /** @type {Element} */ (document.querySelector(where));
+  const options = { dataTransfer: data, bubbles: true, composed: true, cancelable: true };
+  const over = new DragEvent('dragover', options);
+  target.dispatchEvent(over);
+  const event = new DragEvent('drop', options);
+  target.dispatchEvent(event);
+  return [over.defaultPrevented, event.defaultPrevented];
+}, [selector, file]);
+const messaged = (tab, pattern) => tab.until(`the message ${pattern}`, (source) => (
+  [...document.querySelectorAll('.hearth-controls :is([role=status], [role=alert])')].some(({ textContent }) => new RegExp(source).test(textContent ?? ''))
+), pattern.source);
+const settings = (wind, preset = 'candle') => JSON.stringify({ hearth: 1, preset, values: { wind } });
+const blows = (tab, wind) => tab.until(`a wind of ${wind}`, (wanted) => (
+  Math.abs(/** @type {any} */ (document.querySelector('hearth-fire')).params.wind - wanted) < 0.01
+), wind);
+
+test('a file of settings that is dropped anywhere on the page is opened, and any other file is refused in words', async () => {
+  const tab = await browser.open('index.html?scene=candle&paused', { width: 1000, height: 700 });
+  await tab.ready();
+  await new Panel(tab).mounted();
+  let wind = 0.1;
+  for (const place of ['hearth-fire', '#panel', '.hearth-panel canvas', '#head', 'body']) {
+    for (const [name, type] of [['mine.json', 'application/json'], ['MINE.JSON', ''], ['mine', 'application/json;charset=utf-8']]) {
+      wind += 0.1;
+      assert.deepEqual(await drop(tab, place, { name, type, text: settings(wind) }), [true, true], place);
+      await blows(tab, wind);
+    }
+  }
+  const config = await tab.fire((fire) => fire.exportConfig());
+  for (const [place, file, words] of [
+    ['body', { name: 'notes.txt', type: 'text/plain', text: settings(0) }, /“notes.txt” is no file of settings/],
+    ['.hearth-panel canvas', { name: 'fire.png', type: 'image/png', text: '' }, /“fire.png” is no file of settings/],
+    ['#panel', { name: 'mine.json', type: '', text: '{"hearth": ' }, /not JSON/],
+    ['#panel', { name: 'mine.json', type: '', text: '{"hearth": 1, "values": {"wind": 99}}' }, /wind/],
+    ['#panel', { name: 'mine.json', type: '', text: ' '.repeat(500_000) }, /500 KB/],
+  ]) {
+    assert.deepEqual(await drop(tab, place, file), [true, true], file.name);
+    await messaged(tab, words);
+    assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), config);
+  }
+  // The element warns of settings that it refuses.
+  assert.deepEqual(tab.problems.filter((problem) => !/ is refused: /.test(problem)), []);
+});
+
+test('with an open toolbar a dropped file is opened once, and the toolbar keeps its pictures', async () => {
+  const tab = await openTools(browser, { width: 1280, height: 800 });
+  await new Panel(tab).mounted();
+  await drop(tab, '.hearth-overlay', { name: 'mine.json', type: '', text: settings(0.6) });
+  await blows(tab, 0.6);
+  await tab.page.click('[data-tool="undo"]');
+  await blows(tab, 0);
+  await tab.until('no other step', () => document.querySelector('[data-tool="undo"]')?.getAttribute('aria-disabled') === 'true');
+  const disc = '<svg xmlns="http://www.w3.org/2000/svg" width="90" height="90"><circle cx="50%" cy="50%" r="40%"/></svg>';
+  await drop(tab, '.hearth-overlay', { name: 'disc.svg', type: 'image/svg+xml', text: disc });
+  await tab.until('a mask', () => /** @type {any} */ (document.querySelector('hearth-fire')).objects.some(({ shape }) => shape === 'mask'));
+  await drop(tab, '.hearth-overlay', { name: 'notes.txt', type: 'text/plain', text: '' });
+  await tab.until('the words of the toolbar', () => /“notes.txt” is no image/.test(document.querySelector('.hearth-said')?.textContent ?? ''));
+  assert.equal(await tab.evaluate(() => /no file of settings/.test(document.body.textContent ?? '')), false);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a fire with controls opens a file that is dropped on it, and leaves other drops to the page', async () => {
+  const tab = await browser.open(
+    '<p id="other">A page</p><hearth-fire controls paused preset="candle" style="width: 700px; height: 500px"></hearth-fire>',
+    { width: 740, height: 600 },
+  );
+  await tab.ready();
+  await new Panel(tab, { inside: true }).mounted();
+  assert.deepEqual(await drop(tab, 'hearth-fire', { name: 'mine.json', type: '', text: settings(0.6) }), [true, true]);
+  await blows(tab, 0.6);
+  assert.deepEqual(await drop(tab, '#other', { name: 'mine.json', type: '', text: settings(0.2) }), [false, false]);
+  await tab.frames();
+  assert.ok(await tab.fire((fire) => fire.params.wind > 0.5));
   assert.deepEqual(tab.problems, []);
 });

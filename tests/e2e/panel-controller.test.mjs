@@ -235,7 +235,7 @@ describe('its place', () => {
     assert.equal(await tab.fire((fire) => fire.params.exposure), 2, 'what is not shown stays');
   });
 
-  test('where the system’s colours are wanted, the page’s own controls stand', async () => {
+  test('with forced colours, the accessible controls replace the panel', async () => {
     const tab = await browser.open('index.html', { width: 760, height: 600 });
     await tab.ready();
     const client = await tab.page.createCDPSession();

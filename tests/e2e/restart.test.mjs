@@ -271,7 +271,7 @@ test('a fire out of sight is ready without a picture, and a picture of it is ref
     return [fire.shadowRoot.querySelector('.root').hasAttribute('data-drawn'), await picture];
   });
   assert.equal(drawn, false);
-  assert.match(refused, /no frame: the fire is out of sight/);
+  assert.match(refused, /no frame was drawn in 10 s, because the fire is not visible/);
 });
 
 test('a fire of a main thread whose engine has damaged memory is continued with other memory', async () => {

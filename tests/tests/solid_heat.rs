@@ -96,7 +96,7 @@ fn a_solid_warms_in_a_flame_and_cools_after_it() {
 }
 
 #[test]
-fn a_moved_solid_keeps_its_temperature_and_a_set_one_begins_anew() {
+fn a_moved_solid_keeps_its_temperature_and_a_new_value_replaces_it() {
     let mut fire = Simulation::new(scene(&[], 900.0));
     fires::burn_on(&mut fire, 0.2);
     let cooled = temperature(&fire);

@@ -14,7 +14,7 @@ const PICTURE_S = 10;
  */
 function framed(drawn) {
   return new Promise((resolve, reject) => {
-    const cancel = countdown(PICTURE_S, () => reject(new Error('there is no frame: the fire is out of sight')));
+    const cancel = countdown(PICTURE_S, () => reject(new Error(`no frame was drawn in ${PICTURE_S} s, because the fire is not visible`)));
     drawn.then(resolve, reject).finally(cancel);
   });
 }

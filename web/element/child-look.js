@@ -21,7 +21,7 @@ export class Look {
   /** The pixels of the target, once their code is loaded. @type {Picture | undefined} */
   picture;
   /** Why its box counts, as the console has told. */
-  #told = new Set();
+  #warned = new Set();
 
   /** @param {import('./session.js').FireSession} session @param {() => string} name the child and its target in words */
   constructor(session, name) {
@@ -60,8 +60,8 @@ export class Look {
 
   /** @param {string} why */
   #tell(why) {
-    if (!this.#told.has(why)) console.warn(`<hearth-fire>: ${this.#name()} counts as a box: ${why}.`);
-    this.#told.add(why);
+    if (!this.#warned.has(why)) console.warn(`<hearth-fire>: ${this.#name()} counts as a box: ${why}.`);
+    this.#warned.add(why);
   }
 
   /** Forgets the pixels and stops following them. */

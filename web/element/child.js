@@ -72,7 +72,7 @@ export class Child {
   of = '';
   /** Whether the target has no box, and whether the console has told so. */
   hidden = false;
-  #told = false;
+  #warned = false;
   /** Whether its values wait until it is known how the target looks. */
   #waits = false;
   /** What of the target counts. @type {Look} */
@@ -145,7 +145,7 @@ export class Child {
       return false;
     }
     this.of = id;
-    this.hidden = this.#told = false;
+    this.hidden = this.#warned = false;
     this.look.close();
     if (id) this.#owner.watch();
     return true;
@@ -307,8 +307,8 @@ export class Child {
   #miss() {
     if (this.live) this.#hide();
     this.hidden = true;
-    if (this.#told || document.readyState === 'loading') return;
-    this.#told = true;
+    if (this.#warned || document.readyState === 'loading') return;
+    this.#warned = true;
     const box = this.look.picture?.made === null ? 'nothing of that element is opaque' : 'that element has no visible box';
     const why = targetOf(this.element, this.of) ? box : 'no element has that id';
     console.warn(`<hearth-fire>: ${this.name}: ${OF} = ${this.#shown} has no effect now: ${why}.`);

@@ -80,7 +80,7 @@ export class Readiness {
     return { stops, pause: stops >= MAX_STOPS ? Infinity : stops > 1 ? PAUSE_MS : 0 };
   }
 
-  /** The visitor wants a fire, however often it stopped. */
+  /** Forgets the stops before a restart on request. */
   forget() {
     this.#stops = [];
   }

@@ -46,7 +46,7 @@ export class FireSession {
   /** Whether the fire follows a stopped one. */
   #returns = false;
   /** Whether the console has told that a seam has no effect. */
-  #toldSeam = false;
+  #warnedAboutSeam = false;
   /** Whether the `preset` attribute changes without a call to the engine. */
   #reflecting = false;
   /** @type {EngineConnection | null} */
@@ -412,8 +412,8 @@ export class FireSession {
   /** Tells once that open edges have no seam, as settings from before open air may have one. @type {(values: {seam?: number}) => void} */
   #tellSeam({ seam = DEFAULTS.seam }) {
     const { model, edges } = this.state.params;
-    if (this.#toldSeam || seam === DEFAULTS.seam || model !== 'combustion' || edges !== 'open') return;
-    this.#toldSeam = true;
+    if (this.#warnedAboutSeam || seam === DEFAULTS.seam || model !== 'combustion' || edges !== 'open') return;
+    this.#warnedAboutSeam = true;
     console.warn('<hearth-fire>: seam has no effect with open edges; edges="periodic" has a seam.');
   }
 
@@ -455,7 +455,7 @@ export class FireSession {
     this.reports.warn(kind, message);
   }
 
-  /** The visitor wants another fire in place of one that failed. */
+  /** Restarts a failed fire on request. */
   #retry() {
     this.#ready.forget();
     this.#close();

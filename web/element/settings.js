@@ -34,22 +34,22 @@ export function settings(config, id = 'config') {
 }
 
 /**
- * The settings in a file; undefined, with a warning, if there are none, and without one if nobody wants
- * them any more.
+ * The settings in a file; undefined, with a warning, if there are none, and without one if the request
+ * is cancelled.
  * @param {string} src its URL
  * @param {import('./reports.js').Reports} reports
- * @param {AbortSignal} unwanted
+ * @param {AbortSignal} cancelled
  * @returns {Promise<unknown>}
  */
-export async function settingsOfFile(src, reports, unwanted) {
+export async function settingsOfFile(src, reports, cancelled) {
   if (!src) return undefined;
   const id = `src = "${cut(src)}"`;
   try {
     const { textOf } = await timely(import('./settings-file.js'));
-    return settings(await textOf(src, MAX_LENGTH, id, unwanted), id);
+    return settings(await textOf(src, MAX_LENGTH, id, cancelled), id);
   } catch (error) {
     const { message } = /** @type {Error} */ (error);
-    if (unwanted.aborted) return undefined;
+    if (cancelled.aborted) return undefined;
     if (error instanceof RangeError) reports.refused([{ id: 'src', value: src, message }]);
     else reports.warn('load', message);
     return undefined;

@@ -35,7 +35,7 @@ export class SourceFile {
     if (this.#session.begun || this.#loading) this.#load();
   }
 
-  /** Nobody wants the file any more. */
+  /** The request is cancelled. */
   drop() {
     this.#download?.abort();
     this.#download = undefined;

@@ -31,14 +31,14 @@ export class FireState {
   stats = null;
 
   /** Takes over the values of a message. @param {Message} message */
-  take({ type, values, objects, replaced, ownNumber, ownSpacing, preset }) {
+  take({ type, values, objects, replaced, countOverridden, spacingOverridden, preset }) {
     if (type === 'ready') this.started = true;
     else if (replaced) this.#kept = {};
     else if ('model' in values) this.#kept = this.params;
     this.params = { ...this.params, ...values };
     this.objects = objects ?? this.objects;
-    this.#countIsSet = ownNumber;
-    this.#spacingIsSet = ownSpacing;
+    this.#countIsSet = countOverridden;
+    this.#spacingIsSet = spacingOverridden;
     this.preset = preset;
   }
 
@@ -51,7 +51,7 @@ export class FireState {
   start(fire, paused, config) {
     const { preset, params, objects, quality } = this;
     if (this.started) {
-      const own = { ownNumber: this.#countIsSet, ownSpacing: this.#spacingIsSet };
+      const own = { countOverridden: this.#countIsSet, spacingOverridden: this.#spacingIsSet };
       return { preset, kept: this.#kept, values: { ...params, objects }, ...own, quality, paused };
     }
     const model = fire.getAttribute('model');

@@ -52,10 +52,10 @@ const pauseUnless = (signal) => async () => {
  * Adds a fire to `parent`, and returns how to measure it.
  * @param {HTMLElement} parent
  * @param {Cell} cell
- * @param {(error: unknown) => void} complain
+ * @param {(error: unknown) => void} warn
  * @returns {() => void}
  */
-export function addCell(parent, cell, complain) {
+export function addCell(parent, cell, warn) {
   const values = { ...cell.values };
   const fire = document.createElement('hearth-fire');
   for (const [id, value] of Object.entries({ preset: cell.preset, loading: 'lazy', ...values })) {
@@ -85,7 +85,7 @@ export function addCell(parent, cell, complain) {
         cells[at].textContent = `${shown(scale * shape[name])}${unit}`;
       }
     } catch (error) {
-      if (!signal.aborted) complain(error);
+      if (!signal.aborted) warn(error);
     }
   }
 

@@ -27,8 +27,8 @@ const NUMBERS = [
 /** What puts out the fire that burns. */
 let putOut = () => {};
 
-/** @param {HTMLElement} parent @param {number} count @param {(error: unknown) => void} complain */
-function addCount(parent, count, complain) {
+/** @param {HTMLElement} parent @param {number} count @param {(error: unknown) => void} warn */
+function addCount(parent, count, warn) {
   const words = `${count.toLocaleString('en')} particles`;
   const button = make('button', { type: 'button' }, `Burn ${words}`);
   const stage = make('div', { className: 'stage' }, button);
@@ -74,7 +74,7 @@ function addCount(parent, count, complain) {
     } catch (error) {
       if (signal.aborted) return;
       putOut();
-      complain(error);
+      warn(error);
     }
   }
 
@@ -85,7 +85,7 @@ function addCount(parent, count, complain) {
   });
 }
 
-/** @param {HTMLElement} parent @param {string} search @param {(error: unknown) => void} complain */
-export function addCounts(parent, search, complain) {
-  for (const count of countsOf(search)) addCount(parent, count, complain);
+/** @param {HTMLElement} parent @param {string} search @param {(error: unknown) => void} warn */
+export function addCounts(parent, search, warn) {
+  for (const count of countsOf(search)) addCount(parent, count, warn);
 }

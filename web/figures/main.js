@@ -14,7 +14,7 @@ import { showLoop } from './loop.js';
 const find = (selector) => document.querySelector(selector);
 
 /** @param {unknown} error */
-const complain = (error) => {
+const warn = (error) => {
   find('#status').textContent = `A figure could not be made: ${error instanceof Error ? error.message : error}.`;
 };
 
@@ -31,14 +31,14 @@ function inSight(element, act) {
 for (const [id, cells] of Object.entries(COMPARISONS)) {
   const fires = find(`[aria-labelledby="${id}"] .fires`);
   for (const cell of cells) {
-    const measure = addCell(fires, cell, complain);
+    const measure = addCell(fires, cell, warn);
     inSight(fires.lastElementChild, measure);
   }
 }
 
 const colours = find('#colours');
 inSight(colours, () => {
-  showColours(find('#colours hearth-fire'), find('#scale'), find('#kelvin'), find('#colour')).catch(complain);
+  showColours(find('#colours hearth-fire'), find('#scale'), find('#kelvin'), find('#colour')).catch(warn);
 });
 
 for (const list of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('.loop'))) {
@@ -46,4 +46,4 @@ for (const list of /** @type {NodeListOf<HTMLElement>} */ (document.querySelecto
   if (fire) showLoop(list, fire, list.dataset.model === 'classic' ? 'classic' : 'combustion');
 }
 
-addCounts(find('#counts'), location.search, complain);
+addCounts(find('#counts'), location.search, warn);

@@ -8,7 +8,7 @@
 import { askForSettings, showKeys, showText } from './cards.js';
 import { showScenes } from './scenes.js';
 import { editingOf } from './editing.js';
-import { COPY_LABELS, beside, download, textOf } from './exchange.js';
+import { COPY_LABELS, beside, download, isSettings, settingsOf, textOf } from './exchange.js';
 import { remember, remembered } from './memory.js';
 import { copyOf, newObject } from './objects.js';
 import { ownScenesOf } from './own-scenes.js';
@@ -249,6 +249,15 @@ export class PanelController extends EventTarget {
   async #replace(config) {
     await this.#history.all(() => this.#fire.importConfig(config), { replaces: true });
     this.#update();
+  }
+
+  /** Shows the fire of a file that a visitor has dropped, or a message why not. @param {File} file */
+  open(file) {
+    return this.#try(async () => {
+      if (!isSettings(file)) throw new Error(`“${file.name}” is no file of settings, whose name ends in “.json”.`);
+      await this.#replace(await settingsOf(file));
+      this.#notify('', `Opened “${file.name}”`);
+    });
   }
 
   /** @param {string} name */

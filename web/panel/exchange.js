@@ -57,6 +57,11 @@ export function download(blob, name) {
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
 
+/** Whether a file is one of settings: some systems know no type of `.json`. @param {File} file */
+export function isSettings({ name, type }) {
+  return /\bjson\b/.test(type) || /\.json$/i.test(name);
+}
+
 /** The largest file of settings [bytes]. */
 const MAX_FILE = 400_000;
 

@@ -6,7 +6,7 @@
  * @typedef {{name: string, config: HearthConfig, picture: string}} OwnScene  `picture` is a data URL, or empty.
  */
 
-import { download, settingsOf } from './exchange.js';
+import { download, isSettings, settingsOf } from './exchange.js';
 import { presetOf } from './scene.js';
 
 const KEY = 'hearth-scenes';
@@ -56,7 +56,7 @@ function unused(name, all) {
 /** Saves a scene and returns its name, which no other has. @type {(name: string, config: HearthConfig, picture: string) => string} @throws {Error} there is no room */
 export function saveScene(name, config, picture) {
   const all = ownScenes();
-  if (all.length >= MAX_SCENES) throw new Error(`There are ${MAX_SCENES} saved scenes, and no more fit: delete one.`);
+  if (all.length >= MAX_SCENES) throw new Error(`${MAX_SCENES} scenes are saved, the maximum. Delete one first.`);
   const saved = { name: unused(name, all), config, picture };
   store([...all, saved]);
   return saved.name;
@@ -119,4 +119,43 @@ export function ownScenesOf(fire, replace) {
     },
     open: async (file) => replace(await settingsOf(file)),
   };
+}
+
+/**
+ * Listens to files that are dropped on `places`. Settings, and all files on the panel, are opened before anything
+ * else on the page gets them. Any other file is left to the page; if nothing takes it, it is opened too, which
+ * refuses it with a message.
+ * @param {HTMLElement} host  The element of the panel.
+ * @param {EventTarget[]} places
+ * @param {(file: File) => void} open
+ * @returns {() => void} stops
+ */
+export function listenToDrops(host, places, open) {
+  const ended = new AbortController();
+  const { signal } = ended;
+  const take = (/** @type {DragEvent} */ event, /** @type {File} */ file) => {
+    event.preventDefault();
+    event.stopPropagation();
+    open(file);
+  };
+  const first = (/** @type {DragEvent} */ event) => {
+    const files = [...(event.dataTransfer?.files ?? [])];
+    // The canvas of the panel would take any file.
+    const file = files.find(isSettings) ?? (event.composedPath().includes(host) ? files[0] : undefined);
+    if (file) take(event, file);
+  };
+  const last = (/** @type {DragEvent} */ event) => {
+    const [file] = event.dataTransfer?.files ?? [];
+    if (file && !event.defaultPrevented) take(event, file);
+  };
+  // A browser drops files only where the event is cancelled.
+  const over = (/** @type {DragEvent} */ event) => {
+    if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
+  };
+  for (const place of places) {
+    place.addEventListener('dragover', /** @type {EventListener} */ (over), { signal });
+    place.addEventListener('drop', /** @type {EventListener} */ (first), { signal, capture: true });
+    place.addEventListener('drop', /** @type {EventListener} */ (last), { signal });
+  }
+  return () => ended.abort();
 }

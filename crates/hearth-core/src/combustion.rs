@@ -46,7 +46,7 @@ use crate::solver::Solver;
 use air::OpenAir;
 pub(crate) use air::Seen;
 pub use burner::Burner;
-use burner::Fed;
+use burner::BurnerParticle;
 pub use charred::Charred;
 pub use embers::Ember;
 use embers::Embers;
@@ -99,7 +99,7 @@ pub(crate) struct Combustion {
     solids: Solids,
     walls: Walls,
     /// The particles at a burner.
-    fed: Vec<Fed>,
+    burner_particles: Vec<BurnerParticle>,
     removed: Removed,
     /// The solids that burn.
     fuels: Held,
@@ -138,7 +138,7 @@ impl Combustion {
             motion: Motion::default(),
             solids,
             walls: Walls::default(),
-            fed: Vec::new(),
+            burner_particles: Vec::new(),
             removed: Removed::default(),
             fuels: Held::default(),
             power: 0.0,
@@ -155,7 +155,7 @@ impl Combustion {
     /// Makes room for all particles that open air may have, so that births allocate nothing.
     fn reserve(&mut self, values: &Physics) {
         let capacity = self.capacity(values);
-        gas::make_room(&mut self.fed, capacity);
+        gas::make_room(&mut self.burner_particles, capacity);
         if self.open.is_some() || !self.solids.is_empty() {
             self.walls.reserve(self.capacity(values));
         }

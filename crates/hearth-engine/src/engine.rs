@@ -39,13 +39,13 @@ pub struct Engine {
     events: Events,
 }
 
-/// Who answers a call.
+/// How a call is answered.
 enum Answer {
-    /// The caller, now.
+    /// Now, with `done`.
     Done,
-    /// The command, now or later.
+    /// By the command, now or later.
     Deferred,
-    /// Nobody: a part is missing, and nothing has changed.
+    /// Not yet: a part is missing, and nothing has changed.
     Missing(&'static str),
 }
 

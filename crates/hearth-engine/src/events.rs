@@ -2,9 +2,9 @@
 //!
 //! | type | other fields |
 //! |---|---|
-//! | `ready` | `fire`; `values`: all of them; `ownNumber`, `ownSpacing`, `preset` |
+//! | `ready` | `fire`; `values`: all of them; `countOverridden`, `spacingOverridden`, `preset` |
 //! | `done` | `fire`, `request`; `value`: the result, if the command has one |
-//! | `changed` | `fire`, `source`; `values`: those that changed; `replaced`: whether the values of both models were; `ownNumber`, `ownSpacing`, `preset` |
+//! | `changed` | `fire`, `source`; `values`: those that changed; `replaced`: whether the values of both models were; `countOverridden`, `spacingOverridden`, `preset` |
 //! | `refused` | `fire`, `request`; `errors`: id, value, message and, for a number, min and max |
 //! | `stats` | `fire`; `stats`: see [`stats`](crate::stats) |
 //! | `quality` | `fire`; `requested`: auto or a level; `quality`: the level; `reason` |
@@ -13,7 +13,7 @@
 //! | `error` | `fire`; `kind`: unsupported, context-lost, load; `message`; `burns`: whether the fire burns nevertheless |
 //! | `restored` | `fire`: its lost context is restored |
 //!
-//! `ownNumber`, `ownSpacing`: whether a page set the number of particles, or their spacing, which then
+//! `countOverridden`, `spacingOverridden`: whether a page set the number of particles, or their spacing, which then
 //! ignores the quality.
 
 use hearth_bindings::settings::{OBJECTS, objects};
@@ -108,8 +108,8 @@ impl Events {
             event.set_any(OBJECTS, &now.to_js());
             any = true;
         }
-        event.set_flag("ownNumber", requested.count_overridden);
-        event.set_flag("ownSpacing", requested.spacing_overridden);
+        event.set_flag("countOverridden", requested.count_overridden);
+        event.set_flag("spacingOverridden", requested.spacing_overridden);
         event.set_text("preset", requested.preset);
         any
     }

@@ -56,7 +56,7 @@ stats! { fire, report, fuels, canvas =>
     "particles": "number" = set_number(fire.simulation.count() as f64)
     /// Share of the air around the fire that is left out, because `max_particles` are reached.
     "asleep": "number" = set_number(report.asleep.into())
-    /// Number of particles that solids have left no place since the fire began.
+    /// Number of particles removed because solids left no room, since the fire began.
     "removed": "number" = set_number(fire.simulation.removed().particles as f64)
     /// Number of glowing embers.
     "embers": "number" = set_number(fire.simulation.embers().len() as f64)
@@ -67,7 +67,7 @@ stats! { fire, report, fuels, canvas =>
     /// Fuel that is left in solids, as a share; 0 without any.
     "fuelLeft": "number" = set_number(fuels.left)
     /// Whether solids with fuel burn: `burning` if one does. Otherwise `no-oxygen` or `out`, if one went
-    /// out for want of oxygen or of heat; `unlit`; `burnt`, if nothing is left; empty without fuel.
+    /// out because it lacked oxygen or heat; `unlit`; `burnt`, if nothing is left; empty without fuel.
     "fuel": "string" = set_text(fuels.state)
     /// Real-time factor: seconds of fire per second of the clock, averaged over a second.
     "timeScale": "number" = set_number(fire.real_time.factor())

@@ -126,7 +126,7 @@ fn a_recreated_fire_keeps_whether_the_number_was_set() {
         let values = sent([model("combustion"), number(3000)]);
         let start = Untrusted::Object(sent([
             ("values", Untrusted::Object(values)),
-            ("ownNumber", Untrusted::Flag(overridden)),
+            ("countOverridden", Untrusted::Flag(overridden)),
         ]));
         assert_eq!(particles(&at_first(&Start::read(&start))), expected);
     }

@@ -20,9 +20,9 @@ pub enum Image {
     /// Velocities of the gas.
     Flow,
     /// Offsets of the advected noise.
-    Carried,
+    NoiseOffsets,
     /// The offsets of the previous picture.
-    CarriedBefore,
+    NoiseOffsetsBefore,
     /// Light before tone mapping.
     Light,
     /// Displayed colours.
@@ -50,7 +50,7 @@ const FIELD: usize = 0;
 const WIDE: usize = 1;
 const FLOW: usize = 2;
 /// Two targets, which alternate.
-pub const CARRIED: usize = 3;
+pub const NOISE_OFFSETS: usize = 3;
 const LIGHT: usize = 5;
 const SHOWN: usize = 6;
 /// The backdrop.
@@ -70,8 +70,8 @@ impl Image {
             Image::Field => FIELD,
             Image::Wide => WIDE,
             Image::Flow => FLOW,
-            Image::Carried => CARRIED + newest,
-            Image::CarriedBefore => CARRIED + 1 - newest,
+            Image::NoiseOffsets => NOISE_OFFSETS + newest,
+            Image::NoiseOffsetsBefore => NOISE_OFFSETS + 1 - newest,
             Image::Light => LIGHT,
             Image::Shown => SHOWN,
             Image::Scenery => SCENERY,
@@ -101,7 +101,7 @@ pub fn format_and_size(
         IRRADIANCE => layout.irradiance,
         GLOW.. => layout.blurs()[target - GLOW],
         BLUR.. => layout.blurs()[target - BLUR],
-        _ => layout.carried,
+        _ => layout.noise_offsets,
     };
     let format = match target {
         SHOWN | SCENERY => TargetFormat::Rgba8,

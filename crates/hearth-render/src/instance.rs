@@ -1,30 +1,32 @@
-//! Accessors of [`Instance`]. Only this file and `shaders/particle.glsl` depend on its layout.
+//! Readers of an [`Instance`] through its typed views. `hearth_core::instance` and
+//! `shaders/particle.glsl` state its layout.
 
 use hearth_core::Instance;
+use hearth_core::instance::{ClassicParticle, Measured};
 
-/// Position \[m\].
-pub fn position(&[x, y, ..]: &Instance) -> [f32; 2] {
-    [x, y]
+/// Position \[m\], which every view has.
+pub fn position(&instance: &Instance) -> [f32; 2] {
+    Measured::from(instance).position.to_array()
 }
 
-/// Upward speed [m/s].
-pub fn upward_speed(&[_, _, _, speed, ..]: &Instance) -> f32 {
-    speed
+/// Upward speed [m/s], which every view has.
+pub fn upward_speed(&instance: &Instance) -> f32 {
+    Measured::from(instance).velocity.y
 }
 
-/// Temperature \[K\].
-pub fn temperature(&[_, _, _, _, kelvin, ..]: &Instance) -> f32 {
-    kelvin
+/// Temperature \[K\], which every view has.
+pub fn temperature(&instance: &Instance) -> f32 {
+    Measured::from(instance).temperature
 }
 
 /// Remaining share of the life, in the classic model's fire.
-pub fn remaining_life(&[.., life]: &Instance) -> f32 {
-    life
+pub fn remaining_life(&instance: &Instance) -> f32 {
+    ClassicParticle::from(instance).life
 }
 
 /// The measured quantity, in display modes that measure one.
-pub fn measured(&[.., measured]: &Instance) -> f32 {
-    measured
+pub fn measured(&instance: &Instance) -> f32 {
+    Measured::from(instance).value
 }
 
 /// All instances as floats for an upload.

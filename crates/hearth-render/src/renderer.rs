@@ -15,7 +15,7 @@ use crate::error::RenderError;
 use crate::format::TargetFormat;
 use crate::frame::Frame;
 use crate::gl::Graphics;
-use crate::image::{CARRIED, SCENERY};
+use crate::image::{NOISE_OFFSETS, SCENERY};
 use crate::motion::{CarriedNoise, Motion};
 use crate::palette::Tint;
 use crate::particles::Particles;
@@ -119,7 +119,7 @@ impl<G: Graphics> Renderer<G> {
     /// Reads the offsets of the advected noise. Only paused fires should: reading stalls the
     /// graphics pipeline.
     pub fn carried(&self, gl: &G) -> Option<CarriedNoise> {
-        let (layout, target) = self.targets.get(CARRIED + self.newest)?;
+        let (layout, target) = self.targets.get(NOISE_OFFSETS + self.newest)?;
         (self.shared.format == TargetFormat::Rgba16F).then(|| CarriedNoise {
             layout: *layout,
             texels: target.read(gl),

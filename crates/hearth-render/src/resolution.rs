@@ -14,7 +14,7 @@ const WIDEST_BLUR: u32 = 32;
 const SPREAD: u32 = 6;
 /// Lines of the field per line of the flow, and of the noise advection.
 const FLOW: u32 = 3;
-const CARRIED: u32 = 2;
+const NOISE_OFFSETS: u32 = 2;
 
 /// Maximum number of lines of the backdrop, which is far away.
 const SCENERY: u32 = 1080;
@@ -85,7 +85,7 @@ pub struct Layout {
     /// Velocities of the gas.
     pub flow: [u32; 2],
     /// Offsets of the advected noise.
-    pub carried: [u32; 2],
+    pub noise_offsets: [u32; 2],
     /// The light before the tone map.
     pub light: [u32; 2],
     /// The backdrop.
@@ -134,7 +134,7 @@ impl Layout {
             field,
             wide: field.map(|side| side.div_ceil(SPREAD)),
             flow: field.map(|side| side.div_ceil(FLOW)),
-            carried: field.map(|side| side.div_ceil(CARRIED)),
+            noise_offsets: field.map(|side| side.div_ceil(NOISE_OFFSETS)),
             light,
             scenery: backdrop(SCENERY, max),
             irradiance: backdrop(IRRADIANCE[0], IRRADIANCE[1]),
@@ -185,7 +185,7 @@ mod tests {
                 layout.field,
                 layout.wide,
                 layout.flow,
-                layout.carried,
+                layout.noise_offsets,
                 layout.light,
                 layout.scenery,
                 layout.irradiance,

@@ -17,7 +17,7 @@ const HERE = path.dirname(fileURLToPath(import.meta.url));
 const run = promisify(execFile);
 
 /** The files that are not code. */
-const PAPERS = [
+const DOCUMENTS = [
   'LICENSE-APACHE',
   'LICENSE-FONT',
   'LICENSE-MIT',
@@ -61,7 +61,7 @@ async function packsExactly() {
   assert.deepEqual(warnings, []);
   const packed = JSON.parse(stdout)[0].files.map((file) => file.path).sort();
   const wanted = [
-    ...PAPERS,
+    ...DOCUMENTS,
     'hearth-fire.inline.js',
     ...(await reached(folder, beginningsOf(manifest))),
     ...(await typesReached(folder, typesOf(manifest))),
@@ -72,11 +72,11 @@ async function packsExactly() {
 
 /** Every relative link of the documents leads to a file of the package. */
 async function linksEnd() {
-  for (const paper of PAPERS.filter((name) => name.endsWith('.md'))) {
-    const text = await readFile(path.join(folder, paper), 'utf8');
+  for (const document of DOCUMENTS.filter((name) => name.endsWith('.md'))) {
+    const text = await readFile(path.join(folder, document), 'utf8');
     for (const [, link] of text.matchAll(/\]\(([^)#:]+)(?:#[^)]*)?\)/g)) {
-      const file = path.join(folder, path.dirname(paper), link);
-      await stat(file).catch(() => assert.fail(`${paper} links to ${link}, which is not in the package`));
+      const file = path.join(folder, path.dirname(document), link);
+      await stat(file).catch(() => assert.fail(`${document} links to ${link}, which is not in the package`));
     }
   }
 }

@@ -26,11 +26,9 @@ pub(crate) fn run(names: &[String]) -> Result<()> {
     let plots = paths::root().join("docs/validation");
     sh.remove_path(&plots)?;
     sh.create_dir(&plots)?;
-    let written = sh.read_dir(&folder)?;
-    for plot in written
-        .iter()
-        .filter(|file| file.extension() == Some("svg".as_ref()))
-    {
+    let mut plotted = sh.read_dir(&folder)?;
+    plotted.retain(|file| file.extension() == Some("svg".as_ref()));
+    for plot in &plotted {
         sh.copy_file(plot, &plots)?;
     }
     evaluation::write("validated", &table)?;
@@ -61,7 +59,9 @@ pub(crate) fn fuzz(minutes: Option<u32>, seed: Option<u32>) -> Result<()> {
             sh.set_var(name, value.to_string());
         }
     }
-    cmd!(sh, "node --test tests/web/fuzz.test.mjs").run()?;
+    let limit = 600_000 + 4 * 60_000 * u64::from(minutes.unwrap_or(0));
+    let option = format!("--test-timeout={limit}");
+    cmd!(sh, "node --test {option} tests/web/fuzz.test.mjs").run()?;
     Ok(cmd!(sh, "cargo test --package hearth-tests --test fuzz").run()?)
 }
 

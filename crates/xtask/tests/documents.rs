@@ -1,4 +1,5 @@
-//! Every relative link of the documents leads to a file, and every anchor to a heading.
+//! Every relative link of the documents leads to a file, and every anchor to a heading. The overview
+//! and the build tool stay short.
 
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -78,6 +79,30 @@ fn every_link_of_the_documents_resolves() -> io::Result<()> {
                 document.display()
             );
         }
+    }
+    Ok(())
+}
+
+/// Number of lines of a file, or of all Rust files in a folder.
+fn lines(path: &Path) -> io::Result<usize> {
+    if path.is_dir() {
+        let paths = fs::read_dir(path)?.map(|entry| Ok(entry?.path()));
+        let paths = paths.collect::<io::Result<Vec<_>>>()?;
+        let kept =
+            |path: &&PathBuf| path.is_dir() || path.extension().is_some_and(|end| end == "rs");
+        return paths.iter().filter(kept).map(|path| lines(path)).sum();
+    }
+    Ok(fs::read_to_string(path)?.lines().count())
+}
+
+#[test]
+fn the_overview_and_the_build_tool_stay_short() -> io::Result<()> {
+    for (path, limit) in [("ARCHITECTURE.md", 150), ("crates/xtask/src", 5000)] {
+        let lines = lines(&root().join(path))?;
+        assert!(
+            lines > 0 && lines <= limit,
+            "{path} has {lines} lines, at most {limit}"
+        );
     }
     Ok(())
 }

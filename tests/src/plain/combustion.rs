@@ -84,7 +84,7 @@ impl Combustion {
         let max_speed = self.accelerate(&common, &rates, dt);
         self.power = self.react(&common, &rates, dt).times(1.0 / dt);
         self.preheat = self.feed(&common, dt).times(1.0 / dt);
-        self.freshen(&common, dt);
+        self.relax_to_air(&common, dt);
         self.advance(&common, &rates, max_speed, dt);
         self.length = dt;
     }
@@ -94,7 +94,7 @@ impl Combustion {
         let share = |particle: &Plain| common.mass * common.expansion(particle.temperature());
         let shares: Vec<f64> = self.particles.iter().map(share).collect();
         let kernel = &common.kernel;
-        let fillings: Vec<f64> = near
+        let number_densities: Vec<f64> = near
             .iter()
             .zip(&shares)
             .map(|(near, own)| {
@@ -104,13 +104,15 @@ impl Combustion {
                 own * kernel.value(0.0) + others.sum::<f64>()
             })
             .collect();
-        let mean = fillings.iter().sum::<f64>() / fillings.len() as f64;
+        let mean = number_densities.iter().sum::<f64>() / number_densities.len() as f64;
         let square = common.sound * common.sound;
-        for ((particle, filling), share) in self.particles.iter_mut().zip(fillings).zip(shares) {
-            particle.density = Sum::new(common.mass * filling / share);
+        for ((particle, number_density), share) in
+            self.particles.iter_mut().zip(number_densities).zip(shares)
+        {
+            particle.density = Sum::new(common.mass * number_density / share);
             particle.pressure = Sum {
-                value: square * (filling - mean),
-                size: square * (filling + mean),
+                value: square * (number_density - mean),
+                size: square * (number_density + mean),
             };
         }
     }
@@ -363,7 +365,7 @@ impl Combustion {
     }
 
     /// The seam, and with wind the sides: gas becomes fresh air.
-    fn freshen(&mut self, common: &Common, dt: f64) {
+    fn relax_to_air(&mut self, common: &Common, dt: f64) {
         let p = common.p;
         if p.seam == 0.0 {
             return;

@@ -26,7 +26,7 @@ use map::{Layout, Map};
 use rim::Rim;
 
 /// How far gas is simulated beyond the frame and what is seen, in heights of the frame and in
-/// cells: nobody sees where it ends. Below its upper end, slow eddies linger.
+/// cells, so that its end is not visible. Below its upper end, slow eddies linger.
 const MARGIN: f32 = 0.15;
 const MARGIN_ABOVE: f32 = 0.3;
 const MIN_MARGIN: f32 = 2.0;
@@ -103,7 +103,7 @@ impl OpenAir {
     /// The air around the sources.
     pub fn air(&mut self, scene: &Scene, solids: &Solids) -> Gas {
         let mut gas = Gas::none(scene.settings());
-        self.breathe(&mut gas, scene, solids, 0.0);
+        self.exchange_gas(&mut gas, scene, solids, 0.0);
         gas
     }
 
@@ -112,7 +112,7 @@ impl OpenAir {
     /// middle of a fire.
     pub fn surround(&mut self, gas: &Gas, values: &Physics) {
         self.map.occupy(gas);
-        awake::wake(&mut self.map, gas, awake::hot(values), 0.0);
+        awake::activate(&mut self.map, gas, awake::hot(values), 0.0);
         (self.steps, self.since_exchange) = (0, f32::INFINITY);
         self.kept = awake::HOLD;
     }
@@ -120,7 +120,7 @@ impl OpenAir {
     /// Finds the cells that are to hold gas of another discretisation, which is resampled.
     pub fn adopt(&mut self, gas: &Gas, scene: &Scene, solids: &Solids) {
         let values = scene.settings();
-        awake::wake(&mut self.map, gas, awake::hot(values), 0.0);
+        awake::activate(&mut self.map, gas, awake::hot(values), 0.0);
         self.update(gas, scene, solids);
     }
 
@@ -155,9 +155,9 @@ impl OpenAir {
             cell.remaining -= self.since_map;
         }
         self.kept -= self.since_map;
-        awake::wake(map, gas, awake::hot(values), awake::MIN_DEPTH);
+        awake::activate(map, gas, awake::hot(values), awake::MIN_DEPTH);
         for source in scene.sources() {
-            awake::wake_source(map, &awake_at(source, solids));
+            awake::activate_source(map, &awake_at(source, solids));
         }
         let per_cell = exchange::per_cell(&map.layout, self.spacing);
         let kept = self.kept > 0.0;
@@ -166,14 +166,14 @@ impl OpenAir {
         self.since_map = 0.0;
     }
 
-    /// Wakes the air in a rectangle. Only a part of the build calls this.
+    /// Activates the air in a rectangle. Only a part of the build calls this.
     #[inline(always)]
-    pub fn wake(&mut self, low: Vec2, high: Vec2) {
-        awake::wake_source(&mut self.map, &Rectangle { low, high });
+    pub fn activate(&mut self, low: Vec2, high: Vec2) {
+        awake::activate_source(&mut self.map, &Rectangle { low, high });
     }
 
-    /// Removes what has left, and lets air in, after a step of the length `dt`.
-    pub fn breathe(&mut self, gas: &mut Gas, scene: &Scene, solids: &Solids, dt: f32) {
+    /// Removes the gas that has left, and inserts the air that enters, after a step of the length `dt`.
+    pub fn exchange_gas(&mut self, gas: &mut Gas, scene: &Scene, solids: &Solids, dt: f32) {
         self.since_exchange += dt;
         self.since_map += dt;
         let step = self.steps;
@@ -218,14 +218,14 @@ impl OpenAir {
         self.rim.complete_volumes(gas, far);
     }
 
-    /// Turns shifts back at the outside.
-    pub fn turn_shift(&self, gas: &mut Gas) {
-        self.rim.turn_shift(&self.map, gas);
+    /// Removes the outward part of the shifts near the outside.
+    pub fn remove_outward_shift(&self, gas: &mut Gas) {
+        self.rim.remove_outward_shift(&self.map, gas);
     }
 
-    /// Lets the ring follow the flow at the rim for `dt`.
-    pub fn carry(&self, gas: &mut Gas, dt: f32) {
-        self.rim.carry(&self.map, gas, dt);
+    /// Relaxes the velocity of the ring towards the flow at the rim for `dt`.
+    pub fn relax_rim_velocity(&self, gas: &mut Gas, dt: f32) {
+        self.rim.relax_velocity(&self.map, gas, dt);
     }
 }
 

@@ -32,7 +32,7 @@ const NOISE_PER_SECOND: f64 = 3.0;
 
 /// A particle at a burner.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Fed {
+pub(crate) struct BurnerParticle {
     index: usize,
     /// Its share of the fuel, relative to the other particles.
     share: f32,
@@ -135,19 +135,19 @@ impl Burner {
         values: &Physics,
         (time, dt): (f64, f32),
         solid: &[Body],
-        fed: &mut Vec<Fed>,
+        particles: &mut Vec<BurnerParticle>,
     ) -> f32 {
         let height = self.top - self.bottom;
         let top = if solid.is_empty() { self.top } else { 0.0 };
         let mut above = 0.0;
-        self.find(gas, values, time, solid, above, fed);
-        let heat = self.condition(gas, values, dt, !solid.is_empty(), fed);
+        self.find(gas, values, time, solid, above, particles);
+        let heat = self.condition(gas, values, dt, !solid.is_empty(), particles);
         let mut left = values.fuel_power / heat_of_combustion(values) * dt;
         while left > 0.0 && top + above <= self.highest {
             if above > 0.0 {
-                self.find(gas, values, time, solid, above, fed);
+                self.find(gas, values, time, solid, above, particles);
             }
-            left = add_fuel(gas, fed, left);
+            left = add_fuel(gas, particles, left);
             above += height;
         }
         heat
@@ -161,13 +161,13 @@ impl Burner {
         time: f64,
         solid: &[Body],
         above: f32,
-        fed: &mut Vec<Fed>,
+        particles: &mut Vec<BurnerParticle>,
     ) {
-        fed.clear();
+        particles.clear();
         let mut add = |index: usize, cells: f32| {
             let noise = perlin(values.seed, cells, time * NOISE_PER_SECOND);
             let share = 1.0 + values.emission_noise * noise;
-            fed.push(Fed { index, share });
+            particles.push(BurnerParticle { index, share });
         };
         let positions = gas.position.iter().copied().enumerate();
         if solid.is_empty() {
@@ -206,7 +206,7 @@ impl Burner {
         values: &Physics,
         dt: f32,
         on_solid: bool,
-        fed: &[Fed],
+        particles: &[BurnerParticle],
     ) -> f32 {
         // A floor and a solid supply no gas, so a burner on them must not drag the gas along.
         let on_floor = values.floor == Floor::Solid && self.bottom < self.top - self.bottom;
@@ -220,14 +220,14 @@ impl Burner {
             .max(PILOT_FACTOR * values.ignition_temperature);
         let emitted = self.axis.map_or(Vec2::Y, Vec2::perp) * values.emission_speed;
         let mut heated = 0.0;
-        for one in fed {
-            let state = &mut gas.state[one.index];
+        for particle in particles {
+            let state = &mut gas.state[particle.index];
             heated += fast_max(hot - state.x, 0.0);
             state.x = fast_max(state.x, hot);
             // Air enters the block from below, unlike a real burner. The gas of the source
             // displaces it.
             state.z = fast_min(state.z, values.source_oxygen);
-            let velocity = &mut gas.velocity[one.index];
+            let velocity = &mut gas.velocity[particle.index];
             *velocity += (emitted - *velocity) * relaxation;
         }
         heated * gas.mass * HEAT_CAPACITY
@@ -240,19 +240,19 @@ impl Burner {
 }
 
 /// Spreads `fuel` [kg/m] over particles by their shares, and returns the excess over pure fuel.
-fn add_fuel(gas: &mut Gas, fed: &[Fed], fuel: f32) -> f32 {
+fn add_fuel(gas: &mut Gas, particles: &[BurnerParticle], fuel: f32) -> f32 {
     let mut shares = 0.0;
-    for one in fed {
-        shares += one.share;
+    for particle in particles {
+        shares += particle.share;
     }
     if shares <= 0.0 {
         return fuel;
     }
     let each = fuel / (gas.mass * shares);
     let mut left = 0.0;
-    for one in fed {
-        let state = &mut gas.state[one.index];
-        let fuelled = state.y + each * one.share;
+    for particle in particles {
+        let state = &mut gas.state[particle.index];
+        let fuelled = state.y + each * particle.share;
         state.y = fuelled.min(1.0);
         left += (fuelled - 1.0).max(0.0) * gas.mass;
     }

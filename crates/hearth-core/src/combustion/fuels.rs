@@ -95,7 +95,7 @@ impl Fuels {
             for body in solids.bodies.iter().filter(|body| body.burns) {
                 let frame = &body.surface.frame;
                 let half = frame.extent() + values.spacing();
-                open.wake(frame.centre - half, frame.centre + half);
+                open.activate(frame.centre - half, frame.centre + half);
             }
         }
         if self.steps.is_multiple_of(RADIATION_STEPS) {

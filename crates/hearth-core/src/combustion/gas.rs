@@ -140,7 +140,7 @@ impl Gas {
     }
 
     /// Adds a particle of this volume \[m²\] to gas that is burning.
-    pub fn bear(&mut self, particle: &Particle, volume: f32) {
+    pub fn insert_particle(&mut self, particle: &Particle, volume: f32) {
         self.push(particle);
         self.volume.push(volume);
     }

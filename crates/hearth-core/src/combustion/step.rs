@@ -34,7 +34,7 @@ impl Combustion {
 
         self.solids.renew_images(&bounds, kernel.support());
         if let Some(open) = &mut open {
-            open.breathe(gas, scene, &self.solids, self.length);
+            open.exchange_gas(gas, scene, &self.solids, self.length);
         }
         let (walls, solids) = (&mut self.walls, &mut self.solids);
         let grid = &mut self.grid;
@@ -67,7 +67,7 @@ impl Combustion {
         self.interactions.sum(gas, grid, neighbours, &context);
         walls.resist(gas, solids, &context);
         if let Some(open) = &open {
-            open.turn_shift(gas);
+            open.remove_outward_shift(gas);
         }
         let (packed, strength) = (self.interactions.packed(), values.vorticity_confinement);
         let confinement = &mut self.vorticity_confinement;
@@ -87,7 +87,7 @@ impl Combustion {
         self.embers.drift(&air, values, random, dt);
         self.motion = time_step::accelerate(gas, sound, dt);
         if let Some(open) = &open {
-            open.carry(gas, dt);
+            open.relax_rim_velocity(gas, dt);
         }
         let film = match &mut *self.fuels {
             Some(fuels) => {
@@ -102,7 +102,8 @@ impl Combustion {
         for source in scene.sources() {
             if let Some(burner) = Burner::new(source, parameters.spacing()) {
                 let solid = solids.parts(source);
-                self.preheat += burner.feed(gas, source, (time, dt), solid, &mut self.fed) / dt;
+                self.preheat +=
+                    burner.feed(gas, source, (time, dt), solid, &mut self.burner_particles) / dt;
             }
         }
         if open.is_none() {

@@ -50,14 +50,14 @@ properties! {
     height: number "Thickness" ["m"] Log { (0.1, 0.002..=10.0) } when { shape: HIGH }
     /// A rounder box. Radius of its corners, at most half of its smaller side.
     corner: number "Corner radius" ["m"] Linear { (0.0, 0.0..=5.0) } when { shape: CORNERED }
-    /// Another outline. Corners of a polygon or of a stroke, as pairs of numbers in metres from the
+    /// A solid of any outline. Corners of a polygon or of a stroke, as pairs of numbers in metres from the
     /// centre. A polygon is closed, and what its outline winds around is solid; a stroke is open and
     /// has round ends.
     points: (text Points) "Points" ["m"] { () } when { shape: POINTED }
-    /// Another picture. Opacity of the pixels of a mask, which `hearth-fire/mask` makes from a text,
+    /// A solid in the shape of a picture. Opacity of the pixels of a mask, which `hearth-fire/mask` makes from a text,
     /// a path or an image.
     mask: (text Mask) "Mask" { () } when { shape: MASKED }
-    /// Another appearance. Material that is drawn; `none` is invisible.
+    /// A surface of stone, wood, iron and so on. Material that is drawn; `none` is invisible.
     [Look] material: (choice Material) "Material" { (Stone) }
     /// A solid before the fire, which hides the flame behind it. Solids later in the list are before
     /// earlier ones.
@@ -71,8 +71,8 @@ properties! {
     /// A solid that heats and cools more slowly. Heat capacity by volume; that of stone and iron is
     /// 2000 to 3500.
     heat_capacity: number "Heat capacity" ["kJ/(m³·K)"] Log { (100.0, 10.0..=5000.0) } when { thermal: CONDUCTING }
-    /// A solid that burns where it is hot enough, until nothing is left. It has a temperature in each
-    /// part of it, whatever `thermal` is. In the classic model it does not burn.
+    /// A solid that burns where it is hot enough, until nothing is left. Each part has its own
+    /// temperature; `thermal` has no effect. In the classic model it does not burn.
     fuel: (choice Fuel) "Fuel" { (None) }
     /// A fire that lasts longer and spreads more slowly. Dry mass of the fuel by area of the solid.
     load: number "Load" ["kg/m²"] Log { (2.0, 0.05..=200.0) } when { fuel: BURNING }
@@ -80,7 +80,7 @@ properties! {
     moisture: number "Moisture" ["%"] Linear { (8.0, 0.0..=100.0) } when { fuel: BURNING }
     /// A solid that moves by itself, and pushes the gas. Sway: to and fro along a line. Spin: around
     /// its place. Free: it starts at its place and falls, rests on other solids and is pushed by the
-    /// gas. No part of it is faster than 3 m/s.
+    /// gas. The speed of each part is limited to 3 m/s.
     motion: (choice Motion) "Motion" { (Still) }
     /// A solid that moves farther. Distance of its turning points from its place.
     sway: number "Sway" ["m"] Linear { (0.3, 0.0..=5.0) } when { motion: SWAYING }
@@ -90,8 +90,8 @@ properties! {
     period: number "Period" ["s"] Log { (4.0, 0.5..=60.0) } when { motion: SWAYING }
     /// A solid that turns faster counterclockwise or, below 0, clockwise.
     spin: number "Spin" ["°/s"] Linear { (45.0, -720.0..=720.0) } when { motion: SPINNING }
-    /// A heavier solid. Its mass follows from its area; what has burnt of it weighs nothing. That of
-    /// wood is about 500. None is lighter than the gas beside it.
+    /// A heavier solid. Its mass follows from its area; burnt material has no mass. That of wood is
+    /// about 500. None is lighter than the gas beside it.
     density: number "Density" ["kg/m³"] Log { (500.0, 0.1..=10000.0) } when { motion: FREE }
     /// A rougher solid. Tangent of the angle at which it begins to slide on a fixed solid.
     friction: number "Friction" [""] Linear { (0.5, 0.0..=2.0) } when { motion: FREE }

@@ -95,13 +95,11 @@ parameters! {
         ember_rate: number "Sparks" ["1/s"] Linear { Combustion(40.0, 0.0..=1000.0) } when { display_mode: FIRE, layers: LIT }
         /// A wall behind the fire, in place of the background. The fire lights it.
         [Look] backdrop: (choice Backdrop) "Backdrop" { Every(None) } when { display_mode: FIRE }
+        /// A ground under the fire, which lights it. Solids cast shadows on it. Over a
+        /// transparent background, only its light and its shadows are drawn.
+        [Look] ground: (choice Ground) "Ground" { Every(None) } when { display_mode: FIRE }
         /// A faster fire; below 1 slow motion. Seconds of fire for each second of the clock.
         [View] time_scale: number "Speed" [""] Log { Every(1.0, 0.1..=2.0) }
-        /// Another view of the same gas: the fire; every particle; a quantity of the gas, with
-        /// a colour bar; the number of neighbours; the hard round sprites of the paper; or
-        /// sprites with a texture. In the classic model, fuel is the remaining life of a
-        /// particle, and soot is its smoke.
-        [View] display_mode: (choice DisplayMode) "Display" { Every(Fire) }
     }
     "Fire" {
         /// A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the
@@ -162,6 +160,11 @@ parameters! {
         ignition_temperature: number "Ignition" ["K"] Linear { Combustion(450.0, 400.0..=900.0) }
     }
     "Look" {
+        /// Another view of the same gas: the fire; every particle; a quantity of the gas, with
+        /// a colour bar; the number of neighbours; the hard round sprites of the paper; or
+        /// sprites with a texture. In the classic model, fuel is the remaining life of a
+        /// particle, and soot is its smoke.
+        [View] display_mode: (choice DisplayMode) "Display" { Every(Fire) }
         /// Fire and smoke, the fire alone, or the smoke alone. The visible layers.
         [View] layers: (choice Layers) "Layers" { Every(Both) } when { display_mode: FIRE }
         /// Finer tongues and wisps. Strength of the fine structure that moves with the gas.
@@ -177,9 +180,6 @@ parameters! {
         [Look] hot_colour: colour "Hot colour" { Every(Colour::rgb(0x38, 0xe8, 0xff)) } when { palette: &["custom"], display_mode: LIGHT } unless { layers: DARK, display_mode: FIRE }
         /// Colour behind the fire; with `transparent` the page shows through.
         [Look] background: colour "Background" { Every(Colour::TRANSPARENT) } unless { backdrop: WALL, display_mode: FIRE }
-        /// A ground under the fire, which lights it. Solids cast shadows on it. Over a
-        /// transparent background, only its light and its shadows are drawn.
-        [Look] ground: (choice Ground) "Ground" { Every(None) } when { display_mode: FIRE }
         /// A backdrop that shimmers behind the flame. How strongly hot gas refracts the view of
         /// the backdrop. The page behind the element is not refracted.
         [Look] heat_haze: number "Heat haze" [""] Linear { Every(0.3, 0.0..=1.0) } when { backdrop: WALL, display_mode: FIRE }

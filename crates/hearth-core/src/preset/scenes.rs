@@ -16,11 +16,11 @@ pub static PRESETS: &[Preset] = &[
             wind 1\n\
             exposure 0.3\n\
             ember_rate 150\n\
+            ground sand\n\
             source_height 0.22\n\
             emission_speed 0.5\n\
             emission_noise 0.5\n\
             source_oxygen 0.5\n\
-            ground sand\n\
             turbulence_scale 0.3\n\
             ember_life_max 3\n\
             domain_width 2.8\n\
@@ -84,13 +84,13 @@ pub static PRESETS: &[Preset] = &[
             bloom 0.2\n\
             smoke_opacity 0.4\n\
             ember_rate 60\n\
+            ground earth\n\
             source_height 0.03\n\
             emission_speed 0.3\n\
             emission_noise 0.6\n\
             soot_life 0.35\n\
             source_oxygen 0.5\n\
             detail 1.4\n\
-            ground earth\n\
             turbulence_scale 0.25\n\
             ember_life_max 3\n\
             domain_width 1.6\n\
@@ -174,6 +174,7 @@ pub static PRESETS: &[Preset] = &[
             exposure 0.4\n\
             smoke_opacity 0.2\n\
             ember_rate 120\n\
+            ground stone\n\
             time_scale 0.8\n\
             source_shape solid\n\
             source_solid 2\n\
@@ -183,7 +184,6 @@ pub static PRESETS: &[Preset] = &[
             radiative_cooling 250\n\
             source_oxygen 0.6\n\
             source_temperature 900\n\
-            ground stone\n\
             domain_width 1.26\n\
             domain_height 1.05\n\
             spacing 0.0182\n\
@@ -211,13 +211,13 @@ pub static PRESETS: &[Preset] = &[
             bloom 0.2\n\
             smoke_opacity 0.4\n\
             ember_rate 110\n\
+            ground earth\n\
             source_height 0.2\n\
             emission_speed 0.6\n\
             emission_noise 0.6\n\
             soot_life 0.35\n\
             source_oxygen 0.5\n\
             detail 1.4\n\
-            ground earth\n\
             turbulence_scale 0.25\n\
             ember_life_max 3\n\
             domain_width 1.8\n\
@@ -719,6 +719,7 @@ pub static PRESETS: &[Preset] = &[
             exposure 0.6\n\
             smoke_opacity 0.2\n\
             ember_rate 60\n\
+            ground sand\n\
             source_x 0\n\
             source_height 0.18\n\
             source_angle -180\n\
@@ -726,7 +727,6 @@ pub static PRESETS: &[Preset] = &[
             emission_noise 0.5\n\
             soot_life 0.5\n\
             source_oxygen 0.4\n\
-            ground sand\n\
             domain_width 1.3\n\
             domain_height 1.6\n\
             spacing 0.026\n\
@@ -853,6 +853,7 @@ pub static PRESETS: &[Preset] = &[
             exposure 1\n\
             smoke_opacity 0.1\n\
             ember_rate 0\n\
+            ground stone\n\
             time_scale 0.5\n\
             source_height 0.11\n\
             emission_speed 0.15\n\
@@ -861,7 +862,6 @@ pub static PRESETS: &[Preset] = &[
             radiative_cooling 700\n\
             source_oxygen 0.5\n\
             detail 0.2\n\
-            ground stone\n\
             domain_width 0.5\n\
             domain_height 0.5\n\
             spacing 0.0095\n\
@@ -909,6 +909,7 @@ pub static PRESETS: &[Preset] = &[
             turbulence 1\n\
             smoke_opacity 2\n\
             ember_rate 5\n\
+            ground earth\n\
             source_height 0.2\n\
             flame_rise 900\n\
             air_demand 1\n\
@@ -916,7 +917,6 @@ pub static PRESETS: &[Preset] = &[
             radiative_cooling 1800\n\
             source_oxygen 0.1\n\
             background #b9c4cc\n\
-            ground earth\n\
             smoke_life 10\n\
             domain_width 1.6\n\
             domain_height 2.2\n\
@@ -974,13 +974,13 @@ pub static PRESETS: &[Preset] = &[
             turbulence 1\n\
             exposure 0.3\n\
             ember_rate 60\n\
+            ground stone\n\
             time_scale 0.5\n\
             source_height 0.1\n\
             emission_speed 0.6\n\
             emission_noise 0.6\n\
             source_oxygen 0.5\n\
             source_temperature 900\n\
-            ground stone\n\
             domain_width 2.8\n\
             domain_height 1.4\n\
             spacing 0.036148\n\
@@ -1041,11 +1041,11 @@ pub static PRESETS: &[Preset] = &[
             exposure 0.4\n\
             smoke_opacity 0.3\n\
             ember_rate 60\n\
+            ground stone\n\
             source_x -0.5\n\
             source_height 0.02\n\
             emission_speed 0.3\n\
             radiative_cooling 500\n\
-            ground stone\n\
             domain_width 1.26\n\
             domain_height 1.05\n\
             spacing 0.0182\n\
@@ -1074,13 +1074,13 @@ pub static PRESETS: &[Preset] = &[
             emission_rate 2500\n\
             source_width 0.24\n\
             lifetime_max 0.8\n\
-            display_mode paper\n\
             source_height 0.2\n\
             emission_speed 0.5\n\
             emission_spread 0.3\n\
             emission_noise 0\n\
             taper 0.6\n\
             lifetime_min 0.4\n\
+            display_mode paper\n\
             particle_size 0.03\n\
             buoyancy 1\n\
             thermal_buoyancy 0.02\n\
@@ -1095,13 +1095,13 @@ pub static PRESETS: &[Preset] = &[
             emission_rate 2500\n\
             source_width 0.24\n\
             lifetime_max 1.2\n\
-            display_mode paper\n\
             source_height 0.2\n\
             emission_speed 0.5\n\
             emission_spread 0.3\n\
             emission_noise 0\n\
             taper 0.6\n\
             lifetime_min 0.4\n\
+            display_mode paper\n\
             particle_size 0.03\n\
             buoyancy 0.12\n\
             thermal_buoyancy 0.02\n\
@@ -1116,13 +1116,13 @@ pub static PRESETS: &[Preset] = &[
             emission_rate 2500\n\
             source_width 0.24\n\
             lifetime_max 1.2\n\
-            display_mode paper\n\
             source_height 0.2\n\
             emission_speed 0.5\n\
             emission_spread 0.3\n\
             emission_noise 0\n\
             taper 0.6\n\
             lifetime_min 0.4\n\
+            display_mode paper\n\
             particle_size 0.03\n\
             buoyancy 0.12\n\
             thermal_buoyancy 0.02\n\
@@ -1137,13 +1137,13 @@ pub static PRESETS: &[Preset] = &[
             emission_rate 2500\n\
             source_width 0.24\n\
             lifetime_max 1.2\n\
-            display_mode paper\n\
             source_height 0.2\n\
             emission_speed 0.5\n\
             emission_spread 0.3\n\
             emission_noise 0\n\
             taper 0.6\n\
             lifetime_min 0.4\n\
+            display_mode paper\n\
             particle_size 0.03\n\
             buoyancy 0.12\n\
             thermal_buoyancy 0.02\n\
@@ -1158,13 +1158,13 @@ pub static PRESETS: &[Preset] = &[
             emission_rate 2500\n\
             source_width 0.24\n\
             lifetime_max 1.2\n\
-            display_mode paper\n\
             source_height 0.2\n\
             emission_speed 0.5\n\
             emission_spread 0.3\n\
             emission_noise 0\n\
             taper 0.6\n\
             lifetime_min 0.4\n\
+            display_mode paper\n\
             particle_size 0.03\n\
             buoyancy 0.12\n\
             thermal_buoyancy 0.02\n\
@@ -1181,7 +1181,6 @@ pub static PRESETS: &[Preset] = &[
             emission_rate 400\n\
             source_width 0.125\n\
             lifetime_max 2\n\
-            display_mode paper\n\
             emission_speed 0.75\n\
             emission_spread 0.45\n\
             emission_noise 0\n\
@@ -1189,6 +1188,7 @@ pub static PRESETS: &[Preset] = &[
             lifetime_min 1.1\n\
             maximum_temperature 1273\n\
             cooling_rate 300\n\
+            display_mode paper\n\
             particle_size 0.015\n\
             buoyancy 0.02\n\
             thermal_buoyancy 0.01\n\

@@ -43,7 +43,11 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui) {
         ui.add_space(4.0);
     }
     if all.is_empty() {
-        paragraph(ui, "There is no object: nothing burns.", theme::weak());
+        paragraph(
+            ui,
+            "No objects. Add a source to start a fire.",
+            theme::weak(),
+        );
     }
     ui.add_space(gap);
     if let Some(object) = state.selected_object() {
@@ -147,7 +151,7 @@ fn buttons(state: &State, out: &mut Output, ui: &mut Ui) {
             "Duplicate",
             Command::Duplicate(id),
             copies,
-            "Another object like the selected one",
+            "Duplicate the selected object",
         ),
         (
             "Delete",

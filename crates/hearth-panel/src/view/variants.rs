@@ -24,13 +24,13 @@ pub fn line(controller: &ControllerState, out: &mut Output, ui: &Ui, rect: Rect)
     let buttons = [
         (
             "action:compare:A",
-            "State A: it keeps its values while B is shown",
+            "Show state A. B keeps its settings.",
             state("A"),
             Command::Compare("A"),
         ),
         (
             "action:compare:B",
-            "State B: it begins as a copy of A, and keeps its own values",
+            "Show state B, at first a copy of A.",
             state("B"),
             Command::Compare("B"),
         ),

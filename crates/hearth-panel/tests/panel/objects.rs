@@ -31,7 +31,7 @@ fn solid(id: u32, shape: &str, material: &str) -> Fields {
 }
 
 /// A panel of a fire with two sources, a line and a box, which its scene has as well.
-fn furnished(model: Model, size: Size) -> Harness {
+fn with_objects(model: Model, size: Size) -> Harness {
     let mut harness = Harness::of_model(model, size);
     let objects = [
         source(1),
@@ -62,7 +62,7 @@ fn select(harness: &mut Harness, id: u32) -> Vec<Subject> {
 
 #[test]
 fn the_objects_follow_the_basics_and_can_be_folded() {
-    let mut harness = furnished(Model::Combustion, (340.0, 2000.0, TALL.2));
+    let mut harness = with_objects(Model::Combustion, (340.0, 2000.0, TALL.2));
     let top = |harness: &Harness, name: &str| harness.place(name).top();
     let tops = ["group:Basics", "group:Objects", "group:Fire"];
     assert!(tops.map(|name| top(&harness, name)).is_sorted());
@@ -81,7 +81,7 @@ fn the_objects_follow_the_basics_and_can_be_folded() {
 #[test]
 fn the_list_names_every_object_and_selects_one() {
     for size in [TALL, PHONE] {
-        let mut harness = furnished(Model::Combustion, size);
+        let mut harness = with_objects(Model::Combustion, size);
         let texts = harness.texts();
         for name in [
             "Source 1",
@@ -101,7 +101,7 @@ fn the_list_names_every_object_and_selects_one() {
 #[test]
 fn the_rows_are_the_properties_that_the_model_uses() {
     for model in models() {
-        let mut harness = furnished(model, TALL);
+        let mut harness = with_objects(model, TALL);
         for (id, kind) in [(2, &KINDS[0]), (3, &KINDS[1])] {
             let used = kind.properties.iter();
             let used = used.filter(|property| has_row(property, model));
@@ -149,7 +149,7 @@ fn rows_of_a_source_on_a_solid_follow_its_own_shape_and_offer_the_ids_of_the_sol
 
 #[test]
 fn the_first_source_has_its_parameters_only() {
-    let mut harness = furnished(Model::Combustion, TALL);
+    let mut harness = with_objects(Model::Combustion, TALL);
     assert!(select(&mut harness, 1).is_empty());
     let texts = harness.texts();
     let words = "The first source: its properties are in Basics and Fire.";
@@ -166,7 +166,7 @@ fn the_first_source_has_its_parameters_only() {
 #[test]
 fn dragging_changes_every_slider_and_reset_restores_it() {
     for size in [TALL, LOWER, PHONE] {
-        let mut harness = furnished(Model::Combustion, size);
+        let mut harness = with_objects(Model::Combustion, size);
         for id in [2, 4] {
             for row in select(&mut harness, id) {
                 if !matches!(row.param.kind, ValueKind::Number(_)) {
@@ -200,7 +200,7 @@ fn dragging_changes_every_slider_and_reset_restores_it() {
 
 #[test]
 fn a_condition_names_the_property_that_decides() {
-    let mut harness = furnished(Model::Combustion, (340.0, 2000.0, TALL.2));
+    let mut harness = with_objects(Model::Combustion, (340.0, 2000.0, TALL.2));
     select(&mut harness, 3);
     let texts = harness.texts();
     assert!(
@@ -220,7 +220,7 @@ fn a_condition_names_the_property_that_decides() {
 
 #[test]
 fn what_is_typed_counts_when_another_object_is_selected() {
-    let mut harness = furnished(Model::Combustion, (340.0, 2000.0, TALL.2));
+    let mut harness = with_objects(Model::Combustion, (340.0, 2000.0, TALL.2));
     let rows = select(&mut harness, 3);
     let width = rows
         .iter()
@@ -238,7 +238,7 @@ fn what_is_typed_counts_when_another_object_is_selected() {
 
 #[test]
 fn a_typed_value_out_of_range_is_refused_with_a_reason() {
-    let mut harness = furnished(Model::Combustion, (340.0, 2000.0, TALL.2));
+    let mut harness = with_objects(Model::Combustion, (340.0, 2000.0, TALL.2));
     select(&mut harness, 3);
     harness.click("value:solid:width");
     harness.frame(vec![Event::Text("70".to_owned())]);
@@ -252,7 +252,7 @@ fn a_typed_value_out_of_range_is_refused_with_a_reason() {
 
 #[test]
 fn the_value_under_the_pointer_can_be_copied() {
-    let mut harness = furnished(Model::Combustion, TALL);
+    let mut harness = with_objects(Model::Combustion, TALL);
     select(&mut harness, 3);
     harness.reveal("solid:width");
     let pos = harness.place("solid:width").center();
@@ -264,7 +264,7 @@ fn the_value_under_the_pointer_can_be_copied() {
 
 #[test]
 fn buttons_send_their_commands() {
-    let mut harness = furnished(Model::Combustion, TALL);
+    let mut harness = with_objects(Model::Combustion, TALL);
     harness.click("action:duplicate");
     harness.click("action:delete");
     assert!(harness.panel.take_commands().is_empty(), "none is selected");
@@ -302,7 +302,7 @@ fn a_button_at_the_limit_is_disabled_and_says_why() {
 #[test]
 fn a_search_finds_properties_and_objects() {
     for size in [TALL, PHONE] {
-        let mut harness = furnished(Model::Combustion, size);
+        let mut harness = with_objects(Model::Combustion, size);
         harness.reveal(SEARCH);
         harness.frame(vec![Event::Text("corner radius".to_owned())]);
         harness.wait();
@@ -331,7 +331,7 @@ fn a_search_finds_properties_and_objects() {
 
 #[test]
 fn a_slider_spans_the_frame_and_a_value_beyond_it() {
-    let mut harness = furnished(Model::Combustion, TALL);
+    let mut harness = with_objects(Model::Combustion, TALL);
     let rows = select(&mut harness, 3);
     let place = *rows
         .iter()
@@ -346,7 +346,7 @@ fn a_slider_spans_the_frame_and_a_value_beyond_it() {
 
 #[test]
 fn an_older_list_does_not_move_a_dragged_slider() {
-    let mut harness = furnished(Model::Combustion, TALL);
+    let mut harness = with_objects(Model::Combustion, TALL);
     let rows = select(&mut harness, 3);
     let place = *rows
         .iter()

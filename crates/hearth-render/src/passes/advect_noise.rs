@@ -11,7 +11,7 @@ pub struct AdvectNoise;
 
 impl Pass for AdvectNoise {
     const KEY: &'static str = "drift";
-    const TARGET: Image = Image::Carried;
+    const TARGET: Image = Image::NoiseOffsets;
     const DRAW: Draw = Draw::All;
     type Uniforms = uniforms::AdvectNoise;
 

@@ -1,6 +1,6 @@
 //! Creates the resources that a frame needs and frees others.
 
-use super::{CARRIED, Renderer, SCENERY};
+use super::{NOISE_OFFSETS, Renderer, SCENERY};
 use crate::error::RenderError;
 use crate::frame::{Frame, has_backdrop};
 use crate::gl::Graphics;
@@ -51,8 +51,8 @@ impl<G: Graphics> Renderer<G> {
                 if is_new && target == SCENERY {
                     self.scenery = None;
                 }
-                if is_new && target == CARRIED {
-                    self.fit_carried(gl, frame)?;
+                if is_new && target == NOISE_OFFSETS {
+                    self.fit_noise_offsets(gl, frame)?;
                 }
             }
         }
@@ -60,12 +60,12 @@ impl<G: Graphics> Renderer<G> {
     }
 
     /// Creates the targets of the noise advection, with the offsets of a paused fire or empty.
-    fn fit_carried(&mut self, gl: &G, frame: &Frame) -> Result<(), RenderError> {
+    fn fit_noise_offsets(&mut self, gl: &G, frame: &Frame) -> Result<(), RenderError> {
         self.targets
-            .need(gl, "advect_noise", frame.format, CARRIED + 1)?;
+            .need(gl, "advect_noise", frame.format, NOISE_OFFSETS + 1)?;
         match self.carried.take() {
             Some(carried) if carried.layout == frame.layout => {
-                for target in [CARRIED, CARRIED + 1] {
+                for target in [NOISE_OFFSETS, NOISE_OFFSETS + 1] {
                     if let Some((_, target)) = self.targets.get(target) {
                         target.write(gl, &carried.texels);
                     }

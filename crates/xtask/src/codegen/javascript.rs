@@ -93,15 +93,15 @@ pub(super) fn objects(scenes: &[Scene]) -> String {
     let properties = KINDS[0].properties.iter();
     let entries = properties.map(|property| format!("{}: '{}'", property.name, property.id));
     let source = constant(doc, "SOURCE", OBJECT, entries);
-    let furnished = scenes.iter().filter(|scene| !scene.objects.is_empty());
-    let furnished: serde_json::Map<_, _> = furnished
+    let with_objects = scenes.iter().filter(|scene| !scene.objects.is_empty());
+    let with_objects: serde_json::Map<_, _> = with_objects
         .map(|scene| (scene.name.clone(), json!(1 + scene.objects.len())))
         .collect();
     format!(
         "{HEADER}{source}\n/** The presets with more objects than a source, and how many objects they have.\n \
          * @type {{{{[preset: string]: number}}}} */\n\
-         export const FURNISHED = {};\n",
-        json!(furnished)
+         export const WITH_OBJECTS = {};\n",
+        json!(with_objects)
     )
 }
 
@@ -163,8 +163,8 @@ pub(super) fn scene_objects(scenes: &[Scene]) -> String {
     let solid = constant(doc, "SOLID", LIST, entries);
     let doc = "The fields of the objects of each preset besides its source.\n \
                * @type {{[preset: string]: {[name: string]: string | number | boolean}[]}}";
-    let furnished = scenes.iter().filter(|scene| !scene.objects.is_empty());
-    let entries = furnished.map(|scene| {
+    let with_objects = scenes.iter().filter(|scene| !scene.objects.is_empty());
+    let entries = with_objects.map(|scene| {
         let objects = scene.objects.iter();
         let objects = objects.map(|fields| fields.iter().cloned().collect::<Map<_, _>>());
         format!("'{}': {}", scene.name, json!(objects.collect::<Vec<_>>()))

@@ -1,7 +1,5 @@
 //! Stages about the libraries: the simulation for JavaScript, and the crates for Rust.
 
-use std::path::PathBuf;
-
 use anyhow::{Result, ensure};
 use xshell::cmd;
 
@@ -11,26 +9,25 @@ use crate::{paths, script, tools};
 /// The laws of `hearth-fire/sim` in the built site, in Node.
 pub(super) fn laws_in_node() -> Result<()> {
     tools::node()?;
-    let sh = Shell::new()?;
-    let tests = tests(&sh, "tests/sim")?;
-    let node = cmd!(sh, "node --test --test-reporter spec {tests...}");
-    Ok(node.env("HEARTH_SITE", paths::site()).run()?)
+    run_tests("tests/sim")
 }
 
 /// The tests of scripts that need neither a browser nor a built site.
 pub(super) fn scripts_in_node() -> Result<()> {
     script::tools()?;
-    let sh = Shell::new()?;
-    let tests = tests(&sh, "tests/web")?;
-    Ok(cmd!(sh, "node --test --test-reporter spec {tests...}").run()?)
+    run_tests("tests/web")
 }
 
-/// Every test file, by name: versions of Node search a folder differently.
-fn tests(sh: &Shell, folder: &str) -> Result<Vec<PathBuf>> {
+/// Runs every test file, by name: versions of Node search a folder differently. A file that takes
+/// longer than ten minutes fails.
+fn run_tests(folder: &str) -> Result<()> {
+    let sh = Shell::new()?;
     let mut tests = sh.read_dir(folder)?;
     tests.retain(|path| path.to_string_lossy().ends_with(".test.mjs"));
     ensure!(!tests.is_empty(), "{folder} contains no test");
-    Ok(tests)
+    let options = ["--test-timeout=600000", "--test-reporter=spec"];
+    let node = cmd!(sh, "node --test {options...} {tests...}");
+    Ok(node.env("HEARTH_SITE", paths::site()).run()?)
 }
 
 /// Every crate that may be published, without a warning. Uncommitted changes are allowed:
@@ -43,10 +40,8 @@ pub(super) fn publishable() -> Result<()> {
     let printed = String::from_utf8_lossy(&output.stderr);
     eprint!("{printed}");
     ensure!(output.status.success(), "`{publish}` failed");
-    let warnings = printed.lines().filter(|line| line.starts_with("warning"));
-    let warnings: Vec<_> = warnings
-        .filter(|line| !line.contains("due to dry run"))
-        .collect();
+    let is_warning = |line: &&str| line.starts_with("warning") && !line.contains("due to dry run");
+    let warnings: Vec<_> = printed.lines().filter(is_warning).collect();
     ensure!(warnings.is_empty(), "{}", warnings.join("\n"));
     Ok(())
 }

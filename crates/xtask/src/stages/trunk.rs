@@ -4,9 +4,9 @@
 use std::net::{Ipv4Addr, TcpListener, TcpStream};
 use std::process::{Child, Command, Stdio};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
 use xshell::{Cmd, cmd};
 
 use super::browser;
@@ -68,10 +68,15 @@ impl Served {
             trunk,
             address: format!("http://127.0.0.1:{port}/"),
         };
+        let deadline = Instant::now() + Duration::from_mins(20);
         while TcpStream::connect((Ipv4Addr::LOCALHOST, port)).is_err() {
             if let Some(status) = served.trunk.try_wait()? {
                 bail!("`trunk serve` ended instead of serving ({status})");
             }
+            ensure!(
+                Instant::now() < deadline,
+                "`trunk serve` did not answer in 20 minutes"
+            );
             thread::sleep(Duration::from_millis(200));
         }
         Ok(served)

@@ -51,9 +51,9 @@ pub(crate) struct Rectangle {
     pub high: Vec2,
 }
 
-/// Wakes the cells of gas that is hotter than this or otherwise active, at least this deep.
+/// Activates the cells of gas that is hotter than this or otherwise active, at least this deep.
 #[inline(never)]
-pub(super) fn wake(map: &mut Map, gas: &Gas, hot: f32, min_depth: f32) {
+pub(super) fn activate(map: &mut Map, gas: &Gas, hot: f32, min_depth: f32) {
     for (state, &position) in gas.state.iter().zip(&gas.position) {
         if state.x > hot || state.y > FUELLED || state.w > SOOTY {
             let cell = map.layout.at(position);
@@ -69,10 +69,10 @@ pub(super) fn hot(values: &Physics) -> f32 {
     values.ambient_temperature + HOT
 }
 
-/// Wakes the cells of a source; none of one outside of the map.
+/// Activates the cells of a source; none of one outside of the map.
 // One of its two callers is in a part of the build, where its code is then too.
 #[inline(always)]
-pub(super) fn wake_source(map: &mut Map, source: &Rectangle) {
+pub(super) fn activate_source(map: &mut Map, source: &Rectangle) {
     let Layout { columns, .. } = map.layout;
     if !map.layout.bounds().meets(source.low, source.high) {
         return;
@@ -176,7 +176,7 @@ mod tests {
 
     fn update(map: &mut Map, awake: &mut Awake, source: Option<Rectangle>, capacity: f32) {
         if let Some(source) = source {
-            wake_source(map, &source);
+            activate_source(map, &source);
         }
         awake.spread(map, 9.0, capacity, false);
         map.fill();
@@ -217,7 +217,7 @@ mod tests {
                 temperature: values.ambient_temperature + 100.0,
                 ..crate::Particle::at(corner(&map.layout, cell) + Vec2::splat(0.04))
             });
-            wake(&mut map, &gas, hot(&values), MIN_DEPTH);
+            activate(&mut map, &gas, hot(&values), MIN_DEPTH);
             assert_eq!(map.cells[cell].remaining > 0.0, wakes, "depth {depth}");
         }
         for cell in &mut map.cells {

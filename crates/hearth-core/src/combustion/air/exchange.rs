@@ -115,14 +115,14 @@ impl<'a> Inflow<'a> {
     }
 
     /// Adds a particle at a position. There must be room for it.
-    fn bear(&self, gas: &mut Gas, position: Vec2, velocity: Vec2) {
+    fn insert_particle(&self, gas: &mut Gas, position: Vec2, velocity: Vec2) {
         let volume = self.spacing * self.spacing;
         let air = Particle {
             temperature: self.temperature,
             velocity,
             ..Particle::at(position)
         };
-        gas.bear(&air, volume);
+        gas.insert_particle(&air, volume);
     }
 }
 
@@ -255,7 +255,7 @@ impl Exchange {
         velocity: Vec2,
     ) {
         if gas.len() < inflow.capacity {
-            inflow.bear(gas, place, velocity);
+            inflow.insert_particle(gas, place, velocity);
             self.nearby.push(place);
             self.list(cell, velocity);
         }

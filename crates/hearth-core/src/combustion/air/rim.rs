@@ -84,7 +84,7 @@ impl Rim {
 
     /// Removes the outward part of the shifts: there are no particles outside, which shifting
     /// would take for a gap.
-    pub fn turn_shift(&self, map: &Map, gas: &mut Gas) {
+    pub fn remove_outward_shift(&self, map: &Map, gas: &mut Gas) {
         for near in &self.near {
             let outward = map.cells[near.cell as usize].outward;
             // A shift goes down the gradient.
@@ -94,8 +94,8 @@ impl Rim {
         }
     }
 
-    /// Lets the ring follow the flow at the rim for `dt`.
-    pub fn carry(&self, map: &Map, gas: &mut Gas, dt: f32) {
+    /// Relaxes the velocity of the ring towards the flow at the rim for `dt`.
+    pub fn relax_velocity(&self, map: &Map, gas: &mut Gas, dt: f32) {
         let relaxation = fast_min(RELAXATION * dt, 1.0);
         for near in &self.near {
             let cell = near.cell as usize;

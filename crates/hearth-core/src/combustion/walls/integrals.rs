@@ -59,7 +59,7 @@ mod tests {
     fn the_tables_are_the_integrals_of_the_kernel() {
         let kernel = Kernel::new(1.0);
         let w = |r: f64| f64::from(kernel.value(r as f32));
-        let steepness = |r: f64| -f64::from(kernel.gradient_over_r(r as f32));
+        let minus_dw_over_r = |r: f64| -f64::from(kernel.gradient_over_r(r as f32));
         for interval in [0, 2, 4, 7, 12, 16] {
             let d = 2.0 * interval as f64 / INTERVALS as f64;
             let gamma = integral(w, d);
@@ -72,7 +72,7 @@ mod tests {
                 (slope - f64::from(SLOPE[interval])).abs() < 5e-3,
                 "W₁({d}) = {slope}"
             );
-            let friction = integral(steepness, d);
+            let friction = integral(minus_dw_over_r, d);
             assert!(
                 (friction - f64::from(FRICTION[interval])).abs() < 1e-2,
                 "K({d}) = {friction}"

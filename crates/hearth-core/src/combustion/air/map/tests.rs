@@ -105,7 +105,7 @@ fn gas_occupies_the_cells_that_it_fills_and_thin_gas_has_no_holes() {
             let (column, row) = (index % columns, index / columns);
             let at = Vec2::new(column as f32, row as f32) + 0.5;
             let corner = Vec2::new(x - 0.3, 0.3);
-            gas.bear(&crate::Particle::at(corner + at * side), volume);
+            gas.insert_particle(&crate::Particle::at(corner + at * side), volume);
         }
     }
     // One cell of the thin gas has no particle.

@@ -16,23 +16,26 @@ after(() => browser?.close());
 
 const PAUSED = 'scene=default&paused&quality=low';
 /** Of a paused fire, which has no frames. */
-const CHARTS = ['Flame height', 'Power', 'Luminosity', 'Luminosity spectrum', 'Temperature', 'Upward velocity'];
+const CHARTS = ['Flame height', 'Power', 'Luminosity', 'Luminosity spectrum', 'Temperature', 'Velocity'];
 
 /** The charts in words, by their titles; hidden ones are left out. */
-const charts = (tab) => tab.evaluate(() => Object.fromEntries([...document.querySelectorAll('.hearth-plots figure')]
+const charts = (tab) => tab.evaluate(() => Object.fromEntries([...document.querySelectorAll('.hearth-plots .chart')]
   .filter((one) => one.checkVisibility())
   .map((one) => (one.getAttribute('aria-label') ?? '').split(/: (.*)/s))));
 
-/** Steps the fire to an age, some steps for each row of the record. */
-async function burn(tab, seconds) {
-  await tab.fire(async (fire, until) => {
-    for (let rows = 0; rows < 2000 && (fire.stats?.time ?? 0) < until; rows += 1) {
-      await fire.step(Math.max(1, Math.round(0.03 / (fire.stats?.stepLength || 0.003))));
-      // The page measures once a frame.
+/** Steps the fire for so long, with a row of the record every `apart` seconds. */
+async function burn(tab, seconds, apart = 0.1) {
+  await tab.fire(async (fire, [length, row]) => {
+    await fire.step();
+    const until = fire.stats.time + length;
+    for (let rows = 0; rows < 2000 && fire.stats.time < until; rows += 1) {
+      await fire.step(Math.max(1, Math.round(row / (fire.stats.stepLength || 0.003))));
+      // The page measures once a frame, and before this.
       await new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); });
+      await fire.measure(0, 0);
     }
-  }, seconds);
-  await tab.until(`the charts at ${seconds} s`, () => /now/.test(document.querySelector('.hearth-plots figure:nth-of-type(2)')?.getAttribute('aria-label') ?? ''));
+  }, [seconds, apart]);
+  await tab.until('the charts', () => /now/.test(document.querySelector('.hearth-plots .chart:nth-of-type(2)')?.getAttribute('aria-label') ?? ''));
 }
 
 /** Opens the plots with the key, and waits until they show something. */
@@ -118,18 +121,18 @@ test('the code of the plots is loaded with their first use, and keys show and hi
 test('the CSV has units, and the numbers of stats and of the charts', async () => {
   const tab = await openTools(browser, WIDE, PAUSED);
   await openPlots(tab);
-  await burn(tab, 4.5);
+  await burn(tab, 5.6, 0.06);
   const { name, type, columns } = await csv(tab);
   const [shown, stats, measures] = [await charts(tab), await tab.fire((fire) => fire.stats), await tab.fire((fire) => fire.measure(0, 0))];
   assert.deepEqual([name, type], ['hearth.csv', 'text/csv']);
   const { 'time [s]': times, 'power [kW/m]': power, 'flame height [m]': heights } = columns;
-  assert.ok(times.length > 60, `${times.length} rows`);
+  assert.ok(times.length > 50, `${times.length} rows`);
   assert.ok(Math.abs(times.at(-1) - stats.time) < 1e-3, `${times.at(-1)} and ${stats.time} s`);
   assert.ok(times.every((time, at) => at === 0 || time > times[at - 1]));
   assert.ok(Math.abs(power.at(-1) - measures.power) < 0.01);
   // The average of stats: a tenth of each frame's power.
   const average = power.reduce((mean, one) => mean + 0.1 * (one - mean));
-  assert.ok(Math.abs(average - stats.power) < 0.05 * stats.power, `${average}, and ${stats.power} kW/m`);
+  assert.ok(Math.abs(average - stats.power) < 0.15 * stats.power, `${average}, and ${stats.power} kW/m`);
   assert.ok(shown['Flame height'].startsWith(`now ${heights.at(-1).toFixed(2)} m`), shown['Flame height']);
 
   const lines = columns['frequency [Hz]'].map((frequency, at) => [frequency, columns['luminosity spectrum [1]'][at]]);
@@ -148,7 +151,7 @@ test('the CSV has units, and the numbers of stats and of the charts', async () =
 test('a fire that plays has a frame time, that of stats', async () => {
   const tab = await openTools(browser, WIDE, 'scene=default&quality=low');
   await openPlots(tab);
-  await tab.until('a frame time', () => /^Frame time: now \d+ ms/.test(document.querySelector('.hearth-plots figure')?.getAttribute('aria-label') ?? ''));
+  await tab.until('a frame time', () => /^Frame time: now \d+ ms/.test(document.querySelector('.hearth-plots .chart')?.getAttribute('aria-label') ?? ''));
   await tab.fire((fire) => fire.pause());
   const { columns } = await csv(tab);
   const frames = columns['frame time [ms]'];
@@ -163,10 +166,10 @@ test('the plots follow a stronger fire', async () => {
   await burn(tab, 1.5);
   const power = async () => Number(/^now (\d+) kW/.exec((await charts(tab)).Power)?.[1]);
   const before = await power();
-  await tab.fire((fire) => fire.set('fuel_power', 3 * fire.params.fuel_power));
-  await burn(tab, 3);
+  await tab.fire((fire) => fire.set('fuel_power', 600));
+  await burn(tab, 2);
   const after = await power();
-  assert.ok(after > 1.8 * before, `${before}, then ${after} kW/m`);
+  assert.ok(after > 1.5 * before, `${before}, then ${after} kW/m`);
   assert.deepEqual(tab.problems, []);
 });
 

@@ -34,7 +34,7 @@ const SERIES = [
  */
 const PROFILES = [
   { field: 'temperature', mean: 'meanTemperature', title: 'Temperature', unit: 'K', digits: 0 },
-  { field: 'v', mean: 'meanV', title: 'Upward velocity', unit: 'm/s', digits: 1 },
+  { field: 'v', mean: 'meanV', title: 'Velocity', unit: 'm/s ↑', digits: 1 },
 ];
 
 /** All charts in their order. @type {{field: string, title: string, shape?: string}[]} */
@@ -71,6 +71,9 @@ export class Card {
   /** Shows the record. */
   show() {
     for (const series of SERIES) this.#series(series);
+    // No gap beside the last one.
+    const shown = SERIES.filter(({ field }) => !this.#charts[field].element.hidden);
+    this.#charts.luminosity.element.classList.toggle('wide', shown.length % 2 > 0);
     this.#spectrum();
     for (const profile of PROFILES) this.#profile(profile);
   }

@@ -36,7 +36,7 @@ export function roundUp(most) {
 
 /** A chart of the card. */
 export class Chart {
-  element = element('figure', { role: 'img' });
+  element = element('div', { role: 'img' });
   #now = element('b', {});
   /** @type {{[place: string]: HTMLElement}} */
   #labels = Object.fromEntries(['top', 'bottom', 'left', 'right'].map((place) => [place, element('span', { class: place })]));
@@ -46,8 +46,8 @@ export class Chart {
   /** @param {string} title @param {string} [shape]  `wide` or `tall` */
   constructor(title, shape = '') {
     this.#title = title;
-    this.element.className = shape;
-    const caption = element('figcaption', {});
+    this.element.className = `chart ${shape}`;
+    const caption = element('p', {});
     caption.append(Object.assign(element('span', {}), { textContent: title }), this.#now);
     const frame = element('div', {});
     for (const [name, value] of Object.entries({ viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: 'none' })) this.#drawing.setAttribute(name, value);

@@ -23,18 +23,16 @@ const charts = (tab) => tab.evaluate(() => Object.fromEntries([...document.query
   .filter((one) => one.checkVisibility())
   .map((one) => (one.getAttribute('aria-label') ?? '').split(/: (.*)/s))));
 
-/** Steps the fire for so long, with a row of the record every `apart` seconds. */
-async function burn(tab, seconds, apart = 0.1) {
-  await tab.fire(async (fire, [length, row]) => {
-    await fire.step();
-    const until = fire.stats.time + length;
-    for (let rows = 0; rows < 2000 && fire.stats.time < until; rows += 1) {
-      await fire.step(Math.max(1, Math.round(row / (fire.stats.stepLength || 0.003))));
+/** Steps the fire so often, each time for so long [s of fire], which is a row of the record. */
+async function burn(tab, rows, seconds = 0.2) {
+  for (let row = 0; row < rows; row += 1) {
+    await tab.fire(async (fire, length) => {
+      await fire.step(Math.max(1, Math.round(length / (fire.stats?.stepLength || 0.003))));
       // The page measures once a frame, and before this.
       await new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); });
       await fire.measure(0, 0);
-    }
-  }, [seconds, apart]);
+    }, seconds);
+  }
   await tab.until('the charts', () => /now/.test(document.querySelector('.hearth-plots .chart:nth-of-type(2)')?.getAttribute('aria-label') ?? ''));
 }
 
@@ -84,7 +82,7 @@ for (const size of [WIDE, ...PHONES]) {
       await tool(tab, 'plots');
       await tab.page.waitForSelector('.hearth-plots');
       assert.equal(await tab.on('[data-tool="plots"]', (button) => button.getAttribute('aria-pressed')), 'true');
-      await burn(tab, 0.5);
+      await burn(tab, 3);
       const shown = await charts(tab);
       assert.deepEqual(Object.keys(shown), CHARTS);
       assert.match(shown['Flame height'], /^now \d\.\d\d m; in the last \d+ s from \d\.\d\d m to \d\.\d\d m$/);
@@ -111,34 +109,29 @@ test('the code of the plots is loaded with their first use, and keys show and hi
   const loaded = () => tab.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name).filter((name) => name.includes('/plots/') || name.includes('_quantities')));
   assert.deepEqual(await loaded(), []);
   await openPlots(tab);
-  await burn(tab, 0.1);
+  await burn(tab, 1, 0.02);
   assert.ok((await loaded()).some((name) => name.endsWith('_quantities.wasm')));
   await tab.key('g');
   assert.equal(await tab.evaluate(() => document.querySelector('.hearth-plots')), null);
   assert.deepEqual(tab.problems, []);
 });
 
-test('the CSV has units, and the numbers of stats and of the charts', async () => {
+test('the CSV has units, and the numbers of stats, measures and charts', async () => {
   const tab = await openTools(browser, WIDE, PAUSED);
   await openPlots(tab);
-  await burn(tab, 5.6, 0.06);
+  await burn(tab, 20, 0.05);
   const { name, type, columns } = await csv(tab);
   const [shown, stats, measures] = [await charts(tab), await tab.fire((fire) => fire.stats), await tab.fire((fire) => fire.measure(0, 0))];
   assert.deepEqual([name, type], ['hearth.csv', 'text/csv']);
   const { 'time [s]': times, 'power [kW/m]': power, 'flame height [m]': heights } = columns;
-  assert.ok(times.length > 50, `${times.length} rows`);
+  assert.ok(times.length >= 15, `${times.length} rows`);
   assert.ok(Math.abs(times.at(-1) - stats.time) < 1e-3, `${times.at(-1)} and ${stats.time} s`);
   assert.ok(times.every((time, at) => at === 0 || time > times[at - 1]));
   assert.ok(Math.abs(power.at(-1) - measures.power) < 0.01);
   // The average of stats: a tenth of each frame's power.
   const average = power.reduce((mean, one) => mean + 0.1 * (one - mean));
-  assert.ok(Math.abs(average - stats.power) < 0.15 * stats.power, `${average}, and ${stats.power} kW/m`);
+  assert.ok(Math.abs(average - stats.power) < 0.2 * stats.power, `${average}, and ${stats.power} kW/m`);
   assert.ok(shown['Flame height'].startsWith(`now ${heights.at(-1).toFixed(2)} m`), shown['Flame height']);
-
-  const lines = columns['frequency [Hz]'].map((frequency, at) => [frequency, columns['luminosity spectrum [1]'][at]]);
-  assert.equal(Math.max(...columns['luminosity spectrum [1]']), 1);
-  const [peak] = lines.filter(([frequency]) => frequency > 0.5).reduce((most, line) => (line[1] > most[1] ? line : most));
-  assert.equal(shown['Luminosity spectrum'], `the peak is at ${peak.toFixed(1)} Hz`);
 
   const temperatures = columns['temperature [K]'];
   assert.equal(columns['height at x = 0 m [m]'].length, 64);
@@ -163,26 +156,31 @@ test('a fire that plays has a frame time, that of stats', async () => {
 test('the plots follow a stronger fire', async () => {
   const tab = await openTools(browser, WIDE, PAUSED);
   await openPlots(tab);
-  await burn(tab, 1.5);
+  await burn(tab, 2);
   const power = async () => Number(/^now (\d+) kW/.exec((await charts(tab)).Power)?.[1]);
   const before = await power();
   await tab.fire((fire) => fire.set('fuel_power', 600));
-  await burn(tab, 2);
+  await burn(tab, 9);
   const after = await power();
   assert.ok(after > 1.5 * before, `${before}, then ${after} kW/m`);
   assert.deepEqual(tab.problems, []);
 });
 
-test('the classic model has no power, and its own height, light and profiles', async () => {
+test('the classic model has no power, and its own height, light, spectrum and profiles', async () => {
   const tab = await openTools(browser, WIDE, `${PAUSED}&model=classic`);
   await openPlots(tab);
-  await burn(tab, 1.2);
+  await burn(tab, 28);
   const shown = await charts(tab);
   assert.deepEqual(Object.keys(shown), CHARTS.filter((title) => title !== 'Power'));
   assert.match(shown['Flame height'], /^now (0\.[1-9]|[1-9])/);
   const { columns } = await csv(tab);
   assert.equal('power [kW/m]' in columns, false);
   assert.ok(columns['luminosity [m²]'].at(-1) > 0);
+  const lines = columns['frequency [Hz]'].map((frequency, at) => [frequency, columns['luminosity spectrum [1]'][at]]);
+  assert.equal(Math.max(...columns['luminosity spectrum [1]']), 1);
+  // Slower swings are a trend.
+  const [peak] = lines.slice(3).reduce((most, line) => (line[1] > most[1] ? line : most));
+  assert.equal(shown['Luminosity spectrum'], `the peak is at ${peak.toFixed(1)} Hz`);
   assert.ok(Math.max(...columns['temperature [K]']) > 900);
   assert.deepEqual(tab.problems, []);
 });

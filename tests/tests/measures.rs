@@ -28,8 +28,14 @@ fn a_linear_field_is_read_where_the_probe_is() {
         particle.lifetime = 9.0;
     };
     let fire = filled(closed_box(&[]), 32, shape);
-    let [width, height] = [fire.parameters().domain_width, fire.parameters().domain_height];
-    for place in [Vec2::new(0.0, 0.5 * height), Vec2::new(0.2 * width, 0.3 * height)] {
+    let [width, height] = [
+        fire.parameters().domain_width,
+        fire.parameters().domain_height,
+    ];
+    for place in [
+        Vec2::new(0.0, 0.5 * height),
+        Vec2::new(0.2 * width, 0.3 * height),
+    ] {
         let numbers = fire.measure(place);
         let read = places(&numbers);
         assert_eq!(read.len(), 65);
@@ -45,7 +51,10 @@ fn a_linear_field_is_read_where_the_probe_is() {
 
 #[test]
 fn still_air_has_the_air_temperature_and_a_flame_is_hot() {
-    let parameters = on_floor(in_the_open(combustion(&[("ambient_temperature", 281.0)]), 2000));
+    let parameters = on_floor(in_the_open(
+        combustion(&[("ambient_temperature", 281.0)]),
+        2000,
+    ));
     let fire = burn(parameters, 1.5);
     let far = fire.measure(Vec2::new(0.55, 1.7));
     let at = places(&far)[0];
@@ -95,7 +104,10 @@ fn nothing_is_read_that_is_not_there() {
     let classic = burn(Parameters::new(Model::Classic), 1.0);
     let numbers = classic.measure(Vec2::new(0.0, 0.2));
     let at = places(&numbers)[0];
-    assert!(at[0] > 1000.0 && at[..4].iter().all(|one| one.is_finite()), "{at:?}");
+    assert!(
+        at[0] > 1000.0 && at[..4].iter().all(|one| one.is_finite()),
+        "{at:?}"
+    );
     assert!(at[4..7].iter().all(|one| one.is_nan()), "{at:?}");
     assert!(numbers[3].is_nan() && numbers[4] > 0.1 && numbers[5] > 0.0);
     let empty = classic.measure(Vec2::new(0.59, 1.79));
@@ -114,7 +126,10 @@ fn nothing_is_read_that_is_not_there() {
     let fire = Simulation::new(scene);
     for place in [Vec2::new(0.3, 0.6), Vec2::new(0.0, -0.2)] {
         let numbers = fire.measure(place);
-        assert!(places(&numbers)[0][..7].iter().all(|one| one.is_nan()), "{place}");
+        assert!(
+            places(&numbers)[0][..7].iter().all(|one| one.is_nan()),
+            "{place}"
+        );
     }
     let numbers = fire.measure(Vec2::new(0.3, 0.6));
     close(places(&numbers)[0][7], -0.1, 1e-4);

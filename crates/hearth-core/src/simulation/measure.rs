@@ -51,15 +51,25 @@ impl Simulation {
         let mut sums = [[0.0_f32; OF_PLACE]; HEIGHTS + 1];
         let (mut low, mut high, mut light) = (f32::MAX, f32::MIN, 0.0);
         for i in 0..solver.count() {
-            let particle = solver.particle(i, self.time);
-            let volume = solver.measured(i, values, DisplayMode::Temperature).volume;
-            let Particle { position, temperature, .. } = particle;
+            let Particle {
+                position,
+                velocity: Vec2 { x, y },
+                temperature,
+                age,
+                lifetime,
+                fuel,
+                oxygen,
+                soot,
+            } = solver.particle(i, self.time);
+            let mode = DisplayMode::Temperature;
+            let volume = solver.measured(i, values, mode).volume;
             if temperature > GLOWING {
                 low = fast_min(low, position.y);
                 high = fast_max(high, position.y);
-                let glow = match burns {
-                    true => fast_min(particle.soot, OPAQUE),
-                    false => 1.0 - particle.age / particle.lifetime,
+                let glow = if burns {
+                    fast_min(soot, OPAQUE)
+                } else {
+                    1.0 - age / lifetime
                 };
                 let ratio = temperature / BRIGHT;
                 light += volume * glow * ratio * ratio * ratio * ratio;
@@ -67,11 +77,10 @@ impl Simulation {
             if (position.x - place.x).abs() > kernel.support() {
                 continue;
             }
+            let density = solver.density(i);
+            let read = [temperature, x, y, density, fuel, oxygen, soot, 1.0];
             for (row, sum) in sums.iter_mut().enumerate() {
                 let weight = volume * kernel.value(position.distance(at(row)));
-                let Vec2 { x, y } = particle.velocity;
-                let Particle { fuel, oxygen, soot, .. } = particle;
-                let read = [temperature, x, y, solver.density(i), fuel, oxygen, soot, 1.0];
                 for (sum, value) in sum.iter_mut().zip(read) {
                     *sum += weight * value;
                 }
@@ -79,7 +88,12 @@ impl Simulation {
         }
         let mut numbers = Vec::with_capacity(OF_FIRE + (HEIGHTS + 1) * OF_PLACE);
         let power = if burns { self.power() } else { f32::NAN };
-        numbers.extend([self.time.floor() as f32, self.time.fract() as f32, height, power]);
+        numbers.extend([
+            self.time.floor() as f32,
+            self.time.fract() as f32,
+            height,
+            power,
+        ]);
         numbers.extend([fast_max(high - low, 0.0), light]);
         for (row, sum) in sums.into_iter().enumerate() {
             numbers.extend(self.read(at(row), sum, burns));
@@ -100,8 +114,19 @@ impl Simulation {
         } else if weight > SPARSE {
             sum.map(|sum| sum / weight)
         } else if values.has_open_edges() {
-            let Particle { fuel, oxygen, soot, .. } = Particle::at(place);
-            [values.ambient_temperature, values.wind, 0.0, values.ambient_density, fuel, oxygen, soot, 0.0]
+            let Particle {
+                fuel, oxygen, soot, ..
+            } = Particle::at(place);
+            [
+                values.ambient_temperature,
+                values.wind,
+                0.0,
+                values.ambient_density,
+                fuel,
+                oxygen,
+                soot,
+                0.0,
+            ]
         } else {
             [f32::NAN; OF_PLACE]
         };

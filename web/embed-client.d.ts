@@ -7,6 +7,7 @@ import type {
   HearthConfig,
   HearthErrorDetail,
   HearthFreeSolid,
+  HearthMeasures,
   HearthObject,
   HearthObjectsDetail,
   HearthParameters,
@@ -79,6 +80,8 @@ export interface FrameFire extends EventTarget {
   sparks(x: number, y: number, count?: number): Promise<void>;
   /** Where the solids are that forces move. */
   freeSolids(): Promise<HearthFreeSolid[]>;
+  /** What a probe at a point measures, the same along the vertical through it, and the flame as a whole. */
+  measure(x: number, y: number): Promise<HearthMeasures>;
   ignite(place: number, y?: number): Promise<void>;
   extinguish(place: number, y?: number, radius?: number): Promise<void>;
   /** Resolves to an attribute of the element. A value sets it; null removes it, and so does false, except for `autoplay`. */

@@ -12,7 +12,7 @@
 /** The methods of the fire; each returns a promise. */
 const METHODS = [
   'ready', 'play', 'pause', 'reset', 'step', 'set', 'get', 'params', 'objects', 'stats', 'restore',
-  'addObject', 'changeObject', 'removeObject', 'exportConfig', 'importConfig', 'toBlob', 'stir', 'sparks', 'freeSolids', 'ignite',
+  'addObject', 'changeObject', 'removeObject', 'exportConfig', 'importConfig', 'toBlob', 'stir', 'sparks', 'freeSolids', 'measure', 'ignite',
   'extinguish', 'option',
 ];
 

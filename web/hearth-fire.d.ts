@@ -6,6 +6,7 @@ import type {
   HearthConfig,
   HearthErrorDetail,
   HearthFreeSolid,
+  HearthMeasures,
   HearthObjectsDetail,
   HearthPoint,
   HearthQuality,
@@ -165,6 +166,12 @@ export class HearthFire extends HTMLElement {
   sparks(x: number, y: number, count?: number): Promise<void>;
   /** Where the solids are that forces move, those with `motion` "free", in the order of the objects. */
   freeSolids(): Promise<HearthFreeSolid[]>;
+  /**
+   * What a probe at a point measures, the same along the vertical through it, and the flame as a whole.
+   * @param x metres from the middle of the floor
+   * @param y metres above the floor
+   */
+  measure(x: number, y: number): Promise<HearthMeasures>;
   /**
    * Lights a solid that has fuel: all of its surface, by its id, or what is within 0.1 m of a point.
    * @param place the id, or metres from the middle of the floor

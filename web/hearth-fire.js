@@ -14,6 +14,7 @@
  * @typedef {import('./parameters.js').PresetName} PresetName
  * @typedef {import('./element/types.js').HearthConfig} HearthConfig
  * @typedef {import('./element/types.js').HearthFreeSolid} HearthFreeSolid
+ * @typedef {import('./element/types.js').HearthMeasures} HearthMeasures
  * @typedef {import('./element/types.js').HearthPoint} HearthPoint
  * @typedef {import('./element/types.js').HearthQuality} HearthQuality
  * @typedef {import('./parameters.js').HearthStats} HearthStats
@@ -362,6 +363,17 @@ class HearthFire extends FireAttributes {
   async freeSolids() {
     const [numbers, { freeSolidsOf }] = await Promise.all([this.#session.call('freeSolids'), import('./free-solids.js')]);
     return freeSolidsOf(numbers);
+  }
+
+  /**
+   * What a probe at a point measures, the same along the vertical through it, and the flame as a whole.
+   * @param {number} x metres from the middle of the floor
+   * @param {number} y metres above the floor
+   * @returns {Promise<HearthMeasures>}
+   */
+  async measure(x, y) {
+    const [numbers, { measuresOf }] = await Promise.all([this.#session.call('measure', ...postable([x, y], 1)), import('./measures.js')]);
+    return measuresOf(numbers, y);
   }
 
   /**

@@ -4,14 +4,16 @@
  * the element and shares the history and the selection of the panel.
  */
 
+import { element } from './element/icon-button.js';
 import { editingOf } from './panel/editing.js';
 import { objectsOf } from './panel/objects.js';
 import { addStyle } from './panel/style.js';
-import { Bar, element } from './tools/bar.js';
+import { Bar } from './tools/bar.js';
 import { Cross } from './tools/cross.js';
 import { Edits, isOn } from './tools/edits.js';
 import { rounded, scaled } from './tools/geometry.js';
 import { Inserts } from './tools/insert.js';
+import { Instruments } from './tools/instruments.js';
 import { Overlay } from './tools/overlay.js';
 import { Pointers } from './tools/pointers.js';
 import { ARROWS, TOOLS } from './tools/table.js';
@@ -64,6 +66,7 @@ class Toolbar {
   #editing;
   #edits;
   #inserts;
+  #instruments;
   #overlay;
   #pointers;
   #cross;
@@ -83,6 +86,8 @@ class Toolbar {
     this.#edits = new Edits(fire, this.#editing, () => this.#bar, (text) => this.#say(text), () => this.#objects);
     this.#overlay = new Overlay(fire);
     this.#inserts = new Inserts(host, this.#overlay, this.#edits, (text) => this.#open(text));
+    const plotted = (/** @type {boolean} */ shown) => this.#bar.mark('plots', shown);
+    this.#instruments = new Instruments({ host, fire, say: (text) => this.#say(text), plotted }, (act) => this.#edits.attempt(act));
     const hands = this.#hands;
     this.#pointers = new Pointers(hands);
     this.#cross = new Cross(hands, this.#pointers, this.#overlay);
@@ -99,6 +104,7 @@ class Toolbar {
       remove: () => this.#edits.remove(),
       order: (front) => this.#edits.order(front),
       align: (to) => this.#align(to),
+      plots: () => this.#instruments.plot(),
       undo: () => this.#edits.attempt(() => history.undo()),
       redo: () => this.#edits.attempt(() => history.redo()),
       close: closed,
@@ -150,6 +156,7 @@ class Toolbar {
       toggle: (id) => this.#edits.toggle(id),
       thickness: () => rounded(Math.max(0.01, THICKNESS * Math.min(this.#fire.params.domain_width, this.#fire.params.domain_height))),
       write: (at) => this.#inserts.write(at),
+      probe: (at, tells) => this.#tool === 'probe' && this.#instruments.probe(at, tells),
     };
   }
 
@@ -185,6 +192,7 @@ class Toolbar {
     this.#host.classList.remove('hearth-hands');
     for (const one of [this.#overlay.element, this.#bar.element, this.#bar.align, this.#said]) one.remove();
     this.#inserts.close();
+    this.#instruments.remove();
   }
 
   /** @type {(name: string, says?: boolean) => void} */
@@ -196,6 +204,9 @@ class Toolbar {
     const layer = this.#overlay.element;
     layer.style.cursor = tool?.cursor ?? '';
     layer.classList.toggle('idle', name === 'stir');
+    // It measures where the cross appears, until a pointer moves.
+    if (name === 'probe') this.#instruments.probe(this.#cross.at);
+    else this.#instruments.unprobe();
     const without = ['sparks', 'ignite', 'extinguish'].includes(name) && this.#fire.params.model === 'classic' ? ' The classic model has none.' : '';
     if (says && tool) this.#say(`${tool.label}: ${tool.hint}.${without}`);
     this.#update();
@@ -287,6 +298,7 @@ class Toolbar {
     }
     const tool = TOOLS.find((one) => one.key === key.toLowerCase());
     if (tool) return () => this.#choose(tool.name);
+    if (key.toLowerCase() === 'g') return () => this.#instruments.plot();
     if (key === 'Escape') return () => this.#escape();
     if (key === 'Delete' || key === 'Backspace') return selected && (() => this.#edits.remove());
     const arrow = ARROWS[key];
@@ -317,6 +329,8 @@ class Toolbar {
   #escape() {
     if (this.#pointers.active) {
       this.#pointers.cancelAll();
+    } else if (this.#instruments.close()) {
+      // The plots are hidden.
     } else if (this.#cross.shown) {
       this.#cross.point(undefined);
     } else if (this.#editing.selected) {

@@ -191,7 +191,7 @@ test('the display modes that show particles or a quantity fetch their code, and 
   const others = ['particles', 'temperature', 'density', 'pressure', 'velocity', 'vorticity', 'distance', 'fuel', 'soot', 'neighbours', 'sprites'];
   const tab = await browser.open('<hearth-fire></hearth-fire>', GONE);
   await tab.burnt(0.3);
-  for (const message of await show(tab, others)) assert.match(message, /^The code for this display mode could not be loaded/);
+  for (const message of await show(tab, others)) assert.match(message, /^The code for quantities of the gas could not be loaded/);
   // Those of a fire need no code.
   assert.deepEqual(await show(tab, ['paper', 'fire']), ['', '']);
   await assertBurns(tab);

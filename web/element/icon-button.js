@@ -1,16 +1,22 @@
 /**
- * A button with an icon.
+ * Elements with attributes, and a button with an icon.
  */
 
 const SVG = 'http://www.w3.org/2000/svg';
+
+/** @type {(name: string, attributes: {[name: string]: string}) => HTMLElement} */
+export function element(name, attributes) {
+  const made = document.createElement(name);
+  for (const [attribute, value] of Object.entries(attributes)) made.setAttribute(attribute, value);
+  return made;
+}
 
 /**
  * @param {string} icon  An SVG path in a square of 24 units.
  * @param {{[name: string]: string}} attributes
  */
 export function iconButton(icon, attributes) {
-  const button = document.createElement('button');
-  for (const [name, value] of Object.entries({ type: 'button', ...attributes })) button.setAttribute(name, value);
+  const button = /** @type {HTMLButtonElement} */ (element('button', { type: 'button', ...attributes }));
   const picture = document.createElementNS(SVG, 'svg');
   picture.setAttribute('viewBox', '0 0 24 24');
   picture.setAttribute('aria-hidden', 'true');

@@ -45,6 +45,46 @@ export interface HearthFreeSolid {
   asleep: boolean;
 }
 
+/** What a probe measures at a place. What the model does not have is absent. */
+export interface HearthProbe {
+  /** Height of the place [m]. */
+  y: number;
+  /** Whether there is gas. Without any, as in a solid, all that follows is absent. */
+  gas: boolean;
+  /** Whether the place is in a solid. */
+  solid: boolean;
+  /** Temperature [K]. */
+  temperature?: number;
+  /** Velocity to the right [m/s]. */
+  u?: number;
+  /** Velocity upwards [m/s]. */
+  v?: number;
+  /** Density [kg/m³]. */
+  density?: number;
+  /** Fuel, as a share of the gas; of the combustion model. */
+  fuel?: number;
+  /** Oxygen, as a share of that of fresh air; of the combustion model. */
+  oxygen?: number;
+  /** Soot, in the amount that a full share of fuel leaves; of the combustion model. */
+  soot?: number;
+}
+
+/** What is measured of a fire at one time. */
+export interface HearthMeasures {
+  /** Age of the fire [s]. */
+  time: number;
+  /** Power of the combustion in the last step [kW/m]; absent in the classic model. `stats.power` is its moving average. */
+  power?: number;
+  /** From the lowest to the highest gas that is hotter than 900 K [m]. */
+  flameHeight: number;
+  /** Light of that gas: its area [m²] if it had 1500 K and a full share's soot or, in the classic model, all of its life. */
+  luminosity: number;
+  /** At the place. */
+  place: HearthProbe;
+  /** At 64 heights of the vertical through the place, from the floor to the top of the frame. */
+  profile: HearthProbe[];
+}
+
 /** A point: of the element in CSS pixels with y downwards, or of the domain in metres with y upwards. */
 export interface HearthPoint {
   x: number;

@@ -55,6 +55,7 @@ const METHODS = new Map(Object.entries({
   stir: (fire, x, y, u, v) => fire.stir(x, y, u, v),
   sparks: (fire, x, y, count) => fire.sparks(x, y, count),
   freeSolids: (fire) => fire.freeSolids(),
+  measure: (fire, x, y) => fire.measure(x, y),
   ignite: (fire, place, y) => fire.ignite(place, y),
   extinguish: (fire, place, y, radius) => fire.extinguish(place, y, radius),
   option: (fire, name, value) => option(fire, name, value),

@@ -15,7 +15,7 @@ const NEEDS = {
   fuels: ['fuel', 'solids that burn'],
   bodies: ['motion', 'free solids'],
   vorticity: ['vorticity_confinement', 'vorticity confinement'],
-  quantities: ['display_mode', 'this display mode'],
+  quantities: ['display_mode', 'quantities of the gas'],
 };
 
 /**

@@ -8,7 +8,8 @@
 import { askForSettings, showKeys, showText } from './cards.js';
 import { showScenes } from './scenes.js';
 import { editingOf } from './editing.js';
-import { COPY_LABELS, beside, download, isSettings, settingsOf, textOf } from './exchange.js';
+import { download } from './download.js';
+import { COPY_LABELS, beside, isSettings, settingsOf, textOf } from './exchange.js';
 import { remember, remembered } from './memory.js';
 import { copyOf, newObject } from './objects.js';
 import { ownScenesOf } from './own-scenes.js';

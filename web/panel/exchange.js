@@ -47,16 +47,6 @@ export function textOf(what, config, { page, script, embed }) {
   }
 }
 
-/** Saves a file. @type {(blob: Blob, name: string) => void} */
-export function download(blob, name) {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  // The download has begun by then, even if the browser asks first.
-  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
-}
-
 /** Whether a file is one of settings: some systems know no type of `.json`. @param {File} file */
 export function isSettings({ name, type }) {
   return /\bjson\b/.test(type) || /\.json$/i.test(name);

@@ -6,7 +6,8 @@
  * @typedef {{name: string, config: HearthConfig, picture: string}} OwnScene  `picture` is a data URL, or empty.
  */
 
-import { download, isSettings, settingsOf } from './exchange.js';
+import { download } from './download.js';
+import { isSettings, settingsOf } from './exchange.js';
 import { presetOf } from './scene.js';
 
 const KEY = 'hearth-scenes';

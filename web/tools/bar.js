@@ -11,24 +11,18 @@
  * @property {() => void} remove
  * @property {(front: boolean) => void} order
  * @property {(to: import('./geometry.js').Alignment) => void} align
+ * @property {() => void} plots
  * @property {() => void} undo
  * @property {() => void} redo
  * @property {() => void} close
  */
 
-import { iconButton } from '../element/icon-button.js';
+import { element, iconButton } from '../element/icon-button.js';
 import { nameOf } from '../panel/objects.js';
 import { ALIGNMENTS, ARROWS, ICONS, TOOLS } from './table.js';
 
 /** Materials of new solids. */
 const MATERIALS = ['stone', 'wood', 'iron', 'brick', 'coal', 'wax', 'glass', 'none'];
-
-/** @type {(name: string, attributes: {[name: string]: string}) => HTMLElement} */
-export function element(name, attributes) {
-  const made = document.createElement(name);
-  for (const [attribute, value] of Object.entries(attributes)) made.setAttribute(attribute, value);
-  return made;
-}
 
 /** The bar of one toolbar. */
 export class Bar {
@@ -72,6 +66,8 @@ export class Bar {
     this.#button('remove', 'Delete (Delete)', ICONS.remove, acts.remove);
     this.#button('back', 'To back', ICONS.back, () => acts.order(false)).title = 'Draw the solid behind the others';
     this.#button('front', 'To front', ICONS.front, () => acts.order(true)).title = 'Draw the solid before the others';
+    this.#button('plots', 'Plots (G)', ICONS.plots, acts.plots);
+    this.mark('plots', false);
     this.#button('undo', 'Undo (Ctrl Z)', ICONS.undo, acts.undo);
     this.#button('redo', 'Redo (Ctrl Y)', ICONS.redo, acts.redo);
     this.#button('close', 'Close the tools', ICONS.close, acts.close);
@@ -110,7 +106,12 @@ export class Bar {
 
   /** Marks a tool. @param {string} name */
   choose(name) {
-    for (const { name: other } of TOOLS) this.#buttons.get(other)?.setAttribute('aria-pressed', String(other === name));
+    for (const { name: other } of TOOLS) this.mark(other, other === name);
+  }
+
+  /** Marks a button as pressed. @type {(name: string, on: boolean) => void} */
+  mark(name, on) {
+    this.#buttons.get(name)?.setAttribute('aria-pressed', String(on));
   }
 
   /** Shows the objects, the selected ones, and what can be done. @type {(all: Fields[], selected: Fields[], history: {canUndo: boolean, canRedo: boolean}) => void} */

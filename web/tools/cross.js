@@ -44,6 +44,11 @@ export class Cross {
     return this.#at !== undefined;
   }
 
+  /** Where it is, or appears: in the middle of what is seen. */
+  get at() {
+    return this.#at ?? this.#overlay.seen;
+  }
+
   /** Moves it to a point, or hides it. @param {Point | undefined} at */
   point(at) {
     this.#at = at;
@@ -51,17 +56,17 @@ export class Cross {
     if (!at) this.#pointers.cancel(KEYS);
   }
 
-  /** Where it is; in the middle of what is seen if it was hidden. */
+  /** Shows it where it is. */
   #show() {
-    const { x, y } = this.#at ?? this.#overlay.seen;
+    const { x, y } = this.at;
     this.point({ x, y });
     return { x, y };
   }
 
   /** Moves it, and returns where it is. @type {(right: number, up: number, how: How) => Point} */
   move(right, up, how) {
-    const from = this.#at ?? this.#overlay.seen;
-    const at = { x: from.x + right, y: from.y + up };
+    const { x, y } = this.at;
+    const at = { x: x + right, y: y + up };
     this.point(at);
     this.#pointers.move(KEYS, at, how);
     return at;

@@ -28,6 +28,7 @@
  * @property {(id: number) => void} toggle  Adds an object to the selection, or takes it out.
  * @property {() => number} thickness  Of a new line [m].
  * @property {(at: Point) => void} write  Asks for a word.
+ * @property {(at: Point, tells?: boolean) => void} probe  Measures there, if that is the tool.
  *
  * @typedef {object} Gesture
  * @property {(to: Point, how: How) => void} move

@@ -1,12 +1,11 @@
 /**
  * Words and pictures as solids: a form that asks for a word, and files that a visitor chooses, drops or
- * pastes. Each becomes a mask; nothing of a URL or a file is kept.
+ * pastes. Each becomes a mask, whose code is loaded with the first one; nothing of a URL or a file is kept.
  *
  * @typedef {import('./geometry.js').Fields} Fields
  * @typedef {import('./geometry.js').Point} Point
  */
 
-import { maskOfImage, maskOfText } from '../mask.js';
 import { rounded } from './geometry.js';
 
 /** The largest file [bytes], and the most pixels of an image. */
@@ -125,15 +124,19 @@ function askForText(host, across, place, closed) {
     // Letters of the word are no shortcuts.
     event.stopPropagation();
   });
-  form.addEventListener('submit', (event) => {
+  form.addEventListener('submit', async (event) => {
     event.preventDefault();
+    if (done.disabled) return;
+    done.disabled = true;
     try {
-      const fields = textOf(word.input.value, family.input.value, across);
+      const fields = await textOf(word.input.value, family.input.value, across);
+      if (!form.isConnected) return;
       close();
       place(fields);
     } catch (error) {
       said.textContent = error instanceof Error ? error.message : String(error);
     }
+    done.disabled = false;
   });
   host.append(form);
   word.input.select();
@@ -154,16 +157,17 @@ function field(name, value, maxLength) {
  * @param {string} word
  * @param {string} family  A CSS font family, or a list of them.
  * @param {number} across  The width that is seen [m].
- * @returns {Fields}
+ * @returns {Promise<Fields>}
  * @throws {Error} there is no such font, or nothing of the word is seen
  */
-function textOf(word, family, across) {
+async function textOf(word, family, across) {
   if (word.trim() === '') throw new Error('A word has at least one letter.');
   const names = family.split(',').map((name) => name.trim().replace(/^(["'])(.*)\1$/, '$2')).filter(Boolean);
   const absent = names.find((name) => !isPresent(name));
   if (absent !== undefined || names.length === 0) throw new Error(`This computer has no font “${absent ?? family}”.`);
   const font = `700 100px ${names.map((name) => (GENERIC.includes(name) ? name : JSON.stringify(name))).join(', ')}`;
   const width = Math.min(LARGEST * across, LETTER * [...word.trim()].length);
+  const { maskOfText } = await import('../mask.js');
   return { kind: 'solid', ...maskOfText(word.trim(), font, width) };
 }
 
@@ -195,6 +199,7 @@ async function pictureOf(file, across) {
   const image = new Image();
   const url = URL.createObjectURL(file);
   try {
+    const { maskOfImage } = await import('../mask.js');
     image.src = url;
     await new Promise((resolve, reject) => {
       image.onload = resolve;

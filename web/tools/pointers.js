@@ -33,6 +33,8 @@ export class Pointers {
 
   /** @type {(tool: string, pointer: number, at: Point, how: How) => void} */
   begin(tool, pointer, at, how) {
+    // Keys have no value before their eyes.
+    this.#hands.probe(at, pointer < 0);
     this.#hands.editing.history.press();
     if (tool === 'polygon') {
       this.polygon.press(at, how);
@@ -53,6 +55,7 @@ export class Pointers {
   /** @type {(pointer: number, at: Point, how: How) => void} */
   move(pointer, at, how) {
     this.polygon.show(at);
+    this.#hands.probe(at);
     this.#gestures.get(pointer)?.move(at, how);
   }
 

@@ -3,6 +3,7 @@
 
 pub mod burning;
 mod fuels;
+mod measure;
 mod model;
 mod place;
 mod readers;

@@ -169,6 +169,9 @@ commands! { 'a
     /// Answers with the [numbers](hearth_core::Simulation::free_solid_numbers) of the solids that
     /// forces move.
     "freeSolids" FreeSolids {}
+    /// Answers with the [numbers](hearth_core::Simulation::measure) of the fire, of a position \[m\]
+    /// and of the vertical through it.
+    "measure" Measure { x: Metres, y: Metres }
     /// Sets how the domain fits the picture, and its alignment from the left and from below.
     "view" View { fit: NamedFit, x: Align, y: Align }
     /// Enlarges a part of the picture at that position from the left and from below.

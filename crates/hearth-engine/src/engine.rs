@@ -319,6 +319,13 @@ impl Engine {
                 events.answer(id, request, &fire.free_solids());
                 return Ok(Answer::Deferred);
             }
+            Command::Measure { x, y } => {
+                if !parts::quantities_is_loaded() {
+                    return Ok(Answer::Missing("quantities"));
+                }
+                events.answer(id, request, &fire.probe(x.0 as f32, y.0 as f32));
+                return Ok(Answer::Deferred);
+            }
             Command::View { fit, x, y } => fire.set_fit(fit.0, [x.0 as f32, y.0 as f32]),
             Command::Zoom { zoom, x, y } => fire.set_zoom(zoom.0 as f32, [x.0 as f32, y.0 as f32]),
             Command::Quality { quality } => fire.request_quality(quality.0, events),

@@ -239,6 +239,11 @@ impl Fire {
         Float32Array::from(&self.simulation.free_solid_numbers()[..]).into()
     }
 
+    /// [Numbers](Simulation::measure) of the fire, of a position \[m\] and of the vertical through it.
+    pub fn probe(&self, x: f32, y: f32) -> JsValue {
+        Float32Array::from(&self.simulation.measure(Vec2::new(x, y))[..]).into()
+    }
+
     /// Sets how the domain fits the picture.
     pub fn set_fit(&mut self, fit: Fit, align: [f32; 2]) {
         self.camera = Camera {

@@ -100,9 +100,10 @@ const PARTS: [Part; 8] = [
         modules: &["hearth-engine"],
         symbols: &[
             "hearth_core::simulation::Simulation::write_measured",
+            "hearth_core::simulation::measure::<impl",
             "hearth_render::scale::extremes",
         ],
-        // Of a display mode that shows neither fire nor the paper's sprites.
+        // Of a display mode that shows neither fire nor the paper's sprites, and of a probe.
         callers: &["hearth_core::simulation::", "hearth_engine::fire::"],
         texts: Vec::new,
         is_loaded: "hearth_bindings::parts::quantities_is_loaded",

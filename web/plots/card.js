@@ -1,0 +1,151 @@
+/**
+ * The card of plots: how frame time, height, power and light of a flame go on, the spectrum of its light, and
+ * temperature and velocity over the height.
+ *
+ * @typedef {import('./record.js').Record} Record
+ * @typedef {import('./record.js').Row} Row
+ * @typedef {import('./record.js').Level} Level
+ */
+
+import { element } from '../element/icon-button.js';
+import { download } from '../panel/download.js';
+import { Chart, roundUp } from './chart.js';
+import { peakOf } from './spectrum.js';
+
+/** The time that the series show [s of fire]. */
+const SHOWN = 20;
+
+/**
+ * The series of a record.
+ * @typedef {{field: 'frame' | 'flame' | 'power' | 'luminosity', title: string, unit: string, digits: number}} Series
+ * @type {Series[]}
+ */
+const SERIES = [
+  { field: 'frame', title: 'Frame time', unit: 'ms', digits: 0 },
+  { field: 'flame', title: 'Flame height', unit: 'm', digits: 2 },
+  { field: 'power', title: 'Power', unit: 'kW/m', digits: 0 },
+  { field: 'luminosity', title: 'Luminosity', unit: 'm²', digits: 3 },
+];
+
+/**
+ * The profiles of a record, at a time and on average.
+ * @typedef {{field: 'temperature' | 'v', mean: 'meanTemperature' | 'meanV', title: string, unit: string, digits: number}} Profile
+ * @type {Profile[]}
+ */
+const PROFILES = [
+  { field: 'temperature', mean: 'meanTemperature', title: 'Temperature', unit: 'K', digits: 0 },
+  { field: 'v', mean: 'meanV', title: 'Velocity', unit: 'm/s ↑', digits: 1 },
+];
+
+/** All charts in their order. @type {{field: string, title: string, shape?: string}[]} */
+const CHARTS = [...SERIES, { field: 'spectrum', title: 'Luminosity spectrum', shape: 'wide' }, ...PROFILES.map((one) => ({ ...one, shape: 'tall' }))];
+
+/** The card of one fire. */
+export class Card {
+  element = element('section', { class: 'hearth-plots', 'aria-label': 'Plots' });
+  #record;
+  #head = element('h2', {});
+  /** @type {{[field: string]: Chart}} */
+  #charts = Object.fromEntries(CHARTS.map(({ field, title, shape }) => [field, new Chart(title, shape)]));
+
+  /** @param {Record} record @param {() => void} close */
+  constructor(record, close) {
+    this.#record = record;
+    this.#head.textContent = 'Plots';
+    const bar = element('header', {});
+    bar.append(
+      this.#head,
+      button('CSV', 'Download the series, the spectrum and the profiles as CSV', () => (
+        download(new Blob([record.csv()], { type: 'text/csv' }), 'hearth.csv')
+      )),
+      button('Close', 'Close the plots', close),
+    );
+    // Readers and keys reach all of it.
+    const charts = element('div', { class: 'charts', role: 'group', 'aria-label': 'Charts', tabindex: '0' });
+    charts.append(...Object.values(this.#charts).map((chart) => chart.element));
+    // Arrow keys scroll, and move no object.
+    charts.addEventListener('keydown', (event) => event.key.startsWith('Arrow') && event.stopPropagation());
+    this.element.append(bar, charts);
+  }
+
+  /** Shows the record. */
+  show() {
+    for (const series of SERIES) this.#series(series);
+    // No gap beside the last one.
+    const shown = SERIES.filter(({ field }) => !this.#charts[field].element.hidden);
+    this.#charts.luminosity.element.classList.toggle('wide', shown.length % 2 > 0);
+    this.#spectrum();
+    for (const profile of PROFILES) this.#profile(profile);
+  }
+
+  /** @param {Series} series */
+  #series({ field, unit, digits }) {
+    const end = this.#record.rows.at(-1)?.time ?? 0;
+    const rows = this.#record.rows.filter(({ time }) => time >= end - SHOWN);
+    const values = rows.map((row) => row[field]).filter((value) => value !== undefined);
+    // The classic model has no power, and a paused fire no frames.
+    this.#charts[field].element.hidden = values.length === 0;
+    const now = values.at(-1);
+    const inUnit = (/** @type {number} */ value) => `${value.toFixed(digits)} ${unit}`;
+    const top = roundUp(Math.max(...values));
+    this.#charts[field].show({
+      lines: [rows.map((row) => pointOf(row.time - end, row[field]))],
+      across: [-SHOWN, 0],
+      up: [0, top],
+      alongX: [`−${SHOWN} s`, 'now'],
+      alongY: ['0', `${top} ${unit}`],
+      now: now === undefined ? '' : inUnit(now),
+      says: now === undefined ? '' : `now ${inUnit(now)}; in the last ${Math.min(SHOWN, end - rows[0].time).toFixed(0)} s from ${inUnit(Math.min(...values))} to ${inUnit(Math.max(...values))}`,
+    });
+  }
+
+  #spectrum() {
+    const spectrum = this.#record.spectrum();
+    const peak = peakOf(spectrum);
+    const highest = Math.ceil(spectrum.at(-1)?.frequency ?? 8);
+    this.#charts.spectrum.show({
+      lines: [spectrum.map(({ frequency, power }) => ({ x: frequency, y: power }))],
+      across: [0, highest],
+      up: [0, 1.05],
+      alongX: ['0', `${highest} Hz`],
+      alongY: ['', ''],
+      now: peak === undefined ? '' : `${peak.toFixed(1)} Hz`,
+      says: peak === undefined ? 'the fire is not measured long enough' : `the peak is at ${peak.toFixed(1)} Hz`,
+      mark: peak,
+    });
+  }
+
+  /** @param {Profile} profile */
+  #profile({ field, mean, unit, digits }) {
+    const { levels, x } = this.#record;
+    const height = levels.length > 1 ? levels.at(-1)?.y ?? 1 : 1;
+    const known = levels.filter((level) => level[mean] !== undefined);
+    const values = levels.flatMap((level) => [level[field] ?? 0, level[mean] ?? 0]);
+    const [low, high] = [Math.min(0, ...values), Math.max(...values)];
+    const [left, right] = [low < -0.05 * high ? -roundUp(-low) : 0, roundUp(high)];
+    const most = known.length > 0 ? known.reduce((best, level) => (Number(level[mean]) > Number(best[mean]) ? level : best)) : undefined;
+    const at = most && `${Number(most[mean]).toFixed(digits)} ${unit}`;
+    this.#charts[field].show({
+      lines: [levels.map((level) => pointOf(level[field], level.y)), levels.map((level) => pointOf(level[mean], level.y))],
+      across: [left, right],
+      up: [0, height],
+      alongX: [String(left), `${right} ${unit}`],
+      alongY: ['', `${height.toFixed(1)} m`],
+      now: at ? `≤ ${at}` : '',
+      says: most ? `over the height at x = ${x.toFixed(2)} m, on average at most ${at}, at ${most.y.toFixed(2)} m` : 'there is no gas',
+    });
+  }
+}
+
+/** A point; undefined without a coordinate. @type {(x: number | undefined, y: number | undefined) => {x: number, y: number} | undefined} */
+function pointOf(x, y) {
+  return x === undefined || y === undefined ? undefined : { x, y };
+}
+
+/** @type {(text: string, title: string, act: () => void) => HTMLElement} */
+function button(text, title, act) {
+  const made = element('button', { type: 'button', title });
+  made.textContent = text;
+  made.addEventListener('click', act);
+  return made;
+}

@@ -1,0 +1,84 @@
+/**
+ * What the probe shows beside the place that it measures: a ring, and values with their units. It shows what the model
+ * has there and nothing else.
+ *
+ * @typedef {import('../hearth-fire.js').HearthMeasures['place']} Place
+ * @typedef {{x: number, y: number}} Point
+ */
+
+
+import { element } from '../element/icon-button.js';
+
+/** Distance of the values from the place, and of both from the edges [px]. */
+const BESIDE = 18;
+const EDGE = 8;
+
+/** Speed below which gas rests [m/s]. */
+const STILL = 0.05;
+
+/** Directions by eighths of a turn, counterclockwise from the right. */
+const DIRECTIONS = ['right', 'up and right', 'up', 'up and left', 'left', 'down and left', 'down', 'down and right'];
+const ARROWS = ['→', '↗', '↑', '↖', '←', '↙', '↓', '↘'];
+
+/** The eighth of a turn in which a velocity points. @type {(u: number, v: number) => number} */
+function eighth(u, v) {
+  return (Math.round((4 * Math.atan2(v, u)) / Math.PI) + 8) % 8;
+}
+
+/**
+ * The values of a place in words, by their names.
+ * @param {Place} place
+ * @returns {{[name: string]: string}}
+ */
+export function valuesOf({ gas, solid, temperature, u = 0, v = 0, density, fuel, oxygen, soot }) {
+  if (solid) return { place: 'in a solid' };
+  if (!gas) return { place: 'no gas' };
+  const speed = Math.hypot(u, v);
+  const along = eighth(u, v);
+  const inUnit = (/** @type {number | undefined} */ one, /** @type {number} */ digits, unit = '') => one?.toFixed(digits).concat(unit);
+  const share = (/** @type {number | undefined} */ one) => (one === undefined ? one : inUnit(100 * one, one > 0 && one < 0.095 ? 1 : 0, ' %'));
+  const all = {
+    temperature: inUnit(temperature, 0, ' K'),
+    velocity: speed < STILL ? 'at rest' : `${inUnit(speed, 2, ' m/s')} ${ARROWS[along]} ${DIRECTIONS[along]}`,
+    density: inUnit(density, 2, ' kg/m³'),
+    oxygen: share(oxygen),
+    fuel: share(fuel),
+    soot: inUnit(soot, 2),
+  };
+  return Object.fromEntries(Object.entries(all).flatMap(([name, value]) => (value === undefined ? [] : [[name, value]])));
+}
+
+/** The values of one probe. */
+export class Readout {
+  element = element('div', { class: 'hearth-probe', role: 'group', 'aria-label': 'Probe' });
+  #ring = element('i', {});
+  #list = element('dl', {});
+
+  constructor() {
+    this.element.append(this.#ring, this.#list);
+  }
+
+  /** @type {(place: Place | undefined, at: Point) => void} */
+  show(place, { x, y }) {
+    const values = { ...(place && valuesOf(place)), at: `${x.toFixed(2)}, ${y.toFixed(2)} m` };
+    const rows = Object.entries(values).map(([name, value]) => {
+      const row = element('div', {});
+      row.append(Object.assign(element('dt', {}), { textContent: name }), Object.assign(element('dd', {}), { textContent: value }));
+      return row;
+    });
+    this.#list.replaceChildren(...rows);
+  }
+
+  /** Moves it to a point of its parent [px]; its values are at the left if they can, or at the right. @type {(at: Point, left: boolean) => void} */
+  move({ x, y }, left) {
+    const { clientWidth: width = 0, clientHeight: height = 0 } = this.element.parentElement ?? {};
+    const { offsetWidth: across, offsetHeight: up } = this.#list;
+    this.#ring.style.translate = `${x.toFixed(1)}px ${y.toFixed(1)}px`;
+    const [before, behind] = [x - BESIDE - across, x + BESIDE];
+    const isLeft = left ? before >= EDGE : behind + across + EDGE > width;
+    const along = Math.max(EDGE, Math.min(isLeft ? before : behind, width - across - EDGE));
+    // Above the place, or a finger would cover them.
+    const top = Math.max(EDGE, Math.min(y - BESIDE - up, height - up - EDGE));
+    this.#list.style.translate = `${along.toFixed(1)}px ${top.toFixed(1)}px`;
+  }
+}

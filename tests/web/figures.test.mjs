@@ -8,6 +8,7 @@ import { COMPARISONS, valueIn } from '../../web/figures/comparisons.js';
 import { countsOf } from '../../web/figures/counts.js';
 import { POSITIONS, positionOf, valueAt } from '../../web/figures/range.js';
 import { meanOf, shapeOf } from '../../web/figures/shape.js';
+import { inSight } from '../../web/figures/sight.js';
 import { PARAMETERS } from '../../web/parameters.js';
 
 test('the shape of a fire leaves out a twentieth at each side and at the top', () => {
@@ -62,6 +63,47 @@ test('every compared fire has values that its scene and its slider can have', ()
 
 test('the colour of a picture is that of its brightest pixel', () => {
   assert.equal(hex(brightest([0, 0, 0, 255, 255, 119, 8, 255, 255, 0, 0, 255])), '#ff7708');
+});
+
+test('what fails because its fire leaves sight is done again when the fire is back, and nothing else is', async () => {
+  /** @type {Set<(entries: {isIntersecting: boolean}[]) => void>} */
+  const watching = new Set();
+  const scroll = (/** @type {boolean} */ isIntersecting) => [...watching].forEach((act) => { act([{ isIntersecting }]); });
+  /** @type {any} */ (globalThis).IntersectionObserver = class {
+    constructor(/** @type {any} */ act) {
+      this.act = act;
+    }
+
+    observe() {
+      watching.add(this.act);
+    }
+
+    disconnect() {
+      watching.delete(this.act);
+    }
+  };
+  try {
+    let tries = 0;
+    const done = inSight(/** @type {any} */ ({}), async () => {
+      tries += 1;
+      if (tries > 1) return tries;
+      scroll(false);
+      queueMicrotask(() => setImmediate(() => scroll(true)));
+      throw new Error('there is no frame');
+    });
+    scroll(false);
+    assert.equal(tries, 0);
+    scroll(true);
+    assert.equal(await done, 2);
+    const failing = inSight(/** @type {any} */ ({}), async () => {
+      throw new Error('broken');
+    });
+    scroll(true);
+    await assert.rejects(failing, /broken/);
+    assert.equal(watching.size, 0);
+  } finally {
+    delete (/** @type {any} */ (globalThis).IntersectionObserver);
+  }
 });
 
 test('an address names numbers of particles; those out of range are left out', () => {

@@ -19,6 +19,8 @@ const APART = 1.2;
 const FILL_STEPS = 48;
 /** The share of the particles at which a fire is full: some die in each step, and others are born in the next. */
 const FULL = 0.985;
+/** Looks without growth after which a fire is full: a busy browser answers some before it has new statistics. */
+const PATIENCE = 4;
 
 /** Statistics, of four a second, that are passed over, and those whose median is the result. */
 const WARM_STATS = 4;
@@ -86,11 +88,12 @@ export async function fill(fire, count, pause) {
     const { x: _x, id: _id, ...first } = fire.objects[0];
     for (const x of [-APART, APART]) await fire.addObject({ ...first, x });
   }
-  for (let before = -1, alive = 0; alive > before && alive < FULL * count;) {
+  for (let most = 0, still = 0; most < FULL * count && still < PATIENCE;) {
     await pause();
-    before = alive;
     await fire.step(FILL_STEPS);
-    alive = fire.stats?.particles ?? 0;
+    const alive = fire.stats?.particles ?? 0;
+    still = alive > most ? 0 : still + 1;
+    most = Math.max(most, alive);
   }
 }
 

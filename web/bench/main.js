@@ -12,7 +12,7 @@ import { readMachine } from './machine.js';
 import { showPlot } from './plot.js';
 import { machineOf, showTable, tablesOf, toCsv, toJson, toMarkdown } from './report.js';
 import { ALL, PIXEL, TABLE_1, TABLE_2_COUNT, choiceOf, queryOf } from './rows.js';
-import { classicStep, combustionStep, paperStep } from './steps.js';
+import { classicSteps, combustionSteps } from './steps.js';
 
 /** Most particles of the paper's own loop: its time grows with the square of their number. */
 const MOST_OF_PAPER = 5000;
@@ -152,14 +152,9 @@ async function memory(model, count, sizes, pause) {
  */
 async function measureRow(row, pause, signal) {
   const { model, count } = row;
-  if (model === 'classic') {
-    row.alive = count;
-    row.stepMs = await classicStep(count, pause);
-    if (count <= MOST_OF_PAPER) row.paperMs = await paperStep(count, pause);
-  } else {
-    const { ms, alive } = await combustionStep(count, pause);
-    Object.assign(row, { alive, stepMs: ms });
-  }
+  Object.assign(row, model === 'classic'
+    ? await classicSteps(count, count <= MOST_OF_PAPER, pause)
+    : await combustionSteps(count, pause));
   const { alive: shown, ...others } = await pictures(stage, model, count, pause, signal);
   Object.assign(row, { shown, ...others });
   if (count <= MOST_COUNTED) {

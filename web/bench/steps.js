@@ -9,14 +9,16 @@
 import { createSimulation } from '../sim.js';
 import { PaperLoop } from './paper-loop.js';
 
-/** Batches whose median is the result. */
-const BATCHES = 7;
+/** Batches of each program whose median is the result. */
+const BATCHES = 11;
 /** Least time of a batch [ms]: browsers' clocks are as coarse as a millisecond. */
 const BATCH_MS = 40;
 /** Most steps of a batch: a square of gas at rest drifts apart. */
 const MOST_STEPS = 1000;
-/** Steps before anything is measured, for code that is still being compiled. */
-const WARM_STEPS = 3;
+/** How long a program runs before it is measured [ms], for code that is still being compiled. */
+const WARM_MS = 300;
+/** How long nothing runs before a row [ms]: the fire of the last one still uses the processor when it is removed. */
+const REST_MS = 500;
 
 /** Steps of the combustion model after which its number of particles is steady. */
 const COMBUSTION_STEPS = 100;
@@ -53,11 +55,13 @@ function square(count) {
 }
 
 /**
- * A step of the classic model with exactly so many particles [ms].
+ * A step of the classic model with exactly so many particles [ms] and, unless it would take too long, a loop of the
+ * paper with the same particles.
  * @param {number} count
+ * @param {boolean} paper  Whether the paper's loop runs beside it.
  * @param {() => Promise<void>} pause
  */
-export async function classicStep(count, pause) {
+export async function classicSteps(count, paper, pause) {
   const positions = square(count);
   const side = SPACING * (Math.ceil(Math.sqrt(count)) + 2 * MARGIN);
   const sim = await createSimulation({
@@ -72,19 +76,33 @@ export async function classicStep(count, pause) {
       viscosity: GAS.viscosity,
       gravity: GAS.gravity,
       time_step: GAS.timeStep,
-      walls: 'solid',
+      // The paper's loop has no walls either.
+      walls: 'open',
       // Nothing is born.
       max_particles: 100,
     },
   });
   try {
     const rewind = () => sim.setParticles({ positions, temperatures: 1000, lifetimes: 1e6 });
-    const ms = await median({ step: (steps) => sim.step(steps), rewind }, pause);
+    const fires = [{ step: (/** @type {number} */ steps) => sim.step(steps), rewind }];
+    if (paper) fires.push(paperStepper(positions));
+    const [stepMs, paperMs] = await medians(fires, pause);
     if (sim.count !== count) throw new Error(`${sim.count} of ${count} particles are left`);
-    return ms;
+    return { alive: count, stepMs, paperMs };
   } finally {
     sim.free();
   }
+}
+
+/** The paper's loop with particles there. @param {Float32Array} positions */
+function paperStepper(positions) {
+  const loop = new PaperLoop(GAS, positions);
+  return {
+    step: (/** @type {number} */ steps) => {
+      for (let left = steps; left > 0; left -= 1) loop.step();
+    },
+    rewind: () => loop.rewind(),
+  };
 }
 
 /**
@@ -92,7 +110,7 @@ export async function classicStep(count, pause) {
  * @param {number} count
  * @param {() => Promise<void>} pause
  */
-export async function combustionStep(count, pause) {
+export async function combustionSteps(count, pause) {
   const sim = await createSimulation({ model: 'combustion', params: { edges: 'periodic', max_particles: count } });
   try {
     for (let left = COMBUSTION_STEPS; left > 0; left -= 10) {
@@ -105,49 +123,57 @@ export async function combustionStep(count, pause) {
       sim.step(steps);
       counts.push(sim.count);
     };
-    const ms = await median({ step, rewind: () => {} }, pause);
+    const [stepMs] = await medians([{ step, rewind: () => {} }], pause);
     const alive = counts.reduce((sum, one) => sum + one, 0) / counts.length;
     if (Math.abs(alive - count) > TOLERANCE * count) {
       throw new Error(`${alive} particles burn instead of ${count}`);
     }
-    return { ms, alive };
+    return { alive, stepMs };
   } finally {
     sim.free();
   }
 }
 
 /**
- * A loop of the paper with exactly so many particles [ms].
- * @param {number} count
- * @param {() => Promise<void>} pause
+ * The median times of a step of each [ms]. They run in turn, a batch of each, so that the fast and slow phases of a
+ * machine meet all of them.
+ * @param {Stepper[]} fires
+ * @param {() => Promise<void>} pause  Lets the page show something; throws once it is cancelled.
  */
-export function paperStep(count, pause) {
-  const loop = new PaperLoop(GAS, square(count));
-  const step = (/** @type {number} */ steps) => {
-    for (let left = steps; left > 0; left -= 1) loop.step();
-  };
-  return median({ step, rewind: () => loop.rewind() }, pause);
+async function medians(fires, pause) {
+  await new Promise((resolve) => setTimeout(resolve, REST_MS));
+  /** @type {{fire: Stepper, batch: number, times: number[]}[]} */
+  const all = [];
+  for (const fire of fires) all.push({ fire, batch: await warmed(fire, pause), times: [] });
+  for (let round = 0; round < BATCHES; round += 1) {
+    for (const { fire, batch, times } of all) {
+      await pause();
+      times.push(timed(fire, batch) / batch);
+    }
+  }
+  return all.map(({ times }) => times.sort((a, b) => a - b)[times.length >> 1]);
+}
+
+/** The time of so many steps [ms]. @param {Stepper} fire @param {number} steps */
+function timed({ step, rewind }, steps) {
+  rewind();
+  const start = performance.now();
+  step(steps);
+  return performance.now() - start;
 }
 
 /**
- * The median time of a step [ms].
+ * Runs a fire warm, and returns how many steps of it make a batch.
  * @param {Stepper} fire
- * @param {() => Promise<void>} pause  Lets the page show something; throws once it is cancelled.
+ * @param {() => Promise<void>} pause
  */
-async function median({ step, rewind }, pause) {
-  rewind();
-  step(WARM_STEPS);
+async function warmed(fire, pause) {
   let batch = 1;
-  /** @type {number[]} */
-  const times = [];
-  while (times.length < BATCHES) {
+  for (let all = 0; all < WARM_MS;) {
     await pause();
-    rewind();
-    const start = performance.now();
-    step(batch);
-    const time = performance.now() - start;
-    if (time < BATCH_MS && batch < MOST_STEPS) batch = Math.min(2 * batch, MOST_STEPS);
-    else times.push(time / batch);
+    const time = timed(fire, batch);
+    all += time;
+    if (time < BATCH_MS) batch = Math.min(2 * batch, MOST_STEPS);
   }
-  return times.sort((a, b) => a - b)[times.length >> 1];
+  return batch;
 }

@@ -4,6 +4,7 @@
  */
 
 import { make } from './cells.js';
+import { inSight } from './sight.js';
 
 /** @typedef {import('../hearth-fire.js').HearthFire} HearthFire */
 
@@ -53,7 +54,7 @@ export async function showColours(fire, scale, slider, words) {
   const colours = new Map();
   for (let kelvin = FIRST; kelvin <= LAST; kelvin += STEP) {
     await fire.set('maximum_temperature', kelvin);
-    const colour = await hottest(fire);
+    const colour = await inSight(fire, () => hottest(fire));
     colours.set(kelvin, colour);
     const label = make('span', { className: kelvin % LABELLED === 0 ? '' : 'unseen' }, `${kelvin} K`);
     const swatch = make('li', {}, label, make('span', { className: 'unseen' }, `: ${colour}`));

@@ -9,6 +9,7 @@ import { showColours } from './colours.js';
 import { COMPARISONS } from './comparisons.js';
 import { addCounts } from './counts.js';
 import { showLoop } from './loop.js';
+import { seen } from './sight.js';
 
 /** @type {(selector: string) => any} */
 const find = (selector) => document.querySelector(selector);
@@ -18,28 +19,18 @@ const warn = (error) => {
   find('#status').textContent = `A figure could not be made: ${error instanceof Error ? error.message : error}.`;
 };
 
-/** Acts once, when the element comes into sight. @param {Element} element @param {() => void} act */
-function inSight(element, act) {
-  const observer = new IntersectionObserver((entries) => {
-    if (!entries.some((entry) => entry.isIntersecting)) return;
-    observer.disconnect();
-    act();
-  });
-  observer.observe(element);
-}
-
 for (const [id, cells] of Object.entries(COMPARISONS)) {
   const fires = find(`[aria-labelledby="${id}"] .fires`);
   for (const cell of cells) {
     const measure = addCell(fires, cell, warn);
-    inSight(fires.lastElementChild, measure);
+    seen(fires.lastElementChild).then(measure);
   }
 }
 
 const colours = find('#colours');
-inSight(colours, () => {
-  showColours(find('#colours hearth-fire'), find('#scale'), find('#kelvin'), find('#colour')).catch(warn);
-});
+seen(colours)
+  .then(() => showColours(find('#colours hearth-fire'), find('#scale'), find('#kelvin'), find('#colour')))
+  .catch(warn);
 
 for (const list of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('.loop'))) {
   const fire = list.closest('figure')?.querySelector('hearth-fire');

@@ -14,6 +14,13 @@ pub(crate) fn check(name: &str) -> Result<()> {
     with_section(name, "").map(drop)
 }
 
+/// The section of that name.
+pub(crate) fn read(name: &str) -> Result<String> {
+    let page = fs::read_to_string(paths::root().join(PAGE)).context(PAGE)?;
+    let section = section(&page, name).with_context(|| lacks(name))?;
+    Ok(section.trim().to_owned())
+}
+
 /// Replaces the section of that name.
 pub(crate) fn write(name: &str, section: &str) -> Result<()> {
     fs::write(paths::root().join(PAGE), with_section(name, section)?)?;
@@ -23,7 +30,17 @@ pub(crate) fn write(name: &str, section: &str) -> Result<()> {
 
 fn with_section(name: &str, section: &str) -> Result<String> {
     let page = fs::read_to_string(paths::root().join(PAGE)).context(PAGE)?;
-    replaced(&page, name, section).with_context(|| format!("{PAGE} lacks the marks `{name}`"))
+    replaced(&page, name, section).with_context(|| lacks(name))
+}
+
+fn lacks(name: &str) -> String {
+    format!("{PAGE} lacks the marks `{name}`")
+}
+
+/// What is between the marks of that name.
+fn section<'a>(page: &'a str, name: &str) -> Option<&'a str> {
+    let (_, rest) = page.split_once(&format!("<!-- {name}: begin -->"))?;
+    Some(rest.split_once(&format!("<!-- {name}: end -->"))?.0)
 }
 
 /// `page` with another section between the marks of that name.
@@ -49,6 +66,7 @@ mod tests {
             once,
             "a\n<!-- b: begin -->\n\nnew\n\n<!-- b: end -->\nc <!-- d: begin --> d"
         );
+        assert_eq!(section(&once, "b"), Some("\n\nnew\n\n"));
         assert_eq!(replaced(&once, "b", "new\n"), Some(once));
         assert_eq!(replaced(page, "d", "new"), None);
         assert_eq!(replaced("no marks", "b", "new"), None);

@@ -80,7 +80,7 @@ xflags::xflags! {
             /// How the names of the pictures begin.
             repeated name: String
         }
-        /// Checks a minute of every scene for flashes; a run of all updates docs/evaluation.md.
+        /// Checks a minute of every scene for flashes and updates their rows of docs/evaluation.md.
         cmd look {
             /// How the names of the scenes begin.
             repeated scene: String

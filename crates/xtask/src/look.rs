@@ -8,20 +8,23 @@ use anyhow::{Result, bail};
 use crate::shell::Shell;
 use crate::{evaluation, goldens, tools};
 
-/// Checks the scenes whose names begin with one of `names`, or all of them. Only a run of
-/// all is recorded, passed or failed.
+/// Checks all scenes, or those whose names begin with one of `names`: then the rows of the
+/// others stay. What is found is recorded, passed or failed.
 pub(crate) fn run(names: &[String]) -> Result<()> {
-    evaluation::check("looked")?;
+    let before = evaluation::read("looked")?;
     let table = tools::target()?.join("hearth-look/table.md");
-    Shell::new()?.remove_path(&table)?;
+    let sh = Shell::new()?;
+    if names.is_empty() {
+        sh.remove_path(&table)?;
+    } else {
+        sh.write_file(&table, before)?;
+    }
     let arguments = iter::once(table.clone()).chain(names.iter().map(Into::into));
     let passed = goldens::run_script("watch.mjs", arguments);
-    if names.is_empty() {
-        match fs::read_to_string(table) {
-            Ok(table) => evaluation::write("looked", &table)?,
-            Err(_) if passed.is_ok() => bail!("the scenes were not recorded"),
-            Err(_) => {}
-        }
+    match fs::read_to_string(table) {
+        Ok(table) => evaluation::write("looked", &table)?,
+        Err(_) if passed.is_ok() => bail!("the scenes were not recorded"),
+        Err(_) => {}
     }
     passed
 }

@@ -1,0 +1,15 @@
+/**
+ * The tables of `docs/evaluation.md` that a command fills row by row: none lacks a row.
+ */
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { PRESETS } from '../../web/parameters.js';
+
+test('each scene has its row among what is seen, and nothing else has one', () => {
+  const text = readFileSync(new URL('../../docs/evaluation.md', import.meta.url), 'utf8');
+  const [, section = ''] = /<!-- looked: begin -->([\s\S]*?)<!-- looked: end -->/.exec(text) ?? [];
+  const [, , , ...rows] = section.split('\n').filter((line) => line.startsWith('|'));
+  const scenes = PRESETS.map(({ name }) => name);
+  assert.deepEqual(rows.map((row) => row.split(' ')[1]), scenes, 'run `cargo xtask look NAME` for what is missing');
+});

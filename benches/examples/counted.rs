@@ -14,6 +14,9 @@ fn case(name: &str) -> Result<(Simulation, u32), String> {
         "classic block" => Ok((scenes::block(5000, scenes::NEIGHBOURS)?, 20)),
         "classic plume" => Ok((scenes::classic_after(1.0), 40)),
         "combustion" => Ok((scenes::combustion_after(0.3, 3000, 6.0)?, 10)),
+        "bodies" => Ok((scenes::bodies(20)?, 20)),
+        // The same fire without them, to compare by hand.
+        "no bodies" => Ok((scenes::bodies(0)?, 20)),
         _ => Err(format!("there is no case \"{name}\"")),
     }
 }

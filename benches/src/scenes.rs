@@ -1,7 +1,7 @@
 //! The measured fires.
 
 use hearth_core::params::{Input, Model, Parameters};
-use hearth_core::{Particle, Simulation};
+use hearth_core::{Particle, Scene, Simulation, Vec2, Where};
 
 /// Smoothing length of a block [m]: as large as lets 400,000 particles fit the
 /// widest domain.
@@ -18,6 +18,10 @@ pub const VISCOSITY: f64 = 0.001;
 
 /// Neighbours of a particle inside a block within 2h, as in the benchmarks of other solvers.
 pub const NEIGHBOURS: f64 = 20.0;
+
+/// Bodies of a row, and the time after which they have fallen and burn \[s\].
+const COLUMNS: usize = 5;
+const FALLEN: f64 = 0.4;
 
 /// Space around a block, in distances between its particles: it expands slightly, and no
 /// particle may leave the domain.
@@ -111,6 +115,52 @@ pub fn combustion_after(
         ("stiffness", stiffness),
     ];
     Ok(burnt(with(Model::Combustion, &values)?, seconds))
+}
+
+/// The default fire on a floor with so many free bodies of wood, paper, coal, wax and cloth in it,
+/// which have fallen and burn.
+///
+/// # Errors
+/// A value outside its range.
+pub fn bodies(count: u32) -> Result<Simulation, String> {
+    let mut parameters = with(Model::Combustion, &[])?;
+    for (id, choice) in [("edges", "open"), ("floor", "solid")] {
+        let set = parameters.set(id, Input::Text(choice));
+        set.map_err(|refused| refused.to_string())?;
+    }
+    let mut scene = Scene::new(parameters);
+    for number in 0..count as usize {
+        let row = number / COLUMNS;
+        let side = (number % COLUMNS) as f64 - 0.5 * (COLUMNS as f64 - 1.0);
+        let added = scene.add(&[
+            ("kind", Input::Text("solid")),
+            ("motion", Input::Text("free")),
+            (
+                "shape",
+                Input::Text(["box", "circle", "polygon", "line"][number % 4]),
+            ),
+            (
+                "fuel",
+                Input::Text(["wood", "paper", "coal", "wax", "cloth"][number % 5]),
+            ),
+            ("points", Input::Text("0,0.06 -0.05,-0.03 0.05,-0.03")),
+            ("x", Input::Number(0.16 * side + 0.03 * row as f64)),
+            ("y", Input::Number(0.06 + 0.11 * row as f64)),
+            ("angle", Input::Number(17.0 * number as f64)),
+            ("width", Input::Number(0.12)),
+            ("height", Input::Number(0.08)),
+        ]);
+        added.map_err(|refused| format!("{refused:?}"))?;
+    }
+    let mut fire = Simulation::new(scene);
+    if count > 0 {
+        let all = Where::Place(Vec2::new(0.0, 0.3), 1.0);
+        fire.ignite(all).map_err(|_| "nothing burns".to_owned())?;
+    }
+    while fire.time() < FALLEN {
+        fire.step();
+    }
+    Ok(fire)
 }
 
 /// The default fire of the classic model after `seconds`.

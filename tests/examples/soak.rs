@@ -1,8 +1,8 @@
 //! Burns every scene for a minute, drives many fires to random corners of all ranges, and back,
-//! and moves solids through fires at such corners.
+//! moves solids through fires at such corners, and burns heaps of free bodies.
 //!
-//! `soak [--corners N] [--crowds N] [--seed S] [--hours H]`: N corners, and N crowds of solids, of each model,
-//! and of the combustion model in the open, of two simulated seconds. Without corners, it burns no
+//! `soak [--corners N] [--crowds N] [--heaps N] [--seed S] [--hours H]`: N corners, and N crowds of solids, of each model,
+//! and of the combustion model in the open, of two simulated seconds, and N heaps of ten. Without corners, it burns no
 //! scene either. With hours, it goes on with other seeds until they have passed. Prints how it goes, every corner that fails with all its values, and the corners
 //! that lean most on the guards. `cargo xtask soak` calls it.
 
@@ -18,12 +18,14 @@ use hearth_core::preset::PRESETS;
 use hearth_core::random::Random;
 use hearth_core::{Parameters, Simulation};
 use hearth_tests::sweep::crowd::Crowd;
+use hearth_tests::sweep::heap::Heap;
 use hearth_tests::sweep::{self, Outcome};
 
 /// Simulated time of a scene [s].
 const MINUTE: f64 = 60.0;
-/// Simulated time at a corner [s].
+/// Simulated time at a corner, and of a heap [s].
 const SECONDS: f64 = 2.0;
+const HEAPED: f64 = 10.0;
 /// Visits a random corner: its values and what came of it.
 type Visit = fn(&mut Random) -> (String, Outcome);
 /// The kinds of corners take turns.
@@ -38,6 +40,11 @@ const CROWDS: [Visit; 3] = [
     |random| through(Crowd::classic(random)),
     |random| through(Crowd::open(random)),
 ];
+/// Heaps are of one kind.
+const HEAPS: [Visit; 1] = [|random| {
+    let heap = Heap::random(random);
+    (heap.described(), heap.burn(HEAPED))
+}];
 /// Length of an hour \[s\], and the distance of the seeds of rounds, larger than the number of corners.
 const HOUR: f64 = 3600.0;
 const BETWEEN: u32 = 1_000_003;
@@ -72,6 +79,9 @@ fn main() -> ExitCode {
         if asked.crowds > 0 {
             failed += visit_all("crowds of solids", &CROWDS, asked.crowds, seed);
         }
+        if asked.heaps > 0 {
+            failed += visit_all("heaps of burning bodies", &HEAPS, asked.heaps, seed);
+        }
         if start.elapsed().as_secs_f64() >= HOUR * asked.hours {
             break;
         }
@@ -88,7 +98,7 @@ fn main() -> ExitCode {
 /// Visits so many corners of each kind; returns how many failed.
 fn visit_all(name: &str, kinds: &[Visit], each: u32, seed: u32) -> u32 {
     let start = Instant::now();
-    println!("\n{name}, {each} of each model and of open air:");
+    println!("\n{name}, {each} of each kind:");
     let mut finished = run(kinds, each, seed);
     let failed = finished.iter().filter(|f| f.outcome.fault().is_some());
     let failed = failed.count() as u32;
@@ -127,9 +137,10 @@ fn scenes() -> u32 {
 
 /// What a caller asks for.
 struct Asked {
-    /// Corners and crowds of each kind.
+    /// Corners and crowds of each kind, and heaps.
     corners: u32,
     crowds: u32,
+    heaps: u32,
     seed: u32,
     /// Least time of all rounds.
     hours: f64,
@@ -139,6 +150,7 @@ fn asked() -> Result<Asked, String> {
     let mut asked = Asked {
         corners: 500,
         crowds: 170,
+        heaps: 200,
         seed: 1,
         hours: 0.0,
     };
@@ -153,6 +165,7 @@ fn asked() -> Result<Asked, String> {
         match argument.as_str() {
             "--corners" => asked.corners = whole()?,
             "--crowds" => asked.crowds = whole()?,
+            "--heaps" => asked.heaps = whole()?,
             "--seed" => asked.seed = whole()?,
             "--hours" => {
                 let hours = value.parse().ok();

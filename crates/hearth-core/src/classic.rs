@@ -92,7 +92,8 @@ impl Classic {
         on_stage(Stage::Forces);
         self.motion = integrate::integrate(particles, pairs, forces, values, substeps.length);
         self.solids.advance(end);
-        integrate::bound(particles, values, &self.solids, &bounds);
+        let (solids, dt) = (&mut self.solids, substeps.length);
+        integrate::bound(particles, values, solids, &bounds, dt);
         self.solids.pass(substeps.length);
         on_stage(Stage::Integrate);
     }
@@ -161,7 +162,7 @@ impl Solver for Classic {
         self.particles.retain(stays);
         let support = 2.0 * values.smoothing_radius;
         self.solids.update(scene, time, &bounds, support);
-        solids::hold(&mut self.particles, &self.solids, values);
+        solids::hold(&mut self.particles, &mut self.solids, values, 0.0);
         self.particles.retain(stays);
     }
 
@@ -171,7 +172,7 @@ impl Solver for Classic {
             self.particles.push(particle);
         }
         let bounds = bounds(values);
-        solids::hold(&mut self.particles, &self.solids, values);
+        solids::hold(&mut self.particles, &mut self.solids, values, 0.0);
         self.particles
             .retain(|one| one.is_alive() && bounds.contains(one.position()));
         self.motion = Motion::default();

@@ -39,12 +39,14 @@ xflags::xflags! {
             /// How the names of the cases begin.
             repeated case: String
         }
-        /// Drives fires to random corners of all ranges and back, and moves solids through them.
+        /// Drives fires to random corners of all ranges and back, moves solids through them, burns heaps.
         cmd soak {
             /// The number of corners of each model; 0 leaves out the scenes too.
             optional --corners number: u32
             /// The number of crowds of solids of each model.
             optional --crowds number: u32
+            /// The number of heaps of burning bodies.
+            optional --heaps number: u32
             /// The seed of the corners.
             optional --seed number: u32
             /// The least time; other seeds follow until it has passed.
@@ -163,8 +165,8 @@ mod tests {
             "thumbnails candle → scene: [\"candle\"]",
             "look default → scene: [\"default\"]",
             "goldens --snapshots default → name: [\"default\"], snapshots: true",
-            "soak --seed 7 → corners: None, crowds: None, seed: Some(7), hours: None",
-            "soak --hours 0.5 → corners: None, crowds: None, seed: None, hours: Some(0.5)",
+            "soak --seed 7 → corners: None, crowds: None, heaps: None, seed: Some(7), hours: None",
+            "soak --hours 0.5 → corners: None, crowds: None, heaps: None, seed: None, hours: Some(0.5)",
             "fuzz --minutes 3 → minutes: Some(3), seed: None",
             "bench --yardstick=./other → yardstick: Some(\"./other\")",
             "bench --write --instructions → instructions: true, write: true",

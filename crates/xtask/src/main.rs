@@ -70,7 +70,7 @@ fn run(command: Xtask) -> Result<ExitCode> {
             }
         }
         XtaskCmd::Validate(validate) => validate::run(&validate.case)?,
-        XtaskCmd::Soak(soak) => validate::soak([soak.corners, soak.crowds, soak.seed], soak.hours)?,
+        XtaskCmd::Soak(soak) => validate::soak(&soak)?,
         XtaskCmd::Fuzz(fuzz) => validate::fuzz(fuzz.minutes, fuzz.seed)?,
         XtaskCmd::Faults(faults) => faults::run(&faults.section)?,
         XtaskCmd::Bench(bench) => bench::run(&bench)?,

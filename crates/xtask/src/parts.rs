@@ -78,6 +78,7 @@ const PARTS: [Part; 8] = [
         callers: &[
             "hearth_core::solids::",
             "hearth_core::combustion::",
+            "hearth_core::classic::",
             "hearth_core::simulation::",
             "core::ptr::drop_in_place<hearth_",
             "hearth_engine::",

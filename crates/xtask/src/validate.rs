@@ -1,11 +1,12 @@
 //! Long runs of the physics: `cargo xtask validate` compares it with theory and writes
 //! the table and its plots into `docs/evaluation.md` and `docs/validation`; `cargo xtask
-//! soak` drives fires to random corners of all ranges and back, and moves solids through them;
+//! soak` drives fires to random corners of all ranges and back, moves solids through them, burns heaps;
 //! `cargo xtask fuzz` sends random values to every decoder.
 
 use anyhow::Result;
 use xshell::{Cmd, cmd};
 
+use crate::flags::Soak;
 use crate::shell::Shell;
 use crate::{evaluation, paths, tools};
 
@@ -35,18 +36,15 @@ pub(crate) fn run(names: &[String]) -> Result<()> {
     Ok(passed?)
 }
 
-/// Runs that many corners, and crowds of solids, of each model, for so many hours.
-pub(crate) fn soak([corners, crowds, seed]: [Option<u32>; 3], hours: Option<f64>) -> Result<()> {
+/// Runs that many corners, and crowds of solids, of each model, and heaps of bodies, for so many hours.
+pub(crate) fn soak(soak: &Soak) -> Result<()> {
     let sh = Shell::new()?;
-    let options = [
-        ("--corners", corners.map(|number| number.to_string())),
-        ("--crowds", crowds.map(|number| number.to_string())),
-        ("--seed", seed.map(|number| number.to_string())),
-        ("--hours", hours.map(|number| number.to_string())),
-    ];
-    let given = options
-        .into_iter()
-        .filter_map(|(name, value)| Some([name.to_owned(), value?]));
+    let numbers = [soak.corners, soak.crowds, soak.heaps, soak.seed];
+    let numbers = numbers.map(|number| number.map(|number| number.to_string()));
+    let options = ["--corners", "--crowds", "--heaps", "--seed"].into_iter();
+    let hours = ("--hours", soak.hours.map(|number| number.to_string()));
+    let given = options.zip(numbers).chain([hours]);
+    let given = given.filter_map(|(name, value)| Some([name.to_owned(), value?]));
     Ok(example(&sh, "soak").args(given.flatten()).run()?)
 }
 

@@ -30,9 +30,9 @@ const SIZES: (f32, f32) = (0.03, 0.25);
 /// then stops the gas of a closed domain that solids stir.
 const STIRRED: f64 = 2.0 * MAX_CLAMPED;
 /// The names of the shapes.
-const SHAPES: [&str; 6] = ["circle", "box", "line", "polygon", "stroke", "mask"];
+pub(super) const SHAPES: [&str; 6] = ["circle", "box", "line", "polygon", "stroke", "mask"];
 /// A star, a concave hook, and one that crosses itself; a ring with a gap, and a zigzag.
-const POLYGONS: [&[[f32; 2]]; 3] = [
+pub(super) const POLYGONS: [&[[f32; 2]]; 3] = [
     &[
         [0.0, 0.5],
         [-0.3, -0.4],
@@ -49,7 +49,7 @@ const POLYGONS: [&[[f32; 2]]; 3] = [
     ],
     &[[-0.4, -0.4], [0.4, 0.4], [0.4, -0.4], [-0.4, 0.4]],
 ];
-const STROKES: [&[[f32; 2]]; 2] = [
+pub(super) const STROKES: [&[[f32; 2]]; 2] = [
     &[
         [0.3, 0.4],
         [-0.4, 0.4],
@@ -61,7 +61,14 @@ const STROKES: [&[[f32; 2]]; 2] = [
     &[[-0.5, 0.0], [-0.2, 0.3], [0.1, -0.3], [0.5, 0.2]],
 ];
 /// A ring, and a bar with a hole.
-const MASKS: [&str; 2] = ["8x8:XsQsQoQoQoQoQsVPX", "8x4:3PSqSo"];
+pub(super) const MASKS: [&str; 2] = ["8x8:XsQsQoQoQoQoQsVPX", "8x4:3PSqSo"];
+
+/// An outline of that extent \[m\], as the points of a solid.
+pub(super) fn scaled(outline: &[[f32; 2]], extent: f32) -> String {
+    let point = |[x, y]: &[f32; 2]| format!("{:.5},{:.5}", x * extent, y * extent);
+    let points: Vec<String> = outline.iter().map(point).collect();
+    points.join(" ")
+}
 
 /// How a solid moves: its velocity [m/s] and its angular velocity [1/s].
 #[derive(Clone, Copy, Debug)]
@@ -150,10 +157,7 @@ impl Crowd {
             "polygon" => POLYGONS[random.bits() as usize % POLYGONS.len()],
             _ => STROKES[random.bits() as usize % STROKES.len()],
         };
-        let mut points = String::new();
-        for [x, y] in outline {
-            let _ = write!(points, "{:.5},{:.5} ", x * extent, y * extent);
-        }
+        let points = scaled(outline, extent);
         let mask = MASKS[random.bits() as usize % MASKS.len()];
         let motion = ["still", "still", "sway", "spin"][random.bits() as usize % 4];
         let thermal = ["adiabatic", "fixed", "conducting"][random.bits() as usize % 3];
@@ -180,7 +184,7 @@ impl Crowd {
                 "corner",
                 Input::Number(between(0.0, 0.5) * f64::from(height)),
             ),
-            ("points", Input::Text(points.trim_end())),
+            ("points", Input::Text(&points)),
             ("mask", Input::Text(mask)),
             ("thermal", Input::Text(thermal)),
             ("temperature", Input::Number(between(250.0, 2500.0))),

@@ -161,15 +161,22 @@ fn advance(
     }
 }
 
-/// Applies the walls and the solids, and removes particles that have died or left.
-pub(crate) fn bound(particles: &mut Particles, values: &Physics, solids: &Solids, bounds: &Bounds) {
+/// Applies the walls and the solids after a motion of `dt`, and removes particles that have died or
+/// left.
+pub(crate) fn bound(
+    particles: &mut Particles,
+    values: &Physics,
+    solids: &mut Solids,
+    bounds: &Bounds,
+    dt: f32,
+) {
     let walls = values.walls;
     if walls != Walls::Open {
         for particle in particles.iter_mut() {
             apply_walls(walls, bounds, particle);
         }
     }
-    hold(particles, solids, values);
+    hold(particles, solids, values, dt);
     particles.retain(|one| one.is_alive() && bounds.contains(one.position()));
 }
 

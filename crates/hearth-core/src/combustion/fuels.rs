@@ -30,8 +30,10 @@ pub use command::{NoFuel, Where};
 pub use report::{BurningSolid, BurningState, FuelTotal};
 pub(crate) use state::{Fuels, Held};
 
-/// Steps from one radiation to the next.
+/// Steps from one radiation to the next; and among free bodies, which are many: a hundredth of a
+/// second, in which no flame changes much.
 const RADIATION_STEPS: u32 = 4;
+const STEPS_AMONG_BODIES: u32 = 8;
 
 impl Fuels {
     /// The solids of a scene that burn, in place of those of the scene before.
@@ -68,6 +70,8 @@ impl Fuels {
             burning.weigh(solids);
         }
         fuels.beside.resize(cells, Beside::default());
+        fuels.views.clear();
+        fuels.views.resize(cells, 0.0);
         fuels.blocks.resize(BLOCKS * BLOCKS, Block::default());
         if !fuels.all.is_empty() {
             **held = Some(fuels);
@@ -98,7 +102,11 @@ impl Fuels {
                 open.activate(frame.centre - half, frame.centre + half);
             }
         }
-        if self.steps.is_multiple_of(RADIATION_STEPS) {
+        let steps = match solids.free.is_some() {
+            true => STEPS_AMONG_BODIES,
+            false => RADIATION_STEPS,
+        };
+        if self.steps.is_multiple_of(steps) {
             self.irradiate(gas, solids, values);
         }
         self.steps = self.steps.wrapping_add(1);

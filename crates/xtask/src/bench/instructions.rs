@@ -12,7 +12,7 @@ use crate::shell::Shell;
 use crate::tools;
 
 /// The cases of `benches/examples/counted.rs`.
-const CASES: [&str; 3] = ["classic block", "classic plume", "combustion"];
+const CASES: [&str; 4] = ["classic block", "classic plume", "combustion", "bodies"];
 
 /// The share of growth that fails, and of decrease that should be recorded.
 const TOLERANCE: f64 = 0.10;

@@ -201,16 +201,25 @@ impl Burning {
     /// Fills the cells inside of the shape, with all of the mass together.
     fn fill(&mut self, air: f32) {
         let smaller = fast_min(self.side.x, self.side.y);
-        let mut filled = 0.0;
+        let (mut filled, mut nearest) = (0.0, (f32::MAX, 0));
         for index in 0..self.cells.len() {
             let (distance, _) = self.shape.distance(self.place(index));
             let share = fast_min(fast_max(0.5 - distance / smaller, 0.0), 1.0);
+            if distance < nearest.0 {
+                nearest = (distance, index);
+            }
             if share >= LEAST {
                 filled += share;
                 if let Some(cell) = self.cells.get_mut(index) {
                     cell.first = share;
                 }
             }
+        }
+        // A shape that is finer than a cell fills none.
+        if filled == 0.0
+            && let Some(cell) = self.cells.get_mut(nearest.1)
+        {
+            (cell.first, filled) = (1.0, 1.0);
         }
         let (area, _) = self.shape.measures();
         let each = self.load * area / fast_max(filled, 1e-6);

@@ -89,38 +89,46 @@ impl Fuels {
             };
             if power > 0.0 {
                 let source = (moment / power, 0.5 * side);
-                let seen = self.view(solids, source, 0.0);
-                let share = fast_min(MOST / fast_max(seen, 1e-6), 1.0);
-                self.view(solids, source, power * share);
+                let seen = self.view(solids, source);
+                self.receive(power * fast_min(MOST / fast_max(seen, 1e-6), 1.0));
             }
         }
     }
 
-    /// The share of a source that all cells see, each of which receives it times that power.
-    fn view(&mut self, solids: &Solids, (source, nearest): (Vec2, f32), power: f32) -> f32 {
+    /// Finds the share of a source that each cell sees. Returns that of all cells.
+    fn view(&mut self, solids: &Solids, (source, nearest): (Vec2, f32)) -> f32 {
         let mut sum = 0.0;
-        for burning in &mut self.all {
+        for burning in &self.all {
             let Some(body) = solids.first(burning.id) else {
                 continue;
             };
             let from = body.surface.frame.local(source);
-            for index in 0..burning.cells.len() {
-                let place = burning.place(index);
-                let Some(cell) = burning.cells.get_mut(index) else {
-                    continue;
-                };
+            let views = self.views.get_mut(burning.first_beside..);
+            let cells = burning.cells.iter().zip(views.unwrap_or_default());
+            for (index, (cell, view)) in cells.enumerate() {
+                *view = 0.0;
                 if cell.length <= 0.0 {
                     continue;
                 }
-                let path = from - place;
+                let path = from - burning.place(index);
                 let square = fast_max(path.length_squared(), nearest * nearest);
                 let share = cell.length * path.dot(cell.normal) / (2.0 * PI * square);
                 if share > 0.0 {
                     sum += share;
-                    cell.received += share * power;
+                    *view = share;
                 }
             }
         }
         sum
+    }
+
+    /// Gives each cell its share of that power.
+    fn receive(&mut self, power: f32) {
+        for burning in &mut self.all {
+            let views = self.views.get(burning.first_beside..).unwrap_or_default();
+            for (cell, view) in burning.cells.iter_mut().zip(views) {
+                cell.received += view * power;
+            }
+        }
     }
 }

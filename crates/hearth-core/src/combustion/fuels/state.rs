@@ -27,6 +27,8 @@ pub(crate) struct Fuels {
     /// What each particle near a wall touches.
     pub(super) touches: Vec<Touch>,
     pub(super) blocks: Vec<Block>,
+    /// The share of a block that each cell sees, in the same order.
+    pub(super) views: Vec<f32>,
     pub(super) steps: u32,
     /// Time since the outlines were looked at \[s\].
     pub(super) since: f32,

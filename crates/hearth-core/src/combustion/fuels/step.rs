@@ -57,6 +57,9 @@ const WAITING: f32 = 2.0;
 /// Height of a flame over its power, in m/(kW/m)^⅔, and its width over its height.
 const FLAME: f32 = 0.035;
 const FLAME_WIDTH: f32 = 0.5;
+/// Change of a temperature in a step from which its radiation is reckoned anew \[K\], and how often.
+const LEAP: f32 = 50.0;
+const ROUNDS: u32 = 6;
 /// Time over which the power is averaged \[s\].
 const AVERAGE: f32 = 0.3;
 
@@ -366,7 +369,10 @@ impl Cell {
 
     /// Its radiation to air of a temperature, as a conductance [kW/(m·K)].
     pub(super) fn radiated(&self, air: f32) -> f32 {
-        let now = self.temperature;
+        self.radiated_at(self.temperature, air)
+    }
+
+    fn radiated_at(&self, now: f32, air: f32) -> f32 {
         RADIATED * self.length * (now * now + air * air) * (now + air)
     }
 
@@ -396,10 +402,25 @@ impl Cell {
         }
         beside.burnt += used;
         let from_char = burnt * CHAR_HEAT;
-        let radiated = self.radiated(air);
-        let inflow = dt * (beside.heat + self.received + radiated * air) + from_char + beside.flame;
-        let outflow = dt * (beside.conductance + radiated);
-        let next = (capacity * now + inflow) / (capacity + outflow);
+        let balance = |radiated: f32| {
+            let inflow =
+                dt * (beside.heat + self.received + radiated * air) + from_char + beside.flame;
+            let outflow = dt * (beside.conductance + radiated);
+            (capacity * now + inflow) / (capacity + outflow)
+        };
+        let (mut at, mut radiated) = (now, self.radiated(air));
+        let mut next = balance(radiated);
+        // The rest of a cell is so light that its radiation grows within the step. Radiation alone
+        // gives a temperature as the inverse cube of the one that it is reckoned at.
+        for _ in 0..ROUNDS {
+            if (next - at).abs() < LEAP {
+                break;
+            }
+            at = (at * next).sqrt() * at;
+            at = at.sqrt();
+            radiated = self.radiated_at(at, air);
+            next = balance(radiated);
+        }
         beside.temperature = next;
         self.temperature = next;
         self.char -= burnt;

@@ -13,6 +13,12 @@ const DIRECTIONS: usize = 24;
 /// Radius of the discs in the corners of a solid, in halves of its thickness, and at most \[m\].
 const ROUND: f32 = 0.1;
 const ROUNDEST: f32 = 0.004;
+/// Smallest radius of the discs of a sampled surface \[m\]: thinner parts of what is left of a fire
+/// stick into other solids.
+const FINEST: f32 = 5e-4;
+/// Parts between two nodes of a field along a side at most, and places that are looked at then.
+const MOST_PARTS: f32 = 8.0;
+const PLACES: f32 = 40_000.0;
 
 /// A disc, in the frame of the solid.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -66,24 +72,34 @@ impl Samples {
         }
     }
 
-    /// Finds the outermost nodes of a field at a small depth.
+    /// Finds the outermost nodes of a field at a small depth. Where the nodes are far apart, as the
+    /// pixels of a small mask, places between them count too.
     fn find(&mut self, field: &Field) {
         let cells = Vec2::new(field.columns as f32 - 1.0, field.rows as f32 - 1.0);
         let step = 2.0 * field.half / cells;
+        let parts = (fast_max(step.x, step.y) / ROUNDEST).ceil();
+        let most = (PLACES / field.distances.len() as f32).sqrt();
+        let parts = fast_max(fast_min(fast_min(parts, MOST_PARTS), most), 1.0) as usize;
+        let step = step / parts as f32;
+        let columns = (field.columns - 1) * parts + 1;
+        let rows = (field.rows - 1) * parts + 1;
         let cell = fast_max(step.x, step.y);
-        let radius = fast_min(fast_max(ROUNDEST * 0.5, cell), 0.5 * field.depth);
+        let radius = fast_min(fast_max(FINEST, 0.25 * cell), 0.5 * field.depth);
         let mut best = [(f32::MIN, Sample::default()); DIRECTIONS];
         let mut directions = [Vec2::ZERO; DIRECTIONS];
         for (number, one) in directions.iter_mut().enumerate() {
             *one = direction(360.0 / DIRECTIONS as f32 * number as f32);
         }
-        for (index, &distance) in field.distances.iter().enumerate() {
-            let depth = -distance;
+        for index in 0..columns * rows {
+            let (column, row) = (index % columns, index / columns);
+            let at = Vec2::new(column as f32, row as f32) * step - field.half;
+            let depth = match field.distances.get(index) {
+                Some(node) if parts == 1 => -node,
+                _ => -field.distance(at).0,
+            };
             if depth < radius || depth > radius + 2.0 * cell || depth <= 0.0 {
                 continue;
             }
-            let (column, row) = (index % field.columns, index / field.columns);
-            let at = Vec2::new(column as f32, row as f32) * step - field.half;
             for (best, direction) in best.iter_mut().zip(&directions) {
                 let far = at.dot(*direction) + depth;
                 if far > best.0 {

@@ -62,6 +62,7 @@ describe('messages from an allowed origin', () => {
     await value('ignite', log);
     await value('extinguish', 0.3, 0.5, 1);
     assert.deepEqual(await value('freeSolids'), []);
+    assert.equal((await value('measure', 0, 0.5)).place.y, 0.5);
     await value('removeObject', log);
 
     assert.equal(await value('option', 'quality', 'low'), 'low');

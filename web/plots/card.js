@@ -10,7 +10,7 @@
 import { element } from '../element/icon-button.js';
 import { download } from '../panel/download.js';
 import { Chart, roundUp } from './chart.js';
-import { peakOf } from './spectrum.js';
+import { peakOf, SHORTEST } from './spectrum.js';
 
 /** The time that the series show [s of fire]. */
 const SHOWN = 20;
@@ -109,7 +109,7 @@ export class Card {
       up: [0, 1.05],
       alongX: ['0', `${highest} Hz`],
       alongY: ['', ''],
-      now: peak === undefined ? '' : `${peak.toFixed(1)} Hz`,
+      now: peak === undefined ? `after ${SHORTEST} s of fire` : `${peak.toFixed(1)} Hz`,
       says: peak === undefined ? 'the fire is not measured long enough' : `the peak is at ${peak.toFixed(1)} Hz`,
       mark: peak,
     });

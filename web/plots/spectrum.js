@@ -7,7 +7,7 @@
 
 /** Length of a segment and of the shortest signal that has a spectrum [s]. */
 const SEGMENT = 8;
-const SHORTEST = 5;
+export const SHORTEST = 5;
 
 /** The highest frequency [Hz], as a share of the sampling rate and at all. */
 const NYQUIST = 0.4;

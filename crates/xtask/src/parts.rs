@@ -10,7 +10,7 @@ use wasm_parts::{Bound, Part};
 use crate::shell::Shell;
 
 /// The parts. `hearth_bindings::parts` tells when one is needed.
-const PARTS: [Part; 8] = [
+const PARTS: [Part; 9] = [
     Part {
         name: "classic",
         modules: &["hearth-engine", "hearth-sim"],
@@ -40,6 +40,7 @@ const PARTS: [Part; 8] = [
             "hearth_core::solids::",
             "hearth_core::combustion::",
             "hearth_core::classic::",
+            "hearth_core::simulation::",
             "hearth_engine::fire::frame::",
         ],
         texts: Vec::new,
@@ -85,6 +86,31 @@ const PARTS: [Part; 8] = [
         ],
         texts: Vec::new,
         is_loaded: "hearth_bindings::parts::bodies_is_loaded",
+    },
+    Part {
+        name: "solids",
+        // Most pages with the element show a scene with solids.
+        modules: &["hearth-sim"],
+        symbols: &[
+            "hearth_core::solids::Solids::gather",
+            "hearth_core::solids::Solids::place_anew",
+            "hearth_core::solids::thin::<impl hearth_core::solids::Solids>::any_between",
+            "hearth_core::solids::thin::Lines::crossed",
+            "hearth_core::combustion::walls::Walls::find_solids",
+            "hearth_core::combustion::number_density::part",
+            "hearth_core::combustion::settle::<impl hearth_core::combustion::Combustion>::push_out",
+            "hearth_core::combustion::settle::<impl hearth_core::combustion::Combustion>::fill_around",
+        ],
+        // Where there are solids.
+        callers: &[
+            "hearth_core::combustion::",
+            "<hearth_core::combustion::",
+            "hearth_core::neighbourhood::",
+            "hearth_core::simulation::",
+            "hearth_core::solids::",
+        ],
+        texts: Vec::new,
+        is_loaded: "hearth_bindings::parts::solids_are_loaded",
     },
     Part {
         name: "vorticity",

@@ -2,8 +2,6 @@
 // straight way to the fire, as a cone sees the outline.
 #include "distance.glsl"
 
-in vec2 uv;
-in vec2 ground;
 flat in vec4 stance;
 flat in vec3 shape;
 flat in float side;
@@ -23,18 +21,18 @@ void main() {
     float light = 1.0;
     for (float at = 0.0; at < STEPS; at++) {
         float up = max(stance.w, 0.0) * at * at / (STEPS * STEPS);
-        vec2 from = vec2(ground.x + side * up, up - stance.z);
+        vec2 from = vec2(local.x + side * up, up - stance.z);
         vec2 place = vec2(dot(stance.xy, from), stance.x * from.y - stance.y * from.x);
         // Beyond the samples, the nearest of them counts.
         vec2 nearest = field.y > 0.0 ? clamp(place, -shape.xy, shape.xy) : place;
         float away = surface(nearest, 0.999 * (nearest + shape.xy) / max(field.zw, 1e-5)).z + length(place - nearest);
         // It is as deep as thick.
-        vec2 beyond = vec2(away, abs(ground.y) - shape.z);
+        vec2 beyond = vec2(away, abs(local.y) - shape.z);
         away = length(max(beyond, 0.0)) + min(max(beyond.x, beyond.y), 0.0);
         light = min(light, smoothstep(-1.0, 1.0, away / (CONTACT * shape.z + SPREAD * up * length(vec2(1.0, side)))));
     }
     float shadow = DARKNESS * (1.0 - light);
-    shadow *= clamp((horizon - (uv.y - picture.y) * picture.x) / (0.1 * horizon), 0.0, 1.0);
-    vec4 fire = texture(shown, uv);
+    shadow *= clamp((horizon - (node.y - picture.y) * picture.x) / (0.1 * horizon), 0.0, 1.0);
+    vec4 fire = texture(shown, node);
     pixel = vec4(fire.rgb * shadow, shadow);
 }

@@ -1,12 +1,11 @@
 // The quad of a solid's shadow on the ground. The ground below a solid is at the lower edge of the
-// frame and approaches the viewer downwards.
+// frame and approaches the viewer downwards. `local` is a place on it, from below the middle of the solid
+// and away from the viewer [m]; `node` is the same, 0–1 over the picture.
 #include "solid.glsl"
 
 uniform sampler2D irradiance; // square root of 16 irradiance / range
 uniform vec2 per_height; // height of the domain as a share of the picture, across and up
 
-out vec2 uv;          // 0–1 over the picture
-out vec2 ground;      // from below the middle of the solid, and away from the viewer [m]
 flat out vec4 stance; // direction of its width; height of its middle and of its top [m]
 flat out vec3 shape;  // half of its size with round corners [m], half of its thickness [m]
 flat out float side;  // horizontal way to the light for each way up
@@ -32,7 +31,7 @@ void main() {
     float left = length(textureLod(irradiance, middle - aside, 0.0).rgb);
     float right = length(textureLod(irradiance, middle + aside, 0.0).rgb);
     side = clamp(SLANT * (right - left) / (left + right + 4e-4), -LONGEST, LONGEST);
-    ground = solid.corner * (REACH * thick + vec2(extent.x + (0.5 + abs(side)) * max(top, 0.0), 0.3 * max(top, 0.0)));
-    gl_Position = clip(solid, vec2(solid.place.x + ground.x, BEHIND * thick + FLAT * ground.y));
-    uv = gl_Position.xy * 0.5 + 0.5;
+    local = solid.corner * (REACH * thick + vec2(extent.x + (0.5 + abs(side)) * max(top, 0.0), 0.3 * max(top, 0.0)));
+    gl_Position = clip(solid, vec2(solid.place.x + local.x, BEHIND * thick + FLAT * local.y));
+    node = gl_Position.xy * 0.5 + 0.5;
 }

@@ -7,7 +7,7 @@ const float LINE = 1.0; // half of its width [pixels]
 const float DARK = 2.0; // half of the width of the dark line
 
 void main() {
-    float away = abs(surface().z) / pixel_size;
+    float away = abs(surface(local, node).z) / pixel_size;
     vec2 inside = clamp(vec2(LINE, DARK) + 0.5 - away, 0.0, 1.0) * vec2(0.9, 0.5);
     pixel = vec4(inside.xxx, max(inside.x, inside.y));
 }

@@ -1,9 +1,10 @@
-// The shadow of a solid on the ground, behind the displayed fire.
+// The shadow of a solid on the ground, behind the displayed fire: the least light that passes it on a
+// straight way to the fire, as a cone sees the outline.
+#include "distance.glsl"
 
-in vec2 uv;
-in vec2 local;
+flat in vec4 stance;
 flat in vec3 shape;
-flat in float away;
+flat in float side;
 
 uniform sampler2D shown;
 uniform vec2 picture; // height of the picture [m], and of the lower edge of the frame in it, 0–1
@@ -11,15 +12,27 @@ uniform float horizon; // height at which the ground begins [m]
 
 out vec4 pixel;
 
-const float LENGTH = 16.0; // of a shadow of light from the side
+const float DARKNESS = 0.8;
+const float CONTACT = 1.0; // radius of the cone on the ground, in half thicknesses
+const float SPREAD = 0.4;  // and how it grows, for each way up
+const float STEPS = 6.0;
 
 void main() {
-    float beyond = max(abs(local.x) - shape.x, 0.0);
-    // A shadow is longer on the far side of the light.
-    float drawn_out = 1.0 + LENGTH * max(away * sign(local.x), 0.0);
-    float distance = length(vec2(beyond / drawn_out, local.y));
-    float shadow = shape.z * (1.0 - smoothstep(0.2, shape.y, distance));
-    shadow *= clamp((horizon - (uv.y - picture.y) * picture.x) / (0.1 * horizon), 0.0, 1.0);
-    vec4 fire = texture(shown, uv);
+    float light = 1.0;
+    for (float at = 0.0; at < STEPS; at++) {
+        float up = max(stance.w, 0.0) * at * at / (STEPS * STEPS);
+        vec2 from = vec2(local.x + side * up, up - stance.z);
+        vec2 place = vec2(dot(stance.xy, from), stance.x * from.y - stance.y * from.x);
+        // Beyond the samples, the nearest of them counts.
+        vec2 nearest = field.y > 0.0 ? clamp(place, -shape.xy, shape.xy) : place;
+        float away = surface(nearest, 0.999 * (nearest + shape.xy) / max(field.zw, 1e-5)).z + length(place - nearest);
+        // It is as deep as thick.
+        vec2 beyond = vec2(away, abs(local.y) - shape.z);
+        away = length(max(beyond, 0.0)) + min(max(beyond.x, beyond.y), 0.0);
+        light = min(light, smoothstep(-1.0, 1.0, away / (CONTACT * shape.z + SPREAD * up * length(vec2(1.0, side)))));
+    }
+    float shadow = DARKNESS * (1.0 - light);
+    shadow *= clamp((horizon - (node.y - picture.y) * picture.x) / (0.1 * horizon), 0.0, 1.0);
+    vec4 fire = texture(shown, node);
     pixel = vec4(fire.rgb * shadow, shadow);
 }

@@ -1,36 +1,37 @@
-// The quad of a solid's shadow on the ground. The ground below the middle of a solid is at the
-// lower edge of the frame and approaches the viewer downwards.
-#include "particle.glsl"
+// The quad of a solid's shadow on the ground. The ground below a solid is at the lower edge of the
+// frame and approaches the viewer downwards. `local` is a place on it, from below the middle of the solid
+// and away from the viewer [m]; `node` is the same, 0–1 over the picture.
+#include "solid.glsl"
 
 uniform sampler2D irradiance; // square root of 16 irradiance / range
 uniform vec2 per_height; // height of the domain as a share of the picture, across and up
 
-out vec2 uv;         // 0–1 over the picture
-out vec2 local;      // from the ground below the middle, in half thicknesses
-flat out vec3 shape; // half of the width without round ends [half thicknesses], softness, darkness
-flat out float away; // how far the shadow is drawn out to the right, or below 0 to the left
+flat out vec4 stance; // direction of its width; height of its middle and of its top [m]
+flat out vec3 shape;  // half of its size with round corners [m], half of its thickness [m]
+flat out float side;  // horizontal way to the light for each way up
 
-const float FLAT = 0.3;    // height of what is as deep as wide
-const float BEHIND = 0.25; // height of the middle, in half thicknesses: a solid hides what is before it
+const float FLAT = 0.3;    // height in the picture of what is as deep as wide
+const float BEHIND = 0.25; // and of the middle, in half thicknesses: a solid hides what is before it
 const float AROUND = 0.1;  // distance of the irradiance that gives its direction, in heights of the domain
-const float REACH = 6.0;   // of the drawn shadow beyond the solid, in half thicknesses
-const float DARKNESS = 0.8;
+const float SLANT = 6.0;   // of light from the side
+const float LONGEST = 2.0; // horizontal way of light for each way up
+const float REACH = 3.0;   // of the shadow beyond the solid, in half thicknesses
 
 void main() {
-    Particle solid = this_particle();
-    // The shadow of a sampled solid is that of its box.
-    vec4 body = max(solid.state, 0.0);
+    Particle solid = this_solid();
+    vec2 size = solid.state.xy + max(solid.state.z, 0.0);
     vec2 axis = abs(solid.velocity);
-    vec2 extent = vec2(dot(axis, body.xy), dot(axis.yx, body.xy)) + body.z;
-    float thickness = min(min(extent.x, extent.y), 2.0 * (min(body.x, body.y) + body.z));
-    float raised = max(solid.place.y - extent.y, 0.0) / thickness;
-    shape = vec3(max(extent.x / thickness - 1.0, 0.0), 1.2 + 0.5 * raised, DARKNESS / (1.0 + raised));
-    local = solid.corner * vec2(shape.x + REACH + raised, REACH);
-    gl_Position = clip(solid, vec2(solid.place.x, BEHIND * thickness) + local * vec2(thickness, FLAT * thickness));
-    uv = gl_Position.xy * 0.5 + 0.5;
+    vec2 extent = vec2(dot(axis, size), dot(axis.yx, size));
+    float thick = min(body.x, body.y) + body.z;
+    float top = solid.place.y + extent.y;
+    shape = vec3(size, thick);
+    stance = vec4(solid.velocity, solid.place.y, top);
     vec2 middle = (vec2(solid.place.x, max(solid.place.y, 0.0)) * clip_scale + clip_offset) * 0.5 + 0.5;
-    vec2 side = vec2(AROUND * per_height.x, 0.0);
-    float left = length(textureLod(irradiance, middle - side, 0.0).rgb);
-    float right = length(textureLod(irradiance, middle + side, 0.0).rgb);
-    away = (left - right) / (left + right + 4e-4);
+    vec2 aside = vec2(AROUND * per_height.x, 0.0);
+    float left = length(textureLod(irradiance, middle - aside, 0.0).rgb);
+    float right = length(textureLod(irradiance, middle + aside, 0.0).rgb);
+    side = clamp(SLANT * (right - left) / (left + right + 4e-4), -LONGEST, LONGEST);
+    local = solid.corner * (REACH * thick + vec2(extent.x + (0.5 + abs(side)) * max(top, 0.0), 0.3 * max(top, 0.0)));
+    gl_Position = clip(solid, vec2(solid.place.x + local.x, BEHIND * thick + FLAT * local.y));
+    node = gl_Position.xy * 0.5 + 0.5;
 }

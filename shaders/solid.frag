@@ -47,7 +47,7 @@ vec2 cell_at(vec2 at) {
 }
 
 void main() {
-    vec3 at = surface();
+    vec3 at = surface(local, node);
     float material = floor(body.w / SURFACES);
     float kilokelvin = (body.w - material * SURFACES) * 1e-3;
     bool front = material >= FRONT;

@@ -40,7 +40,7 @@ export interface SimulationOptions {
    * The parts of the wasm that are not beside the module: the classic model; polygons, strokes and
    * masks; the presets; solids that burn; free solids. A browser fetches the others when a simulation needs them.
    */
-  wasmParts?: { [part in 'classic' | 'outlines' | 'presets' | 'fuels' | 'bodies' | 'vorticity']?: string | URL | BufferSource | WebAssembly.Module };
+  wasmParts?: { [part in 'classic' | 'outlines' | 'presets' | 'fuels' | 'bodies' | 'solids' | 'vorticity']?: string | URL | BufferSource | WebAssembly.Module };
 }
 
 /** Numbers in an array of any kind. */

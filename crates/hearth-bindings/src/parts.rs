@@ -40,6 +40,12 @@ fn vorticity_is_loaded() -> bool {
     black_box(7_u8) == 7
 }
 
+/// Whether the part of the library that holds gas outside of solids is loaded.
+#[inline(never)]
+pub fn solids_are_loaded() -> bool {
+    black_box(8_u8) == 8
+}
+
 /// Whether the part that moves free solids is loaded.
 #[inline(never)]
 fn bodies_is_loaded() -> bool {

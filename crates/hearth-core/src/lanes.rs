@@ -74,6 +74,11 @@ impl Lanes {
         Lanes(register::sqrt(self.0.into()).into())
     }
 
+    #[inline(always)]
+    pub fn abs(self) -> Lanes {
+        Lanes(self.0.abs())
+    }
+
     /// A bit mask of the lanes that are less than those of `other`; bit 0 is the first lane.
     #[inline(always)]
     pub fn less_mask(self, other: Lanes) -> u32 {
@@ -202,6 +207,7 @@ mod tests {
                     left.fast_min(right),
                     left.fast_max(right),
                     left.sqrt(),
+                    left.abs(),
                 ];
                 let one = [
                     a + b,
@@ -211,6 +217,7 @@ mod tests {
                     a.fast_min(b),
                     a.fast_max(b),
                     a.sqrt(),
+                    a.abs(),
                 ];
                 for (four, one) in four.into_iter().zip(one) {
                     let same = |x: f32| x.to_bits() == one.to_bits() || x.is_nan() && one.is_nan();

@@ -16,12 +16,16 @@ use glam::Vec2;
 use crate::grid::{Grid, Run};
 use crate::kernel;
 use crate::lanes::{self, LANES, Lanes};
+use crate::solids::Solids;
 
 /// Position of the lanes without a particle, in smoothing lengths: beyond every support.
 pub(crate) const FAR_AWAY: f32 = 1e6;
 
 /// Square of the support radius, in smoothing lengths.
 const SUPPORT_SQUARED: Lanes = Lanes::splat(4.0);
+
+/// Tolerance for rounding in the distance from a plane, in smoothing lengths.
+const TOLERANCE: f32 = 1e-3;
 
 /// Number of subsets of four particles.
 const SUBSETS: usize = 1 << LANES;
@@ -251,54 +255,58 @@ impl Neighbours {
         });
     }
 
-    /// Removes the pairs that a solid parts from the lists and from the sums of the first pass.
-    /// `planes` gives the solids near a particle,
-    /// after sorting: normal, distance and number; a zero normal where the solid is not convex. `parts` tells whether a solid is between two
-    /// positions. Lengths are in smoothing lengths.
+    /// Removes the pairs that a thin solid parts from the lists and from the sums of the first pass.
+    /// `near` gives the thin solids near a particle, after sorting: normal, distance \[m\] and number.
+    /// `h` is the smoothing length \[m\].
     pub fn part<B: Block, P: Iterator<Item = (Vec2, f32, u32)>>(
         &mut self,
         blocks: &mut [B],
         grid: &Grid,
-        planes: impl Fn(usize) -> P,
-        parts: impl Fn(u32, Vec2, Vec2) -> bool,
+        h: f32,
+        solids: &Solids,
+        near: impl Fn(usize) -> P,
     ) {
         self.parted = true;
         let entries = &mut self.entries;
+        let inverse_h = 1.0 / h;
         for sweep in &mut self.sweeps {
-            let block = sweep.block as usize;
+            let (block, shift) = (sweep.block as usize, sweep.shift);
             for (lane, one) in grid.members_of(block).enumerate() {
-                for (normal, distance, solid) in planes(one) {
-                    let from = place(&blocks[block], lane) - sweep.shift;
+                for (normal, distance, solid) in near(one) {
+                    let from = place(&blocks[block], lane) - shift;
+                    let Some(lines) = solids.lines_from(solid, (from + shift) * h) else {
+                        continue;
+                    };
                     // A convex solid lies behind the plane of its nearest point, and no solid is
                     // nearer than that.
-                    let (bend, limit) = match normal == Vec2::ZERO {
-                        false => (0.0, -distance),
-                        true => (-1.0, -distance * distance),
-                    };
-                    let limit = Lanes::splat(limit);
-                    let mut rest = |number: usize, mut mask: u32| {
+                    let distance = distance * inverse_h;
+                    let is_convex = lines.is_convex();
+                    let plane = Lanes::splat(from.dot(normal) - distance + TOLERANCE);
+                    let mut parted = |number: usize, mask: u32| {
                         let [x, y] = blocks[number].position();
-                        let (x, y) = (x - from.x, y - from.y);
-                        let side = x * (x * bend + normal.x) + y * (y * bend + normal.y);
-                        let mut behind = side.less_mask(limit) & mask;
-                        while behind != 0 {
-                            let other = behind.trailing_zeros() as usize;
-                            behind &= behind - 1;
-                            let to = place(&blocks[number], other);
-                            if parts(solid, from + sweep.shift, to + sweep.shift) {
-                                mask -= 1 << other;
-                                subtract(blocks, (block, lane), (number, other), from.distance(to));
-                            }
+                        let behind = if is_convex {
+                            (x * normal.x + y * normal.y).less_mask(plane)
+                        } else {
+                            let circle = Lanes::splat(distance * distance);
+                            circle.less_mask(square(x - from.x, y - from.y))
+                        };
+                        let mask = behind & mask;
+                        if mask == 0 {
+                            return 0;
                         }
-                        mask
+                        let parted = lines.crossed([(x + shift.x) * h, (y + shift.y) * h], mask);
+                        if parted != 0 {
+                            subtract(blocks, (block, lane), from, number, parted);
+                        }
+                        parted
                     };
                     if sweep.own {
-                        sweep.inner[lane] = rest(block, sweep.inner[lane].into()) as u8;
+                        let inner = &mut sweep.inner[lane];
+                        *inner -= parted(block, (*inner).into()) as u8;
                     }
                     let begin = sweep.begin as usize + lane * sweep.stride as usize;
                     for entry in &mut entries[begin..begin + sweep.counts[lane] as usize] {
-                        let mask = *entry % SUBSETS as u32;
-                        *entry -= mask - rest(*entry as usize / SUBSETS, mask);
+                        *entry -= parted(*entry as usize / SUBSETS, *entry % SUBSETS as u32);
                     }
                 }
             }
@@ -398,16 +406,27 @@ impl Neighbours {
     }
 }
 
-/// Takes back the kernels of a pair, each a block and a lane, from the sums of the first pass.
+/// Takes back the kernels of the pairs of a particle, a block and a lane at a position, and some of
+/// another block from the sums of the first pass.
 #[inline(never)]
-fn subtract<B: Block>(blocks: &mut [B], one: (usize, usize), other: (usize, usize), q: f32) {
-    let w = kernel::w(q);
-    for ((block, lane), (from, from_lane)) in [(one, other), (other, one)] {
-        let weight = blocks[from].weight().to_array()[from_lane];
-        let mut sums = blocks[block].sum().to_array();
-        sums[lane] -= w * weight;
-        *blocks[block].sum() = Lanes::new(sums);
+fn subtract<B: Block>(
+    blocks: &mut [B],
+    (block, lane): (usize, usize),
+    from: Vec2,
+    number: usize,
+    some: u32,
+) {
+    let others = &mut blocks[number];
+    let [x, y] = others.position();
+    let w = kernel::w(square(x - from.x, y - from.y).sqrt()) * KEEP[some as usize % SUBSETS];
+    let theirs = w * others.weight();
+    let weight = blocks[block].weight().broadcast(lane);
+    *blocks[number].sum() -= w * weight;
+    let mut sums = blocks[block].sum().to_array();
+    for their in theirs.to_array() {
+        sums[lane] -= their;
     }
+    *blocks[block].sum() = Lanes::new(sums);
 }
 
 /// The position in a lane.

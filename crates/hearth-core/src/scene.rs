@@ -139,6 +139,11 @@ impl Scene {
         surfaces.any(|(_, solid, surface)| solid.lacks_field(surface))
     }
 
+    /// Whether there is a solid.
+    pub fn has_solids(&self) -> bool {
+        self.solids().next().is_some()
+    }
+
     /// Whether a solid has fuel.
     pub fn has_fuel(&self) -> bool {
         self.solids().any(|solid| solid.fuel != Fuel::None)

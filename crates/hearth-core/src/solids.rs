@@ -119,9 +119,15 @@ impl Solids {
 
     /// Moves the solids to where they are in a scene at a time \[s\]. Those within `near` of a
     /// periodic edge get images beyond it.
-    // Inlined into its callers, its code would be in each of them.
-    #[inline(never)]
     pub fn update(&mut self, scene: &Scene, time: f64, bounds: &Bounds, near: f32) {
+        if !self.is_empty() || scene.has_solids() {
+            self.gather(scene, time, bounds, near);
+        }
+    }
+
+    // A part of the library.
+    #[inline(never)]
+    fn gather(&mut self, scene: &Scene, time: f64, bounds: &Bounds, near: f32) {
         let old = std::mem::take(&mut self.bodies);
         for (id, solid, surface) in scene.surfaces() {
             let frame = surface.frame;
@@ -183,9 +189,14 @@ impl Solids {
 
     /// Gives solids that move by themselves images beyond periodic edges anew.
     pub fn renew_images(&mut self, bounds: &Bounds, near: f32) {
-        if !(bounds.periodic_x || bounds.periodic_y) || !self.drive() {
-            return;
+        if (bounds.periodic_x || bounds.periodic_y) && self.drive() {
+            self.place_anew(bounds, near);
         }
+    }
+
+    // A part of the library.
+    #[inline(never)]
+    fn place_anew(&mut self, bounds: &Bounds, near: f32) {
         let spare = std::mem::take(&mut self.spare);
         let mut old = std::mem::replace(&mut self.bodies, spare);
         for body in old.drain(..) {

@@ -201,6 +201,9 @@ fn affordable(
     scene: Result<Scene, Vec<ValidationError>>,
 ) -> Result<Scene, JsValue> {
     let scene = scene.map_err(thrown)?;
+    if scene.has_solids() && !parts::solids_are_loaded() {
+        return Err("solids".into());
+    }
     if let Some(part) = parts::missing(&scene) {
         return Err(part.into());
     }

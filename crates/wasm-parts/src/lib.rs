@@ -27,19 +27,17 @@ pub use glue::Bound;
 pub use order::order;
 
 /// What a part takes from a module.
-pub struct Part {
-    /// The end of the name of its file.
-    pub name: &'static str,
-    /// The names of the modules that it is taken from.
-    pub modules: &'static [&'static str],
+pub struct Part<'a> {
+    /// Its name, in errors.
+    pub name: &'a str,
     /// How the symbols of its functions begin. Functions that only these call move with them.
-    pub symbols: &'static [&'static str],
+    pub symbols: &'a [&'a str],
     /// The texts that only its functions read. Zeros are in their places until it is loaded.
     pub texts: fn() -> Vec<&'static str>,
     /// How the symbols of the functions begin that call the part, which they do if it is loaded.
-    pub callers: &'static [&'static str],
+    pub callers: &'a [&'a str],
     /// How the symbol of the function begins that returns whether the part is loaded. It stays.
-    pub is_loaded: &'static str,
+    pub is_loaded: &'a str,
 }
 
 /// The name of the module that a part imports from.
@@ -445,7 +443,6 @@ mod tests {
     }
 
     const PART: Part = Part {
-        modules: &[],
         name: "part",
         symbols: &["part::"],
         texts: Vec::new,

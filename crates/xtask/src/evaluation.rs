@@ -11,47 +11,43 @@ const PAGE: &str = "docs/evaluation.md";
 
 /// Fails unless the page has the marks of that name: known before hours are measured.
 pub(crate) fn check(name: &str) -> Result<()> {
-    with_section(name, "").map(drop)
+    read(name).map(drop)
 }
 
 /// The section of that name.
 pub(crate) fn read(name: &str) -> Result<String> {
-    let page = fs::read_to_string(paths::root().join(PAGE)).context(PAGE)?;
-    let section = section(&page, name).with_context(|| lacks(name))?;
+    let [_, section, _] = divided(&page()?, name).with_context(|| lacks(name))?;
     Ok(section.trim().to_owned())
 }
 
 /// Replaces the section of that name.
 pub(crate) fn write(name: &str, section: &str) -> Result<()> {
-    fs::write(paths::root().join(PAGE), with_section(name, section)?)?;
+    let page = replaced(&page()?, name, section).with_context(|| lacks(name))?;
+    fs::write(paths::root().join(PAGE), page)?;
     println!("wrote {PAGE}");
     Ok(())
 }
 
-fn with_section(name: &str, section: &str) -> Result<String> {
-    let page = fs::read_to_string(paths::root().join(PAGE)).context(PAGE)?;
-    replaced(&page, name, section).with_context(|| lacks(name))
+fn page() -> Result<String> {
+    fs::read_to_string(paths::root().join(PAGE)).context(PAGE)
 }
 
 fn lacks(name: &str) -> String {
     format!("{PAGE} lacks the marks `{name}`")
 }
 
-/// What is between the marks of that name.
-fn section<'a>(page: &'a str, name: &str) -> Option<&'a str> {
-    let (_, rest) = page.split_once(&format!("<!-- {name}: begin -->"))?;
-    Some(rest.split_once(&format!("<!-- {name}: end -->"))?.0)
+/// What is before, between and after the marks of that name, the marks themselves outside.
+fn divided(page: &str, name: &str) -> Option<[String; 3]> {
+    let [begin, end] = ["begin", "end"].map(|side| format!("<!-- {name}: {side} -->"));
+    let (before, rest) = page.split_once(&begin)?;
+    let (section, after) = rest.split_once(&end)?;
+    Some([before.to_owned() + &begin, section.to_owned(), end + after])
 }
 
 /// `page` with another section between the marks of that name.
 pub(crate) fn replaced(page: &str, name: &str, section: &str) -> Option<String> {
-    let (begin, end) = (
-        format!("<!-- {name}: begin -->"),
-        format!("<!-- {name}: end -->"),
-    );
-    let (before, rest) = page.split_once(&begin)?;
-    let (_, after) = rest.split_once(&end)?;
-    Some(format!("{before}{begin}\n\n{section}\n{end}{after}"))
+    let [before, _, after] = divided(page, name)?;
+    Some(format!("{before}\n\n{section}\n{after}"))
 }
 
 #[cfg(test)]
@@ -66,7 +62,6 @@ mod tests {
             once,
             "a\n<!-- b: begin -->\n\nnew\n\n<!-- b: end -->\nc <!-- d: begin --> d"
         );
-        assert_eq!(section(&once, "b"), Some("\n\nnew\n\n"));
         assert_eq!(replaced(&once, "b", "new\n"), Some(once));
         assert_eq!(replaced(page, "d", "new"), None);
         assert_eq!(replaced("no marks", "b", "new"), None);

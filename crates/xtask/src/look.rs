@@ -13,11 +13,9 @@ use crate::{evaluation, goldens, tools};
 pub(crate) fn run(names: &[String]) -> Result<()> {
     let before = evaluation::read("looked")?;
     let table = tools::target()?.join("hearth-look/table.md");
-    let sh = Shell::new()?;
-    if names.is_empty() {
-        sh.remove_path(&table)?;
-    } else {
-        sh.write_file(&table, before)?;
+    Shell::new()?.remove_path(&table)?;
+    if !names.is_empty() {
+        fs::write(&table, before)?;
     }
     let arguments = iter::once(table.clone()).chain(names.iter().map(Into::into));
     let passed = goldens::run_script("watch.mjs", arguments);

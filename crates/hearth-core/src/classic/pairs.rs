@@ -4,6 +4,7 @@
 
 use std::ops::Range;
 
+#[cfg(test)]
 use glam::Vec2;
 
 use super::equation_of_state;
@@ -116,13 +117,9 @@ impl Pairs {
         let h = kernel.smoothing_length();
         neighbours.find(blocks, grid, h);
         if solids.any_thin(2.0 * h) {
-            let planes = |one: usize| {
-                let all = solids.thin_near(particles[one].position(), 2.0 * h);
-                all.map(|(normal, distance, solid)| (normal, distance / h, solid))
-            };
-            let parts =
-                |solid: u32, one: Vec2, other: Vec2| solids.crosses(solid, one * h, other * h);
-            neighbours.part(blocks, grid, planes, parts);
+            neighbours.part(blocks, grid, h, solids, |one| {
+                solids.thin_near(particles[one].position(), 2.0 * h)
+            });
         }
         let each = values.particle_mass * kernel.w_norm();
         let factor = pressure_factor(kernel, values.particle_mass);

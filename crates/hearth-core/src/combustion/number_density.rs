@@ -7,8 +7,6 @@
 //! hot gas moves nothing, but its noise would damp every instability. In open air, Ȳ is the density
 //! of the air. Pressure below Ȳ attracts particles, and shifting spreads them again; so shifting cannot be turned off.
 
-use glam::Vec2;
-
 use super::equation_of_state::expansion;
 use super::gas::{Gas, make_room};
 use super::pair::Context;
@@ -94,16 +92,7 @@ impl NumberDensity {
         let h = kernel.smoothing_length();
         neighbours.find(&mut self.blocks, grid, h);
         if walls.any_thin() {
-            let planes = |one: usize| {
-                let all = walls.thin_near(one);
-                all.map(|(normal, distance, solid)| {
-                    let normal = solids.plane(solid, normal);
-                    (normal, distance * inverse_h, solid)
-                })
-            };
-            let parts =
-                |solid: u32, one: Vec2, other: Vec2| solids.crosses(solid, one * h, other * h);
-            neighbours.part(&mut self.blocks, grid, planes, parts);
+            part(&mut self.blocks, grid, neighbours, h, (walls, solids));
         }
 
         let each = gas.mass * kernel.w_norm();
@@ -119,6 +108,19 @@ impl NumberDensity {
         let free = gas.len().max(1) as f64 - walls.gamma();
         (sum / if free > 1.0 { free } else { 1.0 }) as f32
     }
+}
+
+/// Removes the pairs that thin solids part.
+// A part of the library.
+#[inline(never)]
+fn part(
+    blocks: &mut [Block],
+    grid: &Grid,
+    neighbours: &mut Neighbours,
+    h: f32,
+    (walls, solids): (&Walls, &Solids),
+) {
+    neighbours.part(blocks, grid, h, solids, |one| walls.thin_near(one));
 }
 
 /// Computes volume and pressure from the number density; the pressure is zero at `reference`.

@@ -25,9 +25,14 @@ impl Combustion {
 
     /// Lets gas that a caller gives fill the closed domain outside of solids, as a new lattice does.
     pub(super) fn leave_out_solids(&mut self, values: &Physics) {
-        if self.open.is_some() || self.solids.is_empty() {
-            return;
+        if self.open.is_none() && !self.solids.is_empty() {
+            self.fill_around(values);
         }
+    }
+
+    // A part of the library.
+    #[inline(never)]
+    fn fill_around(&mut self, values: &Physics) {
         let size = Vec2::new(values.domain_width, values.domain_height);
         let corner = Vec2::new(-0.5 * size.x, 0.0);
         let places = Lattice::even(corner, size, 0.5 * values.spacing()).points;
@@ -39,12 +44,15 @@ impl Combustion {
     }
 
     /// Moves the gas up to this `depth` in solids out of them \[m\], and removes the rest.
-    // Inlined into its callers, its code would be in each of them.
-    #[inline(never)]
     pub(super) fn settle(&mut self, values: &Physics, depth: f32) {
-        if self.solids.is_empty() {
-            return;
+        if !self.solids.is_empty() {
+            self.push_out(values, depth);
         }
+    }
+
+    // A part of the library.
+    #[inline(never)]
+    fn push_out(&mut self, values: &Physics, depth: f32) {
         let gas = &mut self.gas;
         let floor = self.open.as_ref().is_some_and(|open| open.has_floor());
         let gap = MIN_DISTANCE * values.spacing();

@@ -91,6 +91,16 @@ impl Walls {
                 }
             }
         }
+        if !solids.is_empty() {
+            self.find_solids(gas, grid, solids, kernel);
+        }
+    }
+
+    /// Finds the particles near solids.
+    // A part of the library.
+    #[inline(never)]
+    fn find_solids(&mut self, gas: &Gas, grid: &Grid, solids: &Solids, kernel: &Kernel) {
+        let support = kernel.support();
         for (number, body) in (0..).zip(&solids.bodies) {
             let is_thin = body.is_thin(support);
             let reach = body.surface.frame.extent() + support;

@@ -3,7 +3,8 @@
 use glam::Vec2;
 
 use super::{Body, Solids};
-use crate::scene::RoundedBox;
+use crate::lanes::{LANES, Lanes};
+use crate::scene::{Field, RoundedBox, Surface};
 
 /// The part of a rounded corner that hides the particles behind it, in radii.
 const OPAQUE: f32 = 0.7;
@@ -20,34 +21,86 @@ impl Body {
 
     /// Whether the line between two positions crosses it.
     fn is_between(&self, one: Vec2, other: Vec2) -> bool {
-        let frame = &self.surface.frame;
-        match &self.surface.field {
-            // The outline is inside of its frame by more than a cell.
-            Some(field) => {
-                crosses(frame, one, other) && field.crosses(frame.local(one), frame.local(other))
-            }
-            None => crosses(frame, one, other),
+        let other = other.to_array().map(Lanes::splat);
+        self.surface.lines_from(one).crossed(other, 1) != 0
+    }
+}
+
+impl Surface {
+    /// The lines from a position.
+    fn lines_from(&self, one: Vec2) -> Lines<'_> {
+        Lines {
+            frame: &self.frame,
+            field: self.field.as_deref(),
+            from: self.frame.local(one),
         }
     }
 }
 
-impl Solids {
-    /// The normal of the plane that a thin solid lies behind; zero for one that is not convex.
-    pub fn plane(&self, solid: u32, normal: Vec2) -> Vec2 {
-        let body = self.bodies.get(solid as usize);
-        match body.and_then(|body| body.surface.field.as_ref()) {
-            Some(_) => Vec2::ZERO,
-            None => normal,
+/// The lines from a position, beside a solid.
+pub(crate) struct Lines<'a> {
+    frame: &'a RoundedBox,
+    field: Option<&'a Field>,
+    /// The position relative to the centre of the solid, along its width and its height \[m\].
+    from: Vec2,
+}
+
+impl Lines<'_> {
+    /// Whether the solid is convex.
+    pub fn is_convex(&self) -> bool {
+        self.field.is_none()
+    }
+
+    /// Which of those to four positions of a bit mask have a part inside of the solid, whose corners
+    /// hide less if they are round: whether neither an axis of its box nor the normal of the line
+    /// separates them.
+    // A part of the library, and inlined it would be in each loop over lines.
+    #[inline(never)]
+    pub fn crossed(&self, [x, y]: [Lanes; 2], mask: u32) -> u32 {
+        let RoundedBox {
+            centre,
+            axis,
+            half,
+            radius,
+        } = *self.frame;
+        // Twice of it, as the middle and the half of each line.
+        let half = 2.0 * (half + OPAQUE * radius);
+        let (x, y) = (x - centre.x, y - centre.y);
+        let (x, y) = (x * axis.x + y * axis.y, y * axis.x - x * axis.y);
+        let (middle_x, middle_y) = (x + self.from.x, y + self.from.y);
+        let (path_x, path_y) = (x - self.from.x, y - self.from.y);
+        let (along_x, along_y) = (path_x.abs(), path_y.abs());
+        let turned = (middle_x * path_y - middle_y * path_x).abs();
+        // Without branches: which of them separates is unpredictable.
+        let crossed = mask
+            & middle_x.abs().less_mask(along_x + half.x)
+            & middle_y.abs().less_mask(along_y + half.y)
+            & turned.less_mask(along_y * half.x + along_x * half.y);
+        match self.field {
+            // The outline is inside of its frame by more than a cell.
+            Some(field) if crossed != 0 => self.inside(field, [x, y], crossed),
+            _ => crossed,
         }
     }
 
+    /// Which of the lines to four positions, relative to the centre, cross a sampled outline.
+    #[inline(never)]
+    fn inside(&self, field: &Field, to: [Lanes; 2], mask: u32) -> u32 {
+        let [x, y] = to.map(Lanes::to_array);
+        let lanes = (0..LANES).filter(|&lane| {
+            mask >> lane & 1 != 0 && field.crosses(self.from, Vec2::new(x[lane], y[lane]))
+        });
+        lanes.fold(0, |all, lane| all | 1 << lane)
+    }
+}
+
+impl Solids {
     /// Whether any is thin.
     pub fn any_thin(&self, support: f32) -> bool {
         self.bodies.iter().any(|body| body.is_thin(support))
     }
 
-    /// The thin ones near a position: normal, or zero for one that is not convex, distance and
-    /// index.
+    /// The thin ones near a position: normal, distance and index.
     pub fn thin_near(&self, at: Vec2, support: f32) -> impl Iterator<Item = (Vec2, f32, u32)> {
         let bodies = (0..).zip(&self.bodies);
         bodies.filter_map(move |(number, body)| {
@@ -55,21 +108,25 @@ impl Solids {
                 return None;
             }
             let (distance, normal) = body.surface.distance(at);
-            let entry = (self.plane(number, normal), distance, number);
-            (distance < support).then_some(entry)
+            (distance < support).then_some((normal, distance, number))
         })
     }
 
-    /// Whether the line between two positions crosses a solid.
-    pub fn crosses(&self, solid: u32, one: Vec2, other: Vec2) -> bool {
-        let body = self.bodies.get(solid as usize);
-        body.is_some_and(|body| body.is_between(one, other))
+    /// The lines from a position, beside a solid.
+    pub fn lines_from(&self, solid: u32, one: Vec2) -> Option<Lines<'_>> {
+        let body = self.bodies.get(solid as usize)?;
+        Some(body.surface.lines_from(one))
     }
 
     /// Whether a thin solid is between a position and another one within the support of the
     /// kernel \[m\].
-    #[inline(never)]
     pub fn part(&self, one: Vec2, other: Vec2, support: f32) -> bool {
+        !self.is_empty() && self.any_between(one, other, support)
+    }
+
+    // A part of the library.
+    #[inline(never)]
+    fn any_between(&self, one: Vec2, other: Vec2, support: f32) -> bool {
         let mut near = self.bodies.iter();
         near.any(|body| {
             body.may_touch(one, support) && body.is_thin(support) && body.is_between(one, other)
@@ -114,22 +171,21 @@ impl Beside<'_> {
     }
 }
 
-/// Whether a line has a part inside of a box, whose corners hide less if they are round: whether
-/// neither an axis of the box nor the normal of the line separates them.
-fn crosses(shape: &RoundedBox, one: Vec2, other: Vec2) -> bool {
-    let (from, to) = (shape.local(one), shape.local(other));
-    let half = shape.half + OPAQUE * shape.radius;
-    let (middle, path) = (0.5 * (from + to), 0.5 * (to - from));
-    let (beside, along) = (middle.abs(), path.abs());
-    // Without branches: which of them separates is unpredictable.
-    (beside.x < half.x + along.x)
-        & (beside.y < half.y + along.y)
-        & (middle.perp_dot(path).abs() < half.x * along.y + half.y * along.x)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn crosses(frame: &RoundedBox, one: Vec2, other: Vec2) -> bool {
+        let surface = Surface {
+            frame: *frame,
+            field: None,
+        };
+        let lines = surface.lines_from(one);
+        let [near, far] = [one, other].map(|at| at.to_array());
+        // The other lanes have lines without a length.
+        let to = [0, 1].map(|axis| Lanes::new([near[axis], far[axis], near[axis], near[axis]]));
+        lines.crossed(to, 0b1111) == 0b10
+    }
 
     #[test]
     fn a_plate_is_between_the_particles_on_its_two_sides() {

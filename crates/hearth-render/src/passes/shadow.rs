@@ -5,7 +5,7 @@ use crate::image::Image;
 use crate::pass::{Blend, Draw, Pass};
 use crate::shaders::uniforms;
 
-/// The ground is dark under a solid and behind it as the fire sees it.
+/// The ground is dark where the outline of a solid, laid down from its foot, covers it.
 pub struct Shadow;
 
 impl Pass for Shadow {
@@ -26,6 +26,7 @@ impl Pass for Shadow {
             clip_scale,
             clip_offset,
             count: frame.solids as f32,
+            margin: 0.0,
             horizon: frame.wall_foot() * frame.parameters.domain_height,
             picture: [viewport.metres[1], viewport.floor[1]],
             per_height: viewport.heights().map(|side| 1.0 / side),

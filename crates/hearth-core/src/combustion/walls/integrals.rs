@@ -2,6 +2,7 @@
 
 use crate::extremes::fast_max;
 use crate::kernel::Kernel;
+use crate::lanes::Lanes;
 
 /// Intervals of the tables, over distances of 0 to 2 smoothing lengths.
 const INTERVALS: usize = 16;
@@ -24,16 +25,26 @@ const FRICTION: [f32; INTERVALS + 1] = [
     0.0791149, 0.0446033, 0.0228398, 0.0101591, 0.00361149, 0.000851411, 7.34095e-5, 0.0,
 ];
 
+/// All three side by side.
+const TABLE: [Lanes; INTERVALS + 1] = {
+    let mut table = [Lanes::ZERO; INTERVALS + 1];
+    let mut at = 0;
+    while at <= INTERVALS {
+        table[at] = Lanes::new([GAMMA[at], SLOPE[at], FRICTION[at], 0.0]);
+        at += 1;
+    }
+    table
+};
+
 /// Γ, W₁ [1/m] and K [1/m²] of the half space beyond a plane at this distance \[m\].
 pub(super) fn beyond(distance: f32, kernel: &Kernel) -> [f32; 3] {
     let h = kernel.smoothing_length();
     let at = fast_max(distance, 0.0) * (INTERVALS as f32 / kernel.support());
-    let interval = (at as usize).min(INTERVALS - 1);
+    let interval = (at as u32).min(INTERVALS as u32 - 1) as usize;
     let part = at - interval as f32;
-    let value = |table: &[f32; INTERVALS + 1]| {
-        table[interval] + (table[interval + 1] - table[interval]) * part
-    };
-    [value(&GAMMA), value(&SLOPE) / h, value(&FRICTION) / (h * h)]
+    let (before, after) = (TABLE[interval], TABLE[interval + 1]);
+    let [gamma, slope, friction, _] = (before + (after - before) * part).to_array();
+    [gamma, slope / h, friction / (h * h)]
 }
 
 #[cfg(test)]

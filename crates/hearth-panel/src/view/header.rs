@@ -15,6 +15,9 @@ use crate::view::{choices, row, search_field, telemetry, title, variants};
 /// Width of the button that resets all.
 const RESET: f32 = 100.0;
 
+/// Least width of the button of the scene beside others.
+const SCENE: f32 = 110.0;
+
 /// The part that never scrolls: one line where the panel is low, or where the page
 /// selects the parameters.
 pub fn fixed(state: &State, out: &mut Output, ui: &mut Ui, low: bool) {
@@ -42,16 +45,22 @@ pub fn fixed(state: &State, out: &mut Output, ui: &mut Ui, low: bool) {
         ui.add_space(gap);
         tools::show(state, out, ui, false);
         ui.add_space(gap);
-        let rect = labelled(ui, control, "Scene");
-        let (scene, variants) = rect.split_left_right_at_x(rect.right() - variants::width(control));
-        scene_button(
-            &state.controller.scene,
-            out,
-            ui,
-            scene.with_max_x(scene.right() - gap),
-        );
-        variants::line(&state.controller, out, ui, variants);
+        let line = labelled(ui, control, "Scene");
+        let room = line.right() - variants::width(control);
+        let (scene, beside) = if room - gap >= line.left() + SCENE {
+            let (scene, beside) = line.split_left_right_at_x(room);
+            (scene.with_max_x(room - gap), Some(beside))
+        } else {
+            (line, None)
+        };
+        scene_button(&state.controller.scene, out, ui, scene);
         ui.add_space(gap);
+        let variants = beside.unwrap_or_else(|| {
+            let line = labelled(ui, control, "Compare");
+            ui.add_space(gap);
+            line
+        });
+        variants::line(&state.controller, out, ui, variants);
         model(state, out, ui, false);
         ui.add_space(gap);
         search(state, out, ui);

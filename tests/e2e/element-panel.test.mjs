@@ -343,7 +343,11 @@ function countListeners() {
   const { addEventListener, removeEventListener } = EventTarget.prototype;
   EventTarget.prototype.addEventListener = function add(name, listener, options) {
     const once = typeof options === 'object' && options?.once;
-    if (listener && !once && watched(this ?? window)) kept.add(key(this ?? window, name, listener, options));
+    if (listener && !once && watched(this ?? window)) {
+      const one = key(this ?? window, name, listener, options);
+      kept.add(one);
+      if (typeof options === 'object') options?.signal?.addEventListener('abort', () => kept.delete(one));
+    }
     return addEventListener.call(this, name, listener, options);
   };
   EventTarget.prototype.removeEventListener = function remove(name, listener, options) {

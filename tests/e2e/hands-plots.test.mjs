@@ -143,13 +143,17 @@ test('the CSV has units, and the numbers of stats, measures and charts', async (
 
 test('a fire that plays has a frame time, that of stats', async () => {
   const tab = await openTools(browser, WIDE, 'scene=default&quality=low');
+  await tab.fire((fire) => {
+    const seen = /** @type {any} */ (window).seen = [];
+    fire.addEventListener('stats', ({ detail }) => seen.push(1000 / detail.fps));
+  });
   await openPlots(tab);
   await tab.until('a frame time', () => /^Frame time: now \d+ ms/.test(document.querySelector('.hearth-plots .chart')?.getAttribute('aria-label') ?? ''));
   await tab.fire((fire) => fire.pause());
   const { columns } = await csv(tab);
   const frames = columns['frame time [ms]'];
-  const { fps } = await tab.fire((fire) => fire.stats);
-  assert.ok(fps > 0 && Math.abs(frames.at(-1) - 1000 / fps) < 0.01 * frames.at(-1), `${frames.at(-1)} ms, and ${fps} pictures a second`);
+  const seen = await tab.evaluate(() => /** @type {any} */ (window).seen);
+  assert.ok(seen.some((time) => Math.abs(frames.at(-1) - time) < 0.01 * time), `${frames.at(-1)} ms, and ${seen} in stats`);
   assert.deepEqual(tab.problems, []);
 });
 

@@ -4,7 +4,7 @@
 
 use std::env;
 
-use hearth_benches::scenes;
+use hearth_benches::scenes::{self, measured};
 use hearth_core::Simulation;
 
 /// The cases, and how many steps of each are counted. What comes before them is
@@ -19,17 +19,6 @@ fn case(name: &str) -> Result<(Simulation, u32), String> {
         "no bodies" => Ok((scenes::bodies(0)?, 20)),
         _ => Err(format!("there is no case \"{name}\"")),
     }
-}
-
-/// The steps that count; returns over how many particles they went.
-#[inline(never)]
-fn measured(simulation: &mut Simulation, steps: u32) -> u64 {
-    let mut particles = 0;
-    for _ in 0..steps {
-        simulation.step();
-        particles += simulation.count() as u64;
-    }
-    particles
 }
 
 fn main() -> Result<(), String> {

@@ -5,6 +5,7 @@
 use std::env;
 use std::time::Instant;
 
+use hearth_benches::scenes::measured;
 use hearth_core::params::{Input, Model, Parameters};
 use hearth_core::{Scene, Simulation};
 
@@ -30,17 +31,6 @@ fn fire(count: u32) -> Result<Simulation, String> {
         scene.add(&line).map_err(|refused| format!("{refused:?}"))?;
     }
     Ok(Simulation::new(scene))
-}
-
-/// Makes so many steps. Returns over how many particles they went.
-#[inline(never)]
-fn measured(simulation: &mut Simulation, steps: u32) -> u64 {
-    let mut particles = 0;
-    for _ in 0..steps {
-        simulation.step();
-        particles += simulation.count() as u64;
-    }
-    particles
 }
 
 fn burnt(count: u32, seconds: f64) -> Result<Simulation, String> {

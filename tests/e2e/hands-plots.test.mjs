@@ -4,8 +4,9 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { violations } from './axe.mjs';
-import { Browser } from './driver.mjs';
+import { Browser, eventually } from './driver.mjs';
 import { canUndo, openTools, PHONES, tool, WIDE } from './hands.mjs';
+import { keepSaved } from './waits.mjs';
 
 /** @type {Browser} */
 let browser;
@@ -44,30 +45,14 @@ async function openPlots(tab) {
 
 /** Presses the button for CSV until it has the present time: the name of the file, and its columns of numbers by their names. */
 async function csv(tab) {
-  for (let patience = 20; patience > 0; patience -= 1) {
-    const file = await saved(tab);
-    const { time } = await tab.fire((fire) => fire.stats);
-    if (Math.abs(file.columns['time [s]'].at(-1) - time) < 1e-3) return file;
-    await tab.frames();
-  }
-  throw new Error('the file has not the present time');
+  const both = async () => ({ file: await saved(tab), time: await tab.fire((fire) => fire.stats.time) });
+  const present = (/** @type {any} */ { file, time }) => Math.abs(file.columns['time [s]'].at(-1) - time) < 1e-3;
+  const { file } = await eventually('the file has the present time', both, present, () => tab.frames());
+  return file;
 }
 
 async function saved(tab) {
-  await tab.evaluate(() => {
-    delete (/** @type {any} */ (window).saved);
-    const files = new Map();
-    const { createObjectURL } = URL;
-    URL.createObjectURL = (file) => {
-      const url = createObjectURL(file);
-      files.set(url, file);
-      return url;
-    };
-    HTMLAnchorElement.prototype.click = async function click() {
-      const file = files.get(this.href);
-      /** @type {any} */ (window).saved = { name: this.download, type: file.type, text: await file.text() };
-    };
-  });
+  await tab.evaluate(keepSaved);
   await tab.page.click('.hearth-plots header button');
   const { name, type, text } = await tab.until('a file', () => /** @type {any} */ (window).saved);
   const [names, ...lines] = text.trimEnd().split('\r\n').map((line) => line.split(','));

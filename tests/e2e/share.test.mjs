@@ -7,6 +7,7 @@ import { after, before, describe, test } from 'node:test';
 import { Browser } from './driver.mjs';
 import { assertBurns } from './assertions.mjs';
 import { Panel, actionOf, along } from './panel.mjs';
+import { keepSaved } from './waits.mjs';
 
 describe('the panel', () => {
   /** @type {Browser} */
@@ -203,22 +204,7 @@ describe('the panel', () => {
   });
 
   test('saves a picture of the fire as a PNG', async () => {
-    const { tab, panel } = await openPage({
-      before: () => {
-        // The page's policy lets no script fetch the file.
-        const files = new Map();
-        const { createObjectURL } = URL;
-        URL.createObjectURL = (file) => {
-          const url = createObjectURL(file);
-          files.set(url, file);
-          return url;
-        };
-        HTMLAnchorElement.prototype.click = async function click() {
-          const bytes = new Uint8Array(await files.get(this.href).arrayBuffer());
-          /** @type {any} */ (window).saved = { name: this.download, start: [...bytes.slice(0, 8)], size: bytes.length };
-        };
-      },
-    });
+    const { tab, panel } = await openPage({ before: keepSaved });
     await tab.burnt(0.5);
     await panel.press('picture');
     const { name, start, size } = await tab.until('a file', () => /** @type {any} */ (window).saved);

@@ -30,9 +30,9 @@ const LIGHTING: f64 = 0.5;
 /// One heap in this number lies on a solid that stirs it.
 const STIRRED: u32 = 4;
 /// Largest distance of a body from the middle of the frame \[m\], and how deep one is in the floor
-/// at most: others that are a thousand times as dense press it down, but not through.
+/// at most, which is where the solver puts back a body that others press down, and the corners of its discs.
 const FARTHEST: f32 = 41.0;
-const DEEPEST: f32 = 0.15;
+const DEEPEST: f32 = 0.03;
 /// Steps from one look at that to the next, and places along a side of a body.
 const LOOKED_AT: u32 = 16;
 const GRID: usize = 40;

@@ -7,6 +7,18 @@ use hearth_tests::fires::{burn_on, closed_box, watch, with_numbers};
 
 use super::{GRAVITY, add, alone, floor, free};
 
+/// Momentum of the gas, whose particles have this mass [kg/m], and of the bodies [kg/s].
+fn momenta(fire: &Simulation, particle: f64) -> (DVec2, DVec2) {
+    let gas = fire.velocities().into_iter();
+    let bodies = fire.free_solids().into_iter();
+    (
+        gas.map(|v| v.as_dvec2() * particle).sum(),
+        bodies
+            .map(|one| one.velocity.as_dvec2() * f64::from(one.mass))
+            .sum(),
+    )
+}
+
 #[test]
 fn bodies_and_gas_in_a_closed_box_keep_their_momentum() {
     let settings = closed_box(&[("gravity", 0.0), ("turbulence", 0.0)]);
@@ -31,15 +43,6 @@ fn bodies_and_gas_in_a_closed_box_keep_their_momentum() {
     let places = Simulation::new(scene.settings().clone()).count();
     let mut fire = Simulation::new(scene);
     let particle = f64::from(fire.parameters().ambient_density) * 0.64 / places as f64;
-    let sums = |fire: &Simulation| {
-        let gas = fire.velocities().into_iter().map(Vec2::as_dvec2);
-        let gas: DVec2 = gas.map(|v| v * particle).sum();
-        let bodies = fire.free_solids().into_iter();
-        let bodies: DVec2 = bodies
-            .map(|one| one.velocity.as_dvec2() * f64::from(one.mass))
-            .sum();
-        (gas, bodies)
-    };
     // A gust meets them; then nothing acts on the box.
     let gust = |at: Vec2, _: Vec2| {
         if at.x < -0.2 {
@@ -51,10 +54,10 @@ fn bodies_and_gas_in_a_closed_box_keep_their_momentum() {
     while fire.time() < 0.1 {
         fire.step_in_stages(Some(&gust), &mut |_| ());
     }
-    let (gas, bodies) = sums(&fire);
+    let (gas, bodies) = momenta(&fire, particle);
     let (whole, mut moved) = (gas + bodies, 0.0_f64);
     watch(&mut fire, 2.0, |fire| {
-        let (now, of_bodies) = sums(fire);
+        let (now, of_bodies) = momenta(fire, particle);
         moved = moved.max((of_bodies - bodies).length());
         let change = (now + of_bodies - whole).length() / whole.length();
         // Rounding: a run has 1e-7.
@@ -101,20 +104,11 @@ fn bodies_and_particles_of_the_classic_model_keep_their_momentum() {
         .collect();
     assert_eq!(fire.set_particles(&thrown), Ok(()));
     let particle = f64::from(fire.parameters().particle_mass);
-    let sums = |fire: &Simulation| {
-        let gas = fire.velocities().into_iter().map(Vec2::as_dvec2);
-        let gas: DVec2 = gas.map(|v| v * particle).sum();
-        let bodies = fire.free_solids().into_iter();
-        let bodies: DVec2 = bodies
-            .map(|one| one.velocity.as_dvec2() * f64::from(one.mass))
-            .sum();
-        (gas, bodies)
-    };
-    let (whole, _) = sums(&fire);
+    let (whole, _) = momenta(&fire, particle);
     let mut moved = 0.0_f64;
     watch(&mut fire, 0.5, |fire| {
         assert_eq!(fire.count(), thrown.len());
-        let (gas, bodies) = sums(fire);
+        let (gas, bodies) = momenta(fire, particle);
         moved = moved.max(bodies.length());
         let change = (gas + bodies - whole).length() / whole.length();
         assert!(change < 1e-5, "{change} at {} s", fire.time());

@@ -78,6 +78,24 @@ fn five_boxes_stand_for_a_minute() {
     }
 }
 
+#[test]
+fn a_light_body_under_a_heavy_one_stays_on_the_floor() {
+    for mut scene in [alone(), Scene::new(floor(&[]))] {
+        let sized = |y, width, height, density| {
+            let place = [("y", y), ("width", width), ("height", height)];
+            [&place[..], &[("density", density)]].concat()
+        };
+        let light = add(&mut scene, "box", "free", &sized(0.025, 0.1, 0.05, 2.0));
+        add(&mut scene, "box", "free", &sized(0.26, 0.6, 0.4, 8000.0));
+        let mut fire = Simulation::new(scene);
+        watch(&mut fire, 3.0, |fire| {
+            // It may be 2 cm in the floor, and lie on any side.
+            let depth = 0.025 - free(fire, light).place.y;
+            assert!(depth < 0.021, "{depth} m at {} s", fire.time());
+        });
+    }
+}
+
 /// How far a box slides in a second on a line at that angle, with that friction.
 fn slid(degrees: f64, friction: f64) -> f32 {
     let mut scene = alone();

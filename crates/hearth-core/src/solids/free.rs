@@ -188,6 +188,7 @@ impl FreeBodies {
         for one in self.all.iter_mut().filter(|one| one.is_free) {
             one.advance(dt, self.bounds.as_ref());
         }
+        self.lift();
         self.relax(dt);
     }
 }

@@ -298,6 +298,12 @@ impl Rigid {
         self.spin = fast_min(fast_max(self.spin, -fastest), fastest);
     }
 
+    /// Puts it elsewhere.
+    pub fn shift(&mut self, path: Vec2) {
+        self.centre += path;
+        self.surface.frame.centre += path;
+    }
+
     /// Moves it.
     pub fn advance(&mut self, dt: f32, bounds: Option<&Bounds>) {
         let turn = self.spin * dt;

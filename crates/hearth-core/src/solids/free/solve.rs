@@ -23,6 +23,8 @@ const FREQUENCY: f32 = 0.25;
 /// Overlap that stays \[m\], and the greatest velocity at which an overlap ends [m/s].
 const SLOP: f32 = 2e-5;
 const FASTEST: f32 = 1.0;
+/// How deep a body may be in a plane \[m\].
+const DEEPEST: f32 = 0.02;
 /// Slowest impact that bounces [m/s].
 const BOUNCE: f32 = 0.2;
 
@@ -101,6 +103,23 @@ impl FreeBodies {
         }
         for contact in &mut self.contacts {
             contact.gap += relative(&self.all, contact).dot(contact.normal) * dt;
+        }
+    }
+
+    /// Puts bodies back that others have pressed deep into a plane: no rounds of impulses hold a light
+    /// body under others a thousand times as dense.
+    pub(super) fn lift(&mut self) {
+        let same = |a: &Contact, b: &Contact| (a.one, a.other) == (b.one, b.other);
+        for contacts in self.contacts.chunk_by(same) {
+            let [first, ..] = contacts else { continue };
+            let gaps = contacts.iter().map(|contact| contact.gap);
+            let beyond = -DEEPEST - gaps.fold(0.0, fast_min);
+            if beyond > 0.0
+                && first.is_at_plane()
+                && let Some(body) = self.all.get_mut(first.one)
+            {
+                body.shift(first.normal * beyond);
+            }
         }
     }
 

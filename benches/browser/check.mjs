@@ -6,9 +6,9 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { parse, value } from './lines.mjs';
-import { PaperFire } from './paper.mjs';
 import { ScanFire } from './scan.mjs';
 import { TypedFire } from './typed.mjs';
+import { PaperLoop } from '../../web/bench/paper-loop.js';
 
 const TOLERANCE = 1e-3;
 
@@ -22,7 +22,7 @@ function difference(expected, given) {
 }
 
 const { steps, start, end } = JSON.parse(readFileSync(0, 'utf8'));
-for (const Fire of [TypedFire, ScanFire, PaperFire]) {
+for (const Fire of [TypedFire, ScanFire, PaperLoop]) {
   const fire = new Fire(start);
   // What a round leaves behind must not change the next one.
   for (let round = 0; round < 2; round += 1) {

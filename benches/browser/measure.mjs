@@ -4,9 +4,9 @@
  * The speed of a machine varies over time, so the caller measures a round of all cases,
  * and repeats the rounds.
  */
-import { PaperFire } from './paper.mjs';
 import { ScanFire } from './scan.mjs';
 import { TypedFire } from './typed.mjs';
+import { PaperLoop } from '../../web/bench/paper-loop.js';
 
 /**
  * @typedef {object} Case
@@ -25,7 +25,7 @@ const BATCHES = 3;
 /** Steps after which a fire goes back to its start: a block drifts apart. */
 const STEPS = 100;
 
-const BASELINES = { typed: TypedFire, scan: ScanFire, paper: PaperFire };
+const BASELINES = { typed: TypedFire, scan: ScanFire, paper: PaperLoop };
 
 /** All cases of one place. */
 export class Bench {

@@ -1,134 +1,126 @@
 /**
- * The paper's program, without drawing: particles are objects, and each looks at every other one, twice a
- * step. Numbers in brackets are the paper's equations.
+ * The paper's program, without drawing: particles are objects, and each looks at every other one, twice a step. Numbers
+ * in brackets are the paper's equations.
  *
- * Three of them are corrected, or the gas would explode: the factor of the kernel is that of two dimensions
- * (1), the Laplacian of the kernel never changes its sign (4), and forces on a volume of gas are divided by its
- * density (5, 7). None changes the time of a step by much.
+ * The equations are Hearth's corrected ones, so that both compute the same gas: the factor of the kernel is that of two
+ * dimensions (1), the Laplacian of the kernel never changes its sign (4), and forces on a volume of gas are divided by
+ * its density (5, 7). No correction changes the time of a step by much.
  */
 
-/**
- * @typedef {object} Gas
- * @property {number} smoothing  The smoothing length h [m].
- * @property {number} mass  Of a particle [kg/m].
- * @property {number} restDensity  [kg/m³]
- * @property {number} ambientDensity  [kg/m³]
- * @property {number} gasConstant  [m²/s²]
- * @property {number} viscosity  [Pa·s]
- * @property {number} buoyancy
- * @property {number} gravity  [m/s²]
- * @property {number} timeStep  [s]
- */
+import { GAS, MASS, lift } from './gas.js';
 
-/**
- * @typedef {object} Particle
- * @property {number} x
- * @property {number} y
- * @property {number} vx
- * @property {number} vy
- * @property {number} ax
- * @property {number} ay
- * @property {number} density
- * @property {number} pressure
- * @property {number} life  Time until it is removed [s].
- */
-
-/** Density of gas so thin that a force would grow without limit [kg/m³]. */
-const MIN_DENSITY = 0.3;
-
-/** Time until a particle is removed [s]: longer than any measurement. */
-const LIFE = 1e6;
+/** @typedef {{positions: ArrayLike<number>, velocities?: ArrayLike<number>}} Start  x and y of each particle. */
 
 export class PaperLoop {
-  /**
-   * @param {Gas} gas
-   * @param {ArrayLike<number>} positions  x and y of each particle [m].
-   */
-  constructor(gas, positions) {
-    this.gas = gas;
-    this.positions = positions;
-    /** @type {Particle[]} */
-    this.particles = [];
-    this.rewind();
+  /** @param {Start} start  Without velocities, the particles are at rest. */
+  constructor(start) {
+    this.start = start;
+    this.particles = particlesOf(start);
   }
 
-  /** Restores the particles of the start, at rest. */
+  /** Restores the particles of the start. */
   rewind() {
-    const { positions } = this;
-    this.particles = Array.from({ length: positions.length / 2 }, (_, at) => ({
-      x: positions[2 * at],
-      y: positions[2 * at + 1],
-      vx: 0,
-      vy: 0,
-      ax: 0,
-      ay: 0,
-      density: 0,
-      pressure: 0,
-      life: LIFE,
-    }));
+    this.particles = particlesOf(this.start);
   }
 
-  /** One loop: densities and pressures, forces, motion. */
+  /** One loop: densities and pressures, forces, motion, lives. */
   step() {
     for (const one of this.particles) this.findDensity(one);
     for (const one of this.particles) this.findAcceleration(one);
-    for (const one of this.particles) move(one, this.gas.timeStep);
-    this.particles = this.particles.filter((one) => one.life > 0);
+    for (const one of this.particles) move(one);
+    this.particles = this.particles.filter(({ age }) => age < GAS.lifetime);
   }
 
   /** Density (2) and pressure. @param {Particle} one */
   findDensity(one) {
-    const { smoothing, mass, gasConstant, restDensity } = this.gas;
     one.density = 0;
-    for (const other of this.particles) {
-      one.density += mass * kernel(distance(one, other), smoothing);
-    }
-    one.pressure = Math.max(0, gasConstant * (one.density - restDensity));
+    for (const other of this.particles) one.density += MASS * kernel(distance(one, other));
+    one.pressure = Math.max(0, GAS.gasConstant * (one.density - GAS.restDensity));
   }
 
   /** Pressure (3), viscosity (4) and buoyancy (7), divided by the density (5). @param {Particle} one */
   findAcceleration(one) {
-    const { smoothing, mass, viscosity, buoyancy, ambientDensity, gravity } = this.gas;
-    const density = Math.max(MIN_DENSITY, one.density);
-    let fx = 0;
-    let fy = -buoyancy * (one.density - ambientDensity) * gravity;
+    one.ax = 0;
+    one.ay = lift(one.density, one.temperature, one.vy);
     for (const other of this.particles) {
-      const r = distance(one, other);
-      if (other === one || r >= 2 * smoothing || r === 0) continue;
-      const volume = mass / Math.max(MIN_DENSITY, other.density);
-      const slope = kernelSlope(r, smoothing);
-      const push = (-volume * 0.5 * (one.pressure + other.pressure) * slope) / r;
-      // The Laplacian of the kernel is replaced by one that never changes its sign.
-      const drag = (-2 * viscosity * volume * slope) / r;
-      fx += push * (one.x - other.x) + drag * (other.vx - one.vx);
-      fy += push * (one.y - other.y) + drag * (other.vy - one.vy);
+      if (one !== other) addForces(one, other);
     }
-    one.ax = fx / density;
-    one.ay = fy / density;
+  }
+
+  /** Neighbours of a particle within two smoothing lengths, on average. */
+  neighbours() {
+    let pairs = 0;
+    for (const one of this.particles) {
+      for (const other of this.particles) {
+        if (one !== other && distance(one, other) < 2 * GAS.h) pairs += 1;
+      }
+    }
+    return pairs / this.particles.length;
+  }
+
+  /** What the last step found: densities; velocities, x and y of each. */
+  state() {
+    return {
+      densities: this.particles.map(({ density }) => density),
+      velocities: this.particles.flatMap(({ vx, vy }) => [vx, vy]),
+    };
   }
 }
 
-/** Euler's method with the new velocity (§3.1.2). @param {Particle} one @param {number} dt */
-function move(one, dt) {
-  one.vx += one.ax * dt;
-  one.vy += one.ay * dt;
-  one.x += one.vx * dt;
-  one.y += one.vy * dt;
-  one.life -= dt;
+/** @typedef {ReturnType<typeof particlesOf>[number]} Particle */
+
+/** @param {Start} start */
+function particlesOf({ positions, velocities }) {
+  return Array.from({ length: positions.length / 2 }, (_, at) => ({
+    x: positions[2 * at],
+    y: positions[2 * at + 1],
+    vx: velocities?.[2 * at] ?? 0,
+    vy: velocities?.[2 * at + 1] ?? 0,
+    ax: 0,
+    ay: 0,
+    density: 0,
+    pressure: 0,
+    temperature: GAS.temperature,
+    age: 0,
+  }));
 }
 
-/** The cubic spline (1). @param {number} r @param {number} h */
-function kernel(r, h) {
-  const q = r / h;
-  const norm = 10 / (7 * Math.PI * h * h);
+/** Adds what pressure and viscosity of another particle do. @param {Particle} one @param {Particle} other */
+function addForces(one, other) {
+  const dx = one.x - other.x;
+  const dy = one.y - other.y;
+  const r = Math.sqrt(dx * dx + dy * dy);
+  if (r >= 2 * GAS.h || r === 0) return;
+  const slope = kernelSlope(r);
+  const share = MASS / (Math.max(GAS.densityFloor, one.density) * Math.max(GAS.densityFloor, other.density));
+  const pressure = (-share * (one.pressure + other.pressure) * slope) / r;
+  const drag = (2 * GAS.viscosity * share * slope * r) / (r * r + 0.01 * GAS.h * GAS.h);
+  one.ax += pressure * dx + drag * (one.vx - other.vx);
+  one.ay += pressure * dy + drag * (one.vy - other.vy);
+}
+
+/** Euler's method with the new velocity (6), cooling and age. @param {Particle} one */
+function move(one) {
+  one.vx += one.ax * GAS.timeStep;
+  one.vy += one.ay * GAS.timeStep;
+  one.x += one.vx * GAS.timeStep;
+  one.y += one.vy * GAS.timeStep;
+  one.temperature = Math.max(GAS.ambientTemperature, one.temperature - GAS.coolingRate * GAS.timeStep);
+  one.age += GAS.timeStep;
+}
+
+/** The cubic spline (1). @param {number} r */
+function kernel(r) {
+  const q = r / GAS.h;
+  const norm = 10 / (7 * Math.PI * GAS.h * GAS.h);
   if (q < 1) return norm * (1 - 1.5 * q * q + 0.75 * q * q * q);
   return q < 2 ? norm * 0.25 * (2 - q) ** 3 : 0;
 }
 
-/** Its derivative by the distance. @param {number} r @param {number} h */
-function kernelSlope(r, h) {
-  const q = r / h;
-  const norm = 10 / (7 * Math.PI * h * h * h);
+/** Its derivative by the distance. @param {number} r */
+function kernelSlope(r) {
+  const q = r / GAS.h;
+  const norm = 10 / (7 * Math.PI * GAS.h * GAS.h * GAS.h);
   if (q < 1) return norm * (2.25 * q * q - 3 * q);
   return q < 2 ? -norm * 0.75 * (2 - q) ** 2 : 0;
 }

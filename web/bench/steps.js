@@ -7,6 +7,7 @@
  */
 
 import { createSimulation } from '../sim.js';
+import { GAS, MASS, SPACING } from './gas.js';
 import { PaperLoop } from './paper-loop.js';
 
 /** Batches of each program whose median is the result. */
@@ -25,25 +26,8 @@ const COMBUSTION_STEPS = 100;
 /** Largest deviation of its mean number of particles. */
 const TOLERANCE = 0.05;
 
-/** The square of gas: as in the project's own benchmarks. */
-const SMOOTHING = 0.012;
-const REST_DENSITY = 2;
-const NEIGHBOURS = 20;
-const SPACING = 2 * SMOOTHING * Math.sqrt(Math.PI / (NEIGHBOURS + 1));
 /** Space around the square, in distances of particles. */
 const MARGIN = 6;
-
-const GAS = {
-  smoothing: SMOOTHING,
-  mass: REST_DENSITY * SPACING * SPACING,
-  restDensity: REST_DENSITY,
-  ambientDensity: 1.2,
-  gasConstant: 0.6,
-  viscosity: 0.001,
-  buoyancy: 0.12,
-  gravity: 0,
-  timeStep: 1 / 480,
-};
 
 /** Particles on a lattice, in a square above the floor: x and y of each [m]. @param {number} count */
 function square(count) {
@@ -69,9 +53,9 @@ export async function classicSteps(count, paper, pause) {
     params: {
       domain_width: side,
       domain_height: side,
-      smoothing_radius: GAS.smoothing,
+      smoothing_radius: GAS.h,
       rest_density: GAS.restDensity,
-      particle_mass: GAS.mass,
+      particle_mass: MASS,
       gas_constant: GAS.gasConstant,
       viscosity: GAS.viscosity,
       gravity: GAS.gravity,
@@ -96,7 +80,7 @@ export async function classicSteps(count, paper, pause) {
 
 /** The paper's loop with particles there. @param {Float32Array} positions */
 function paperStepper(positions) {
-  const loop = new PaperLoop(GAS, positions);
+  const loop = new PaperLoop({ positions });
   return {
     step: (/** @type {number} */ steps) => {
       for (let left = steps; left > 0; left -= 1) loop.step();

@@ -46,6 +46,13 @@ impl Lanes {
         Lanes::splat(self.to_array()[lane])
     }
 
+    /// Each lane has the number of the next one, and the last lane that of the first.
+    #[inline(always)]
+    pub fn rotated(self) -> Lanes {
+        let [a, b, c, d] = self.to_array();
+        Lanes::new([b, c, d, a])
+    }
+
     /// The nearest integers of numbers from 0 to below 2²³.
     #[inline(always)]
     pub fn nearest_integers(self) -> [u32; LANES] {

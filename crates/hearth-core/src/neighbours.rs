@@ -85,11 +85,16 @@ pub(crate) trait Block: Copy {
 pub(crate) trait PairSum<const N: usize> {
     /// The blocks of the particles.
     type Block: Block;
-    /// One particle, with each property in all lanes.
+    /// The particles that meet those of a block, lane by lane; mostly one, in all lanes.
     type Broadcast;
 
-    /// The particle in a lane of `block`, moved by `shift` smoothing lengths.
-    fn broadcast(&self, block: &Self::Block, lane: usize, shift: Vec2) -> Self::Broadcast;
+    /// The lanes that `pick` takes of each property of `block`, moved by `shift` smoothing lengths.
+    fn broadcast(
+        &self,
+        block: &Self::Block,
+        pick: impl Fn(Lanes) -> Lanes,
+        shift: Vec2,
+    ) -> Self::Broadcast;
 
     /// The terms that each of the four `others` adds to the sums of `one`, and the terms that
     /// `one` subtracts from the sums of the others.
@@ -123,11 +128,15 @@ impl Sweep {
         &entries[begin..begin + self.counts[lane] as usize]
     }
 
-    /// The neighbours of a lane in its own block, as a bit mask.
-    #[inline(never)]
-    fn within(&self, lane: usize) -> usize {
-        let earlier = (0..lane).filter(|&other| self.inner[other] >> lane & 1 != 0);
-        earlier.fold(self.inner[lane].into(), |all, other| all | 1 << other)
+    /// The lanes whose neighbour is the next lane of the block, and those whose neighbour is the
+    /// opposite one, as bit masks.
+    #[inline(always)]
+    fn inner_subsets(&self) -> [usize; 2] {
+        let [first, second, third, _] = self.inner.map(usize::from);
+        let bit = |of: usize, lane: usize| of >> lane & 1;
+        let next = bit(first, 1) | bit(second, 2) << 1 | bit(third, 3) << 2 | bit(first, 3) << 3;
+        let opposite = bit(first, 2) | bit(second, 3) << 1;
+        [next, opposite | opposite << 2]
     }
 }
 
@@ -205,14 +214,16 @@ impl Neighbours {
         // Lanes without a particle must not find each other: those of this block get another
         // position.
         let occupied = x.less_mask(Lanes::splat(0.5 * FAR_AWAY));
-        let each = [0, 1, 2, 3].map(|lane| {
-            let x = if occupied & (1 << lane) == 0 {
+        // A loop, because the closure of a `map` is not inlined here.
+        let mut each = [(x, y, weight); LANES];
+        for (lane, (x, y, weight)) in each.iter_mut().enumerate() {
+            *x = if occupied & (1 << lane) == 0 {
                 Lanes::splat(-FAR_AWAY)
             } else {
                 x.broadcast(lane)
             };
-            (x, y.broadcast(lane), weight.broadcast(lane))
-        });
+            (*y, *weight) = (y.broadcast(lane), weight.broadcast(lane));
+        }
         let mut sums = [Lanes::ZERO; LANES];
         let mut inner = [0; LANES];
         if own {
@@ -223,7 +234,9 @@ impl Neighbours {
                 inner[lane] = (square.less_mask(SUPPORT_SQUARED) & later) as u8;
             }
         }
-        let each = each.map(|(x, y, weight)| (x - shift.x, y - shift.y, weight));
+        for (x, y, _) in &mut each {
+            (*x, *y) = (*x - shift.x, *y - shift.y);
+        }
         for run in runs {
             for (number, others) in (run.start..).zip(&mut blocks[run.start..run.end]) {
                 let ([x, y], weight) = (others.position(), others.weight());
@@ -317,36 +330,60 @@ impl Neighbours {
     pub fn sum<const N: usize, P: PairSum<N>>(&self, pairs: &P, blocks: &mut [P::Block]) {
         for sweep in &self.sweeps {
             let block = sweep.block as usize;
-            let mut own = [[Lanes::ZERO; N]; LANES];
-            for (lane, sum) in own.iter_mut().enumerate() {
-                let one = pairs.broadcast(&blocks[block], lane, sweep.shift);
-                if sweep.own {
-                    *sum = pairs.pair(&one, &blocks[block]).0;
-                    if self.parted {
-                        let keep = KEEP[sweep.within(lane)];
-                        *sum = sum.map(|term| term * keep);
-                    }
-                }
+            let mut added = [[Lanes::ZERO; N]; LANES];
+            for (lane, result) in added.iter_mut().enumerate() {
+                let one = pairs.broadcast(&blocks[block], |of| of.broadcast(lane), sweep.shift);
+                // A local sum stays in registers.
+                let mut sum = [Lanes::ZERO; N];
                 for &entry in sweep.list(&self.entries, lane) {
                     let others = &mut blocks[entry as usize / SUBSETS];
-                    let (mut added, mut subtracted) = pairs.pair(&one, others);
+                    let (mut terms, mut theirs) = pairs.pair(&one, others);
                     if self.parted {
                         let keep = KEEP[entry as usize % SUBSETS];
-                        added = added.map(|term| term * keep);
-                        subtracted = subtracted.map(|term| term * keep);
+                        terms = terms.map(|term| term * keep);
+                        theirs = theirs.map(|term| term * keep);
                     }
-                    let theirs = P::accumulator(others);
+                    let accumulator = P::accumulator(others);
                     for k in 0..N {
-                        sum[k] += added[k];
-                        theirs[k] -= subtracted[k];
+                        sum[k] += terms[k];
+                        accumulator[k] -= theirs[k];
                     }
                 }
+                *result = sum;
+            }
+            let mut inner = [Lanes::ZERO; N];
+            if sweep.own {
+                inner = self.inner_sums(pairs, &blocks[block], sweep);
             }
             let accumulator = P::accumulator(&mut blocks[block]);
             for (k, sum) in accumulator.iter_mut().enumerate() {
-                *sum += lanes::row_sums(own.map(|sum| sum[k]));
+                *sum += lanes::row_sums(added.map(|sum| sum[k])) + inner[k];
             }
         }
+    }
+
+    /// The sums over the pairs within a block. All six meet in two turns: each lane meets the
+    /// next one, then the one opposite.
+    fn inner_sums<const N: usize, P: PairSum<N>>(
+        &self,
+        pairs: &P,
+        block: &P::Block,
+        sweep: &Sweep,
+    ) -> [Lanes; N] {
+        let next = pairs.broadcast(block, Lanes::rotated, Vec2::ZERO);
+        let (mut of_next, mut of_each) = pairs.pair(&next, block);
+        let opposite = pairs.broadcast(block, |of| of.rotated().rotated(), Vec2::ZERO);
+        // A pair of opposite lanes is there twice, and each end takes what it gets.
+        let (_, mut of_opposite) = pairs.pair(&opposite, block);
+        if self.parted {
+            let [next, opposite] = sweep.inner_subsets().map(|subset| KEEP[subset]);
+            of_next = of_next.map(|term| term * next);
+            of_each = of_each.map(|term| term * next);
+            of_opposite = of_opposite.map(|term| term * opposite);
+        }
+        std::array::from_fn(|k| {
+            of_next[k].rotated().rotated().rotated() - of_each[k] - of_opposite[k]
+        })
     }
 
     /// Calls `visit` with each particle, the shift of its neighbours in smoothing lengths, and

@@ -47,8 +47,8 @@ impl<I: PairInteraction<Pair>> PairSum<2> for Symmetric<I> {
     type Broadcast = Broadcast;
 
     #[inline(always)]
-    fn broadcast(&self, block: &Block, lane: usize, shift: Vec2) -> Broadcast {
-        Broadcast::of(block, lane, shift)
+    fn broadcast(&self, block: &Block, pick: impl Fn(Lanes) -> Lanes, shift: Vec2) -> Broadcast {
+        Broadcast::of(block, pick, shift)
     }
 
     #[inline(always)]

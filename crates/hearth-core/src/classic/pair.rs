@@ -17,15 +17,13 @@ pub(super) struct Broadcast {
 
 impl Broadcast {
     #[inline(always)]
-    pub fn of(block: &Block, lane: usize, shift: Vec2) -> Broadcast {
+    pub fn of(block: &Block, pick: impl Fn(Lanes) -> Lanes, shift: Vec2) -> Broadcast {
+        let [x, y] = block.position;
         Broadcast {
-            position: [
-                block.position[0].broadcast(lane) - shift.x,
-                block.position[1].broadcast(lane) - shift.y,
-            ],
-            velocity: block.velocity.map(|v| v.broadcast(lane)),
-            volume: block.volume.broadcast(lane),
-            pressure: block.pressure.broadcast(lane),
+            position: [pick(x) - shift.x, pick(y) - shift.y],
+            velocity: block.velocity.map(&pick),
+            volume: pick(block.volume),
+            pressure: pick(block.pressure),
         }
     }
 
@@ -63,9 +61,9 @@ impl Pair {
         let offset = one.offset(others);
         let softened = offset.softened();
         // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
-        // times q²: both share one division.
-        let quotient =
-            kernel::minus_dw(offset.q) * (one.volume * others.volume) / (offset.q * softened);
+        // times q²: both share one division, which starts before the kernel is known.
+        let reciprocal = Lanes::splat(1.0) / (offset.q * softened);
+        let quotient = kernel::minus_dw(offset.q) * (one.volume * others.volume) * reciprocal;
         Pair {
             offset,
             velocity: one.relative_velocity(others),

@@ -51,13 +51,13 @@ struct Broadcast {
 }
 
 impl Broadcast {
-    fn of(block: &Block, lane: usize, shift: Vec2) -> Broadcast {
-        let [x, y] = block.position.map(|at| at.broadcast(lane));
+    fn of(block: &Block, pick: impl Fn(Lanes) -> Lanes, shift: Vec2) -> Broadcast {
+        let [x, y] = block.position.map(&pick);
         Broadcast {
             position: [x - shift.x, y - shift.y],
-            volume: block.volume.broadcast(lane),
-            velocity: block.velocity.map(|v| v.broadcast(lane)),
-            curl: block.curl[0].broadcast(lane),
+            volume: pick(block.volume),
+            velocity: block.velocity.map(&pick),
+            curl: pick(block.curl[0]),
         }
     }
 
@@ -76,8 +76,8 @@ impl PairSum<1> for Curl {
     type Block = Block;
     type Broadcast = Broadcast;
 
-    fn broadcast(&self, block: &Block, lane: usize, shift: Vec2) -> Broadcast {
-        Broadcast::of(block, lane, shift)
+    fn broadcast(&self, block: &Block, pick: impl Fn(Lanes) -> Lanes, shift: Vec2) -> Broadcast {
+        Broadcast::of(block, pick, shift)
     }
 
     fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 1], [Lanes; 1]) {
@@ -99,8 +99,8 @@ impl PairSum<2> for CurlGradient {
     type Block = Block;
     type Broadcast = Broadcast;
 
-    fn broadcast(&self, block: &Block, lane: usize, shift: Vec2) -> Broadcast {
-        Broadcast::of(block, lane, shift)
+    fn broadcast(&self, block: &Block, pick: impl Fn(Lanes) -> Lanes, shift: Vec2) -> Broadcast {
+        Broadcast::of(block, pick, shift)
     }
 
     fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {

@@ -66,8 +66,8 @@ impl PairSum<2> for AsPublished {
     type Broadcast = Broadcast;
 
     #[inline(always)]
-    fn broadcast(&self, block: &Block, lane: usize, shift: Vec2) -> Broadcast {
-        Broadcast::of(block, lane, shift)
+    fn broadcast(&self, block: &Block, pick: impl Fn(Lanes) -> Lanes, shift: Vec2) -> Broadcast {
+        Broadcast::of(block, pick, shift)
     }
 
     // Inlined, these rarely used forms cost half a kilobyte of download.

@@ -1,6 +1,6 @@
 /**
- * The gas of the plain JavaScript baselines: a block of Hearth's classic model, as in
- * `scenes.rs`. `check.mjs` compares both.
+ * The gas whose steps are measured: a square of the classic model at rest. The programs in JavaScript compute it with
+ * Hearth's equations; `cargo xtask test baselines` compares their densities and velocities with Hearth's.
  */
 
 /** @typedef {{positions: ArrayLike<number>, velocities: ArrayLike<number>}} Start  x and y of each particle. */
@@ -28,12 +28,18 @@ export const GAS = {
   densityFloor: 0.3,
 };
 
-const spacing = 2 * GAS.h * Math.sqrt(Math.PI / (GAS.neighbours + 1));
+/** Distance of particles [m]. */
+export const SPACING = 2 * GAS.h * Math.sqrt(Math.PI / (GAS.neighbours + 1));
 
 /** Mass of a particle [kg/m]. */
-export const MASS = GAS.restDensity * spacing * spacing;
+export const MASS = GAS.restDensity * SPACING * SPACING;
 
-/** Acceleration by buoyancy, which the resistance of the air balances at the terminal speed. */
+/**
+ * Acceleration by buoyancy, which the resistance of the air balances at the terminal speed [m/s²].
+ * @param {number} density  [kg/m³]
+ * @param {number} temperature  [K]
+ * @param {number} speed  Upward [m/s].
+ */
 export function lift(density, temperature, speed) {
   const a = GAS.gravity * (GAS.buoyancy * (GAS.ambientDensity / density - 1)
     + GAS.thermalBuoyancy * (1 - GAS.ambientTemperature / temperature));

@@ -283,3 +283,36 @@ test('the embed dialog shows the code of the current fire, and Escape closes it'
   assert.equal(await tab.evaluate(() => document.querySelector('dialog[open]')), null);
   assert.equal(await tab.evaluate(() => document.activeElement?.getAttribute('data-opens')), 'embed');
 });
+
+test('the picture that links show looks like the page', async () => {
+  const tab = await browser.open(
+    `<hearth-fire preset="${LANDING}" warm paused style="width: 1200px; height: 630px"></hearth-fire><img src="/web/poster.jpg" alt="">`,
+    { width: 1200, height: 630 },
+  );
+  await tab.ready();
+  const differences = await tab.fire(async (fire) => {
+    /** Colours of the parts of a picture, so few that the flame of another moment changes little. */
+    const coarse = (/** @type {CanvasImageSource} */ source) => {
+      const context = /** @type {any} */ (new OffscreenCanvas(24, 12).getContext('2d'));
+      context.imageSmoothingQuality = 'high';
+      context.drawImage(source, 0, 0, 24, 12);
+      return context.getImageData(0, 0, 24, 12).data;
+    };
+    const image = /** @type {HTMLImageElement} */ (document.querySelector('img'));
+    await image.decode();
+    const stored = coarse(image);
+    const mean = async () => {
+      const shown = coarse(await createImageBitmap(await fire.toBlob({ background: 'scene' })));
+      return stored.reduce((sum, value, at) => sum + Math.abs(value - shown[at]), 0) / stored.length;
+    };
+    const same = await mean();
+    await fire.set('exposure', fire.params.exposure + 1.25);
+    const brighter = await mean();
+    await fire.set({ exposure: fire.params.exposure - 1.25, backdrop: 'none' });
+    return { same, brighter, other: await mean() };
+  });
+  const seen = JSON.stringify(differences);
+  // Another moment of the scene differs by 5 to 7 of 255.
+  assert.ok(differences.same < 9, seen);
+  assert.ok(differences.brighter > 9 && differences.other > 9, `the test tells another scene: ${seen}`);
+});

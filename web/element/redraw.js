@@ -10,6 +10,9 @@ import { countdown } from '../engine/time-limit.js';
 /** Maximum time until the frame is drawn [s]. */
 const FRAME_S = 10;
 
+/** Maximum time until a frame as before is drawn, which there is none of if the element has another size meanwhile [s]. */
+const BACK_S = 2;
+
 /** Limits of a side and of the pixels of a picture: those of nearly every graphics card, and of `max-pixels`. */
 const MIN_SIDE = 16;
 const MAX_SIDE = 8192;
@@ -64,8 +67,7 @@ async function draw(session, canvas, { width = canvas.width, background = 'scene
     session.send('max_pixels', limitOf(fire));
     // A value that has changed meanwhile is the present one.
     await session.set(Object.fromEntries(Object.keys(values).map((id) => [id, session.state.params[/** @type {keyof typeof session.state.params} */ (id)]])), 'picture').catch(() => {});
-    await observeAnew(canvas);
-    await next(view, canvas, () => true, async () => {}).catch(() => {});
+    await observedAnew(view, canvas, copy.width);
     copy.remove();
   }
 }
@@ -76,15 +78,19 @@ function displayed() {
 }
 
 /**
- * Makes the element observe its size anew, and send it to the engine: a size that has not changed is not observed.
+ * Makes the element observe its size anew and send it to the engine, and waits for a frame of that size: a size that has not
+ * changed is not observed.
+ * @param {import('./view.js').FireView} view
  * @param {HTMLCanvasElement} canvas
+ * @param {number} width that of the frame
  */
-async function observeAnew({ style }) {
-  style.inlineSize = 'calc(100% - 1px)';
+async function observedAnew(view, canvas, width) {
+  canvas.style.inlineSize = 'calc(100% - 8px)';
   await displayed();
   await displayed();
-  style.inlineSize = '';
-  await displayed();
+  const drawn = next(view, canvas, (frame) => frame.width === width, async () => {}, BACK_S);
+  canvas.style.inlineSize = '';
+  await drawn.catch(() => {});
 }
 
 /** The limit of pixels that the element's attribute sets. @param {Element} fire */
@@ -99,18 +105,19 @@ function limitOf(fire) {
  * @param {HTMLCanvasElement} canvas
  * @param {(canvas: HTMLCanvasElement) => boolean} suits
  * @param {() => Promise<void>} take
+ * @param {number} [seconds]
  * @returns {Promise<void>}
  */
-function next(view, canvas, suits, take) {
+function next(view, canvas, suits, take, seconds = FRAME_S) {
   return new Promise((resolve, reject) => {
     const { draw: show } = view;
     const end = () => {
       cancel();
       view.draw = show;
     };
-    const cancel = countdown(FRAME_S, () => {
+    const cancel = countdown(seconds, () => {
       end();
-      reject(new Error(`no frame was drawn in ${FRAME_S} s, because the fire is not visible`));
+      reject(new Error(`no frame was drawn in ${seconds} s, because the fire is not visible`));
     });
     view.draw = (frame) => {
       show.call(view, frame);

@@ -11,6 +11,7 @@ import type {
   HearthObject,
   HearthObjectsDetail,
   HearthParameters,
+  HearthPicture,
   HearthQualityDetail,
   HearthStats,
   ParameterId,
@@ -75,7 +76,7 @@ export interface FrameFire extends EventTarget {
   restore(...ids: (ParameterId | 'objects')[]): Promise<void>;
   exportConfig(): Promise<HearthConfig>;
   importConfig(config: HearthConfig | string): Promise<void>;
-  toBlob(type?: string, quality?: number): Promise<Blob>;
+  toBlob(type?: string | HearthPicture, quality?: number): Promise<Blob>;
   stir(x: number, y: number, u: number, v: number): Promise<void>;
   sparks(x: number, y: number, count?: number): Promise<void>;
   /** Where the solids are that forces move. */

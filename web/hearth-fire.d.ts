@@ -8,6 +8,7 @@ import type {
   HearthFreeSolid,
   HearthMeasures,
   HearthObjectsDetail,
+  HearthPicture,
   HearthPoint,
   HearthQuality,
   HearthQualityDetail,
@@ -138,10 +139,10 @@ export class HearthFire extends HTMLElement {
   /** Applies settings, as an object or as JSON: all of them or none. Rejects with a {@link HearthRangeError}. */
   importConfig(config: HearthConfig | string): Promise<void>;
   /**
-   * The current frame as a file of type `image/png`, `image/jpeg` or `image/webp`.
+   * The current frame as a file of type `image/png`, `image/jpeg` or `image/webp`, or drawn for the file in another width or over another background.
    * @param quality of JPEG and WebP, from 0 to 1
    */
-  toBlob(type?: string, quality?: number): Promise<Blob>;
+  toBlob(type?: string | HearthPicture, quality?: number): Promise<Blob>;
   /**
    * The fire as a video stream for a recorder, a call or a `<video>`.
    * @param fps maximum frames per second; all frames without it

@@ -15,6 +15,7 @@
  * @typedef {import('./element/types.js').HearthConfig} HearthConfig
  * @typedef {import('./element/types.js').HearthFreeSolid} HearthFreeSolid
  * @typedef {import('./element/types.js').HearthMeasures} HearthMeasures
+ * @typedef {import('./element/types.js').HearthPicture} HearthPicture
  * @typedef {import('./element/types.js').HearthPoint} HearthPoint
  * @typedef {import('./element/types.js').HearthQuality} HearthQuality
  * @typedef {import('./parameters.js').HearthStats} HearthStats
@@ -306,8 +307,9 @@ class HearthFire extends FireAttributes {
   }
 
   /**
-   * The current frame as a file of type `image/png`, `image/jpeg` or `image/webp`.
-   * @param {string} [type]
+   * The current frame as a file of type `image/png`, `image/jpeg` or `image/webp`, or drawn for the file in another width or
+   * over another background.
+   * @param {string | HearthPicture} [type]
    * @param {number} [quality] of JPEG and WebP, from 0 to 1
    * @returns {Promise<Blob>}
    */

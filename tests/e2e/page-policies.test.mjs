@@ -206,6 +206,46 @@ test('`toBlob` keeps the transparency of the picture', async () => {
   assert.equal((await keep('image/webp')).type, 'image/webp');
 });
 
+test('`toBlob` draws another width and background for the file, and the element stays as it is', async () => {
+  const tab = await browser.open('<hearth-fire preset="fireside" paused warm max-pixels="60000"></hearth-fire>', { height: 400 });
+  await tab.ready();
+  const seen = await tab.fire(async (fire) => {
+    const events = [];
+    for (const type of ['params-change', 'objects-change', 'error']) fire.addEventListener(type, () => events.push(type));
+    const values = JSON.stringify(fire.params);
+    const saved = async (how) => {
+      const bitmap = await createImageBitmap(await fire.toBlob(how));
+      const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+      const context = /** @type {any} */ (canvas.getContext('2d'));
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+      let glow = 0;
+      for (let at = 0; at < data.length; at += 4) glow += data[at] > 200 ? 1 : 0;
+      return { size: [bitmap.width, bitmap.height], corner: [...data.slice(0, 4)], glow: glow / (bitmap.width * bitmap.height) };
+    };
+    const before = await saved();
+    const [wide, cut, black] = await Promise.all([
+      saved({ width: 3 * before.size[0] }), saved({ background: 'transparent' }), saved({ background: 'black', type: 'image/webp', width: 64 }),
+    ]);
+    const refused = await fire.toBlob({ width: 9000 }).then(() => '', (error) => `${error.name}: ${error.message}`);
+    const { width, height } = /** @type {any} */ (fire.shadowRoot).querySelector('canvas');
+    return { before, wide, cut, black, refused, after: await saved(), canvas: [width, height], events, kept: JSON.stringify(fire.params) === values };
+  });
+  const { before, wide, cut, black } = seen;
+  assert.deepEqual(wide.size, before.size.map((side) => 3 * side));
+  assert.ok(Math.abs(wide.glow / before.glow - 1) < 0.2, `${wide.glow} of the wide picture glow, ${before.glow} of the frame`);
+  assert.equal(before.corner[3], 255, 'the wall is opaque');
+  assert.deepEqual([cut.size, cut.corner], [before.size, [0, 0, 0, 0]]);
+  assert.ok(cut.glow > 0.01, 'a transparent picture shows the fire');
+  assert.deepEqual([black.size[0], black.corner], [64, [0, 0, 0, 255]]);
+  assert.match(seen.refused, /RangeError: width 9000: .*8192/);
+  assert.deepEqual(seen.after, before, 'the paused fire is shown as before');
+  assert.deepEqual(seen.canvas, before.size);
+  assert.ok(seen.kept, 'the values stay');
+  assert.deepEqual(seen.events, []);
+  assert.deepEqual(await tab.complaints(), []);
+});
+
 test('`captureStream` of a burning fire is a moving video', async () => {
   const tab = await browser.open('<hearth-fire></hearth-fire>');
   await tab.burnt(0.5);

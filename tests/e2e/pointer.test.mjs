@@ -131,6 +131,51 @@ for (const style of ['', 'transform: scale(0.6); transform-origin: 0 0']) {
   });
 }
 
+test('a drag of a campfire moves its logs and stones with it, and nothing else', async () => {
+  const tab = await browser.open(recording('<hearth-fire preset="fireside" warm interactive ember-rate="0" style="width: 400px"></hearth-fire>'));
+  await listens(tab);
+  await tab.fire(async (fire) => {
+    await fire.addObject({ kind: 'solid', shape: 'box', x: 0.3, y: 0.9, width: 0.1, height: 0.1 });
+    await fire.addObject({ kind: 'solid', shape: 'box', x: 0.05, y: 0.2, width: 0.05, height: 0.05, fuel: 'wood' });
+    await fire.addObject({ kind: 'solid', shape: 'box', x: -0.05, y: 0.2, width: 0.05, height: 0.05, motion: 'sway' });
+  });
+  const places = () => tab.fire(async (fire) => {
+    await fire.exportConfig();
+    return fire.objects.map(({ x, y }) => [x, y]);
+  });
+  const before = await places();
+  /** The drag of a place of the fire to the left [m]. */
+  const drag = async (x, y) => {
+    const [from, to] = await tab.fire((fire, at, up) => {
+      const { left, top } = fire.getBoundingClientRect();
+      return [at, at - 0.2].map((place) => {
+        const point = fire.toPixels(place, up);
+        return { x: left + point.x, y: top + point.y };
+      });
+    }, x, y);
+    await tab.drag(from, to);
+    await tab.until('the things are there', (wanted) => (
+      Math.abs(/** @type {any} */ (document.querySelector('hearth-fire')).params.source_x - wanted) < 0.02
+    ), x < 0.1 ? -0.2 : -0.4);
+    return places();
+  };
+  // By the fire itself, then by a stone.
+  const first = await drag(0, 0.03);
+  const by = first[0][0];
+  first.forEach(([x, y], at) => {
+    const moved = at < 5 ? by : 0;
+    assert.ok(Math.abs(x - before[at][0] - moved) < 2e-3 && y === before[at][1], `object ${at}: from ${before[at]} to ${x}, ${y}`);
+  });
+  const second = await drag(first[4][0], first[4][1]);
+  assert.ok(Math.abs(second[4][0] - first[4][0] - second[0][0] + first[0][0]) < 2e-3, 'a stone takes the fire along');
+  // The moved solids push the gas aside and crush none.
+  const { removed, particles } = await tab.fire((fire) => new Promise((resolve) => {
+    fire.addEventListener('stats', ({ detail }) => resolve(detail), { once: true });
+  }));
+  assert.ok(removed < 0.01 * particles, `${removed} of ${particles} particles are removed`);
+  assert.deepEqual(await tab.complaints(), []);
+});
+
 test('a drag on a source that is on a solid moves the solid', async () => {
   const tab = await browser.open(recording(`<hearth-fire ${CALM}></hearth-fire>`));
   await listens(tab);

@@ -5,6 +5,7 @@
  */
 import { writeFileSync } from 'node:fs';
 import { Browser } from './driver.mjs';
+import { markOf, marked } from './scene-mark.mjs';
 import { landingScene } from './site.mjs';
 import { burnSteps } from './still.mjs';
 
@@ -47,7 +48,7 @@ try {
   if (glow < 0.1) throw new Error(`only ${glow} of the picture's middle glows`);
   let taken = false;
   for (const quality of QUALITIES) {
-    const jpeg = noted(await tab.page.screenshot({ type: 'jpeg', quality }), `Hearth: ${scene}`);
+    const jpeg = marked(await tab.page.screenshot({ type: 'jpeg', quality }), await markOf(scene));
     if (jpeg.length > LARGEST) continue;
     writeFileSync(file, jpeg);
     console.log(`${file}: ${scene}, ${WIDTH} × ${HEIGHT}, ${(jpeg.length / 1000).toFixed(1)} KB`);
@@ -57,14 +58,4 @@ try {
   if (!taken) throw new Error(`the picture takes more than ${LARGEST} bytes`);
 } finally {
   await browser.close();
-}
-
-/**
- * A JPEG with a comment that says what it shows, for the test that compares.
- * @param {Uint8Array} jpeg @param {string} words
- */
-function noted(jpeg, words) {
-  const comment = Buffer.from(words);
-  const head = Buffer.from([0xff, 0xfe, 0, comment.length + 2]);
-  return Buffer.concat([jpeg.subarray(0, 2), head, comment, jpeg.subarray(2)]);
 }

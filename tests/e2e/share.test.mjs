@@ -203,14 +203,20 @@ describe('the panel', () => {
     assert.equal(await tab.evaluate(() => /** @type {any} */ (document.activeElement).dataset.action), 'paste');
   });
 
-  test('saves a picture of the fire as a PNG', async () => {
+  test('saves a picture of the fire as a PNG, in the size and over the background that its card asks for', async () => {
     const { tab, panel } = await openPage({ before: keepSaved });
     await tab.burnt(0.5);
     await panel.press('picture');
+    await tab.until('the card is there', () => document.querySelector('[data-card="save"]'));
+    await tab.page.select('[data-card="scale"]', '2');
+    await tab.page.select('[data-card="background"]', 'black');
+    const { width } = await tab.fire((fire) => createImageBitmap(/** @type {any} */ (fire.shadowRoot).querySelector('canvas')).then(({ width }) => ({ width })));
+    await tab.page.click('[data-card="save"]');
     const { name, start, size } = await tab.until('a file', () => /** @type {any} */ (window).saved);
     assert.match(name, /\.png$/);
     assert.deepEqual(start, [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
     assert.ok(size > 1000, `${size} bytes`);
-    assert.match(await panel.said(), /saved/i);
+    assert.match(await panel.said(), new RegExp(`saved.*${2 * width} pixels`, 'i'));
+    assert.equal(await tab.evaluate(() => document.querySelector('[data-card="picture"]')), null, 'the card is closed');
   });
 });

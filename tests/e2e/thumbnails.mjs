@@ -7,6 +7,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { WHOLE } from '../../web/pages/framing.js';
 import { Browser } from './driver.mjs';
+import { markOf, marked } from './scene-mark.mjs';
 import { table } from './site.mjs';
 import { burnSteps } from './still.mjs';
 
@@ -69,7 +70,7 @@ async function taken(name) {
   await burnSteps(tab, STEPS[model]);
   const seen = await tab.page.screenshot({ encoding: 'base64' });
   for (const quality of QUALITIES) {
-    const jpeg = Buffer.from(await tab.evaluate(shrunk, seen, WIDTH, HEIGHT, quality), 'base64');
+    const jpeg = marked(Buffer.from(await tab.evaluate(shrunk, seen, WIDTH, HEIGHT, quality), 'base64'), await markOf(name));
     if (tab.problems.length > 0) throw new Error(tab.problems.join('\n'));
     if (jpeg.length <= LARGEST) return jpeg;
   }

@@ -141,3 +141,30 @@ describe('one step back and forth', () => {
     assert.deepEqual(params, { ...first.params, walls: 'periodic' });
   });
 });
+
+test('a drag of a campfire is one step, which brings back the fire and its logs', async () => {
+  const tab = await browser.open('index.html', { width: 900, height: 640 });
+  await tab.ready();
+  const panel = await new Panel(tab).mounted();
+  const places = () => tab.fire(async (fire) => {
+    await fire.exportConfig();
+    return fire.objects.map(({ x }) => x);
+  });
+  const before = await places();
+  const [from, to] = await tab.fire((fire) => {
+    const { left, top } = fire.getBoundingClientRect();
+    return [0, 0.2].map((x) => {
+      const at = fire.toPixels(x, 0.06);
+      return { x: left + at.x, y: top + at.y };
+    });
+  });
+  await tab.drag(from, to);
+  await can(panel, 'undo', true);
+  assert.ok((await places()).every((x, at) => x > before[at] + 0.1), 'all moved');
+  await panel.press('undo');
+  await can(panel, 'undo', false);
+  assert.deepEqual(await places(), before);
+  await panel.press('redo');
+  await can(panel, 'redo', false);
+  assert.ok((await places()).every((x, at) => x > before[at] + 0.1), 'all moved again');
+});

@@ -331,3 +331,30 @@ describe('a step', () => {
     assert.ok([1, 2].includes(fire.params.wind));
   });
 });
+
+test('what a pointer moves is one step for each press, whatever the fire reports in between', async () => {
+  const fire = new Fire();
+  const history = new UndoHistory(fire, () => {}, (id, model) => DEFAULTS[model][id]);
+  await fire.set({ objects: [{ id: 1, kind: 'source', x: 0, y: 0 }, { id: 2, kind: 'solid', x: 1, y: 0 }] });
+  const places = () => fire.objects.map(({ x, y }) => [x, y]);
+  const first = places();
+  for (const by of [0.5, 0.25]) {
+    history.press();
+    const before = fire.objects;
+    for (const part of [0.5, 1]) {
+      for (const { id, x } of before) {
+        await fire.changeObject(id, { x: x + part * by });
+        history.moved(before);
+      }
+    }
+  }
+  assert.deepEqual(places(), [[0.75, 0], [1.75, 0]]);
+  await history.undo();
+  assert.deepEqual(places(), [[0.5, 0], [1.5, 0]]);
+  await history.undo();
+  assert.deepEqual(places(), first);
+  assert.equal(history.canUndo, false);
+  await history.redo();
+  await history.redo();
+  assert.deepEqual(places(), [[0.75, 0], [1.75, 0]]);
+});

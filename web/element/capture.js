@@ -21,31 +21,35 @@ function framed(drawn) {
 
 /**
  * The frame as a file.
- * @param {Promise<HTMLCanvasElement>} drawn settles with the first frame
+ * @param {import('./session.js').FireSession} session
  * @param {() => boolean} drawable whether the graphics context exists
- * @param {string} type
- * @param {number} [quality]
+ * @param {string | import('./types.js').HearthPicture} how its type, or all that a page can choose
+ * @param {number} [share] the quality
  * @returns {Promise<Blob>}
  */
-export async function toBlob(drawn, drawable, type, quality) {
-  const canvas = await framed(drawn);
+export async function toBlob(session, drawable, how, share) {
+  const canvas = await framed(session.view.drawn());
   // The canvas may be empty.
   if (!drawable()) throw new Error('there is no frame while the graphics context is lost; it is restored with the event `restored`');
-  return new Promise((resolve, reject) => {
+  const { type = 'image/png', quality, width, background } = typeof how === 'object' && how ? how : { type: how, quality: share };
+  const encode = () => new Promise((/** @type {(blob: Blob) => void} */ resolve, reject) => {
     const refused = new Error(`this browser cannot encode the frame as ${String(type).slice(0, 100)}`);
     canvas.toBlob((blob) => (blob ? resolve(blob) : reject(refused)), type, quality);
   });
+  if (width === undefined && background === undefined) return encode();
+  const { redraw } = await import('./redraw.js');
+  return redraw(session, canvas, { width, background }, encode);
 }
 
 /**
  * The frames as a stream. It goes on when a lost context is restored.
- * @param {Promise<HTMLCanvasElement>} drawn settles with the first frame
+ * @param {import('./session.js').FireSession} session
  * @param {() => boolean} _
  * @param {number} [fps]
  * @returns {Promise<MediaStream>}
  */
-export async function captureStream(drawn, _, fps) {
-  const canvas = await framed(drawn);
+export async function captureStream(session, _, fps) {
+  const canvas = await framed(session.view.drawn());
   if (!canvas.captureStream) throw new Error('this browser cannot capture a canvas');
   return fps === undefined ? canvas.captureStream() : canvas.captureStream(fps);
 }

@@ -1,13 +1,15 @@
 /**
  * A pointer on a fire: it carries gas along, twice as fast while it is pressed; a click throws sparks;
- * a drag that begins on the source moves the source, or the solid that the source is on. Other gestures enlarge
- * the picture.
+ * a drag that begins on the source moves the source and what lies with it, or the solid that the source is on. Other
+ * gestures enlarge the picture.
  *
  * @typedef {import('../hearth-fire.js').HearthPoint} Point
  * @typedef {Point & {id?: number}} Grip  A distance from the middle of the source [m], and the solid that it is on.
- * @typedef {{x: number, y: number, held: Grip | undefined, clicks: boolean}} Press
+ * @typedef {{start: number, all: import('./companions.js').Fields[]}} Group  Where the source was, and what lay with it.
+ * @typedef {{x: number, y: number, held: Grip | undefined, group?: Group, clicks: boolean}} Press
  */
 
+import { companionsOf, halvesOf } from './companions.js';
 import { listenToZoom } from './zoom.js';
 
 /** Maximum time between two events of one movement [ms]. */
@@ -66,7 +68,11 @@ export function listenToPointer(session, signal) {
     }
     const half = (fire.toPixels(source.x + source.half, source.y)?.x ?? base.x) - base.x;
     const near = Math.abs(x - base.x) <= Math.max(half, GRIP_PX) && Math.abs(y - base.y) <= GRIP_PX;
-    return near ? { x: metres.x - source.x, y: 0 } : undefined;
+    // The box of another shape may be mostly empty.
+    const onThing = () => companionsOf(fire).some((one) => (
+      /^(line|box|circle)$/.test(one.shape) && one.kind === 'solid' && isOn(one, { x: metres.x - one.x, y: metres.y - one.y }, 0)
+    ));
+    return near || onThing() ? { x: metres.x - source.x, y: 0 } : undefined;
   };
 
   const movesPicture = listenToZoom(session, isForFire, signal);
@@ -85,7 +91,8 @@ export function listenToPointer(session, signal) {
       fire.setPointerCapture(event.pointerId);
     } catch {}
   };
-  const drag = (/** @type {Grip} */ held, /** @type {ReturnType<typeof locate>} */ { width, height, metres }) => {
+  const drag = (/** @type {Press & {held: Grip}} */ press, /** @type {ReturnType<typeof locate>} */ { width, height, metres }) => {
+    const { held } = press;
     const [upper, lower] = [fire.toMetres(0, 0), fire.toMetres(width, height)];
     if (!metres || !upper || !lower) return;
     // The panel shows as many digits, and URLs stay short.
@@ -99,7 +106,12 @@ export function listenToPointer(session, signal) {
       return;
     }
     const x = rounded(visible, Math.min(sourceOf(fire.params).max, 3));
+    press.group ??= { start: sourceOf(fire.params).x, all: companionsOf(fire) };
     session.call('set', { source_x: x }, 'pointer').catch(() => {});
+    for (const one of press.group.all) {
+      const place = { x: rounded(one.x + x - press.group.start, FARTHEST) };
+      session.call('changeObject', one.id, place, 'pointer').catch(() => {});
+    }
   };
   const follow = (/** @type {PointerEvent} */ event) => {
     if (movesPicture(event)) return last.clear();
@@ -108,7 +120,7 @@ export function listenToPointer(session, signal) {
     if (press && Math.hypot(at.x - press.x, at.y - press.y) > CLICK_PX) press.clicks = false;
     if (press?.held !== undefined) {
       root.style.cursor = 'grabbing';
-      if (!press.clicks) drag(press.held, at);
+      if (!press.clicks) drag(/** @type {Press & {held: Grip}} */ (press), at);
       return;
     }
     root.style.cursor = event.pointerType === 'mouse' && grip(event) !== undefined ? 'grab' : '';
@@ -177,17 +189,11 @@ function solidOf({ params, objects }) {
 }
 
 /** Whether a point relative to the centre of a solid is in the box of the solid, or so near to it. @type {(solid: any, from: Point, near: number) => boolean} */
-function isOn({ shape, angle, width, height, points }, { x, y }, near) {
-  const turn = shape === 'circle' ? 0 : (angle * Math.PI) / 180;
+function isOn(solid, { x, y }, near) {
+  const turn = solid.shape === 'circle' ? 0 : (solid.angle * Math.PI) / 180;
   const [along, across] = [x * Math.cos(turn) + y * Math.sin(turn), y * Math.cos(turn) - x * Math.sin(turn)].map(Math.abs);
-  let half = [width / 2, (shape === 'circle' ? width : height) / 2];
-  if (shape === 'line') half[0] += half[1];
-  if (shape === 'polygon' || shape === 'stroke') {
-    const line = shape === 'stroke' ? height / 2 : 0;
-    const all = String(points).split(/[\s,]+/).map(Number);
-    half = [0, 1].map((part) => line + Math.max(...all.filter((_, at) => at % 2 === part).map(Math.abs)));
-  }
-  return along <= half[0] + near && across <= half[1] + near;
+  const [wide, high] = halvesOf(solid);
+  return along <= wide + near && across <= high + near;
 }
 
 /** @type {(value: number, low: number, high: number) => number} */

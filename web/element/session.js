@@ -135,7 +135,7 @@ export class FireSession {
   /** Calls a function of `capture.js`. @type {(name: 'toBlob' | 'captureStream', ...options: any) => Promise<any>} */
   capture(name, ...options) {
     const code = /** @type {Promise<{[name: string]: Function}>} */ (this.reports.loads(import('./capture.js'), 'The code for pictures'));
-    return quiet(Promise.all([code, this.ready]).then(([functions]) => functions[name](this.view.drawn(), () => this.#drawable, ...options)));
+    return quiet(Promise.all([code, this.ready]).then(([functions]) => functions[name](this, () => this.#drawable, ...options)));
   }
 
   /** Sets the preset attribute and keeps the values. */
@@ -362,6 +362,8 @@ export class FireSession {
       this.adopt();
       this.#children?.report(message);
     } else if (type === 'changed') {
+      // Values of a saved picture alone are nobody else's.
+      if (message.source === 'picture') return;
       state.take(message);
       this.#children?.report(message);
       if (message.replaced && (this.fire.getAttribute('preset') ?? 'default') !== state.preset) this.reflectPreset(state.preset);

@@ -25,6 +25,18 @@ export interface HearthConfig {
   description?: string;
 }
 
+/** How `toBlob` makes a picture. */
+export interface HearthPicture {
+  /** `image/png`, `image/jpeg` or `image/webp`; PNG without it. */
+  type?: string;
+  /** Of JPEG and WebP, from 0 to 1. */
+  quality?: number;
+  /** Its width [pixels], from 16 to 8192; the height follows from the element. Without it, that of the frame. */
+  width?: number;
+  /** What is behind fire and solids: a CSS colour, `transparent`, or `scene`, as the element shows them. */
+  background?: string;
+}
+
 /** A solid that forces move, one with `motion` "free", as it is now. */
 export interface HearthFreeSolid {
   id: number;

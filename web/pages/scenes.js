@@ -63,11 +63,6 @@ export function showStrip(parent, fire, first, warn) {
     event.preventDefault();
     next.focus();
   });
-  // A vertical wheel scrolls the horizontal strip.
-  list.addEventListener('wheel', (event) => {
-    if (event.ctrlKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) return;
-    list.scrollBy({ left: event.deltaY, behavior: 'instant' });
-  }, { passive: true });
 
   const mark = () => {
     for (const tile of tiles) {

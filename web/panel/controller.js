@@ -6,6 +6,7 @@
  */
 
 import { askForSettings, showKeys, showText } from './cards.js';
+import { askForPicture } from './picture-card.js';
 import { showScenes } from './scenes.js';
 import { editingOf } from './editing.js';
 import { download } from './download.js';
@@ -344,12 +345,20 @@ export class PanelController extends EventTarget {
     this.#show(askForSettings({ host: this.#host, apply }));
   }
 
-  /** Saves the current frame as a file. */
-  async picture() {
-    const blob = await this.#try(() => this.#fire.toBlob('image/png'));
-    if (!blob) return;
-    download(blob, 'hearth.png');
-    this.#notify('picture', 'Saved an image');
+  /** Asks for the size and the background of a picture, and saves it. */
+  picture() {
+    if (this.#card?.isOpen('picture')) {
+      this.#card.close();
+      return;
+    }
+    const save = async (/** @type {{scale: number, background: string}} */ { scale, background }) => {
+      const plain = await this.#fire.toBlob('image/png');
+      const { width } = await createImageBitmap(plain);
+      const blob = scale === 1 && background === 'scene' ? plain : await this.#fire.toBlob({ width: scale * width, background });
+      download(blob, 'hearth.png');
+      this.#notify('picture', `Saved an image, ${scale * width} pixels wide`);
+    };
+    this.#show(askForPicture({ host: this.#host, save }));
   }
 
   /** Enters or leaves full screen: for the fire, or for a page about it. */

@@ -42,6 +42,17 @@ export class Editing extends EventTarget {
     super();
     this.#fire = fire;
     this.history = new UndoHistory(fire, () => this.#changed(), modelDefault, (id) => sceneValue(fire, id), this.#variants);
+    /** The objects at the last press on the fire. @type {Fields[]} */
+    let before = [];
+    const press = () => {
+      before = objectsOf(fire);
+      this.history.press();
+    };
+    // The element moves things before a listener of its own event knows.
+    fire.addEventListener?.('pointerdown', press, { capture: true });
+    fire.addEventListener?.('objects-change', ({ detail }) => {
+      if (detail.source === 'pointer') this.history.moved(before);
+    });
   }
 
   /** The selected object; of several, the one that was selected last. @returns {Fields | undefined} */

@@ -19,6 +19,9 @@ const MAX_STEPS = 200;
 
 const MODEL = 'model';
 
+/** The key of steps of a pointer on the fire. */
+const POINTER = 'pointer';
+
 /**
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
  * @typedef {import('../hearth-fire.js').HearthConfig} HearthConfig
@@ -156,6 +159,23 @@ export class UndoHistory {
   /** @param {[number, Properties][]} changes */
   async #changeObjects(changes) {
     await Promise.all(changes.map(([id, properties]) => this.#fire.changeObject(id, properties)));
+  }
+
+  /**
+   * Records what a pointer on the fire has moved: one step for each press.
+   * @param {Fields[]} objects  All objects when it was pressed.
+   */
+  moved(objects) {
+    const last = this.#done.at(-1);
+    if (last?.key === POINTER && last.gesture === this.#gesture) this.#done.pop();
+    const now = objectsOf(this.#fire);
+    const pairs = objects.map((old) => [old, now.find(({ id }) => id === old.id) ?? old])
+      .filter(([old, one]) => old.x !== one.x || old.y !== one.y);
+    const [before, after] = [0, 1].map((side) => {
+      const changed = pairs.map((pair) => /** @type {[number, Properties]} */ ([pair[side].id, { x: pair[side].x, y: pair[side].y }]));
+      return { value: changed, changed };
+    });
+    this.#record({ key: POINTER, gesture: this.#gesture, before, after });
   }
 
   /**

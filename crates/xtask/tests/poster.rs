@@ -27,22 +27,3 @@ fn the_picture_is_small_and_has_the_size_that_the_page_names() -> Result<()> {
     }
     Ok(())
 }
-
-#[test]
-fn the_picture_shows_the_scene_that_the_page_opens_with() -> Result<()> {
-    let element = "<hearth-fire id=\"fire\"";
-    let html = fs::read_to_string(root().join("index.html"))?;
-    let (_, fire) = html.split_once(element).context("index.html has no fire")?;
-    let (_, scene) = fire
-        .split_once("preset=\"")
-        .context("the fire has no scene")?;
-    let words = format!("Hearth: {}", scene.split('"').next().unwrap_or_default());
-    let mut comment = vec![0xff, 0xfe, 0, u8::try_from(words.len() + 2)?];
-    comment.extend(words.bytes());
-    let picture = fs::read(root().join("web/poster.jpg"))?;
-    assert!(
-        picture[2..].starts_with(&comment),
-        "run `cargo xtask poster` and commit the picture"
-    );
-    Ok(())
-}

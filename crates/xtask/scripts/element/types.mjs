@@ -12,7 +12,8 @@ const HEADER = `\
 /** The types of `element/types.d.ts` and `parameters.d.ts` that signatures may name. */
 const NAMES = {
   './element/types.js': [
-    'HearthChangeDetail', 'HearthConfig', 'HearthErrorDetail', 'HearthFreeSolid', 'HearthMeasures', 'HearthObjectsDetail', 'HearthPoint', 'HearthQuality', 'HearthQualityDetail',
+    'HearthChangeDetail', 'HearthConfig', 'HearthErrorDetail', 'HearthFreeSolid', 'HearthMeasures', 'HearthObjectsDetail', 'HearthPicture',
+    'HearthPoint', 'HearthQuality', 'HearthQualityDetail',
     'HearthSolidElement', 'HearthSourceElement', 'HearthTransition',
   ],
   './parameters.js': ['HearthObject', 'HearthParameters', 'HearthProperties', 'HearthStats', 'ParameterId', 'PresetName'],

@@ -1,0 +1,61 @@
+/**
+ * The card that asks how to save a picture: its size and its background. It opens with the last choices.
+ */
+
+import { openCard } from './cards.js';
+import { remember, remembered } from './memory.js';
+
+/** The sizes: how many times as wide as the frame. */
+const SCALES = [1, 2, 3, 4];
+
+/** The backgrounds, as `toBlob` names them, in words. */
+const BACKGROUNDS = { scene: 'As it is shown', transparent: 'Transparent', black: 'Black', white: 'White' };
+
+/**
+ * Asks for a picture. If `save` fails, the card shows the reason and stays open.
+ * @param {{host: HTMLElement, save: (choice: {scale: number, background: string}) => Promise<void>}} what
+ * @returns {import('./cards.js').Card}
+ */
+export function askForPicture({ host, save }) {
+  const card = openCard(host, 'picture', 'Save an image');
+  const { picture } = remembered();
+  const scales = SCALES.map((scale) => [String(scale), scale === 1 ? 'As it is shown' : `${scale} times as wide`]);
+  const scale = choice(card, 'scale', 'Size', scales, picture?.scale);
+  const background = choice(card, 'background', 'Background', Object.entries(BACKGROUNDS), picture?.background);
+  const alert = card.add('p', '');
+  alert.setAttribute('role', 'alert');
+  const button = card.button('save', 'Save', async () => {
+    const chosen = { scale: scale.value, background: background.value };
+    remember({ picture: chosen });
+    alert.textContent = '';
+    button.disabled = true;
+    try {
+      await save({ ...chosen, scale: Number(chosen.scale) });
+      card.close();
+    } catch (error) {
+      alert.textContent = error instanceof Error ? error.message : String(error);
+      button.disabled = false;
+    }
+  });
+  card.button('close', 'Cancel', card.close);
+  button.focus({ preventScroll: true });
+  return card;
+}
+
+/**
+ * A labelled list of choices.
+ * @param {ReturnType<typeof openCard>} card
+ * @param {string} name
+ * @param {string} words
+ * @param {string[][]} choices  Their names and labels.
+ * @param {string} [chosen]
+ */
+function choice(card, name, words, choices, chosen) {
+  const label = card.add('label', `${words} `);
+  const select = document.createElement('select');
+  select.dataset.card = name;
+  select.append(...choices.map(([value, text]) => new Option(text, value)));
+  if (choices.some(([value]) => value === chosen)) select.value = /** @type {string} */ (chosen);
+  label.append(select);
+  return select;
+}

@@ -454,9 +454,9 @@ impl Solver for Combustion {
             clamped: self.motion.speed_limited + self.clamped_shifts,
             max_speed: self.motion.max_speed,
             length: self.length,
-            power: self.power,
-            preheat: self.preheat,
-            asleep: self.open.as_ref().map_or(0.0, |open| open.asleep()),
+            power: Some(self.power),
+            preheat: Some(self.preheat),
+            asleep: self.open.as_ref().map(|open| open.asleep()),
         }
     }
 

@@ -139,7 +139,10 @@ impl Canvas {
         };
         let mut pixels = vec![empty; self.width * self.height];
         let (temperatures, densities) = (fire.temperatures(), fire.densities());
-        let (soots, burning) = (fire.soots(), fire.burn_rates());
+        let (soots, burning) = (
+            fire.soots().unwrap_or_default(),
+            fire.burn_rates().unwrap_or_default(),
+        );
         for (i, position) in fire.positions().into_iter().enumerate() {
             // All have the same mass, so the volume is the inverse of the density, which is 0 at
             // birth.

@@ -184,7 +184,7 @@ impl Combustion {
         self.reserve(scene.settings());
     }
 
-    /// Makes the map of open air anew if the values, or what is seen, ask for another.
+    /// Replaces the map of open air if the values, or what is seen, need another.
     fn fit_open_air(&mut self, scene: &Scene) {
         let values = scene.settings();
         let fits = |open: &OpenAir| open.fits(values, self.seen);

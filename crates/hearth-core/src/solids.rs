@@ -187,7 +187,7 @@ impl Solids {
         all.any(|body| body.is_free || body.drive.is_some())
     }
 
-    /// Gives solids that move by themselves images beyond periodic edges anew.
+    /// Updates the images beyond periodic edges of solids that move by themselves.
     pub fn renew_images(&mut self, bounds: &Bounds, near: f32) {
         if (bounds.periodic_x || bounds.periodic_y) && self.drive() {
             self.place_anew(bounds, near);

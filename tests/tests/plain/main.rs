@@ -102,7 +102,7 @@ impl Difference<'_> {
         let plain = oracle.particles();
         let p = fire.parameters();
         assert_eq!(fire.count(), plain.len(), "{}", self.scene);
-        // A place beyond an edge is reckoned from the other one.
+        // A place beyond an edge counts from the other edge.
         let size = DVec2::new(p.domain_width.into(), p.domain_height.into());
         let turn = |off: DVec2| {
             let up = p.model() == Model::Combustion;

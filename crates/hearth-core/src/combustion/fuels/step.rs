@@ -57,7 +57,7 @@ const WAITING: f32 = 2.0;
 /// Height of a flame over its power, in m/(kW/m)^⅔, and its width over its height.
 const FLAME: f32 = 0.035;
 const FLAME_WIDTH: f32 = 0.5;
-/// Change of a temperature in a step from which its radiation is reckoned anew \[K\], and how often.
+/// Change of a temperature in a step from which its radiation is computed again \[K\], and how often.
 const LEAP: f32 = 50.0;
 const ROUNDS: u32 = 6;
 /// Time over which the power is averaged \[s\].
@@ -411,7 +411,7 @@ impl Cell {
         let (mut at, mut radiated) = (now, self.radiated(air));
         let mut next = balance(radiated);
         // The rest of a cell is so light that its radiation grows within the step. Radiation alone
-        // gives a temperature as the inverse cube of the one that it is reckoned at.
+        // gives a temperature as the inverse cube of the one that it is computed at.
         for _ in 0..ROUNDS {
             if (next - at).abs() < LEAP {
                 break;

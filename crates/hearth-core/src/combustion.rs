@@ -33,6 +33,7 @@ use glam::Vec2;
 use crate::bounds::Bounds;
 use crate::forces::BodyForce;
 use crate::grid::Grid;
+use crate::held::Held;
 use crate::instance::{Instance, Measured};
 use crate::neighbours::Neighbours;
 use crate::params::{DisplayMode, Edges, Physics};
@@ -50,8 +51,8 @@ use burner::BurnerParticle;
 pub use charred::Charred;
 pub use embers::Ember;
 use embers::Embers;
+use fuels::Fuels;
 pub use fuels::{BurningSolid, BurningState, FuelTotal, NoFuel, Where};
-use fuels::{Fuels, Held};
 pub(crate) use gas::Gas;
 use gas::periodic_bounds;
 use interactions::Interactions;
@@ -102,7 +103,7 @@ pub(crate) struct Combustion {
     burner_particles: Vec<BurnerParticle>,
     removed: Removed,
     /// The solids that burn.
-    fuels: Held,
+    fuels: Held<Fuels>,
     /// Power of the combustion in the last step, and of the heating at the sources [kW/m].
     power: f32,
     preheat: f32,

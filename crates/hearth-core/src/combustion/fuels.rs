@@ -11,6 +11,7 @@ mod command;
 mod material;
 mod outline;
 mod radiation;
+mod reaction;
 mod report;
 mod state;
 mod step;

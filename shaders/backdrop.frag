@@ -29,13 +29,14 @@ const float FLOOR_GAIN = 1.3; // light on the ground, which faces the flame, rel
 const float LIT = 30.0 / 16.0; // brightness of the irradiance
 const vec3 NIGHT = vec3(0.035, 0.04, 0.055); // bluish light without the fire
 const float SHOULDER = 0.6;   // compression of the lit backdrop
+const float APART = 0.3;      // offset in the tile that decorrelates two octaves of the noise
+const float MEAN = 0.75;      // of their sum
 
 void main() {
     vec2 gas = field_at(uv).xy * weight_range;
     float hot = smoothstep(WARM, HOT, gas.y / max(gas.x, THIN)) * min(DENSE * gas.x, 1.0);
     vec2 tile = uv * haze_tiles - vec2(0.0, haze_risen);
-    // Two octaves with a mean of 0.75; the offset 0.3 decorrelates them.
-    vec4 wave = textureLod(noise, tile, 0.0) + 0.5 * textureLod(noise, tile * 2.0 + 0.3, 0.0).wzyx - 0.75;
+    vec4 wave = textureLod(noise, tile, 0.0) + 0.5 * textureLod(noise, tile * 2.0 + APART, 0.0).wzyx - MEAN;
     vec2 bent = wave.xy * hot * haze_bend * vec2(haze_tiles.y / haze_tiles.x, 1.0);
     vec4 behind = texture(scenery, uv + bent);
     // The ground below the flame faces it and shows a pool of light.

@@ -7,7 +7,7 @@ uniform vec2 floor_middle; // middle of the world's floor, 0–1 over the pictur
 uniform vec2 size;         // of the picture, in heights of the domain
 uniform float wall_foot;   // where the wall meets the ground, in heights of the domain
 uniform float wall;        // 1 if there is a wall, or 0
-uniform float ground;      // 1 stone, 2 earth, 3 sand, 4 snow
+uniform float ground;      // 1 stone, then EARTH, SAND, SNOW of build/values.rs
 
 out vec4 scenery; // square root of colour; share of ground
 
@@ -21,41 +21,79 @@ const vec3 MORTAR = vec3(0.11, 0.1, 0.09);
 const vec3 DARK_CLAY = vec3(0.34, 0.15, 0.09);
 const vec3 PALE_CLAY = vec3(0.5, 0.27, 0.17);
 
+const float FOOT = 0.005;  // least depth: the edge itself is not black
+const vec2 WALL_BRICK = vec2(0.17, 0.062); // a brick of the wall
+const vec2 SLAB = vec2(0.3, 0.15); // flat stones on the ground
+// Factors on coordinates that decorrelate reads of the noise.
+const float WORN_PLACE = 2.3;
+const float ROW_PLACE = 0.37;
+const float ROW_START = 0.1;
+const vec2 CELL_PLACE = vec2(0.173, 0.291);
+const float CELL_START = 0.05;
+const vec2 WIDE_PLACE = vec2(0.7, 2.1); // stretched across, as things lie on the ground
+const vec2 FINE_PLACE = vec2(2.9, 7.3);
+const vec2 FINER_PLACE = vec2(7.9, 19.0);
+// Wear of bricks: displacement of their edges and of rows, in bricks.
+const float WAVY = 0.02;
+const float STAGGER = 0.12;
+// Mortar ends and a brick begins at these distances from its edge, in its heights; noise moves them.
+const float JOINT = 0.03;
+const float BRICK_FACE = 0.12;
+const float RAGGED = 0.03;
+// Share of noise in the brightness of a brick, and of all: broad and fine.
+const float UNLIKE = 0.5;
+const float STAINS = 0.22;
+const float GRAIN = 0.3;
+const vec3 SOIL = vec3(0.2, 0.14, 0.09);
+const float SOIL_WIDE = 0.5; // shares of noise in the brightness: clods, crumbs, grain
+const float SOIL_FINE = 0.7;
+const float SOIL_GRAIN = 0.6;
+const float SOIL_DARKEST = 0.1;
+const vec3 BEACH = vec3(0.56, 0.42, 0.26);
+const float RIPPLES = 0.25;  // amplitude in the brightness of sand
+const float RIPPLE = 160.0;  // ripples, in radians for each height of the domain
+const float BEND = 5.0;      // their meander [rad]
+const float DUNES = 0.2;     // shares of broad and fine noise
+const float SAND_GRAIN = 0.25;
+const vec3 WHITE = vec3(0.8, 0.86, 0.95); // bluish, as snow in the shade
+const float DRIFTS = 0.18;   // shares of noise in the brightness
+const float HOLLOWS = 0.1;
+const float SNOW_GRAIN = 0.08;
+
 vec4 rough(vec2 place) {
     return noise_at(place, 0.0);
 }
 
-// Bricks in rows, every other row shifted by half a brick, with joints. The factors on coordinates
-// decorrelate reads of the noise; the factors on noise set the wear of a brick.
+// Bricks in rows, every other row shifted by half a brick, with joints.
 vec3 bricks(vec2 place, vec2 brick) {
-    vec4 worn = rough(place * 2.3);
-    vec2 cell = place / brick + 0.02 * worn.xy;
+    vec4 worn = rough(place * WORN_PLACE);
+    vec2 cell = place / brick + WAVY * worn.xy;
     float row = floor(cell.y);
-    cell.x += 0.5 * mod(row, 2.0) + 0.12 * rough(vec2(row * 0.37, 0.1)).x;
+    cell.x += 0.5 * mod(row, 2.0) + STAGGER * rough(vec2(row * ROW_PLACE, ROW_START)).x;
     vec2 edge = (0.5 - abs(fract(cell) - 0.5)) * brick / brick.y;
-    float face = smoothstep(0.03, 0.12, min(edge.x, edge.y) + 0.03 * worn.w);
-    vec4 own = rough(floor(cell) * vec2(0.173, 0.291) + 0.05);
-    vec3 clay = mix(DARK_CLAY, PALE_CLAY, 0.5 + own.x) * (1.0 + 0.5 * own.y);
-    return mix(MORTAR, clay, face) * (1.0 + 0.22 * worn.z + 0.3 * worn.w);
+    float face = smoothstep(JOINT, BRICK_FACE, min(edge.x, edge.y) + RAGGED * worn.w);
+    vec4 own = rough(floor(cell) * CELL_PLACE + CELL_START);
+    vec3 clay = mix(DARK_CLAY, PALE_CLAY, 0.5 + own.x) * (1.0 + UNLIKE * own.y);
+    return mix(MORTAR, clay, face) * (1.0 + STAINS * worn.z + GRAIN * worn.w);
 }
 
 // The ground approaches the viewer downwards.
 vec3 ground_at(vec2 place, float near) {
     vec2 flat_place = vec2(place.x, STONE_ROW) / near;
-    if (ground < 1.5) return bricks(flat_place, vec2(0.3, 0.15)).ggb;
-    vec4 wide = rough(flat_place * vec2(0.7, 2.1));
-    vec4 fine = rough(flat_place * vec2(2.9, 7.3)) + 0.5 * rough(flat_place * vec2(7.9, 19.0));
-    if (ground < 2.5) return vec3(0.2, 0.14, 0.09) * max(1.0 + 0.5 * wide.x + 0.7 * fine.x + 0.6 * fine.w, 0.1);
-    if (ground < 3.5) return vec3(0.56, 0.42, 0.26) * (1.0 + 0.25 * sin(160.0 * flat_place.y + 5.0 * wide.x) + 0.2 * wide.y + 0.25 * fine.w);
-    return vec3(0.8, 0.86, 0.95) * (1.0 + 0.18 * wide.x + 0.1 * fine.x + 0.08 * fine.w);
+    if (ground < EARTH) return bricks(flat_place, SLAB).ggb;
+    vec4 wide = rough(flat_place * WIDE_PLACE);
+    vec4 fine = rough(flat_place * FINE_PLACE) + 0.5 * rough(flat_place * FINER_PLACE);
+    if (ground < SAND) return SOIL * max(1.0 + SOIL_WIDE * wide.x + SOIL_FINE * fine.x + SOIL_GRAIN * fine.w, SOIL_DARKEST);
+    if (ground < SNOW) return BEACH * (1.0 + RIPPLES * sin(RIPPLE * flat_place.y + BEND * wide.x) + DUNES * wide.y + SAND_GRAIN * fine.w);
+    return WHITE * (1.0 + DRIFTS * wide.x + HOLLOWS * fine.x + SNOW_GRAIN * fine.w);
 }
 
 void main() {
     vec2 place = (uv - floor_middle) * size;
     float depth = wall_foot - place.y; // below the foot of the wall
     // Wall and ground are dark where they meet.
-    vec3 colour = depth > 0.0 ? ground_at(place, 1.0 + depth / PERSPECTIVE) : bricks(place, vec2(0.17, 0.062));
-    float joint = smoothstep(0.0, depth > 0.0 ? FLOOR_SHADE : WALL_SHADE, abs(depth) + 0.005);
+    vec3 colour = depth > 0.0 ? ground_at(place, 1.0 + depth / PERSPECTIVE) : bricks(place, WALL_BRICK);
+    float joint = smoothstep(0.0, depth > 0.0 ? FLOOR_SHADE : WALL_SHADE, abs(depth) + FOOT);
     float share = wall > 0.5 ? step(0.0, depth) : smoothstep(0.0, HORIZON, depth);
     scenery = vec4(sqrt(colour * joint), share);
 }

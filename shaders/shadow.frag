@@ -16,6 +16,9 @@ const float DARKNESS = 0.8;
 const float CONTACT = 1.0; // radius of the cone on the ground, in half thicknesses
 const float SPREAD = 0.4;  // and how it grows, for each way up
 const float STEPS = 6.0;
+const float LAST = 0.999;  // share of the samples that is read: the last one has no next one to blend with
+const float THINNEST = 1e-5; // distance of samples of a solid without any, to divide by [m]
+const float FADE = 0.1;    // share of the ground over which the shadow ends at its horizon
 
 void main() {
     float light = 1.0;
@@ -25,14 +28,14 @@ void main() {
         vec2 place = vec2(dot(stance.xy, from), stance.x * from.y - stance.y * from.x);
         // Beyond the samples, the nearest of them counts.
         vec2 nearest = field.y > 0.0 ? clamp(place, -shape.xy, shape.xy) : place;
-        float away = surface(nearest, 0.999 * (nearest + shape.xy) / max(field.zw, 1e-5)).z + length(place - nearest);
+        float away = surface(nearest, LAST * (nearest + shape.xy) / max(field.zw, THINNEST)).z + length(place - nearest);
         // It is as deep as thick.
         vec2 beyond = vec2(away, abs(local.y) - shape.z);
         away = length(max(beyond, 0.0)) + min(max(beyond.x, beyond.y), 0.0);
         light = min(light, smoothstep(-1.0, 1.0, away / (CONTACT * shape.z + SPREAD * up * length(vec2(1.0, side)))));
     }
     float shadow = DARKNESS * (1.0 - light);
-    shadow *= clamp((horizon - (node.y - picture.y) * picture.x) / (0.1 * horizon), 0.0, 1.0);
+    shadow *= clamp((horizon - (node.y - picture.y) * picture.x) / (FADE * horizon), 0.0, 1.0);
     vec4 fire = texture(shown, node);
     pixel = vec4(fire.rgb * shadow, shadow);
 }

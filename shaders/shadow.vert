@@ -16,6 +16,9 @@ const float AROUND = 0.1;  // distance of the irradiance that gives its directio
 const float SLANT = 6.0;   // of light from the side
 const float LONGEST = 2.0; // horizontal way of light for each way up
 const float REACH = 3.0;   // of the shadow beyond the solid, in half thicknesses
+const float PENUMBRA = 0.5; // and for each way up: across, besides its slant,
+const float DEPTH = 0.3;    // and away from the viewer
+const float DARKEST = 4e-4; // light below which there is no side
 
 void main() {
     Particle solid = this_solid();
@@ -30,8 +33,8 @@ void main() {
     vec2 aside = vec2(AROUND * per_height.x, 0.0);
     float left = length(textureLod(irradiance, middle - aside, 0.0).rgb);
     float right = length(textureLod(irradiance, middle + aside, 0.0).rgb);
-    side = clamp(SLANT * (right - left) / (left + right + 4e-4), -LONGEST, LONGEST);
-    local = solid.corner * (REACH * thick + vec2(extent.x + (0.5 + abs(side)) * max(top, 0.0), 0.3 * max(top, 0.0)));
+    side = clamp(SLANT * (right - left) / (left + right + DARKEST), -LONGEST, LONGEST);
+    local = solid.corner * (REACH * thick + vec2(extent.x + (PENUMBRA + abs(side)) * max(top, 0.0), DEPTH * max(top, 0.0)));
     gl_Position = clip(solid, vec2(solid.place.x + local.x, BEHIND * thick + FLAT * local.y));
     node = gl_Position.xy * 0.5 + 0.5;
 }

@@ -29,6 +29,122 @@ const float AROUND = 0.1;   // distance of the irradiance that gives its directi
 const float TOUCH = 0.025;  // distance of the light that touches a surface
 const vec3 NIGHT = vec3(0.07, 0.075, 0.09); // bluish light without the fire
 const float BEVEL = 0.3;    // rounded share of a thickness
+const float GREY = 0.333;   // share of each colour in light without its hue
+const float RAISED = 0.05;  // added to the height of a normal, so that one at a rim is defined
+const float DARKEST = 1e-6; // light below which there is no direction
+// The direction to the fire: its height over the slope of the irradiance, and the brightness of a
+// surface that faces it, of one across it, and of one that light enters.
+const float TOWARDS = 0.45;
+const float FACING = 0.8;
+const float ACROSS = 0.2;
+const float INSIDE = 0.7;
+const float SHARPNESS = 40.0; // exponent of the highlight
+const float SKY_FROM_ABOVE = 1.2; // light of the sky on a vertical surface; an upward one gets 1 more
+// Light is lost at the rim, and near the floor, which is dark within half of a solid's size.
+const float LOST_AT_RIM = 0.4;
+const float AT_FLOOR = 0.3;
+const float ABOVE_FLOOR = 0.5;
+const float GLINT = 0.9; // maximum coverage by a highlight
+
+// Coordinates of the noise are in sizes of the solid. Factors on them decorrelate reads.
+const float WORN_PLACE = 0.17;
+const float FINE_PLACE = 0.41;
+
+// Stone: colour, shares of noise in its brightness, and cracks: their darkness, width and raggedness.
+const vec3 STONE = vec3(0.33, 0.31, 0.285);
+const float STAINS = 0.45;
+const float GRAIN = 0.5;
+const float CRACK = 0.5;
+const float CRACK_WIDTH = 0.07;
+const float RAGGED = 0.2;
+// Slope of the surface by broad and fine noise.
+const float BUMPS = 0.22;
+const float FINE_BUMPS = 0.16;
+
+// Wood. Bark is stretched along a trunk; across a round one, rows of it crowd towards its sides.
+const float ALONG = 0.05;
+const float ACROSS_PLANK = 0.3;
+const float ACROSS_TRUNK = 0.35;
+const float CROWDED = 0.15;
+const float FURROWS = 0.5; // share of fine noise in the furrows
+const vec3 FURROW = vec3(0.05, 0.03, 0.018);
+const vec3 BARK = vec3(0.3, 0.18, 0.1);
+const float BARK_STAINS = 0.4;
+const float FURROW_WIDTH = 0.4;
+const vec2 BARK_BUMPS = vec2(0.1, 0.5); // bark slopes across the trunk
+// The sawn end of a trunk in view: place and size in half thicknesses; that of a disc is its face.
+const float END_PLACE = 0.42;
+const vec2 END_SIZE = vec2(0.52, 0.8);
+const float DISC_SIZE = 0.92;
+const float NO_END = 9.0; // radius of a plank, beyond every face
+const float END_EDGE = 0.95;
+const float RINGS = 22.0; // [rad] for each radius
+const float MEANDER = 4.0; // of a ring [rad]
+const float RING_PLACE = 0.08;
+const vec3 SAWN = vec3(0.46, 0.3, 0.165);
+const float RING_CONTRAST = 0.2;
+const float DARKER_OUTSIDE = 0.3;
+const float END_SLOPE = 0.45; // of its normal, to the side that is in view
+// Burning bark glows in furrows of this width, where fine noise is above zero.
+const float GLOWING_FURROW = 0.2;
+const float GLOWING_SPOTS = 0.5;
+// Wood chars between these brightnesses of the light nearby, to which the irradiance adds a little.
+const float SINGED = 0.05;
+const float CHARRED = 0.5;
+const float FAR_CHARS = 0.02;
+const float CHAR_LOSS = 0.75; // of colour
+
+const vec3 IRON_COLOUR = vec3(0.06, 0.061, 0.065);
+const float IRON_GRAIN = 0.3;
+const float IRON_BUMPS = 0.15;
+const float IRON_SHINE = 1.2;
+
+// Bricks: size [m], and at most these shares of a small solid's size.
+const vec2 BRICK_SIZE = vec2(0.21, 0.07);
+const vec2 MAX_BRICK = vec2(1.8, 0.667);
+// Mortar ends and a brick begins at these distances from its edge, in its heights; noise moves them.
+const float JOINT = 0.03;
+const float BRICK_FACE = 0.12;
+const float BRICK_RAGGED = 0.03;
+const vec3 MORTAR = vec3(0.17, 0.16, 0.145);
+const vec3 DARK_CLAY = vec3(0.33, 0.13, 0.08);
+const vec3 PALE_CLAY = vec3(0.48, 0.23, 0.145);
+const vec2 CELL_PLACE = vec2(0.173, 0.291); // decorrelates the clay of bricks
+const float CLAY_GRAIN = 0.3;
+const float BRICK_BUMPS = 0.6;
+
+const vec3 COAL_COLOUR = vec3(0.035);
+const float COAL_BUMPS = 3.0; // broken faces
+// Coal glows in cracks of this width, where broad noise is between these values.
+const float COAL_CRACK = 0.35;
+const float COAL_DARK = 0.4; // below zero
+const float COAL_BRIGHT = 0.3;
+const float COAL_SOFT = 0.3;
+
+const vec3 WAX_COLOUR = vec3(0.8, 0.72, 0.55);
+const float WAX_SOFT = 0.6; // light spreads in wax
+const float WAX_SHINE = 0.15;
+
+// Glass is seen at its rim.
+const vec3 GLASS_COLOUR = vec3(0.8, 0.9, 0.9);
+const float GLASS_COVER = 0.12;
+const float GLASS_RIM = 0.6;
+
+// A solid with fuel: loss of colour by char, and the char of a full loss, which begins in spots.
+const float CHAR_DARK = 0.9;
+const float FULL_CHAR = 0.3;
+const float CHAR_SPOTS = 0.2;
+// Cells glow between these temperatures [kK], unevenly.
+const float CELL_DARK = 0.65;
+const float CELL_GLOWING = 0.9;
+const float CELL_UNEVEN = 0.15;
+// A fixed temperature: loss of glow at the rim. Embers of wood and coal: coolest, and range [kK].
+const float RIM_DARK = 0.5;
+const float EMBER_COOLEST = 0.8;
+const float EMBER_RANGE = 0.35;
+// Breathing of embers: amplitude [kK], and the factor on its coordinates.
+const float BREATHING = 0.07;
+const float BREATH_PLACE = 0.07;
 
 vec4 rough(vec2 place) {
     return texture(noise, place + turn.z) * 2.0 - 1.0;
@@ -37,7 +153,7 @@ vec4 rough(vec2 place) {
 vec3 light_at(vec2 side) {
     vec3 root = texture(irradiance, uv + side * AROUND * per_height).rgb;
     vec3 light = root * root;
-    return mix(light, vec3(dot(light, vec3(0.333))), PALE);
+    return mix(light, vec3(dot(light, vec3(GREY))), PALE);
 }
 
 // Temperature [kK] and char of a cell.
@@ -58,59 +174,57 @@ void main() {
     vec2 place = local / size;
     vec2 normal = at.xy * rim;
     mat2 turned = mat2(turn.xy, -turn.y, turn.x);
-    vec4 worn = rough(place * 0.17);
-    vec4 fine = rough(place * 0.41);
-    // Stone.
-    vec3 colour = vec3(0.33, 0.31, 0.285) * (1.0 + 0.45 * worn.x + 0.5 * fine.w) * mix(0.5, 1.0, smoothstep(0.0, 0.07, abs(worn.y + 0.2 * fine.w)));
-    vec2 bump = 0.22 * worn.yz + 0.16 * fine.yz;
+    vec4 worn = rough(place * WORN_PLACE);
+    vec4 fine = rough(place * FINE_PLACE);
+    vec3 colour = STONE * (1.0 + STAINS * worn.x + GRAIN * fine.w) * mix(CRACK, 1.0, smoothstep(0.0, CRACK_WIDTH, abs(worn.y + RAGGED * fine.w)));
+    vec2 bump = BUMPS * worn.yz + FINE_BUMPS * fine.yz;
     float shine = 0.0; // brightness of the highlight
     float cover = 1.0;
     float ember = 0.0; // share of the surface that glows
     float soft = 0.0;  // share of the light that spreads inside
-    if (material == 1.0) {
+    if (material == WOOD) {
         // Bark around a trunk, or a plank. One end of a trunk shows its rings.
-        worn = rough(vec2(0.05 * place.x, body.y > 0.0 ? 0.3 * place.y : place.y * (0.35 + 0.15 * place.y * place.y)));
-        float ridge = abs(worn.x + 0.5 * worn.w);
-        colour = mix(vec3(0.05, 0.03, 0.018), vec3(0.3, 0.18, 0.1) * (1.0 + 0.4 * worn.y), smoothstep(0.0, 0.4, ridge));
-        bump = vec2(0.1, 0.5) * worn.zw;
+        worn = rough(vec2(ALONG * place.x, body.y > 0.0 ? ACROSS_PLANK * place.y : place.y * (ACROSS_TRUNK + CROWDED * place.y * place.y)));
+        float ridge = abs(worn.x + FURROWS * worn.w);
+        colour = mix(FURROW, BARK * (1.0 + BARK_STAINS * worn.y), smoothstep(0.0, FURROW_WIDTH, ridge));
+        bump = BARK_BUMPS * worn.zw;
         float side = turn.y > 0.0 ? -1.0 : 1.0;
-        vec2 end = body.x > 0.0 ? vec2(place.x * side - body.x / size - 0.42, place.y) / vec2(0.52, 0.8) : place / 0.92;
-        float radius = length(end) + (body.y > 0.0 ? 9.0 : 0.0);
-        float face = 1.0 - smoothstep(0.95, 1.0, radius);
-        float ring = sin(22.0 * radius + 4.0 * rough(end * 0.08).x);
-        colour = mix(colour, vec3(0.46, 0.3, 0.165) * (1.0 + 0.2 * ring - 0.3 * radius), face);
-        ember = (1.0 - smoothstep(0.0, 0.2, ridge)) * smoothstep(0.0, 0.5, fine.x) * (1.0 - face);
-        normal = mix(normal, vec2(body.x > 0.0 ? 0.45 * side : 0.0, 0.0), face);
+        vec2 end = body.x > 0.0 ? vec2(place.x * side - body.x / size - END_PLACE, place.y) / END_SIZE : place / DISC_SIZE;
+        float radius = length(end) + (body.y > 0.0 ? NO_END : 0.0);
+        float face = 1.0 - smoothstep(END_EDGE, 1.0, radius);
+        float ring = sin(RINGS * radius + MEANDER * rough(end * RING_PLACE).x);
+        colour = mix(colour, SAWN * (1.0 + RING_CONTRAST * ring - DARKER_OUTSIDE * radius), face);
+        ember = (1.0 - smoothstep(0.0, GLOWING_FURROW, ridge)) * smoothstep(0.0, GLOWING_SPOTS, fine.x) * (1.0 - face);
+        normal = mix(normal, vec2(body.x > 0.0 ? END_SLOPE * side : 0.0, 0.0), face);
         bump *= 1.0 - face;
-    } else if (material == 2.0) {
-        colour = vec3(0.06, 0.061, 0.065) * (1.0 + 0.3 * fine.w);
-        bump *= 0.15;
-        shine = 1.2;
-    } else if (material == 3.0) {
+    } else if (material == IRON) {
+        colour = IRON_COLOUR * (1.0 + IRON_GRAIN * fine.w);
+        bump *= IRON_BUMPS;
+        shine = IRON_SHINE;
+    } else if (material == BRICK) {
         // Courses, every other one shifted by half a brick.
-        vec2 brick = min(vec2(0.21, 0.07), size * vec2(1.8, 0.667));
+        vec2 brick = min(BRICK_SIZE, size * MAX_BRICK);
         vec2 cell = local / brick + 0.5;
         cell.x += 0.5 * mod(floor(cell.y), 2.0);
         vec2 edge = (0.5 - abs(fract(cell) - 0.5)) * brick / brick.y;
-        float joint = smoothstep(0.03, 0.12, min(edge.x, edge.y) + 0.03 * fine.w);
-        colour = mix(vec3(0.17, 0.16, 0.145), mix(vec3(0.33, 0.13, 0.08), vec3(0.48, 0.23, 0.145),
-            0.5 + rough(floor(cell) * vec2(0.173, 0.291)).x) * (1.0 + 0.3 * fine.x), joint);
-        bump *= 0.6;
-    } else if (material == 4.0) {
-        colour = vec3(0.035) * (1.0 + fine.w);
-        bump *= 3.0;
-        ember = (1.0 - smoothstep(0.0, 0.35, abs(worn.x + 0.2 * fine.w))) * smoothstep(-0.4, 0.3, worn.y);
-        soft = 0.3;
-    } else if (material == 5.0) {
-        colour = vec3(0.8, 0.72, 0.55);
+        float joint = smoothstep(JOINT, BRICK_FACE, min(edge.x, edge.y) + BRICK_RAGGED * fine.w);
+        colour = mix(MORTAR, mix(DARK_CLAY, PALE_CLAY, 0.5 + rough(floor(cell) * CELL_PLACE).x) * (1.0 + CLAY_GRAIN * fine.x), joint);
+        bump *= BRICK_BUMPS;
+    } else if (material == COAL) {
+        colour = COAL_COLOUR * (1.0 + fine.w);
+        bump *= COAL_BUMPS;
+        ember = (1.0 - smoothstep(0.0, COAL_CRACK, abs(worn.x + RAGGED * fine.w))) * smoothstep(-COAL_DARK, COAL_BRIGHT, worn.y);
+        soft = COAL_SOFT;
+    } else if (material == WAX) {
+        colour = WAX_COLOUR;
         bump *= 0.0;
-        soft = 0.6;
-        shine = 0.15;
-    } else if (material == 6.0) {
-        colour = vec3(0.8, 0.9, 0.9) * rim * rim * rim;
+        soft = WAX_SOFT;
+        shine = WAX_SHINE;
+    } else if (material == GLASS) {
+        colour = GLASS_COLOUR * rim * rim * rim;
         bump *= 0.0;
         shine = 1.0;
-        cover = 0.12 + 0.6 * rim * rim * rim;
+        cover = GLASS_COVER + GLASS_RIM * rim * rim * rim;
     }
     if (grid.y > 0.0) {
         vec2 low = floor(spot);
@@ -118,43 +232,42 @@ void main() {
         vec2 state = mix(mix(cell_at(low), cell_at(low + vec2(1.0, 0.0)), part.x),
                          mix(cell_at(low + vec2(0.0, 1.0)), cell_at(low + 1.0), part.x), part.y);
         kilokelvin = state.x;
-        // Char begins in spots.
-        colour *= 1.0 - 0.9 * smoothstep(0.0, 0.3, state.y + 0.2 * fine.w);
+        colour *= 1.0 - CHAR_DARK * smoothstep(0.0, FULL_CHAR, state.y + CHAR_SPOTS * fine.w);
     }
     vec2 tilt = turned * (normal + bump);
-    vec3 facing = normalize(vec3(tilt, sqrt(max(1.0 - dot(normal, normal), 0.0)) + 0.05));
+    vec3 facing = normalize(vec3(tilt, sqrt(max(1.0 - dot(normal, normal), 0.0)) + RAISED));
     // The irradiance, and the direction of the fire from its slope.
     vec3 left = light_at(vec2(-1.0, 0.0));
     vec3 right = light_at(vec2(1.0, 0.0));
     vec3 below = light_at(vec2(0.0, -1.0));
     vec3 above = light_at(vec2(0.0, 1.0));
     vec3 fire_light = left + right + below + above;
-    vec2 slope = vec2(dot(right - left, vec3(1.0)), dot(above - below, vec3(1.0))) / (0.25 * dot(fire_light, vec3(1.0)) + 1e-6);
-    vec3 towards = normalize(vec3(slope, 0.45));
+    vec2 slope = vec2(dot(right - left, vec3(1.0)), dot(above - below, vec3(1.0))) / (0.25 * dot(fire_light, vec3(1.0)) + DARKEST);
+    vec3 towards = normalize(vec3(slope, TOWARDS));
     vec3 touch = texture(glow, uv + tilt * TOUCH * per_height).rgb;
     fire_light *= 0.25 * FAR_LIT * light_range;
     vec3 nearby = touch * touch * NEAR_LIT * light_range;
-    float lit = mix(max(0.8 * dot(facing, towards) + 0.2, 0.0), 0.7, soft);
-    float gloss = pow(max(dot(facing, normalize(towards + vec3(0.0, 0.0, 1.0))), 0.0), 40.0) * shine;
+    float lit = mix(max(FACING * dot(facing, towards) + ACROSS, 0.0), INSIDE, soft);
+    float gloss = pow(max(dot(facing, normalize(towards + vec3(0.0, 0.0, 1.0))), 0.0), SHARPNESS) * shine;
     // The floor, and what lies before a rim, take light away.
-    float open = (1.0 - 0.4 * rim * rim * rim) * mix(0.3, 1.0, smoothstep(0.0, 0.5, (uv.y - floor_middle.y) * picture_size.y / size));
-    if (material == 1.0) {
+    float open = (1.0 - LOST_AT_RIM * rim * rim * rim) * mix(AT_FLOOR, 1.0, smoothstep(0.0, ABOVE_FLOOR, (uv.y - floor_middle.y) * picture_size.y / size));
+    if (material == WOOD) {
         // Wood in the flame is black, and its cracks glow.
-        float burnt = grid.y > 0.0 ? 0.0 : smoothstep(0.05, 0.5, max(nearby.r, 0.02 * fire_light.r));
-        colour *= 1.0 - 0.75 * burnt;
+        float burnt = grid.y > 0.0 ? 0.0 : smoothstep(SINGED, CHARRED, max(nearby.r, FAR_CHARS * fire_light.r));
+        colour *= 1.0 - CHAR_LOSS * burnt;
         ember *= burnt;
     }
-    vec3 seen = open * (colour * (lit * fire_light + nearby + (NIGHT + sky) * (1.2 + facing.y)) + gloss * fire_light);
+    vec3 seen = open * (colour * (lit * fire_light + nearby + (NIGHT + sky) * (SKY_FROM_ABOVE + facing.y)) + gloss * fire_light);
     if (grid.y > 0.0) {
-        ember = smoothstep(0.65, 0.9, kilokelvin + 0.15 * fine.w);
+        ember = smoothstep(CELL_DARK, CELL_GLOWING, kilokelvin + CELL_UNEVEN * fine.w);
     } else if (kilokelvin > 0.0) {
         // A solid of a fixed temperature glows everywhere.
-        ember = 1.0 - 0.5 * rim * rim;
+        ember = 1.0 - RIM_DARK * rim * rim;
     } else {
-        kilokelvin = 0.8 + 0.35 * ember;
+        kilokelvin = EMBER_COOLEST + EMBER_RANGE * ember;
     }
-    if (ember > 0.0) seen += radiance(kilokelvin + 0.07 * rough(place * 0.07 + breath).x) * (gain * ember);
-    cover = max(cover, min(gloss * fire_light.r, 0.9));
+    if (ember > 0.0) seen += radiance(kilokelvin + BREATHING * rough(place * BREATH_PLACE + breath).x) * (gain * ember);
+    cover = max(cover, min(gloss * fire_light.r, GLINT));
     // Nothing of the fire is over a solid before it.
     vec4 fire = front ? vec4(0.0) : texture(shown, uv);
     vec3 shaded = fire.rgb + displayed(seen) * (1.0 - fire.a);

@@ -8,6 +8,8 @@
 
 uniform float margin; // [m]
 
+const float THIN = 0.02; // half of the box in a round sampled solid, in its depths
+
 out vec2 local;      // from the centre, along its width and its height [m]
 out vec2 node;       // from the lower left node of a sampled distance
 flat out vec4 body;  // half of the inner box [m], radius [m], surface; a sampled one is as thick as it is deep
@@ -28,7 +30,7 @@ Particle this_solid() {
         field = vec4(float((place + 1) * TEXELS), head.x, head.zw);
         node = (local + size) / head.zw;
         // Round, a thin box with a radius.
-        body.xyz = head.y < 0.0 ? vec3(-0.02, -0.02, -1.0) * head.y : vec3(head.yy, 0.0);
+        body.xyz = head.y < 0.0 ? vec3(-THIN, -THIN, -1.0) * head.y : vec3(head.yy, 0.0);
     }
     return solid;
 }

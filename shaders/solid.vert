@@ -6,8 +6,10 @@ flat out vec3 turn; // direction of its width; a number that differs between sol
 flat out vec3 grid; // of a solid with fuel: the first texel, columns and rows of its cells; else zeros
 out vec2 spot;      // from the middle of the lower left one, in cells
 
+const float UNLIKE = 0.37; // tiles of noise between the pictures of consecutive solids
+
 void main() {
-    turn = vec3(this_solid().velocity, float(gl_VertexID / 6) * 0.37);
+    turn = vec3(this_solid().velocity, float(gl_VertexID / 6) * UNLIKE);
     uv = gl_Position.xy * 0.5 + 0.5;
     grid = vec3(0.0);
     spot = local;

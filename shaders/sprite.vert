@@ -16,16 +16,23 @@ const float TURN = 6.2832; // [rad]
 // Glow starts at the first temperature and is complete at the second [kK].
 const float DARK = 0.75;
 const float GLOWING = 1.05;
+// Six speeds, from −2.5 to 2.5.
+const float SPEEDS = 6.0;
+const float FASTEST = 2.5;
+// Faintest and smallest sprite, and the range of both.
+const float FAINTEST = 0.3;
+const float FAINT_RANGE = 0.7;
+const float SMALLEST = 0.6;
+const float SIZE_RANGE = 0.4;
 
 void main() {
     Particle particle = this_particle();
     corner = particle.corner;
     vec4 state = particle.state; // temperature [K], volume [m²], number, remaining life or soot
     vec4 any = fract(state.z * UNLIKE);
-    // Six speeds, −2.5 to 2.5.
-    float angle = TURN * (any.x + turns * (floor(6.0 * any.y) - 2.5));
+    float angle = TURN * (any.x + turns * (floor(SPEEDS * any.y) - FASTEST));
     part = vec4(any.zy, cos(angle), sin(angle));
     heat.x = state.x * 1e-3;
-    heat.y = opacity * (0.3 + 0.7 * any.w * any.w) * smoothstep(DARK, GLOWING, heat.x) * smoothstep(0.0, full, state.w);
-    gl_Position = clip(particle, particle.place + corner * (heat.y > 0.0 ? radius * (0.6 + 0.4 * any.z) : 0.0));
+    heat.y = opacity * (FAINTEST + FAINT_RANGE * any.w * any.w) * smoothstep(DARK, GLOWING, heat.x) * smoothstep(0.0, full, state.w);
+    gl_Position = clip(particle, particle.place + corner * (heat.y > 0.0 ? radius * (SMALLEST + SIZE_RANGE * any.z) : 0.0));
 }

@@ -12,6 +12,7 @@ import type {
   HearthPoint,
   HearthQuality,
   HearthQualityDetail,
+  HearthRangeError,
   HearthSolidElement,
   HearthSourceElement,
   HearthTransition,
@@ -110,7 +111,7 @@ export class HearthFire extends HTMLElement {
   controls: boolean | string;
   /** `auto`: visitors who prefer reduced motion get a paused fire with a play button. */
   reducedMotion: 'auto' | 'ignore';
-  /** The value of one parameter. */
+  /** Returns the value of one parameter. */
   get<Id extends ParameterId>(id: Id): HearthParameters[Id];
   /** Sets one parameter. Rejects with a {@link HearthRangeError}. */
   set<Id extends ParameterId>(id: Id, value: HearthParameters[Id]): Promise<void>;
@@ -122,7 +123,7 @@ export class HearthFire extends HTMLElement {
   changeObject(id: number, properties: Partial<HearthObject>): Promise<void>;
   /** Removes an object. The next source becomes the first, which the parameters describe. Rejects with a {@link HearthRangeError}. */
   removeObject(id: number): Promise<void>;
-  /** Changes parameters gradually, all of them or none. Resolves to false if another call set one of them meanwhile. Rejects as `set` does. */
+  /** Changes parameters gradually, all of them or none. Resolves to false if another call sets one of them meanwhile. Rejects as `set` does. */
   to(values: Partial<HearthParameters>, how?: HearthTransition): Promise<boolean>;
   /** Restores the defaults of these parameters. Without ids it restores all parameters, the model included, and removes the preset. */
   restore(...ids: (ParameterId | 'objects')[]): Promise<void>;
@@ -132,24 +133,22 @@ export class HearthFire extends HTMLElement {
   pause(): Promise<void>;
   /** Restarts the simulation with the same values. */
   reset(): Promise<void>;
-  /** Computes simulation steps, also while paused, then draws a frame. */
+  /** Computes simulation steps, also while paused, then draws a frame. `stats` has the length of a step. */
   step(steps?: number): Promise<void>;
-  /** The settings of the fire: the preset, unless it is the default one, and the values that differ from it. As JSON they can be stored, sent, and loaded by `importConfig` or `src`. */
+  /** Resolves to the settings of the fire: the preset, unless it is the default one, and the values that differ from it. As JSON they can be stored, sent, and loaded by `importConfig` or `src`. */
   exportConfig(): Promise<HearthConfig>;
   /** Applies settings, as an object or as JSON: all of them or none. Rejects with a {@link HearthRangeError}. */
   importConfig(config: HearthConfig | string): Promise<void>;
   /**
-   * The current frame as a file of type `image/png`, `image/jpeg` or `image/webp`, or drawn for the file in another width or over another background.
+   * Resolves to the current frame as a file of type `image/png`, which keeps transparency, `image/jpeg` or `image/webp`. Waits for the first frame. An object `{type, quality, width, background}` draws the frame for the file: `width` from 16 to 8192 pixels, with the element's shape and at most 16,777,216 pixels in all; `background` is a CSS colour, `transparent` (fire and solids alone) or `scene` (as the element shows it). A refused width rejects with a `RangeError`.
    * @param quality of JPEG and WebP, from 0 to 1
    */
   toBlob(type?: string | HearthPicture, quality?: number): Promise<Blob>;
   /**
-   * The fire as a video stream for a recorder, a call or a `<video>`.
+   * Resolves to the fire as a video stream for a recorder, a call or a `<video>`.
    * @param fps maximum frames per second; all frames without it
    */
   captureStream(fps?: number): Promise<MediaStream>;
-  /** Stops the fire and frees its memory. The element makes a new fire when it is inserted into a page again. */
-  destroy(): Promise<void>;
   /**
    * Accelerates the gas around a point for a twentieth of a second.
    * @param x metres from the middle of the floor
@@ -165,16 +164,16 @@ export class HearthFire extends HTMLElement {
    * @param count from 1 to 200
    */
   sparks(x: number, y: number, count?: number): Promise<void>;
-  /** Where the solids are that forces move, those with `motion` "free", in the order of the objects. */
+  /** Resolves to where the solids are that forces move, those with `motion` "free", in the order of the objects. `objects` has where they start. */
   freeSolids(): Promise<HearthFreeSolid[]>;
   /**
-   * What a probe at a point measures, the same along the vertical through it, and the flame as a whole.
+   * Resolves to what a probe at a point measures, the same along the vertical through it, and the flame as a whole.
    * @param x metres from the middle of the floor
    * @param y metres above the floor
    */
   measure(x: number, y: number): Promise<HearthMeasures>;
   /**
-   * Lights a solid that has fuel: all of its surface, by its id, or what is within 0.1 m of a point.
+   * Lights a solid that has fuel: all of its surface, by its id, or what is within 0.1 m of a point. Rejects if there is no fuel.
    * @param place the id, or metres from the middle of the floor
    * @param y metres above the floor
    */
@@ -187,7 +186,7 @@ export class HearthFire extends HTMLElement {
    */
   extinguish(place: number, y?: number, radius?: number): Promise<void>;
   /**
-   * Converts a point of the element to the domain: metres from the middle of the floor, y upwards. Null while there is no picture.
+   * Converts a point of the element to the domain: metres from the middle of the floor, y upwards. Returns null while there is no picture.
    * @param x CSS pixels from the element's left edge
    * @param y CSS pixels from its upper edge
    */
@@ -198,6 +197,8 @@ export class HearthFire extends HTMLElement {
    * @param y metres above the floor
    */
   toPixels(x: number, y: number): HearthPoint | null;
+  /** Stops the fire and frees its memory. The element makes a new fire when it is inserted into a page again. */
+  destroy(): Promise<void>;
   addEventListener<Type extends keyof HearthFireEventMap>(
     type: Type,
     listener: (this: HearthFire, event: HearthFireEventMap[Type]) => unknown,

@@ -1,8 +1,9 @@
 /**
  * `<hearth-fire>`: a fire as an HTML element.
  *
- * This class is the element's public interface. `cargo xtask codegen` derives the types, the manifest and
- * React's types from its JSDoc. The code is in `element/`: attributes, properties and calls become
+ * This class is the element's public interface. `cargo xtask codegen` derives from its JSDoc: the types, React's
+ * types, the manifest, the reference of the methods, and what an iframe offers to its page. `@posted` offers a
+ * member there; `@example` shows it in the reference. The code is in `element/`: attributes, properties and calls become
  * messages to the engine, and the engine's messages become promises and events. The engine validates
  * every value. Reading a value returns the last one that the engine accepted.
  *
@@ -93,6 +94,7 @@ class HearthFire extends FireAttributes {
 
   /**
    * The values of all parameters, by id.
+   * @posted
    * @returns {HearthParameters}
    */
   get params() {
@@ -104,6 +106,7 @@ class HearthFire extends FireAttributes {
    * replaces all objects. The attribute holds them as JSON; without it the fire has one source, which
    * the parameters describe.
    * @attribute
+   * @posted
    * @returns {Required<HearthObject>[]}
    */
   get objects() {
@@ -119,6 +122,7 @@ class HearthFire extends FireAttributes {
 
   /**
    * The latest measurements of the fire; null before the first.
+   * @posted
    * @returns {HearthStats | null}
    */
   get stats() {
@@ -143,6 +147,7 @@ class HearthFire extends FireAttributes {
   /**
    * Resolves when the fire's picture is shown or, out of sight, when the fire can be drawn; rejects if it
    * cannot. An element that is removed from the page gets a new promise.
+   * @posted
    * @returns {Promise<void>}
    */
   get ready() {
@@ -164,10 +169,12 @@ class HearthFire extends FireAttributes {
   }
 
   /**
-   * The value of one parameter.
+   * Returns the value of one parameter.
    * @template {ParameterId} Id
    * @param {Id} id
    * @returns {HearthParameters[Id]}
+   * @posted
+   * @example <caption>Which model?</caption> this.textContent = fire.get('model')
    */
   get(id) {
     const { params } = this.#session.state;
@@ -193,6 +200,8 @@ class HearthFire extends FireAttributes {
    * @param {ParameterId | Partial<HearthParameters> & {objects?: HearthObject[]}} ids
    * @param {number | string | boolean} [value]
    * @returns {Promise<void>}
+   * @posted
+   * @example <caption>Strong and windy</caption> fire.set({ fuel_power: 350, wind: 0.5 })
    */
   set(ids, value) {
     return this.#session.set(typeof ids === 'object' && ids ? ids : { [String(ids)]: value });
@@ -200,8 +209,10 @@ class HearthFire extends FireAttributes {
 
   /**
    * Adds an object and resolves to its id. Rejects with a {@link HearthRangeError}.
+   * @see Objects
    * @param {HearthObject} object
    * @returns {Promise<number>}
+   * @posted
    */
   addObject(object) {
     return this.#session.call('addObject', postable(object, 1), 'property');
@@ -212,6 +223,8 @@ class HearthFire extends FireAttributes {
    * @param {number} id
    * @param {Partial<HearthObject>} properties
    * @returns {Promise<void>}
+   * @posted
+   * @example <caption>Move the source</caption> fire.changeObject(fire.objects[0].id, { x: 0.2 })
    */
   changeObject(id, properties) {
     return this.#session.call('changeObject', postable(id), postable(properties, 1), 'property');
@@ -222,17 +235,21 @@ class HearthFire extends FireAttributes {
    * with a {@link HearthRangeError}.
    * @param {number} id
    * @returns {Promise<void>}
+   * @posted
    */
   removeObject(id) {
     return this.#session.call('removeObject', postable(id), 'property');
   }
 
   /**
-   * Changes parameters gradually, all of them or none. Resolves to false if another call set one of
+   * Changes parameters gradually, all of them or none. Resolves to false if another call sets one of
    * them meanwhile. Rejects as `set` does.
+   * @see Transitions
    * @param {Partial<HearthParameters>} values
    * @param {HearthTransition} [how]
    * @returns {Promise<boolean>}
+   * @posted
+   * @example <caption>Flare up</caption> fire.to({ source_width: 0.5 }, { duration: 1500 })
    */
   to(values, how) {
     return this.#session.move(values, how);
@@ -243,6 +260,8 @@ class HearthFire extends FireAttributes {
    * included, and removes the preset.
    * @param {...(ParameterId | 'objects')} ids
    * @returns {Promise<void>}
+   * @posted
+   * @example <caption>All defaults</caption> fire.restore()
    */
   restore(...ids) {
     if (ids.length > 0) return this.#session.call('restore', postable(ids, 1), 'property');
@@ -253,6 +272,8 @@ class HearthFire extends FireAttributes {
   /**
    * Plays the fire.
    * @returns {Promise<void>}
+   * @posted
+   * @example <caption>Play or pause</caption> fire.paused ? fire.play() : fire.pause()
    */
   play() {
     return this.#session.playback.set(false);
@@ -261,6 +282,7 @@ class HearthFire extends FireAttributes {
   /**
    * Pauses the fire.
    * @returns {Promise<void>}
+   * @posted
    */
   pause() {
     return this.#session.playback.set(true);
@@ -269,24 +291,30 @@ class HearthFire extends FireAttributes {
   /**
    * Restarts the simulation with the same values.
    * @returns {Promise<void>}
+   * @posted
+   * @example <caption>Restart</caption> fire.reset()
    */
   reset() {
     return this.#session.call('reset');
   }
 
   /**
-   * Computes simulation steps, also while paused, then draws a frame.
+   * Computes simulation steps, also while paused, then draws a frame. `stats` has the length of a step.
    * @param {number} [steps]
    * @returns {Promise<void>}
+   * @posted
+   * @example <caption>Ten steps</caption> fire.step(10)
    */
   step(steps = 1) {
     return this.#session.call('step', postable(steps));
   }
 
   /**
-   * The settings of the fire: the preset, unless it is the default one, and the values that differ from
+   * Resolves to the settings of the fire: the preset, unless it is the default one, and the values that differ from
    * it. As JSON they can be stored, sent, and loaded by `importConfig` or `src`.
+   * @see Settings
    * @returns {Promise<HearthConfig>}
+   * @posted
    */
   exportConfig() {
     return this.#session.call('export');
@@ -297,6 +325,7 @@ class HearthFire extends FireAttributes {
    * {@link HearthRangeError}.
    * @param {HearthConfig | string} config
    * @returns {Promise<void>}
+   * @posted
    */
   importConfig(config) {
     try {
@@ -307,32 +336,27 @@ class HearthFire extends FireAttributes {
   }
 
   /**
-   * The current frame as a file of type `image/png`, `image/jpeg` or `image/webp`, or drawn for the file in another width or
-   * over another background.
+   * Resolves to the current frame as a file of type `image/png`, which keeps transparency, `image/jpeg` or
+   * `image/webp`. Waits for the first frame. An object `{type, quality, width, background}` draws the frame for the file:
+   * `width` from 16 to 8192 pixels, with the element's shape and at most 16,777,216 pixels in all; `background` is a CSS
+   * colour, `transparent` (fire and solids alone) or `scene` (as the element shows it). A refused width rejects with a
+   * `RangeError`.
    * @param {string | HearthPicture} [type]
    * @param {number} [quality] of JPEG and WebP, from 0 to 1
    * @returns {Promise<Blob>}
+   * @posted
    */
   toBlob(type = 'image/png', quality) {
     return this.#session.capture('toBlob', type, quality);
   }
 
   /**
-   * The fire as a video stream for a recorder, a call or a `<video>`.
+   * Resolves to the fire as a video stream for a recorder, a call or a `<video>`.
    * @param {number} [fps] maximum frames per second; all frames without it
    * @returns {Promise<MediaStream>}
    */
   captureStream(fps) {
     return this.#session.capture('captureStream', fps);
-  }
-
-  /**
-   * Stops the fire and frees its memory. The element makes a new fire when it is inserted into a page
-   * again.
-   * @returns {Promise<void>}
-   */
-  async destroy() {
-    await this.#session.close();
   }
 
   /**
@@ -342,6 +366,8 @@ class HearthFire extends FireAttributes {
    * @param {number} u velocity to the right in metres per second, at most 20
    * @param {number} v velocity upwards in metres per second, at most 20
    * @returns {Promise<void>}
+   * @posted
+   * @example <caption>Blow</caption> fire.stir(0, 0.5, 6, 0)
    */
   stir(x, y, u, v) {
     return this.#session.call('stir', ...postable([x, y, u, v], 1));
@@ -353,14 +379,20 @@ class HearthFire extends FireAttributes {
    * @param {number} y metres above the floor
    * @param {number} [count] from 1 to 200
    * @returns {Promise<void>}
+   * @posted
+   * @example <caption>Sparks</caption> fire.sparks(0, 0.5, 60)
    */
   sparks(x, y, count = 24) {
     return this.#session.call('sparks', ...postable([x, y, count], 1));
   }
 
   /**
-   * Where the solids are that forces move, those with `motion` "free", in the order of the objects.
+   * Resolves to where the solids are that forces move, those with `motion` "free", in the order of the
+   * objects. `objects` has where they start.
    * @returns {Promise<HearthFreeSolid[]>}
+   * @posted
+   * @example <caption>Drop a plank</caption> fire.addObject({ kind: 'solid', y: 1, angle: 20, motion: 'free', material: 'wood' })
+   * @example <caption>How high are the planks?</caption> fire.freeSolids().then((all) => { this.textContent = all.map(({ y }) => `${y.toFixed(2)} m`).join(', ') })
    */
   async freeSolids() {
     const [numbers, { freeSolidsOf }] = await Promise.all([this.#session.call('freeSolids'), import('./free-solids.js')]);
@@ -368,10 +400,14 @@ class HearthFire extends FireAttributes {
   }
 
   /**
-   * What a probe at a point measures, the same along the vertical through it, and the flame as a whole.
+   * Resolves to what a probe at a point measures, the same along the vertical through it, and the flame
+   * as a whole.
+   * @see Measures
    * @param {number} x metres from the middle of the floor
    * @param {number} y metres above the floor
    * @returns {Promise<HearthMeasures>}
+   * @posted
+   * @example <caption>How hot is it?</caption> fire.measure(0, 0.5).then(({ place }) => { this.textContent = place.gas ? `${place.temperature.toFixed(0)} K` : 'no gas' })
    */
   async measure(x, y) {
     const [numbers, { measuresOf }] = await Promise.all([this.#session.call('measure', ...postable([x, y], 1)), import('./measures.js')]);
@@ -380,9 +416,12 @@ class HearthFire extends FireAttributes {
 
   /**
    * Lights a solid that has fuel: all of its surface, by its id, or what is within 0.1 m of a point.
+   * Rejects if there is no fuel.
    * @param {number} place the id, or metres from the middle of the floor
    * @param {number} [y] metres above the floor
    * @returns {Promise<void>}
+   * @posted
+   * @example <caption>A log that burns</caption> fire.addObject({ kind: 'solid', x: 0.3, fuel: 'wood', material: 'wood' }).then((id) => fire.ignite(id))
    */
   ignite(place, y) {
     return this.#session.call('light', true, y === undefined ? -1 : 0, ...postable([place, y ?? 0], 1));
@@ -395,14 +434,17 @@ class HearthFire extends FireAttributes {
    * @param {number} [y] metres above the floor
    * @param {number} [radius] in metres, 0.2 without it
    * @returns {Promise<void>}
+   * @posted
+   * @example <caption>Extinguish the log</caption> fire.extinguish(0.3, 0.5, 0.4)
    */
   extinguish(place, y, radius = 0.2) {
     return this.#session.call('light', false, ...postable([y === undefined ? -1 : radius, place, y ?? 0], 1));
   }
 
   /**
-   * Converts a point of the element to the domain: metres from the middle of the floor, y upwards. Null
-   * while there is no picture.
+   * Converts a point of the element to the domain: metres from the middle of the floor, y upwards. Returns
+   * null while there is no picture.
+   * @see Places
    * @param {number} x CSS pixels from the element's left edge
    * @param {number} y CSS pixels from its upper edge
    * @returns {HearthPoint | null}
@@ -420,6 +462,16 @@ class HearthFire extends FireAttributes {
    */
   toPixels(x, y) {
     return this.#session.view.viewport(this.params)?.toPixels(x, y) ?? null;
+  }
+
+  /**
+   * Stops the fire and frees its memory. The element makes a new fire when it is inserted into a page
+   * again.
+   * @returns {Promise<void>}
+   * @example <caption>Put it out</caption> fire.destroy()
+   */
+  async destroy() {
+    await this.#session.close();
   }
 
   connectedCallback() {

@@ -58,12 +58,12 @@ export interface Particles {
   ages: Float32Array;
   /** Ages at which they die [s]; infinite in the combustion model. */
   lifetimes: Float32Array;
-  /** Fuel, as a share of the gas. */
-  fuel: Float32Array;
-  /** Oxygen, as a share of that of air. */
-  oxygen: Float32Array;
-  /** Soot, in the amount that a full share of fuel leaves. */
-  soot: Float32Array;
+  /** Fuel, as a share of the gas; of the combustion model. */
+  fuel?: Float32Array;
+  /** Oxygen, as a share of that of air; of the combustion model. */
+  oxygen?: Float32Array;
+  /** Soot, in the amount that a full share of fuel leaves; of the combustion model. */
+  soot?: Float32Array;
 }
 
 /**
@@ -131,8 +131,8 @@ export interface Simulation {
   readonly time: number;
   /** Particles alive. */
   readonly count: number;
-  /** Power that the burning gave in the last step [kW/m]; 0 in the classic model. */
-  readonly power: number;
+  /** Power of the combustion in the last step [kW/m]; undefined in the classic model. */
+  readonly power: number | undefined;
   /** Length of a step [s]; in the combustion model, of the last one, the longest stable one. */
   readonly stepLength: number;
   /** The value of every parameter. */
@@ -186,19 +186,19 @@ export interface Simulation {
   densities(): Float32Array;
   /** Pressures [Pa] as the last step found them. */
   pressures(): Float32Array;
-  /** Fuel, as a share of the gas; none in the classic model. */
-  fuel(): Float32Array;
-  /** Oxygen, as a share of that of air; one in the classic model. */
-  oxygen(): Float32Array;
-  /** Soot; none in the classic model. */
-  soot(): Float32Array;
-  /** Fuel burnt in a second [1/s] in the last step; none in the classic model. */
-  burnRates(): Float32Array;
-  /** All properties that `setParticles` takes. */
+  /** Fuel, as a share of the gas; undefined in the classic model. */
+  fuel(): Float32Array | undefined;
+  /** Oxygen, as a share of that of air; undefined in the classic model. */
+  oxygen(): Float32Array | undefined;
+  /** Soot; undefined in the classic model. */
+  soot(): Float32Array | undefined;
+  /** Fuel burnt in a second [1/s] in the last step; undefined in the classic model. */
+  burnRates(): Float32Array | undefined;
+  /** The properties of the model that `setParticles` takes. */
   particles(): Particles;
-  /** The embers; none in the classic model. */
+  /** The embers. The classic model makes none. */
   embers(): Embers;
-  /** The solids with fuel, in the order of the objects; none in the classic model. */
+  /** The solids with fuel, in the order of the objects. No solid burns in the classic model. */
   fuels(): BurningSolid[];
   /** The solids with `motion` "free" as they are now, in the order of the objects. */
   freeSolids(): HearthFreeSolid[];

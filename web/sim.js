@@ -240,29 +240,32 @@ class Simulation {
     return this.#read('pressures');
   }
 
-  /** Fuel, as a share of the gas. */
+  /** Fuel, as a share of the gas; undefined in the classic model. */
   fuel() {
     return this.#read('fuel');
   }
 
-  /** Oxygen, as a share of that of air. */
+  /** Oxygen, as a share of that of air; undefined in the classic model. */
   oxygen() {
     return this.#read('oxygen');
   }
 
-  /** Soot. */
+  /** Soot; undefined in the classic model. */
   soot() {
     return this.#read('soot');
   }
 
-  /** Fuel burnt in a second [1/s], in the last step. */
+  /** Fuel burnt in a second [1/s], in the last step; undefined in the classic model. */
   burnRates() {
     return this.#read('burnRates');
   }
 
-  /** Every property that a particle can be put in with: what `setParticles` takes. */
+  /** The properties of the model that `setParticles` takes. */
   particles() {
-    return Object.fromEntries(Object.keys(PARTICLE).map((name) => [name, this.#read(name)]));
+    return Object.fromEntries(Object.keys(PARTICLE).flatMap((name) => {
+      const read = this.#read(name);
+      return read ? [[name, read]] : [];
+    }));
   }
 
   /** The embers, an array a property; none in the classic model. */
@@ -331,7 +334,7 @@ class Simulation {
     return this.#use((fire) => fire.setObject(id, sent, columnsOfValues), values);
   }
 
-  /** @param {string} name @returns {Float32Array} */
+  /** A property of all particles; undefined if the model has none. @param {string} name @returns {any} */
   #read(name) {
     return this.#use((fire) => fire.read(name));
   }

@@ -44,11 +44,11 @@ export class ScanFire extends TypedFire {
     }
   }
 
-  push() {
+  interact() {
     const { columns, rows, begin, x, y, vx, vy, ax, ay } = this;
     const { density, temperature, pressure, volume } = this;
     const softening = 0.01 * GAS.h * GAS.h;
-    const rub = 2 * GAS.viscosity;
+    const viscous = 2 * GAS.viscosity;
     const slopeNorm = 0.75 * NORM * INVERSE_H * MASS;
     let seen = 0;
     for (let row = 0; row < rows; row += 1) {
@@ -74,14 +74,14 @@ export class ScanFire extends TypedFire {
                 const r = Math.sqrt(square);
                 const q = r * INVERSE_H;
                 const outer = 2 - q;
-                let steepness = outer * outer;
+                let minusDw = outer * outer;
                 if (q < 1) {
                   const inner = 1 - q;
-                  steepness -= 4 * inner * inner;
+                  minusDw -= 4 * inner * inner;
                 }
-                const weight = (steepness * volume[j]) / r;
+                const weight = (minusDw * volume[j]) / r;
                 const push = weight * (pressureI + pressure[j]);
-                const drag = (weight * rub * square) / (square + softening);
+                const drag = (weight * viscous * square) / (square + softening);
                 sumX += push * dx - drag * (vxi - vx[j]);
                 sumY += push * dy - drag * (vyi - vy[j]);
                 seen += 1;

@@ -65,7 +65,7 @@ export class TypedFire {
     this.sort();
     this.findPairs();
     this.press();
-    this.push();
+    this.interact();
     this.move();
   }
 
@@ -102,7 +102,7 @@ export class TypedFire {
     const inverseH = 1 / GAS.h;
     const reach = 4 * GAS.h * GAS.h;
     const norm = 10 / (7 * Math.PI * GAS.h * GAS.h);
-    const bellNorm = 0.25 * norm * MASS;
+    const kernelNorm = 0.25 * norm * MASS;
     const slopeNorm = 0.75 * norm * inverseH;
     density.fill(norm * MASS);
     let pairs = 0;
@@ -131,21 +131,21 @@ export class TypedFire {
                 const r = Math.sqrt(square);
                 const q = r * inverseH;
                 const outer = 2 - q;
-                let steepness = outer * outer;
-                let bell = steepness * outer;
+                let minusDw = outer * outer;
+                let kernel = minusDw * outer;
                 if (q < 1) {
                   const inner = 1 - q;
                   const part = 4 * inner * inner;
-                  steepness -= part;
-                  bell -= part * inner;
+                  minusDw -= part;
+                  kernel -= part * inner;
                 }
-                bell *= bellNorm;
-                sum += bell;
-                density[j] += bell;
+                kernel *= kernelNorm;
+                sum += kernel;
+                density[j] += kernel;
                 other[pairs] = j;
                 pairDx[pairs] = dx;
                 pairDy[pairs] = dy;
-                pairSlope[pairs] = r > 1e-9 ? (slopeNorm * steepness) / r : 0;
+                pairSlope[pairs] = r > 1e-9 ? (slopeNorm * minusDw) / r : 0;
                 pairs += 1;
               }
             }
@@ -169,10 +169,10 @@ export class TypedFire {
   }
 
   /** Pressure and viscosity of each pair, then lift. */
-  push() {
+  interact() {
     const { count, first, other, dx, dy, slope, pressure, volume, vx, vy, ax, ay } = this;
     const softening = 0.01 * GAS.h * GAS.h;
-    const rub = 2 * GAS.viscosity;
+    const viscous = 2 * GAS.viscosity;
     ax.fill(0);
     ay.fill(0);
     for (let i = 0; i < count; i += 1) {
@@ -190,7 +190,7 @@ export class TypedFire {
         const square = x * x + y * y;
         const weight = share * volume[j] * slope[k];
         const push = weight * (pressureI + pressure[j]);
-        const drag = (weight * rub * square) / (square + softening);
+        const drag = (weight * viscous * square) / (square + softening);
         const fx = push * x - drag * (vxi - vx[j]);
         const fy = push * y - drag * (vyi - vy[j]);
         sumX += fx;

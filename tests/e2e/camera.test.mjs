@@ -91,7 +91,7 @@ test('an invalid fit or alignment is rejected by name, and the picture does not 
   assert.deepEqual(usual, ['height', '', { x: 0, y: 0 }]);
 });
 
-/** Two points that are the same but for rounding. */
+/** Two points that are the same up to rounding. */
 function near(found, expected, what) {
   const same = Math.abs(found.x - expected.x) < 2e-3 && Math.abs(found.y - expected.y) < 2e-3;
   assert.ok(same, `${what} is ${JSON.stringify(found)}, not ${JSON.stringify(expected)}`);

@@ -107,7 +107,7 @@ test('a source burns along the upper side of the element, within its ranges', as
   assert.deepEqual(tab.problems, []);
 });
 
-test('a missing, hidden or removed target removes the body and is told once; it comes back with the target', async () => {
+test('a missing, hidden or removed target removes the body with one warning; the body returns with the target', async () => {
   const tab = await opened('<hearth-solid id="lid" of="#headline"></hearth-solid><hearth-source of="#none"></hearth-source>');
   await follows(tab, 'the solid has the box');
   await tab.until('the source has no place', () => /** @type {any} */ (document.querySelector('hearth-source')).objectId === null);

@@ -164,7 +164,7 @@ for (const [style, text] of [
   });
 }
 
-test('a mask is made anew when the text, its style or its size changes, and kept when the element moves', async () => {
+test('a mask is made again when the text, its style or its size changes, and kept when the element moves', async () => {
   const tab = await opened('<h1 id="it">Fire</h1>', '<hearth-solid of="#it" of-text></hearth-solid>', { style: 'left: 40px; top: 30px; font: 700 40px serif' });
   const first = await masked(tab);
   await counts(tab);
@@ -204,7 +204,7 @@ test('a text without a letter, and a picture without an opaque pixel, make no so
   await masked(tab, 'it is back');
 });
 
-test('where pixels may not be read the box counts, and that is told once', async () => {
+test('where pixels may not be read the box counts, with one warning', async () => {
   const other = await serve();
   other.replace({ '/disc.svg': { type: 'image/svg+xml', body: svg('<circle cx="25" cy="25" r="25"/>') } });
   const place = 'style="position: absolute; left: 40px; top: 30px; width: 60px; height: 40px"';
@@ -253,7 +253,7 @@ test('an image that never loads, and a text whose font does not, are not waited 
   await masked(text, 'the glyphs of another font');
 });
 
-test('elements that leave while they load, and fonts that are none, harm nothing', async () => {
+test('elements that leave while they load, and fonts that do not exist harm nothing', async () => {
   const tab = await opened(`<img id="it" src="${DISC}">`, '<hearth-solid of="#it"></hearth-solid>', { style: 'left: 40px; top: 30px; font: 40px serif' });
   await masked(tab);
   await tab.evaluate(async (disc) => {
@@ -293,7 +293,7 @@ test('a mask for which there is no room is refused once, and the box counts', as
   assert.match(told[0], /<hearth-solid>: mask = \d+ is refused/);
 });
 
-test('without the code for masks the box counts, and the fire says so', async () => {
+test('without the code for masks the box counts, with a warning', async () => {
   const tab = await opened(`<img id="it" src="${DISC}">`, '<hearth-solid of="#it"></hearth-solid>', { style: 'left: 40px; top: 30px', options: { without: 'element/child-picture.js' } });
   await boxed(tab);
   assert.ok(tab.problems.some((problem) => /The code for masks could not be loaded/.test(problem)), tab.problems.join('\n'));

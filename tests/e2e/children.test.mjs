@@ -203,7 +203,7 @@ test('the code is loaded with the first child', async () => {
   assert.equal(await loaded(), 1);
 });
 
-test('without the code the fire burns without its children, and says so', async () => {
+test('without the code the fire burns without its children, with a warning', async () => {
   const tab = await browser.open(recording(fireOf('<hearth-solid></hearth-solid>')), { without: 'element/children.js' });
   await tab.ready();
   assert.deepEqual(await listed(tab), ['source 0']);
@@ -259,10 +259,10 @@ test('outlines and flags are attributes, and a text that is too long is refused'
   assert.match(told(tab).join(), /<hearth-solid>: points = "a text of more than 66000 letters" is refused/);
 });
 
-test('an unknown attribute is told once with the one that may be meant', async () => {
+test('an unknown attribute causes one warning with the name that may be meant', async () => {
   const tab = await opened('<hearth-solid materal="wood" class="a" data-x="1"></hearth-solid><hearth-solid materal="wood"></hearth-solid>');
   await acts(tab, (fire) => fire.firstElementChild.setAttribute('birth_temperature', '1'));
-  await tab.until('both are told', (count) => count >= 2, told(tab).length + 2);
+  await tab.until('both are reported', (count) => count >= 2, told(tab).length + 2);
   assert.equal(told(tab).length, 2, told(tab).join('\n'));
   assert.match(told(tab)[0], /<hearth-solid>: it has no attribute materal; did you mean material\?/);
 });
@@ -356,7 +356,7 @@ test('`solid` names a solid of the same fire, whose id the source follows', asyn
   assert.deepEqual(told(tab), []);
 });
 
-test('a name of no solid is told once, and the source is a line until there is one', async () => {
+test('a source on a solid that does not exist is a line, with one warning, until the solid comes', async () => {
   const tab = await opened('<hearth-source shape="solid" solid="#log"></hearth-source><hearth-solid></hearth-solid>');
   const solid = () => tab.fire((fire) => fire.params.source_solid);
   assert.equal(await solid(), 0);

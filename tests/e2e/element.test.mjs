@@ -19,29 +19,21 @@ after(() => browser?.close());
 
 const FIRE = '<hearth-fire id="fire"></hearth-fire>';
 
-test('a fire of no size breaks nothing and burns once it has a size', async () => {
-  const tab = await browser.open('<hearth-fire style="width: 0; height: 0"></hearth-fire>');
-  await tab.ready();
-  await tab.frames(5);
-  await tab.fire((fire) => fire.removeAttribute('style'));
-  await tab.burnt(1);
-  await assertBurns(tab);
-  assert.deepEqual(tab.problems, []);
-});
+for (const [about, style] of [['of no size', 'width: 0; height: 0'], ['that is not displayed', 'display: none']]) {
+  test(`a fire ${about} breaks nothing and burns once it is shown`, async () => {
+    const tab = await browser.open(`<hearth-fire style="${style}"></hearth-fire>`);
+    await tab.ready();
+    await tab.frames(5);
+    await tab.fire((fire) => fire.removeAttribute('style'));
+    await tab.burnt(1);
+    await assertBurns(tab);
+    assert.deepEqual(tab.problems, []);
+  });
+}
 
 test('a fire longer than any canvas may be burns all the same', async () => {
   const tab = await browser.open('<hearth-fire style="width: 20000px; height: 40px"></hearth-fire>');
   await tab.burnt(0.2);
-  assert.deepEqual(tab.problems, []);
-});
-
-test('a fire that is not displayed burns once it is shown', async () => {
-  const tab = await browser.open('<hearth-fire style="display: none"></hearth-fire>');
-  await tab.ready();
-  await tab.frames(5);
-  await tab.fire((fire) => fire.removeAttribute('style'));
-  await tab.burnt(1);
-  await assertBurns(tab);
   assert.deepEqual(tab.problems, []);
 });
 

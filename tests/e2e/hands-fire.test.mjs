@@ -77,7 +77,7 @@ for (const size of [WIDE, ...PHONES]) {
   });
 }
 
-test('what does not burn is told', async () => {
+test('a solid that does not burn is reported', async () => {
   const tab = await openTools(browser, WIDE, PAUSED);
   await tool(tab, 'ignite');
   await tap(tab, 0.4, 1);

@@ -174,7 +174,7 @@ test('the classic model has no power, and its own height, light, spectrum and pr
   assert.deepEqual(tab.problems, []);
 });
 
-test('a part that does not load is told, and the fire burns on', async () => {
+test('a part that does not load is reported, and the fire burns on', async () => {
   const tab = await browser.open('index.html?scene=default&paused&quality=low', { ...WIDE, files: { 'hearth-engine_quantities.wasm': { status: 404 } } });
   await tab.ready();
   await tab.page.waitForSelector('#draw:not([hidden])');

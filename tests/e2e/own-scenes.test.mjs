@@ -82,7 +82,7 @@ test('a list of the visit before is there, and a damaged one is not', async () =
   }
 });
 
-test('storage that is full or forbidden is told, and the list stays', async () => {
+test('storage that is full or forbidden is reported, and the list stays', async () => {
   const { tab } = await openCard();
   await tab.page.click('[data-card="save"]');
   await named(tab, ['Candle']);

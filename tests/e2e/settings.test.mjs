@@ -222,7 +222,7 @@ test('a fire that is removed while its file loads starts from it when it is inse
   assert.equal(params[1].model, DEFAULTS.model);
 });
 
-test('an element from before open air keeps its frame and resolution, and is told once about its seam', async () => {
+test('an element from before open air keeps its frame and resolution, and warns once about its seam', async () => {
   const tab = await browser.open(
     '<hearth-fire seam="0.03" domain-width="2.4" max-particles="5000" paused></hearth-fire>',
   );

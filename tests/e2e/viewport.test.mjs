@@ -15,7 +15,7 @@ before(async () => {
 });
 after(() => browser?.close());
 
-/** Two points that are the same but for rounding. */
+/** Two points that are the same up to rounding. */
 function assertNear(found, expected, what) {
   const near = Math.abs(found.x - expected.x) < 1e-3 && Math.abs(found.y - expected.y) < 1e-3;
   assert.ok(near, `${what} is ${JSON.stringify(found)}, not ${JSON.stringify(expected)}`);

@@ -48,7 +48,7 @@ const HEAPS: [Visit; 1] = [|random| {
 /// Length of an hour \[s\], and the distance of the seeds of rounds, larger than the number of corners.
 const HOUR: f64 = 3600.0;
 const BETWEEN: u32 = 1_000_003;
-/// A line tells how far it is every so many corners.
+/// Number of corners between two lines of progress.
 const LISTED: usize = 20;
 /// So many of the corners that lean most on the guards are shown.
 const SHOWN: usize = 12;
@@ -135,7 +135,7 @@ fn scenes() -> u32 {
     failed
 }
 
-/// What a caller asks for.
+/// The requested run.
 struct Asked {
     /// Corners and crowds of each kind, and heaps.
     corners: u32,
@@ -160,7 +160,7 @@ fn asked() -> Result<Asked, String> {
         let whole = || {
             value
                 .parse()
-                .map_err(|_| format!("{argument} wants a whole number, not \"{value}\""))
+                .map_err(|_| format!("{argument} needs a whole number, not \"{value}\""))
         };
         match argument.as_str() {
             "--corners" => asked.corners = whole()?,
@@ -169,7 +169,7 @@ fn asked() -> Result<Asked, String> {
             "--seed" => asked.seed = whole()?,
             "--hours" => {
                 let hours = value.parse().ok();
-                let words = || format!("--hours wants a number of hours, not \"{value}\"");
+                let words = || format!("--hours needs a number of hours, not \"{value}\"");
                 asked.hours = hours
                     .filter(|h| (0.0..1000.0).contains(h))
                     .ok_or_else(words)?;

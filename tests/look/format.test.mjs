@@ -33,7 +33,7 @@ after(() => painter?.close());
 const scenes = Object.entries(wishes()).filter(([name, wish]) => wish.kept === name && wish.mode === 'fire');
 
 for (const [name, wish] of scenes) {
-  test(`eight bits show ${name} but for rounding`, async () => {
+  test(`eight bits show ${name} up to rounding`, async () => {
     const [floats, bytes] = await both({ ...wish, values: { detail: 0 } });
     const { colour, worst, structure } = compare(floats, bytes);
     const said = `mean ${colour.toFixed(2)}, 99 % below ${worst.toFixed(2)}, structure ${structure.toFixed(4)}`;

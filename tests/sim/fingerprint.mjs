@@ -13,7 +13,8 @@ export function fingerprint(sim) {
   for (let i = 0; i < sim.count; i += 1) {
     const [x, y] = [2 * i, 2 * i + 1];
     numbers.push(positions[x], positions[y], velocities[x], velocities[y]);
-    numbers.push(temperatures[i], ages[i], lifetimes[i], fuel[i], oxygen[i], soot[i]);
+    // A particle of the classic model has the mixture of air natively.
+    numbers.push(temperatures[i], ages[i], lifetimes[i], fuel?.[i] ?? 0, oxygen?.[i] ?? 1, soot?.[i] ?? 0);
   }
   const embers = sim.embers();
   for (let i = 0; i < embers.count; i += 1) {

@@ -157,7 +157,7 @@ pub fn closed_box(values: &[(&str, f64)]) -> Parameters {
 }
 
 /// A simulation of that many columns and rows of gas, evenly spread over the
-/// domain but for a little disorder, each particle given to `shape`.
+/// domain apart from a little disorder, each particle given to `shape`.
 ///
 /// # Panics
 /// Where a particle is refused: the test that made it is wrong.

@@ -254,7 +254,8 @@ fn fault(fire: &Simulation) -> Option<String> {
         }
     }
     let report = fire.report();
-    let valid = report.power.is_finite() && report.power >= 0.0 && fire.time().is_finite();
+    let power = report.power.unwrap_or_default();
+    let valid = power.is_finite() && power >= 0.0 && fire.time().is_finite();
     (!valid).then(|| format!("there is {report:?}"))
 }
 
@@ -270,7 +271,7 @@ fn recovers(fire: &mut Simulation) -> Option<String> {
         let before = fire.time();
         fire.step();
         let length = fire.time() - before;
-        energy += f64::from(fire.report().power) * length;
+        energy += f64::from(fire.report().power.unwrap_or_default()) * length;
         particle_seconds += fire.count() as f64 * length;
         clamped += fire.report().clamped;
     }

@@ -118,7 +118,10 @@ fn every_instance_has_the_value_of_its_reader() {
         let ages = fire.particles().into_iter();
         let lived = ages.map(|one| one.age / one.lifetime);
         let (fuels, soots) = match fire.parameters().model() {
-            Model::Combustion => (fire.fuels(), fire.soots()),
+            Model::Combustion => (
+                fire.fuels().unwrap_or_default(),
+                fire.soots().unwrap_or_default(),
+            ),
             Model::Classic => lived.map(|lived| (1.0 - lived, lived.powi(3))).unzip(),
         };
         for (mode, expected) in [

@@ -74,7 +74,7 @@ impl Extremes {
         found
     }
 
-    /// These are those of a steady fire, but for chance.
+    /// These are those of a steady fire, apart from chance.
     fn assert_within(&self, steady: &Extremes, what: &str) {
         let deviation = |density: f32| (density - 1.0).abs();
         let fine = self.speed < 1.3 * steady.speed

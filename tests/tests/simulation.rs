@@ -125,9 +125,9 @@ fn gas_that_is_put_in_is_read_back_and_burns() {
     assert_eq!(fire.count(), given.len());
     let of = |figure: fn(&Particle) -> f32| given.iter().map(figure).collect::<Vec<_>>();
     assert_eq!(fire.temperatures(), of(|p| p.temperature));
-    assert_eq!(fire.fuels(), of(|p| p.fuel));
-    assert_eq!(fire.oxygens(), of(|p| p.oxygen));
-    assert_eq!(fire.soots(), of(|p| p.soot));
+    assert_eq!(fire.fuels(), Some(of(|p| p.fuel)));
+    assert_eq!(fire.oxygens(), Some(of(|p| p.oxygen)));
+    assert_eq!(fire.soots(), Some(of(|p| p.soot)));
 
     // What came out goes in again, another time.
     fires::burn_on(&mut fire, 0.2);

@@ -11,7 +11,7 @@ fn means(fire: &mut Simulation, seconds: f64) -> (f64, f64) {
     let (mut heat, mut length, mut alive) = (0.0, 0.0, 0.0);
     watch(fire, seconds, |fire| {
         let dt = fire.step_length();
-        heat += f64::from(fire.power()) * dt;
+        heat += f64::from(fire.power().unwrap_or_default()) * dt;
         alive += fire.count() as f64 * dt;
         length += dt;
     });

@@ -95,7 +95,7 @@ fn power(values: &[(&str, f64)]) -> f64 {
     let (mut burnt, from) = (0.0, fire.time());
     watch(&mut fire, 4.0, |fire| {
         let report = fire.report();
-        burnt += f64::from(report.power) * f64::from(report.length);
+        burnt += f64::from(report.power.unwrap_or_default()) * f64::from(report.length);
     });
     burnt / (fire.time() - from)
 }

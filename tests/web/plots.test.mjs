@@ -114,7 +114,7 @@ describe('the record', () => {
   });
 });
 
-test('the numbers of the engine get their names, and what is none has no name', () => {
+test('the numbers of the engine get their names, and a missing one has no name', () => {
   const nan = NaN;
   const numbers = [12, 0.25, 1.8, nan, 0.4, 0.01, 900, 1, 2, 0.4, nan, nan, nan, 0.3, ...Array.from({ length: 64 }, (_, at) => [300 + at, 0, 0, 1.2, nan, nan, nan, -0.1]).flat()];
   const { place, profile, ...rest } = measuresOf(numbers, 0.7);

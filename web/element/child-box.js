@@ -15,7 +15,7 @@ const GRAIN = 1e-4;
 /** The properties that a target sets. */
 export const PLACED = { source: ['x', 'y', 'width'], solid: ['shape', 'x', 'y', 'angle', 'width', 'height', 'corner', 'mask'] };
 
-/** The mask of a solid that is none. */
+/** The default mask, which a solid of another shape has. */
 export const NO_MASK = '16x16:7';
 
 /**

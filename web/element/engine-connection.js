@@ -151,7 +151,7 @@ export class EngineConnection {
   }
 
   /**
-   * Waits until the fire is to be loaded.
+   * Waits until the fire may be loaded.
    * @param {() => import('./visibility.js').Loading} loading
    */
   async #due(loading) {

@@ -7,13 +7,14 @@
  *     ← { hearth: 1, id: 7, ok: false, error: { name, message, id, value, min, max } }
  *     ← { hearth: 1, event: 'params-change', detail: {…} }
  *
- * The methods are a list: no name in a message is looked up in an object. Messages of other formats and
- * of other windows than the parent are ignored.
+ * The methods are a list, which codegen writes from the members of the class with `@posted`: no other name in a
+ * message is looked up in the element. Messages of other formats and of other windows than the parent are ignored.
  *
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
  * @typedef {{hearth: unknown, id?: unknown, method?: unknown, args?: unknown}} Request a message that is not validated
  */
 
+import { POSTED_EVENTS, POSTED_MEMBERS } from '../generated/posted.js';
 import { OPTIONS } from '../pages/url-parameters.js';
 
 /** The version of these messages. */
@@ -28,38 +29,8 @@ const MAX_OPEN = 256;
 /** The maximum number of allowed origins. */
 const MAX_ORIGINS = 16;
 
-/** The events that are forwarded; `ready` needs no subscription. */
-const EVENTS = [
-  'ready', 'play', 'pause', 'params-change', 'objects-change', 'quality-change', 'stats', 'error', 'restored',
-];
-
-/** The methods that a page may call. @type {Map<unknown, (fire: HearthFire, ...args: any[]) => unknown>} */
-const METHODS = new Map(Object.entries({
-  ready: (fire) => fire.ready,
-  play: (fire) => fire.play(),
-  pause: (fire) => fire.pause(),
-  reset: (fire) => fire.reset(),
-  step: (fire, steps) => fire.step(steps),
-  set: (fire, ids, value) => fire.set(ids, value),
-  get: (fire, id) => parameter(fire, id),
-  params: (fire) => fire.params,
-  objects: (fire) => fire.objects,
-  addObject: (fire, object) => fire.addObject(object),
-  changeObject: (fire, id, properties) => fire.changeObject(id, properties),
-  removeObject: (fire, id) => fire.removeObject(id),
-  stats: (fire) => fire.stats,
-  restore: (fire, ...ids) => fire.restore(...ids),
-  exportConfig: (fire) => fire.exportConfig(),
-  importConfig: (fire, config) => fire.importConfig(config),
-  toBlob: (fire, type, quality) => fire.toBlob(type, quality),
-  stir: (fire, x, y, u, v) => fire.stir(x, y, u, v),
-  sparks: (fire, x, y, count) => fire.sparks(x, y, count),
-  freeSolids: (fire) => fire.freeSolids(),
-  measure: (fire, x, y) => fire.measure(x, y),
-  ignite: (fire, place, y) => fire.ignite(place, y),
-  extinguish: (fire, place, y, radius) => fire.extinguish(place, y, radius),
-  option: (fire, name, value) => option(fire, name, value),
-}));
+/** The methods that a page may call. `option` reads and sets attributes of the element. */
+const METHODS = [...POSTED_MEMBERS, 'option'];
 
 /** The methods of the bridge itself. */
 const BRIDGE_METHODS = ['hello', 'subscribe', 'unsubscribe'];
@@ -111,7 +82,7 @@ export function answer(fire, origins, host = window.parent) {
   if (host === window) return;
   const bridge = new MessageBridge(fire, origins, host);
   window.addEventListener('message', (event) => bridge.receive(event));
-  for (const type of EVENTS) {
+  for (const type of POSTED_EVENTS) {
     fire.addEventListener(type, (event) => bridge.forward(type, /** @type {CustomEvent} */ (event).detail));
   }
   bridge.announce();
@@ -201,21 +172,23 @@ class MessageBridge {
       case 'unsubscribe':
         for (const type of eventsOf(args[0])) this.#subscribed.delete(type);
         return [...this.#subscribed];
-      default: {
-        const act = METHODS.get(method);
-        if (!act) throw new TypeError(`there is no method ${quoted(method)}; the methods are: ${allMethods().join(', ')}`);
-        return act(this.#fire, ...args);
-      }
+      // The element returns undefined for an id of no parameter; a message gets the reason.
+      case 'get':
+        return parameter(this.#fire, args[0]);
+      case 'option':
+        return option(this.#fire, args[0], args[1]);
+      default:
+        return execute(this.#fire, method, args);
     }
   }
 
   #greeting() {
-    return { version: VERSION, methods: allMethods(), events: EVENTS };
+    return { version: VERSION, methods: allMethods(), events: POSTED_EVENTS };
   }
 }
 
 function allMethods() {
-  return [...METHODS.keys(), ...BRIDGE_METHODS];
+  return [...METHODS, ...BRIDGE_METHODS];
 }
 
 /**
@@ -279,11 +252,22 @@ function remaining(value, room, depth) {
 /** @param {unknown} names */
 function eventsOf(names) {
   const list = Array.isArray(names) ? names : [names];
-  const unknown = list.find((name) => !EVENTS.includes(name));
+  const unknown = list.find((name) => !POSTED_EVENTS.includes(name));
   if (list.length === 0 || unknown !== undefined || list.includes(undefined)) {
-    throw new TypeError(`there is no event ${quoted(unknown)}; the events are: ${EVENTS.join(', ')}`);
+    throw new TypeError(`there is no event ${quoted(unknown)}; the events are: ${POSTED_EVENTS.join(', ')}`);
   }
   return list;
+}
+
+/**
+ * Calls a method of the element that is in the list, or reads a property.
+ * @type {(fire: HearthFire, method: unknown, args: unknown[]) => unknown}
+ */
+function execute(fire, method, args) {
+  const name = POSTED_MEMBERS.find((one) => one === method);
+  if (!name) throw new TypeError(`there is no method ${quoted(method)}; the methods are: ${allMethods().join(', ')}`);
+  const member = /** @type {any} */ (fire)[name];
+  return typeof member === 'function' ? member.apply(fire, args) : member;
 }
 
 /**

@@ -34,7 +34,7 @@ pub fn with_values(scene: &Scene, values: Values<'_>) -> Result<Scene, Vec<Valid
 ///
 /// # Errors
 /// Every invalid value.
-// Inlined, it could not be told from other callers of presets.
+// Inlined, it would look like every other caller of presets.
 #[inline(never)]
 pub fn document(
     preset: Option<&Preset>,

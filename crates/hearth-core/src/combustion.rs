@@ -19,6 +19,7 @@ mod interactions;
 mod number_density;
 mod pair;
 mod picture;
+mod readers;
 mod removed;
 mod resample;
 mod seam;
@@ -28,11 +29,10 @@ mod time_step;
 mod vorticity_confinement;
 mod walls;
 
-use glam::Vec2;
-
 use crate::bounds::Bounds;
 use crate::forces::BodyForce;
 use crate::grid::Grid;
+use crate::held::Held;
 use crate::instance::{Instance, Measured};
 use crate::neighbours::Neighbours;
 use crate::params::{DisplayMode, Edges, Physics};
@@ -50,8 +50,8 @@ use burner::BurnerParticle;
 pub use charred::Charred;
 pub use embers::Ember;
 use embers::Embers;
+use fuels::Fuels;
 pub use fuels::{BurningSolid, BurningState, FuelTotal, NoFuel, Where};
-use fuels::{Fuels, Held};
 pub(crate) use gas::Gas;
 use gas::periodic_bounds;
 use interactions::Interactions;
@@ -102,7 +102,7 @@ pub(crate) struct Combustion {
     burner_particles: Vec<BurnerParticle>,
     removed: Removed,
     /// The solids that burn.
-    fuels: Held,
+    fuels: Held<Fuels>,
     /// Power of the combustion in the last step, and of the heating at the sources [kW/m].
     power: f32,
     preheat: f32,
@@ -184,7 +184,7 @@ impl Combustion {
         self.reserve(scene.settings());
     }
 
-    /// Makes the map of open air anew if the values, or what is seen, ask for another.
+    /// Replaces the map of open air if the values, or what is seen, need another.
     fn fit_open_air(&mut self, scene: &Scene) {
         let values = scene.settings();
         let fits = |open: &OpenAir| open.fits(values, self.seen);
@@ -254,99 +254,6 @@ impl Combustion {
     fn present_bounds(&self, values: &Physics) -> Bounds {
         let open = self.open.as_ref();
         open.map_or_else(|| periodic_bounds(values), |open| open.bounds())
-    }
-
-    /// All particles, in no particular order.
-    pub fn gas(&self) -> &Gas {
-        &self.gas
-    }
-
-    /// All embers.
-    pub fn embers(&self) -> &[Ember] {
-        self.embers.alive()
-    }
-
-    /// Throws embers from a position; none from outside of the domain.
-    pub fn throw_embers(&mut self, place: Vec2, count: u32, values: &Physics, random: &mut Random) {
-        if self.present_bounds(values).contains(place) {
-            self.embers.throw_from(place, count, values, random);
-        }
-    }
-
-    /// Power of the combustion in the last step [kW/m].
-    pub fn power(&self) -> f32 {
-        self.power
-    }
-
-    /// The gas that solids have taken the place of.
-    pub fn removed(&self) -> Removed {
-        self.removed
-    }
-
-    /// Lets free solids start again.
-    // A part of the code of saved fires.
-    #[inline(always)]
-    pub fn forget_free(&mut self) {
-        self.solids.free = Default::default();
-    }
-
-    /// The ids of the solids that conduct heat, and their temperatures \[K\].
-    pub fn solid_temperatures(&self) -> impl Iterator<Item = (u32, f32)> {
-        self.solids.temperatures()
-    }
-
-    /// Sets the temperatures of the solids that conduct heat, in their order \[K\].
-    pub fn set_solid_temperatures(&mut self, all: &[f32]) {
-        self.solids.set_temperatures(all);
-    }
-
-    /// Lights solids that have fuel.
-    pub fn ignite(&mut self, at: Where, values: &Physics) -> Result<(), NoFuel> {
-        match &mut *self.fuels {
-            Some(fuels) => fuels.ignite(at, &mut self.gas, &self.solids, values),
-            None => Err(NoFuel),
-        }
-    }
-
-    /// Puts out solids that have fuel, and gas.
-    pub fn extinguish(&mut self, at: Where, values: &Physics) -> Result<(), NoFuel> {
-        match &mut *self.fuels {
-            Some(fuels) => fuels.extinguish(at, &mut self.gas, &self.solids, values),
-            None => Err(NoFuel),
-        }
-    }
-
-    /// The solids that have fuel.
-    pub fn burning_solids(&self, values: &Physics) -> Vec<BurningSolid> {
-        let heat = chemistry::heat_of_combustion(values);
-        let fuels = self.fuels.as_ref();
-        fuels.map_or_else(Vec::new, |fuels| {
-            fuels.solids(values.ambient_temperature, heat)
-        })
-    }
-
-    /// All solids that have fuel, together.
-    pub fn fuel_total(&self, values: &Physics) -> FuelTotal {
-        let heat = chemistry::heat_of_combustion(values);
-        let fuels = self.fuels.as_ref();
-        fuels.map_or_else(FuelTotal::default, |fuels| fuels.total(heat))
-    }
-
-    /// Updates what a picture shows of the solids that have fuel.
-    pub fn show_fuels(&mut self) {
-        if let Some(fuels) = &mut *self.fuels {
-            fuels.show();
-        }
-    }
-
-    /// The solids that have fuel, for a picture, as they were when they were last updated.
-    pub fn charred(&self) -> Option<&Charred> {
-        self.fuels.as_ref().map(|fuels| &fuels.charred)
-    }
-
-    /// Writes the embers for the renderer.
-    pub fn write_embers(&self, out: &mut Vec<Instance>) {
-        self.embers.write_instances(out);
     }
 }
 
@@ -454,9 +361,9 @@ impl Solver for Combustion {
             clamped: self.motion.speed_limited + self.clamped_shifts,
             max_speed: self.motion.max_speed,
             length: self.length,
-            power: self.power,
-            preheat: self.preheat,
-            asleep: self.open.as_ref().map_or(0.0, |open| open.asleep()),
+            power: Some(self.power),
+            preheat: Some(self.preheat),
+            asleep: self.open.as_ref().map(|open| open.asleep()),
         }
     }
 

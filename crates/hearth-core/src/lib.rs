@@ -29,6 +29,7 @@ mod extremes;
 mod forces;
 pub mod fps;
 mod grid;
+mod held;
 pub mod instance;
 mod interaction;
 pub mod kernel;

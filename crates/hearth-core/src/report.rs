@@ -18,14 +18,14 @@ pub struct StepReport {
     pub max_speed: f32,
     /// Length of the step \[s\].
     pub length: f32,
-    /// Power of the combustion [kW/m]; zero in the classic model.
-    pub power: f32,
-    /// Power that heated the gas of the source, besides that of the combustion [kW/m];
-    /// zero in the classic model.
-    pub preheat: f32,
+    /// Power of the combustion [kW/m]; `None` in the classic model.
+    pub power: Option<f32>,
+    /// Power that heated the gas of the source, besides that of the combustion [kW/m]; `None` in
+    /// the classic model.
+    pub preheat: Option<f32>,
     /// Share of the air around the fire that is left out, because `max_particles` are reached;
-    /// zero in the classic model and in a closed domain.
-    pub asleep: f32,
+    /// `None` without open edges.
+    pub asleep: Option<f32>,
 }
 
 /// The stages of a step, in their order.

@@ -18,6 +18,7 @@ use glam::Vec2;
 
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
+use crate::held::Held;
 use crate::params::{Fuel, Motion, Physics, Thermal};
 use crate::scene::{Drive, Field, MAX_SPEED, RoundedBox, Scene, Surface};
 use heat::{Inflow, Store};
@@ -106,7 +107,7 @@ pub(crate) struct Solids {
     /// Room for the bodies of the next step.
     spare: Vec<Body>,
     /// Those that forces move.
-    pub free: free::Held,
+    pub free: Held<free::FreeBodies>,
 }
 
 impl Solids {
@@ -187,7 +188,7 @@ impl Solids {
         all.any(|body| body.is_free || body.drive.is_some())
     }
 
-    /// Gives solids that move by themselves images beyond periodic edges anew.
+    /// Updates the images beyond periodic edges of solids that move by themselves.
     pub fn renew_images(&mut self, bounds: &Bounds, near: f32) {
         if (bounds.periodic_x || bounds.periodic_y) && self.drive() {
             self.place_anew(bounds, near);

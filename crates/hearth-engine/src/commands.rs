@@ -3,7 +3,7 @@
 //! A call is `[fire, request, name, …arguments]`. The sender chooses the number `fire`. The
 //! answer carries the number `request`; 0 means no answer. Each entry has a name, arguments
 //! with types and checks, and a doc. A new command is an entry here, an arm of `Engine::run`
-//! and a method of the element.
+//! and a method of the element, whose JSDoc gives the types, the reference and the iframe's list.
 
 use hearth_bindings::{
     Argument, Check, Form, Ids, Positive, Untrusted, ValidationError, Values, Whole, Within,

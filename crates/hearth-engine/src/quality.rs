@@ -210,8 +210,8 @@ impl Quality {
         };
     }
 
-    /// The load of a window. During the trial the browser still compiles: the best frames tell
-    /// more than the mean, and drawing tells nothing.
+    /// The load of a window. During the trial the browser still compiles: the best frames say
+    /// more than the mean, and the time of drawing has no meaning.
     fn load(&self, window: &Window, frame: &Frame, trial: bool) -> Load {
         let rate = window.steps_ms / window.simulated;
         let (rate, draw) = if trial {

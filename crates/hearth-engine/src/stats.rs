@@ -41,7 +41,7 @@ macro_rules! stats {
         pub(crate) fn of($fire: &Fire, $canvas: &SharedCanvas) -> Record {
             // The report counts the neighbours again.
             let $report = $fire.simulation.report();
-            let $fuels = $fire.simulation.fuel_total();
+            let $fuels = $fire.simulation.fuel_total().unwrap_or_default();
             let record = Record::new();
             $( record.$setter($name, $value); )+
             record
@@ -55,9 +55,9 @@ stats! { fire, report, fuels, canvas =>
     /// Number of particles.
     "particles": "number" = set_number(fire.simulation.count() as f64)
     /// Share of the air around the fire that is left out, because `max_particles` are reached.
-    "asleep": "number" = set_number(report.asleep.into())
+    "asleep": "number" = set_number(report.asleep.unwrap_or(0.0).into())
     /// Number of particles removed because solids left no room, since the fire began.
-    "removed": "number" = set_number(fire.simulation.removed().particles as f64)
+    "removed": "number" = set_number(fire.simulation.removed().unwrap_or_default().particles as f64)
     /// Number of glowing embers.
     "embers": "number" = set_number(fire.simulation.embers().len() as f64)
     /// Age of the fire [s].

@@ -65,9 +65,9 @@ impl Fire {
         self.simulation.count()
     }
 
-    /// Power of the burning [kW/m].
+    /// Power of the combustion [kW/m]; `undefined` in the classic model.
     #[wasm_bindgen(getter)]
-    pub fn power(&self) -> f32 {
+    pub fn power(&self) -> Option<f32> {
         self.simulation.power()
     }
 
@@ -162,7 +162,7 @@ impl Fire {
     }
 
     /// One property of all particles; see [`particles::property`].
-    pub fn read(&self, name: &str) -> Vec<f32> {
+    pub fn read(&self, name: &str) -> Option<Vec<f32>> {
         particles::property(&self.simulation, name)
     }
 

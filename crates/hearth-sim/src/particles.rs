@@ -35,9 +35,10 @@ pub fn particles(numbers: &[f32]) -> Vec<Particle> {
 
 /// One property of all particles, in the order of birth, by its name in JavaScript; vectors are
 /// x and y of each. `embers` gives all numbers of each ember,
-/// `fuels` and `freeSolids` those of each such solid. An unknown name gives nothing.
-pub fn property(simulation: &Simulation, name: &str) -> Vec<f32> {
-    match name {
+/// `fuels` and `freeSolids` those of each such solid. `None`: a property that the model does not
+/// have, or an unknown name.
+pub fn property(simulation: &Simulation, name: &str) -> Option<Vec<f32>> {
+    Some(match name {
         "positions" => pairs(simulation.positions()),
         "velocities" => pairs(simulation.velocities()),
         "temperatures" => simulation.temperatures(),
@@ -45,15 +46,15 @@ pub fn property(simulation: &Simulation, name: &str) -> Vec<f32> {
         "lifetimes" => lifetimes(simulation),
         "densities" => simulation.densities(),
         "pressures" => simulation.pressures(),
-        "fuel" => simulation.fuels(),
-        "oxygen" => simulation.oxygens(),
-        "soot" => simulation.soots(),
-        "burnRates" => simulation.burn_rates(),
+        "fuel" => simulation.fuels()?,
+        "oxygen" => simulation.oxygens()?,
+        "soot" => simulation.soots()?,
+        "burnRates" => simulation.burn_rates()?,
         "embers" => embers(simulation.embers()),
         "fuels" => fuels(simulation),
         "freeSolids" => simulation.free_solid_numbers(),
-        _ => Vec::new(),
-    }
+        _ => return None,
+    })
 }
 
 /// The ids of all particles. An id above 2⁵³ would be inexact, and is out of reach.
@@ -157,7 +158,8 @@ mod tests {
     fn properties_that_are_read_make_the_same_particles() {
         for fire in fires() {
             let column = |name: &str| property(&fire, name);
-            let (at, moves) = (column("positions"), column("velocities"));
+            let vectors = |name: &str| column(name).unwrap_or_default();
+            let (at, moves) = (vectors("positions"), vectors("velocities"));
             let scalars = [
                 "temperatures",
                 "ages",
@@ -171,7 +173,10 @@ mod tests {
             for i in 0..fire.count() {
                 numbers.extend_from_slice(&at[2 * i..2 * i + 2]);
                 numbers.extend_from_slice(&moves[2 * i..2 * i + 2]);
-                numbers.extend(scalars.iter().map(|scalar| scalar[i]));
+                // What the classic model does not have is that of air.
+                let of_air = [0.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+                let all = scalars.iter().zip(of_air);
+                numbers.extend(all.map(|(scalar, air)| scalar.as_ref().map_or(air, |all| all[i])));
             }
             assert!(fire.count() > 0);
             assert_eq!(particles(&numbers), fire.particles());
@@ -179,13 +184,18 @@ mod tests {
     }
 
     #[test]
-    fn every_property_has_a_name_and_a_value_per_particle() {
+    fn every_property_of_the_model_has_a_value_per_particle() {
         for fire in fires() {
-            for name in ["densities", "pressures", "burnRates"] {
-                assert_eq!(property(&fire, name).len(), fire.count(), "{name}");
+            let length = |name: &str| property(&fire, name).map(|all| all.len());
+            for name in ["densities", "pressures"] {
+                assert_eq!(length(name), Some(fire.count()), "{name}");
+            }
+            let burns = fire.parameters().model() == Model::Combustion;
+            for name in ["fuel", "oxygen", "soot", "burnRates"] {
+                assert_eq!(length(name), burns.then_some(fire.count()), "{name}");
             }
             for name in ["", "burn_rates", "__proto__"] {
-                assert_eq!(property(&fire, name), []);
+                assert_eq!(property(&fire, name), None);
             }
         }
     }
@@ -216,6 +226,6 @@ mod tests {
             Err(TOO_MANY.to_owned())
         );
         assert_eq!(fire.set_particles(&vec![one; MAX_PARTICLES]), Ok(()));
-        assert_eq!(property(&fire, "lifetimes"), vec![1.0; MAX_PARTICLES]);
+        assert_eq!(property(&fire, "lifetimes"), Some(vec![1.0; MAX_PARTICLES]));
     }
 }

@@ -9,6 +9,8 @@
 
 mod glue;
 mod order;
+#[cfg(test)]
+mod tests;
 mod texts;
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
@@ -397,116 +399,4 @@ fn look_for(rest: &mut Module, part: &Part, slots: &Slots) -> Result<()> {
         .unop(UnaryOp::I32Eqz);
     function.kind = FunctionKind::Local(builder.local_func(Vec::new()));
     Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A module in which `main` calls `part::outer`, which calls `part::inner` and `shared`, and
-    /// whose table has `part::pointed` and `shared`.
-    fn module() -> Module {
-        let mut module = Module::default();
-        let mut function = |name: &str, result: bool, calls: &[FunctionId]| {
-            let results = [ValType::I32];
-            let results = if result { &results[..] } else { &[] };
-            let mut builder = FunctionBuilder::new(&mut module.types, &[], results);
-            builder.name(name.to_owned());
-            for &call in calls {
-                builder.func_body().call(call);
-            }
-            if result {
-                builder.func_body().i32_const(1);
-            }
-            builder.finish(Vec::new(), &mut module.funcs)
-        };
-        let shared = function("shared", false, &[]);
-        let inner = function("only::the::part::calls", false, &[shared]);
-        let outer = function("part::outer", false, &[inner, shared]);
-        let pointed = function("part::pointed", false, &[]);
-        let is_loaded = function("is_loaded", true, &[]);
-        let main = function("main", true, &[outer]);
-        let memory = module.memories.add_local(false, false, 1, None, None);
-        let table = module
-            .tables
-            .add_local(false, 3, Some(3), walrus::RefType::FUNCREF);
-        let offset = ConstExpr::Value(Value::I32(1));
-        let items = ElementItems::Functions(vec![pointed, shared]);
-        let element = module
-            .elements
-            .add(ElementKind::Active { table, offset }, items);
-        module.tables.get_mut(table).elem_segments.insert(element);
-        module.exports.add("main", main);
-        module.exports.add("is_loaded", is_loaded);
-        module.exports.add("memory", memory);
-        module
-    }
-
-    const PART: Part = Part {
-        name: "part",
-        symbols: &["part::"],
-        texts: Vec::new,
-        callers: &["main"],
-        is_loaded: "is_loaded",
-    };
-
-    fn names(module: &Module) -> Vec<&str> {
-        let local = module.funcs.iter_local();
-        let mut names: Vec<_> = local
-            .filter_map(|(id, _)| module.funcs.get(id).name.as_deref())
-            .collect();
-        names.sort_unstable();
-        names
-    }
-
-    #[test]
-    fn a_part_takes_its_functions_and_what_only_they_call() -> Result<()> {
-        let Divided { rest, taken } = take(&module().emit_wasm(), &PART)?;
-        let parse = |bytes: &[u8]| ModuleConfig::new().parse(bytes);
-        let (rest, taken) = (parse(&rest)?, parse(&taken)?);
-        assert_eq!(
-            names(&taken),
-            ["only::the::part::calls", "part::outer", "part::pointed"]
-        );
-        // What remains of `part::outer` calls through the table.
-        assert_eq!(names(&rest), ["is_loaded", "main", "part::outer", "shared"]);
-        let exports: Vec<_> = rest
-            .exports
-            .iter()
-            .map(|export| export.name.as_str())
-            .collect();
-        for import in taken.imports.iter() {
-            assert_eq!(import.module, REST);
-            assert!(exports.contains(&import.name.as_str()), "{}", import.name);
-        }
-        // The slot of the pointer, and one after the end of the table.
-        let slots: Result<Vec<_>> = taken.elements.iter().map(first_slot).collect();
-        assert_eq!(slots?, [1, 3]);
-        Ok(())
-    }
-
-    #[test]
-    fn a_part_that_is_not_there_is_an_error() {
-        let bytes = module().emit_wasm();
-        for part in [
-            Part {
-                symbols: &["other::"],
-                ..PART
-            },
-            Part {
-                callers: &["other::"],
-                ..PART
-            },
-            Part {
-                is_loaded: "missing",
-                ..PART
-            },
-            Part {
-                is_loaded: "main_",
-                ..PART
-            },
-        ] {
-            assert!(take(&bytes, &part).is_err());
-        }
-    }
 }

@@ -1,12 +1,15 @@
 /**
  * Derives what tools and users read about `<hearth-fire>` from the JSDoc of its class:
- * `web/hearth-fire.d.ts`, `web/react.d.ts`, `web/custom-elements.json` and the names of its own
- * attributes. Prints the path of each file that was behind and is written.
+ * `web/hearth-fire.d.ts`, `web/react.d.ts`, `web/custom-elements.json`, the names of its own
+ * attributes, the reference of its methods in `docs/element.md`, and what an iframe offers to its page:
+ * `web/generated/posted.js`, `web/embed-client.d.ts`, and lists in `web/embed-client.js` and
+ * `docs/iframe.md`. Prints the path of each file that was behind and is written.
  *
  * The class states its methods, accessors, events (`@fires`), slots, parts, custom properties and
  * states; `HearthReflected` in `web/element/types.d.ts` states the properties that only live in
  * an attribute; `web/parameters.js` and `web/parameters.d.ts` state the parameters. An accessor with
- * `@attribute` reflects the attribute of its name with hyphens. `HearthSourceElement` and `HearthSolidElement` in
+ * `@attribute` reflects the attribute of its name with hyphens. A member with `@posted` answers messages of
+ * the page around an iframe. `@example` and `@see` are for the reference. `HearthSourceElement` and `HearthSolidElement` in
  * `web/element/types.d.ts` state the children, and the objects of `web/parameters.d.ts` their attributes.
  */
 import { readFile, writeFile } from 'node:fs/promises';
@@ -14,7 +17,9 @@ import path from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { SyntaxKind } from 'typescript/unstable/ast';
 import { API } from 'typescript/unstable/sync';
+import { clientList, clientTypes, posted, reference as iframeReference } from './element/iframe.mjs';
 import { manifest } from './element/manifest.mjs';
+import { reference } from './element/reference.mjs';
 import { elementTypes, reactTypes } from './element/types.mjs';
 import { read } from './element/jsdoc.mjs';
 
@@ -27,11 +32,19 @@ import { read } from './element/jsdoc.mjs';
  * @property {boolean} readonly
  * @property {string} [attribute]
  * @property {string} [default]
+ * @property {boolean} [posted]
  * @property {string} doc
  *
  * @typedef {{name: string, type: string, optional: boolean, rest: boolean, doc: string}} Argument
  * @typedef {{template?: {name: string, type: string}, parameters: Argument[], returns: string, doc: string}} Signature
- * @typedef {{name: string, signatures: Signature[]}} Method  The last signature takes all calls.
+ *
+ * @typedef {object} Method
+ * @property {string} name
+ * @property {Signature[]} signatures  The last one takes all calls.
+ * @property {boolean} posted
+ * @property {string} [see]  The heading of its section in the reference.
+ * @property {{label: string, code: string}[]} examples
+ *
  * @typedef {{name: string, type: string, doc: string}} Named
  *
  * @typedef {object} Parameter
@@ -62,6 +75,7 @@ import { read } from './element/jsdoc.mjs';
  * @property {Named[]} cssProperties
  * @property {Named[]} states
  * @property {Child[]} children
+ * @property {{[file: string]: string[]}} types  The names that each file of types declares.
  */
 
 const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../..');
@@ -78,8 +92,15 @@ try {
     if (!found) throw new Error(`web/${file} declares no ${name}`);
     return found;
   };
-  const element = await describe(declared);
+  /** The types that a file of `web/` exports. @param {string} file @returns {string[]} */
+  const exported = (file) => {
+    const { statements } = /** @type {any} */ (project.program.getSourceFile(path.join(WEB, file)));
+    const types = [SyntaxKind.InterfaceDeclaration, SyntaxKind.TypeAliasDeclaration];
+    return [...statements].filter(({ kind }) => types.includes(kind)).map(({ name }) => name.text).sort();
+  };
+  const element = await describe(declared, exported);
   const own = element.properties.flatMap(({ attribute }) => attribute ?? []);
+  const { OPTIONS } = await load('pages/url-parameters.js');
   await refresh('web/hearth-fire.d.ts', elementTypes(element));
   await refresh('web/react.d.ts', reactTypes(element));
   await refresh('web/custom-elements.json', manifest(element));
@@ -88,15 +109,21 @@ try {
     '/** The attributes that are no parameters. */',
     `export const OWN_ATTRIBUTES = [${own.map((name) => `"${name}"`).join(', ')}];\n`,
   ].join('\n'));
+  await refresh('web/generated/posted.js', posted(element));
+  await refresh('web/embed-client.d.ts', clientTypes(element, OPTIONS));
+  await refreshPart('web/embed-client.js', ['// methods: begin', '// methods: end'], clientList(element));
+  await refreshPart('docs/element.md', marks('methods'), `\n${reference(element)}\n`);
+  await refreshPart('docs/iframe.md', marks('methods'), `\n${iframeReference(element)}\n`);
 } finally {
   api.close();
 }
 
 /**
  * @param {(file: string, name: string) => any} declared
+ * @param {(file: string) => string[]} exported
  * @returns {Promise<Element>}
  */
-async function describe(declared) {
+async function describe(declared, exported) {
   const type = declared('hearth-fire.js', 'HearthFire');
   const about = read(type);
   const named = (/** @type {string} */ tag) => about.all(tag).map(({ name, type: kind, text }) => ({ name, type: kind, doc: text }));
@@ -120,6 +147,7 @@ async function describe(declared) {
     cssProperties: named('cssproperty'),
     states: named('cssstate'),
     children: ['source', 'solid'].map((kind) => child(kind, declared)),
+    types: Object.fromEntries(['element/types', 'parameters'].map((file) => [`./${file}.js`, exported(`${file}.d.ts`)])),
   };
 }
 
@@ -163,6 +191,7 @@ function accessor(member, members) {
     readonly: !settable,
     attribute: about.one('attribute') && hyphened(name),
     default: about.one('default')?.text,
+    posted: about.one('posted') !== undefined,
     doc: about.doc,
   };
 }
@@ -188,8 +217,15 @@ function reflection(member, members) {
 function method(member) {
   const name = member.name.text;
   const comments = member.jsDoc ?? [];
+  const last = read(member);
   return {
     name,
+    posted: last.one('posted') !== undefined,
+    see: last.one('see')?.text,
+    examples: last.all('example').map(({ text }) => {
+      const [, label, code] = /^<caption>(.*?)<\/caption> (.*)$/.exec(text) ?? missing(name, 'caption of @example');
+      return { label, code };
+    }),
     signatures: comments.map((/** @type {any} */ _, /** @type {number} */ at) => {
       const about = read(member, at);
       return {
@@ -210,12 +246,17 @@ function method(member) {
 
 /** @type {(members: any[]) => Promise<Parameter[]>} */
 async function parameters(members) {
-  const { PARAMETERS } = await import(pathToFileURL(path.join(WEB, 'parameters.js')).href);
+  const { PARAMETERS } = await load('parameters.js');
   const typed = new Map(members.map((member) => [member.name.text, member]));
   return PARAMETERS.map((/** @type {any} */ one) => {
     const member = typed.get(one.id);
     return { ...one, default: String(one.default), type: member.type.getText(), about: read(member).doc };
   });
+}
+
+/** Imports a script of `web/`. @param {string} file @returns {Promise<any>} */
+function load(file) {
+  return import(pathToFileURL(path.join(WEB, file)).href);
 }
 
 /** `reducedMotion` → `reduced-motion`. @param {string} name */
@@ -236,4 +277,17 @@ async function refresh(file, text) {
   if (present.replaceAll('\r\n', '\n') === text) return;
   await writeFile(target, text);
   console.log(file);
+}
+
+/** The marks around a generated part of a document. @param {string} name */
+function marks(name) {
+  return [`<!-- ${name}: begin -->\n`, `<!-- ${name}: end -->`];
+}
+
+/** Writes what is between two marks of a file if it is out of date. @type {(file: string, marks: string[], text: string) => Promise<void>} */
+async function refreshPart(file, [begin, end], text) {
+  const present = (await readFile(path.join(ROOT, file), 'utf8')).replaceAll('\r\n', '\n');
+  const [from, to] = [present.indexOf(begin) + begin.length, present.indexOf(end)];
+  if (from < begin.length || to < from) throw new Error(`${file} lacks the marks ${begin.trim()} and ${end}`);
+  await refresh(file, present.slice(0, from) + text + present.slice(to));
 }

@@ -9,10 +9,10 @@ use wasm_parts::{Bound, Part};
 
 use crate::shell::Shell;
 
-/// The parts. `hearth_bindings::parts` tells when one is needed.
+/// The parts. `hearth_bindings::parts` determines when one is needed.
 const PARTS: &str = include_str!("parts.json");
 
-/// A row of the table. The file also says why functions call a part, for readers.
+/// A row of the table. The file also states for readers why functions call a part.
 #[derive(serde::Deserialize)]
 struct Row<'a> {
     name: &'a str,

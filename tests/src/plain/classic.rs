@@ -6,7 +6,7 @@ use hearth_core::{Parameters, Particle};
 
 use super::{Crowd, Domain, Kernel, Neighbour, Plain, Size, Sum};
 
-/// Least density that a force reckons with [kg/m³].
+/// Minimum density in a force [kg/m³].
 const LEAST_DENSITY: f64 = 0.3;
 /// Most parts of a step.
 const MOST_SUBSTEPS: f64 = 32.0;

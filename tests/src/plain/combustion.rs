@@ -312,7 +312,7 @@ impl Combustion {
         let farthest = (0.5 * width - half - seam * width).max(0.0);
         let middle = f64::from(p.source_x).clamp(-farthest, farthest);
         // A particle on the edge of the block is outside. The edge of a block at the edge of
-        // the domain is exact but for rounding, which must not let that particle in.
+        // the domain is exact up to rounding, which must not let that particle in.
         let reach = half - 1e-9 * width;
         // Exact at right angles, as a particle may be on an edge of the block.
         let axis = DVec2::from_angle(f64::from(p.source_angle).to_radians());

@@ -54,7 +54,12 @@ pub(super) struct Record {
 fn stock(fire: &Simulation) -> f64 {
     let p = fire.parameters();
     let heat = f64::from(p.flame_rise) * (1.0 + f64::from(p.air_demand));
-    let fuel: f64 = fire.fuels().into_iter().map(f64::from).sum();
+    let fuel: f64 = fire
+        .fuels()
+        .unwrap_or_default()
+        .into_iter()
+        .map(f64::from)
+        .sum();
     mass(fire) * fuel * heat
 }
 
@@ -64,7 +69,7 @@ pub(super) fn delivered(fire: &mut Simulation, seconds: f64) -> f64 {
     let (began, before, mut burned) = (fire.time(), stock(fire), 0.0);
     let came = run(fire, began + seconds, |fire| {
         fire.step();
-        burned += f64::from(fire.power()) * fire.step_length();
+        burned += f64::from(fire.power().unwrap_or_default()) * fire.step_length();
     });
     if came {
         (burned + stock(fire) - before) / (fire.time() - began)
@@ -194,7 +199,10 @@ impl Record {
         let air = p.ambient_temperature;
         let half = 0.5 * p.domain_width;
         let places = fire.positions().into_iter().zip(fire.densities());
-        let state = fire.temperatures().into_iter().zip(fire.soots());
+        let state = fire
+            .temperatures()
+            .into_iter()
+            .zip(fire.soots().unwrap_or_default());
         let inside = places
             .zip(state)
             .zip(fire.velocities())

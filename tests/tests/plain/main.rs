@@ -102,7 +102,7 @@ impl Difference<'_> {
         let plain = oracle.particles();
         let p = fire.parameters();
         assert_eq!(fire.count(), plain.len(), "{}", self.scene);
-        // A place beyond an edge is reckoned from the other one.
+        // A place beyond an edge counts from the other edge.
         let size = DVec2::new(p.domain_width.into(), p.domain_height.into());
         let turn = |off: DVec2| {
             let up = p.model() == Model::Combustion;
@@ -131,10 +131,12 @@ impl Difference<'_> {
             ("density", fire.densities(), |q| q.density),
             ("pressure", fire.pressures(), |q| q.pressure),
             ("temperature", fire.temperatures(), |q| q.mixture[0]),
-            ("fuel", fire.fuels(), |q| q.mixture[1]),
-            ("oxygen", fire.oxygens(), |q| q.mixture[2]),
-            ("soot", fire.soots(), |q| q.mixture[3]),
-            ("burning", fire.burn_rates(), |q| q.burn),
+            ("fuel", fire.fuels().unwrap_or_default(), |q| q.mixture[1]),
+            ("oxygen", fire.oxygens().unwrap_or_default(), |q| {
+                q.mixture[2]
+            }),
+            ("soot", fire.soots().unwrap_or_default(), |q| q.mixture[3]),
+            ("burning", fire.burn_rates().unwrap_or_default(), |q| q.burn),
             ("age", fire.ages(), |q| Sum::new(q.age)),
         ];
         for (what, fast, of) in figures {
@@ -152,8 +154,8 @@ impl Difference<'_> {
         if let Oracle::Combustion(gas) = oracle {
             for (what, fast, plain) in [
                 ("length", report.length, Sum::new(gas.length)),
-                ("power", report.power, gas.power),
-                ("preheat", report.preheat, gas.preheat),
+                ("power", report.power.unwrap_or_default(), gas.power),
+                ("preheat", report.preheat.unwrap_or_default(), gas.preheat),
             ] {
                 let far = apart(fast.into(), plain.value);
                 let name = self.scene;

@@ -53,7 +53,7 @@ fn burn(fire: &mut Simulation, seconds: f64) -> f64 {
     let (start, mut heat) = (fire.time(), 0.0);
     while fire.time() < start + seconds {
         fire.step();
-        heat += f64::from(fire.power()) * fire.step_length();
+        heat += f64::from(fire.power().unwrap_or_default()) * fire.step_length();
     }
     heat / (fire.time() - start)
 }

@@ -65,7 +65,7 @@ impl Options {
                 continue;
             }
             let mut value = || {
-                let missing = || format!("{argument} wants a value\n\n{HELP}");
+                let missing = || format!("{argument} needs a value\n\n{HELP}");
                 arguments.next().ok_or_else(missing)
             };
             match argument {
@@ -91,12 +91,12 @@ impl Options {
 fn whole(option: &str, text: &str, min: u32, max: u32) -> Result<u32, String> {
     let number = text.parse().ok().filter(|n| (min..=max).contains(n));
     number
-        .ok_or_else(|| format!("{option} wants a whole number from {min} to {max}, not \"{text}\""))
+        .ok_or_else(|| format!("{option} needs a whole number from {min} to {max}, not \"{text}\""))
 }
 
 fn number(option: &str, text: &str, min: f64, max: f64) -> Result<f64, String> {
     let number = text.parse().ok().filter(|x| (min..=max).contains(x));
-    number.ok_or_else(|| format!("{option} wants a number from {min} to {max}, not \"{text}\""))
+    number.ok_or_else(|| format!("{option} needs a number from {min} to {max}, not \"{text}\""))
 }
 
 #[cfg(test)]
@@ -129,13 +129,13 @@ mod tests {
         for (line, words) in [
             (
                 "--frames 0",
-                "--frames wants a whole number from 1 to 10000, not \"0\"",
+                "--frames needs a whole number from 1 to 10000, not \"0\"",
             ),
             ("--frames 1e9", "from 1 to 10000"),
-            ("--frames", "--frames wants a value"),
+            ("--frames", "--frames needs a value"),
             (
                 "--fps NaN",
-                "--fps wants a number from 1 to 1000, not \"NaN\"",
+                "--fps needs a number from 1 to 1000, not \"NaN\"",
             ),
             ("--start -1", "from 0 to 100"),
             ("--size 1000000", "from 16 to 4096"),

@@ -59,7 +59,7 @@ impl Picture {
                 }
             });
         }
-        let rgb = light.into_iter().flat_map(|light| light.map(develop));
+        let rgb = light.into_iter().flat_map(|light| light.map(tone_map));
         Picture {
             width,
             height,
@@ -101,7 +101,7 @@ fn black_body(temperature: f32) -> Light {
 }
 
 /// A tone curve that maps bright light to white, in sRGB.
-fn develop(light: f32) -> u8 {
+fn tone_map(light: f32) -> u8 {
     let exposed = 1.0 - (-light).exp();
     let encoded = if exposed < 0.003_130_8 {
         12.92 * exposed
@@ -139,7 +139,10 @@ impl Canvas {
         };
         let mut pixels = vec![empty; self.width * self.height];
         let (temperatures, densities) = (fire.temperatures(), fire.densities());
-        let (soots, burning) = (fire.soots(), fire.burn_rates());
+        let (soots, burning) = (
+            fire.soots().unwrap_or_default(),
+            fire.burn_rates().unwrap_or_default(),
+        );
         for (i, position) in fire.positions().into_iter().enumerate() {
             // All have the same mass, so the volume is the inverse of the density, which is 0 at
             // birth.

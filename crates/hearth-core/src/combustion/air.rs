@@ -1,6 +1,6 @@
 //! Open air: gas in a band around what is active, and nothing beyond.
 //!
-//! A [map](map) of cells says where gas is simulated: around sources and around
+//! A [map](map) of cells states where gas is simulated: around sources and around
 //! [active gas](awake). The [rim](rim) of the band is a reservoir at the pressure of the far
 //! air. Gas that leaves is removed, and fresh air [enters](exchange) at rest or in the wind, so
 //! the number of particles follows the fire. The air has no box, and a floor only where the

@@ -11,6 +11,7 @@ mod command;
 mod material;
 mod outline;
 mod radiation;
+mod reaction;
 mod report;
 mod state;
 mod step;
@@ -19,6 +20,7 @@ use super::air::OpenAir;
 use super::embers::Embers;
 use super::gas::{Gas, make_room};
 use super::walls::Walls;
+use crate::held::Held;
 use crate::params::Physics;
 use crate::random::Random;
 use crate::scene::Scene;
@@ -28,7 +30,7 @@ use state::{BLOCKS, Beside, Block};
 
 pub use command::{NoFuel, Where};
 pub use report::{BurningSolid, BurningState, FuelTotal};
-pub(crate) use state::{Fuels, Held};
+pub(crate) use state::Fuels;
 
 /// Steps from one radiation to the next; and among free bodies, which are many: a hundredth of a
 /// second, in which no flame changes much.
@@ -38,7 +40,7 @@ const STEPS_AMONG_BODIES: u32 = 8;
 impl Fuels {
     /// The solids of a scene that burn, in place of those of the scene before.
     #[inline(never)]
-    pub fn set(held: &mut Held, scene: &Scene, solids: &mut Solids) {
+    pub fn set(held: &mut Held<Fuels>, scene: &Scene, solids: &mut Solids) {
         let values = scene.settings();
         let (air, spacing) = (values.ambient_temperature, values.spacing());
         let mut fuels = held.take().unwrap_or_default();

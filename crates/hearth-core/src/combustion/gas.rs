@@ -151,7 +151,7 @@ impl Gas {
         let mut kept = 0;
         for i in 0..self.len() {
             if stays(self.position[i], self.velocity[i]) {
-                // Everything else is computed anew in every step.
+                // Every step computes everything else again.
                 self.position[kept] = self.position[i];
                 self.velocity[kept] = self.velocity[i];
                 self.state[kept] = self.state[i];

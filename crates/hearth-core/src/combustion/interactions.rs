@@ -32,7 +32,7 @@ fn list(context: &Context) -> impl PairInteraction<Pair> {
 /// The sums of a particle.
 #[derive(Clone, Copy, Debug)]
 struct Accumulator {
-    /// Acceleration [m/s²], and the concentration gradient but for its factor.
+    /// Acceleration [m/s²], and the concentration gradient without its factor.
     motion: Lanes,
     /// Change of the state [1/s].
     state: Lanes,

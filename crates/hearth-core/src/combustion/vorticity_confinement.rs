@@ -24,9 +24,9 @@ struct Block {
     volume: Lanes,
     /// Velocity [m/s].
     velocity: [Lanes; 2],
-    /// ω, but for the factor of W'.
+    /// ω without the factor of W'.
     curl: [Lanes; 1],
-    /// ∇|ω|, but for its factor.
+    /// ∇|ω| without its factor.
     gradient: [Lanes; 2],
 }
 
@@ -61,7 +61,7 @@ impl Broadcast {
         }
     }
 
-    /// −∇W at each of the others, but for its factor.
+    /// −∇W at each of the others, without its factor.
     fn minus_gradient(&self, others: &Block) -> [Lanes; 2] {
         let Separation { x, y, q, .. } = Separation::between(self.position, others.position);
         let over_r = kernel::minus_dw(q) / q;

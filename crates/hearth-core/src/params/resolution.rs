@@ -75,7 +75,7 @@ impl Parameters {
         }
     }
 
-    /// Completes the resolution of settings, of which `spacing` and `max_particles` tell whether a
+    /// Completes the resolution of settings, whose `spacing` and `max_particles` determine whether a
     /// document, a page or a caller names the parameter. If `spacing` is not named, the resolution
     /// is the one at which `max_particles` would fill the frame, or `in_frame` if that is not named
     /// either. A cap that is not named is large enough for twice the frame.

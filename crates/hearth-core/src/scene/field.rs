@@ -380,10 +380,10 @@ impl Field {
         let (x, y) = (at.x - column as f32, at.y - row as f32);
         let (low, high) = (a + (b - a) * x, c + (d - c) * x);
         let slope = Vec2::new(b - a + (d - c - b + a) * y, high - low) / self.step;
-        let steepness = slope.length();
-        // Where the distances of two sides meet, there is none.
-        let normal = if steepness > FLAT {
-            slope / steepness
+        let magnitude = slope.length();
+        // A slope vanishes where the distances of two sides meet.
+        let normal = if magnitude > FLAT {
+            slope / magnitude
         } else {
             Vec2::Y
         };

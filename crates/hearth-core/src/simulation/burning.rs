@@ -303,7 +303,7 @@ mod tests {
             for _ in 0..50 {
                 fire.step();
             }
-            fire.power()
+            fire.power().unwrap_or_default()
         };
         let (before, after) = (power(fire), power(other));
         assert!(

@@ -30,7 +30,7 @@ impl Simulation {
         }
     }
 
-    /// The solids that have fuel, in the order of the objects; none in the classic model.
+    /// The solids that have fuel, in the order of the objects. No solid burns in the classic model.
     pub fn burning_solids(&self) -> Vec<BurningSolid> {
         let combustion = self.solver.combustion();
         combustion.map_or_else(Vec::new, |combustion| {
@@ -38,12 +38,10 @@ impl Simulation {
         })
     }
 
-    /// All solids that have fuel, together.
-    pub fn fuel_total(&self) -> FuelTotal {
-        let combustion = self.solver.combustion();
-        combustion.map_or_else(FuelTotal::default, |combustion| {
-            combustion.fuel_total(self.scene.settings())
-        })
+    /// All solids that have fuel, together; `None` in the classic model.
+    pub fn fuel_total(&self) -> Option<FuelTotal> {
+        let combustion = self.solver.combustion()?;
+        Some(combustion.fuel_total(self.scene.settings()))
     }
 
     /// Updates what [`charred`](Simulation::charred) returns.
@@ -54,7 +52,7 @@ impl Simulation {
     }
 
     /// The solids that have fuel, for a picture, as they were when they were last updated; `None`
-    /// without any.
+    /// without any, and in the classic model.
     pub fn charred(&self) -> Option<&Charred> {
         self.solver.combustion()?.charred()
     }

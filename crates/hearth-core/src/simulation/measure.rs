@@ -87,7 +87,7 @@ impl Simulation {
             }
         }
         let mut numbers = Vec::with_capacity(OF_FIRE + (HEIGHTS + 1) * OF_PLACE);
-        let power = if burns { self.power() } else { f32::NAN };
+        let power = self.power().unwrap_or(f32::NAN);
         numbers.extend([
             self.time.floor() as f32,
             self.time.fract() as f32,

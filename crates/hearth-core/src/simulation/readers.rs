@@ -1,4 +1,7 @@
 //! Readers of the particles: copies, in the order of birth.
+//!
+//! A reader of a quantity that only the combustion model has returns `None` in the classic model. A
+//! list holds the things that there are, so it is empty where a model makes none.
 
 use glam::Vec2;
 
@@ -11,20 +14,19 @@ use crate::solids::free::FreeSolid;
 use crate::solver::Solver;
 
 impl Simulation {
-    /// Power of the combustion in the last step [kW/m]; zero in the classic model.
-    pub fn power(&self) -> f32 {
-        self.solver.combustion().map_or(0.0, Combustion::power)
+    /// Power of the combustion in the last step [kW/m]; `None` in the classic model.
+    pub fn power(&self) -> Option<f32> {
+        self.solver.combustion().map(Combustion::power)
     }
 
-    /// The gas that moved solids have taken the place of since the start; none in the classic
-    /// model.
-    pub fn removed(&self) -> Removed {
-        let combustion = self.solver.combustion();
-        combustion.map_or(Removed::default(), Combustion::removed)
+    /// The gas that moved solids have taken the place of since the start; `None` in the classic
+    /// model, whose particles only stop at solids.
+    pub fn removed(&self) -> Option<Removed> {
+        self.solver.combustion().map(Combustion::removed)
     }
 
-    /// The ids of the solids that conduct heat, and their temperatures \[K\]; none in the classic
-    /// model.
+    /// The ids of the solids that conduct heat, and their temperatures \[K\]. No solid conducts
+    /// heat in the classic model.
     pub fn solid_temperatures(&self) -> impl Iterator<Item = (u32, f32)> {
         let combustion = self.solver.combustion();
         combustion
@@ -56,7 +58,7 @@ impl Simulation {
         [Vec2::new(-half, bounds.bottom), Vec2::new(half, top)]
     }
 
-    /// The embers; none in the classic model.
+    /// The embers. The classic model makes none.
     pub fn embers(&self) -> &[Ember] {
         self.solver.combustion().map_or(&[], Combustion::embers)
     }
@@ -107,28 +109,26 @@ impl Simulation {
         self.each(|i| self.solver.pressure(i))
     }
 
-    /// Fuel \[share of the gas\], in the order of birth; none in the classic model.
-    pub fn fuels(&self) -> Vec<f32> {
-        self.scalars(|particle| particle.fuel)
+    /// Fuel \[share of the gas\], in the order of birth; `None` in the classic model.
+    pub fn fuels(&self) -> Option<Vec<f32>> {
+        self.of_mixture(|particle| particle.fuel)
     }
 
-    /// Oxygen \[share of that of air\], in the order of birth; one in the classic model.
-    pub fn oxygens(&self) -> Vec<f32> {
-        self.scalars(|particle| particle.oxygen)
+    /// Oxygen \[share of that of air\], in the order of birth; `None` in the classic model.
+    pub fn oxygens(&self) -> Option<Vec<f32>> {
+        self.of_mixture(|particle| particle.oxygen)
     }
 
-    /// Soot, in the order of birth; none in the classic model.
-    pub fn soots(&self) -> Vec<f32> {
-        self.scalars(|particle| particle.soot)
+    /// Soot, in the order of birth; `None` in the classic model.
+    pub fn soots(&self) -> Option<Vec<f32>> {
+        self.of_mixture(|particle| particle.soot)
     }
 
-    /// Fuel burnt in a second [1/s] in the last step, in the order of birth;
-    /// none in the classic model.
-    pub fn burn_rates(&self) -> Vec<f32> {
-        match self.solver.combustion() {
-            Some(combustion) => self.each(|i| combustion.gas().burn[i]),
-            None => vec![0.0; self.count()],
-        }
+    /// Fuel burnt in a second [1/s] in the last step, in the order of birth; `None` in the classic
+    /// model.
+    pub fn burn_rates(&self) -> Option<Vec<f32>> {
+        let combustion = self.solver.combustion()?;
+        Some(self.each(|i| combustion.gas().burn[i]))
     }
 
     /// Vorticities [1/s], counterclockwise above zero, in the order of birth: twice the angular
@@ -147,6 +147,11 @@ impl Simulation {
         let mut all = Vec::new();
         self.write_measured(mode, &mut all);
         self.each(|i| Measured::from(all[i]).value)
+    }
+
+    fn of_mixture(&self, of: fn(&Particle) -> f32) -> Option<Vec<f32>> {
+        self.solver.combustion()?;
+        Some(self.scalars(of))
     }
 
     // From copies of whole particles: a loop per reader and model costs a kilobyte of

@@ -27,7 +27,7 @@ use contact::Plane;
 
 pub use body::FreeSolid;
 pub(crate) use body::Moments;
-pub(crate) use state::{FreeBodies, Held};
+pub(crate) use state::FreeBodies;
 
 /// Longest substep \[s\].
 const SUBSTEP: f32 = 1e-3;

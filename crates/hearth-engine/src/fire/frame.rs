@@ -74,7 +74,7 @@ impl Fire {
                 smooth(average, stage / steps);
             }
             smooth(&mut self.averages.step_length, made.seconds / steps);
-            let power = f64::from(self.simulation.power());
+            let power = self.simulation.power().map_or(0.0, f64::from);
             smooth(&mut self.averages.power, power);
             self.stale = true;
             self.measure(made.stages.iter().sum::<f64>() / steps, events);

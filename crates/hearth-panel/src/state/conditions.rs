@@ -1,4 +1,4 @@
-//! What the views ask of a row besides its value: whether it has an effect, and what typed text
+//! What the views need of a row besides its value: whether it has an effect, and what typed text
 //! means.
 
 use hearth_core::params::{AnyValue, Condition, Kind, Param};

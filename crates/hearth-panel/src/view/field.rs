@@ -1,7 +1,7 @@
 //! Exact input: a click on a value turns it into a text field.
 //!
 //! Enter and a click elsewhere apply the text, Escape discards it. A red line below the field
-//! says why a value is refused; no value is clamped silently. A wheel over the value changes it.
+//! states why a value is refused; no value is clamped silently. A wheel over the value changes it.
 
 use egui::style::ScrollAnimation;
 use egui::text::{CCursor, CCursorRange};

@@ -329,14 +329,18 @@ fn a_search_finds_properties_and_objects() {
     }
 }
 
+/// A panel with the solid 3 selected, and the row of its place if there is one.
+fn with_place() -> (Harness, Option<Subject>) {
+    let mut harness = with_objects(Model::Combustion, TALL);
+    let mut rows = select(&mut harness, 3).into_iter();
+    let place = rows.find(|row| row.id == "solid:x");
+    (harness, place)
+}
+
 #[test]
 fn a_slider_spans_the_frame_and_a_value_beyond_it() {
-    let mut harness = with_objects(Model::Combustion, TALL);
-    let rows = select(&mut harness, 3);
-    let place = *rows
-        .iter()
-        .find(|row| row.id == "solid:x")
-        .expect("a place");
+    let (mut harness, place) = with_place();
+    let place = place.expect("a place");
     let fire = &mut harness.panel.state.fire;
     assert_eq!(fire.slider_range(place), (-1.8, 1.8));
     assert_eq!(fire.range_of(place), (-10.0, 10.0));
@@ -346,12 +350,8 @@ fn a_slider_spans_the_frame_and_a_value_beyond_it() {
 
 #[test]
 fn an_older_list_does_not_move_a_dragged_slider() {
-    let mut harness = with_objects(Model::Combustion, TALL);
-    let rows = select(&mut harness, 3);
-    let place = *rows
-        .iter()
-        .find(|row| row.id == "solid:x")
-        .expect("a place");
+    let (mut harness, place) = with_place();
+    let place = place.expect("a place");
     let fire = &mut harness.panel.state.fire;
     let old = [source(1), solid(3, "line", "wood")];
     assert!(fire.set(place, Entry::Number(0.4).input()).is_ok());

@@ -6,6 +6,8 @@ use std::path::Path;
 use std::process::Command;
 use std::{env, fs, io};
 
+use hearth_core::params::{Choice as _, Ground, Material};
+
 use crate::glsl::{self, Files, Program};
 use crate::passes::PASSES;
 use crate::shaders::{HEADER, SOURCES};
@@ -127,6 +129,21 @@ fn mipmaps_are_read_by_level(pair: &Pair) -> Vec<String> {
     } else {
         Vec::new()
     }
+}
+
+#[test]
+fn materials_and_grounds_have_the_numbers_of_the_core() {
+    let shared: BTreeMap<_, _> = values::shared().into_iter().collect();
+    let known = |names: &[&str], first: usize, shown: &[&str]| {
+        let drawn = names.iter().enumerate().skip(first);
+        for (number, name) in drawn.filter(|(_, name)| **name != "none") {
+            let name = name.to_uppercase();
+            assert!(shown.contains(&&*name), "{name}");
+            assert_eq!(shared.get(&*name), Some(&format!("{number}.0")), "{name}");
+        }
+    };
+    known(Material::NAMES, 1, &values::MATERIALS);
+    known(Ground::NAMES, 2, &values::GROUNDS);
 }
 
 #[test]

@@ -9,30 +9,15 @@ const HEADER = `\
 // \`cargo xtask codegen\`; edit the JSDoc of the class or web/element/types.d.ts instead.
 `;
 
-/** The types of `element/types.d.ts` and `parameters.d.ts` that signatures may name. */
-const NAMES = {
-  './element/types.js': [
-    'HearthChangeDetail', 'HearthConfig', 'HearthErrorDetail', 'HearthFreeSolid', 'HearthMeasures', 'HearthObjectsDetail', 'HearthPicture',
-    'HearthPoint', 'HearthQuality', 'HearthQualityDetail',
-    'HearthSolidElement', 'HearthSourceElement', 'HearthTransition',
-  ],
-  './parameters.js': ['HearthObject', 'HearthParameters', 'HearthProperties', 'HearthStats', 'ParameterId', 'PresetName'],
-};
-
 /** A number in JSX. */
 const NUMBER = 'number | `$' + '{number}`';
 
 /** @param {Element} element */
-export function elementTypes({ doc, properties, methods, events, children }) {
+export function elementTypes({ doc, properties, methods, events, children, types }) {
   const members = [
     ...properties.map((one) => `${comment(one.doc, '  ')}${property(one)}`),
-    ...methods.flatMap(({ name, signatures }) => (
-      // A signature that takes all calls of the others is the implementation's.
-      (signatures.length > 1 ? signatures.slice(0, -1) : signatures).map((one) => (
-        `${described(one)}  ${name}${one.template ? `<${one.template.name} extends ${one.template.type}>` : ''}(${one.parameters.map(argument).join(', ')}): ${one.returns};\n`
-      ))
-    )),
-    ...['addEventListener', 'removeEventListener'].map((name) => listeners(name)),
+    ...methods.flatMap((one) => declarations(one)),
+    listeners('HearthFire'),
   ];
   const body = `\
 ${comment('The events of a fire.', '')}\
@@ -53,7 +38,7 @@ ${children.map(({ tag, type }) => `    '${tag}': ${type};\n`).join('')}  }
 }
 `;
   return `${HEADER}
-${Object.entries(NAMES).map(([file, names]) => `${imports(names.filter((name) => new RegExp(`\\b${name}\\b`).test(body)), file)}\n`).join('')}
+${Object.entries(types).map(([file, names]) => `${imports(names, file, body)}\n`).join('')}
 export type * from './element/types.js';
 export type * from './parameters.js';
 
@@ -61,7 +46,7 @@ ${body}`;
 }
 
 /** @param {Element} element */
-export function reactTypes({ properties, parameters, events, children }) {
+export function reactTypes({ properties, parameters, events, children, types }) {
   const own = properties.filter(({ attribute }) => attribute);
   const attributes = [
     ...own.map((one) => entry(one.doc, String(one.attribute), one.accepts ?? one.type)),
@@ -76,7 +61,7 @@ ${all.map(({ name, type, doc }) => entry(doc, name, type === 'number' ? NUMBER :
   const elements = children.map(({ tag, type }) => `\
       '${tag}': DetailedHTMLProps<${attributesOf(tag)} & HTMLAttributes<${type}>, ${type}>;
 `).join('');
-  const names = [...Object.values(NAMES).flat(), 'HearthFire'].sort();
+  const names = [...Object.values(types).flat(), 'HearthFire'].sort();
   return `${HEADER}
 /**
  * \`<hearth-fire>\` in JSX, for React 19 and newer: \`import 'hearth-fire/react'\`
@@ -84,7 +69,7 @@ ${all.map(({ name, type, doc }) => entry(doc, name, type === 'number' ? NUMBER :
  */
 
 import type { DetailedHTMLProps, HTMLAttributes } from 'react';
-${imports(names.filter((name) => name === 'HearthFire' || new RegExp(`\\b${name}\\b`).test(attributes + listens + elements)), './hearth-fire.js')}
+${imports(names, './hearth-fire.js', `HearthFire ${attributes}${listens}${elements}`)}
 
 export * from './hearth-fire.js';
 
@@ -117,6 +102,24 @@ function property({ name, type, accepts, ofClass, readonly }) {
   return `  ${ofClass ? 'static ' : ''}${readonly ? 'readonly ' : ''}${name}: ${type};\n`;
 }
 
+/**
+ * The declaration of each signature that a caller sees.
+ * @param {import('../element.mjs').Method} method
+ */
+export function declarations({ name, signatures }) {
+  return seen(signatures).map((one) => (
+    `${described(one)}  ${name}${one.template ? `<${one.template.name} extends ${one.template.type}>` : ''}(${one.parameters.map(argument).join(', ')}): ${one.returns};\n`
+  ));
+}
+
+/**
+ * The signatures that a caller sees: one that takes all calls of the others is the implementation's.
+ * @param {import('../element.mjs').Signature[]} signatures
+ */
+export function seen(signatures) {
+  return signatures.length > 1 ? signatures.slice(0, -1) : signatures;
+}
+
 /** The comment of a signature. @param {import('../element.mjs').Signature} signature */
 function described({ doc, parameters }) {
   const documented = parameters.filter((one) => one.doc);
@@ -130,21 +133,26 @@ function argument({ name, type, optional, rest }) {
   return `${rest ? '...' : ''}${name}${optional ? '?' : ''}: ${type}`;
 }
 
-/** @param {string} name */
-function listeners(name) {
-  const options = name === 'addEventListener' ? 'AddEventListenerOptions' : 'EventListenerOptions';
-  return `\
-  ${name}<Type extends keyof HearthFireEventMap>(
+/**
+ * The two methods for the events of `type`, whose map of events is `${type}EventMap`.
+ * @param {string} type
+ */
+export function listeners(type) {
+  return ['add', 'remove'].map((verb) => {
+    const options = `options?: boolean | ${verb === 'add' ? 'AddEventListenerOptions' : 'EventListenerOptions'},`;
+    return `\
+  ${verb}EventListener<Type extends keyof ${type}EventMap>(
     type: Type,
-    listener: (this: HearthFire, event: HearthFireEventMap[Type]) => unknown,
-    options?: boolean | ${options},
+    listener: (this: ${type}, event: ${type}EventMap[Type]) => unknown,
+    ${options}
   ): void;
-  ${name}(
+  ${verb}EventListener(
     type: string,
     listener: EventListenerOrEventListenerObject,
-    options?: boolean | ${options},
+    ${options}
   ): void;
 `;
+  }).join('');
 }
 
 /** An attribute of JSX; a number may be written as text, as HTML does. @param {import('../element.mjs').Parameter} parameter */
@@ -164,16 +172,17 @@ function entry(doc, name, type) {
 }
 
 /** @param {string} name */
-function quoted(name) {
+export function quoted(name) {
   return name.includes('-') ? `'${name}'` : name;
 }
 
-/** @type {(names: string[], file: string) => string} */
-function imports(names, file) {
-  return `import type {\n${names.map((name) => `  ${name},\n`).join('')}} from '${file}';`;
+/** The import of those names of a file that a text has. @type {(names: string[], file: string, text: string) => string} */
+export function imports(names, file, text) {
+  const used = names.filter((name) => new RegExp(`\\b${name}\\b`).test(text));
+  return `import type {\n${used.map((name) => `  ${name},\n`).join('')}} from '${file}';`;
 }
 
 /** @type {(doc: string, indent: string) => string} */
-function comment(doc, indent) {
+export function comment(doc, indent) {
   return `${indent}/** ${doc} */\n`;
 }

@@ -1,5 +1,5 @@
 //! Other people's solvers that are measured beside Hearth. A solver that this machine
-//! cannot have is left out, and the report says so.
+//! cannot have is left out, and the report states that.
 
 use std::path::{Path, PathBuf};
 

@@ -126,7 +126,7 @@ pub(super) fn properties() -> String {
     )
 }
 
-/// What children of the element know of a property of an object.
+/// The data of a property that children of the element need.
 fn of_object(param: &Param) -> Value {
     let mut entry = Map::new();
     if PARAMETERS.iter().any(|one| one.id == param.id) {
@@ -147,7 +147,7 @@ fn of_object(param: &Param) -> Value {
     Value::Object(entry)
 }
 
-/// The module of what the panel knows of objects: apart, since nothing else needs it.
+/// The module of the panel's data of objects, which nothing else needs.
 pub(super) fn scene_objects(scenes: &[Scene]) -> String {
     let doc = "Every property of a solid, in the order of a panel.";
     let solid = KINDS.iter().find(|kind| kind.name == "solid");

@@ -272,7 +272,7 @@ impl Map {
     }
 
     /// The depth of a cell; 0 of none.
-    // An index that may panic would double the code of the map: hence this and `cell`.
+    // An index that may panic would double the code of the map. This function and `cell` avoid it.
     #[inline]
     pub fn depth(&self, cell: usize) -> f32 {
         self.depth.get(cell).copied().unwrap_or(0.0)

@@ -25,7 +25,7 @@ const ALL: f32 = 8000.0;
 const EMBERS: u32 = 2;
 
 impl Fuels {
-    /// Finds the outlines anew, if enough has gone.
+    /// Samples the outlines again if enough mass has gone.
     pub(super) fn shrink(
         &mut self,
         solids: &mut Solids,

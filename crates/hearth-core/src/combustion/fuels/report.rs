@@ -7,7 +7,7 @@ use super::state::Fuels;
 const OUT: f32 = 0.05;
 /// Power from which it is lit [kW/m].
 const LIT: f32 = 0.5;
-/// Oxygen beside a solid, relative to air, below which it went out for want of oxygen: flames go
+/// Oxygen beside a solid, relative to air, below which it went out because it lacked oxygen: flames go
 /// out from 13 to 15 % of 21 % (Drysdale 2011, 3.5.4).
 const STARVED: f32 = 0.65;
 /// Share of the fuel below which nothing is left.
@@ -23,9 +23,9 @@ pub enum BurningState {
     Burnt,
     /// It has not burnt yet.
     Unlit,
-    /// It went out for want of heat.
+    /// It went out because it lacked heat.
     Out,
-    /// It went out for want of oxygen.
+    /// It went out because it lacked oxygen.
     Starved,
     /// It burns.
     Burning,

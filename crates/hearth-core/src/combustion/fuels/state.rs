@@ -1,12 +1,10 @@
 //! The state of the solids that burn.
 
-use std::mem::ManuallyDrop;
-use std::ops::{Deref, DerefMut};
-
 use glam::Vec2;
 
 use super::cells::Burning;
 use crate::combustion::charred::Charred;
+use crate::held::OfPart;
 
 /// Blocks along each side of the region.
 pub(super) const BLOCKS: usize = 24;
@@ -40,39 +38,11 @@ pub(crate) struct Fuels {
     pub charred: Charred,
 }
 
-/// The solids of a scene that burn, if any does. The code that frees them is where the rest of theirs
-/// is.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Held(ManuallyDrop<Option<Box<Fuels>>>);
-
-impl Deref for Held {
-    type Target = Option<Box<Fuels>>;
-
-    #[inline(always)]
-    fn deref(&self) -> &Option<Box<Fuels>> {
-        &self.0
+impl OfPart for Fuels {
+    #[inline(never)]
+    fn free(value: &mut Option<Box<Self>>) {
+        drop(value.take());
     }
-}
-
-impl DerefMut for Held {
-    #[inline(always)]
-    fn deref_mut(&mut self) -> &mut Option<Box<Fuels>> {
-        &mut self.0
-    }
-}
-
-impl Drop for Held {
-    #[inline(always)]
-    fn drop(&mut self) {
-        if self.is_some() {
-            free(self);
-        }
-    }
-}
-
-#[inline(never)]
-fn free(held: &mut Held) {
-    drop(ManuallyDrop::into_inner(std::mem::take(&mut held.0)));
 }
 
 /// The gas beside a cell in a step: what it offers and what it gets.

@@ -1,11 +1,9 @@
 //! The state of the free bodies.
 
-use std::mem::ManuallyDrop;
-use std::ops::{Deref, DerefMut};
-
 use super::body::Rigid;
 use super::contact::{Contact, Plane};
 use crate::bounds::Bounds;
+use crate::held::OfPart;
 
 /// The free solids of a scene and the solids that they meet.
 #[derive(Clone, Debug, Default)]
@@ -25,37 +23,9 @@ pub(crate) struct FreeBodies {
     pub(super) time: f64,
 }
 
-/// The free bodies of a scene, if there is any. The code that frees them is where the rest of theirs
-/// is.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Held(ManuallyDrop<Option<Box<FreeBodies>>>);
-
-impl Deref for Held {
-    type Target = Option<Box<FreeBodies>>;
-
-    #[inline(always)]
-    fn deref(&self) -> &Option<Box<FreeBodies>> {
-        &self.0
+impl OfPart for FreeBodies {
+    #[inline(never)]
+    fn free(value: &mut Option<Box<Self>>) {
+        drop(value.take());
     }
-}
-
-impl DerefMut for Held {
-    #[inline(always)]
-    fn deref_mut(&mut self) -> &mut Option<Box<FreeBodies>> {
-        &mut self.0
-    }
-}
-
-impl Drop for Held {
-    #[inline(always)]
-    fn drop(&mut self) {
-        if self.is_some() {
-            free(self);
-        }
-    }
-}
-
-#[inline(never)]
-fn free(held: &mut Held) {
-    drop(ManuallyDrop::into_inner(std::mem::take(&mut held.0)));
 }

@@ -140,6 +140,21 @@ test('an object is named and switched off, in the list of the panel and by its o
   assert.deepEqual(tab.problems, []);
 });
 
+test('a source on a solid goes with it, and undo restores both', async () => {
+  const { tab, panel } = await openPage('scene=default');
+  await tab.fire(async (fire) => {
+    await fire.addObject({ kind: 'solid', id: 7 });
+    await fire.addObject({ kind: 'source', shape: 'solid', solid: 7 });
+  });
+  await tab.page.select(actionOf('select-object'), '7');
+  await press(panel, tab, 'delete');
+  await until(tab, 'the first source alone', (all) => all.length === 1);
+  await panel.pointAt(actionOf('undo'));
+  await panel.press('undo');
+  const all = await until(tab, 'both again', (all) => all.length === 3);
+  assert.deepEqual(all.slice(1).map(({ kind, shape }) => [kind, shape]), [['solid', 'circle'], ['source', 'solid']]);
+});
+
 test('the scene is changed when an object moves, and is not when it returns', async () => {
   const { tab, panel } = await openPage('scene=campfire');
   assert.equal(await scene(panel), 'Scene: Campfire');

@@ -8,7 +8,8 @@ use crate::harness::{Harness, PHONE, TALL};
 use crate::objects::{select, solid, source, text, with_objects};
 
 fn row(rows: &[Subject], id: &str) -> Subject {
-    rows.iter().copied().find(|row| row.id == id).expect(id)
+    let found = rows.iter().copied().find(|row| row.id == id);
+    found.unwrap_or_else(|| panic!("no row {id}"))
 }
 
 /// Types a text into the row of a value, in place of the present one.

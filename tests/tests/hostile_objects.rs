@@ -73,7 +73,13 @@ fn every_property_refuses_what_is_no_value_of_it() {
         for property in kind.properties() {
             let all = NUMBERS.map(Input::Number).into_iter();
             // An empty text is a flag, as an attribute without a value is.
-            let texts = ["\0", "NaN", "no such choice"].map(Input::Text);
+            let long = "n".repeat(65);
+            // Words are a name, which is a line.
+            let texts = match property.is_common() {
+                true => ["\0", "two\nlines", &long],
+                false => ["\0", "NaN", "no such choice"],
+            };
+            let texts = texts.map(Input::Text);
             for input in all.chain(texts) {
                 let fields = [(property.name, input)];
                 assert_refused(&scene, Some(id), &fields);

@@ -39,6 +39,8 @@ export interface HearthParameters {
   ground: "none" | "stone" | "earth" | "sand" | "snow";
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   time_scale: number;
+  /** A source that burns. One that is off emits nothing and keeps its values. So does one on a solid that is off. Default true. */
+  source_enabled: boolean;
   /** A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the whole outline of a solid burns, wherever the solid is. Default "line". */
   source_shape: "line" | "solid";
   /** A fire on another solid. Id of the solid whose surface is the source. If no solid has it, the source is a line. Default 0, from 0 to 1000000. */
@@ -215,6 +217,8 @@ export interface HearthProperties {
   ground: "none" | "stone" | "earth" | "sand" | "snow";
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   timeScale: number;
+  /** A source that burns. One that is off emits nothing and keeps its values. So does one on a solid that is off. Default true. */
+  sourceEnabled: boolean;
   /** A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the whole outline of a solid burns, wherever the solid is. Default "line". */
   sourceShape: "line" | "solid";
   /** A fire on another solid. Id of the solid whose surface is the source. If no solid has it, the source is a line. Default 0, from 0 to 1000000. */
@@ -364,6 +368,10 @@ export interface HearthSource {
   kind: "source";
   /** A whole number from 1, unique in its scene; without one it gets the next. */
   id?: number;
+  /** An object that lists show under a name. Several objects may have the same. It is a line of at most 64 characters. Default "". */
+  name?: string;
+  /** A source that burns. One that is off emits nothing and keeps its values. So does one on a solid that is off. Default true. */
+  enabled?: boolean;
   /** A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the whole outline of a solid burns, wherever the solid is. Default "line". */
   shape?: "line" | "solid";
   /** A fire on another solid. Id of the solid whose surface is the source. If no solid has it, the source is a line. Default 0, from 0 to 1000000. */
@@ -405,6 +413,10 @@ export interface HearthSolid {
   kind: "solid";
   /** A whole number from 1, unique in its scene; without one it gets the next. */
   id?: number;
+  /** An object that lists show under a name. Several objects may have the same. It is a line of at most 64 characters. Default "". */
+  name?: string;
+  /** A solid that is there. One that is off neither acts nor is drawn, and keeps its values. Default true. */
+  enabled?: boolean;
   /** A disc, a rectangle, a line, a polygon, a bent line or a picture. Shape of the solid. Default "circle". */
   shape?: "circle" | "box" | "line" | "polygon" | "stroke" | "mask";
   /** A solid farther to the right, or below 0 to the left. Position of its centre. [m] Default 0, from -10 to 10. */

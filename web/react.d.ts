@@ -110,6 +110,8 @@ export interface HearthFireAttributes {
   ground?: "none" | "stone" | "earth" | "sand" | "snow" | undefined;
   /** A faster fire; below 1 slow motion. Seconds of fire for each second of the clock. Default 1, from 0.1 to 2. */
   'time-scale'?: number | `${number}` | undefined;
+  /** A source that burns. One that is off emits nothing and keeps its values. So does one on a solid that is off. Default true. */
+  'source-enabled'?: boolean | undefined;
   /** A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the whole outline of a solid burns, wherever the solid is. Default "line". */
   'source-shape'?: "line" | "solid" | undefined;
   /** A fire on another solid. Id of the solid whose surface is the source. If no solid has it, the source is a line. Default 0, from 0 to 1000000. */
@@ -280,6 +282,10 @@ export interface HearthFireListeners {
 export interface HearthSourceAttributes {
   /** The element of the page whose border box it has, as `#` and an id. */
   of?: `#${string}` | undefined;
+  /** An object that lists show under a name. Several objects may have the same. It is a line of at most 64 characters. Default "". */
+  name?: string | undefined;
+  /** A source that burns. One that is off emits nothing and keeps its values. So does one on a solid that is off. Default true. */
+  enabled?: boolean | undefined;
   /** A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the whole outline of a solid burns, wherever the solid is. Default "line". */
   shape?: "line" | "solid" | undefined;
   /** A fire on another solid. Id of the solid whose surface is the source. If no solid has it, the source is a line. Default 0, from 0 to 1000000. */
@@ -322,6 +328,10 @@ export interface HearthSolidAttributes {
   of?: `#${string}` | undefined;
   /** With `of`: it has the shape of the glyphs of that element. */
   'of-text'?: boolean | undefined;
+  /** An object that lists show under a name. Several objects may have the same. It is a line of at most 64 characters. Default "". */
+  name?: string | undefined;
+  /** A solid that is there. One that is off neither acts nor is drawn, and keeps its values. Default true. */
+  enabled?: boolean | undefined;
   /** A disc, a rectangle, a line, a polygon, a bent line or a picture. Shape of the solid. Default "circle". */
   shape?: "circle" | "box" | "line" | "polygon" | "stroke" | "mask" | undefined;
   /** A solid farther to the right, or below 0 to the left. Position of its centre. [m] Default 0, from -10 to 10. */

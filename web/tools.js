@@ -5,12 +5,12 @@
  */
 
 import { element } from './element/icon-button.js';
-import { editingOf } from './panel/editing.js';
+import { editingOf, isOn } from './panel/editing.js';
 import { objectsOf } from './panel/objects.js';
 import { addStyle } from './panel/style.js';
 import { Bar } from './tools/bar.js';
 import { Cross } from './tools/cross.js';
-import { Edits, isOn } from './tools/edits.js';
+import { Edits } from './tools/edits.js';
 import { rounded, scaled } from './tools/geometry.js';
 import { Inserts } from './tools/insert.js';
 import { Instruments } from './tools/instruments.js';
@@ -147,7 +147,7 @@ class Toolbar {
         this.#overlay.preview([]);
         this.#edits.add(fields);
       },
-      remove: (id) => this.#edits.takeAway(id),
+      remove: (id) => this.#editing.takeAway(id),
       changes: (objects, fields, held) => this.#edits.changes(objects, fields, held),
       attempt: (act) => this.#edits.attempt(act),
       handleAt: (object, at) => this.#overlay.handleAt(object, at),

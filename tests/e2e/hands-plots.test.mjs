@@ -89,6 +89,21 @@ for (const size of [WIDE, ...PHONES]) {
   });
 }
 
+test('on a low screen the message of a tool stands beside the plots', async () => {
+  const tab = await openTools(browser, PHONES[1], PAUSED);
+  await tool(tab, 'plots');
+  await tab.page.waitForSelector('.hearth-plots');
+  await tool(tab, 'stir');
+  const [message, card] = await tab.until('a message', () => {
+    const said = document.querySelector('.hearth-said');
+    return said?.textContent && [said, document.querySelector('.hearth-plots')].map((one) => {
+      const { left, right, top, bottom } = /** @type {Element} */ (one).getBoundingClientRect();
+      return { left, right, top, bottom };
+    });
+  });
+  assert.ok(message.right <= card.left && message.left >= 0, JSON.stringify([message, card]));
+});
+
 test('the code of the plots is loaded with their first use, and keys show and hide them', async () => {
   const tab = await openTools(browser, WIDE, PAUSED);
   const loaded = () => tab.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name).filter((name) => name.includes('/plots/') || name.includes('_quantities')));

@@ -76,7 +76,7 @@ test('an invalid object is rejected with its mistake, and nothing changes', asyn
   const wrong = [
     [(fire) => fire.addObject({ kind: 'stone' }), 'objects[1].kind', /it must be source or solid/],
     [(fire) => fire.addObject({ kind: 'source', power: 700 }), 'objects[1].power', /from 0 to 600 kW\/m/],
-    [(fire) => fire.addObject({ kind: 'source', pwer: 7 }), 'objects[1].property', /one of shape, solid, x, y, angle, width, power/],
+    [(fire) => fire.addObject({ kind: 'source', pwer: 7 }), 'objects[1].property', /one of name, enabled, shape, solid, x, y, angle, width, power/],
     [(fire) => fire.addObject('source'), 'object', /.*/],
     [(fire) => fire.addObject(), 'object', /.*/],
     [(fire) => fire.changeObject(9, { x: 0 }), 'id', /the id of an object/],
@@ -127,6 +127,46 @@ test('objects go with settings, and come back when the element does', async () =
   assert.deepEqual(await places(tab), { 1: -0.3, 7: 0.3 });
   await tab.fire((fire) => fire.restore('objects'));
   assert.deepEqual(await places(tab), { 1: -0.3 });
+});
+
+test('names and objects that are off go with settings and addresses', async () => {
+  const objects = [
+    { kind: 'source', name: 'Wick', enabled: false }, { kind: 'source', x: 0.3, name: 'Über, "quoted"' },
+    { kind: 'solid', name: 'Back log', enabled: false },
+  ];
+  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  await tab.ready();
+  await tab.fire((fire, objects) => fire.set({ objects }), objects);
+  const config = await tab.fire((fire) => fire.exportConfig());
+  assert.deepEqual(config.objects, objects);
+  await destroyedAndBack(tab);
+  assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), config);
+  const page = await browser.open(`index.html?scene=default&objects=${encodeURIComponent(JSON.stringify(objects))}`);
+  await page.ready();
+  assert.deepEqual((await page.fire((fire) => fire.exportConfig())).objects, objects);
+  assert.equal(await page.fire((fire) => fire.params.source_enabled), false);
+  const said = await refusal(page, (fire, name) => fire.changeObject(1, { name }), 'a'.repeat(65));
+  assert.match(said.message, /name = "a+…" is refused: it must be a line of at most 64 characters/);
+});
+
+test('a child has a name and is off as its attributes say', async () => {
+  const tab = await browser.open(`<hearth-fire paused>
+    <hearth-source name="Wick" enabled="false"></hearth-source><hearth-solid name="Wax"></hearth-solid>
+  </hearth-fire>`);
+  await tab.ready();
+  const listed = (/** @type {string} */ wanted) => tab.until(`the objects are ${wanted}`, (wanted) => {
+    const { objects } = document.querySelector('hearth-fire');
+    return objects.map(({ name, enabled }) => `${name} ${enabled}`).join() === wanted;
+  }, wanted);
+  await listed('Wick false,Wax true');
+  await tab.fire((fire) => fire.lastElementChild.setAttribute('enabled', 'false'));
+  await listed('Wick false,Wax false');
+  await tab.fire((fire) => {
+    fire.lastElementChild.removeAttribute('enabled');
+    fire.lastElementChild.removeAttribute('name');
+  });
+  await listed('Wick false, true');
+  assert.deepEqual(tab.problems, []);
 });
 
 test('every source is seen to burn', async () => {

@@ -113,6 +113,48 @@ describe('a mouse', () => {
   });
 });
 
+test('an object is named and switched off, in the list of the panel and by its own controls, and undone', async () => {
+  const { tab, panel } = await openPage('scene=campfire');
+  const first = await tab.fire((fire) => fire.exportConfig());
+  await panel.pointAt(actionOf('select-object'));
+  await tab.click(along(await panel.part('enabled:2'), 0.5));
+  await until(tab, 'the log is off', (all) => all[1].enabled === false);
+  await tab.page.select(actionOf('select-object'), '2');
+  await panel.pointAt(propertyOf('solid:name'));
+  await panel.in((root) => {
+    const field = root.querySelector('[data-property="solid:name"]');
+    field.value = 'Back log';
+    field.dispatchEvent(new Event('change'));
+  });
+  await until(tab, 'the log has a name', (all) => all[1].name === 'Back log');
+  await panel.until('the list has the name', (root) => (
+    [...root.querySelector('[data-action="select-object"]').options].some(({ text }) => text === 'Back log · Solid 2 · off')
+  ));
+  await titled(panel, 'Campfire, changed');
+  for (let step = 0; step < 2; step += 1) {
+    await panel.pointAt(actionOf('undo'));
+    await panel.press('undo');
+  }
+  await until(tab, 'as before', (all) => all[1].enabled && all[1].name === '');
+  assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), first);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a source on a solid goes with it, and undo restores both', async () => {
+  const { tab, panel } = await openPage('scene=default');
+  await tab.fire(async (fire) => {
+    await fire.addObject({ kind: 'solid', id: 7 });
+    await fire.addObject({ kind: 'source', shape: 'solid', solid: 7 });
+  });
+  await tab.page.select(actionOf('select-object'), '7');
+  await press(panel, tab, 'delete');
+  await until(tab, 'the first source alone', (all) => all.length === 1);
+  await panel.pointAt(actionOf('undo'));
+  await panel.press('undo');
+  const all = await until(tab, 'both again', (all) => all.length === 3);
+  assert.deepEqual(all.slice(1).map(({ kind, shape }) => [kind, shape]), [['solid', 'circle'], ['source', 'solid']]);
+});
+
 test('the scene is changed when an object moves, and is not when it returns', async () => {
   const { tab, panel } = await openPage('scene=campfire');
   assert.equal(await scene(panel), 'Scene: Campfire');
@@ -198,9 +240,11 @@ test('accessible controls add, change, reset and delete by keys', async () => {
   await tab.key('ArrowRight');
   const wider = await until(tab, 'wider', (all) => all.at(-1).width > width);
   assert.deepEqual(wider.slice(0, -1), now.slice(0, -1));
-  // The list selects; the first source has its parameters instead of properties.
+  // The list selects; the first source has its parameters instead of properties, and a name.
   await tab.page.select(actionOf('select-object'), '1');
-  await panel.until('no property', (root) => [...root.querySelectorAll('[data-property]')].every((one) => !one.checkVisibility()));
+  await panel.until('its name alone', (root) => (
+    [...root.querySelectorAll('[data-property]')].filter((one) => one.checkVisibility()).map((one) => one.dataset.property).join() === 'source:name'
+  ));
   await tab.page.select(actionOf('select-object'), '5');
   await tab.page.focus(propertyOf('solid:angle'));
   await tab.key('ArrowRight');

@@ -116,7 +116,7 @@ fn name(random: &mut Random) -> String {
         0..4 => one_of(random, PARAMETERS).id.to_owned(),
         4 | 5 => {
             let kind = one_of(random, KINDS);
-            one_of(random, kind.properties).name.to_owned()
+            (*one_of(random, kind.names)).to_owned()
         }
         6 => (*one_of(random, &FIELDS)).to_owned(),
         _ => text(random),

@@ -70,10 +70,16 @@ fn every_property_refuses_what_is_no_value_of_it() {
     let mut scene = Scene::default();
     assert_eq!(scene.add(&[text("kind", "solid")]), Ok(2));
     for (kind, id) in KINDS.iter().zip(1..) {
-        for property in kind.properties {
+        for property in kind.properties() {
             let all = NUMBERS.map(Input::Number).into_iter();
             // An empty text is a flag, as an attribute without a value is.
-            let texts = ["\0", "NaN", "no such choice"].map(Input::Text);
+            let long = "n".repeat(65);
+            // Words are a name, which is a line.
+            let texts = match property.is_common() {
+                true => ["\0", "two\nlines", &long],
+                false => ["\0", "NaN", "no such choice"],
+            };
+            let texts = texts.map(Input::Text);
             for input in all.chain(texts) {
                 let fields = [(property.name, input)];
                 assert_refused(&scene, Some(id), &fields);

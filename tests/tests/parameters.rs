@@ -1,7 +1,7 @@
 //! Every parameter does something, and whatever cannot be is refused in words.
 #![cfg(not(target_arch = "wasm32"))]
 
-use hearth_core::params::{Input, Kind, Model, PARAMETERS, Param, ParamErrorKind};
+use hearth_core::params::{Input, Kind, Model, PARAMETERS, Param, ParamErrorKind, Value};
 use hearth_core::{Parameters, Scene, Simulation};
 use hearth_tests::fires::{self, with};
 use hearth_tests::sweep::is_shown_only;
@@ -33,7 +33,7 @@ fn others(model: Model, param: &Param) -> Vec<Input<'static>> {
     let domain = param.any_domain(model);
     match (param.kind, domain.default) {
         (Kind::Choice(names), _) => names.iter().map(|&name| Input::Text(name)).collect(),
-        (Kind::Flag, _) => vec![Input::Flag(true)],
+        (Kind::Flag, default) => vec![Input::Flag(default == Value::Flag(false))],
         (Kind::Colour, _) => vec![Input::Text("#123456")],
         // A few particles more are as different as very many, and quicker.
         _ if param.id == "max_particles" && model == Model::Combustion => {

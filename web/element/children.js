@@ -132,7 +132,10 @@ export class Children {
     if (Object.keys(values).length === 0) return Promise.resolve();
     if (child.id !== undefined) return this.session.call('changeObject', child.id, values, ORIGIN);
     // A fire that has not begun reports no ids. The parameters are the properties of the source of its settings.
-    const parameters = Object.entries(values).map(([property, value]) => [PROPERTIES.source[property].parameter, value]);
+    const parameters = Object.entries(values).flatMap(([property, value]) => {
+      const { parameter } = PROPERTIES.source[property];
+      return parameter ? [[parameter, value]] : [];
+    });
     return this.session.call('set', Object.fromEntries(parameters), ORIGIN);
   }
 
@@ -209,7 +212,8 @@ export class Children {
     if (!first) this.#own = undefined;
     else if (!this.#own) this.#own = { values: propertiesOf(first), changed: new Set() };
     else if (replaced || !this.#own.values) this.#own.values = propertiesOf(first);
-    child.lost = !first || child.id !== undefined;
+    // The fire did not know the id of the source whose name this is.
+    child.lost = !first || child.id !== undefined || 'name' in child.attributes();
     child.kept = Object.fromEntries(Object.entries(child.lasting).filter(([property]) => property in child.attributes()));
     child.adopts = Boolean(first);
     child.id = first?.id;

@@ -18,6 +18,7 @@ export const DEFAULTS = {
   backdrop: "none",
   ground: "none",
   time_scale: 1,
+  source_enabled: true,
   source_shape: "line",
   source_solid: 0,
   source_x: 0,

@@ -3,6 +3,7 @@
 
 /** Each property of a source, and the parameter that it is of the first one. */
 export const SOURCE = {
+  enabled: 'source_enabled',
   shape: 'source_shape',
   solid: 'source_solid',
   x: 'source_x',

@@ -12,6 +12,8 @@
 /** @type {{[kind: string]: {[name: string]: Property}}} */
 export const PROPERTIES = {
   source: {
+    name: {"every":[""]},
+    enabled: {"parameter":"source_enabled","every":[true]},
     shape: {"parameter":"source_shape","every":["line"]},
     solid: {"parameter":"source_solid","every":[0,0,1000000]},
     x: {"parameter":"source_x","every":[0,-3,3]},
@@ -31,6 +33,8 @@ export const PROPERTIES = {
     taper: {"parameter":"taper","classic":[0.8,0,1]},
   },
   solid: {
+    name: {"every":[""]},
+    enabled: {"every":[true]},
     shape: {"every":["circle"]},
     x: {"every":[0,-10,10]},
     y: {"every":[0.5,-10,10]},

@@ -6,6 +6,8 @@ export const MAX_OBJECTS = 64;
 
 /** Every property of a solid, in the order of a panel. */
 export const SOLID = [
+  {"id":"name","label":"Name","unit":"","doc":"An object that lists show under a name. Several objects may have the same. It is a line of at most 64 characters.","kind":"text","default":""},
+  {"id":"enabled","label":"Enabled","unit":"","doc":"A solid that is there. One that is off neither acts nor is drawn, and keeps its values.","kind":"flag","default":true},
   {"id":"shape","label":"Shape","unit":"","doc":"A disc, a rectangle, a line, a polygon, a bent line or a picture. Shape of the solid.","kind":"choice","choices":["circle","box","line","polygon","stroke","mask"],"default":"circle"},
   {"id":"x","label":"Place","unit":"m","doc":"A solid farther to the right, or below 0 to the left. Position of its centre.","kind":"number","scale":"linear","default":0,"min":-10,"max":10},
   {"id":"y","label":"Height","unit":"m","doc":"A solid that is higher. Height of its centre above the lower edge of the frame.","kind":"number","scale":"linear","default":0.5,"min":-10,"max":10},

@@ -88,7 +88,7 @@ export function mountAccessibleObjects({ root, fire, controller, reveal, addButt
     function update() {
       const object = controller.selected;
       const domain = object && sliderDomain(fire, entry, object[name]);
-      const isShown = object?.kind === kind && domain !== undefined && !isFirstSource(fire, object);
+      const isShown = object?.kind === kind && domain !== undefined && (name === 'name' || !isFirstSource(fire, object));
       row.hidden = !isShown;
       restore.hidden = !isShown || isSame(object[name], controller.propertyOf(object, name));
       if (!isShown) return;

@@ -22,6 +22,11 @@ import { UndoHistory } from './undo-history.js';
 /** @type {WeakMap<HearthFire, Editing>} */
 const all = new WeakMap();
 
+/** Whether an object is a source that is the surface of a solid. @type {(object: {[name: string]: any}, id: number) => boolean} */
+export function isOn({ kind, shape, solid }, id) {
+  return kind === 'source' && shape === 'solid' && solid === id;
+}
+
 /** The editing of a fire. @param {HearthFire} fire */
 export function editingOf(fire) {
   const editing = all.get(fire) ?? new Editing(fire);
@@ -104,7 +109,13 @@ export class Editing extends EventTarget {
   /** Removes an object: one step. @param {number} id */
   remove(id) {
     // A step before this one may have removed it.
-    return this.history.objects(() => this.find(id) && this.#fire.removeObject(id));
+    return this.history.objects(() => this.find(id) && this.takeAway(id));
+  }
+
+  /** Removes objects, and the sources that are their surfaces: they would burn elsewhere. @param {number[]} ids */
+  async takeAway(...ids) {
+    const on = objectsOf(this.#fire).filter((one) => ids.some((id) => isOn(one, id)));
+    await Promise.all([...new Set([...on.map(({ id }) => id), ...ids])].map((id) => this.#fire.removeObject(id)));
   }
 
   /**

@@ -39,16 +39,24 @@ const GAP = 0.25;
 /** How many places a new object tries in each direction. */
 const TRIES = 100;
 
+/** Their name, which is no parameter. */
+const NAME = SOLID.filter(({ id }) => id === 'name');
+
 /** The properties of each kind. @type {{[kind in Kind]: Entry[]}} */
 const ENTRIES = {
-  source: Object.entries(SOURCE).flatMap(([name, id]) => {
+  source: [...entriesOfSolid(NAME), ...Object.entries(SOURCE).flatMap(([name, id]) => {
     const parameter = PARAMETERS.find((one) => one.id === id);
     if (!parameter) return [];
     const { when, unless } = /** @type {Pick<Entry, 'when' | 'unless'>} */ (parameter);
     return [{ ...parameter, name, when, unless, domain: (/** @type {ModelName} */ model) => parameter.domains[model] }];
-  }),
-  solid: SOLID.map((entry) => ({ ...entry, name: entry.id, when: /** @type {Entry['when']} */ (entry.when), domain: () => entry })),
+  })],
+  solid: entriesOfSolid(SOLID),
 };
+
+/** @param {typeof SOLID} all @returns {Entry[]} */
+function entriesOfSolid(all) {
+  return all.map((entry) => ({ ...entry, name: entry.id, when: /** @type {Entry['when']} */ (entry.when), domain: () => entry }));
+}
 
 /**
  * Default and range of an id of a solid on a slider, which spans the ids of the solids and the value.
@@ -99,10 +107,11 @@ export function isFull(fire, kind) {
   return objectsOf(fire).filter((one) => one.kind === kind).length >= MAX_OBJECTS;
 }
 
-/** The name of an object in a list: "Source 1", "Solid 2 · wood line". @param {Fields} object */
-export function nameOf({ id, kind, shape, material }) {
-  const name = `${kind[0].toUpperCase()}${kind.slice(1)} ${id}`;
-  return kind === 'solid' ? `${name} · ${material === 'none' ? 'invisible' : material} ${shape}` : name;
+/** An object in a list: "Source 1", "Solid 2 · wood line", "Back log · Solid 3 · off". @param {Fields} object */
+export function nameOf({ id, kind, shape, material, name, enabled }) {
+  const numbered = `${kind[0].toUpperCase()}${kind.slice(1)} ${id}`;
+  const looks = kind === 'solid' ? `${numbered} · ${material === 'none' ? 'invisible' : material} ${shape}` : numbered;
+  return `${name ? `${name} · ${numbered}` : looks}${enabled === false ? ' · off' : ''}`;
 }
 
 /**
@@ -114,8 +123,8 @@ export function newObject(fire, kind) {
   const { domain_width: width, domain_height: height } = fire.params;
   const first = objectsOf(fire).find((one) => one.kind === 'source');
   if (kind === 'source') {
-    if (!first) return { kind };
-    const { id, shape, solid, ...fields } = first;
+    if (!first) return { kind, enabled: true };
+    const { id, shape, solid, name: own, enabled, ...fields } = first;
     for (const name of ['width', 'power', 'rate']) {
       if (name in fields) fields[name] = inRange(fire, kind, name, fields[name] / 2);
     }

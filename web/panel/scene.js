@@ -78,7 +78,7 @@ export function sceneObjects(fire) {
  */
 export function sceneProperty(fire, { id, kind }, name) {
   const [first, ...others] = sceneObjects(fire);
-  if (id === first.id && kind === first.kind) return sceneValue(fire, /** @type {Id} */ (SOURCE[/** @type {keyof typeof SOURCE} */ (name)]));
+  if (id === first.id && kind === first.kind && name in SOURCE) return sceneValue(fire, /** @type {Id} */ (SOURCE[/** @type {keyof typeof SOURCE} */ (name)]));
   const same = others.find((one) => one.id === id && one.kind === kind);
   const entry = entriesOf(kind).find((one) => one.name === name);
   return same?.[name] ?? entry?.domain(fire.params?.model ?? DEFAULT_MODEL)?.default;
@@ -91,7 +91,7 @@ export function hasSceneObjects(fire) {
   return objects.length === scene.length && objects.every((object, index) => {
     const { id, kind } = scene[index];
     if (object.id !== id || object.kind !== kind) return false;
-    return index === 0 || Object.keys(object).every((name) => (
+    return index === 0 ? !object.name : Object.keys(object).every((name) => (
       name === 'id' || name === 'kind' || isSame(object[name], sceneProperty(fire, object, name))
     ));
   });

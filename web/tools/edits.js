@@ -11,17 +11,12 @@
  */
 
 import { MAX_OBJECTS } from '../generated/scene-objects.js';
-import { copyOf, entriesOf, isFull, nameOf, newObject, objectsOf } from '../panel/objects.js';
+import { copyOf, entriesOf, isFull, nameOf, newObject } from '../panel/objects.js';
 import { aligned, moved, outlineOf, rounded } from './geometry.js';
 import { placed } from './gestures.js';
 
 /** Power of a metre of a surface that burns [kW/m]. */
 const POWER = 150;
-
-/** Whether an object is a source that is the surface of a solid. @type {(object: Drawn, id: number) => boolean} */
-export function isOn({ kind, shape, solid }, id) {
-  return kind === 'source' && shape === 'solid' && solid === id;
-}
 
 /** The edits of one fire. */
 export class Edits {
@@ -121,7 +116,7 @@ export class Edits {
     const { all, history } = this.#editing;
     if (all.length === 0) return;
     this.#say(`${this.#named} ${all.length > 1 ? 'are' : 'is'} removed.`);
-    this.attempt(() => history.objects(() => this.takeAway(...all.map(({ id }) => id))));
+    this.attempt(() => history.objects(() => this.#editing.takeAway(...all.map(({ id }) => id))));
   }
 
   /** Moves the selected solids before all others, or behind them. @param {boolean} front */
@@ -171,11 +166,5 @@ export class Edits {
   get #named() {
     const { all } = this.#editing;
     return all.length === 1 ? nameOf(all[0]) : `${all.length} objects`;
-  }
-
-  /** Removes objects, and the sources that are their surfaces: they would burn elsewhere. @param {number[]} ids */
-  async takeAway(...ids) {
-    const on = objectsOf(this.#fire).filter((one) => ids.some((id) => isOn(one, id)));
-    await Promise.all([...new Set([...on.map(({ id }) => id), ...ids])].map((id) => this.#fire.removeObject(id)));
   }
 }

@@ -53,9 +53,9 @@ const SHORT_PX = 4;
 const CLICK_PX = 2;
 const SNAP_PX = 6;
 
-/** The objects that have a place: a source on a solid is where that is. @param {Owned[]} objects */
+/** The objects on the fire that have a place: a source on a solid is where that is. @param {Owned[]} objects */
 export function placed(objects) {
-  return objects.filter(({ kind, shape, solid }) => (
+  return objects.filter(({ kind, shape, solid, enabled }) => enabled !== false && (
     kind !== 'source' || shape !== 'solid' || !objects.some((one) => one.kind === 'solid' && one.id === solid)
   ));
 }

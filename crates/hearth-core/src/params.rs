@@ -10,6 +10,7 @@ mod choices;
 mod decimal;
 mod declare;
 mod entry;
+mod name;
 mod outline;
 mod property;
 mod quantity;
@@ -28,12 +29,13 @@ pub use choices::{
     Palette, Shape, SourceShape, Thermal, Walls,
 };
 pub use entry::{Condition, Description, Domain, Kind, Role, Scale, conditions_in_words};
+pub use name::{COMMON, Name};
 pub use outline::{Mask, Points};
 pub use property::Property;
 pub use quantity::Quantity;
 pub use resolution::IN_FRAME;
 pub use set::Parameters;
+pub(crate) use solid::SOLID_NAMES;
 pub use solid::{SOLID, Solid};
-pub(crate) use solid::{SOLID_NAMES, SOLID_PROPERTIES};
 pub use table::{DESCRIPTIONS, PARAMETERS, Param, Physics, Values};
 pub use value::{AnyValue, Colour, Input, ParamError, ParamErrorKind, Value};

@@ -48,6 +48,8 @@ impl Particle {
     }
 
     /// The rule that it breaks, if any.
+    // Inlined, a module in which no one reads the rules does not contain them.
+    #[inline(always)]
     pub(crate) fn broken_rule(&self, bounds: &Bounds) -> Option<&'static str> {
         let Particle {
             position,

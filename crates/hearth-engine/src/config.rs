@@ -120,10 +120,10 @@ pub fn export(requested: &Requested) -> Untrusted {
     // Each model has its own defaults.
     let set = base.set("model", Input::Text(now.model.name()));
     debug_assert_eq!(set, Ok(()));
-    let has_source = requested.scene.sources().next().is_some();
+    let has_source = requested.scene.objects().any(|one| one.is_first_source());
     let mut values = Vec::new();
     for param in PARAMETERS {
-        let mut properties = KINDS[0].properties.iter();
+        let mut properties = KINDS[0].properties();
         let of_source = has_source && properties.any(|one| one.id == param.id);
         let before = if param.id == "model" { preset } else { &base };
         let value = param.get(now);

@@ -6,6 +6,9 @@
 
 use hearth_core::params::{Param, Scale, Value};
 
+/// Most letters of a text in its row.
+const LONGEST_SHORT: usize = 28;
+
 /// `x` with at most `digits` significant digits, without trailing zeros.
 pub fn significant(x: f64, digits: i32) -> String {
     if x == 0.0 || !x.is_finite() {
@@ -45,6 +48,35 @@ pub fn with_unit(text: &str, unit: &str) -> String {
         text.to_owned()
     } else {
         format!("{text} {unit}")
+    }
+}
+
+/// A text as its row shows it: points and masks as what they measure.
+pub fn text_in_short(id: &str, text: &str) -> String {
+    match id {
+        "points" => {
+            let numbers = text.split([',', ' ']).map(str::parse::<f64>);
+            let numbers: Vec<f64> = numbers.filter_map(Result::ok).collect();
+            let extent = |part: usize| {
+                let all = numbers.iter().skip(part).step_by(2);
+                let (min, max) = all.fold((f64::MAX, f64::MIN), |(min, max), &x| {
+                    (min.min(x), max.max(x))
+                });
+                significant(max - min, 3)
+            };
+            let (count, width, height) = (numbers.len() / 2, extent(0), extent(1));
+            format!("{count} points, {width} × {height} m")
+        }
+        "mask" => {
+            let size = text.split(':').next().unwrap_or_default();
+            format!("{} cells", size.replace('x', " × "))
+        }
+        _ if text.is_empty() => "none".to_owned(),
+        _ if text.chars().count() > LONGEST_SHORT => {
+            let start: String = text.chars().take(LONGEST_SHORT).collect();
+            start + "…"
+        }
+        _ => text.to_owned(),
     }
 }
 

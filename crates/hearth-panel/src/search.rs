@@ -94,14 +94,14 @@ pub fn matches(query: &str, param: &Param) -> bool {
 
 /// The properties of a kind that match `query` and that `model` uses, the best match first. The
 /// name of the kind matches as well.
-pub fn properties(query: &str, kind: &Kind, model: Model) -> Vec<&'static Property> {
-    let rank = |property: &'static Property| {
+pub fn properties(query: &str, kind: &Kind, model: Model) -> Vec<Property> {
+    let rank = |property: Property| {
         let mut about = Words::of(property.param(model)?);
         about.id = format!("{} {}", kind.name, property.name.replace('_', " "));
         Some((about.rank_all(query)?, property))
     };
-    let shown = kind.properties.iter();
-    let shown = shown.filter(|property| has_row(property, model));
+    let all = kind.properties();
+    let shown = all.filter(|property| has_row(*property, model));
     let mut found: Vec<_> = shown.filter_map(rank).collect();
     found.sort_by_key(|(rank, _)| *rank);
     found.into_iter().map(|(_, property)| property).collect()

@@ -1,6 +1,6 @@
 //! Applies the actions of the views to the state.
 
-use hearth_core::params::{Input, Value};
+use hearth_core::params::{Input, Kind, Value};
 
 use crate::state::fire::Entry;
 use crate::state::{Action, Command, State, Subject};
@@ -100,6 +100,9 @@ impl Update<'_> {
 
     /// Sets a value and sends it: `always`, or only a change. A refused value is not sent.
     fn set(&mut self, subject: Subject, entry: &Entry, always: bool) {
+        if let Kind::Text(_) = subject.param.kind {
+            return self.write(subject, entry);
+        }
         let before = self.state.fire.value(subject);
         if let Ok(now) = self.state.fire.set(subject, entry.input())
             && (always || now != before)
@@ -107,6 +110,19 @@ impl Update<'_> {
             let field = &mut self.state.open.field;
             field.take_if(|field| field.subject == subject);
             self.send_value(subject, now);
+        }
+    }
+
+    /// Sets a text and sends it, if it is another one.
+    fn write(&mut self, subject: Subject, entry: &Entry) {
+        let before = self.state.fire.text(subject);
+        if self.state.fire.set(subject, entry.input()).is_ok() {
+            let field = &mut self.state.open.field;
+            field.take_if(|field| field.subject == subject);
+            let now = self.state.fire.text(subject);
+            if now != before {
+                self.send(Command::Write(subject, now));
+            }
         }
     }
 

@@ -2,8 +2,10 @@
 
 use super::choices::Model;
 use super::entry::{Description, Domain, Kind};
+use super::name::{COMMON, COMMON_DESCRIPTIONS};
 use super::solid::{SOLID, SOLID_DESCRIPTIONS};
 use super::table::{DESCRIPTIONS, PARAMETERS, Param};
+use super::text::trimmed;
 use super::value::{AnyValue, Colour, Input, ParamError, ParamErrorKind, Value};
 
 impl Param {
@@ -15,7 +17,8 @@ impl Param {
     /// The label and documentation.
     pub fn description(&self) -> &'static Description {
         let all = PARAMETERS.iter().zip(DESCRIPTIONS);
-        let mut all = all.chain(SOLID.iter().zip(SOLID_DESCRIPTIONS));
+        let all = all.chain(SOLID.iter().zip(SOLID_DESCRIPTIONS));
+        let mut all = all.chain(COMMON.iter().zip(COMMON_DESCRIPTIONS));
         let found = all.find(|(param, _)| std::ptr::eq(*param, self));
         found.map_or(&DESCRIPTIONS[0], |(_, description)| description)
     }
@@ -74,7 +77,7 @@ impl Param {
             Kind::Integer(_) => in_range(true).map(|x| Value::Integer(x as u32)),
             Kind::Seed => in_range(true).map(|x| Value::Seed(x as u32)),
             Kind::Choice(choices) => match input {
-                Input::Text(text) => choices.iter().find(|&&name| name == text.trim()),
+                Input::Text(text) => choices.iter().find(|&&name| name == trimmed(text)),
                 Input::Number(_) | Input::Flag(_) => None,
             }
             .map(|name| Value::Choice(name))

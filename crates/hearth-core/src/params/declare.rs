@@ -190,7 +190,7 @@ macro_rules! properties {
     (@value $kind:tt, $domain:tt) => {
         parameters!(@value $kind, parameters!(@default $kind, $domain))
     };
-    ($(#[$about:meta])* $object:ident: $entries:ident, $descriptions:ident, $named:ident, $allowed:ident;
+    ($(#[$about:meta])* $object:ident: $entries:ident, $descriptions:ident, $named:ident;
         $( #[doc = $first_doc:literal] $(#[doc = $doc:literal])* $([$role:ident])?
         $id:ident : $kind:tt $label:literal $([$unit:literal])? $($scale:ident)?
             { $domain:tt } $(when { $( $choice:ident : $names:expr ),+ })?
@@ -239,15 +239,8 @@ macro_rules! properties {
             unless: &[],
         }, )+ ];
 
-        /// The properties by name.
-        pub(crate) const $named: &[Property] = &[ $( Property {
-            name: stringify!($id),
-            id: stringify!($id),
-            table: $entries,
-        }, )+ ];
-
-        /// The names of the fields, as text for an error.
-        pub(crate) const $allowed: &str = concat!("one of kind" $(, ", ", stringify!($id))+);
+        /// The names of the properties, with that which objects of every kind have.
+        pub(crate) const $named: &[&str] = &["name", $( stringify!($id), )+];
     };
 }
 

@@ -4,10 +4,9 @@ use super::choices::{Choice, Fuel, Material, Motion, Shape, Thermal};
 use super::declare::{parameters, properties};
 use super::entry::{Description, Domain, Kind, Role, Scale};
 use super::outline::{Mask, Points};
-use super::property::Property;
 use super::slot::Slot;
 use super::table::Param;
-use super::value::{AnyValue, Input, ParamError, ParamErrorKind, Value};
+use super::value::{AnyValue, ParamError, Value};
 
 /// The shapes that are turned, those with a width, those with a height, those with corners,
 /// those with points and those with a mask.
@@ -34,7 +33,9 @@ const FREE: &[&str] = &["free"];
 
 properties! {
     /// A solid: gas neither passes nor enters it. Every value is in range.
-    Solid: SOLID, SOLID_DESCRIPTIONS, SOLID_PROPERTIES, SOLID_NAMES;
+    Solid: SOLID, SOLID_DESCRIPTIONS, SOLID_NAMES;
+    /// A solid that is there. One that is off neither acts nor is drawn, and keeps its values.
+    enabled: flag "Enabled" { (true) }
     /// A disc, a rectangle, a line, a polygon, a bent line or a picture. Shape of the solid.
     shape: (choice Shape) "Shape" { (Circle) }
     /// A solid farther to the right, or below 0 to the left. Position of its centre.
@@ -114,17 +115,7 @@ impl Solid {
     /// # Errors
     /// An outline in another form.
     pub(crate) fn put(&mut self, property: &Param, value: AnyValue<'_>) -> Result<(), ParamError> {
-        let slot = self.slot(property);
-        match (
-            slot.is_none_or(|slot| slot.put(value)),
-            value,
-            property.kind,
-        ) {
-            (false, AnyValue::Text(text), Kind::Text(form)) => {
-                Err(property.error(Input::Text(text), ParamErrorKind::Other(form)))
-            }
-            _ => Ok(()),
-        }
+        property.store(self.slot(property), value)
     }
 
     /// The field of a property.

@@ -102,6 +102,9 @@ parameters! {
         [View] time_scale: number "Speed" [""] Log { Every(1.0, 0.1..=2.0) }
     }
     "Fire" {
+        /// A source that burns. One that is off emits nothing and keeps its values. So does one on a
+        /// solid that is off.
+        source_enabled: flag "Source enabled" { Every(true) }
         /// A fire on a line, or on the surface of a solid. Line: the source is straight. Solid: the
         /// whole outline of a solid burns, wherever the solid is.
         source_shape: (choice SourceShape) "Source shape" { Every(Line) }

@@ -6,6 +6,7 @@
 use std::fmt;
 
 use super::decimal::{self, Decimal};
+use super::text::trimmed;
 
 /// A colour with opacity, 8 bits a channel, sRGB, not premultiplied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,23 +28,33 @@ impl Colour {
 
     /// Reads `transparent`, `#rgb`, `#rrggbb` or `#rrggbbaa`.
     pub fn parse(text: &str) -> Option<Colour> {
-        let text = text.trim();
+        let text = trimmed(text);
         if text.eq_ignore_ascii_case("transparent") {
             return Some(Colour::TRANSPARENT);
         }
-        let digits = text.strip_prefix('#')?;
-        let mut digits = digits.bytes().map(|digit| (digit as char).to_digit(16));
-        let mut rgba = [255; 4];
-        let short = match digits.len() {
-            3 => true,
-            6 | 8 => false,
+        let [b'#', digits @ ..] = text.as_bytes() else {
+            return None;
+        };
+        let length = match digits.len() {
+            3 => 1,
+            6 | 8 => 2,
             _ => return None,
         };
-        for channel in &mut rgba {
-            let Some(high) = digits.next() else { break };
-            let high = high?;
-            let low = if short { high } else { digits.next()?? };
-            *channel = (16 * high + low) as u8;
+        let mut rgba = [255; 4];
+        for (at, &digit) in digits.iter().enumerate() {
+            let value = match digit {
+                b'0'..=b'9' => digit - b'0',
+                b'a'..=b'f' => digit - b'a' + 10,
+                b'A'..=b'F' => digit - b'A' + 10,
+                _ => return None,
+            };
+            // A short digit stands for two. The second of two moves the first up.
+            let channel = rgba.get_mut(at / length)?;
+            *channel = if at % length == 0 {
+                17 * value
+            } else {
+                *channel & 0xF0 | value
+            };
         }
         // Every fully transparent colour is the same, so that it is written as `transparent`.
         Some(match rgba {
@@ -130,7 +141,7 @@ impl<'a> Input<'a> {
     pub(super) fn number(&self) -> Option<f64> {
         match *self {
             Input::Number(x) => Some(x),
-            Input::Text(text) => decimal::parse(text.trim()),
+            Input::Text(text) => decimal::parse(trimmed(text)),
             Input::Flag(_) => None,
         }
         .filter(|x: &f64| x.is_finite())

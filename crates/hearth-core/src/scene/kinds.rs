@@ -1,42 +1,42 @@
 //! THE table of objects: each kind and its properties.
 //!
-//! A property of a source is a parameter of the settings with a value per source. The parameter
-//! gives its label, unit, range, default and doc. [`SOLID`](crate::params::SOLID) gives those of
-//! a solid's properties.
+//! [`COMMON`](crate::params::COMMON) is the table of what every kind has. Any other property of a
+//! source is a parameter of the settings with a value per source, whose label, unit, range,
+//! default and doc the parameter gives. [`SOLID`] gives those of a solid's properties.
 
-use crate::params::{PARAMETERS, Property, SOLID_NAMES, SOLID_PROPERTIES};
+use crate::params::{PARAMETERS, Param, Property, SOLID, SOLID_NAMES};
 
 /// A kind of object.
 #[derive(Debug)]
 pub struct Kind {
     /// Its name in the field `kind`.
     pub name: &'static str,
-    /// The names of its properties, as text for an error.
-    pub(super) allowed: &'static str,
-    /// Its properties.
-    pub properties: &'static [Property],
+    /// The names of its properties.
+    pub names: &'static [&'static str],
+    /// The ids of their entries, in the same order.
+    ids: &'static [&'static str],
+    /// The table of these entries.
+    table: &'static [Param],
 }
 
-/// A kind with parameters as properties, whose error of an unknown property lists all of its properties.
+/// A kind with parameters as properties.
 macro_rules! kind {
-    ($kind:literal, $first:literal = $first_id:literal
-        $(, $name:literal = $id:literal)*) => {
+    ($kind:literal, $($name:literal = $id:literal),+) => {
         Kind {
             name: $kind,
-            allowed: concat!("one of ", $first $(, ", ", $name)*),
-            properties: &[
-                Property { name: $first, id: $first_id, table: PARAMETERS },
-                $(Property { name: $name, id: $id, table: PARAMETERS },)*
-            ],
+            names: &["name", $($name),+],
+            ids: &["name", $($id),+],
+            table: PARAMETERS,
         }
     };
 }
 
 /// Every kind of object.
-pub static KINDS: &[Kind] = &[SOURCE, SOLID];
+pub static KINDS: &[Kind] = &[SOURCE, BODY];
 
 const SOURCE: Kind = kind!(
     "source",
+    "enabled" = "source_enabled",
     "shape" = "source_shape",
     "solid" = "source_solid",
     "x" = "source_x",
@@ -56,10 +56,11 @@ const SOURCE: Kind = kind!(
     "taper" = "taper"
 );
 
-const SOLID: Kind = Kind {
+const BODY: Kind = Kind {
     name: "solid",
-    allowed: SOLID_NAMES,
-    properties: SOLID_PROPERTIES,
+    names: SOLID_NAMES,
+    ids: SOLID_NAMES,
+    table: SOLID,
 };
 
 impl Kind {
@@ -72,9 +73,15 @@ impl Kind {
         }
     }
 
+    /// Its properties, in the order of a panel.
+    pub fn properties(&self) -> impl ExactSizeIterator<Item = Property> + use<> {
+        let table = self.table;
+        let all = self.names.iter().zip(self.ids);
+        all.map(move |(name, id)| Property { name, id, table })
+    }
+
     /// The property with this name.
-    pub fn property(&self, name: &str) -> Option<&'static Property> {
-        let all: &'static [Property] = self.properties;
-        all.iter().find(|property| property.name == name)
+    pub fn property(&self, name: &str) -> Option<Property> {
+        self.properties().find(|property| property.name == name)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::distance::Surface;
 use super::kinds::{KINDS, Kind};
-use crate::params::{AnyValue, Input, Model, Param, ParamError, Parameters, Property, Solid};
+use crate::params::{AnyValue, Input, Model, Name, Param, ParamError, Parameters, Property, Solid};
 
 /// The values of an object.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,6 +61,29 @@ impl Values {
             _ => None,
         }
     }
+}
+
+/// An object as a scene stores it.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Stored {
+    pub id: u32,
+    pub name: Name,
+    pub values: Values,
+}
+
+impl Stored {
+    /// The solid with its id and its surface, if it is on.
+    #[inline(never)]
+    pub fn surface(&self) -> Option<(u32, &Solid, &Surface)> {
+        let (solid, surface) = self.values.of_solid()?;
+        solid.enabled.then_some((self.id, solid, surface))
+    }
+
+    /// Whether it is a solid that is off.
+    pub fn is_off(&self) -> bool {
+        let solid = self.values.of_solid();
+        solid.is_some_and(|(solid, _)| !solid.enabled)
+    }
 
     /// Writes a property, of the first source to `settings`.
     pub fn set(
@@ -69,16 +92,19 @@ impl Values {
         input: Input<'_>,
         settings: &mut Parameters,
     ) -> Result<(), ParamError> {
-        match self {
-            Values::FirstSource => settings.set(property.id, input),
-            Values::Source(values) => values.set(property.id, input),
-            Values::Solid(solid) => {
-                if let Some(entry) = property.entry() {
-                    let value = entry.check(settings.model(), input)?;
-                    solid.0.put(entry, value)?;
-                }
-                Ok(())
-            }
+        let own = match &mut self.values {
+            _ if property.is_common() => None,
+            Values::FirstSource => return settings.set(property.id, input),
+            Values::Source(values) => return values.set(property.id, input),
+            Values::Solid(solid) => Some(solid),
+        };
+        let Some(entry) = property.entry() else {
+            return Ok(());
+        };
+        let value = entry.check(settings.model(), input)?;
+        match own {
+            Some(solid) => solid.0.put(entry, value),
+            None => self.name.put(entry, value),
         }
     }
 }
@@ -90,23 +116,23 @@ pub struct Object<'a> {
     pub id: u32,
     /// Its kind.
     pub kind: &'static Kind,
-    values: &'a Values,
+    stored: &'a Stored,
     settings: &'a Parameters,
 }
 
 impl<'a> Object<'a> {
-    pub(super) fn new(id: u32, values: &'a Values, settings: &'a Parameters) -> Object<'a> {
+    pub(super) fn new(stored: &'a Stored, settings: &'a Parameters) -> Object<'a> {
         Object {
-            id,
-            kind: values.kind(),
-            values,
+            id: stored.id,
+            kind: stored.values.kind(),
+            stored,
             settings,
         }
     }
 
     /// Whether it is the source whose properties are parameters of the settings.
     pub fn is_first_source(&self) -> bool {
-        matches!(self.values, Values::FirstSource)
+        matches!(self.stored.values, Values::FirstSource)
     }
 
     /// The present model, which decides the properties in use.
@@ -116,20 +142,26 @@ impl<'a> Object<'a> {
 
     /// The settings with the properties of this source; `None` for another kind.
     pub fn source(&self) -> Option<&'a Parameters> {
-        self.values.of_source(self.settings)
+        self.stored.values.of_source(self.settings)
+    }
+
+    /// Its name; empty without one.
+    pub fn name(&self) -> &'a str {
+        self.stored.name.text()
     }
 
     /// This solid; `None` for another kind.
     pub fn solid(&self) -> Option<&'a Solid> {
-        self.values.of_solid().map(|(solid, _)| solid)
+        self.stored.values.of_solid().map(|(solid, _)| solid)
     }
 
     /// The properties that the present model uses: name, entry and value.
     pub fn properties(self) -> impl Iterator<Item = (&'static str, &'static Param, AnyValue<'a>)> {
-        let all = self.kind.properties.iter();
+        let all = self.kind.properties();
         all.filter_map(move |property| {
             let param = property.param(self.model())?;
-            let value = match self.values {
+            let value = match &self.stored.values {
+                _ if property.is_common() => AnyValue::Text(self.stored.name.text()),
                 Values::Solid(stored) => stored.0.get(param)?,
                 _ => param.get(self.source()?),
             };

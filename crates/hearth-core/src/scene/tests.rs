@@ -2,6 +2,8 @@ use super::*;
 use crate::Simulation;
 use crate::params::{AnyValue, Model, PARAMETERS, Param, Value};
 
+mod off;
+
 fn number(x: f64) -> Input<'static> {
     Input::Number(x)
 }
@@ -28,11 +30,11 @@ fn words(refused: Result<impl Sized, Vec<ParamError>>) -> String {
 fn every_property_has_an_entry_and_one_name() {
     for kind in KINDS {
         let mut seen = Vec::new();
-        for property in kind.properties {
+        for property in kind.properties() {
             assert!(property.entry().is_some(), "{}", property.id);
-            let is_source = kind.name == "source";
+            let is_parameter = kind.name == "source" && !property.is_common();
             assert_eq!(
-                is_source,
+                is_parameter,
                 Param::find(property.id).is_some(),
                 "{}",
                 property.id
@@ -40,7 +42,6 @@ fn every_property_has_an_entry_and_one_name() {
             assert!(!seen.contains(&property.id), "{}", property.id);
             assert!(!seen.contains(&property.name), "{}", property.name);
             seen.extend([property.id, property.name]);
-            assert!(kind.allowed.contains(property.name));
         }
     }
 }
@@ -162,7 +163,7 @@ fn an_error_names_object_property_value_and_range_and_changes_nothing() {
         ),
         (
             &[SOURCE, ("pwer", number(7.0))],
-            "objects[1].property = \"pwer\" is refused: it must be one of shape, solid, x, y, angle, width, power, rate, \
+            "objects[1].property = \"pwer\" is refused: it must be one of name, enabled, shape, solid, x, y, angle, width, power, rate, \
              speed, spread, noise, temperature, oxygen, birth_temperature, life_min, life_max, taper",
         ),
         (
@@ -176,7 +177,7 @@ fn an_error_names_object_property_value_and_range_and_changes_nothing() {
         ),
         (
             &[SOLID, ("power", number(7.0))],
-            "objects[1].property = \"power\" is refused: it must be one of kind, shape, x, y, angle, \
+            "objects[1].property = \"power\" is refused: it must be one of name, enabled, shape, x, y, angle, \
              width, height, corner, points, mask, material, front, thermal, temperature, \
              heat_capacity, fuel, load, moisture, motion, sway, heading, period, spin, density, friction, restitution",
         ),
@@ -358,7 +359,7 @@ fn the_same_scene_gives_the_same_bits() {
 
 #[test]
 fn a_parameter_that_is_not_a_property_is_the_same_for_every_source() {
-    let of_sources = |id: &str| KINDS[0].properties.iter().any(|one| one.id == id);
+    let of_sources = |id: &str| KINDS[0].properties().any(|one| one.id == id);
     let mut scene = Scene::default();
     assert!(scene.add(&[SOURCE]).is_ok());
     let sources: Vec<&Parameters> = scene.sources().collect();

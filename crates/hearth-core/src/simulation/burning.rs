@@ -34,7 +34,9 @@ use crate::combustion::Ember;
 use crate::params::{Solid, Thermal};
 use crate::particle::Particle;
 use crate::random::Random;
-use format::{Bytes, Columns, EACH, EMBERS, HEADER, Header, MAGIC, quantised, quantised_signed};
+use format::{
+    Bytes, Columns, EACH, EMBERS, HEADER, Header, MAGIC, OUT_OF_RANGE, quantised, quantised_signed,
+};
 
 pub use digest::digest;
 pub use format::VERSION;
@@ -169,10 +171,11 @@ impl Simulation {
                 ..Particle::at(columns.position(i, &bounds))
             })
             .collect();
-        for particle in &particles {
-            if let Some(what) = particle.broken_rule(&bounds) {
-                return Err(BurningError::Damaged(what));
-            }
+        if particles
+            .iter()
+            .any(|one| one.broken_rule(&bounds).is_some())
+        {
+            return Err(BurningError::Damaged(OUT_OF_RANGE));
         }
         let columns = Columns::of(&mut bytes, header.embers);
         let embers = (0..header.embers).map(|i| Ember {
@@ -195,9 +198,7 @@ impl Simulation {
             ));
         }
         if !solids.iter().all(|kelvin| (1.0..=1e5).contains(kelvin)) {
-            return Err(BurningError::Damaged(
-                "the burning fire has values out of range",
-            ));
+            return Err(BurningError::Damaged(OUT_OF_RANGE));
         }
 
         self.random = Random::new(parameters.seed);

@@ -14,6 +14,8 @@ pub enum Command {
     Restore(&'static str),
     /// Set a property of an object.
     Change(Subject, Value),
+    /// Set a property of an object that is a text.
+    Write(Subject, String),
     /// Reset a property of an object to the scene's value.
     RestoreProperty(Subject),
     /// Add an object of a kind.

@@ -49,9 +49,7 @@ impl Fire {
     /// The entry of the choice `id` that a condition of `subject` names.
     pub fn choice_of(&self, subject: Subject, id: &str) -> Option<&'static Param> {
         let object = subject.object.and_then(|owner| self.object(owner.id));
-        let mut properties = object
-            .map_or(&[][..], |object| object.kind.properties)
-            .iter();
+        let mut properties = object.into_iter().flat_map(|one| one.kind.properties());
         match properties.find(|property| property.id == id) {
             Some(property) => property.entry(),
             None => Param::find(id),
@@ -60,6 +58,9 @@ impl Fire {
 
     /// Typed text as an input of the table.
     pub fn typed(&self, subject: Subject, text: &str) -> Entry {
+        if let Kind::Text(_) = subject.param.kind {
+            return Entry::Text(text.trim().to_owned());
+        }
         let typed = typed_text(text, subject.param);
         // The refusal of a number does not quote it.
         match (subject.param.kind, typed.parse::<f64>()) {

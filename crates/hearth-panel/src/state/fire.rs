@@ -12,7 +12,7 @@ use hearth_core::params::{
 };
 
 pub use crate::state::entry::Entry;
-use crate::state::objects::{Fields, differ, scene_of, value_in};
+use crate::state::objects::{Fields, differ, scene_of, text_in, value_in};
 pub use crate::state::stats::Stats;
 use crate::state::subject::{Owner, Subject};
 
@@ -68,6 +68,21 @@ impl Fire {
         }
     }
 
+    /// The present value as text, as a field shows it.
+    pub fn text(&self, subject: Subject) -> String {
+        let text = text_in(&self.objects, subject);
+        text.map_or_else(|| self.value(subject).to_string(), str::to_owned)
+    }
+
+    /// The text in the scene, or the default, of a value that is one.
+    pub fn default_text_of(&self, subject: Subject) -> Option<&str> {
+        let default = match self.domain_of(subject).default {
+            Value::Text(text) => text,
+            _ => return None,
+        };
+        Some(text_in(&self.scene_objects, subject).unwrap_or(default))
+    }
+
     /// The value in the scene, for the present model. An object that the scene lacks has the
     /// defaults.
     pub fn default_of(&self, subject: impl Into<Subject>) -> Value {
@@ -110,7 +125,9 @@ impl Fire {
 
     /// Whether the scene has the value: it lacks the properties of an added object.
     pub fn is_of_scene(&self, subject: Subject) -> bool {
-        subject.object.is_none() || value_in(&self.scene_objects, subject).is_some()
+        subject.object.is_none()
+            || value_in(&self.scene_objects, subject).is_some()
+            || text_in(&self.scene_objects, subject).is_some()
     }
 
     /// The range in the present model.
@@ -125,7 +142,8 @@ impl Fire {
         let (min, max) = self.range_of(subject);
         if subject.param.id == "source_solid" {
             let value = self.value(subject).as_number().unwrap_or_default();
-            let solids = self.objects.surfaces().map(|(id, ..)| f64::from(id));
+            let solids = self.objects.objects().filter(|one| one.solid().is_some());
+            let solids = solids.map(|one| f64::from(one.id));
             return (min, solids.fold(value.max(1.0), f64::max));
         }
         let linear = subject.param.kind == Kind::Number(Scale::Linear);
@@ -176,7 +194,11 @@ impl Fire {
     ) -> Result<Value, ParamError> {
         let subject = subject.into();
         match subject.object {
-            None => self.parameters.set(subject.id, input)?,
+            None => {
+                self.parameters.set(subject.id, input)?;
+                // They are the properties of the first source.
+                self.objects.set_settings(self.parameters.clone());
+            }
             Some(owner) => change(&mut self.objects, owner, input)?,
         }
         self.refusals.remove(subject.id);
@@ -236,7 +258,10 @@ impl Fire {
     /// Whether a value differs from the scene.
     pub fn differs(&self, subject: impl Into<Subject>) -> bool {
         let subject = subject.into();
-        self.value(subject) != self.default_of(subject)
+        match self.default_text_of(subject) {
+            Some(default) => text_in(&self.objects, subject).is_some_and(|text| text != default),
+            None => self.value(subject) != self.default_of(subject),
+        }
     }
 }
 

@@ -39,17 +39,13 @@ impl Fire {
         all.filter(|one| one.kind.name == kind.name).count() >= MAX_OBJECTS
     }
 
-    /// The properties of an object that have rows: none of the first source, whose properties are
-    /// parameters, and no outline.
+    /// The properties of an object that have rows: of the first source its name alone, because its
+    /// other properties are parameters.
     pub fn properties(&self, object: Object<'_>) -> impl Iterator<Item = Subject> + use<> {
         let (id, kind, model) = (object.id, object.kind, self.parameters.model());
-        let all = if object.is_first_source() {
-            &[]
-        } else {
-            kind.properties
-        };
-        all.iter()
-            .filter(move |property| has_row(property, model))
+        let first = object.is_first_source();
+        let all = kind.properties();
+        all.filter(move |property| has_row(*property, model) && (!first || property.is_common()))
             .filter_map(move |property| Subject::of(id, kind, property))
     }
 }

@@ -25,7 +25,7 @@ pub use self::command::Command;
 pub use self::controller::ControllerState;
 pub use self::fire::{Fire, MODEL};
 pub use self::memory::Memory;
-pub use self::objects::{Fields, OBJECTS, name_of};
+pub use self::objects::{Fields, OBJECTS, is_on, name_of};
 pub use self::open::{Field, Open, OpenColour};
 pub use self::pointer::{Gesture, Pointer};
 pub use self::subject::{Owner, Subject};

@@ -1,6 +1,6 @@
 //! Scenes of objects, and their names.
 
-use hearth_core::params::{AnyValue, Input, Kind, Model, Parameters, Property, Value};
+use hearth_core::params::{AnyValue, Input, Model, Parameters, Property, Value};
 use hearth_core::scene::{Object, Scene};
 
 use crate::state::entry::Entry;
@@ -27,20 +27,31 @@ pub fn scene_of(settings: &Parameters, objects: &[Fields]) -> Scene {
     scene
 }
 
-/// Whether a property has a row in `model`. A field of one line cannot show an outline.
-pub fn has_row(property: &Property, model: Model) -> bool {
-    let param = property.param(model);
-    param.is_some_and(|param| !matches!(param.kind, Kind::Text(_)))
+/// Whether a property has a row in `model`.
+pub fn has_row(property: Property, model: Model) -> bool {
+    property.param(model).is_some()
 }
 
-/// The value of a property in a scene; none of an outline, which has no row.
-pub fn value_in(scene: &Scene, subject: Subject) -> Option<Value> {
+fn find(scene: &Scene, subject: Subject) -> Option<AnyValue<'_>> {
     let owner = subject.object?;
     let mut all = scene.objects();
     let object = all.find(|one| one.id == owner.id && one.kind.name == owner.kind)?;
     let mut values = object.properties();
     let (.., value) = values.find(|(name, ..)| *name == owner.property)?;
-    match value {
+    Some(value)
+}
+
+/// The text of a property in a scene; none of a property with another value.
+pub fn text_in(scene: &Scene, subject: Subject) -> Option<&str> {
+    match find(scene, subject)? {
+        AnyValue::Text(text) => Some(text),
+        _ => None,
+    }
+}
+
+/// The value of a property in a scene; none of a text, which [`text_in`] reads.
+pub fn value_in(scene: &Scene, subject: Subject) -> Option<Value> {
+    match find(scene, subject)? {
         AnyValue::Number(x) => Some(Value::Number(x)),
         AnyValue::Integer(n) => Some(Value::Integer(n)),
         AnyValue::Choice(name) => Some(Value::Choice(name)),
@@ -57,6 +68,7 @@ pub fn differ(now: &Scene, before: &Scene) -> bool {
     now.len() != before.len()
         || now.zip(before).any(|(object, other)| {
             (object.id, object.kind.name) != (other.id, other.kind.name)
+                || object.name() != other.name()
                 || !object.is_first_source() && !has_values_of(object, other)
         })
 }
@@ -74,21 +86,29 @@ fn has_values_of(object: Object<'_>, other: Object<'_>) -> bool {
     })
 }
 
-/// The name of an object in a list: "Source 1", "Solid 2 · wood line".
+/// An object in a list: "Source 1", "Solid 2 · wood line", "Back log · Solid 3 · off".
 pub fn name_of(object: Object<'_>) -> String {
     let (first, rest) = object.kind.name.split_at(1);
-    let text = format!("{}{rest} {}", first.to_uppercase(), object.id);
-    let choice = |wanted: &str| {
-        let mut all = object.properties();
-        let (.., value) = all.find(|(name, ..)| *name == wanted)?;
-        Some(value.to_string())
+    let numbered = format!("{}{rest} {}", first.to_uppercase(), object.id);
+    let text = match (object.name(), object.solid()) {
+        ("", None) => numbered,
+        ("", Some(solid)) => {
+            let material = match solid.material.name() {
+                "none" => "invisible",
+                name => name,
+            };
+            format!("{numbered} · {material} {}", solid.shape.name())
+        }
+        (name, _) => format!("{name} · {numbered}"),
     };
-    let (Some(shape), Some(material)) = (choice("shape"), choice("material")) else {
-        return text;
-    };
-    let material = match &*material {
-        "none" => "invisible",
-        name => name,
-    };
-    format!("{text} · {material} {shape}")
+    match is_on(object) {
+        true => text,
+        false => text + " · off",
+    }
+}
+
+/// Whether an object acts and is drawn.
+pub fn is_on(object: Object<'_>) -> bool {
+    let source = object.source().is_none_or(|source| source.source_enabled);
+    source && object.solid().is_none_or(|solid| solid.enabled)
 }

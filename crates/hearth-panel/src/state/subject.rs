@@ -52,7 +52,7 @@ impl Subject {
     }
 
     /// A property of the object `id`.
-    pub fn of(id: u32, kind: &'static Kind, property: &'static Property) -> Option<Subject> {
+    pub fn of(id: u32, kind: &'static Kind, property: Property) -> Option<Subject> {
         Some(Subject {
             id: name(kind, property)?,
             param: property.entry()?,
@@ -66,11 +66,11 @@ impl Subject {
 }
 
 /// The name of a property, made once.
-fn name(kind: &Kind, property: &Property) -> Option<&'static str> {
+fn name(kind: &Kind, property: Property) -> Option<&'static str> {
     static NAMES: OnceLock<Vec<String>> = OnceLock::new();
     let all = NAMES.get_or_init(|| {
         let of = |kind: &'static Kind| {
-            let names = kind.properties.iter().map(|property| property.name);
+            let names = kind.names.iter();
             names.map(|name| format!("{}:{name}", kind.name))
         };
         KINDS.iter().flat_map(of).collect()

@@ -4,7 +4,7 @@ use egui::{Id, Ui};
 use hearth_core::params::{Scale, Value};
 
 use crate::cost;
-use crate::format::{fraction, step, value_at, value_text};
+use crate::format::{fraction, step, text_in_short, value_at, value_text};
 use crate::state::fire::Entry;
 use crate::state::{Action, State, Subject};
 use crate::theme;
@@ -132,4 +132,12 @@ pub fn flag(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
         out.push(Action::Set(subject, Entry::Flag(!on)));
     }
     out.place(ui, subject.id, hit);
+}
+
+/// A text: a field, which is closed while it shows the text in short.
+pub fn text(state: &State, out: &mut Output, ui: &mut Ui, subject: Subject) {
+    let room = title::line(state, out, ui, subject, state.device.measures.control);
+    let shown = text_in_short(subject.param.id, &state.fire.text(subject));
+    field::show(state, out, ui, subject, room, &shown);
+    out.place(ui, subject.id, room);
 }

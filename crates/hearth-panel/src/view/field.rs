@@ -10,6 +10,8 @@ use egui::{
     UiBuilder, pos2,
 };
 
+use hearth_core::params::Kind;
+
 use crate::state::{Action, Field, Fire, Pointer, State, Subject};
 use crate::theme;
 use crate::view::layout;
@@ -17,6 +19,9 @@ use crate::view::output::Output;
 
 /// Scroll distance of one notch of most wheels, which is one step [points].
 const NOTCH: f32 = 50.0;
+
+/// Most letters of a text: those of the longest mask.
+const MOST_LETTERS: usize = 66_000;
 
 /// Shows a value that can be typed, at the right of `room`.
 pub fn show(
@@ -56,7 +61,7 @@ pub fn show(
     }
     out.place(ui, format!("value:{}", subject.id), hit);
     if response.clicked() {
-        let text = state.fire.value(subject).to_string();
+        let text = state.fire.text(subject);
         out.push(Action::OpenField(Field {
             subject,
             before: text.clone(),
@@ -102,10 +107,14 @@ fn edit(
     room: Rect,
 ) {
     let id = Id::unique(("typing", subject.id));
-    let rect = room.with_min_x(room.left().max(room.right() - 130.0));
+    let (width, most) = match subject.param.kind {
+        Kind::Text(_) => (room.width(), MOST_LETTERS),
+        _ => (130.0, 40),
+    };
+    let rect = room.with_min_x(room.left().max(room.right() - width));
     let text = TextEdit::singleline(&mut field.text)
         .id(id)
-        .char_limit(40)
+        .char_limit(most)
         .desired_width(rect.width())
         .min_size(rect.size())
         .margin(Margin::symmetric(6, 1))

@@ -33,6 +33,10 @@ pub enum Icon {
     Share,
     /// Done.
     Tick,
+    /// On.
+    Eye,
+    /// Off.
+    ClosedEye,
 }
 
 impl Icon {
@@ -124,6 +128,20 @@ impl Icon {
                 painter.line(vec![upper, from, lower], stroke);
                 for knot in [from, upper, lower] {
                     painter.circle_filled(knot, 0.3 * r, colour);
+                }
+            }
+            Icon::Eye | Icon::ClosedEye => {
+                let lid = |up: f32| {
+                    let points = (0..=12).map(|i| {
+                        let x = i as f32 / 6.0 - 1.0;
+                        at(x, up * 0.6 * (1.0 - x * x))
+                    });
+                    painter.line(points.collect(), stroke);
+                };
+                lid(1.0);
+                if self == Icon::Eye {
+                    lid(-1.0);
+                    painter.circle_filled(centre, 0.28 * r, colour);
                 }
             }
             Icon::Tick => {

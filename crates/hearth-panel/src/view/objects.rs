@@ -9,9 +9,11 @@ use hearth_core::params::Model;
 use hearth_core::scene::{KINDS, Kind, MAX_OBJECTS, Object};
 
 use crate::search;
-use crate::state::{Action, Command, State, Subject, name_of};
+use crate::state::fire::Entry;
+use crate::state::{Action, Command, State, Subject, is_on, name_of};
 use crate::theme;
 use crate::view::button::{self, Face};
+use crate::view::icons::Icon;
 use crate::view::layout::{paragraph, scroll_into_view, strip};
 use crate::view::output::Output;
 use crate::view::row;
@@ -21,6 +23,9 @@ const PER_LINE: usize = 2;
 
 /// Buttons per line.
 const BUTTONS: usize = 4;
+
+/// Width of the button that switches an object.
+const EYE: f32 = 30.0;
 
 /// Maximum height of a line of the list.
 const LINE: f32 = 36.0;
@@ -83,7 +88,7 @@ pub fn results(state: &State, out: &mut Output, ui: &mut Ui) -> bool {
         };
         any = true;
         let has_effect = |object: &Object<'_>| {
-            let property = Subject::of(object.id, kind, best);
+            let property = Subject::of(object.id, kind, *best);
             property.is_some_and(|property| state.fire.unmet_conditions(property).is_empty())
         };
         let others = || all().filter(|object| !object.is_first_source());
@@ -119,7 +124,8 @@ fn line(state: &State, out: &mut Output, ui: &mut Ui, object: Object<'_>) {
     ui.add_space(4.0);
 }
 
-/// Shows an object in a list; a click selects it, another one deselects it.
+/// Shows an object in a list; a click selects it, another one deselects it. Its eye switches it off
+/// and on.
 fn entry(state: &State, out: &mut Output, ui: &Ui, rect: Rect, object: Object<'_>) {
     let selected = state.selected == Some(object.id);
     let place = format!("object:{}", object.id);
@@ -128,11 +134,35 @@ fn entry(state: &State, out: &mut Output, ui: &Ui, rect: Rect, object: Object<'_
         ..Face::text("")
     };
     let response = button::show(ui, rect, Id::unique(&place), face);
-    button::left_text(ui, rect.shrink2(vec2(8.0, 0.0)), &name_of(object));
-    out.place(ui, place, rect);
+    let eye = rect.with_min_x(rect.right() - EYE);
+    let room = rect.shrink2(vec2(8.0, 0.0)).with_max_x(eye.left());
+    button::left_text(ui, room, &name_of(object));
+    out.place(ui, place, rect.with_max_x(eye.left()));
+    if let Some(switch) = switch_of(object) {
+        let on = is_on(object);
+        let place = format!("enabled:{}", object.id);
+        let (icon, hint) = match on {
+            true => (Icon::Eye, "Switch off: it neither acts nor is drawn"),
+            false => (Icon::ClosedEye, "Switch on"),
+        };
+        let pressed = button::show(ui, eye, Id::unique(&place), Face::bare(icon));
+        out.place(ui, place, eye);
+        if pressed.on_hover_text(hint).clicked() {
+            out.push(Action::Set(switch, Entry::Flag(!on)));
+        }
+    }
     if response.clicked() {
         out.push(Action::Select((!selected).then_some(object.id)));
     }
+}
+
+/// What switches an object off and on.
+fn switch_of(object: Object<'_>) -> Option<Subject> {
+    let property = object.kind.property("enabled")?;
+    if object.is_first_source() {
+        return property.entry().map(Subject::from);
+    }
+    Subject::of(object.id, object.kind, property)
 }
 
 /// The buttons, and why one is disabled.
@@ -201,8 +231,8 @@ fn buttons(state: &State, out: &mut Output, ui: &mut Ui) {
 /// Where the properties of the first source are.
 fn groups_of(kind: &Kind, model: Model) -> String {
     let used = kind
-        .properties
-        .iter()
+        .properties()
+        .filter(|property| !property.is_common())
         .filter_map(|property| property.param(model));
     let mut groups: Vec<&str> = used.map(|param| param.group()).collect();
     groups.sort_unstable();

@@ -4,7 +4,7 @@ use egui::{Id, Rect, Sense, Shape, Ui, vec2};
 use hearth_core::params::Kind;
 
 use crate::cost;
-use crate::format::{bound_text, value_text, with_unit};
+use crate::format::{bound_text, text_in_short, value_text, with_unit};
 use crate::state::{State, Subject};
 use crate::theme;
 use crate::view::layout::{paragraph, scroll_into_view};
@@ -26,8 +26,7 @@ pub fn show(state: &State, out: &mut Output, ui: &mut Ui, subject: impl Into<Sub
             Kind::Flag => control::flag(state, out, ui, subject),
             Kind::Choice(names) => choices::show(state, out, ui, subject, names),
             Kind::Colour => colour::show(state, out, ui, subject),
-            // A field of one line cannot show an outline.
-            Kind::Text(_) => {}
+            Kind::Text(_) => control::text(state, out, ui, subject),
         }
     });
     ui.add_space(state.device.measures.gap);
@@ -94,10 +93,13 @@ fn description(state: &State, subject: Subject) -> String {
         "" => "Default",
         preset => preset,
     };
-    let default = with_unit(
-        &value_text(&state.fire.default_of(subject)),
-        subject.param.unit,
-    );
+    let default = match state.fire.default_text_of(subject) {
+        Some(text) => text_in_short(subject.param.id, text),
+        None => {
+            let value = value_text(&state.fire.default_of(subject));
+            with_unit(&value, subject.param.unit)
+        }
+    };
     let mut text = format!("{}\n{scene} {default}", subject.param.description().doc);
     if let Kind::Number(_) | Kind::Integer(_) | Kind::Seed = subject.param.kind {
         let (min, max) = state.fire.range_of(subject);

@@ -81,7 +81,7 @@ impl Element {
     pub fn send(&self, command: Command) {
         let row = match &command {
             Command::Set(id, _) => Some((*id, false)),
-            Command::Change(subject, _) => Some((subject.id, true)),
+            Command::Change(subject, _) | Command::Write(subject, _) => Some((subject.id, true)),
             _ => None,
         };
         if let (Some((id, of_object)), Ok(mut panel)) = (row, self.panel.try_borrow_mut()) {
@@ -118,6 +118,11 @@ impl Element {
             Command::Change(subject, value) => {
                 push_owner(&arguments, subject);
                 arguments.push(&to_js(value));
+                "change"
+            }
+            Command::Write(subject, text) => {
+                push_owner(&arguments, subject);
+                arguments.push(&text.into());
                 "change"
             }
             Command::RestoreProperty(subject) => {

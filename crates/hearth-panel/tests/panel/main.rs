@@ -3,6 +3,7 @@
 mod first;
 mod harness;
 mod imports;
+mod names;
 mod objects;
 mod rows;
 

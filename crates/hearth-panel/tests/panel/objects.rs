@@ -9,19 +9,19 @@ use hearth_panel::state::{Command, Fields, OBJECTS, SEARCH, Subject};
 
 use crate::harness::{Harness, LOWER, PHONE, Size, TALL, models};
 
-fn text(name: &str, value: &str) -> (String, Entry) {
+pub fn text(name: &str, value: &str) -> (String, Entry) {
     (name.to_owned(), Entry::Text(value.to_owned()))
 }
 
-fn number(name: &str, value: f64) -> (String, Entry) {
+pub fn number(name: &str, value: f64) -> (String, Entry) {
     (name.to_owned(), Entry::Number(value))
 }
 
-fn source(id: u32) -> Fields {
+pub fn source(id: u32) -> Fields {
     vec![text("kind", "source"), number("id", f64::from(id))]
 }
 
-fn solid(id: u32, shape: &str, material: &str) -> Fields {
+pub fn solid(id: u32, shape: &str, material: &str) -> Fields {
     vec![
         text("kind", "solid"),
         number("id", f64::from(id)),
@@ -31,7 +31,7 @@ fn solid(id: u32, shape: &str, material: &str) -> Fields {
 }
 
 /// A panel of a fire with two sources, a line and a box, which its scene has as well.
-fn with_objects(model: Model, size: Size) -> Harness {
+pub fn with_objects(model: Model, size: Size) -> Harness {
     let mut harness = Harness::of_model(model, size);
     let objects = [
         source(1),
@@ -47,7 +47,7 @@ fn with_objects(model: Model, size: Size) -> Harness {
     harness
 }
 
-fn select(harness: &mut Harness, id: u32) -> Vec<Subject> {
+pub fn select(harness: &mut Harness, id: u32) -> Vec<Subject> {
     harness.reveal(OBJECTS);
     harness.click(&format!("object:{id}"));
     assert_eq!(
@@ -103,8 +103,8 @@ fn the_rows_are_the_properties_that_the_model_uses() {
     for model in models() {
         let mut harness = with_objects(model, TALL);
         for (id, kind) in [(2, &KINDS[0]), (3, &KINDS[1])] {
-            let used = kind.properties.iter();
-            let used = used.filter(|property| has_row(property, model));
+            let used = kind.properties();
+            let used = used.filter(|property| has_row(*property, model));
             let used: Vec<_> = used
                 .map(|one| format!("{}:{}", kind.name, one.name))
                 .collect();
@@ -148,9 +148,13 @@ fn rows_of_a_source_on_a_solid_follow_its_own_shape_and_offer_the_ids_of_the_sol
 }
 
 #[test]
-fn the_first_source_has_its_parameters_only() {
+fn the_first_source_has_its_parameters_and_its_name_only() {
     let mut harness = with_objects(Model::Combustion, TALL);
-    assert!(select(&mut harness, 1).is_empty());
+    let rows = select(&mut harness, 1);
+    assert_eq!(
+        rows.iter().map(|row| row.id).collect::<Vec<_>>(),
+        ["source:name"]
+    );
     let texts = harness.texts();
     let words = "The first source: its properties are in Basics and Fire.";
     assert!(texts.iter().any(|text| text == words), "{texts:?}");
@@ -159,7 +163,7 @@ fn the_first_source_has_its_parameters_only() {
             .panel
             .rectangles()
             .keys()
-            .any(|name| name.starts_with("source:"))
+            .any(|name| name.starts_with("source:") && name != "source:name")
     );
 }
 

@@ -3,9 +3,7 @@
 //! `web/parameters.js`: all of the table, for the panel's accessible controls and any
 //! tool; `web/generated/quantities.js`, `web/generated/between.js`: parts of it that are loaded alone.
 
-use hearth_core::params::{
-    Choice, DisplayMode, Domain, Kind, Model, PARAMETERS, Param, Property, Scale,
-};
+use hearth_core::params::{Choice, DisplayMode, Domain, Kind, Model, PARAMETERS, Param, Scale};
 use hearth_core::scene::{KINDS, MAX_OBJECTS};
 use serde_json::{Map, Value, json};
 
@@ -90,7 +88,8 @@ pub(super) fn burning() -> String {
 /// addresses and HTML need it.
 pub(super) fn objects(scenes: &[Scene]) -> String {
     let doc = "Each property of a source, and the parameter that it is of the first one.";
-    let properties = KINDS[0].properties.iter();
+    let properties = KINDS[0].properties();
+    let properties = properties.filter(|property| !property.is_common());
     let entries = properties.map(|property| format!("{}: '{}'", property.name, property.id));
     let source = constant(doc, "SOURCE", OBJECT, entries);
     let with_objects = scenes.iter().filter(|scene| !scene.objects.is_empty());
@@ -109,7 +108,7 @@ pub(super) fn objects(scenes: &[Scene]) -> String {
 pub(super) fn properties() -> String {
     let doc = "@type {{[kind: string]: {[name: string]: Property}}}";
     let entries = KINDS.iter().map(|kind| {
-        let entries = kind.properties.iter().filter_map(|property| {
+        let entries = kind.properties().filter_map(|property| {
             let fields = of_object(property.entry()?);
             Some(format!("    {}: {fields},\n", property.name))
         });
@@ -150,9 +149,11 @@ fn of_object(param: &Param) -> Value {
 /// The module of the panel's data of objects, which nothing else needs.
 pub(super) fn scene_objects(scenes: &[Scene]) -> String {
     let doc = "Every property of a solid, in the order of a panel.";
-    let solid = KINDS.iter().find(|kind| kind.name == "solid");
-    let properties = solid.map_or(&[][..], |kind| kind.properties);
-    let entries = properties.iter().filter_map(Property::entry).map(|param| {
+    let solid = KINDS.iter().filter(|kind| kind.name == "solid");
+    let params = solid
+        .flat_map(|kind| kind.properties())
+        .filter_map(|one| one.entry());
+    let entries = params.map(|param| {
         let mut entry = entry(param);
         if let Some(fields) = entry.as_object_mut() {
             let of_parameters = ["attribute", "property", "group", "models", "domains"];

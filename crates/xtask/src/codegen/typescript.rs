@@ -37,7 +37,7 @@ fn objects() -> String {
             kind.doc(),
             kind.name,
         );
-        for property in kind.properties {
+        for property in kind.properties() {
             if let Some(param) = property.entry() {
                 let kind = match property.name {
                     // The element and the simulation make a text of a list.

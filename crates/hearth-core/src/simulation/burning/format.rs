@@ -19,6 +19,9 @@ const TEMPERATURE: usize = 4;
 /// Largest plausible time \[s\].
 const MAX_TIME: f64 = 1e6;
 
+/// The message about a value that no fire has.
+pub(super) const OUT_OF_RANGE: &str = "the burning fire has values out of range";
+
 /// The header.
 pub(super) struct Header {
     version: u16,
@@ -77,11 +80,7 @@ impl Header {
             && (0.0..=10.0).contains(&sooty)
             && rest.iter().all(|scale| (0.0..=500.0).contains(scale))
             && (0.0..=MAX_TIME).contains(&self.time);
-        if valid {
-            Ok(())
-        } else {
-            Err("the burning fire has values out of range")
-        }
+        if valid { Ok(()) } else { Err(OUT_OF_RANGE) }
     }
 }
 

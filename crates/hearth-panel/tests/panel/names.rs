@@ -1,0 +1,111 @@
+//! The rows that are texts, and the objects that are off.
+
+use egui::{Event, Key};
+use hearth_core::params::{Model, Param, Value};
+use hearth_panel::state::{Command, Subject};
+
+use crate::harness::{Harness, PHONE, TALL};
+use crate::objects::{select, solid, source, text, with_objects};
+
+fn row(rows: &[Subject], id: &str) -> Subject {
+    let found = rows.iter().copied().find(|row| row.id == id);
+    found.unwrap_or_else(|| panic!("no row {id}"))
+}
+
+/// Types a text into the row of a value, in place of the present one.
+fn type_into(harness: &mut Harness, id: &str, text: &str) {
+    harness.reveal(id);
+    harness.click(&format!("value:{id}"));
+    harness.wait();
+    harness.frame(vec![Event::Text(text.to_owned())]);
+    harness.key(Key::Enter);
+    harness.wait();
+}
+
+fn shows(harness: &mut Harness, wanted: &str) -> bool {
+    harness.texts().iter().any(|text| text == wanted)
+}
+
+#[test]
+fn a_name_is_typed_listed_and_reset() {
+    for size in [TALL, PHONE] {
+        let mut harness = with_objects(Model::Combustion, size);
+        for (id, name, listed) in [
+            (1, "Wick", "Wick · Source 1"),
+            (3, "Back log, split", "Back log, split · Solid 3"),
+        ] {
+            let rows = select(&mut harness, id);
+            let row = rows[0];
+            type_into(&mut harness, row.id, name);
+            let asked = harness.panel.take_commands();
+            assert_eq!(asked, [Command::Write(row, name.to_owned())]);
+            assert!(shows(&mut harness, listed), "{listed}");
+            assert!(harness.panel.state.fire.is_changed());
+            harness.reveal(row.id);
+            harness.click(&format!("action:restore:{}", row.id));
+            let asked = harness.panel.take_commands();
+            assert_eq!(asked, [Command::RestoreProperty(row)]);
+        }
+    }
+}
+
+#[test]
+fn a_name_that_is_too_long_is_refused_with_words_and_kept_in_its_field() {
+    let mut harness = with_objects(Model::Combustion, TALL);
+    select(&mut harness, 3);
+    type_into(&mut harness, "solid:name", &"a".repeat(65));
+    let refusal = harness.panel.state.fire.refusals.get("solid:name");
+    assert!(
+        refusal.is_some_and(|words| words.ends_with("it must be a line of at most 64 characters"))
+    );
+    assert!(harness.panel.take_commands().is_empty());
+    assert!(harness.panel.state.open.field.is_some());
+}
+
+#[test]
+fn outlines_have_rows_that_say_their_size_and_take_texts() {
+    let mut harness = Harness::of_model(Model::Combustion, TALL);
+    let mut star = solid(2, "polygon", "stone");
+    star.push(text("points", "-0.2,0 0.2,0 0,0.3"));
+    harness.panel.state.fire.receive_objects(&[source(1), star]);
+    let rows = select(&mut harness, 2);
+    harness.reveal("solid:points");
+    assert!(shows(&mut harness, "3 points, 0.4 × 0.3 m"));
+    harness.reveal("solid:mask");
+    assert!(shows(&mut harness, "16 × 16 cells"));
+    let points = row(&rows, "solid:points");
+    type_into(&mut harness, points.id, "0,0 0.1,0 0.1,0.1 0,0.1");
+    let written = Command::Write(points, "0,0 0.1,0 0.1,0.1 0,0.1".to_owned());
+    assert_eq!(harness.panel.take_commands(), [written]);
+    assert!(shows(&mut harness, "4 points, 0.1 × 0.1 m"));
+    type_into(&mut harness, points.id, "0,0 0.1");
+    let refusal = harness.panel.state.fire.refusals.get(points.id);
+    assert!(refusal.is_some_and(|words| words.contains("pairs of numbers")));
+    assert!(harness.panel.take_commands().is_empty());
+}
+
+#[test]
+fn the_eye_of_an_object_switches_it_off_and_on() {
+    for size in [TALL, PHONE] {
+        let mut harness = with_objects(Model::Combustion, size);
+        harness.click("enabled:3");
+        let asked = harness.panel.take_commands();
+        let [Command::Change(row, Value::Flag(false))] = asked[..] else {
+            panic!("{asked:?}");
+        };
+        assert_eq!(
+            (row.id, row.object.map(|owner| owner.id)),
+            ("solid:enabled", Some(3))
+        );
+        assert!(shows(&mut harness, "Solid 3 · wood line · off"));
+        harness.click("enabled:3");
+        let asked = harness.panel.take_commands();
+        assert_eq!(asked, [Command::Change(row, Value::Flag(true))]);
+        // The properties of the first source are parameters.
+        harness.click("enabled:1");
+        let id = Param::find("source_enabled").map_or("", |param| param.id);
+        let asked = harness.panel.take_commands();
+        assert_eq!(asked, [Command::Set(id, Value::Flag(false))]);
+        assert!(shows(&mut harness, "Source 1 · off"));
+    }
+}

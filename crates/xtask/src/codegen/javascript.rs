@@ -43,9 +43,18 @@ pub(super) fn defaults() -> String {
 
 /// The module of the whole table.
 pub(super) fn module(scenes: &[Scene]) -> String {
-    let doc = "Every parameter, in the order in which a panel shows them.";
-    let entries = PARAMETERS.iter().map(|param| entry(param).to_string());
-    let parameters = constant(doc, "PARAMETERS", LIST, entries);
+    let entries = PARAMETERS
+        .iter()
+        .map(|param| derived(entry(param)).to_string());
+    let parameters = [
+        "\nconst ENTRIES = [\n",
+        &entries
+            .map(|entry| format!("  {entry},\n"))
+            .collect::<String>(),
+        "];\n",
+        DERIVE,
+    ]
+    .concat();
     let doc = "Named sets of values: the defaults, with these changed.";
     let entries = scenes.iter().map(|scene| {
         let values: Map<_, _> = scene.values.iter().cloned().collect();
@@ -58,6 +67,36 @@ pub(super) fn module(scenes: &[Scene]) -> String {
     let presets = constant(doc, "PRESETS", LIST, entries);
     let quantities = "\nexport { QUANTITIES } from './generated/quantities.js';\n";
     [HEADER, &parameters, &presets, quantities].concat()
+}
+
+/// Fills in what [`derived`] leaves out.
+const DERIVE: &str = "
+/** Every parameter, in the order in which a panel shows them. */
+export const PARAMETERS = ENTRIES.map(({ domains, ...entry }) => ({
+  ...entry,
+  attribute: entry.id.replaceAll('_', '-'),
+  property: entry.id.replace(/_(.)/g, (_, letter) => letter.toUpperCase()),
+  domains: domains ?? Object.fromEntries(entry.models.map((model) => [
+    model,
+    'min' in entry ? { default: entry.default, min: entry.min, max: entry.max } : { default: entry.default },
+  ])),
+}));
+";
+
+/// An entry without what follows from the rest: a kilobyte of two downloads.
+fn derived(mut entry: Value) -> Value {
+    let domain = ["default", "min", "max"].map(|field| entry[field].clone());
+    if let Some(fields) = entry.as_object_mut() {
+        fields.remove("attribute");
+        fields.remove("property");
+        let is_same =
+            |one: &Value| ["default", "min", "max"].map(|field| one[field].clone()) == domain;
+        let domains = fields.get("domains").and_then(Value::as_object);
+        if domains.is_some_and(|domains| domains.values().all(is_same)) {
+            fields.remove("domains");
+        }
+    }
+    entry
 }
 
 /// The module of what displays measure: apart, since the element's bar of colours needs

@@ -141,6 +141,7 @@ openDialogs();
 const panel = new PagePanel(fire);
 fire.ready.then(
   () => {
+    document.documentElement.dataset.fire = 'shown';
     panel.begin();
     const [button, host] = ['draw', 'hands'].map((id) => /** @type {HTMLElement} */ (document.getElementById(id)));
     const shown = (/** @type {boolean} */ open) => (document.documentElement.dataset.tools = open ? 'shown' : 'hidden');

@@ -47,10 +47,11 @@ pub(super) struct Pair {
     pub offset: Separation,
     /// Relative velocity [m/s].
     pub velocity: [Lanes; 2],
-    /// −∇W/r · Vᵢ Vⱼ.
-    pub gradient: Lanes,
-    /// −r·∇W/(r² + 0.01 h²) · Vᵢ Vⱼ.
-    pub laplacian: Lanes,
+    /// −W'/r · Vᵢ Vⱼ/(r² + 0.01 h²). An interaction multiplies it by a term that is known before
+    /// it: r² + 0.01 h² for the gradient, r² for the Laplacian.
+    pub quotient: Lanes,
+    /// r² + 0.01 h².
+    pub softened: Lanes,
     /// pᵢ + pⱼ, with the factor of [`Block::pressure`].
     pub pressures: Lanes,
 }
@@ -60,15 +61,13 @@ impl Pair {
     pub fn new(one: &Broadcast, others: &Block) -> Pair {
         let offset = one.offset(others);
         let softened = offset.softened();
-        // −W'/r is this times q² + 0.01, and −W'/r · r²/(r² + 0.01 h²) is this
-        // times q²: both share one division, which starts before the kernel is known.
+        // The division starts before the kernel is known.
         let reciprocal = Lanes::splat(1.0) / (offset.q * softened);
-        let quotient = kernel::minus_dw(offset.q) * (one.volume * others.volume) * reciprocal;
         Pair {
             offset,
             velocity: one.relative_velocity(others),
-            gradient: quotient * softened,
-            laplacian: quotient * offset.square,
+            quotient: kernel::minus_dw(offset.q) * (one.volume * others.volume) * reciprocal,
+            softened,
             pressures: one.pressure + others.pressure,
         }
     }

@@ -9,6 +9,6 @@ pub(super) struct Pressure;
 impl PairInteraction<Pair> for Pressure {
     #[inline(always)]
     fn add(&self, pair: &Pair, rates: &mut Rates) {
-        rates.radial += pair.gradient * pair.pressures;
+        rates.radial += pair.quotient * (pair.softened * pair.pressures);
     }
 }

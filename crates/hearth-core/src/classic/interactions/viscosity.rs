@@ -23,6 +23,6 @@ impl Viscosity {
 impl PairInteraction<Pair> for Viscosity {
     #[inline(always)]
     fn add(&self, pair: &Pair, rates: &mut Rates) {
-        rates.relative += pair.laplacian * self.scale;
+        rates.relative += pair.quotient * (pair.offset.square * self.scale);
     }
 }

@@ -270,7 +270,7 @@ test('an invalid object changes nothing, and the error names its property', asyn
     [() => sim.addObject({ kind: 'solid', shape: 'cone' }), 'objects[2].shape', /circle/],
     [() => sim.addObject({ kind: 'solid', width: -1 }), 'objects[2].width', /0.002 to 10 m/],
     [() => sim.addObject(source({ id: 1 })), 'objects[2].id', /no other object/],
-    [() => sim.addObject(source({ pwer: 9 })), 'objects[2].property', /one of shape, solid, x, y, angle, width, power/],
+    [() => sim.addObject(source({ pwer: 9 })), 'objects[2].property', /one of name, enabled, shape, solid, x, y, angle, width, power/],
     [() => sim.changeObject(2, { x: 9 }), 'objects[1].x', /from -3 to 3 m/],
     [() => sim.changeObject(2, { x: {} }), 'objects[1].x', /an object/],
     [() => sim.changeObject(7, { x: 0 }), 'id', /id of an object/],

@@ -350,7 +350,7 @@ fn errors_name_the_invalid_object_and_no_object_changes() {
         ),
         (
             sources(&[&[("pwer", 9.0)]]),
-            "must be one of shape, solid, x, y, angle, width, power",
+            "must be one of name, enabled, shape, solid, x, y, angle, width, power",
         ),
     ] {
         let said = errors(&object(vec![("objects", objects.clone())]));

@@ -3,12 +3,31 @@
 use super::choices::Model;
 use super::entry::{Description, Domain, Kind};
 use super::name::{COMMON, COMMON_DESCRIPTIONS};
+use super::slot::Slot;
 use super::solid::{SOLID, SOLID_DESCRIPTIONS};
 use super::table::{DESCRIPTIONS, PARAMETERS, Param};
 use super::text::trimmed;
 use super::value::{AnyValue, Colour, Input, ParamError, ParamErrorKind, Value};
 
 impl Param {
+    /// Writes a value that this entry has checked to its field.
+    ///
+    /// # Errors
+    /// A text in another form.
+    #[inline(never)]
+    pub(super) fn store(
+        &self,
+        slot: Option<Slot<'_>>,
+        value: AnyValue<'_>,
+    ) -> Result<(), ParamError> {
+        match (slot.is_none_or(|slot| slot.put(value)), value, self.kind) {
+            (false, AnyValue::Text(text), Kind::Text(form)) => {
+                Err(self.error(Input::Text(text), ParamErrorKind::Other(form)))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// The parameter with this id.
     pub fn find(id: &str) -> Option<&'static Param> {
         PARAMETERS.iter().find(|param| param.id == id)

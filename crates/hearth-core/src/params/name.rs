@@ -1,7 +1,7 @@
 //! The name of an object, the one property that objects of every kind have.
 
 use super::entry::{Description, Domain, Kind, Role};
-use super::outline::Outline;
+use super::outline::FromText;
 use super::slot::Slot;
 use super::table::Param;
 use super::value::{AnyValue, ParamError, Value};
@@ -55,7 +55,7 @@ impl Name {
     }
 }
 
-impl Outline for Name {
+impl FromText for Name {
     fn read(&mut self, text: &str) -> bool {
         let mut length = 0;
         for byte in text.bytes() {

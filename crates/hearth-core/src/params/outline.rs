@@ -30,8 +30,8 @@ const OPAQUE_RUN: usize = 40;
 /// Runs that differ by a pixel in length; the others double.
 const SHORT_RUNS: usize = 16;
 
-/// An outline that is written as a text.
-pub(super) trait Outline {
+/// A value that is written as a text.
+pub(super) trait FromText {
     /// Reads a text. Returns whether it has the right form; if not, nothing changes.
     fn read(&mut self, text: &str) -> bool;
 }
@@ -183,13 +183,13 @@ fn run(number: usize) -> usize {
     }
 }
 
-impl Outline for Points {
+impl FromText for Points {
     fn read(&mut self, text: &str) -> bool {
         Points::parse(text).map(|read| *self = read).is_some()
     }
 }
 
-impl Outline for Mask {
+impl FromText for Mask {
     fn read(&mut self, text: &str) -> bool {
         Mask::parse(text).map(|read| *self = read).is_some()
     }

@@ -1,10 +1,8 @@
 //! The field of a parameter in the generated struct, whatever its type.
 
 use super::choices::Choice;
-use super::entry::Kind;
-use super::outline::Outline;
-use super::table::Param;
-use super::value::{AnyValue, Colour, Input, ParamError, ParamErrorKind, Value};
+use super::outline::FromText;
+use super::value::{AnyValue, Colour, Value};
 
 /// The field of a parameter in [`Values`](super::Values).
 pub(super) enum Slot<'a> {
@@ -14,7 +12,7 @@ pub(super) enum Slot<'a> {
     Flag(&'a mut bool),
     Colour(&'a mut Colour),
     Choice(&'a mut dyn Chosen),
-    Text(&'a mut dyn Outline),
+    Text(&'a mut dyn FromText),
 }
 
 impl Slot<'_> {
@@ -45,26 +43,6 @@ impl Slot<'_> {
             _ => {}
         }
         true
-    }
-}
-
-impl Param {
-    /// Writes a value that this entry has checked to its field.
-    ///
-    /// # Errors
-    /// A text in another form.
-    #[inline(never)]
-    pub(super) fn store(
-        &self,
-        slot: Option<Slot<'_>>,
-        value: AnyValue<'_>,
-    ) -> Result<(), ParamError> {
-        match (slot.is_none_or(|slot| slot.put(value)), value, self.kind) {
-            (false, AnyValue::Text(text), Kind::Text(form)) => {
-                Err(self.error(Input::Text(text), ParamErrorKind::Other(form)))
-            }
-            _ => Ok(()),
-        }
     }
 }
 

@@ -172,7 +172,7 @@ class Toolbar {
     on(layer, 'dblclick', () => this.#pointers.polygon.close());
     on(keys, 'keydown', (event) => this.#key(event));
     this.#inserts.listen([this.#fire, this.#host], signal);
-    on(this.#editing, 'change', () => this.#update());
+    this.#editing.watch(() => this.#update(), signal);
     for (const name of ['objects-change', 'params-change', 'ready']) on(this.#fire, name, () => this.#update());
     this.#follow(signal);
     const sizes = new ResizeObserver(() => this.#update());

@@ -105,6 +105,14 @@ test('a script of another version than its wasm is refused, and the version is n
   assert.ok(message.includes(`"${version}"`), message);
 });
 
+test('a worker of another version is not used, and both versions are named', async () => {
+  const body = "onmessage = () => postMessage({ type: 'started', version: '9.8.7' });";
+  const tab = await browser.open('<hearth-fire max-pixels="10000"></hearth-fire>', { files: { 'engine/worker.js': { body } } });
+  await tab.burnt(0.1);
+  assert.equal(tab.problems.length, 1, tab.problems.join('\n'));
+  assert.match(tab.problems[0], /worker\.js has version 9\.8\.7, the element has version \d+\.\d+\.\d+/);
+});
+
 test('a fire without memory for its particles refuses them in words, and all fires burn on', async () => {
   const body = confined(await readFile(ENGINE), 18 * 2 ** 20);
   const tab = await browser.open('<hearth-fire></hearth-fire><hearth-fire id="other"></hearth-fire>', {

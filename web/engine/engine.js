@@ -348,7 +348,9 @@ function inWorker(compiled) {
       giveUp();
     };
     thread.onmessage = ({ data }) => {
-      if (data.type !== 'started') {
+      if (data.type !== 'started' || data.version !== VERSION) {
+        // A cache may hold an old worker beside a new element.
+        if (data.version) console.warn(`Hearth: engine/worker.js has version ${data.version}, the element has version ${VERSION}.`);
         giveUp();
         return;
       }

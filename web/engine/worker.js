@@ -1,9 +1,10 @@
 /**
- * The engine in a worker, which keeps the main thread free. The worker posts `started`, or
- * `stopped` with the reason, and then takes calls and posts events. It transfers each picture as
- * a bitmap without a copy.
+ * The engine in a worker, which keeps the main thread free. The worker posts `started` with its
+ * version, or `stopped` with the reason, and then takes calls and posts events. It transfers each
+ * picture as a bitmap without a copy.
  */
 
+import { VERSION } from '../generated/version.js';
 import { contextOf, pictureCanvas, runEngine } from './loop.js';
 import init, { Engine } from '../wasm/hearth-engine.js';
 
@@ -43,7 +44,7 @@ addEventListener('message', ({ data }) => {
   else if (typeof data === 'number') engine?.shown(data);
   else if (data.part) engine?.add(data);
   else start(data.module).then(
-    () => postMessage({ type: 'started' }),
+    () => postMessage({ type: 'started', version: VERSION }),
     (error) => postMessage({ type: 'stopped', why: String(error) }),
   );
 });

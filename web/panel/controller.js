@@ -58,6 +58,8 @@ export class PanelController extends EventTarget {
   /** For the texts that are copied. */
   #addresses;
   #editing;
+  /** Ends what listens to the history and the selection. */
+  #ended = new AbortController();
   #history;
   #report;
   /** @type {number | undefined} */
@@ -94,7 +96,7 @@ export class PanelController extends EventTarget {
     this.#report = new Report(fire);
     this.#editing = editingOf(fire);
     this.#history = this.#editing.history;
-    this.#editing.addEventListener('change', this.#changed);
+    this.#editing.watch(this.#changed, this.#ended.signal);
     for (const name of CHANGES) fire.addEventListener(name, this.#update);
     this.#update();
   }
@@ -378,7 +380,7 @@ export class PanelController extends EventTarget {
   /** Closes the card and stops listening. */
   close() {
     for (const name of CHANGES) this.#fire.removeEventListener(name, this.#update);
-    this.#editing.removeEventListener('change', this.#changed);
+    this.#ended.abort();
     this.#report.close();
     clearTimeout(this.#doneEnds);
     this.#card?.close();

@@ -41,23 +41,47 @@ export class Editing extends EventTarget {
   #ids = [];
   /** @type {{compared: Compared}} */
   #variants = { compared: { letter: 'A' } };
+  /** How many panels and toolbars watch. */
+  #watchers = 0;
+  /** Ends the listeners of the fire. */
+  #unfollowed = new AbortController();
 
   /** @param {HearthFire} fire */
   constructor(fire) {
     super();
     this.#fire = fire;
     this.history = new UndoHistory(fire, () => this.#changed(), modelDefault, (id) => sceneValue(fire, id), this.#variants);
+  }
+
+  /**
+   * Calls `changed` at each change, and records what a pointer on the fire moves, until the signal.
+   * @param {() => void} changed
+   * @param {AbortSignal} signal
+   */
+  watch(changed, signal) {
+    this.addEventListener('change', changed, { signal });
+    this.#watchers += 1;
+    if (this.#watchers === 1) this.#followPointer();
+    signal.addEventListener('abort', () => {
+      this.#watchers -= 1;
+      if (this.#watchers === 0) this.#unfollowed.abort();
+    }, { once: true });
+  }
+
+  #followPointer() {
+    this.#unfollowed = new AbortController();
+    const { signal } = this.#unfollowed;
     /** The objects at the last press on the fire. @type {Fields[]} */
     let before = [];
     const press = () => {
-      before = objectsOf(fire);
+      before = objectsOf(this.#fire);
       this.history.press();
     };
     // The element moves things before a listener of its own event knows.
-    fire.addEventListener?.('pointerdown', press, { capture: true });
-    fire.addEventListener?.('objects-change', ({ detail }) => {
+    this.#fire.addEventListener('pointerdown', press, { capture: true, signal });
+    this.#fire.addEventListener('objects-change', ({ detail }) => {
       if (detail.source === 'pointer') this.history.moved(before);
-    });
+    }, { signal });
   }
 
   /** The selected object; of several, the one that was selected last. @returns {Fields | undefined} */

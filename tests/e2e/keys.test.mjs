@@ -78,9 +78,11 @@ test('plus and minus enlarge and reduce the picture, Shift and arrow keys move i
   assert.deepEqual(tab.problems, []);
 });
 
-test('S saves a picture, F enters and leaves full screen', async () => {
+test('S asks how to save a picture and Enter saves it, F enters and leaves full screen', async () => {
   const { tab } = await openPage(countSaved);
   await tab.key('s');
+  await tab.until('the question', () => document.activeElement?.matches('[data-card="save"]'));
+  await tab.key('Enter');
   await tab.until('a picture', () => /** @type {any} */ (window).saved === 1);
   await tab.key('f');
   await tab.until('all of the screen', () => document.fullscreenElement === document.documentElement);

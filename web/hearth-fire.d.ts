@@ -164,7 +164,7 @@ export class HearthFire extends HTMLElement {
    * @param count from 1 to 200
    */
   sparks(x: number, y: number, count?: number): Promise<void>;
-  /** Resolves to where the solids are that forces move, those with `motion` "free", in the order of the objects. `objects` has where they start. */
+  /** Resolves to where the solids are that forces move, those with `motion` "free", in the order of the objects, then what has broken off them. `objects` has where they start. */
   freeSolids(): Promise<HearthFreeSolid[]>;
   /**
    * Resolves to what a probe at a point measures, the same along the vertical through it, and the flame as a whole.

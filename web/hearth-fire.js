@@ -388,7 +388,7 @@ class HearthFire extends FireAttributes {
 
   /**
    * Resolves to where the solids are that forces move, those with `motion` "free", in the order of the
-   * objects. `objects` has where they start.
+   * objects, then what has broken off them. `objects` has where they start.
    * @returns {Promise<HearthFreeSolid[]>}
    * @posted
    * @example <caption>Drop a plank</caption> fire.addObject({ kind: 'solid', y: 1, angle: 20, motion: 'free', material: 'wood' })

@@ -200,7 +200,7 @@ export interface Simulation {
   embers(): Embers;
   /** The solids with fuel, in the order of the objects. No solid burns in the classic model. */
   fuels(): BurningSolid[];
-  /** The solids with `motion` "free" as they are now, in the order of the objects. */
+  /** The solids with `motion` "free" as they are now, in the order of the objects, then what has broken off them. */
   freeSolids(): HearthFreeSolid[];
   /**
    * Lights a solid with fuel: all of its surface, by its id, or what is within 0.1 m of a point [m].

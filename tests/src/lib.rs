@@ -13,7 +13,7 @@ pub mod validation;
 
 use hearth_core::params::{Input, PARAMETERS, Parameters};
 use hearth_core::preset::{PRESETS, Preset};
-use hearth_core::{Particle, Scene, Simulation};
+use hearth_core::{Particle, Scene, Simulation, Vec2, Where};
 
 /// Steps in a fingerprinted run: about four seconds of the classic fire, so that
 /// particles have been born, have pushed each other, and have died; two of the
@@ -121,6 +121,7 @@ pub fn fingerprints() -> String {
     let lit = lit.map(|(name, parameters)| (name, fingerprint(parameters)));
     // Taken up as it is, and by fewer particles.
     let kept = [
+        ("breaking", breaking()),
         ("kept", kept(FIRESIDE, None)),
         ("kept coarse", kept(FIRESIDE, Some(1200))),
     ];
@@ -185,6 +186,34 @@ fn free_solids(parameters: Parameters) -> Scene {
         debug_assert!(added.is_ok(), "{added:?}");
     }
     scene
+}
+
+/// The fingerprint of a stick that falls, burns and breaks; 0 if it does not.
+fn breaking() -> u64 {
+    let unlit = fires::combustion(&[("fuel_power", 0.0)]);
+    let mut scene = Scene::new(fires::on_floor(fires::in_the_open(unlit, 900)));
+    let added = scene.add(&[
+        ("kind", Input::Text("solid")),
+        ("motion", Input::Text("free")),
+        ("shape", Input::Text("box")),
+        ("width", Input::Number(0.8)),
+        ("height", Input::Number(0.04)),
+        ("angle", Input::Number(10.0)),
+        ("y", Input::Number(0.8)),
+        ("fuel", Input::Text("paper")),
+        ("load", Input::Number(0.6)),
+    ]);
+    let mut fire = Simulation::new(scene);
+    let lit = fire.ignite(Where::Place(Vec2::new(0.0, 0.8), 0.07));
+    debug_assert!(added.is_ok() && lit.is_ok(), "{added:?} {lit:?}");
+    let mut whole = fire.clone();
+    for _ in 0..STEPS {
+        whole.step();
+    }
+    match whole.free_solids().len() {
+        0 | 1 => 0,
+        _ => fingerprint_of(fire, STEPS),
+    }
 }
 
 /// The fingerprint of a fire around solids of every shape, one of which moves.

@@ -39,6 +39,7 @@ export interface HearthPicture {
 
 /** A solid that forces move, one with `motion` "free", as it is now. */
 export interface HearthFreeSolid {
+  /** Its id, as in `objects`; above 1,000,000 that of a part that has broken off. */
   id: number;
   /** Its place [m], as that of a solid in `objects`. */
   x: number;
@@ -55,6 +56,8 @@ export interface HearthFreeSolid {
   mass: number;
   /** Whether it rests until something moves it. */
   asleep: boolean;
+  /** The id of the object that it is, or that it was a part of. */
+  object: number;
 }
 
 /** What a probe measures at a place. What the model does not have is absent. */

@@ -47,7 +47,7 @@ use air::OpenAir;
 pub(crate) use air::Seen;
 pub use burner::Burner;
 use burner::BurnerParticle;
-pub use charred::Charred;
+pub use charred::{Charred, CharredSolid};
 pub use embers::Ember;
 use embers::Embers;
 use fuels::Fuels;

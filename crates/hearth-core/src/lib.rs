@@ -51,7 +51,8 @@ mod source;
 mod time_step;
 
 pub use combustion::{
-    Burner, BurningSolid, BurningState, Charred, Ember, FuelTotal, NoFuel, Removed, Where,
+    Burner, BurningSolid, BurningState, Charred, CharredSolid, Ember, FuelTotal, NoFuel, Removed,
+    Where,
 };
 pub use forces::{BodyForce, LocalGas};
 pub use glam::Vec2;

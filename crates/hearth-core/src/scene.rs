@@ -35,7 +35,7 @@ pub const MAX_OBJECTS: usize = 64;
 const MAX_PIXELS: usize = 262_144;
 
 /// Largest id of an object.
-const MAX_ID: f64 = 1e6;
+pub(crate) const MAX_ID: f64 = 1e6;
 
 /// The fields of an object that are not properties.
 const KIND: &str = "kind";

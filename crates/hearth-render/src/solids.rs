@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use hearth_core::params::{Material, Solid, Thermal};
 use hearth_core::scene::{Field, RoundedBox};
-use hearth_core::{Charred, Instance, Scene};
+use hearth_core::{Charred, CharredSolid, Instance, Scene};
 
 use crate::constants::{BURNING, FRONT, ROW, SURFACES};
 use crate::gl::Graphics;
@@ -89,7 +89,7 @@ fn records(
         let kelvin = present.map_or(solid.temperature, |one| one.1);
         let mut frame = solid.frame_at(surface, time);
         let mut field = surface.field.as_ref();
-        let known = charred.and_then(|all| all.solids.iter().find(|one| one.0 == id));
+        let known = charred.and_then(|all| all.solids.iter().find(|one| one.id == id));
         let cells = known.map_or(0.0, |known| burnt(known, &mut frame, &mut field));
         let mut record = record(solid, if cells > 0.0 { 0.0 } else { kelvin }, &frame);
         record[7] += cells;
@@ -100,14 +100,42 @@ fn records(
         }
         record
     });
-    records.collect()
+    let mut records: Vec<Instance> = records.collect();
+    if let Some(charred) = charred {
+        burnt_parts(charred, scene, place, &mut records, fields);
+    }
+    records
+}
+
+/// Appends the records and the fields of what has broken off solids that have fuel. The place is that
+/// of the first field.
+#[inline(never)]
+fn burnt_parts(
+    charred: &Charred,
+    scene: &Scene,
+    mut place: usize,
+    records: &mut Vec<Instance>,
+    fields: &mut Vec<Arc<Field>>,
+) {
+    for part in &charred.solids {
+        let object = scene.surfaces().find(|one| one.0 == part.id);
+        let object = object.filter(|one| one.1.material != Material::None);
+        if let (Some((_, solid, _)), Some(frame), Some(left)) = (object, &part.part, &part.left) {
+            let mut record = record(solid, 0.0, frame);
+            record[6] = -(place as f32);
+            record[7] += burnt_at(part.place);
+            place += 1 + left.distances.len().div_ceil(record.len());
+            fields.push(left.clone());
+            records.push(record);
+        }
+    }
 }
 
 /// The number to add to the surface of a solid that has fuel, whose box and field become those of
 /// what is left of it.
 #[inline(never)]
 fn burnt<'a>(
-    (_, place, left): &'a (u32, usize, Option<Arc<Field>>),
+    CharredSolid { place, left, .. }: &'a CharredSolid,
     frame: &mut RoundedBox,
     field: &mut Option<&'a Arc<Field>>,
 ) -> f32 {
@@ -115,7 +143,12 @@ fn burnt<'a>(
         (frame.half, frame.radius) = (left.half, 0.0);
         *field = Some(left);
     }
-    let place = *place as f32;
+    burnt_at(*place)
+}
+
+/// The number to add to the surface of a solid whose cells are at that place.
+fn burnt_at(place: usize) -> f32 {
+    let place = place as f32;
     // The first solids of so many that there is no number for the others.
     if place < SURFACES {
         BURNING * SURFACES + place
@@ -163,6 +196,7 @@ fn record(solid: &Solid, kelvin: f32, shape: &RoundedBox) -> Instance {
 mod tests {
     use super::*;
     use hearth_core::params::{Choice, Input};
+    use hearth_core::scene::Surface;
 
     /// The surface of a solid of that material and temperature, and whether it is drawn.
     fn surface(material: &str, kelvin: f64, thermal: &str) -> Option<f32> {
@@ -190,5 +224,56 @@ mod tests {
             assert_eq!(surface(name, 2500.0, "fixed"), hot);
         }
         assert!(surface("stone", 900.0, "fixed") < Some(SURFACES));
+    }
+
+    #[test]
+    fn a_part_is_drawn_as_its_solid_where_it_is() {
+        let mut scene = Scene::default();
+        let solid = |material| [("kind", Input::Text("solid")), ("material", material)];
+        let ids = ["iron", "none", "wood"].map(|name| scene.add(&solid(Input::Text(name))));
+        assert_eq!(ids, [Ok(2), Ok(3), Ok(4)]);
+        let mut polygon = Scene::default();
+        let shape = [
+            ("kind", Input::Text("solid")),
+            ("shape", Input::Text("polygon")),
+        ];
+        assert!(polygon.add(&shape).is_ok());
+        let surface = polygon
+            .surfaces()
+            .next()
+            .map(|(.., surface)| surface.clone());
+        let Some(Surface {
+            frame,
+            field: Some(left),
+        }) = surface
+        else {
+            panic!("a polygon without a field");
+        };
+        let part = |id, place| CharredSolid {
+            id,
+            place,
+            left: Some(left.clone()),
+            part: Some(frame),
+        };
+        let whole = |id| CharredSolid {
+            left: None,
+            part: None,
+            ..part(id, 0)
+        };
+        let charred = Charred {
+            records: vec![[0.0; 8]; 9],
+            // The second is invisible, and the last has no solid.
+            solids: vec![whole(4), part(4, 3), part(3, 5), part(4, 7), part(9, 8)],
+        };
+        let mut fields = Vec::new();
+        let all = records(&scene, 0.0, &[], Some(&charred), &mut fields);
+        assert_eq!((all.len(), fields.len()), (4, 2));
+        let length = 1 + left.distances.len().div_ceil(8);
+        for (number, place) in [3.0, 7.0].into_iter().enumerate() {
+            let drawn = all[2 + number];
+            assert_eq!(drawn[..2], frame.centre.to_array());
+            assert_eq!(drawn[6], -((ROW + 9 + number * length) as f32));
+            assert_eq!(drawn[7], all[1][7] + place);
+        }
     }
 }

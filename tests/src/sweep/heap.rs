@@ -160,23 +160,30 @@ fn add(scene: &mut Scene, bodies: u32, random: &mut Random) {
     assert!(added.is_ok(), "{added:?}");
 }
 
-/// What is left of each solid, where it is now.
+/// What is left of each solid and of its parts, where it is now.
 fn left(fire: &mut Simulation) -> impl Iterator<Item = (u32, &Solid, Surface)> {
     fire.show_fuels();
     let fire = &*fire;
     let burning = fire.charred().map_or(&[][..], |charred| &charred.solids);
-    fire.scene().surfaces().map(|(id, solid, surface)| {
+    let parts = burning.iter().filter_map(|part| {
+        let (frame, field) = (part.part?, part.left.clone());
+        let mut all = fire.scene().surfaces();
+        let (id, solid, _) = all.find(|one| one.0 == part.id)?;
+        Some((id, solid, Surface { frame, field }))
+    });
+    let whole = fire.scene().surfaces().map(|(id, solid, surface)| {
         let mut surface = Surface {
             frame: solid.frame_at(surface, fire.time()),
             field: surface.field.clone(),
         };
-        let found = burning.iter().find(|one| one.0 == id);
-        if let Some((_, _, Some(left))) = found {
+        let found = burning.iter().find(|one| one.id == id);
+        if let Some(left) = found.and_then(|found| found.left.as_ref()) {
             (surface.frame.half, surface.frame.radius) = (left.half, 0.0);
             surface.field = Some(left.clone());
         }
         (id, solid, surface)
-    })
+    });
+    whole.chain(parts)
 }
 
 /// Gas in what is left of a solid, if there is any.

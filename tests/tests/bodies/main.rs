@@ -2,6 +2,7 @@
 //! the gas and they exchange momentum.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod breaking;
 mod burning;
 mod gas;
 
@@ -214,8 +215,8 @@ fn bindings_read_each_free_body() {
     let mut fire = Simulation::new(scene);
     burn_on(&mut fire, 0.1);
     let (solids, numbers) = (fire.free_solids(), fire.free_solid_numbers());
-    assert_eq!((solids.len(), numbers.len()), (2, 20));
-    for (one, read) in solids.iter().zip(numbers.chunks(10)) {
+    assert_eq!((solids.len(), numbers.len()), (2, 22));
+    for (one, read) in solids.iter().zip(numbers.chunks(11)) {
         let (sine, cosine) = one.angle.to_radians().sin_cos();
         assert_eq!(read[..3], [one.id as f32, one.place.x, one.place.y]);
         assert!((read[3] - cosine).abs() < 1e-5 && (read[4] - sine).abs() < 1e-5);
@@ -223,7 +224,7 @@ fn bindings_read_each_free_body() {
             read[5..9],
             [one.velocity.x, one.velocity.y, one.spin, one.mass]
         );
-        assert_eq!(read[9], 0.0);
+        assert_eq!(read[9..], [0.0, one.object as f32]);
     }
 }
 

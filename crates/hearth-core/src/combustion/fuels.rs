@@ -6,8 +6,10 @@
 //! [outline](outline) follows what is left. The code is a part of the wasm that a page loads for a
 //! scene with a fuel: nothing outside of it calls a function of it without one.
 
+mod breaking;
 mod cells;
 mod command;
+mod continued;
 mod material;
 mod outline;
 mod radiation;
@@ -25,6 +27,7 @@ use crate::params::Physics;
 use crate::random::Random;
 use crate::scene::Scene;
 use crate::solids::Solids;
+use crate::solids::free::FreeBodies;
 use cells::Burning;
 use state::{BLOCKS, Beside, Block};
 
@@ -52,8 +55,8 @@ impl Fuels {
                 Some(known) if known.is(solid, surface, spacing) => Some(known),
                 known => {
                     let mut new = Burning::new(id, solid, surface, spacing, air);
-                    if let (Some(new), Some(known)) = (&mut new, &known)
-                        && new.is_finer_or_coarser(known)
+                    if let (Some(new), Some(known)) = (&mut new, known)
+                        && new.is_finer_or_coarser(&known)
                     {
                         new.continue_from(known);
                     }
@@ -62,22 +65,38 @@ impl Fuels {
             };
             fuels.all.extend(burning);
         }
-        let mut cells = 0;
-        for burning in &mut fuels.all {
-            burning.first_beside = cells;
-            cells += burning.cells.len();
+        let all = &fuels.all;
+        before.retain(|part| {
+            let mut whole = all.iter().filter(|one| one.id == part.object);
+            part.id != part.object && whole.any(|one| one.is_broken)
+        });
+        fuels.all.append(&mut before);
+        let all = &fuels.all;
+        FreeBodies::remove_parts(solids, &|id| all.iter().any(|one| one.id == id));
+        for burning in &fuels.all {
             if let Some(field) = &burning.left {
                 solids.reshape(burning.id, field);
             }
             burning.weigh(solids);
         }
-        fuels.beside.resize(cells, Beside::default());
-        fuels.views.clear();
-        fuels.views.resize(cells, 0.0);
+        fuels.make_room();
         fuels.blocks.resize(BLOCKS * BLOCKS, Block::default());
         if !fuels.all.is_empty() {
             **held = Some(fuels);
         }
+    }
+
+    /// Makes room for what the cells of all meet and see.
+    #[inline(never)]
+    fn make_room(&mut self) {
+        let mut cells = 0;
+        for burning in &mut self.all {
+            burning.first_beside = cells;
+            cells += burning.cells.len();
+        }
+        self.beside.resize(cells, Beside::default());
+        self.views.clear();
+        self.views.resize(cells, 0.0);
     }
 
     /// Makes room for so many particles near walls.

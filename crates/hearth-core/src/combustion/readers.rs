@@ -89,7 +89,7 @@ impl Combustion {
     /// Updates what a picture shows of the solids that have fuel.
     pub fn show_fuels(&mut self) {
         if let Some(fuels) = &mut *self.fuels {
-            fuels.show();
+            fuels.show(&self.solids);
         }
     }
 

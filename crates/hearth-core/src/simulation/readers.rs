@@ -34,15 +34,15 @@ impl Simulation {
             .flat_map(Combustion::solid_temperatures)
     }
 
-    /// The solids that forces move, in the order of the objects.
+    /// The solids that forces move, in the order of the objects, then what has broken off them.
     pub fn free_solids(&self) -> Vec<FreeSolid> {
         let free = self.solver.solids().free.as_ref();
         free.map_or_else(Vec::new, |free| free.seen())
     }
 
-    /// Ten numbers of each of the [free solids](Simulation::free_solids), for bindings: id, x and y of its
+    /// Eleven numbers of each of the [free solids](Simulation::free_solids), for bindings: id, x and y of its
     /// place \[m\], cosine and sine of its angle, x and y of its velocity [m/s], spin [1/s], mass [kg/m],
-    /// and 1 if it sleeps.
+    /// 1 if it sleeps, and the id of its object.
     pub fn free_solid_numbers(&self) -> Vec<f32> {
         let free = self.solver.solids().free.as_ref();
         free.map_or_else(Vec::new, |free| free.numbers())

@@ -11,6 +11,7 @@
 mod body;
 mod contact;
 mod contacts;
+mod parts;
 mod rest;
 mod samples;
 mod solve;
@@ -27,6 +28,7 @@ use contact::Plane;
 
 pub use body::FreeSolid;
 pub(crate) use body::Moments;
+pub(crate) use parts::Piece;
 pub(crate) use state::FreeBodies;
 
 /// Longest substep \[s\].
@@ -54,20 +56,21 @@ impl FreeBodies {
     pub fn set(solids: &mut Solids, scene: &Scene, time: f64, bounds: &Bounds) {
         let values = scene.settings();
         let mut free = solids.free.take().unwrap_or_default();
-        let mut before = std::mem::take(&mut free.all);
-        let ids = before.iter().map(|one| one.id);
+        let before = std::mem::take(&mut free.all);
+        let ids = before.iter().filter(|one| !one.is_part());
+        let ids = ids.map(|one| one.id);
         if !ids.eq(scene.surfaces().map(|one| one.0)) {
             free.contacts.clear();
             free.old.clear();
         }
         for (id, solid, surface) in scene.surfaces() {
             let mut body = body::Rigid::of(id, solid, surface, values);
-            let known = before.iter().position(|one| one.id == id);
-            if let Some(known) = known.map(|at| before.swap_remove(at)) {
-                body.continue_from(&known);
+            if let Some(known) = before.iter().find(|one| one.id == id) {
+                body.continue_from(known);
             }
             free.all.push(body);
         }
+        free.keep_parts(solids, &before);
         free.gravity = values.gravity;
         free.bounds = Some(*bounds);
         free.planes = planes(values);
@@ -136,7 +139,7 @@ impl FreeBodies {
         }
     }
 
-    /// The free solids, in the order of the objects.
+    /// The free solids, in the order of the objects, then what has broken off them.
     #[inline(never)]
     pub fn seen(&self) -> Vec<FreeSolid> {
         let free = self.all.iter().filter(|one| one.is_free);
@@ -151,7 +154,7 @@ impl FreeBodies {
             let (place, axis) = one.place();
             numbers.extend([one.id as f32, place.x, place.y, axis.x, axis.y]);
             numbers.extend([one.velocity.x, one.velocity.y, one.spin, one.mass()]);
-            numbers.push(f32::from(u8::from(one.asleep)));
+            numbers.extend([f32::from(u8::from(one.asleep)), one.object as f32]);
         }
         numbers
     }

@@ -44,6 +44,8 @@ pub(super) struct Cell {
     pub pilot: f32,
     /// Its gas that waits for gas beside the solid, as a mass of fuel of the gas [kg/m].
     pub waiting: f32,
+    /// Whether another part of the solid has, or had, what was here.
+    pub is_apart: bool,
 }
 
 impl Cell {
@@ -88,16 +90,25 @@ impl Cell {
 /// A solid that burns, or has burnt.
 #[derive(Clone, Debug)]
 pub(super) struct Burning {
-    /// Its id.
+    /// Its id, and that of the object whose part it is: the same until a part breaks off.
     pub id: u32,
+    pub object: u32,
     pub material: &'static Material,
     /// What it was made of, and the shape at first, around its centre.
-    fuel: Fuel,
+    pub(super) fuel: Fuel,
     pub load: f32,
     pub moisture: f32,
-    shape: Surface,
+    pub(super) shape: Surface,
     /// The spacing that it was made for \[m\].
-    spacing: f32,
+    pub(super) spacing: f32,
+    /// Dry mass of the whole solid at first [kg/m].
+    pub whole: f32,
+    /// From the middle of the whole solid to that of the grid \[m\].
+    pub origin: Vec2,
+    /// Whether a part has broken off, or it is one; and the parts that hold together only because
+    /// there are as many solids as there may be.
+    pub is_broken: bool,
+    pub unbroken: u32,
     pub columns: usize,
     pub rows: usize,
     /// Half of the size of the grid, and the size of a cell \[m\].
@@ -162,12 +173,17 @@ impl Burning {
         };
         let mut burning = Burning {
             id,
+            object: id,
             material,
             fuel: solid.fuel,
             load: solid.load,
             moisture: solid.moisture,
             shape,
             spacing,
+            whole: 0.0,
+            origin: Vec2::ZERO,
+            is_broken: false,
+            unbroken: 0,
             columns,
             rows,
             half,
@@ -179,23 +195,10 @@ impl Burning {
             account: Account::default(),
         };
         burning.fill(air);
+        burning.whole = burning.cells.iter().map(|cell| cell.first).sum();
         burning.stood = burning.standing();
         burning.find_surface();
         Some(burning)
-    }
-
-    /// Whether it is that solid with that fuel.
-    pub fn is(&self, solid: &Solid, surface: &Surface, spacing: f32) -> bool {
-        let frame = &self.shape.frame;
-        let same_field = match (&self.shape.field, &surface.field) {
-            (Some(one), Some(other)) => Arc::ptr_eq(one, other),
-            (None, None) => true,
-            _ => false,
-        };
-        same_field
-            && (frame.half, frame.radius) == (surface.frame.half, surface.frame.radius)
-            && (self.fuel, self.load, self.moisture) == (solid.fuel, solid.load, solid.moisture)
-            && self.spacing == spacing
     }
 
     /// Fills the cells inside of the shape, with all of the mass together.
@@ -249,7 +252,7 @@ impl Burning {
     /// The distance of a place from the surface of what is left, and the normal there.
     pub fn distance(&self, place: Vec2) -> (f32, Vec2) {
         match &self.left {
-            None => self.shape.distance(place),
+            None => self.shape.distance(place + self.origin),
             Some(field) => field.distance(place),
         }
     }
@@ -265,9 +268,14 @@ impl Burning {
         }
     }
 
+    /// Half of the size of the whole solid \[m\].
+    pub fn whole_half(&self) -> Vec2 {
+        self.shape.frame.half + self.shape.frame.radius
+    }
+
     /// The distance of a place from the surface at first.
     pub fn first_distance(&self, place: Vec2) -> f32 {
-        self.shape.distance(place).0
+        self.shape.distance(place + self.origin).0
     }
 
     /// The cells that meet the gas at a place of the surface with that normal, and the share of each:
@@ -367,32 +375,5 @@ impl Burning {
         };
         let full = self.cells.iter().filter(|cell| cell.mass() > 0.0);
         full.map(each).sum()
-    }
-
-    /// Takes over the state of the same solid in another grid.
-    pub fn continue_from(&mut self, old: &Burning) {
-        for index in 0..self.cells.len() {
-            let then = old.at(self.place(index)).and_then(|at| old.cells.get(at));
-            if let (Some(cell), Some(then)) = (self.cells.get_mut(index), then)
-                && then.first > 0.0
-                && cell.first > 0.0
-            {
-                let share = cell.first / then.first;
-                cell.temperature = then.temperature;
-                cell.fuel = then.fuel * share;
-                cell.water = then.water * share;
-                cell.char = then.char * share;
-            }
-        }
-        self.account = old.account;
-        self.left.clone_from(&old.left);
-        self.stood = self.standing();
-        self.find_surface();
-    }
-
-    /// Whether it is the same solid in a grid for another spacing.
-    pub fn is_finer_or_coarser(&self, other: &Burning) -> bool {
-        self.shape == other.shape
-            && (self.fuel, self.load, self.moisture) == (other.fuel, other.load, other.moisture)
     }
 }

@@ -72,7 +72,7 @@ impl Fuels {
         for (&position, state) in gas.position.iter().zip(&mut gas.state) {
             let is_there = solids.bodies.iter().any(|body| {
                 let there = match at {
-                    Where::Object(id) => body.id() == id,
+                    Where::Object(id) => self.is_of(body, id),
                     Where::Place(place, radius) => position.distance(place) < reach(radius),
                 };
                 there
@@ -109,7 +109,7 @@ impl Fuels {
             let is_there = match at {
                 Where::Place(place, radius) => position.distance(place) < radius,
                 Where::Object(id) => solids.bodies.iter().any(|body| {
-                    body.id() == id
+                    self.is_of(body, id)
                         && body.may_touch(position, AROUND)
                         && body.surface.distance(position).0 < AROUND
                 }),
@@ -120,6 +120,12 @@ impl Fuels {
             }
         }
         Ok(())
+    }
+
+    /// Whether a body is that object or a part of it.
+    fn is_of(&self, body: &Body, object: u32) -> bool {
+        let mut all = self.all.iter();
+        body.id() == object || all.any(|one| one.object == object && one.id == body.id())
     }
 
     /// Calls `act` for each cell there: of an object, all of them; near a place, those within its
@@ -140,7 +146,14 @@ impl Fuels {
                     .cells
                     .get(index)
                     .is_some_and(|cell| cell.mass() > 0.0);
-                if present && is_there(at, body, burning.place(index)) {
+                let is_there = match at {
+                    Where::Object(id) => burning.object == id,
+                    Where::Place(point, radius) => {
+                        let place = body.surface.frame.local(point);
+                        place.distance(burning.place(index)) < reach(radius)
+                    }
+                };
+                if present && is_there {
                     act(burning, index);
                     found = true;
                 }
@@ -152,16 +165,6 @@ impl Fuels {
 
 fn at_object(at: Where) -> bool {
     matches!(at, Where::Object(_))
-}
-
-/// Whether the middle of a cell is there.
-fn is_there(at: Where, body: &Body, place: Vec2) -> bool {
-    match at {
-        Where::Object(id) => body.id() == id,
-        Where::Place(point, radius) => {
-            body.surface.frame.local(point).distance(place) < reach(radius)
-        }
-    }
 }
 
 fn reach(radius: f32) -> f32 {

@@ -39,6 +39,7 @@ impl Fuels {
             return;
         }
         self.since = 0.0;
+        let mut parts = Vec::new();
         for burning in &mut self.all {
             burning.weigh(solids);
             let standing = burning.standing();
@@ -50,21 +51,30 @@ impl Fuels {
             burning.find_outline();
             let body = solids.first(burning.id);
             let frame = body.map(|body| body.surface.frame);
-            for index in 0..burning.cells.len() {
-                let place = burning.place(index);
-                if burning.fall(index, values.ambient_temperature)
-                    && let Some(frame) = frame
+            let mut throw = |place: Vec2| {
+                if let Some(frame) = frame
                     && values.ember_rate > 0.0
                 {
                     let at = frame.centre + frame.axis * place.x + frame.axis.perp() * place.y;
                     embers.throw_from(at, EMBERS, values, random);
                 }
+            };
+            let air = values.ambient_temperature;
+            for index in 0..burning.cells.len() {
+                if burning.fall(index, air) {
+                    throw(burning.place(index));
+                }
             }
+            burning.fall_apart(solids, air, &mut parts, &mut throw);
             burning.find_surface();
             burning.move_waiting();
             if let Some(field) = &burning.left {
                 solids.reshape(burning.id, field);
             }
+        }
+        if !parts.is_empty() {
+            self.all.append(&mut parts);
+            self.make_room();
         }
     }
 }
@@ -75,17 +85,24 @@ impl Burning {
         let Some(free) = &mut *solids.free else {
             return;
         };
-        let first: f32 = self.cells.iter().map(|cell| cell.first).sum();
-        let first = fast_max(first * (1.0 + 0.01 * self.moisture), 1e-12);
+        free.weigh(self.id, &self.moments());
+    }
+
+    /// What is left, as a share of the mass of the whole solid.
+    pub(super) fn moments(&self) -> Moments {
+        let whole = fast_max(self.whole * (1.0 + 0.01 * self.moisture), 1e-12);
         let places = self.cells.iter().enumerate();
-        let left = places.map(|(index, cell)| (cell.mass() / first, self.place(index)));
-        free.weigh(self.id, &Moments::of(left, self.side));
+        let left = places.map(|(index, cell)| (cell.mass() / whole, self.place(index)));
+        Moments::of(left, self.side)
     }
 
     /// Finds the outline of what stands.
-    fn find_outline(&mut self) {
-        let longest = 2.0 * fast_max(self.half.x, self.half.y);
-        let area = 4.0 * self.half.x * self.half.y;
+    #[inline(never)]
+    pub(super) fn find_outline(&mut self) {
+        // A part is sampled as the whole.
+        let half = self.whole_half();
+        let longest = 2.0 * fast_max(half.x, half.y);
+        let area = 4.0 * half.x * half.y;
         let step = fast_max(longest / MOST, (area / ALL).sqrt());
         let field = Field::of_opacity(self.half, step, &|place| {
             let inside = 0.5 - self.first_distance(place) / (2.0 * step);
@@ -136,7 +153,8 @@ impl Burning {
         let inside = column >= 0 && row >= 0 && column < self.columns as isize;
         let index = row * self.columns as isize + column;
         let cell = self.cells.get(index as usize).filter(|_| inside)?;
-        (cell.first > 0.0).then(|| cell.standing(self.material, self.load))
+        let was_there = cell.first > 0.0 || cell.is_apart;
+        was_there.then(|| cell.standing(self.material, self.load))
     }
 
     /// Lets a cell fall that is beyond the outline. Returns whether it does.
@@ -144,7 +162,7 @@ impl Burning {
         let (distance, _) = self.distance(self.place(index));
         let deep = 0.25 * fast_min(self.side.x, self.side.y);
         let (material, load) = (self.material, self.load);
-        let Some(cell) = self.cells.get_mut(index) else {
+        let Some(cell) = self.cells.get(index) else {
             return false;
         };
         // A cell at the edge of the shape at first may have its middle outside.
@@ -152,17 +170,26 @@ impl Burning {
         if cell.mass() <= 0.0 || stands {
             return false;
         }
+        self.turn_to_ash(index, air);
+        true
+    }
+
+    /// Books what is in a cell as fallen.
+    pub(super) fn turn_to_ash(&mut self, index: usize, air: f32) {
+        let material = self.material;
+        let Some(cell) = self.cells.get_mut(index) else {
+            return;
+        };
         let heat = cell.capacity(material) * (cell.temperature - air);
         self.account.fallen += f64::from(cell.fuel + cell.char);
         self.account.steam += f64::from(cell.water);
         self.account.lost += f64::from(heat);
         (cell.fuel, cell.water, cell.char) = (0.0, 0.0, 0.0);
         (cell.received, cell.temperature) = (0.0, air);
-        true
     }
 
     /// Moves gas that waits at cells that have gone to one that has not.
-    fn move_waiting(&mut self) {
+    pub(super) fn move_waiting(&mut self) {
         let mut waiting = 0.0;
         for cell in &mut self.cells {
             if cell.mass() <= 0.0 {

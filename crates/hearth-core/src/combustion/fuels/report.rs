@@ -1,7 +1,9 @@
 //! What readers see of the solids that burn.
 
-use super::cells::{Burning, Cell};
+use super::cells::{Account, Burning, Cell};
 use super::state::Fuels;
+use crate::combustion::charred::CharredSolid;
+use crate::solids::Solids;
 
 /// Power below which a solid is out [kW/m].
 const OUT: f32 = 0.05;
@@ -94,6 +96,8 @@ pub struct FuelTotal {
     pub left: f64,
     /// The [state](BurningState) of the solid that comes last in their order; empty without any.
     pub state: &'static str,
+    /// Parts that hold together only because there are 64 solids already.
+    pub unbroken: u32,
 }
 
 impl Burning {
@@ -107,16 +111,32 @@ impl Burning {
             account.starved = account.oxygen < STARVED;
         }
     }
+}
+
+impl Account {
+    /// Adds that of a part that has broken off.
+    fn add(&mut self, part: &Account) {
+        self.gas += part.gas;
+        self.steam += part.steam;
+        self.oxidised += part.oxidised;
+        self.fallen += part.fallen;
+        self.gained += part.gained;
+        self.lost += part.lost;
+        self.exchanged += part.exchanged;
+        self.flames += part.flames;
+        self.power += part.power;
+        self.lit |= part.lit;
+        self.starved |= part.starved;
+    }
 
     fn state(&self, left: f64) -> BurningState {
-        let account = &self.account;
-        if account.lit && account.power > OUT {
+        if self.lit && self.power > OUT {
             BurningState::Burning
         } else if left < f64::from(NOTHING) {
             BurningState::Burnt
-        } else if !account.lit {
+        } else if !self.lit {
             BurningState::Unlit
-        } else if account.starved {
+        } else if self.starved {
             BurningState::Starved
         } else {
             BurningState::Out
@@ -125,41 +145,54 @@ impl Burning {
 }
 
 impl Fuels {
-    /// Every solid with fuel.
+    /// Every solid with fuel, together with what has broken off it.
     #[inline(never)]
     pub fn solids(&self, air: f32, gas_heat: f32) -> Vec<BurningSolid> {
-        let each = |burning: &Burning| {
-            let sum = |of: fn(&Cell) -> f32| -> f64 {
-                burning.cells.iter().map(|cell| f64::from(of(cell))).sum()
-            };
-            let account = &burning.account;
-            let first = sum(|cell| cell.first);
-            let heat = f64::from(burning.material.gas_heat());
-            let waiting = sum(|cell| cell.waiting) * f64::from(gas_heat) / heat;
-            let fuel = sum(|cell| cell.fuel) + waiting;
-            let hottest = burning.cells.iter().filter(|cell| cell.mass() > 0.0);
-            BurningSolid {
-                id: burning.id,
-                state: burning.state(fuel / first.max(1e-12)),
-                first,
-                fuel,
-                water: sum(|cell| cell.water),
-                char: sum(|cell| cell.char),
-                gas: account.gas,
-                gas_heat: account.gas * heat,
-                steam: account.steam,
-                oxidised: account.oxidised,
-                fallen: account.fallen,
-                stored: burning.stored(air),
-                gained: account.gained,
-                lost: account.lost,
-                exchanged: account.exchanged,
-                flames: account.flames,
-                power: account.power,
-                hottest: hottest.fold(0.0, |most, cell| most.max(cell.temperature)),
+        let whole = self.all.iter().filter(|one| one.id == one.object);
+        whole.map(|one| self.solid(one, air, gas_heat)).collect()
+    }
+
+    #[inline(never)]
+    fn solid(&self, burning: &Burning, air: f32, gas_heat: f32) -> BurningSolid {
+        let mut account = Account::default();
+        let (mut first, mut fuel, mut water, mut char) = (0.0, 0.0, 0.0, 0.0);
+        let (mut waiting, mut stored, mut hottest) = (0.0, 0.0, 0.0_f32);
+        for part in self.all.iter().filter(|one| one.object == burning.id) {
+            account.add(&part.account);
+            stored += part.stored(air);
+            for cell in &part.cells {
+                first += f64::from(cell.first);
+                fuel += f64::from(cell.fuel);
+                water += f64::from(cell.water);
+                char += f64::from(cell.char);
+                waiting += f64::from(cell.waiting);
+                if cell.mass() > 0.0 {
+                    hottest = hottest.max(cell.temperature);
+                }
             }
-        };
-        self.all.iter().map(each).collect()
+        }
+        let heat = f64::from(burning.material.gas_heat());
+        fuel += waiting * f64::from(gas_heat) / heat;
+        BurningSolid {
+            id: burning.id,
+            state: account.state(fuel / first.max(1e-12)),
+            first,
+            fuel,
+            water,
+            char,
+            gas: account.gas,
+            gas_heat: account.gas * heat,
+            steam: account.steam,
+            oxidised: account.oxidised,
+            fallen: account.fallen,
+            stored,
+            gained: account.gained,
+            lost: account.lost,
+            exchanged: account.exchanged,
+            flames: account.flames,
+            power: account.power,
+            hottest,
+        }
     }
 
     /// All of them together.
@@ -177,18 +210,26 @@ impl Fuels {
             power,
             left: left / first.max(1e-12),
             state: state.name(),
+            unbroken: self.all.iter().map(|one| one.unbroken).sum(),
         }
     }
 
     /// Writes all of them for a picture.
     #[inline(never)]
-    pub fn show(&mut self) {
+    pub fn show(&mut self, solids: &Solids) {
         let out = &mut self.charred;
         out.records.clear();
         out.solids.clear();
         for burning in &self.all {
             let place = out.records.len();
-            out.solids.push((burning.id, place, burning.left.clone()));
+            let body = solids.first(burning.id);
+            let body = body.filter(|_| burning.id != burning.object);
+            out.solids.push(CharredSolid {
+                id: burning.object,
+                place,
+                left: burning.left.clone(),
+                part: body.map(|body| body.surface.frame),
+            });
             let [width, height, radius] = burning.drawn();
             out.records.push([
                 burning.id as f32,

@@ -74,8 +74,10 @@ impl Moments {
 /// A solid that forces move, as it is now.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeSolid {
-    /// Its id.
+    /// Its id: that of the object or, of a part that has broken off, one above 1,000,000.
     pub id: u32,
+    /// The id of the object that it is, or that it was a part of.
+    pub object: u32,
     /// Its place \[m\] and its angle \[°\], as those of a solid in a scene.
     pub place: Vec2,
     /// Angle from -180 to 180 \[°\].
@@ -103,6 +105,8 @@ fn whole(inverse: f32) -> f32 {
 #[derive(Clone, Debug)]
 pub(super) struct Rigid {
     pub id: u32,
+    /// The id of the object that it is, or that it was a part of.
+    pub object: u32,
     pub is_free: bool,
     /// Its place and angle in the scene.
     start: [f32; 3],
@@ -113,7 +117,7 @@ pub(super) struct Rigid {
     pub centre: Vec2,
     offset: Vec2,
     /// From the place of the solid to the middle of its frame, in that.
-    middle: Vec2,
+    pub(super) middle: Vec2,
     pub velocity: Vec2,
     pub spin: f32,
     /// Mass of all of it and the least mass [kg/m]; the area in which there is no air \[m²\] times the
@@ -121,6 +125,8 @@ pub(super) struct Rigid {
     full: f32,
     least: f32,
     air: f32,
+    /// Its share of the least mass of the whole.
+    share: f32,
     pub inverse_mass: f32,
     pub inverse_inertia: f32,
     /// Share of the weight that air does not carry.
@@ -145,6 +151,7 @@ impl Rigid {
         let (area, round) = surface.measures();
         let mut body = Rigid {
             id,
+            object: id,
             is_free,
             start: [solid.x, solid.y, solid.angle],
             samples: Samples::of(&surface),
@@ -156,6 +163,7 @@ impl Rigid {
             full: solid.density * area,
             least: LAYER * values.spacing() * values.ambient_density * round,
             air: values.ambient_density * area,
+            share: 1.0,
             inverse_mass: 0.0,
             inverse_inertia: 0.0,
             weight: 1.0,
@@ -188,6 +196,25 @@ impl Rigid {
         self.centre = frame.centre + frame.axis.rotate(self.offset);
         let path = self.centre - known.centre;
         (self.velocity, self.spin) = (known.velocity + path.perp() * known.spin, known.spin);
+        self.share = known.share;
+    }
+
+    /// This part of a body that has changed.
+    pub fn of_changed(&self, whole: &Rigid) -> Rigid {
+        Rigid {
+            full: whole.full,
+            least: whole.least,
+            air: whole.air,
+            friction: whole.friction,
+            restitution: whole.restitution,
+            ..self.clone()
+        }
+    }
+
+    /// Leaves it what is left, of that amount of all before it broke.
+    pub fn leave(&mut self, left: &Moments, amount: f32) {
+        self.share *= left.amount / fast_max(amount, 1e-12);
+        self.weigh(left);
     }
 
     /// Gives it a share of its mass around another centre.
@@ -198,7 +225,7 @@ impl Rigid {
         self.centre = frame.centre + frame.axis.rotate(left.centre);
         // The material keeps its velocity.
         self.velocity += (self.centre - before).perp() * self.spin;
-        let mass = fast_max(self.full * left.amount, self.least);
+        let mass = fast_max(self.full * left.amount, self.least * self.share);
         if self.is_free && mass > 0.0 && !self.is_gone() {
             self.inverse_mass = 1.0 / mass;
             self.inverse_inertia = 1.0 / (mass * fast_max(left.gyration, 1e-8));
@@ -269,6 +296,7 @@ impl Rigid {
         let (place, axis) = self.place();
         FreeSolid {
             id: self.id,
+            object: self.object,
             place,
             angle: libm::atan2f(axis.y, axis.x).to_degrees(),
             centre: self.centre,

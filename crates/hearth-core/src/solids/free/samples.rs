@@ -57,6 +57,13 @@ impl Samples {
         samples
     }
 
+    /// Those of a sampled surface.
+    pub fn of_field(field: &Field) -> Samples {
+        let mut samples = Samples::default();
+        samples.find(field);
+        samples
+    }
+
     /// All of them.
     pub fn all(&self) -> &[Sample] {
         self.all.get(..self.count).unwrap_or_default()

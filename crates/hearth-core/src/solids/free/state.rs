@@ -21,6 +21,8 @@ pub(crate) struct FreeBodies {
     pub(super) length: f32,
     /// Time of the bodies \[s\].
     pub(super) time: f64,
+    /// How many parts have broken off.
+    pub(super) parts: u32,
 }
 
 impl OfPart for FreeBodies {

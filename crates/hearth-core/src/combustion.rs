@@ -41,6 +41,7 @@ use crate::random::Random;
 use crate::report::{Stage, StepReport};
 use crate::scene::Scene;
 use crate::solids::Solids;
+use crate::solids::free::FreeBodies;
 use crate::solver::Solver;
 
 use air::OpenAir;
@@ -202,11 +203,14 @@ impl Combustion {
     }
 
     /// Continues from the particles and embers of a fire that was [`made_with`](Self::made_with)
-    /// this. If this fire's is different, the gas is resampled.
+    /// this. If this fire's is different, the gas is resampled. The numbers of `bodies` are those of the
+    /// free solids.
+    #[allow(clippy::too_many_arguments)]
     pub fn resume(
         &mut self,
         particles: &[Particle],
         embers: Vec<Ember>,
+        bodies: &[f32],
         made_with: u32,
         scene: &Scene,
         random: &mut Random,
@@ -216,10 +220,19 @@ impl Combustion {
         self.fuels = Held::default();
         // The solids first: the gas of the particles is around them.
         self.place_solids(scene, time);
+        self.resume_bodies(bodies);
         self.set_particles(particles, scene.settings());
         self.embers = Embers::of(embers);
         self.discretisation = Discretisation::made_with(made_with, scene.settings());
         self.adapt(scene, random, time);
+        // A change of the scene wakes them.
+        self.resume_bodies(bodies);
+    }
+
+    fn resume_bodies(&mut self, numbers: &[f32]) {
+        if self.solids.free.is_some() {
+            FreeBodies::resume(&mut self.solids, numbers);
+        }
     }
 
     /// What a fire needs to be resampled besides its values: `max_particles` or, in open air, the

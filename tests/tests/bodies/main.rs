@@ -5,6 +5,7 @@
 mod breaking;
 mod burning;
 mod gas;
+mod saved;
 
 use hearth_core::params::Input;
 use hearth_core::{FreeSolid, Parameters, Scene, Simulation, Vec2};

@@ -15,9 +15,9 @@
 //! | particles × 10 | x, y (2 each), u, v, temperature, fuel, oxygen, soot (1 each), column by column |
 //! | embers × 10 | x, y (2 each), u, v, temperature, size, age, life (1 each), column by column |
 //! | solids × 4 | temperature \[K\] of each that conducts heat, in the order of the objects |
+//! | free solids × 32 | place x, y, cosine and sine of the angle, velocity u, v, spin, 1 if it sleeps |
 //!
-//! What solids with fuel have lost is not in it: a restored fire has them whole and cold. Nor is where
-//! free solids are: they start at their places.
+//! What solids with fuel have lost is not in it: a restored fire has them whole and cold.
 //!
 //! A velocity is the root of its share of the largest, so that slow gas is precise.
 
@@ -31,17 +31,23 @@ use glam::Vec2;
 use super::Simulation;
 use crate::bounds::Bounds;
 use crate::combustion::Ember;
-use crate::params::{Solid, Thermal};
+use crate::params::{Motion, Solid, Thermal};
 use crate::particle::Particle;
 use crate::random::Random;
 use format::{
-    Bytes, Columns, EACH, EMBERS, HEADER, Header, MAGIC, OUT_OF_RANGE, quantised, quantised_signed,
+    BODY, Bytes, Columns, EACH, EMBERS, HEADER, Header, MAGIC, OUT_OF_RANGE, quantised,
+    quantised_signed,
 };
 
 pub use digest::digest;
 pub use format::VERSION;
 
 const NO_FIRE: &str = "the bytes are not a burning fire";
+/// Largest distance of a free solid from the middle \[m\], its largest speed [m/s], and its largest
+/// spin [1/s].
+const MAX_PLACE: f32 = 100.0;
+const MAX_SPEED: f32 = 10.0;
+const MAX_SPIN: f32 = 1e5;
 /// Largest temperature of an ember \[K\].
 const MAX_EMBER_TEMPERATURE: f32 = 2500.0;
 
@@ -137,6 +143,12 @@ impl Simulation {
         out.extend(embers.iter().map(|one| quantised(one.age, life)));
         out.extend(embers.iter().map(|one| quantised(one.lifetime, life)));
         out.extend(gas.solid_temperatures().flat_map(|one| one.1.to_le_bytes()));
+        // What has broken off a solid is whole again in a restored fire.
+        let bodies = self.free_solid_numbers();
+        for one in bodies.chunks(11).filter(|one| one.first() == one.last()) {
+            let numbers = one.get(1..8).unwrap_or_default().iter().chain(one.get(9));
+            out.extend(numbers.flat_map(|number| number.to_le_bytes()));
+        }
         Some(out)
     }
 
@@ -191,13 +203,21 @@ impl Simulation {
         let solids = bytes.numbers();
         let conducting = |one: &&Solid| one.thermal == Thermal::Conducting;
         let count = self.scene.solids().filter(conducting).count();
-        // Those of the first version keep their temperatures.
-        if !(solids.is_empty() || solids.len() == count) {
+        let is_free = |one: &&Solid| one.motion == Motion::Free;
+        let free = self.scene.solids().filter(is_free).count();
+        // Solids of the first version keep their temperatures, free ones of the second their places.
+        let fits = match header.version {
+            1 | 2 => solids.is_empty() || solids.len() == count,
+            _ => solids.len() == count + BODY * free,
+        };
+        if !fits {
             return Err(BurningError::Damaged(
                 "the burning fire has the wrong length",
             ));
         }
-        if !solids.iter().all(|kelvin| (1.0..=1e5).contains(kelvin)) {
+        let (solids, bodies) = solids.split_at(count.min(solids.len()));
+        let is_hot = |kelvin: &f32| (1.0..=1e5).contains(kelvin);
+        if !(solids.iter().all(is_hot) && bodies.chunks(BODY).all(is_body)) {
             return Err(BurningError::Damaged(OUT_OF_RANGE));
         }
 
@@ -207,15 +227,31 @@ impl Simulation {
         gas.resume(
             &particles,
             embers,
+            bodies,
             header.made_with,
             &self.scene,
             &mut self.random,
             self.time,
         );
-        gas.set_solid_temperatures(&solids);
+        gas.set_solid_temperatures(solids);
         self.show_free();
         Ok(())
     }
+}
+
+/// Whether the numbers are those of a free solid.
+fn is_body(numbers: &[f32]) -> bool {
+    let &[x, y, cosine, sine, u, v, spin, asleep] = numbers else {
+        return false;
+    };
+    let within = |number: f32, most: f32| (-most..=most).contains(&number);
+    within(x, MAX_PLACE)
+        && within(y, MAX_PLACE)
+        && within(Vec2::new(cosine, sine).length() - 1.0, 0.01)
+        && within(u, MAX_SPEED)
+        && within(v, MAX_SPEED)
+        && within(spin, MAX_SPIN)
+        && (asleep == 0.0 || asleep == 1.0)
 }
 
 fn write_positions(

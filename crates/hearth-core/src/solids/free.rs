@@ -13,6 +13,7 @@ mod contact;
 mod contacts;
 mod parts;
 mod rest;
+mod resume;
 mod samples;
 mod solve;
 mod state;

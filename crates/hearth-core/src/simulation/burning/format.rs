@@ -5,8 +5,8 @@ use glam::Vec2;
 use crate::bounds::Bounds;
 use crate::scene::MAX_OBJECTS;
 
-/// The version of the format. Version 1 has no temperatures of solids.
-pub const VERSION: u16 = 2;
+/// The version of the format. Version 1 has no temperatures of solids, version 2 no free solids.
+pub const VERSION: u16 = 3;
 
 pub(super) const MAGIC: &[u8; 4] = b"Fire";
 pub(super) const HEADER: usize = 56;
@@ -14,8 +14,10 @@ pub(super) const HEADER: usize = 56;
 pub(super) const EACH: usize = 10;
 /// Most stored embers.
 pub(super) const EMBERS: usize = 1000;
-/// Bytes of the temperature of a solid.
-const TEMPERATURE: usize = 4;
+/// Bytes of a number of a solid: its temperature, or one of those of a free solid.
+const NUMBER: usize = 4;
+/// Numbers of a free solid.
+pub(super) const BODY: usize = 8;
 /// Largest plausible time \[s\].
 const MAX_TIME: f64 = 1e6;
 
@@ -24,7 +26,7 @@ pub(super) const OUT_OF_RANGE: &str = "the burning fire has values out of range"
 
 /// The header.
 pub(super) struct Header {
-    version: u16,
+    pub version: u16,
     pub embers: usize,
     pub digest: u64,
     pub made_with: u32,
@@ -70,8 +72,13 @@ impl Header {
             return Err("the burning fire has an invalid number of particles");
         }
         let solids = rest.checked_sub(EACH * (self.particles + self.embers));
-        let most = [0, MAX_OBJECTS][usize::from(self.version > 1)];
-        if !solids.is_some_and(|rest| rest % TEMPERATURE == 0 && rest / TEMPERATURE <= most) {
+        let most = MAX_OBJECTS
+            * match self.version {
+                1 => 0,
+                2 => 1,
+                _ => 1 + BODY,
+            };
+        if !solids.is_some_and(|rest| rest % NUMBER == 0 && rest / NUMBER <= most) {
             return Err("the burning fire has the wrong length");
         }
         let [velocity, hot, sooty, rest @ ..] = self.scales;

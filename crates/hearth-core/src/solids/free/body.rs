@@ -115,7 +115,7 @@ pub(super) struct Rigid {
     pub samples: Samples,
     /// Centre of mass, and the same in the frame of the surface.
     pub centre: Vec2,
-    offset: Vec2,
+    pub(super) offset: Vec2,
     /// From the place of the solid to the middle of its frame, in that.
     pub(super) middle: Vec2,
     pub velocity: Vec2,

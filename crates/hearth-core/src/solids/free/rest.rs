@@ -8,7 +8,7 @@ use crate::extremes::fast_min;
 /// Speed below which a body is still [m/s].
 const STILL: f32 = 0.01;
 /// For how long it is still before it sleeps \[s\].
-const DROWSY: f32 = 0.5;
+pub(super) const DROWSY: f32 = 0.5;
 /// Push of the gas that keeps a body awake, and that wakes it, as a share of its weight.
 const KEEPS: f32 = 0.1;
 const WAKES: f32 = 0.2;

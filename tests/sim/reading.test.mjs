@@ -150,3 +150,20 @@ test('a free solid falls, turns and comes to rest', async () => {
     assert.equal(sim.objects.at(-1).y, 0.4);
   }
 });
+
+test('a free solid that burns through is read as its object and a part', async () => {
+  const sim = await createSimulation({ params: { spacing: 0.06, max_particles: 1500, gravity: 0, fuel_power: 0 } });
+  const id = sim.addObject({ kind: 'solid', shape: 'box', y: 0.8, width: 0.8, height: 0.04, motion: 'free', fuel: 'paper', load: 0.6, moisture: 0 });
+  const [whole] = sim.freeSolids();
+  assert.equal(whole.object, id);
+  const objects = structuredClone(sim.objects);
+  sim.ignite(0, 0.8, 0.07);
+  while (sim.freeSolids().length < 2 && sim.time < 3) sim.step();
+  const [rest, part] = sim.freeSolids();
+  assert.deepEqual([rest.id, rest.object, part.object], [id, id, id]);
+  assert.ok(part.id > 1e6 && part.mass < 0.5 * whole.mass && rest.mass < 0.5 * whole.mass);
+  assert.equal(sim.fuels().length, 1);
+  assert.deepEqual(sim.objects, objects);
+  sim.reset();
+  assert.deepEqual(sim.freeSolids(), [whole]);
+});

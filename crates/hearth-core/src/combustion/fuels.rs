@@ -71,8 +71,10 @@ impl Fuels {
             part.id != part.object && whole.any(|one| one.is_broken)
         });
         fuels.all.append(&mut before);
-        let all = &fuels.all;
-        FreeBodies::remove_parts(solids, &|id| all.iter().any(|one| one.id == id));
+        if solids.free.is_some() {
+            let all = &fuels.all;
+            FreeBodies::remove_parts(solids, &|id| all.iter().any(|one| one.id == id));
+        }
         for burning in &fuels.all {
             if let Some(field) = &burning.left {
                 solids.reshape(burning.id, field);

@@ -189,7 +189,7 @@ impl Burning {
     }
 
     /// Moves gas that waits at cells that have gone to one that has not.
-    pub(super) fn move_waiting(&mut self) {
+    fn move_waiting(&mut self) {
         let mut waiting = 0.0;
         for cell in &mut self.cells {
             if cell.mass() <= 0.0 {

@@ -36,8 +36,6 @@ pub(crate) use state::FreeBodies;
 const SUBSTEP: f32 = 1e-3;
 /// Longest step that the bodies follow \[s\].
 const LONGEST: f32 = 0.05;
-/// Contacts for each solid that there is room for.
-const CONTACTS: usize = 48;
 
 impl Body {
     /// Adds the force of a particle of gas at a position, whose mass \[kg/m\] it gave the opposite of this
@@ -76,9 +74,7 @@ impl FreeBodies {
         free.bounds = Some(*bounds);
         free.planes = planes(values);
         free.time = time;
-        let room = free.all.len() * CONTACTS;
-        free.contacts.reserve(room);
-        free.old.reserve(room);
+        free.make_room();
         free.follow(solids);
         free.place(solids);
         for body in solids.bodies.iter_mut().filter(|body| body.is_free) {

@@ -10,12 +10,21 @@ use crate::extremes::fast_max;
 
 /// Distance at which a contact is found, beyond the path in a substep \[m\].
 const MARGIN: f32 = 1e-3;
+/// Contacts for each solid that there is room for.
+const CONTACTS: usize = 48;
 /// Bodies and samples have numbers below this in a key.
 const KEYS: usize = 256;
 /// The number of the first plane, in place of that of a body.
 pub(super) const PLANES: usize = 200;
 
 impl FreeBodies {
+    /// Makes room for the contacts.
+    pub(super) fn make_room(&mut self) {
+        let room = self.all.len() * CONTACTS;
+        self.contacts.reserve(room);
+        self.old.reserve(room);
+    }
+
     /// Finds the contacts of a substep. Those known before keep their impulses.
     pub(super) fn find_contacts(&mut self, dt: f32) {
         std::mem::swap(&mut self.contacts, &mut self.old);

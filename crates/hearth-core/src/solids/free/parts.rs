@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use glam::Vec2;
 
-use super::CONTACTS;
 use super::body::{Moments, Rigid};
 use super::samples::Samples;
 use super::state::FreeBodies;
@@ -50,9 +49,7 @@ impl FreeBodies {
             solids.bodies.extend(part.body_of(&solids.bodies));
             free.all.push(part);
         }
-        let room = free.all.len() * CONTACTS;
-        free.contacts.reserve(room);
-        free.old.reserve(room);
+        free.make_room();
         new
     }
 
@@ -146,7 +143,7 @@ mod tests {
     use crate::bounds::Bounds;
     use crate::params::Input;
     use crate::scene::Scene;
-    use crate::solids::free::FreeSolid;
+    use crate::solids::free::body::FreeSolid;
 
     const BOX: Bounds = Bounds {
         bottom: 0.0,

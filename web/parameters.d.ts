@@ -5,7 +5,7 @@
 export type ModelName = "classic" | "combustion";
 
 /** The name of a preset. */
-export type PresetName = "default" | "bonfire-in-wind" | "burning-logs" | "burning-word" | "campfire" | "candle" | "fireplace" | "fireside" | "forge" | "gas-burner" | "ghost-fire" | "match" | "ring-of-fire" | "sheltered-candle" | "smoke-stack" | "torch" | "wall-of-fire" | "wooden-word" | "classic" | "paper-buoyancy" | "paper-fire" | "paper-smoothing" | "paper-stiffness" | "paper-viscosity" | "seed";
+export type PresetName = "default" | "bonfire-in-wind" | "burning-logs" | "burning-word" | "campfire" | "candle" | "fireplace" | "fireside" | "forge" | "gas-burner" | "ghost-fire" | "house-of-cards" | "match" | "paper-boat" | "ring-of-fire" | "sheltered-candle" | "smoke-stack" | "torch" | "wall-of-fire" | "wooden-word" | "classic" | "paper-buoyancy" | "paper-fire" | "paper-smoothing" | "paper-stiffness" | "paper-viscosity" | "seed";
 
 /** The value of every parameter, by its id. */
 export interface HearthParameters {

@@ -38,7 +38,7 @@ const MAX_PIXELS: usize = 262_144;
 pub(crate) const MAX_ID: f64 = 1e6;
 
 /// The fields of an object that are not properties.
-const KIND: &str = "kind";
+pub(crate) const KIND: &str = "kind";
 const ID: &str = "id";
 
 /// Settings and objects: the input of a fire. Every value is in range.

@@ -2,7 +2,7 @@
 
 use crate::params::text::split_once;
 use crate::params::{IN_FRAME, Input, Parameters};
-use crate::scene::Scene;
+use crate::scene::{KIND, Scene};
 
 /// A named set of values that differ from the defaults.
 #[derive(Debug)]
@@ -11,7 +11,8 @@ pub struct Preset {
     pub name: &'static str,
     /// The values that differ from the defaults, then the fields of each object besides its
     /// source, with an empty line before each object. A line is an id and a value: a table of
-    /// inputs costs a kilobyte of download.
+    /// inputs costs a kilobyte of download. An object that does not begin with its kind has the
+    /// fields of the one before it, but for its own.
     pub(super) text: &'static str,
 }
 
@@ -57,8 +58,13 @@ impl Preset {
         let mut scene = Scene::new(self.parameters());
         let mut rest = Fields(self.text);
         rest.by_ref().for_each(drop);
+        let mut fields = Vec::new();
         while !rest.0.is_empty() {
-            let fields: Vec<_> = rest.by_ref().collect();
+            if rest.0.starts_with(KIND) {
+                fields.clear();
+            }
+            // Of two fields of one name the later counts.
+            fields.extend(rest.by_ref());
             let added = scene.add(&fields);
             debug_assert!(added.is_ok(), "preset {}: {added:?}", self.name);
         }

@@ -37,25 +37,18 @@ pub static PRESETS: &[Preset] = &[
             height 0.11\n\
             material wood\n\
             \n\
-            kind solid\n\
-            shape line\n\
             x 0.16\n\
             y 0.16\n\
             angle -19\n\
             width 0.76\n\
             height 0.1\n\
-            material wood\n\
             \n\
-            kind solid\n\
-            shape line\n\
             x 0\n\
             y 0.1\n\
             angle 2\n\
             width 0.8\n\
             height 0.11\n\
-            material wood\n\
             \n\
-            kind solid\n\
             shape box\n\
             x -0.72\n\
             y 0.07\n\
@@ -65,15 +58,9 @@ pub static PRESETS: &[Preset] = &[
             corner 0.06\n\
             material stone\n\
             \n\
-            kind solid\n\
-            shape box\n\
             x 0.72\n\
-            y 0.07\n\
             angle -9\n\
-            width 0.19\n\
-            height 0.14\n\
-            corner 0.06\n\
-            material stone",
+            width 0.19",
     },
     Preset {
         name: "burning-logs",
@@ -108,65 +95,28 @@ pub static PRESETS: &[Preset] = &[
             load 12\n\
             moisture 4\n\
             \n\
-            kind solid\n\
-            shape circle\n\
             x 0.16\n\
             y 0.065\n\
             width 0.13\n\
-            material wood\n\
-            fuel wood\n\
-            load 12\n\
-            moisture 4\n\
             \n\
-            kind solid\n\
-            shape circle\n\
             x -0.33\n\
             y 0.05\n\
             width 0.1\n\
-            material wood\n\
-            fuel wood\n\
-            load 12\n\
-            moisture 4\n\
             \n\
-            kind solid\n\
-            shape circle\n\
             x 0.33\n\
             y 0.055\n\
             width 0.11\n\
-            material wood\n\
-            fuel wood\n\
-            load 12\n\
-            moisture 4\n\
             \n\
-            kind solid\n\
-            shape circle\n\
             x -0.21\n\
             y 0.215\n\
-            width 0.11\n\
-            material wood\n\
-            fuel wood\n\
-            load 12\n\
-            moisture 4\n\
             \n\
-            kind solid\n\
-            shape circle\n\
             x 0.005\n\
             y 0.22\n\
             width 0.12\n\
-            material wood\n\
-            fuel wood\n\
-            load 12\n\
-            moisture 4\n\
             \n\
-            kind solid\n\
-            shape circle\n\
             x 0.21\n\
             y 0.2\n\
-            width 0.1\n\
-            material wood\n\
-            fuel wood\n\
-            load 12\n\
-            moisture 4",
+            width 0.1",
     },
     Preset {
         name: "burning-word",
@@ -233,25 +183,18 @@ pub static PRESETS: &[Preset] = &[
             height 0.075\n\
             material wood\n\
             \n\
-            kind solid\n\
-            shape line\n\
             x 0.12\n\
             y 0.145\n\
             angle -18\n\
             width 0.48\n\
             height 0.07\n\
-            material wood\n\
             \n\
-            kind solid\n\
-            shape line\n\
             x 0.02\n\
             y 0.105\n\
             angle 3\n\
             width 0.46\n\
             height 0.08\n\
-            material wood\n\
             \n\
-            kind solid\n\
             shape box\n\
             x -0.46\n\
             y 0.085\n\
@@ -261,25 +204,17 @@ pub static PRESETS: &[Preset] = &[
             corner 0.05\n\
             material stone\n\
             \n\
-            kind solid\n\
-            shape box\n\
             x 0.48\n\
-            y 0.085\n\
             angle -12\n\
             width 0.15\n\
-            height 0.12\n\
             corner 0.055\n\
-            material stone\n\
             \n\
-            kind solid\n\
-            shape box\n\
             x -0.62\n\
             y 0.07\n\
             angle -5\n\
             width 0.13\n\
             height 0.09\n\
-            corner 0.04\n\
-            material stone",
+            corner 0.04",
     },
     Preset {
         name: "candle",
@@ -348,32 +283,15 @@ pub static PRESETS: &[Preset] = &[
             height 0.94\n\
             material brick\n\
             \n\
-            kind solid\n\
-            shape box\n\
             x 0.78\n\
-            y 0.53\n\
-            width 0.36\n\
-            height 0.94\n\
-            material brick\n\
             \n\
-            kind solid\n\
-            shape box\n\
             x -0.58\n\
             y 1.4\n\
             width 0.84\n\
             height 0.8\n\
-            material brick\n\
             \n\
-            kind solid\n\
-            shape box\n\
             x 0.58\n\
-            y 1.4\n\
-            width 0.84\n\
-            height 0.8\n\
-            material brick\n\
             \n\
-            kind solid\n\
-            shape box\n\
             x -0.6\n\
             y 1.03\n\
             width 0.8\n\
@@ -381,14 +299,7 @@ pub static PRESETS: &[Preset] = &[
             corner 0.02\n\
             material stone\n\
             \n\
-            kind solid\n\
-            shape box\n\
             x 0.6\n\
-            y 1.03\n\
-            width 0.8\n\
-            height 0.09\n\
-            corner 0.02\n\
-            material stone\n\
             \n\
             kind solid\n\
             shape line\n\
@@ -397,59 +308,32 @@ pub static PRESETS: &[Preset] = &[
             height 0.025\n\
             material iron\n\
             \n\
-            kind solid\n\
-            shape line\n\
             x -0.28\n\
             y 0.03\n\
             angle 90\n\
             width 0.05\n\
-            height 0.025\n\
-            material iron\n\
             \n\
-            kind solid\n\
-            shape line\n\
             x 0.28\n\
-            y 0.03\n\
-            angle 90\n\
-            width 0.05\n\
-            height 0.025\n\
-            material iron\n\
             \n\
-            kind solid\n\
-            shape line\n\
             x -0.36\n\
             y 0.12\n\
             angle 100\n\
             width 0.12\n\
-            height 0.025\n\
-            material iron\n\
             \n\
-            kind solid\n\
-            shape line\n\
             x 0.36\n\
-            y 0.12\n\
             angle 80\n\
-            width 0.12\n\
-            height 0.025\n\
-            material iron\n\
             \n\
-            kind solid\n\
-            shape line\n\
             x -0.03\n\
-            y 0.12\n\
             angle 3\n\
             width 0.48\n\
             height 0.09\n\
             material wood\n\
             \n\
-            kind solid\n\
-            shape line\n\
             x 0.04\n\
             y 0.19\n\
             angle -8\n\
             width 0.4\n\
-            height 0.07\n\
-            material wood",
+            height 0.07",
     },
     Preset {
         name: "fireside",
@@ -483,16 +367,12 @@ pub static PRESETS: &[Preset] = &[
             height 0.07\n\
             material wood\n\
             \n\
-            kind solid\n\
-            shape line\n\
             x 0.1\n\
             y 0.06\n\
             angle -16\n\
             width 0.42\n\
             height 0.065\n\
-            material wood\n\
             \n\
-            kind solid\n\
             shape box\n\
             x -0.4\n\
             y 0.055\n\
@@ -502,15 +382,9 @@ pub static PRESETS: &[Preset] = &[
             corner 0.05\n\
             material stone\n\
             \n\
-            kind solid\n\
-            shape box\n\
             x 0.42\n\
-            y 0.055\n\
             angle -12\n\
-            width 0.14\n\
-            height 0.11\n\
-            corner 0.05\n\
-            material stone",
+            width 0.14",
     },
     Preset {
         name: "forge",
@@ -551,56 +425,34 @@ pub static PRESETS: &[Preset] = &[
             width 0.13\n\
             material coal\n\
             \n\
-            kind solid\n\
-            shape circle\n\
             x -0.36\n\
             y 0.15200000000000002\n\
             width 0.16\n\
-            material coal\n\
             \n\
-            kind solid\n\
-            shape circle\n\
             x -0.22\n\
             y 0.164\n\
             width 0.14500000000000002\n\
-            material coal\n\
             \n\
-            kind solid\n\
-            shape circle\n\
             x -0.08\n\
             y 0.14\n\
             width 0.13\n\
-            material coal\n\
             \n\
-            kind solid\n\
-            shape circle\n\
             x 0.06\n\
             y 0.15200000000000002\n\
             width 0.16\n\
-            material coal\n\
             \n\
-            kind solid\n\
-            shape circle\n\
             x 0.2\n\
             y 0.164\n\
             width 0.14500000000000002\n\
-            material coal\n\
             \n\
-            kind solid\n\
-            shape circle\n\
             x 0.34\n\
             y 0.14\n\
             width 0.13\n\
-            material coal\n\
             \n\
-            kind solid\n\
-            shape circle\n\
             x 0.48\n\
             y 0.15200000000000002\n\
             width 0.16\n\
-            material coal\n\
             \n\
-            kind solid\n\
             shape line\n\
             x 0.78\n\
             y 0.27\n\
@@ -673,6 +525,72 @@ pub static PRESETS: &[Preset] = &[
             spacing 0.024221",
     },
     Preset {
+        name: "house-of-cards",
+        text: "fuel_power 40\n\
+            source_width 0.08\n\
+            exposure 0.6\n\
+            backdrop bricks\n\
+            ground stone\n\
+            time_scale 0.6\n\
+            source_x -0.33\n\
+            source_height 0.02\n\
+            emission_speed 0.3\n\
+            domain_width 0.8\n\
+            domain_height 1.1\n\
+            floor solid\n\
+            spacing 0.018\n\
+            \n\
+            kind solid\n\
+            shape box\n\
+            x -0.2\n\
+            y 0.095\n\
+            angle 69.5\n\
+            height 0.01\n\
+            material wax\n\
+            fuel paper\n\
+            load 5\n\
+            moisture 15\n\
+            motion free\n\
+            \n\
+            x -0.04\n\
+            \n\
+            x 0.12\n\
+            \n\
+            x -0.12\n\
+            y 0.296\n\
+            \n\
+            x 0.04\n\
+            \n\
+            x -0.04\n\
+            y 0.497\n\
+            \n\
+            x -0.12\n\
+            y 0.095\n\
+            angle 110.5\n\
+            \n\
+            x 0.04\n\
+            \n\
+            x 0.2\n\
+            \n\
+            x -0.04\n\
+            y 0.296\n\
+            \n\
+            x 0.12\n\
+            \n\
+            x 0.04\n\
+            y 0.497\n\
+            \n\
+            x -0.08\n\
+            y 0.196\n\
+            angle 0\n\
+            width 0.155\n\
+            \n\
+            x 0.08\n\
+            \n\
+            x 0\n\
+            y 0.397",
+    },
+    Preset {
         name: "match",
         text: "fuel_power 15\n\
             source_width 0.06\n\
@@ -713,6 +631,34 @@ pub static PRESETS: &[Preset] = &[
             material coal",
     },
     Preset {
+        name: "paper-boat",
+        text: "fuel_power 100\n\
+            source_width 0.2\n\
+            exposure 0.5\n\
+            backdrop bricks\n\
+            ground stone\n\
+            time_scale 0.6\n\
+            source_height 0.03\n\
+            emission_speed 0.3\n\
+            domain_width 1.3\n\
+            domain_height 1.3\n\
+            floor solid\n\
+            spacing 0.026\n\
+            \n\
+            kind solid\n\
+            shape polygon\n\
+            x -0.8\n\
+            y 0.05\n\
+            points -0.16,0.05 -0.05,0 0,0.1 0.05,0 0.16,0.05 0.08,-0.05 -0.08,-0.05\n\
+            material wax\n\
+            fuel paper\n\
+            load 1\n\
+            moisture 20\n\
+            motion free\n\
+            density 2.5\n\
+            friction 0.12",
+    },
+    Preset {
         name: "ring-of-fire",
         text: "fuel_power 50\n\
             source_width 0.16\n\
@@ -742,85 +688,35 @@ pub static PRESETS: &[Preset] = &[
             noise 0.5\n\
             oxygen 0.4\n\
             \n\
-            kind source\n\
             x 0.38\n\
             y 0.456\n\
             angle -108\n\
-            power 50\n\
-            width 0.16\n\
-            speed 0.4\n\
-            noise 0.5\n\
-            oxygen 0.4\n\
             \n\
-            kind source\n\
-            x 0.38\n\
             y 0.704\n\
             angle -72\n\
-            power 50\n\
-            width 0.16\n\
-            speed 0.4\n\
-            noise 0.5\n\
-            oxygen 0.4\n\
             \n\
-            kind source\n\
             x 0.235\n\
             y 0.904\n\
             angle -36\n\
-            power 50\n\
-            width 0.16\n\
-            speed 0.4\n\
-            noise 0.5\n\
-            oxygen 0.4\n\
             \n\
-            kind source\n\
             x 0\n\
             y 0.98\n\
             angle 0\n\
-            power 50\n\
-            width 0.16\n\
-            speed 0.4\n\
-            noise 0.5\n\
-            oxygen 0.4\n\
             \n\
-            kind source\n\
             x -0.235\n\
             y 0.904\n\
             angle 36\n\
-            power 50\n\
-            width 0.16\n\
-            speed 0.4\n\
-            noise 0.5\n\
-            oxygen 0.4\n\
             \n\
-            kind source\n\
             x -0.38\n\
             y 0.704\n\
             angle 72\n\
-            power 50\n\
-            width 0.16\n\
-            speed 0.4\n\
-            noise 0.5\n\
-            oxygen 0.4\n\
             \n\
-            kind source\n\
-            x -0.38\n\
             y 0.456\n\
             angle 108\n\
-            power 50\n\
-            width 0.16\n\
-            speed 0.4\n\
-            noise 0.5\n\
-            oxygen 0.4\n\
             \n\
-            kind source\n\
             x -0.235\n\
             y 0.256\n\
             angle 144\n\
-            power 50\n\
-            width 0.16\n\
-            speed 0.4\n\
-            noise 0.5\n\
-            oxygen 0.4\n\
             \n\
             kind solid\n\
             shape line\n\
@@ -888,11 +784,9 @@ pub static PRESETS: &[Preset] = &[
             height 0.005\n\
             material coal\n\
             \n\
-            kind solid\n\
             shape box\n\
             x -0.13\n\
             y 0.24\n\
-            angle 90\n\
             width 0.22\n\
             height 0.026\n\
             corner 0.004\n\
@@ -995,35 +889,11 @@ pub static PRESETS: &[Preset] = &[
             temperature 900\n\
             oxygen 0.5\n\
             \n\
-            kind source\n\
             x -0.5\n\
-            power 150\n\
-            speed 0.6\n\
-            noise 0.6\n\
-            width 0.4\n\
-            y 0.1\n\
-            temperature 900\n\
-            oxygen 0.5\n\
             \n\
-            kind source\n\
             x 0.5\n\
-            power 150\n\
-            speed 0.6\n\
-            noise 0.6\n\
-            width 0.4\n\
-            y 0.1\n\
-            temperature 900\n\
-            oxygen 0.5\n\
             \n\
-            kind source\n\
             x 1\n\
-            power 150\n\
-            speed 0.6\n\
-            noise 0.6\n\
-            width 0.4\n\
-            y 0.1\n\
-            temperature 900\n\
-            oxygen 0.5\n\
             \n\
             kind solid\n\
             shape box\n\
@@ -1250,8 +1120,16 @@ pub static CAPTIONS: &[Caption] = &[
         description: "Pale flames that rise slowly, as no fire does.",
     },
     Caption {
+        label: "House of cards",
+        description: "A house of cards that a small flame sets on fire at a corner, and that falls as it burns.",
+    },
+    Caption {
         label: "Match",
         description: "A small flame that flickers, leans and smokes a little.",
+    },
+    Caption {
+        label: "Paper boat",
+        description: "A paper boat that the draught of a fire draws in, sets on fire and lifts.",
     },
     Caption {
         label: "Ring of fire",

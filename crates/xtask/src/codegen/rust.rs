@@ -24,10 +24,13 @@ pub(super) fn table(scenes: &[Scene]) -> String {
     );
     for scene in scenes {
         let _ = writeln!(text, "    Preset {{\n        name: {:?},", scene.name);
-        let lines: Vec<_> = iter::once(&scene.values)
-            .chain(&scene.objects)
-            .map(|values| fields(values))
-            .collect();
+        let mut lines = vec![fields(scene.values.iter())];
+        let before = iter::once(None).chain(scene.objects.iter().map(Some));
+        lines.extend(
+            before
+                .zip(&scene.objects)
+                .map(|(before, one)| object(before, one)),
+        );
         // Long literals stay legible: a line of text is a line of the file.
         let lines = lines.join("\n\n").escape_debug().to_string();
         let lines = lines.replace("\\n", "\\n\\\n            ");
@@ -49,9 +52,20 @@ pub(super) fn table(scenes: &[Scene]) -> String {
     text
 }
 
+/// The fields of an object. One that has every property of the one before it has only its own.
+fn object(before: Option<&Vec<(String, Value)>>, object: &[(String, Value)]) -> String {
+    let named = |id: &str| object.iter().any(|(known, _)| known == id);
+    let before = before.map_or(&[][..], Vec::as_slice);
+    let continues = before.iter().all(|(id, _)| named(id)) && before != object;
+    let own = object
+        .iter()
+        .filter(|field| !continues || !before.contains(field));
+    fields(own)
+}
+
 /// A line for each field: its id and its value.
-fn fields(fields: &[(String, Value)]) -> String {
-    let lines = fields.iter().map(|(id, value)| match value {
+fn fields<'a>(fields: impl Iterator<Item = &'a (String, Value)>) -> String {
+    let lines = fields.map(|(id, value)| match value {
         Value::String(text) => format!("{id} {text}"),
         Value::Bool(on) => format!("{id} {on}"),
         number => format!("{id} {}", number.as_f64().unwrap_or_default()),

@@ -72,7 +72,7 @@ impl<G: Graphics> Solids<G> {
     }
 }
 
-/// The records of the visible solids; appends their fields.
+/// The records of the visible solids, each with those of what has broken off it; appends their fields.
 fn records(
     scene: &Scene,
     time: f64,
@@ -81,54 +81,37 @@ fn records(
     fields: &mut Vec<Arc<Field>>,
 ) -> Vec<Instance> {
     let mut place = ROW + charred.map_or(0, |charred| charred.records.len());
+    let charred = charred.map_or(&[][..], |charred| &charred.solids);
     let visible = scene
         .surfaces()
         .filter(|one| one.1.material != Material::None);
-    let records = visible.map(|(id, solid, surface)| {
+    let mut records = Vec::new();
+    for (id, solid, surface) in visible {
         let present = temperatures.iter().find(|one| one.0 == id);
         let kelvin = present.map_or(solid.temperature, |one| one.1);
-        let mut frame = solid.frame_at(surface, time);
-        let mut field = surface.field.as_ref();
-        let known = charred.and_then(|all| all.solids.iter().find(|one| one.id == id));
-        let cells = known.map_or(0.0, |known| burnt(known, &mut frame, &mut field));
-        let mut record = record(solid, if cells > 0.0 { 0.0 } else { kelvin }, &frame);
-        record[7] += cells;
-        if let Some(field) = field {
-            record[6] = -(place as f32);
-            place += 1 + field.distances.len().div_ceil(record.len());
-            fields.push(field.clone());
+        // The solid comes before its parts.
+        let mut known = charred.iter().filter(|one| one.id == id);
+        let mut next = known.next();
+        loop {
+            let part = next.and_then(|part| part.part);
+            let mut frame = part.unwrap_or_else(|| solid.frame_at(surface, time));
+            let mut field = surface.field.as_ref();
+            let cells = next.map_or(0.0, |known| burnt(known, &mut frame, &mut field));
+            let mut record = record(solid, if cells > 0.0 { 0.0 } else { kelvin }, &frame);
+            record[7] += cells;
+            if let Some(field) = field {
+                record[6] = -(place as f32);
+                place += 1 + field.distances.len().div_ceil(record.len());
+                fields.push(field.clone());
+            }
+            records.push(record);
+            next = known.next();
+            if next.is_none() {
+                break;
+            }
         }
-        record
-    });
-    let mut records: Vec<Instance> = records.collect();
-    if let Some(charred) = charred {
-        burnt_parts(charred, scene, place, &mut records, fields);
     }
     records
-}
-
-/// Appends the records and the fields of what has broken off solids that have fuel. The place is that
-/// of the first field.
-#[inline(never)]
-fn burnt_parts(
-    charred: &Charred,
-    scene: &Scene,
-    mut place: usize,
-    records: &mut Vec<Instance>,
-    fields: &mut Vec<Arc<Field>>,
-) {
-    for part in &charred.solids {
-        let object = scene.surfaces().find(|one| one.0 == part.id);
-        let object = object.filter(|one| one.1.material != Material::None);
-        if let (Some((_, solid, _)), Some(frame), Some(left)) = (object, &part.part, &part.left) {
-            let mut record = record(solid, 0.0, frame);
-            record[6] = -(place as f32);
-            record[7] += burnt_at(part.place);
-            place += 1 + left.distances.len().div_ceil(record.len());
-            fields.push(left.clone());
-            records.push(record);
-        }
-    }
 }
 
 /// The number to add to the surface of a solid that has fuel, whose box and field become those of
@@ -143,12 +126,7 @@ fn burnt<'a>(
         (frame.half, frame.radius) = (left.half, 0.0);
         *field = Some(left);
     }
-    burnt_at(*place)
-}
-
-/// The number to add to the surface of a solid whose cells are at that place.
-fn burnt_at(place: usize) -> f32 {
-    let place = place as f32;
+    let place = *place as f32;
     // The first solids of so many that there is no number for the others.
     if place < SURFACES {
         BURNING * SURFACES + place

@@ -539,6 +539,7 @@ pub static PRESETS: &[Preset] = &[
             domain_height 1.1\n\
             floor solid\n\
             spacing 0.018\n\
+            max_particles 5500\n\
             \n\
             kind solid\n\
             shape box\n\
@@ -644,6 +645,7 @@ pub static PRESETS: &[Preset] = &[
             domain_height 1.3\n\
             floor solid\n\
             spacing 0.026\n\
+            max_particles 5000\n\
             \n\
             kind solid\n\
             shape polygon\n\

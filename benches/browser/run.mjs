@@ -218,7 +218,7 @@ const programs = [{ command: [path.join(native, 'native')] }, ...(others.program
 const leftOut = others.leftOut ?? [];
 
 // The root, for the paper's loop: the page of the tables measures it too.
-const browser = await Browser.launch(folder, HERE, path.join(HERE, '../..'));
+const browser = await Browser.start('chromium', { folders: [folder, HERE, path.join(HERE, '../..')], likeGraphicsCard: true });
 const report = {};
 try {
   const tab = await browser.open('<p>Measuring</p>');

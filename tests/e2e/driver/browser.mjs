@@ -65,11 +65,13 @@ export class Browser {
    * @param {string[]} [options.folders]  Folders to serve instead of the site.
    * @param {boolean} [options.reducedMotion]  For all pages: Firefox and WebKit take it at
    *   start.
+   * @param {boolean} [options.likeGraphicsCard]  Chromium composes its pages by WebGL's renderer, as with a graphics
+   *   card: a benchmark measures how the page draws there.
    */
-  static async start(kind, { folders = [], reducedMotion = false } = {}) {
+  static async start(kind, { folders = [], reducedMotion = false, likeGraphicsCard = false } = {}) {
     const server = await serve(...(folders.length > 0 ? folders : [SITE]));
     try {
-      return new Browser(await START[kind]({ reducedMotion }, server), server, reducedMotion);
+      return new Browser(await START[kind]({ reducedMotion, likeGraphicsCard }, server), server, reducedMotion);
     } catch (error) {
       await server.close();
       throw error;

@@ -20,13 +20,22 @@ const CHROMIUM_FLAGS = [
   '--disable-quic',
 ];
 
+/**
+ * The processor composes the page, as in every Chromium without a graphics card. Composed by SwiftShader, a page waits
+ * for the fire's picture and takes a quarter more time of the processor.
+ */
+const COMPOSED_BY_PROCESSOR = '--disable-gpu-compositing';
+
 /** Timeout of one request of the driver to a page [ms]. */
 const protocolTimeout = 4 * PATIENCE;
 
 /** @typedef {import('./browser.mjs').Opening} Opening */
 
-/** @returns {Promise<import('./browser.mjs').Engine>} */
-export async function chromium() {
+/**
+ * @param {{likeGraphicsCard?: boolean}} options
+ * @returns {Promise<import('./browser.mjs').Engine>}
+ */
+export async function chromium({ likeGraphicsCard = false }) {
   const browser = await puppeteer.launch({
     executablePath: program(
       'HEARTH_CHROMIUM',
@@ -34,7 +43,7 @@ export async function chromium() {
       'chromium',
     ),
     headless: true,
-    args: CHROMIUM_FLAGS,
+    args: likeGraphicsCard ? CHROMIUM_FLAGS : [...CHROMIUM_FLAGS, COMPOSED_BY_PROCESSOR],
     protocolTimeout,
   });
   return {

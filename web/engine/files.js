@@ -31,6 +31,7 @@ export const PARTS = {
   outlines: () => new URL('../wasm/hearth-engine_outlines.wasm', import.meta.url),
   fuels: () => new URL('../wasm/hearth-engine_fuels.wasm', import.meta.url),
   bodies: () => new URL('../wasm/hearth-engine_bodies.wasm', import.meta.url),
+  water: () => new URL('../wasm/hearth-engine_water.wasm', import.meta.url),
   vorticity: () => new URL('../wasm/hearth-engine_vorticity.wasm', import.meta.url),
 };
 

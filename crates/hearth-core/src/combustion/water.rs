@@ -40,6 +40,8 @@ pub(crate) struct Water {
     account: Sprayed,
     /// Cooling of the gas that is less than the last digit of a temperature \[K\].
     rounding: f32,
+    /// Room for the particles around a place.
+    near: Vec<(usize, f32)>,
 }
 
 impl OfPart for Water {
@@ -60,6 +62,8 @@ struct Around<'a> {
     has_floor: bool,
     values: &'a Physics,
     dt: f32,
+    /// The particles around a place, and the weight of each.
+    near: &'a mut Vec<(usize, f32)>,
 }
 
 impl Combustion {
@@ -71,6 +75,7 @@ impl Combustion {
         };
         let values = scene.settings();
         let bounds = self.present_bounds(values);
+        let mut near = std::mem::take(&mut water.near);
         let around = Around {
             gas: &mut self.gas,
             grid: &self.grid,
@@ -81,8 +86,10 @@ impl Combustion {
             has_floor: self.open.as_ref().is_some_and(|open| open.has_floor()),
             values,
             dt,
+            near: &mut near,
         };
         water.advance(scene, around, random);
+        water.near = near;
         *self.water = Some(water);
     }
 
@@ -122,7 +129,7 @@ impl Water {
             self.fall(parcel, &mut around, random)
         });
         self.parcels = parcels;
-        self.steam.drift(&around);
+        self.steam.drift(&mut around);
     }
 
     /// Writes what a picture shows, as the embers are written.

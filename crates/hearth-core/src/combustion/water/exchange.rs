@@ -18,12 +18,8 @@ use super::report::Sprayed;
 use super::{Around, Droplets};
 use crate::combustion::chemistry::HEAT_CAPACITY;
 use crate::combustion::fuels::{BOILING, VAPORISATION, WATER_CAPACITY};
-use crate::combustion::gas::Gas;
 use crate::extremes::{fast_max, fast_min};
-use crate::grid::Grid;
 use crate::instance::{EmberParticle, Instance};
-use crate::kernel::Kernel;
-use crate::solids::Solids;
 
 /// Density of water [kg/m³].
 const WATER: f32 = 1000.0;
@@ -54,27 +50,24 @@ pub(super) fn exchange(
     account: &mut Sprayed,
     rounding: &mut f32,
 ) -> f32 {
+    around.find_near(parcel.position);
     let Around {
-        gas, values, dt, ..
+        gas,
+        values,
+        dt,
+        near,
+        ..
     } = around;
     let (dt, own) = (*dt, parcel.temperature);
-    let (grid, kernel, solids) = (around.grid, around.kernel, &*around.solids);
     let mut sums = Sums::default();
-    each(
-        gas,
-        grid,
-        kernel,
-        solids,
-        parcel.position,
-        &mut |j, weight| {
-            let kelvin = gas.state[j].x;
-            sums.weight += weight;
-            sums.square += weight * weight;
-            sums.velocity += gas.velocity[j] * weight;
-            sums.temperature += kelvin * weight;
-            sums.hotter += fast_max(kelvin - own, 0.0) * weight;
-        },
-    );
+    for &(j, weight) in near.iter() {
+        let kelvin = gas.state[j].x;
+        sums.weight += weight;
+        sums.square += weight * weight;
+        sums.velocity += gas.velocity[j] * weight;
+        sums.temperature += kelvin * weight;
+        sums.hotter += fast_max(kelvin - own, 0.0) * weight;
+    }
     let is_in_gas = sums.weight > 0.0;
     let per_weight = if is_in_gas { 1.0 / sums.weight } else { 0.0 };
     let (flow, kelvin) = if is_in_gas {
@@ -117,30 +110,23 @@ pub(super) fn exchange(
     let boils = own >= BOILING;
     let mut heat = 0.0;
     let pushed = impulse * (parcel.mass / gas.mass);
-    // Their own names, because the closure changes them while their positions are read.
-    let (velocity, state) = (&mut gas.velocity, &mut gas.state);
-    let (position, volume) = (&gas.position, &gas.volume);
-    each_of(
-        (position, volume),
-        (grid, kernel, solids),
-        parcel.position,
-        &mut |j, weight| {
-            let weight = weight * per_weight;
-            velocity[j] += pushed * weight;
-            let exchanged = flows * weight / capacity;
-            let before = state[j].x;
-            let lost = (before - own) * (exchanged / (1.0 + exchanged));
-            // Few droplets take less than the last digit of a temperature.
-            let due = lost + *rounding;
-            state[j].x = before - due;
-            *rounding = due - (before - state[j].x);
-            heat += f64::from(lost);
-            if boils {
-                let vapour = fast_max(lost, 0.0) * (HEAT_CAPACITY / VAPORISATION);
-                state[j].z *= 1.0 - fast_min(vapour, 1.0);
-            }
-        },
-    );
+    for &(j, weight) in near.iter() {
+        let weight = weight * per_weight;
+        gas.velocity[j] += pushed * weight;
+        let state = &mut gas.state[j];
+        let exchanged = flows * weight / capacity;
+        let before = state.x;
+        let lost = (before - own) * (exchanged / (1.0 + exchanged));
+        // Few droplets take less than the last digit of a temperature.
+        let due = lost + *rounding;
+        state.x = before - due;
+        *rounding = due - (before - state.x);
+        heat += f64::from(lost);
+        if boils {
+            let vapour = fast_max(lost, 0.0) * (HEAT_CAPACITY / VAPORISATION);
+            state.z *= 1.0 - fast_min(vapour, 1.0);
+        }
+    }
     let heat = heat * f64::from(capacity);
     account.heat += heat;
     let vapour = parcel.warm(heat as f32);
@@ -152,63 +138,37 @@ pub(super) fn exchange(
     vapour
 }
 
-/// Calls `act` with each particle of the gas around a place that no thin solid parts from it, and its
-/// weight by kernel and volume.
-fn each(
-    gas: &Gas,
-    grid: &Grid,
-    kernel: &Kernel,
-    solids: &Solids,
-    at: Vec2,
-    act: &mut dyn FnMut(usize, f32),
-) {
-    each_of(
-        (&gas.position, &gas.volume),
-        (grid, kernel, solids),
-        at,
-        act,
-    );
-}
-
-fn each_of(
-    (position, volume): (&[Vec2], &[f32]),
-    (grid, kernel, solids): (&Grid, &Kernel, &Solids),
-    at: Vec2,
-    act: &mut dyn FnMut(usize, f32),
-) {
-    let support = kernel.support();
-    let beside = solids.beside(at, support);
-    grid.candidates(at, &mut |run, shift| {
-        for j in run {
-            let (Some(&place), Some(&volume)) = (position.get(j), volume.get(j)) else {
-                continue;
-            };
-            let place = place + shift;
-            let weight = kernel.value(at.distance(place)) * volume;
-            if weight > 0.0 && !beside.part(at, place, support) {
-                act(j, weight);
+impl Around<'_> {
+    /// Finds the particles of the gas around a place that no thin solid parts from it, and the weight of
+    /// each by kernel and volume.
+    fn find_near(&mut self, at: Vec2) {
+        let support = self.kernel.support();
+        let (gas, kernel, near) = (&*self.gas, self.kernel, &mut *self.near);
+        let beside = self.solids.beside(at, support);
+        near.clear();
+        self.grid.candidates(at, &mut |run, shift| {
+            let last = run.end.min(gas.len());
+            for j in run.start..last {
+                let place = gas.position[j] + shift;
+                let weight = kernel.value(at.distance(place)) * gas.volume[j];
+                if weight > 0.0 && !beside.part(at, place, support) {
+                    near.push((j, weight));
+                }
             }
-        }
-    });
-}
+        });
+    }
 
-/// Velocity and temperature of the gas at a place; `None` without any.
-pub(super) fn gas_at(around: &Around, at: Vec2) -> Option<(Vec2, f32)> {
-    let gas = &*around.gas;
-    let (mut weights, mut velocity, mut temperature) = (0.0, Vec2::ZERO, 0.0);
-    each(
-        gas,
-        around.grid,
-        around.kernel,
-        around.solids,
-        at,
-        &mut |j, weight| {
+    /// Velocity and temperature of the gas at a place; `None` without any.
+    pub(super) fn gas_at(&mut self, at: Vec2) -> Option<(Vec2, f32)> {
+        self.find_near(at);
+        let (mut weights, mut velocity, mut temperature) = (0.0, Vec2::ZERO, 0.0);
+        for &(j, weight) in &*self.near {
             weights += weight;
-            velocity += gas.velocity[j] * weight;
-            temperature += gas.state[j].x * weight;
-        },
-    );
-    (weights > 0.0).then(|| (velocity / weights, temperature / weights))
+            velocity += self.gas.velocity[j] * weight;
+            temperature += self.gas.state[j].x * weight;
+        }
+        (weights > 0.0).then(|| (velocity / weights, temperature / weights))
+    }
 }
 
 impl Droplets {

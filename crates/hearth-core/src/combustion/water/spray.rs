@@ -24,6 +24,8 @@ const EXPONENT: f32 = 2.4;
 /// Smallest and largest diameter \[m\].
 const SMALLEST: f32 = 0.3e-3;
 const LARGEST: f32 = 1.5e-3;
+/// Most particles around a droplet in usual gas.
+const NEIGHBOURS: usize = 256;
 /// Fastest droplet [m/s], and largest mass of a spray [kg/m].
 const FASTEST: f32 = 20.0;
 const HEAVIEST: f32 = 1.0;
@@ -78,6 +80,8 @@ impl Water {
     fn reserve(&mut self, parcels: usize) {
         let more = parcels.saturating_sub(self.parcels.len());
         self.parcels.reserve(more);
+        self.near
+            .reserve(NEIGHBOURS.saturating_sub(self.near.len()));
         self.steam.reserve();
     }
 }

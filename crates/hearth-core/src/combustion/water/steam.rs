@@ -6,7 +6,6 @@
 use glam::Vec2;
 
 use super::Around;
-use super::exchange::gas_at;
 use crate::extremes::{fast_max, fast_min};
 use crate::instance::{EmberParticle, Instance};
 use crate::random::Random;
@@ -74,14 +73,14 @@ impl Steam {
     }
 
     /// Carries all puffs for a step.
-    pub fn drift(&mut self, around: &Around) {
+    pub fn drift(&mut self, around: &mut Around) {
         let (dt, height) = (around.dt, around.values.domain_height);
         for puff in &mut self.puffs {
             let still = (
                 Vec2::new(around.values.wind, RISE),
                 around.values.ambient_temperature,
             );
-            let (velocity, kelvin) = gas_at(around, puff.position).unwrap_or(still);
+            let (velocity, kelvin) = around.gas_at(puff.position).unwrap_or(still);
             puff.position += velocity * dt;
             puff.age += dt;
             puff.width = height * (WIDTH + GROWTH * puff.age / LIFE);

@@ -8,7 +8,7 @@ flat in vec2 spark;
 out vec4 light; // encoded; coverage
 
 const float OPACITY = 0.6; // in the middle of a full spark
-const vec3 WATER = vec3(0.2, 0.25, 0.3); // radiance where it is opaque
+const vec3 WATER = vec3(0.42, 0.47, 0.52); // radiance where it is opaque
 
 void main() {
     float inside = max(1.0 - dot(corner, corner), 0.0);

@@ -40,6 +40,8 @@ pub(crate) struct Water {
     account: Sprayed,
     /// Cooling of the gas that is less than the last digit of a temperature \[K\].
     rounding: f32,
+    /// Height of the frame, by which pictures are scaled \[m\].
+    height: f32,
     /// Room for the particles around a place.
     near: Vec<(usize, f32)>,
 }
@@ -109,6 +111,7 @@ impl Combustion {
 impl Water {
     fn advance(&mut self, scene: &Scene, mut around: Around, random: &mut Random) {
         self.set_beds(scene);
+        self.height = around.values.domain_height;
         let dt = around.dt;
         for (bed, source) in self.beds.iter_mut().zip(scene.sources()) {
             let steam = bed.dry(source, around.values, dt);
@@ -135,8 +138,9 @@ impl Water {
     /// Writes what a picture shows, as the embers are written.
     #[inline(never)]
     pub fn write_instances(&self, out: &mut Vec<Instance>) {
+        let height = self.height;
         self.steam.write_instances(out);
         let flying = self.parcels.iter().filter(|parcel| parcel.waits <= 0.0);
-        out.extend(flying.map(Droplets::instance));
+        out.extend(flying.map(|parcel| parcel.instance(height)));
     }
 }

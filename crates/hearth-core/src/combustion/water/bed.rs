@@ -1,7 +1,7 @@
 //! Water in the bed of a source.
 //!
 //! A source stands for what burns there, so water that lands in it wets that. The wet share gives off no
-//! fuel and is not preheated. The bed dries by the share of its own power that a fire returns to its fuel.
+//! fuel and is not preheated. A part of what lands on the rest boils at once. The bed dries by the share of its own power that a fire returns to its fuel.
 //! Less water than that weakens a source, which recovers; a source that is wet throughout has no power
 //! left to dry, and stays out.
 
@@ -20,6 +20,9 @@ const FILM: f32 = 0.25;
 /// Share of its power that a fire returns to its fuel: the heat of gasification of wood over its heat of
 /// combustion, 1.8 of 17.5 MJ/kg (Tewarson 2002, table 3-4.7).
 const RETURNED: f32 = 0.1;
+
+/// Share of the water that boils at once where it lands on what is not wet: what burns there is hot.
+const HOT: f32 = 0.4;
 
 /// The bed of a source.
 #[derive(Clone, Debug, Default)]
@@ -115,7 +118,7 @@ impl Bed {
 
     /// A mass of its steam in relation to what wets it, for pictures.
     pub(super) fn relative(&self, steam: f32) -> f32 {
-        const PUFFS: f32 = 100.0;
+        const PUFFS: f32 = 200.0;
         PUFFS * steam / fast_max(self.full, 1e-6)
     }
 
@@ -130,15 +133,16 @@ impl Bed {
         }
     }
 
-    /// Takes a mass of water [kg/m], and returns the rest.
-    pub(super) fn take(&mut self, mass: f32) -> f32 {
-        let taken = fast_min(fast_max(self.full - self.water, 0.0), mass);
+    /// Takes a mass of water [kg/m]. Returns the steam of what its hot part boils at once, and the rest.
+    pub(super) fn take(&mut self, mass: f32) -> (f32, f32) {
+        let steam = HOT * (1.0 - self.wet()) * mass;
+        let taken = fast_min(fast_max(self.full - self.water, 0.0), mass - steam);
         self.water += taken;
         // Exact, so that a full bed is wet throughout.
-        if self.water > 0.999_9 * self.full {
+        if self.full - self.water < 1e-4 * self.full {
             self.water = fast_max(self.water, self.full);
         }
-        mass - taken
+        (steam, mass - steam - taken)
     }
 
     /// Whether it is on that solid or, if it is not on a solid, at that place of one.

@@ -188,19 +188,23 @@ impl Droplets {
         vapour
     }
 
-    /// Their instance: a streak.
-    pub(super) fn instance(&self) -> Instance {
+    /// Their instance: a streak, the fainter the finer they are.
+    pub(super) fn instance(&self, height: f32) -> Instance {
+        let coarse = fast_min(self.diameter / COARSE, 1.0);
         EmberParticle {
             position: self.position,
             velocity: self.velocity,
             temperature: -1.0,
-            size: self.diameter,
-            age: BRIGHTNESS,
+            size: STREAK * height,
+            age: OPACITY * coarse,
             life: 1.0,
         }
         .into()
     }
 }
 
-/// Brightness of a streak.
-const BRIGHTNESS: f32 = 0.5;
+/// Width of a streak in heights of the frame, the diameter from which it is drawn in full \[m\], and its
+/// opacity then.
+const STREAK: f32 = 0.006;
+const COARSE: f32 = 0.7e-3;
+const OPACITY: f32 = 0.9;

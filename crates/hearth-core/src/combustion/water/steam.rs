@@ -13,21 +13,21 @@ use crate::random::Random;
 /// Most puffs.
 const MOST: usize = 800;
 /// Steam of a puff, in shares of a parcel.
-const PUFF: f32 = 0.25;
+const PUFF: f32 = 0.12;
 /// Age at which a puff has faded \[s\].
 const LIFE: f32 = 1.8;
 /// Width of a puff at first and its growth over its life, in heights of the frame.
-const WIDTH: f32 = 0.035;
-const GROWTH: f32 = 0.12;
+const WIDTH: f32 = 0.05;
+const GROWTH: f32 = 0.16;
 /// Speed at which it rises without gas [m/s].
 const RISE: f32 = 0.3;
 /// Age at which it shows fully \[s\].
 const APPEARS: f32 = 0.15;
 /// Brightness of a new puff.
-const BRIGHTNESS: f32 = 0.16;
+const BRIGHTNESS: f32 = 0.22;
 /// Temperatures of the gas between which it condenses \[K\].
 const FOG: f32 = 340.0;
-const CLEAR: f32 = 700.0;
+const CLEAR: f32 = 900.0;
 
 /// A puff.
 #[derive(Clone, Copy, Debug)]

@@ -32,9 +32,11 @@ impl Water {
         let mut beds = self.beds.iter_mut();
         let crossed = beds.find_map(|bed| bed.crossing(from, end).map(|share| (bed, share)));
         if let Some((bed, share)) = crossed {
-            let rest = bed.take(parcel.mass);
+            let (boiled, rest) = bed.take(parcel.mass);
+            let place = from + (end - from) * share;
+            self.account.boiled += f64::from(boiled);
             self.account.run_off += f64::from(rest);
-            parcel.position = from + (end - from) * share;
+            self.steam.rise(place, boiled / parcel.first, random);
             return false;
         }
         parcel.position = end;
@@ -66,7 +68,10 @@ impl Water {
         let mut left = parcel.mass;
         for bed in &mut self.beds {
             if bed.is_at(id, place) {
-                left = bed.take(left);
+                let (boiled, rest) = bed.take(left);
+                self.account.boiled += f64::from(boiled);
+                self.steam.rise(place, boiled / parcel.first, random);
+                left = rest;
             }
         }
         if let Some(fuels) = &mut around.fuels

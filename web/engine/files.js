@@ -20,8 +20,8 @@ export function wasm() {
 
 /**
  * The parts of the wasm, by name: what reads saved fires, the classic model, the quantities of display
- * modes, the distance from the outlines of solids, solids that burn, free solids, and vorticity
- * confinement.
+ * modes, the distance from the outlines of solids, solids that burn, free solids, water, and
+ * vorticity confinement.
  * @type {{[name: string]: () => import('./engine.js').Source}}
  */
 export const PARTS = {

@@ -4,7 +4,7 @@
 //! and puffing of the flame follow from the equations. One step is: births and deaths of open air
 //! → neighbour grid → number density and pressure → pair interactions → vorticity confinement →
 //! body forces → time step → embers → velocity → combustion → burners → seam of a closed domain →
-//! position.
+//! position → water.
 
 mod air;
 mod burner;

@@ -140,7 +140,7 @@ test('keys light and spray at the cross', async () => {
   assert.equal(await tab.evaluate(() => window.sprayed.length), ended, 'the second press ends it');
   await tab.fire((fire) => fire.set('model', 'classic'));
   await tab.key('Enter');
-  await says(tab, /^model = classic is refused: it must be combustion/);
+  await says(tab, /^The classic model has no water/);
   await tab.key('Enter');
   assert.deepEqual(tab.problems, []);
 });

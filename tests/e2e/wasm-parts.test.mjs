@@ -269,7 +269,7 @@ test('the first spray fetches the code for it, puts out the fire, and without th
     return (await Promise.allSettled(calls)).map(({ reason }) => reason?.message ?? 'done');
   });
   for (const message of refused) assert.match(message, /is refused/);
-  assert.equal(refused.at(-1), 'model = classic is refused: it must be combustion: the classic model has no water');
+  assert.equal(refused.at(-1), 'model = "classic" is refused: it must be combustion: the classic model has no water');
 
   const without = await browser.open('<hearth-fire></hearth-fire>', GONE);
   await without.burnt(0.3);

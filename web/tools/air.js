@@ -15,7 +15,7 @@ const EVERY_MS = 40;
 
 /** Speed of the water downwards [m/s], and its mass in a call for each metre of the frame's height [g/m]. */
 const FALL = 3;
-const GRAMS = 3.6;
+const GRAMS = 4;
 
 /** The movement that has a direction, and the distance of sparks from each other [px]. */
 const AIM_PX = 5;
@@ -91,7 +91,11 @@ export function throwSparks({ fire }, from) {
 /** Sprays water downwards from the pointer while it is pressed. @type {(hands: Hands, from: Point) => Gesture} */
 export function spray({ fire, attempt }, from) {
   let at = from;
-  const pour = () => fire.spray(at.x, at.y, 0, -FALL, GRAMS * fire.params.domain_height);
+  const pour = async () => {
+    const { model, domain_height: height } = fire.params;
+    if (model === 'classic') throw new Error('The classic model has no water.');
+    await fire.spray(at.x, at.y, 0, -FALL, GRAMS * height);
+  };
   attempt(pour);
   const timer = setInterval(() => pour().catch(() => {}), EVERY_MS);
   const end = () => clearInterval(timer);

@@ -212,9 +212,9 @@ export interface Simulation {
   extinguish(id: number): void;
   extinguish(x: number, y: number, radius?: number): void;
   /**
-   * Sprays water from a point [m] within a twentieth of a second, with a velocity [m/s] of at most 20, 0
-   * and −4 by default, and a mass in grams for each metre of depth, 5 by default and at most 1000. Throws in the
-   * classic model.
+   * Sprays water from a point [m] within a twentieth of a second, with a velocity [m/s], 0 and −4 by default,
+   * and a mass in grams for each metre of depth, 5 by default. A faster one counts as 20 m/s, a larger one as 1000 g.
+   * Throws in the classic model.
    */
   spray(x: number, y: number, u?: number, v?: number, grams?: number): void;
 

@@ -6,9 +6,10 @@ use super::Simulation;
 use crate::combustion::{Combustion, Droplets, NoWater, Sprayed};
 
 impl Simulation {
-    /// Sprays a mass of water, at most 1 kg for each metre of depth, from a place \[m\] within a twentieth of
-    /// a second. Its droplets leave with about that velocity, at most 20 m/s. Outside of the domain and
-    /// inside of solids it does nothing.
+    /// Sprays a mass of water [kg/m] from a place \[m\] within a twentieth of a second. Its droplets leave
+    /// with about that velocity. A larger mass counts as 1 kg/m, a faster one as 20 m/s, and there are at
+    /// most 2000 groups of droplets in the air. Outside of the domain, inside of solids and for what is no
+    /// number it does nothing.
     ///
     /// # Errors
     /// The classic model has no water.

@@ -24,5 +24,6 @@ void main() {
         + radius * (corner.x * vec2(along.y, -along.x) + corner.y * stretch * along));
     float share = real_radius / radius;
     float alive = smoothstep(0.0, FADE_OUT, particle.state.w);
-    spark = vec2(particle.state.x * 1e-3, gain * alive * share * share / stretch);
+    // Of water, a negative temperature and its opacity.
+    spark = vec2(particle.state.x * 1e-3, particle.state.x < 0.0 ? particle.state.z : gain * alive * share * share / stretch);
 }

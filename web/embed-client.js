@@ -33,6 +33,7 @@ const METHODS = [
   'toBlob',
   'stir',
   'sparks',
+  'spray',
   'freeSolids',
   'measure',
   'ignite',

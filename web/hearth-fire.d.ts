@@ -164,6 +164,15 @@ export class HearthFire extends HTMLElement {
    * @param count from 1 to 200
    */
   sparks(x: number, y: number, count?: number): Promise<void>;
+  /**
+   * Sprays water from a point within a twentieth of a second. It cools the gas, wets what it strikes and puts out what it cools and wets enough; the rest dries and burns on. The classic model has none.
+   * @param x metres from the middle of the floor
+   * @param y metres above the floor
+   * @param u velocity to the right in metres per second, at most 20
+   * @param v velocity upwards in metres per second, at most 20
+   * @param grams for each metre of depth, at most 1000
+   */
+  spray(x: number, y: number, u?: number, v?: number, grams?: number): Promise<void>;
   /** Resolves to where the solids are that forces move, those with `motion` "free", in the order of the objects, then what has broken off them. `objects` has where they start. */
   freeSolids(): Promise<HearthFreeSolid[]>;
   /**

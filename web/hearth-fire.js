@@ -387,6 +387,22 @@ class HearthFire extends FireAttributes {
   }
 
   /**
+   * Sprays water from a point within a twentieth of a second. It cools the gas, wets what it strikes and
+   * puts out what it cools and wets enough; the rest dries and burns on. The classic model has none.
+   * @param {number} x metres from the middle of the floor
+   * @param {number} y metres above the floor
+   * @param {number} [u] velocity to the right in metres per second, at most 20
+   * @param {number} [v] velocity upwards in metres per second, at most 20
+   * @param {number} [grams] for each metre of depth, at most 1000
+   * @returns {Promise<void>}
+   * @posted
+   * @example <caption>Spray</caption> fire.spray(0, 1, 0, -4, 20)
+   */
+  spray(x, y, u = 0, v = -4, grams = 5) {
+    return this.#session.call('spray', ...postable([x, y, u, v, grams], 1));
+  }
+
+  /**
    * Resolves to where the solids are that forces move, those with `motion` "free", in the order of the
    * objects, then what has broken off them. `objects` has where they start.
    * @returns {Promise<HearthFreeSolid[]>}

@@ -38,9 +38,9 @@ export interface SimulationOptions {
   wasm?: string | URL | BufferSource | WebAssembly.Module;
   /**
    * The parts of the wasm that are not beside the module: the classic model; polygons, strokes and
-   * masks; the presets; solids that burn; free solids. A browser fetches the others when a simulation needs them.
+   * masks; the presets; solids that burn; free solids; water. A browser fetches the others when a simulation needs them.
    */
-  wasmParts?: { [part in 'classic' | 'outlines' | 'presets' | 'fuels' | 'bodies' | 'solids' | 'vorticity']?: string | URL | BufferSource | WebAssembly.Module };
+  wasmParts?: { [part in 'classic' | 'outlines' | 'presets' | 'fuels' | 'bodies' | 'water' | 'solids' | 'vorticity']?: string | URL | BufferSource | WebAssembly.Module };
 }
 
 /** Numbers in an array of any kind. */
@@ -211,6 +211,12 @@ export interface Simulation {
   /** Puts out a solid with fuel, by its id, or all that is within a radius of a point [m], 0.2 by default. */
   extinguish(id: number): void;
   extinguish(x: number, y: number, radius?: number): void;
+  /**
+   * Sprays water from a point [m] within a twentieth of a second, with a velocity [m/s], 0 and −4 by default,
+   * and a mass in grams for each metre of depth, 5 by default. A faster one counts as 20 m/s, a larger one as 1000 g.
+   * Throws in the classic model.
+   */
+  spray(x: number, y: number, u?: number, v?: number, grams?: number): void;
 
   /**
    * Replaces all particles. Throws and changes nothing if one of them is out of range; the

@@ -309,6 +309,19 @@ class Simulation {
   }
 
   /**
+   * Sprays water from a point within a twentieth of a second.
+   * @param {number} x metres from the middle of the floor
+   * @param {number} y metres above the floor
+   * @param {number} [u] velocity to the right in metres per second, at most 20
+   * @param {number} [v] velocity upwards in metres per second, at most 20
+   * @param {number} [grams] for each metre of depth, at most 1000
+   */
+  spray(x, y, u = 0, v = -4, grams = 5) {
+    for (const [name, value] of Object.entries({ x, y, u, v, grams })) finite(name, value);
+    this.#use((fire) => fire.spray(x, y, u, v, grams));
+  }
+
+  /**
    * Replaces all particles, or throws and changes nothing.
    * @param {Values} particles
    */

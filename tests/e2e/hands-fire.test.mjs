@@ -1,5 +1,5 @@
 /**
- * The tools that light solids and put them out, and the tools at solids that fall, with a real mouse, a finger and keys.
+ * The tools that light solids and spray water, and the tools at solids that fall, with a real mouse, a finger and keys.
  */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
@@ -27,6 +27,30 @@ async function fuelAfter(tab, steps) {
   return tab.fire((fire) => fire.stats?.fuel ?? '');
 }
 
+/** What the tools ask the fire to spray while `act` runs. */
+async function sprayed(tab, act) {
+  await tab.fire((fire) => {
+    window.sprayed = [];
+    fire.spray = (...call) => {
+      window.sprayed.push(call);
+      return Object.getPrototypeOf(fire).spray.apply(fire, call);
+    };
+  });
+  await act();
+  return tab.evaluate(() => window.sprayed);
+}
+
+/** Sprays enough water from there; what the fire says of its fuels then. */
+async function putOut(tab, x, y) {
+  await tab.fire(async (fire, [across, up]) => {
+    for (let call = 0; call < 60; call += 1) {
+      await fire.spray(across, up, 0, -3, 20);
+      await fire.step(16);
+    }
+  }, [x, y]);
+  return fuelAfter(tab, 400);
+}
+
 /** Waits until the toolbar says something. */
 const says = (tab, words) => tab.until(`the words ${words}`, (pattern) => (
   new RegExp(pattern).test(document.querySelector('.hearth-said')?.textContent ?? '')
@@ -35,7 +59,7 @@ const says = (tab, words) => tab.until(`the words ${words}`, (pattern) => (
 for (const size of [WIDE, ...PHONES]) {
   const touch = 'touch' in size;
   describe(`at ${size.width} × ${size.height}`, () => {
-    test('a press lights wood, which gets fuel in one step, and another one puts it out', async () => {
+    test('a press lights wood, which gets fuel in one step, and water that is held over it puts it out', async () => {
       const tab = await openTools(browser, size, PAUSED);
       const id = await add(tab, { kind: 'solid', shape: 'box', x: 0.3, y: 0.6, width: 0.1, height: 0.1, material: 'wood' });
       await tool(tab, 'ignite');
@@ -44,9 +68,11 @@ for (const size of [WIDE, ...PHONES]) {
       await tab.until('fuel', (solid) => document.querySelector('hearth-fire').objects.find((one) => one.id === solid)?.fuel === 'wood', id);
       await tab.fire((fire) => fire.ready);
       assert.equal(await fuelAfter(tab, 40), 'burning');
-      await tool(tab, 'extinguish');
-      await tap(tab, 0.3, 0.6, touch);
-      assert.notEqual(await fuelAfter(tab, 4), 'burning');
+      await tool(tab, 'water');
+      assert.match(await said(tab), /^Water: Hold to spray/);
+      const calls = await sprayed(tab, () => drag(tab, [0.25, 0.8], [0.35, 0.8], touch));
+      assert.ok(calls.length > 0 && calls.every(([, y, , v]) => close(y, 0.8, 0.05) && v < 0), JSON.stringify(calls));
+      assert.equal(await putOut(tab, 0.3, 0.8), 'out');
       await tool(tab, 'undo');
       await tab.until('no fuel', (solid) => document.querySelector('hearth-fire').objects.find((one) => one.id === solid)?.fuel === 'none', id);
       assert.deepEqual(tab.problems, []);
@@ -93,7 +119,7 @@ test('a solid that does not burn is reported', async () => {
   assert.deepEqual(tab.problems, []);
 });
 
-test('keys light and put out at the cross', async () => {
+test('keys light and spray at the cross', async () => {
   const tab = await openTools(browser, WIDE, PAUSED);
   const { x, y } = await tab.fire((fire) => fire.toMetres(fire.clientWidth / 2, fire.clientHeight / 2));
   await add(tab, { kind: 'solid', shape: 'circle', x, y, width: 0.2, material: 'wood', fuel: 'wood' });
@@ -102,9 +128,19 @@ test('keys light and put out at the cross', async () => {
   await tab.key('Enter');
   await tab.frames(3);
   assert.equal(await fuelAfter(tab, 40), 'burning');
-  await tab.key('x');
+  await tab.key('w');
+  const calls = await sprayed(tab, async () => {
+    await tab.key('Enter');
+    await tab.until('several sprays', () => window.sprayed.length > 2);
+    await tab.key('Enter');
+  });
+  for (const [across, up] of calls) assert.ok(close(across, x, 0.01) && close(up, y, 0.01), `${across}, ${up}`);
+  const ended = await tab.evaluate(() => window.sprayed.length);
+  await tab.frames(10);
+  assert.equal(await tab.evaluate(() => window.sprayed.length), ended, 'the second press ends it');
+  await tab.fire((fire) => fire.set('model', 'classic'));
   await tab.key('Enter');
-  await tab.frames(3);
-  assert.notEqual(await fuelAfter(tab, 4), 'burning');
+  await says(tab, /^The classic model has no water/);
+  await tab.key('Enter');
   assert.deepEqual(tab.problems, []);
 });

@@ -41,6 +41,7 @@ test('`document.all` is refused as every other invalid value', async () => {
       importConfig: () => fire.importConfig(all),
       stir: () => fire.stir(all, 0, 0, 0),
       sparks: () => fire.sparks(0, 0, all),
+      spray: () => fire.spray(0, 0, 0, 0, all),
       captureStream: () => fire.captureStream(all),
     };
     const answers = Object.entries(calls).map(([name, act]) => {

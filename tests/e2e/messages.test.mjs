@@ -61,6 +61,7 @@ describe('messages from an allowed origin', () => {
     const log = await value('addObject', { kind: 'solid', x: 0.3, fuel: 'wood' });
     await value('ignite', log);
     await value('extinguish', 0.3, 0.5, 1);
+    await value('spray', 0, 1, 0, -4, 20);
     assert.deepEqual(await value('freeSolids'), []);
     assert.equal((await value('measure', 0, 0.5)).place.y, 0.5);
     await value('removeObject', log);

@@ -19,8 +19,9 @@ const OUTLINES = 'hearth-engine_outlines.wasm';
 const QUANTITIES = 'hearth-engine_quantities.wasm';
 const FUELS = 'hearth-engine_fuels.wasm';
 const BODIES = 'hearth-engine_bodies.wasm';
+const WATER = 'hearth-engine_water.wasm';
 const VORTICITY = 'hearth-engine_vorticity.wasm';
-const GONE = { files: Object.fromEntries([CLASSIC, OUTLINES, QUANTITIES, FUELS, BODIES, VORTICITY].map((file) => [file, { status: 404, body: '' }])) };
+const GONE = { files: Object.fromEntries([CLASSIC, OUTLINES, QUANTITIES, FUELS, BODIES, WATER, VORTICITY].map((file) => [file, { status: 404, body: '' }])) };
 
 /** The fire's model, and how often the page fetched the part for it. @param {import('./driver.mjs').Tab} tab */
 const state = (tab) => tab.fire((fire) => ({
@@ -238,6 +239,41 @@ test('the first free solid fetches the code for it, falls, and without the code 
   await without.burnt(0.3);
   const outcome = await without.fire((fire, object) => fire.addObject(object).then(() => 'added', ({ message }) => message), solid);
   assert.match(outcome, /^The code for free solids could not be loaded/);
+  await assertBurns(without);
+});
+
+test('the first spray fetches the code for it, puts out the fire, and without the code is refused', async () => {
+  const body = '<hearth-fire max-particles="1500" ember-rate="0" floor="solid"></hearth-fire>';
+  const tab = await browser.open(body);
+  await tab.burnt(0.5);
+  const fetched = () => tab.evaluate((part) => performance.getEntriesByType('resource').filter(({ name }) => name.endsWith(part)).length, WATER);
+  assert.equal(await fetched(), 0);
+  const [before, after] = await tab.fire(async (fire) => {
+    fire.pause();
+    await fire.step(30);
+    const { power } = fire.stats;
+    for (let call = 0; call < 60; call += 1) {
+      await fire.spray(0, 1, 0, -4, 40);
+      await fire.step(8);
+    }
+    await fire.step(300);
+    return [power, fire.stats.power];
+  });
+  assert.ok(after < 0.1 * before, `${before} kW/m, then ${after}`);
+  assert.equal(await fetched(), 1);
+  assert.deepEqual(await tab.complaints(), []);
+  const refused = await tab.fire(async (fire) => {
+    const calls = [fire.spray(0, Infinity), fire.spray(0, 1, 21), fire.spray(0, 1, 0, 0, 0), fire.spray(0, 1, 0, 0, 1001), fire.spray('x', 1)];
+    await fire.set('model', 'classic');
+    calls.push(fire.spray(0, 0.5));
+    return (await Promise.allSettled(calls)).map(({ reason }) => reason?.message ?? 'done');
+  });
+  for (const message of refused) assert.match(message, /is refused/);
+  assert.equal(refused.at(-1), 'model = "classic" is refused: it must be combustion: the classic model has no water');
+
+  const without = await browser.open('<hearth-fire></hearth-fire>', GONE);
+  await without.burnt(0.3);
+  assert.match(await without.fire((fire) => fire.spray(0, 1).then(() => 'sprayed', ({ message }) => message)), /^The code for water could not be loaded/);
   await assertBurns(without);
 });
 

@@ -167,3 +167,19 @@ test('a free solid that burns through is read as its object and a part', async (
   sim.reset();
   assert.deepEqual(sim.freeSolids(), [whole]);
 });
+
+test('a spray puts a fire out; values out of range and the classic model are refused in words', async () => {
+  const [combustion, classic] = await fires();
+  combustion.set({ edges: 'open', floor: 'solid', ember_rate: 0 });
+  combustion.step(200);
+  assert.ok(combustion.power > 10);
+  for (let call = 0; call < 60; call += 1) {
+    combustion.spray(0, 1, 0, -4, 60);
+    combustion.step(8);
+  }
+  combustion.step(200);
+  assert.ok(combustion.power < 1, `${combustion.power} kW/m`);
+  assert.throws(() => combustion.spray(Number.NaN, 1), RangeError);
+  const refused = { name: 'RangeError', message: /model = "classic" is refused: it must be combustion/ };
+  assert.throws(() => classic.spray(0, 0.5), refused);
+});

@@ -132,6 +132,7 @@ pub fn fingerprints() -> String {
             around_solids(fires::in_the_open(fires::combustion(&[]), 800)),
         ),
         ("classic solids", around_solids(fires::with([]))),
+        ("water", sprayed()),
     ];
     lit.chain(kept)
         .chain(around)
@@ -213,6 +214,51 @@ fn breaking() -> u64 {
     match whole.free_solids().len() {
         0 | 1 => 0,
         _ => fingerprint_of(fire, STEPS),
+    }
+}
+
+/// The fingerprint of a fire whose source and whose burning log are sprayed; 0 if none of the water
+/// evaporates, boils off or wets them.
+fn sprayed() -> u64 {
+    let source = [("source_height", 0.1), ("source_width", 0.3)];
+    let mut scene = Scene::new(fires::on_floor(fires::in_the_open(
+        fires::combustion(&source),
+        900,
+    )));
+    for (x, name, value) in [(-0.25, "fuel", "wood"), (0.3, "thermal", "conducting")] {
+        let added = scene.add(&[
+            ("kind", Input::Text("solid")),
+            ("shape", Input::Text("box")),
+            (name, Input::Text(value)),
+            ("x", Input::Number(x)),
+            ("y", Input::Number(0.2)),
+            ("width", Input::Number(0.2)),
+            ("temperature", Input::Number(700.0)),
+        ]);
+        debug_assert!(added.is_ok(), "{added:?}");
+    }
+    let mut fire = Simulation::new(scene);
+    let lit = fire.ignite(Where::Object(2));
+    debug_assert_eq!(lit, Ok(()));
+    for call in 0..STEPS / 10 {
+        let across = 0.01 * (call % 60) as f32 - 0.3;
+        let wet = fire.spray(Vec2::new(across, 0.8), Vec2::new(0.3, -2.0), 0.003);
+        debug_assert_eq!(wet, Ok(()));
+        for _ in 0..10 {
+            fire.step();
+        }
+    }
+    let all = fire.sprayed().unwrap_or_default();
+    let parts = [
+        all.evaporated,
+        all.boiled,
+        all.soaked,
+        all.held,
+        all.run_off,
+    ];
+    match parts.iter().all(|part| *part > 0.0) {
+        true => fingerprint_of(fire, STEPS / 10),
+        false => 0,
     }
 }
 

@@ -8,7 +8,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use hearth_core::params::{Input, Model};
-use hearth_core::{Parameters, Scene, Simulation};
+use hearth_core::{Parameters, Scene, Simulation, Vec2};
 use hearth_tests::fires::{beside_outlines, everything, in_the_open, on_floor};
 
 struct Counting;
@@ -90,4 +90,24 @@ fn a_warm_fire_allocates_nothing() {
             assert_eq!(warm, 0, "{model:?}, {mode}, {solids} solids");
         }
     }
+}
+
+#[test]
+fn a_warm_spray_allocates_nothing() {
+    let mut fire = Simulation::new(on_floor(in_the_open(everything(), 1500)));
+    let mut embers = Vec::with_capacity(10_000);
+    let mut burn = || {
+        for step in 0..600 {
+            if step % 10 == 0 {
+                let place = Vec2::new(0.0, 1.0);
+                assert_eq!(fire.spray(place, Vec2::new(0.0, -2.0), 0.005), Ok(()));
+            }
+            fire.step();
+            fire.write_embers(&mut embers);
+        }
+    };
+    burn();
+    let warm = ALLOCATIONS.get();
+    burn();
+    assert_eq!(ALLOCATIONS.get() - warm, 0);
 }

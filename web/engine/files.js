@@ -20,8 +20,8 @@ export function wasm() {
 
 /**
  * The parts of the wasm, by name: what reads saved fires, the classic model, the quantities of display
- * modes, the distance from the outlines of solids, solids that burn, free solids, and vorticity
- * confinement.
+ * modes, the distance from the outlines of solids, solids that burn, free solids, water, and
+ * vorticity confinement.
  * @type {{[name: string]: () => import('./engine.js').Source}}
  */
 export const PARTS = {
@@ -31,6 +31,7 @@ export const PARTS = {
   outlines: () => new URL('../wasm/hearth-engine_outlines.wasm', import.meta.url),
   fuels: () => new URL('../wasm/hearth-engine_fuels.wasm', import.meta.url),
   bodies: () => new URL('../wasm/hearth-engine_bodies.wasm', import.meta.url),
+  water: () => new URL('../wasm/hearth-engine_water.wasm', import.meta.url),
   vorticity: () => new URL('../wasm/hearth-engine_vorticity.wasm', import.meta.url),
 };
 

@@ -14,6 +14,7 @@ const NEEDS = {
   outlines: ['shape', 'polygons, strokes and masks'],
   fuels: ['fuel', 'solids that burn'],
   bodies: ['motion', 'free solids'],
+  water: ['spray', 'water'],
   vorticity: ['vorticity_confinement', 'vorticity confinement'],
   quantities: ['display_mode', 'quantities of the gas'],
 };

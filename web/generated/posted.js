@@ -22,6 +22,7 @@ export const POSTED_MEMBERS = [
   'toBlob',
   'stir',
   'sparks',
+  'spray',
   'freeSolids',
   'measure',
   'ignite',

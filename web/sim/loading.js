@@ -64,6 +64,7 @@ const PARTS = {
   presets: () => new URL('../wasm/hearth-sim_presets.wasm', import.meta.url),
   fuels: () => new URL('../wasm/hearth-sim_fuels.wasm', import.meta.url),
   bodies: () => new URL('../wasm/hearth-sim_bodies.wasm', import.meta.url),
+  water: () => new URL('../wasm/hearth-sim_water.wasm', import.meta.url),
   solids: () => new URL('../wasm/hearth-sim_solids.wasm', import.meta.url),
   vorticity: () => new URL('../wasm/hearth-sim_vorticity.wasm', import.meta.url),
 };

@@ -52,6 +52,12 @@ fn bodies_is_loaded() -> bool {
     black_box(6_u8) == 6
 }
 
+/// Whether the part that sprays water is loaded.
+#[inline(never)]
+pub fn water_is_loaded() -> bool {
+    black_box(9_u8) == 9
+}
+
 /// Whether the part that burns solids is loaded.
 #[inline(never)]
 pub fn fuels_is_loaded() -> bool {

@@ -4,7 +4,7 @@
 //! and puffing of the flame follow from the equations. One step is: births and deaths of open air
 //! → neighbour grid → number density and pressure → pair interactions → vorticity confinement →
 //! body forces → time step → embers → velocity → combustion → burners → seam of a closed domain →
-//! position.
+//! position → water.
 
 mod air;
 mod burner;
@@ -28,6 +28,7 @@ mod step;
 mod time_step;
 mod vorticity_confinement;
 mod walls;
+mod water;
 
 use crate::bounds::Bounds;
 use crate::forces::BodyForce;
@@ -63,6 +64,8 @@ use time_step::Motion;
 pub(crate) use time_step::sound_speed;
 use vorticity_confinement::VorticityConfinement;
 use walls::Walls;
+use water::Water;
+pub use water::{Droplets, NoWater, Sprayed};
 
 /// The errors for a number of particles that does not match the smoothing length, and for one
 /// that open air cannot hold.
@@ -104,6 +107,8 @@ pub(crate) struct Combustion {
     removed: Removed,
     /// The solids that burn.
     fuels: Held<Fuels>,
+    /// What has been sprayed.
+    water: Held<Water>,
     /// Power of the combustion in the last step, and of the heating at the sources [kW/m].
     power: f32,
     preheat: f32,
@@ -142,6 +147,7 @@ impl Combustion {
             burner_particles: Vec::new(),
             removed: Removed::default(),
             fuels: Held::default(),
+            water: Held::default(),
             power: 0.0,
             preheat: 0.0,
             clamped_shifts: 0,

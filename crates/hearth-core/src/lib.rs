@@ -51,8 +51,8 @@ mod source;
 mod time_step;
 
 pub use combustion::{
-    Burner, BurningSolid, BurningState, Charred, CharredSolid, Ember, FuelTotal, NoFuel, Removed,
-    Where,
+    Burner, BurningSolid, BurningState, Charred, CharredSolid, Droplets, Ember, FuelTotal, NoFuel,
+    NoWater, Removed, Sprayed, Where,
 };
 pub use forces::{BodyForce, LocalGas};
 pub use glam::Vec2;

@@ -7,6 +7,7 @@ mod measure;
 mod model;
 mod place;
 mod readers;
+mod water;
 
 use glam::Vec2;
 

@@ -270,6 +270,24 @@ impl Solids {
         }
     }
 
+    /// Boils water of a mass [kg/m] off a solid at its boiling point \[K\], which takes so much heat `each`
+    /// [kJ/kg]. Returns the mass that boils. One of a fixed temperature does not cool.
+    #[inline(never)]
+    pub fn boil(&mut self, id: u32, mass: f32, each: f32, boiling: f32) -> f32 {
+        let mut boiled = 0.0;
+        for body in self.bodies.iter_mut().filter(|body| body.id == id) {
+            let Some(kelvin) = body.temperature.filter(|kelvin| *kelvin > boiling) else {
+                continue;
+            };
+            boiled = mass;
+            if let Some(store) = &body.store {
+                boiled = fast_min(mass, store.heat_above(kelvin, boiling) / each);
+                body.temperature = Some(store.cooled(kelvin, boiled * each));
+            }
+        }
+        boiled
+    }
+
     /// The first body of a solid.
     pub fn first(&self, id: u32) -> Option<&Body> {
         self.bodies.iter().find(|body| body.id == id)

@@ -25,6 +25,9 @@ pub const MAX_SECONDS: i32 = 1000;
 /// Maximum duration of a warm-up [s of fire].
 pub const MAX_WARM: i32 = 30;
 
+/// Maximum mass of water of one call [g/m].
+pub const MAX_GRAMS: i32 = 1000;
+
 /// A side of a canvas [device pixels].
 pub type Side = Whole<0, MAX_SIDE>;
 
@@ -37,7 +40,7 @@ pub type ObjectId = Whole<1, 1_000_000>;
 /// A coordinate of a position in the fire's world \[m\].
 pub type Metres = Within<-1000, 1000>;
 
-/// A component of the velocity of a pointer [m/s].
+/// A component of a velocity [m/s].
 pub type Speed = Within<-20, 20>;
 
 /// Alignment of the domain in the picture, or of the part that is seen, as a share of the free
@@ -122,12 +125,15 @@ macro_rules! commands {
         let [$a, $b, $c, ..] = $arguments;
     };
     (@names $arguments:ident $a:ident $b:ident $c:ident $d:ident) => {
-        let [$a, $b, $c, $d] = $arguments;
+        let [$a, $b, $c, $d, ..] = $arguments;
+    };
+    (@names $arguments:ident $a:ident $b:ident $c:ident $d:ident $e:ident) => {
+        let [$a, $b, $c, $d, $e] = $arguments;
     };
 }
 
 /// The checked arguments of a call, as many as any command has.
-type Arguments<'a> = [&'a Untrusted; 4];
+type Arguments<'a> = [&'a Untrusted; 5];
 
 commands! { 'a
     /// Adds a fire.
@@ -166,6 +172,8 @@ commands! { 'a
     /// Lights what is within a radius of a position \[m\] or, unless `lit`, puts it out; 0 is the
     /// usual radius. With a radius below 0, `place` is the id of a solid with fuel.
     "light" Light { lit: bool, radius: f64, place: f64, y: f64 }
+    /// Sprays a mass of water [g/m] from a position \[m\] with a velocity [m/s].
+    "spray" Spray { x: Metres, y: Metres, u: Speed, v: Speed, grams: Positive<MAX_GRAMS> }
     /// Answers with the [numbers](hearth_core::Simulation::free_solid_numbers) of the solids that
     /// forces move.
     "freeSolids" FreeSolids {}
@@ -211,7 +219,7 @@ impl<'a> Command<'a> {
                 "the name of a command",
             ));
         };
-        let mut checked: Arguments<'a> = [&Untrusted::Missing; 4];
+        let mut checked: Arguments<'a> = [&Untrusted::Missing; 5];
         let sent = arguments
             .iter()
             .chain(std::iter::repeat(&Untrusted::Missing));

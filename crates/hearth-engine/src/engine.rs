@@ -4,7 +4,7 @@
 //! returns whether to request another frame, so no loop runs while all fires rest.
 
 use hearth_bindings::{Untrusted, ValidationError, memory, panic, parts, settings};
-use hearth_core::{NoFuel, Vec2, Where};
+use hearth_core::{NoFuel, NoWater, Vec2, Where};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::WebGl2RenderingContext;
@@ -204,6 +204,17 @@ fn light(
     })
 }
 
+/// Sprays water into a fire.
+#[inline(never)]
+fn spray(fire: &mut Fire, [x, y, u, v, grams]: [f64; 5]) -> Result<(), Vec<ValidationError>> {
+    let pair = |x: f64, y: f64| Vec2::new(x as f32, y as f32);
+    let done = fire.spray(pair(x, y), pair(u, v), 1e-3 * grams as f32);
+    done.map_err(|_| {
+        let model = Untrusted::Text("classic".into());
+        vec![ValidationError::new("model", &model, NoWater::ALLOWED)]
+    })
+}
+
 /// Maximum number of particles of a fire that is not measured yet: limited on a page's own thread.
 const fn limit(on_page: bool) -> u32 {
     if on_page { START } else { u32::MAX }
@@ -314,6 +325,12 @@ impl Engine {
                     return Ok(Answer::Missing("fuels"));
                 }
                 light(fire, lit, radius, place, y)?;
+            }
+            Command::Spray { x, y, u, v, grams } => {
+                if !parts::water_is_loaded() {
+                    return Ok(Answer::Missing("water"));
+                }
+                spray(fire, [x.0, y.0, u.0, v.0, grams.0])?;
             }
             Command::FreeSolids {} => {
                 events.answer(id, request, &fire.free_solids());

@@ -7,7 +7,7 @@ use glam::Vec2;
 use hearth_bindings::memory;
 use hearth_core::clock::Clock;
 use hearth_core::fps::FpsCounter;
-use hearth_core::{Instance, NoFuel, Parameters, Simulation, Where, burning};
+use hearth_core::{Instance, NoFuel, NoWater, Parameters, Simulation, Where, burning};
 use hearth_render::{Camera, Fit, Viewport};
 use js_sys::Float32Array;
 use wasm_bindgen::JsValue;
@@ -232,6 +232,12 @@ impl Fire {
             Simulation::extinguish
         };
         act(&mut self.simulation, at)
+    }
+
+    /// Sprays a mass of water [kg/m] from a position \[m\].
+    pub fn spray(&mut self, place: Vec2, velocity: Vec2, mass: f32) -> Result<(), NoWater> {
+        self.stale = true;
+        self.simulation.spray(place, velocity, mass)
     }
 
     /// [Numbers](Simulation::free_solid_numbers) of the solids that forces move.

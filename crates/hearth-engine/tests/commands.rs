@@ -74,6 +74,17 @@ fn every_command_is_parsed() {
             Command::Visible { visible: false },
         ),
         (
+            "spray",
+            [0.5, 0.25, -20.0, 20.0, 1000.0].map(number).to_vec(),
+            Command::Spray {
+                x: Within(0.5),
+                y: Within(0.25),
+                u: Within(-20.0),
+                v: Within(20.0),
+                grams: Positive(1000.0),
+            },
+        ),
+        (
             "stir",
             vec![number(0.5), number(0.25), number(-20.0), number(20.0)],
             Command::Stir {
@@ -313,6 +324,18 @@ fn arguments_of_view_sparks_and_stir_are_checked() {
             place,
         ),
         ("stir", vec![nan(), zero(), zero(), zero()], "x", place),
+        (
+            "spray",
+            vec![zero(), zero(), zero(), zero(), zero()],
+            "grams",
+            "a number above 0, up to 1000",
+        ),
+        (
+            "spray",
+            vec![zero(), zero(), number(21.0), zero(), number(1.0)],
+            "u",
+            "a number from -20 to 20",
+        ),
         (
             "stir",
             vec![zero(), number(1e30), zero(), zero()],

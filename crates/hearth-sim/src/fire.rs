@@ -3,7 +3,7 @@
 use hearth_bindings::{Record, Untrusted, ValidationError, memory, panic, parts, settings};
 use hearth_core::params::{PARAMETERS, Parameters};
 use hearth_core::simulation::ParticleError;
-use hearth_core::{NoFuel, Scene, Simulation, Vec2, Where};
+use hearth_core::{NoFuel, NoWater, Scene, Simulation, Vec2, Where};
 use js_sys::Array;
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
@@ -156,6 +156,17 @@ impl Fire {
         })
     }
 
+    /// Sprays a mass of water [g/m] from a position \[m\] with a velocity [m/s].
+    ///
+    /// # Errors
+    /// The model is the classic one; the name of the [part](parts) if it is missing.
+    pub fn spray(&mut self, x: f32, y: f32, u: f32, v: f32, grams: f32) -> Result<(), JsValue> {
+        if !parts::water_is_loaded() {
+            return Err("water".into());
+        }
+        spray(&mut self.simulation, [x, y, u, v, grams])
+    }
+
     /// The ids of the particles.
     pub fn ids(&self) -> Vec<f64> {
         particles::ids(&self.simulation)
@@ -193,6 +204,17 @@ impl Fire {
             Array::of1(&error).into()
         })
     }
+}
+
+/// Sprays water into a fire.
+#[inline(never)]
+fn spray(simulation: &mut Simulation, [x, y, u, v, grams]: [f32; 5]) -> Result<(), JsValue> {
+    let done = simulation.spray(Vec2::new(x, y), Vec2::new(u, v), 1e-3 * grams);
+    done.map_err(|_| {
+        let model = Untrusted::Text("classic".into());
+        let error = ValidationError::new("model", &model, NoWater::ALLOWED);
+        thrown(vec![error])
+    })
 }
 
 /// The scene, with its parts and memory for its particles.

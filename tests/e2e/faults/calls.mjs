@@ -63,6 +63,7 @@ async function callAtRandom(seed, calls, parameters) {
     () => fire.step(random(2) ? random(20) : odd()),
     () => fire.stir(some(), some(), some(), some()),
     () => fire.sparks(some(), some(), some()),
+    () => fire.spray(some(), some(), some(), some(), some()),
     () => fire.toMetres(some(), some()),
     () => fire.toPixels(some(), some()),
     () => fire.get(random(2) ? parameter().id : odd()),

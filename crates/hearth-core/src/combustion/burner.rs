@@ -116,6 +116,29 @@ impl Burner {
         ]
     }
 
+    /// Direction of its width.
+    pub(super) fn axis(&self) -> Vec2 {
+        self.axis.unwrap_or(Vec2::X)
+    }
+
+    /// Whether a position is in the block or in one as high below it.
+    pub(super) fn is_beside(&self, position: Vec2) -> bool {
+        let at = self.upright(position);
+        let height = self.top - self.bottom;
+        (at.x - self.middle).abs() < self.half_width && (at.y - self.bottom).abs() < height
+    }
+
+    /// The share of a path after which it crosses the lower edge downwards; `None` if it does not.
+    pub(super) fn crossing(&self, from: Vec2, to: Vec2) -> Option<f32> {
+        let (from, to) = (self.upright(from), self.upright(to));
+        if from.y <= self.bottom || to.y > self.bottom {
+            return None;
+        }
+        let share = (from.y - self.bottom) / (from.y - to.y);
+        let x = from.x + (to.x - from.x) * share;
+        ((x - self.middle).abs() < self.half_width).then_some(share)
+    }
+
     /// A position as if the burner were not turned.
     fn upright(&self, position: Vec2) -> Vec2 {
         let Some(axis) = self.axis else {

@@ -17,6 +17,7 @@ mod reaction;
 mod report;
 mod state;
 mod step;
+mod wet;
 
 use super::air::OpenAir;
 use super::embers::Embers;
@@ -32,6 +33,7 @@ use cells::Burning;
 use state::{BLOCKS, Beside, Block};
 
 pub use command::{NoFuel, Where};
+pub(super) use material::{BOILING, VAPORISATION, WATER_CAPACITY};
 pub use report::{BurningSolid, BurningState, FuelTotal};
 pub(crate) use state::Fuels;
 

@@ -101,5 +101,8 @@ impl Combustion {
     /// Writes the embers for the renderer.
     pub fn write_embers(&self, out: &mut Vec<Instance>) {
         self.embers.write_instances(out);
+        if let Some(water) = &*self.water {
+            water.write_instances(out);
+        }
     }
 }

@@ -5,6 +5,7 @@ use glam::Vec2;
 use super::burner::Burner;
 use super::embers::Air;
 use super::pair::Context;
+use super::water::Water;
 use super::{Combustion, chemistry, forces, number_density, seam, sound_speed, time_step};
 use crate::forces::BodyForce;
 use crate::kernel::Kernel;
@@ -99,8 +100,11 @@ impl Combustion {
         let hottest = scene.sources().map(|source| source.source_temperature);
         self.power = film + chemistry::react(gas, values, hottest.fold(0.0, f32::max), dt);
         self.preheat = 0.0;
-        for source in scene.sources() {
-            if let Some(burner) = Burner::new(source, parameters.spacing()) {
+        for (index, source) in scene.sources().enumerate() {
+            let feeds = |water: &mut Box<Water>| water.feeds(index);
+            if self.water.as_mut().is_none_or(feeds)
+                && let Some(burner) = Burner::new(source, parameters.spacing())
+            {
                 let solid = solids.parts(source);
                 self.preheat +=
                     burner.feed(gas, source, (time, dt), solid, &mut self.burner_particles) / dt;
@@ -122,6 +126,9 @@ impl Combustion {
                     *position = bounds.wrap(*position);
                 }
             }
+        }
+        if self.water.is_some() {
+            self.advance_water(scene, random, dt);
         }
         // Where it was, a solid may be now.
         if stays && self.solids.drive() {

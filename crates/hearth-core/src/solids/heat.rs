@@ -55,6 +55,16 @@ impl Store {
         }
     }
 
+    /// Heat that it stores above a temperature [kJ/m].
+    pub fn heat_above(&self, temperature: f32, base: f32) -> f32 {
+        self.capacity * (temperature - base)
+    }
+
+    /// The temperature \[K\] after it has lost that heat [kJ/m].
+    pub fn cooled(&self, temperature: f32, heat: f32) -> f32 {
+        temperature - heat / self.capacity
+    }
+
     /// The temperature \[K\] after a step with that inflow in air of a temperature \[K\].
     pub fn warmed(&self, temperature: f32, inflow: Inflow, dt: f32, air: f32) -> f32 {
         // ε σ A (T⁴ − T_air⁴), as a conductance.

@@ -14,9 +14,9 @@ use crate::params::Fuel;
 /// Heat of combustion of char [kJ/kg]: that of carbon (Drysdale 2011, table 1.13).
 pub(super) const CHAR_HEAT: f32 = 32_800.0;
 /// Specific heat [kJ/(kg·K)] and heat of vaporisation [kJ/kg] of water, and its boiling point \[K\].
-pub(super) const WATER_CAPACITY: f32 = 4.18;
-pub(super) const VAPORISATION: f32 = 2257.0;
-pub(super) const BOILING: f32 = 373.15;
+pub(in crate::combustion) const WATER_CAPACITY: f32 = 4.18;
+pub(in crate::combustion) const VAPORISATION: f32 = 2257.0;
+pub(in crate::combustion) const BOILING: f32 = 373.15;
 
 /// The numbers of a fuel.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,0 +1,129 @@
+//! Water that strikes a solid with fuel: a cell takes what it can hold, and the rest runs down the surface.
+
+use glam::Vec2;
+
+use super::cells::{Burning, Cell};
+use super::material::{BOILING, WATER_CAPACITY};
+use super::state::Fuels;
+use crate::extremes::fast_min;
+use crate::random::Random;
+use crate::solids::Body;
+
+/// Most water in a cell over its dry mass: what light wood holds (Wood Handbook 2010, 4.2).
+const SOAKED: f32 = 1.0;
+/// Cells along which water runs at most.
+const LONGEST: u32 = 128;
+/// Weight of the direction of a film, and of a cell that is not full, against a fall by a cell; and the
+/// steepest way, in cells, that a film does not climb.
+const AHEAD: f32 = 0.4;
+const OPEN: f32 = 0.7;
+const CLIMBS: f32 = -0.35;
+
+impl Fuels {
+    /// Gives water of a mass [kg/m] and a temperature \[K\] to a body at a place of its surface. Returns
+    /// what its cells take, and whether one of them is hot enough to boil it.
+    #[inline(never)]
+    pub fn wet(
+        &mut self,
+        body: &Body,
+        place: Vec2,
+        (mass, temperature): (f32, f32),
+        air: f32,
+        random: &mut Random,
+    ) -> (f32, bool) {
+        let (distance, out) = body.surface.distance(place);
+        let frame = &body.surface.frame;
+        let surface = frame.local(place - out * distance);
+        let normal = Vec2::new(frame.axis.dot(out), frame.axis.perp_dot(out));
+        let mut all = self.all.iter_mut();
+        let Some(burning) = all.find(|one| one.id == body.id()) else {
+            return (0.0, false);
+        };
+        let Some(index) = burning.one_below(surface, normal, random.unit()) else {
+            return (0.0, false);
+        };
+        let sideways = if random.unit() < 0.5 { -1 } else { 1 };
+        let upward = Vec2::new(frame.axis.y, frame.axis.x);
+        let (mut at, mut left, mut boils) = ((index, [sideways, 0]), mass, false);
+        for _ in 0..LONGEST {
+            let soaked = burning.soak(at.0, (left, temperature), air);
+            left -= soaked;
+            boils |= soaked > 0.0
+                && burning
+                    .cells
+                    .get(at.0)
+                    .is_some_and(|cell| cell.temperature > BOILING);
+            let next = burning.downstream(at, upward);
+            let Some(next) = next.filter(|_| left > 0.0) else {
+                break;
+            };
+            at = next;
+        }
+        (mass - left, boils)
+    }
+}
+
+impl Burning {
+    /// Gives water of a mass [kg/m] and a temperature \[K\] to a cell. Returns what that takes.
+    fn soak(&mut self, index: usize, (mass, temperature): (f32, f32), air: f32) -> f32 {
+        let material = self.material;
+        let Some(cell) = self.cells.get_mut(index) else {
+            return 0.0;
+        };
+        let taken = fast_min(mass, cell.room());
+        if taken <= 0.0 {
+            return 0.0;
+        }
+        let capacity = cell.capacity(material);
+        let added = WATER_CAPACITY * taken;
+        cell.water += taken;
+        cell.temperature = (capacity * cell.temperature + added * temperature) / (capacity + added);
+        self.account.gained += f64::from(added * (temperature - air));
+        taken
+    }
+
+    /// The neighbour at the surface to which a film of water flows from a cell that it has reached by
+    /// that step, and the step to it; `None` where it drips off.
+    fn downstream(&self, (from, by): Flow, upward: Vec2) -> Option<Flow> {
+        let columns = self.columns.max(1);
+        let (column, row) = (from % columns, from / columns);
+        let mut best = (CLIMBS, None);
+        for side in -1..=1_i32 {
+            for up in -1..=1_i32 {
+                let to = (
+                    column.checked_add_signed(side as isize),
+                    row.checked_add_signed(up as isize),
+                );
+                let (Some(x), Some(y)) = to else { continue };
+                let index = y * columns + x;
+                let Some(cell) = self.cells.get(index).filter(|_| x < columns) else {
+                    continue;
+                };
+                let is_here = side == 0 && up == 0;
+                let returns = side == -by[0] && up == -by[1];
+                if is_here || returns || cell.length <= 0.0 || cell.mass() <= 0.0 {
+                    continue;
+                }
+                let step = Vec2::new(side as f32, up as f32);
+                let ahead = (side * by[0] + up * by[1]) as f32;
+                let falls = -step.dot(upward);
+                let open = if cell.room() > 0.0 { OPEN } else { 0.0 };
+                let rank = falls + AHEAD * ahead + open;
+                if falls > CLIMBS && rank > best.0 {
+                    best = (rank, Some((index, [side, up])));
+                }
+            }
+        }
+        best.1
+    }
+}
+
+/// A cell, and the columns and rows by which it was reached.
+type Flow = (usize, [i32; 2]);
+
+impl Cell {
+    /// Water that it can still take [kg/m].
+    fn room(&self) -> f32 {
+        SOAKED * (self.fuel + self.char) - self.water
+    }
+}

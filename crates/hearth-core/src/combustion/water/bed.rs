@@ -1,0 +1,160 @@
+//! Water in the bed of a source.
+//!
+//! A source stands for what burns there, so water that lands in it wets that. The wet share gives off no
+//! fuel and is not preheated. A part of what lands on the rest boils at once. The bed dries by the share of its own power that a fire returns to its fuel.
+//! Less water than that weakens a source, which recovers; a source that is wet throughout has no power
+//! left to dry, and stays out.
+
+use glam::Vec2;
+
+use super::Water;
+use crate::combustion::Burner;
+use crate::combustion::fuels::{BOILING, VAPORISATION, WATER_CAPACITY};
+use crate::extremes::{fast_max, fast_min};
+use crate::params::{Parameters, Physics};
+use crate::random::Random;
+use crate::scene::Scene;
+
+/// Water that wets a surface throughout [kg/m²]: a film of a quarter of a millimetre.
+const FILM: f32 = 0.25;
+/// Share of its power that a fire returns to its fuel: the heat of gasification of wood over its heat of
+/// combustion, 1.8 of 17.5 MJ/kg (Tewarson 2002, table 3-4.7).
+const RETURNED: f32 = 0.1;
+
+/// Share of the water that boils at once where it lands on what is not wet: what burns there is hot.
+const HOT: f32 = 0.4;
+
+/// The bed of a source.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Bed {
+    /// Water in it, and water that wets it throughout [kg/m].
+    pub water: f32,
+    full: f32,
+    /// Where it is; `None` on a solid.
+    burner: Option<Burner>,
+    /// The solid that it is on, and a place of that \[m\].
+    solid: Option<u32>,
+    centre: Vec2,
+    /// Feeding that is due.
+    due: f32,
+}
+
+impl Water {
+    /// Gives each source of a scene its bed.
+    pub(super) fn set_beds(&mut self, scene: &Scene) {
+        let mut count = 0;
+        for source in scene.sources() {
+            if count == self.beds.len() {
+                self.beds.push(Bed::default());
+            }
+            if let Some(bed) = self.beds.get_mut(count) {
+                self.account.run_off += f64::from(bed.follow(source, scene));
+            }
+            count += 1;
+        }
+        for gone in self.beds.drain(count..) {
+            self.account.run_off += f64::from(gone.water);
+        }
+    }
+
+    /// Whether a source feeds in this step: a bed that is wet in part feeds in so many of all steps.
+    #[inline(never)]
+    pub fn feeds(&mut self, index: usize) -> bool {
+        let Some(bed) = self.beds.get_mut(index) else {
+            return true;
+        };
+        bed.due += 1.0 - bed.wet();
+        let feeds = bed.due >= 1.0;
+        if feeds {
+            bed.due -= 1.0;
+        }
+        feeds
+    }
+}
+
+impl Bed {
+    /// Follows a source. One of another size is another source. Returns the water that it does not take
+    /// over [kg/m].
+    fn follow(&mut self, source: &Parameters, scene: &Scene) -> f32 {
+        let before = self.full;
+        let on_solid = scene.solid_of(source);
+        self.solid = source.solid_of_source();
+        match on_solid {
+            // Without power nothing burns there.
+            _ if source.fuel_power <= 0.0 => {
+                (self.full, self.burner, self.solid) = (0.0, None, None);
+            }
+            Some((_, surface)) => {
+                let (_, circumference) = surface.measures();
+                (self.full, self.burner) = (FILM * circumference, None);
+                self.centre = surface.frame.centre;
+            }
+            None => {
+                let burner = Burner::of(source);
+                self.full = FILM * 2.0 * burner.half_width;
+                self.centre = Vec2::new(burner.middle, burner.bottom);
+                self.burner = Some(burner);
+            }
+        }
+        if self.full == before {
+            return 0.0;
+        }
+        std::mem::take(&mut self.water)
+    }
+
+    /// The share of it that is wet.
+    fn wet(&self) -> f32 {
+        fast_min(self.water / fast_max(self.full, 1e-6), 1.0)
+    }
+
+    /// Dries it by its own fire. Returns the steam [kg/m].
+    pub(super) fn dry(&mut self, source: &Physics, values: &Physics, dt: f32) -> f32 {
+        let warming = WATER_CAPACITY * fast_max(BOILING - values.ambient_temperature, 0.0);
+        let power = RETURNED * source.fuel_power * (1.0 - self.wet());
+        let steam = fast_min(power * dt / (warming + VAPORISATION), self.water);
+        self.water -= steam;
+        steam
+    }
+
+    /// A mass of its steam in relation to what wets it, for pictures.
+    pub(super) fn relative(&self, steam: f32) -> f32 {
+        const PUFFS: f32 = 200.0;
+        PUFFS * steam / fast_max(self.full, 1e-6)
+    }
+
+    /// A place in it.
+    pub(super) fn somewhere(&self, random: &mut Random) -> Vec2 {
+        match &self.burner {
+            Some(burner) => {
+                let across = burner.half_width * random.between(-1.0, 1.0);
+                self.centre + burner.axis() * across
+            }
+            None => self.centre,
+        }
+    }
+
+    /// Takes a mass of water [kg/m]. Returns the steam of what its hot part boils at once, and the rest.
+    pub(super) fn take(&mut self, mass: f32) -> (f32, f32) {
+        let steam = HOT * (1.0 - self.wet()) * mass;
+        let taken = fast_min(fast_max(self.full - self.water, 0.0), mass - steam);
+        self.water += taken;
+        // Exact, so that a full bed is wet throughout.
+        if self.full - self.water < 1e-4 * self.full {
+            self.water = fast_max(self.water, self.full);
+        }
+        (steam, mass - steam - taken)
+    }
+
+    /// Whether it is on that solid or, if it is not on a solid, at that place of one.
+    pub(super) fn is_at(&self, solid: u32, place: Vec2) -> bool {
+        match &self.burner {
+            Some(burner) => burner.is_beside(place),
+            None => self.solid == Some(solid),
+        }
+    }
+
+    /// The share of a path after which it enters the bed from above; `None` if it does not.
+    pub(super) fn crossing(&self, from: Vec2, to: Vec2) -> Option<f32> {
+        self.burner.as_ref()?.crossing(from, to)
+    }
+}

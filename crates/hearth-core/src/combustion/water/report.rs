@@ -1,0 +1,81 @@
+//! What readers see of the water.
+
+use std::fmt;
+
+use glam::Vec2;
+
+use super::Water;
+
+/// Droplets of one size that move and evaporate alike.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Droplets {
+    /// Position \[m\].
+    pub position: Vec2,
+    /// Velocity [m/s].
+    pub velocity: Vec2,
+    /// Temperature \[K\].
+    pub temperature: f32,
+    /// Diameter of each \[m\].
+    pub diameter: f32,
+    /// Mass of all of them [kg/m], and at first.
+    pub mass: f32,
+    /// Mass of all of them at first [kg/m].
+    pub first: f32,
+    /// Time until they leave the nozzle \[s\].
+    pub waits: f32,
+}
+
+/// Where the water of all sprays is: masses in kg and heat in kJ, per metre of depth. The sum of the
+/// other masses is that of what was sprayed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sprayed {
+    /// Mass of all that was sprayed.
+    pub sprayed: f64,
+    /// Mass of the droplets in the air.
+    pub flying: f64,
+    /// Mass that evaporated in the air.
+    pub evaporated: f64,
+    /// Mass that boiled off solids without fuel and off sources.
+    pub boiled: f64,
+    /// Mass that went into solids with fuel, which count it as their water and their steam.
+    pub soaked: f64,
+    /// Mass that wets sources.
+    pub held: f64,
+    /// Mass that ran off cold solids, fell to the floor or left the domain.
+    pub run_off: f64,
+    /// Heat that the gas lost to droplets.
+    pub heat: f64,
+    /// Heat that solids without fuel lost to droplets.
+    pub solid_heat: f64,
+}
+
+/// The error of spraying water where no gas burns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NoWater;
+
+impl NoWater {
+    /// What the model must be instead.
+    pub const ALLOWED: &'static str = "combustion: the classic model has no water";
+}
+
+impl fmt::Display for NoWater {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "model must be {}", NoWater::ALLOWED)
+    }
+}
+
+impl std::error::Error for NoWater {}
+
+impl Water {
+    /// The account with what is in the air and in sources now.
+    #[inline(never)]
+    pub(super) fn sprayed(&self) -> Sprayed {
+        let flying = self.parcels.iter().map(|parcel| f64::from(parcel.mass));
+        let held = self.beds.iter().map(|bed| f64::from(bed.water));
+        Sprayed {
+            flying: flying.sum(),
+            held: held.sum(),
+            ..self.account
+        }
+    }
+}

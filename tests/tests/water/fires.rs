@@ -1,0 +1,153 @@
+//! Fires that are sprayed, and solids that are wet.
+
+use hearth_core::params::Input;
+use hearth_core::{BurningState, Scene, Simulation, Vec2, Where};
+use hearth_tests::fires::{burn_on, combustion, in_the_open, on_floor};
+
+use super::{ID, assert_balanced, log, open, spray, sprayed, with_solid};
+
+/// Power of the flame, averaged over the next second [kW/m].
+fn power(fire: &mut Simulation) -> f64 {
+    let (start, mut sum) = (fire.time(), 0.0);
+    while fire.time() < start + 1.0 {
+        fire.step();
+        sum += f64::from(fire.power().unwrap_or_default()) * fire.step_length();
+    }
+    sum / (fire.time() - start)
+}
+
+#[test]
+fn water_that_strikes_wood_is_in_its_cells_and_its_heat_is_counted() {
+    let mut fire = log(&[]);
+    assert_eq!(fire.ignite(Where::Object(ID)), Ok(()));
+    burn_on(&mut fire, 1.5);
+    let before = fire.burning_solids()[0];
+    let jet = [Vec2::new(0.0, 0.7), Vec2::new(0.0, -4.0)];
+    spray(&mut fire, jet, (0.05, 1.0), assert_balanced);
+    let after = fire.burning_solids()[0];
+    let soaked = sprayed(&fire).soaked;
+    assert!(soaked > 0.001, "{:?}", sprayed(&fire));
+    let gained = after.water + after.steam - before.water - before.steam;
+    assert!((gained / soaked - 1.0).abs() < 0.01, "{gained} of {soaked}");
+    let heat = after.stored + after.lost;
+    assert!(
+        (heat - after.gained).abs() < 0.01 * after.gained,
+        "{after:?}"
+    );
+}
+
+#[test]
+fn wood_that_is_sprayed_enough_goes_out_and_stays_out_and_sprayed_little_burns_on() {
+    let jet = [Vec2::new(0.0, 0.75), Vec2::new(0.0, -3.0)];
+    let left = [0.0, 0.004, 0.25].map(|rate| {
+        let mut fire = log(&[]);
+        assert_eq!(fire.ignite(Where::Object(ID)), Ok(()));
+        burn_on(&mut fire, 2.0);
+        assert_eq!(fire.burning_solids()[0].state, BurningState::Burning);
+        spray(&mut fire, jet, (rate, 2.0), |_| ());
+        burn_on(&mut fire, 3.0);
+        (
+            fire.burning_solids()[0].state,
+            fire.burning_solids()[0].fuel,
+        )
+    });
+    let states = left.map(|(state, _)| state);
+    let [burning, out] = [BurningState::Burning, BurningState::Out];
+    assert_eq!(states, [burning, burning, out], "{left:?}");
+    assert!(left.map(|(_, fuel)| fuel).is_sorted(), "{left:?}");
+}
+
+#[test]
+fn wet_wood_burns_later_than_dry() {
+    let burns_after = |rate: f64| {
+        let mut fire = log(&[("source_height", 0.05)]);
+        let jet = [Vec2::new(0.0, 0.6), Vec2::new(0.0, -2.0)];
+        spray(&mut fire, jet, (rate, 1.0), |_| ());
+        burn_on(&mut fire, 0.5);
+        // A flame below it: `ignite` would dry it.
+        let mut scene = fire.scene().clone();
+        let mut settings = scene.settings().clone();
+        for (name, value) in [("fuel_power", 200.0), ("source_width", 0.3)] {
+            assert_eq!(settings.set(name, Input::Number(value)), Ok(()));
+        }
+        scene.set_settings(settings);
+        fire.set_scene(scene);
+        let start = fire.time();
+        while fire.burning_solids()[0].gas < 0.01 && fire.time() < start + 20.0 {
+            fire.step();
+        }
+        fire.time() - start
+    };
+    let [dry, wet] = [0.0, 0.3].map(burns_after);
+    assert!(wet > 1.5 * dry, "dry after {dry} s, wet after {wet} s");
+}
+
+/// A source on a floor.
+fn bed() -> Simulation {
+    let values = [
+        ("fuel_power", 150.0),
+        ("source_height", 0.1),
+        ("source_width", 0.3),
+    ];
+    let embers = [("ember_rate", 0.0)];
+    let settings = combustion(&[&values[..], &embers].concat());
+    Simulation::new(on_floor(in_the_open(settings, 3000)))
+}
+
+#[test]
+fn the_more_a_source_is_sprayed_the_less_it_burns_until_it_stays_out() {
+    let jet = [Vec2::new(0.0, 0.5), Vec2::new(0.0, -3.0)];
+    let mut flying = Vec::new();
+    let powers = [0.0, 0.01, 0.15].map(|rate| {
+        let mut fire = bed();
+        burn_on(&mut fire, 1.5);
+        spray(&mut fire, jet, (rate, 2.0), assert_balanced);
+        let during = power(&mut fire);
+        burn_on(&mut fire, 6.0);
+        flying.push(sprayed(&fire));
+        (during, power(&mut fire))
+    });
+    let [dry, little, enough] = powers;
+    assert!(little.1 > 0.8 * dry.1, "{powers:?}, {flying:?}");
+    assert!(enough.0 < 0.5 * dry.0, "{powers:?}, {flying:?}");
+    assert!(enough.1 < 0.01 * dry.1, "{powers:?}, {flying:?}");
+}
+
+#[test]
+fn a_hot_solid_boils_water_off_and_loses_the_heat_and_a_cold_one_lets_it_run_off() {
+    let kept = |kelvin: f64| {
+        let texts = [("shape", "box"), ("thermal", "conducting")];
+        let numbers = [
+            ("y", 0.3),
+            ("width", 0.4),
+            ("height", 0.1),
+            ("heat_capacity", 2000.0),
+            ("temperature", kelvin),
+        ];
+        let scene: Scene = with_solid(open(&[]), &texts, &numbers);
+        let mut wet = Simulation::new(scene);
+        let mut dry = wet.clone();
+        let jet = [Vec2::new(0.0, 0.6), Vec2::new(0.0, -3.0)];
+        spray(&mut wet, jet, (0.1, 0.5), assert_balanced);
+        burn_on(&mut wet, 0.5);
+        burn_on(&mut dry, wet.time());
+        let of = |fire: &Simulation| {
+            f64::from(fire.solid_temperatures().next().map_or(0.0, |one| one.1))
+        };
+        (of(&dry) - of(&wet), sprayed(&wet))
+    };
+    let (cooled, all) = kept(900.0);
+    // 2000 kJ/(m³·K) × 0.04 m².
+    let lost = 80.0 * cooled;
+    assert!(all.boiled > 0.02, "{all:?}");
+    assert!(
+        (lost / all.solid_heat - 1.0).abs() < 0.2,
+        "{lost} kJ/m, {all:?}"
+    );
+    let (cooled, all) = kept(300.0);
+    assert_eq!(all.boiled, 0.0);
+    assert!(
+        all.run_off > 0.02 && cooled.abs() < 1.0,
+        "{cooled} K, {all:?}"
+    );
+}

@@ -31,6 +31,7 @@ export const SOLID = [
   {"id":"period","label":"Period","unit":"s","doc":"A slower motion. Time of one motion to and fro.","kind":"number","scale":"log","default":4,"min":0.5,"max":60,"when":{"motion":["sway"]}},
   {"id":"spin","label":"Spin","unit":"°/s","doc":"A solid that turns faster counterclockwise or, below 0, clockwise.","kind":"number","scale":"linear","default":45,"min":-720,"max":720,"when":{"motion":["spin"]}},
   {"id":"density","label":"Density","unit":"kg/m³","doc":"A heavier solid. Its mass follows from its area; burnt material has no mass. That of wood is about 500. None is lighter than the gas beside it.","kind":"number","scale":"log","default":500,"min":0.1,"max":10000,"when":{"motion":["free"]}},
+  {"id":"hangs_from","label":"Hangs from","unit":"","doc":"A solid that hangs. Id of the solid from which it hangs, by the highest of the middles of its sides. The two do not collide. Where either burns through, it lets go. If no other solid has the id, it falls.","kind":"integer","scale":"linear","default":0,"min":0,"max":1000000,"when":{"motion":["free"]}},
   {"id":"friction","label":"Friction","unit":"","doc":"A rougher solid. Tangent of the angle at which it begins to slide on a fixed solid.","kind":"number","scale":"linear","default":0.5,"min":0,"max":2,"when":{"motion":["free"]}},
   {"id":"restitution","label":"Restitution","unit":"","doc":"A solid that bounces higher. Share of the speed of an impact with which it leaves.","kind":"number","scale":"linear","default":0.1,"min":0,"max":1,"when":{"motion":["free"]}},
 ];

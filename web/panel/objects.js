@@ -5,7 +5,7 @@
 
 import { SOURCE } from '../generated/objects.js';
 import { MAX_OBJECTS, SOLID } from '../generated/scene-objects.js';
-import { PARAMETERS } from '../parameters.js';
+import { PARAMETERS } from '../generated/table.js';
 
 /**
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire

@@ -96,8 +96,7 @@ properties! {
     /// about 500. None is lighter than the gas beside it.
     density: number "Density" ["kg/m³"] Log { (500.0, 0.1..=10000.0) } when { motion: FREE }
     /// A solid that hangs. Id of the solid from which it hangs, by the highest of the middles of its sides.
-    /// The two do not collide. Where either burns through, it lets go. If no other solid has the id,
-    /// it falls.
+    /// Where either burns through, it lets go. If no other solid has the id, it falls.
     hangs_from: integer "Hangs from" [""] Linear { (0, 0.0..=1_000_000.0) } when { motion: FREE }
     /// A rougher solid. Tangent of the angle at which it begins to slide on a fixed solid.
     friction: number "Friction" [""] Linear { (0.5, 0.0..=2.0) } when { motion: FREE }

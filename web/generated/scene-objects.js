@@ -62,5 +62,7 @@ export const OBJECTS = {
 };
 
 for (const objects of Object.values(OBJECTS)) {
-  objects.reduce((before, own) => (own.kind ? own : Object.assign(own, { ...before, ...own })));
+  for (const [at, own] of objects.entries()) {
+    if (!own.kind) objects[at] = { ...objects[at - 1], ...own };
+  }
 }

@@ -1,7 +1,7 @@
 // Generated from the parameter table of hearth-core by `cargo xtask codegen`;
 // edit crates/hearth-core/src/params/table.rs instead.
 
-/** @type {any[]} */
+/** The entries. */
 const ENTRIES = [
   {"id":"model","default":"combustion","models":["combustion","classic"],"label":"Model","group":"Basics","unit":"","doc":"Another kind of fire. Classic: the paper's equations, in which hot particles are born, cool and die. Combustion: fuel enters the air, mixes with it and burns.","kind":"choice","choices":["classic","combustion"]},
   {"id":"fuel_power","max":600,"models":["combustion"],"label":"Strength","group":"Basics","unit":"kW/m","doc":"A taller, brighter flame. Power of the burner per metre of depth: the heat of combustion of its fuel, without the heat of its hot gas. 0 turns it off.","kind":"number","scale":"linear","default":220,"min":0},
@@ -93,7 +93,7 @@ const ENTRIES = [
 ];
 
 /** Every parameter, in the order in which a panel shows them. @type {import('../parameters.js').Parameter[]} */
-export const PARAMETERS = ENTRIES.map(({ domains, ...entry }) => ({
+export const PARAMETERS = /** @type {any} */ (ENTRIES.map(({ domains, ...entry }) => ({
   ...entry,
   attribute: entry.id.replaceAll('_', '-'),
   property: entry.id.replace(/_(.)/g, (_, letter) => letter.toUpperCase()),
@@ -101,7 +101,7 @@ export const PARAMETERS = ENTRIES.map(({ domains, ...entry }) => ({
     model,
     'min' in entry ? { default: entry.default, min: entry.min, max: entry.max } : { default: entry.default },
   ])),
-}));
+})));
 
 /** Named sets of values: the defaults, with these changed. @type {Omit<import('../parameters.js').Preset, 'description'>[]} */
 export const PRESETS = [

@@ -65,7 +65,7 @@ export const PRESETS = TABLE.map((preset, at) => ({ ...preset, description: TEXT
 pub(super) fn table(scenes: &[Scene]) -> String {
     let all = PARAMETERS.iter().map(|param| derived(entry(param)));
     let all = all.map(|entry| entry.to_string());
-    let entries = constant("@type {any[]}", "ENTRIES", LIST, all).replace("export ", "");
+    let entries = constant("The entries.", "ENTRIES", LIST, all).replace("export ", "");
     let doc = "Named sets of values: the defaults, with these changed. \
                @type {Omit<import('../parameters.js').Preset, 'description'>[]}";
     let presets = scenes.iter().map(|scene| {
@@ -79,7 +79,7 @@ pub(super) fn table(scenes: &[Scene]) -> String {
 /// Fills in what [`derived`] leaves out.
 const DERIVE: &str = "
 /** Every parameter, in the order in which a panel shows them. @type {import('../parameters.js').Parameter[]} */
-export const PARAMETERS = ENTRIES.map(({ domains, ...entry }) => ({
+export const PARAMETERS = /** @type {any} */ (ENTRIES.map(({ domains, ...entry }) => ({
   ...entry,
   attribute: entry.id.replaceAll('_', '-'),
   property: entry.id.replace(/_(.)/g, (_, letter) => letter.toUpperCase()),
@@ -87,7 +87,7 @@ export const PARAMETERS = ENTRIES.map(({ domains, ...entry }) => ({
     model,
     'min' in entry ? { default: entry.default, min: entry.min, max: entry.max } : { default: entry.default },
   ])),
-}));
+})));
 ";
 
 /// An entry without what follows from the rest: a kilobyte of two downloads.
@@ -195,7 +195,9 @@ fn of_object(param: &Param) -> Value {
 /// Fills in the fields of the objects before.
 const WHOLE: &str = "
 for (const objects of Object.values(OBJECTS)) {
-  objects.reduce((before, own) => (own.kind ? own : Object.assign(own, { ...before, ...own })));
+  for (const [at, own] of objects.entries()) {
+    if (!own.kind) objects[at] = { ...objects[at - 1], ...own };
+  }
 }
 ";
 

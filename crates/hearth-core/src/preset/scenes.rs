@@ -258,7 +258,7 @@ pub static PRESETS: &[Preset] = &[
     },
     Preset {
         name: "curtains",
-        text: "fuel_power 30\n\
+        text: "fuel_power 55\n\
             source_width 0.05\n\
             wind 0.4\n\
             exposure 0.5\n\

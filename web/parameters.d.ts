@@ -5,7 +5,7 @@
 export type ModelName = "classic" | "combustion";
 
 /** The name of a preset. */
-export type PresetName = "default" | "bonfire-in-wind" | "burning-logs" | "burning-word" | "campfire" | "candle" | "fireplace" | "fireside" | "forge" | "gas-burner" | "ghost-fire" | "house-of-cards" | "match" | "paper-boat" | "ring-of-fire" | "sheltered-candle" | "smoke-stack" | "torch" | "wall-of-fire" | "wooden-word" | "classic" | "paper-buoyancy" | "paper-fire" | "paper-smoothing" | "paper-stiffness" | "paper-viscosity" | "seed";
+export type PresetName = "default" | "bonfire-in-wind" | "burning-logs" | "burning-word" | "campfire" | "candle" | "curtains" | "fireplace" | "fireside" | "forge" | "gas-burner" | "ghost-fire" | "house-of-cards" | "match" | "paper-boat" | "ring-of-fire" | "rope" | "sheltered-candle" | "smoke-stack" | "torch" | "wall-of-fire" | "wooden-word" | "classic" | "paper-buoyancy" | "paper-fire" | "paper-smoothing" | "paper-stiffness" | "paper-viscosity" | "seed";
 
 /** The value of every parameter, by its id. */
 export interface HearthParameters {
@@ -463,6 +463,8 @@ export interface HearthSolid {
   spin?: number;
   /** A heavier solid. Its mass follows from its area; burnt material has no mass. That of wood is about 500. None is lighter than the gas beside it. [kg/m³] Default 500, from 0.1 to 10000. */
   density?: number;
+  /** A solid that hangs. Id of the solid from which it hangs, by the highest of the middles of its sides. Where either burns through, it lets go. If no other solid has the id, it falls. Default 0, from 0 to 1000000. */
+  hangs_from?: number;
   /** A rougher solid. Tangent of the angle at which it begins to slide on a fixed solid. Default 0.5, from 0 to 2. */
   friction?: number;
   /** A solid that bounces higher. Share of the speed of an impact with which it leaves. Default 0.1, from 0 to 1. */

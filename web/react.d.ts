@@ -378,6 +378,8 @@ export interface HearthSolidAttributes {
   spin?: number | `${number}` | undefined;
   /** A heavier solid. Its mass follows from its area; burnt material has no mass. That of wood is about 500. None is lighter than the gas beside it. [kg/m³] Default 500, from 0.1 to 10000. */
   density?: number | `${number}` | undefined;
+  /** A solid that hangs. Id of the solid from which it hangs, by the highest of the middles of its sides. Where either burns through, it lets go. If no other solid has the id, it falls. Default 0, from 0 to 1000000. */
+  'hangs-from'?: number | `${number}` | undefined;
   /** A rougher solid. Tangent of the angle at which it begins to slide on a fixed solid. Default 0.5, from 0 to 2. */
   friction?: number | `${number}` | undefined;
   /** A solid that bounces higher. Share of the speed of an impact with which it leaves. Default 0.1, from 0 to 1. */

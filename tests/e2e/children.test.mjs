@@ -356,6 +356,22 @@ test('`solid` names a solid of the same fire, whose id the source follows', asyn
   assert.deepEqual(told(tab), []);
 });
 
+test('`hangs-from` names the solid that a free one hangs from', async () => {
+  const tab = await opened(`
+    <hearth-source></hearth-source>
+    <hearth-solid id="ball" motion="free" y="0.6" hangs-from="#hook"></hearth-solid>
+    <hearth-solid id="hook" y="0.9"></hearth-solid>
+    <hearth-solid motion="free" x="0.4" hangs-from="#none"></hearth-solid>`);
+  const hangs = async () => (await owned(tab)).filter((one) => one?.motion === 'free').map(({ hangs_from }) => hangs_from);
+  const hook = await tab.fire((fire) => fire.querySelector('#hook').objectId);
+  assert.deepEqual(await hangs(), [hook, 0]);
+  assert.equal(told(tab).length, 1);
+  assert.match(told(tab)[0], /<hearth-solid>: hangs-from = #none has no effect now/);
+  await tab.burnt(0.5);
+  const [ball] = await tab.fire((fire) => fire.freeSolids());
+  assert.ok(Math.abs(ball.y - 0.6) < 0.01, `it hangs at ${ball.y} m`);
+});
+
 test('a source on a solid that does not exist is a line, with one warning, until the solid comes', async () => {
   const tab = await opened('<hearth-source shape="solid" solid="#log"></hearth-source><hearth-solid></hearth-solid>');
   const solid = () => tab.fire((fire) => fire.params.source_solid);

@@ -122,6 +122,7 @@ pub fn fingerprints() -> String {
     // Taken up as it is, and by fewer particles.
     let kept = [
         ("breaking", breaking()),
+        ("rope", rope()),
         ("kept", kept(FIRESIDE, None)),
         ("kept coarse", kept(FIRESIDE, Some(1200))),
     ];
@@ -259,6 +260,44 @@ fn sprayed() -> u64 {
     match parts.iter().all(|part| *part > 0.0) {
         true => fingerprint_of(fire, STEPS / 10),
         false => 0,
+    }
+}
+
+/// The fingerprint of a rope that hangs, burns and lets go; 0 if it does not.
+fn rope() -> u64 {
+    let unlit = fires::combustion(&[("fuel_power", 0.0)]);
+    let mut scene = Scene::new(fires::on_floor(fires::in_the_open(unlit, 900)));
+    let number = |n: f64| Input::Number(n);
+    let hook = [("kind", Input::Text("solid")), ("y", number(1.3))];
+    let mut from = scene.add(&hook).unwrap_or_default();
+    for link in 0..8 {
+        let along = 0.07 * (f64::from(link) + 0.5);
+        let added = scene.add(&[
+            ("kind", Input::Text("solid")),
+            ("motion", Input::Text("free")),
+            ("shape", Input::Text("line")),
+            ("hangs_from", number(from.into())),
+            ("x", number(0.5 * along)),
+            ("y", number(1.3 - 0.866 * along)),
+            ("angle", number(120.0)),
+            ("width", number(0.07)),
+            ("height", number(0.03)),
+            ("fuel", Input::Text("paper")),
+            ("load", number(0.4)),
+        ]);
+        debug_assert!(added.is_ok(), "{added:?}");
+        from = added.unwrap_or_default();
+    }
+    let mut fire = Simulation::new(scene);
+    let lit = fire.ignite(Where::Object(6));
+    debug_assert_eq!(lit, Ok(()));
+    let mut whole = fire.clone();
+    for _ in 0..STEPS {
+        whole.step();
+    }
+    match whole.free_solids().last() {
+        Some(last) if last.place.y < 0.6 => fingerprint_of(fire, STEPS),
+        _ => 0,
     }
 }
 

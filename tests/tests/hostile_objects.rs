@@ -227,6 +227,12 @@ fn a_fire_survives_any_valid_object() {
                 scene.add(&[&first, &[number("x", 0.3)][..]].concat()),
                 Ok(3)
             );
+            // One hangs from that which moves, and one from that.
+            for (x, from) in [(-0.3, 3.0), (-0.5, 4.0)] {
+                let hangs = [text("motion", "free"), number("hangs_from", from)];
+                let fields = [&first[..], &hangs, &[number("x", x)]].concat();
+                assert!(scene.add(&fields).is_ok(), "{object:?}");
+            }
             let mut fire = Simulation::new(scene.clone());
             for step in 0..24 {
                 fire.step();
@@ -241,6 +247,9 @@ fn a_fire_survives_any_valid_object() {
                 assert!(fire.positions().into_iter().all(|at| at.is_finite()));
                 assert!(fire.temperatures().into_iter().all(f32::is_finite));
                 assert!(fire.solid_temperatures().all(|one| one.1.is_finite()));
+                for one in fire.free_solids() {
+                    assert!(one.place.is_finite() && one.velocity.is_finite(), "{one:?}");
+                }
             }
         }
     }

@@ -112,6 +112,7 @@ test('a source on a solid has the name of a source, ids of solids to choose from
   assert.equal(idDomain(burning, 'source_solid', 0, domain).max, 12);
   assert.equal(idDomain(burning, 'source_solid', 300, domain).max, 300);
   assert.equal(idDomain({ objects: [] }, 'source_solid', 0, domain).max, 1);
+  assert.equal(idDomain(burning, 'hangs_from', 0, domain).max, 12);
   assert.equal(idDomain(burning, 'source_x', 0, domain), domain);
   const { shape, solid } = newObject(burning, 'source');
   assert.deepEqual([shape, solid], [undefined, undefined]);

@@ -21,8 +21,8 @@ const OF = 'of';
 /** The attribute with which the glyphs of that element count. */
 const OF_TEXT = 'of-text';
 
-/** The property that names the solid that a source is on. */
-const SOLID = 'solid';
+/** The property that names the solid that a source is on, and that which names the solid that another hangs from. */
+const REFERENCES = { source: 'solid', solid: 'hangs_from' };
 
 /** The maximum length of an id in words. */
 const MAX_SHOWN = 40;
@@ -77,7 +77,7 @@ export class Child {
   #waits = false;
   /** What of the target counts. @type {Look} */
   look;
-  /** The id of the solid that `solid` named when the fire was told last, and the name of none that the console has told. */
+  /** The id of the solid that was named when the fire was told last, and the name of none that the console has told. */
   #solid = 0;
   #unknown = '';
   /** Whether it has left its fire. */
@@ -188,38 +188,43 @@ export class Child {
   /** What the attribute states or, without it, what applies. @param {string} property @returns {unknown} */
   #valueOf(property) {
     const text = this.element.getAttribute(attributeOf(property));
-    if (property === SOLID && this.#solidName) return this.#solidOf(this.#solidName);
+    if (property === this.#reference && this.#solidName) return this.#solidOf(this.#solidName);
     const longest = OUTLINES.includes(property) ? MAX_OUTLINE : MAX_VALUE;
     if (text !== null) return text.length > longest ? `a text of more than ${longest} letters` : text;
     if (this.of && property === 'material') return 'none';
     return this.adopts ? this.#owner.setting(property) : this.#owner.domain(this.kind, property)[0];
   }
 
-  /** The id of an element that `solid` names; undefined if it is a number. */
+  /** The property that names a solid. */
+  get #reference() {
+    return REFERENCES[this.kind];
+  }
+
+  /** The id of an element that it names; undefined if it is a number. */
   get #solidName() {
-    const text = this.kind === 'source' ? this.element.getAttribute(SOLID) : null;
+    const text = this.element.getAttribute(attributeOf(this.#reference));
     return /^\s*#(\S+)\s*$/.exec(text ?? '')?.[1];
   }
 
   /** The id of the object of a child; 0, which no solid has, if there is none. @param {string} name */
   #solidOf(name) {
-    const child = this.#owner.childWith(SOLID, name);
+    const child = this.#owner.childWith('solid', name);
     if (!child) return 0;
-    // Known before the fire has the object, so that a source is on its solid from the first step.
+    // Known before the fire has the object, so that the reference holds from the first step.
     child.id ??= this.#owner.freeId();
     return child.id;
   }
 
-  /** Follows the solid that `solid` names: tells the fire when its id comes or changes. */
+  /** Follows the solid that it names: tells the fire when its id comes or changes. */
   refer() {
     const name = this.#solidName;
     if (!name) return;
     const id = this.#solidOf(name);
     if (id === 0 && name !== this.#unknown && document.readyState !== 'loading') {
       this.#unknown = name;
-      console.warn(`<hearth-fire>: ${this.name}: ${SOLID} = #${name.slice(0, MAX_SHOWN)} has no effect now: no <hearth-solid> of this fire has that id.`);
+      console.warn(`<hearth-fire>: ${this.name}: ${attributeOf(this.#reference)} = #${name.slice(0, MAX_SHOWN)} has no effect now: no <hearth-solid> of this fire has that id.`);
     }
-    if (id !== this.#solid && this.live && !this.busy) this.#write({ [SOLID]: id });
+    if (id !== this.#solid && this.live && !this.busy) this.#write({ [this.#reference]: id });
   }
 
   /** @param {Values} values */
@@ -254,7 +259,7 @@ export class Child {
    */
   async #ask(values, send) {
     this.#sent.add(values);
-    if (this.#solidName && SOLID in values) this.#solid = this.#solidOf(this.#solidName);
+    if (this.#solidName && this.#reference in values) this.#solid = this.#solidOf(this.#solidName);
     let accepted = false;
     for (let rest = values; !accepted; ) {
       const answer = send(rest);

@@ -49,7 +49,7 @@ export class Children {
       const element = /** @type {Element} */ (target);
       if (attributeName && element.hasAttribute(attributeName)) spell(element, attributeName);
     }
-    // A source may name a solid by its id.
+    // A child may name a solid by its id.
     if (records.some(({ attributeName }) => attributeName === 'id')) this.update();
   });
 
@@ -68,7 +68,7 @@ export class Children {
     elements.forEach((element, at) => {
       if (this.#children[at]?.element !== element) this.#join(element, at);
     });
-    // A source may name a solid after it.
+    // A child may name a solid after it.
     for (const child of this.#children.filter(({ element }) => joined.includes(element))) {
       child.target();
       child.put();

@@ -58,6 +58,7 @@ export const PROPERTIES = {
     period: {"every":[4,0.5,60]},
     spin: {"every":[45,-720,720]},
     density: {"every":[500,0.1,10000]},
+    hangs_from: {"every":[0,0,1000000]},
     friction: {"every":[0.5,0,2]},
     restitution: {"every":[0.1,0,1]},
   },

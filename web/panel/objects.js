@@ -5,7 +5,7 @@
 
 import { SOURCE } from '../generated/objects.js';
 import { MAX_OBJECTS, SOLID } from '../generated/scene-objects.js';
-import { PARAMETERS } from '../parameters.js';
+import { PARAMETERS } from '../generated/table.js';
 
 /**
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire
@@ -63,7 +63,7 @@ function entriesOfSolid(all) {
  * @type {(fire: Pick<HearthFire, 'objects'>, id: string, value: any, domain: Domain | undefined) => Domain | undefined}
  */
 export function idDomain(fire, id, value, domain) {
-  if (id !== 'source_solid' || !domain) return domain;
+  if (!['source_solid', 'hangs_from'].includes(id) || !domain) return domain;
   const ids = objectsOf(fire).filter(({ kind }) => kind === 'solid').map((solid) => solid.id);
   return { ...domain, max: Math.max(1, Number(value) || 0, ...ids) };
 }

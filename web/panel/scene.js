@@ -5,7 +5,7 @@
 import { entriesOf, isSame } from './objects.js';
 import { OBJECTS } from '../generated/scene-objects.js';
 import { SOURCE } from '../generated/objects.js';
-import { PARAMETERS, PRESETS } from '../parameters.js';
+import { PARAMETERS, PRESETS } from '../generated/table.js';
 
 /**
  * @typedef {import('../hearth-fire.js').HearthFire} HearthFire

@@ -37,6 +37,7 @@ fn generate() -> Result<Vec<Generated>> {
         ("crates/hearth-fire/src/picture.md", gallery::picture()?),
         ("web/generated/defaults.js", javascript::defaults()),
         ("web/parameters.js", javascript::module(&scenes)),
+        ("web/generated/table.js", javascript::table(&scenes)),
         ("web/generated/quantities.js", javascript::quantities()),
         ("web/generated/burning.js", javascript::burning()),
         ("web/generated/between.js", javascript::between()),

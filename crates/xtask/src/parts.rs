@@ -24,12 +24,16 @@ struct Row<'a> {
 }
 
 impl Row<'_> {
-    fn part(&self) -> Part<'_> {
+    fn part(&self, module: &str) -> Part<'_> {
         Part {
             name: self.name,
             symbols: &self.symbols,
-            texts: match self.name {
-                "presets" => || PRESETS.iter().map(Preset::text).collect(),
+            texts: match (self.name, module) {
+                ("presets", _) => || PRESETS.iter().map(Preset::text).collect(),
+                ("bodies", "hearth-engine") => || {
+                    let all = PRESETS.iter().map(Preset::text);
+                    all.filter(|text| text.contains("motion free")).collect()
+                },
                 _ => Vec::new,
             },
             callers: &self.callers,
@@ -57,7 +61,7 @@ pub(crate) fn divide(sh: &Shell, web: &Path) -> Result<()> {
                 .with_context(|| format!("cannot shorten {}", script.display()))?;
             for part in parts.iter().filter(|part| part.modules.contains(&name)) {
                 let taken = bound
-                    .take(&part.part())
+                    .take(&part.part(name))
                     .with_context(|| format!("cannot divide {name}"))?;
                 let file = format!("{name}_{}.wasm", part.name);
                 sh.write_file(wasm.with_file_name(file), taken)?;

@@ -1,7 +1,8 @@
 //! Heaps of burning bodies: they stay finite, and no gas is inside.
 //!
 //! A heap is coarse open air on a floor with free solids of every shape, which burn: random in
-//! material, size, place and angle, so that some begin in one another. A part of it is lit.
+//! material, size, place and angle, so that some begin in one another. A part of it is lit. Into some
+//! a chain of burning links hangs, and in some bodies hang from others at random.
 
 use std::fmt::Write as _;
 
@@ -29,6 +30,12 @@ const LIT: (f32, f32) = (0.05, 0.4);
 const LIGHTING: f64 = 0.5;
 /// One heap in this number lies on a solid that stirs it.
 const STIRRED: u32 = 4;
+/// One heap in this number has a chain, and one has bodies that hang from others; most links of a
+/// chain, their sizes and the height of its hook \[m\].
+const HUNG: u32 = 2;
+const LINKS: u32 = 12;
+const LINK: (f32, f32) = (0.04, 0.12);
+const HOOK: (f32, f32) = (0.4, 1.0);
 /// Largest distance of a body from the middle of the frame \[m\], and how deep one is in the floor
 /// at most, which is where the solver puts back a body that others press down, and the corners of its discs.
 const FARTHEST: f32 = 41.0;
@@ -85,11 +92,14 @@ impl Heap {
         }
         let half = 0.5 * WIDTH;
         let middle = Vec2::new(random.between(-half, half), random.between(0.0, 0.3));
-        Heap {
-            scene,
-            bodies,
-            lit: (middle, random.between(LIT.0, LIT.1)),
+        let lit = (middle, random.between(LIT.0, LIT.1));
+        if random.bits().is_multiple_of(HUNG) {
+            add_chain(&mut scene, random);
         }
+        if random.bits().is_multiple_of(HUNG) {
+            hang_some(&mut scene, random);
+        }
+        Heap { scene, bodies, lit }
     }
 
     /// The settings and the bodies, as one line.
@@ -158,6 +168,54 @@ fn add(scene: &mut Scene, bodies: u32, random: &mut Random) {
         ("mask", Input::Text(MASKS[bits / 64 % MASKS.len()])),
     ]);
     assert!(added.is_ok(), "{added:?}");
+}
+
+/// Lets some bodies hang from others, wherever these are, some of them in a circle.
+fn hang_some(scene: &mut Scene, random: &mut Random) {
+    let ids: Vec<u32> = scene.surfaces().map(|one| one.0).collect();
+    for &id in &ids {
+        let from = ids[random.bits() as usize % ids.len()];
+        if random.bits().is_multiple_of(HUNG) {
+            let hung = scene.change(id, &[("hangs_from", Input::Number(from.into()))]);
+            assert_eq!(hung, Ok(()));
+        }
+    }
+}
+
+/// Adds a chain that hangs from a hook into a heap.
+fn add_chain(scene: &mut Scene, random: &mut Random) {
+    let mut between = |(low, high): (f32, f32)| random.between(low, high);
+    let half = 0.5 * WIDTH;
+    let mut end = Vec2::new(between((-half, half)), between(HOOK));
+    let solid = ("kind", Input::Text("solid"));
+    let place = |at: Vec2| [at.x, at.y].map(|n| Input::Number(n.into()));
+    let [x, y] = place(end);
+    let hook = scene.add(&[solid, ("x", x), ("y", y), ("width", Input::Number(0.03))]);
+    let mut from = hook.unwrap_or_default();
+    for _ in 0..1 + between((0.0, LINKS as f32)) as u32 {
+        let length = between(LINK);
+        let angle = between((30.0, 150.0));
+        let path = Vec2::from_angle(angle.to_radians()) * length;
+        let [x, y] = place(end - 0.5 * path);
+        end -= path;
+        let number = |n: f32| Input::Number(n.into());
+        let added = scene.add(&[
+            solid,
+            ("shape", Input::Text("line")),
+            ("motion", Input::Text("free")),
+            ("fuel", Input::Text("cloth")),
+            ("hangs_from", number(from as f32)),
+            ("load", number(between((0.1, 2.0)))),
+            ("density", number(between((10.0, 500.0)))),
+            ("x", x),
+            ("y", y),
+            ("angle", number(angle)),
+            ("width", number(length)),
+            ("height", number(between((0.01, 0.04)))),
+        ]);
+        assert!(added.is_ok(), "{added:?}");
+        from = added.unwrap_or_default();
+    }
 }
 
 /// What is left of each solid and of its parts, where it is now.

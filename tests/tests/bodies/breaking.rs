@@ -18,7 +18,7 @@ fn stick(gravity: f64) -> (Scene, u32) {
     (scene, id)
 }
 
-fn stick_in(scene: &mut Scene, y: f64) -> u32 {
+pub fn stick_in(scene: &mut Scene, y: f64) -> u32 {
     let size = [
         ("y", y),
         ("width", 0.8),

@@ -8,7 +8,7 @@ use hearth_tests::fires::{burn_on, closed_box, watch, with_numbers};
 use super::{GRAVITY, add, alone, floor, free};
 
 /// Momentum of the gas, whose particles have this mass [kg/m], and of the bodies [kg/s].
-fn momenta(fire: &Simulation, particle: f64) -> (DVec2, DVec2) {
+pub fn momenta(fire: &Simulation, particle: f64) -> (DVec2, DVec2) {
     let gas = fire.velocities().into_iter();
     let bodies = fire.free_solids().into_iter();
     (

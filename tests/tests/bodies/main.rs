@@ -5,6 +5,7 @@
 mod breaking;
 mod burning;
 mod gas;
+mod hanging;
 mod saved;
 
 use hearth_core::params::Input;

@@ -95,6 +95,9 @@ properties! {
     /// A heavier solid. Its mass follows from its area; burnt material has no mass. That of wood is
     /// about 500. None is lighter than the gas beside it.
     density: number "Density" ["kg/m³"] Log { (500.0, 0.1..=10000.0) } when { motion: FREE }
+    /// A solid that hangs. Id of the solid from which it hangs, by the highest of the middles of its sides.
+    /// Where either burns through, it lets go. If no other solid has the id, it falls.
+    hangs_from: integer "Hangs from" [""] Linear { (0, 0.0..=1_000_000.0) } when { motion: FREE }
     /// A rougher solid. Tangent of the angle at which it begins to slide on a fixed solid.
     friction: number "Friction" [""] Linear { (0.5, 0.0..=2.0) } when { motion: FREE }
     /// A solid that bounces higher. Share of the speed of an impact with which it leaves.

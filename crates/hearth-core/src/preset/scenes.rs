@@ -257,6 +257,134 @@ pub static PRESETS: &[Preset] = &[
             material coal",
     },
     Preset {
+        name: "curtains",
+        text: "fuel_power 55\n\
+            source_width 0.05\n\
+            wind 0.4\n\
+            exposure 0.5\n\
+            backdrop bricks\n\
+            ground stone\n\
+            time_scale 0.6\n\
+            source_height 0.32\n\
+            emission_speed 0.3\n\
+            domain_width 1.3\n\
+            domain_height 1.3\n\
+            floor solid\n\
+            spacing 0.026\n\
+            max_particles 5000\n\
+            \n\
+            kind solid\n\
+            shape box\n\
+            x -0.104\n\
+            y 1.053\n\
+            width 0.068\n\
+            height 0.27\n\
+            material wax\n\
+            fuel cloth\n\
+            load 0.9\n\
+            motion free\n\
+            density 60\n\
+            hangs_from 26\n\
+            \n\
+            y 0.783\n\
+            hangs_from 2\n\
+            \n\
+            y 0.513\n\
+            hangs_from 3\n\
+            \n\
+            x -0.194\n\
+            y 1.053\n\
+            hangs_from 26\n\
+            \n\
+            y 0.783\n\
+            hangs_from 5\n\
+            \n\
+            y 0.513\n\
+            hangs_from 6\n\
+            \n\
+            x -0.284\n\
+            y 1.053\n\
+            hangs_from 26\n\
+            \n\
+            y 0.783\n\
+            hangs_from 8\n\
+            \n\
+            y 0.513\n\
+            hangs_from 9\n\
+            \n\
+            x -0.374\n\
+            y 1.053\n\
+            hangs_from 26\n\
+            \n\
+            y 0.783\n\
+            hangs_from 11\n\
+            \n\
+            y 0.513\n\
+            hangs_from 12\n\
+            \n\
+            x 0.104\n\
+            y 1.053\n\
+            hangs_from 26\n\
+            \n\
+            y 0.783\n\
+            hangs_from 14\n\
+            \n\
+            y 0.513\n\
+            hangs_from 15\n\
+            \n\
+            x 0.194\n\
+            y 1.053\n\
+            hangs_from 26\n\
+            \n\
+            y 0.783\n\
+            hangs_from 17\n\
+            \n\
+            y 0.513\n\
+            hangs_from 18\n\
+            \n\
+            x 0.284\n\
+            y 1.053\n\
+            hangs_from 26\n\
+            \n\
+            y 0.783\n\
+            hangs_from 20\n\
+            \n\
+            y 0.513\n\
+            hangs_from 21\n\
+            \n\
+            x 0.374\n\
+            y 1.053\n\
+            hangs_from 26\n\
+            \n\
+            y 0.783\n\
+            hangs_from 23\n\
+            \n\
+            y 0.513\n\
+            hangs_from 24\n\
+            \n\
+            kind solid\n\
+            shape line\n\
+            y 1.2\n\
+            width 1.06\n\
+            height 0.03\n\
+            material iron\n\
+            \n\
+            shape box\n\
+            x 0\n\
+            y 0.23\n\
+            width 0.05\n\
+            height 0.13\n\
+            corner 0.01\n\
+            material wax\n\
+            \n\
+            kind solid\n\
+            shape box\n\
+            y 0.145\n\
+            width 0.6\n\
+            height 0.04\n\
+            material wood",
+    },
+    Preset {
         name: "fireplace",
         text: "fuel_power 200\n\
             source_width 0.5\n\
@@ -744,6 +872,96 @@ pub static PRESETS: &[Preset] = &[
             thermal conducting",
     },
     Preset {
+        name: "rope",
+        text: "fuel_power 35\n\
+            source_width 0.1\n\
+            exposure 0.4\n\
+            backdrop bricks\n\
+            ground stone\n\
+            time_scale 0.6\n\
+            source_height 0.02\n\
+            emission_speed 0.3\n\
+            domain_width 0.8\n\
+            domain_height 1.2\n\
+            floor solid\n\
+            spacing 0.018\n\
+            max_particles 5500\n\
+            \n\
+            kind solid\n\
+            shape line\n\
+            y 1.052\n\
+            angle 90\n\
+            width 0.056\n\
+            height 0.032\n\
+            material wax\n\
+            fuel cloth\n\
+            load 7\n\
+            moisture 15\n\
+            motion free\n\
+            density 60\n\
+            hangs_from 18\n\
+            \n\
+            y 0.996\n\
+            hangs_from 2\n\
+            \n\
+            y 0.94\n\
+            hangs_from 3\n\
+            \n\
+            y 0.884\n\
+            hangs_from 4\n\
+            \n\
+            y 0.828\n\
+            hangs_from 5\n\
+            \n\
+            y 0.772\n\
+            hangs_from 6\n\
+            \n\
+            y 0.716\n\
+            hangs_from 7\n\
+            \n\
+            y 0.66\n\
+            hangs_from 8\n\
+            \n\
+            y 0.604\n\
+            hangs_from 9\n\
+            \n\
+            y 0.548\n\
+            hangs_from 10\n\
+            \n\
+            y 0.492\n\
+            hangs_from 11\n\
+            \n\
+            y 0.436\n\
+            hangs_from 12\n\
+            \n\
+            y 0.38\n\
+            hangs_from 13\n\
+            \n\
+            y 0.324\n\
+            hangs_from 14\n\
+            \n\
+            y 0.268\n\
+            hangs_from 15\n\
+            \n\
+            kind solid\n\
+            shape circle\n\
+            y 0.24\n\
+            width 0.056\n\
+            material wax\n\
+            fuel cloth\n\
+            load 7\n\
+            moisture 15\n\
+            motion free\n\
+            density 60\n\
+            hangs_from 16\n\
+            \n\
+            kind solid\n\
+            shape circle\n\
+            y 1.08\n\
+            width 0.05\n\
+            material iron",
+    },
+    Preset {
         name: "sheltered-candle",
         text: "fuel_power 24\n\
             source_width 0.08\n\
@@ -1102,6 +1320,10 @@ pub static CAPTIONS: &[Caption] = &[
         description: "A small flame, steady as in a room without a draught.",
     },
     Caption {
+        label: "Burning curtains",
+        description: "Curtains in a draught that a candle sets on fire.",
+    },
+    Caption {
         label: "Fireplace",
         description: "A fire of logs on a grate of iron, in an opening of bricks below its flue.",
     },
@@ -1136,6 +1358,10 @@ pub static CAPTIONS: &[Caption] = &[
     Caption {
         label: "Ring of fire",
         description: "A hoop of iron that burns all around.",
+    },
+    Caption {
+        label: "Burning rope",
+        description: "A rope that burns upward from its knot, and falls.",
     },
     Caption {
         label: "Sheltered candle",

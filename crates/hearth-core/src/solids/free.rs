@@ -2,7 +2,8 @@
 //!
 //! A step divides its time into [substeps](FreeBodies::substep). Each finds the
 //! [contacts](contacts) from points of one surface in the distance of another, and
-//! [solves](solve) them by sequential impulses with a soft bias (Macklin et al. 2019; Catto 2024).
+//! [solves](solve) them and the [hinges](hinges) by sequential impulses with a soft bias (Macklin et
+//! al. 2019; Catto 2024).
 //! A contact acts before its surfaces meet, so a fast body stops at a thin one. The gas pushes a
 //! body by the force that the body has on the gas (Akinci et al. 2012). The code is a part of the
 //! wasm that a page loads for a scene with such a solid: nothing outside of it calls a function of it
@@ -11,6 +12,7 @@
 mod body;
 mod contact;
 mod contacts;
+mod hinges;
 mod parts;
 mod rest;
 mod resume;
@@ -24,7 +26,7 @@ use super::{Body, Solids};
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Edges, Floor, Model, Physics, Walls};
-use crate::scene::Scene;
+use crate::scene::{MAX_SPEED, Scene};
 use contact::Plane;
 
 pub use body::FreeSolid;
@@ -34,6 +36,10 @@ pub(crate) use state::FreeBodies;
 
 /// Longest substep \[s\].
 const SUBSTEP: f32 = 1e-3;
+/// How much faster a hinge may move a body: else a chain stretches where it swings fastest.
+const HINGED: f32 = 1.1;
+/// How much faster a body is that hinges tear in several directions: they forget their impulses.
+const TORN: f32 = 4.0;
 /// Longest step that the bodies follow \[s\].
 const LONGEST: f32 = 0.05;
 
@@ -70,6 +76,7 @@ impl FreeBodies {
             free.all.push(body);
         }
         free.keep_parts(solids, &before);
+        free.hang(&before);
         free.gravity = values.gravity;
         free.bounds = Some(*bounds);
         free.planes = planes(values);
@@ -94,8 +101,10 @@ impl FreeBodies {
         free.time = time;
         if dt > 0.0 {
             free.follow(solids);
+            free.find_hinged();
             let count = (dt / SUBSTEP).ceil();
-            for _ in 0..count as u32 {
+            for number in 0..count as u32 {
+                free.ahead = dt - dt / count * number as f32;
                 free.substep(dt / count);
             }
             free.rest(dt);
@@ -181,11 +190,15 @@ impl FreeBodies {
     fn substep(&mut self, dt: f32) {
         for one in self.all.iter_mut().filter(|one| one.is_awake()) {
             one.velocity.y -= self.gravity * one.weight * dt;
-            one.limit();
+            one.limit_to(MAX_SPEED);
         }
         self.find_contacts(dt);
         self.solve(dt);
         for one in self.all.iter_mut().filter(|one| one.is_free) {
+            if one.hinged != 0 {
+                one.is_torn = one.speed() > TORN * MAX_SPEED;
+                one.limit_to(HINGED * MAX_SPEED);
+            }
             one.advance(dt, self.bounds.as_ref());
         }
         self.lift();

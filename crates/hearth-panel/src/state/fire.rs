@@ -140,7 +140,7 @@ impl Fire {
     /// spans those of the solids and the value.
     pub fn slider_range(&self, subject: Subject) -> (f64, f64) {
         let (min, max) = self.range_of(subject);
-        if subject.param.id == "source_solid" {
+        if ["source_solid", "hangs_from"].contains(&subject.param.id) {
             let value = self.value(subject).as_number().unwrap_or_default();
             let solids = self.objects.objects().filter(|one| one.solid().is_some());
             let solids = solids.map(|one| f64::from(one.id));

@@ -7,6 +7,7 @@ use hearth_core::params::{Choice, DisplayMode, Domain, Kind, Model, PARAMETERS, 
 use hearth_core::scene::{KINDS, MAX_OBJECTS};
 use serde_json::{Map, Value, json};
 
+use super::rust::own_fields;
 use super::scene::Scene;
 use super::{attribute, domains, number, property};
 
@@ -41,38 +42,44 @@ pub(super) fn defaults() -> String {
     format!("{HEADER}{defaults}\nexport {{ OWN_ATTRIBUTES }} from './attributes.js';\n")
 }
 
-/// The module of the whole table.
+/// The module of the whole table, with what a person reads about each preset.
 pub(super) fn module(scenes: &[Scene]) -> String {
-    let entries = PARAMETERS
+    let texts = scenes
         .iter()
-        .map(|param| derived(entry(param)).to_string());
-    let parameters = [
-        "\nconst ENTRIES = [\n",
-        &entries
-            .map(|entry| format!("  {entry},\n"))
-            .collect::<String>(),
-        "];\n",
-        DERIVE,
-    ]
-    .concat();
-    let doc = "Named sets of values: the defaults, with these changed.";
-    let entries = scenes.iter().map(|scene| {
+        .map(|scene| json!(scene.description).to_string());
+    let texts = constant("What a preset looks like.", "TEXTS", LIST, texts).replace("export ", "");
+    let exports = "\
+import { PARAMETERS, PRESETS as TABLE } from './generated/table.js';
+
+export { QUANTITIES } from './generated/quantities.js';
+export { PARAMETERS };
+";
+    let presets = "
+/** Named sets of values: the defaults, with these changed. */
+export const PRESETS = TABLE.map((preset, at) => ({ ...preset, description: TEXTS[at] }));
+";
+    [HEADER, "\n", exports, &texts, presets].concat()
+}
+
+/// The module of the table without these texts, which are a kilobyte of the tools.
+pub(super) fn table(scenes: &[Scene]) -> String {
+    let all = PARAMETERS.iter().map(|param| derived(entry(param)));
+    let all = all.map(|entry| entry.to_string());
+    let entries = constant("The entries.", "ENTRIES", LIST, all).replace("export ", "");
+    let doc = "Named sets of values: the defaults, with these changed. \
+               @type {Omit<import('../parameters.js').Preset, 'description'>[]}";
+    let presets = scenes.iter().map(|scene| {
         let values: Map<_, _> = scene.values.iter().cloned().collect();
-        let preset = json!({
-            "name": scene.name, "label": scene.label, "description": scene.description,
-            "values": values,
-        });
-        preset.to_string()
+        json!({ "name": scene.name, "label": scene.label, "values": values }).to_string()
     });
-    let presets = constant(doc, "PRESETS", LIST, entries);
-    let quantities = "\nexport { QUANTITIES } from './generated/quantities.js';\n";
-    [HEADER, &parameters, &presets, quantities].concat()
+    let presets = constant(doc, "PRESETS", LIST, presets);
+    [HEADER, &entries, DERIVE, &presets].concat()
 }
 
 /// Fills in what [`derived`] leaves out.
 const DERIVE: &str = "
-/** Every parameter, in the order in which a panel shows them. */
-export const PARAMETERS = ENTRIES.map(({ domains, ...entry }) => ({
+/** Every parameter, in the order in which a panel shows them. @type {import('../parameters.js').Parameter[]} */
+export const PARAMETERS = /** @type {any} */ (ENTRIES.map(({ domains, ...entry }) => ({
   ...entry,
   attribute: entry.id.replaceAll('_', '-'),
   property: entry.id.replace(/_(.)/g, (_, letter) => letter.toUpperCase()),
@@ -80,7 +87,7 @@ export const PARAMETERS = ENTRIES.map(({ domains, ...entry }) => ({
     model,
     'min' in entry ? { default: entry.default, min: entry.min, max: entry.max } : { default: entry.default },
   ])),
-}));
+})));
 ";
 
 /// An entry without what follows from the rest: a kilobyte of two downloads.
@@ -185,6 +192,15 @@ fn of_object(param: &Param) -> Value {
     Value::Object(entry)
 }
 
+/// Fills in the fields of the objects before.
+const WHOLE: &str = "
+for (const objects of Object.values(OBJECTS)) {
+  for (const [at, own] of objects.entries()) {
+    if (!own.kind) objects[at] = { ...objects[at - 1], ...own };
+  }
+}
+";
+
 /// The module of the panel's data of objects, which nothing else needs.
 pub(super) fn scene_objects(scenes: &[Scene]) -> String {
     let doc = "Every property of a solid, in the order of a panel.";
@@ -201,12 +217,12 @@ pub(super) fn scene_objects(scenes: &[Scene]) -> String {
         entry.to_string()
     });
     let solid = constant(doc, "SOLID", LIST, entries);
-    let doc = "The fields of the objects of each preset besides its source.\n \
+    let doc = "The fields of the objects of each preset besides its source. One without a kind has those of the one before it, too.\n \
                * @type {{[preset: string]: {[name: string]: string | number | boolean}[]}}";
     let with_objects = scenes.iter().filter(|scene| !scene.objects.is_empty());
     let entries = with_objects.map(|scene| {
-        let objects = scene.objects.iter();
-        let objects = objects.map(|fields| fields.iter().cloned().collect::<Map<_, _>>());
+        let objects = own_fields(&scene.objects);
+        let objects = objects.map(|own| own.into_iter().cloned().collect::<Map<_, _>>());
         format!("'{}': {}", scene.name, json!(objects.collect::<Vec<_>>()))
     });
     let objects = constant(doc, "OBJECTS", OBJECT, entries);
@@ -215,7 +231,7 @@ pub(super) fn scene_objects(scenes: &[Scene]) -> String {
          // `cargo xtask codegen`; edit those instead.\n\n\
          /** Most objects of a kind in a scene. */\n\
          export const MAX_OBJECTS = {MAX_OBJECTS};\n\
-         {solid}{objects}"
+         {solid}{objects}{WHOLE}"
     )
 }
 

@@ -25,12 +25,7 @@ pub(super) fn table(scenes: &[Scene]) -> String {
     for scene in scenes {
         let _ = writeln!(text, "    Preset {{\n        name: {:?},", scene.name);
         let mut lines = vec![fields(scene.values.iter())];
-        let before = iter::once(None).chain(scene.objects.iter().map(Some));
-        lines.extend(
-            before
-                .zip(&scene.objects)
-                .map(|(before, one)| object(before, one)),
-        );
+        lines.extend(own_fields(&scene.objects).map(|own| fields(own.into_iter())));
         // Long literals stay legible: a line of text is a line of the file.
         let lines = lines.join("\n\n").escape_debug().to_string();
         let lines = lines.replace("\\n", "\\n\\\n            ");
@@ -52,15 +47,18 @@ pub(super) fn table(scenes: &[Scene]) -> String {
     text
 }
 
-/// The fields of an object. One that has every property of the one before it has only its own.
-fn object(before: Option<&Vec<(String, Value)>>, object: &[(String, Value)]) -> String {
-    let named = |id: &str| object.iter().any(|(known, _)| known == id);
-    let before = before.map_or(&[][..], Vec::as_slice);
-    let continues = before.iter().all(|(id, _)| named(id)) && before != object;
-    let own = object
-        .iter()
-        .filter(|field| !continues || !before.contains(field));
-    fields(own)
+/// The fields of each object. One that has every property of the one before it has only its own.
+pub(super) fn own_fields(
+    objects: &[Vec<(String, Value)>],
+) -> impl Iterator<Item = Vec<&(String, Value)>> {
+    let before = iter::once(&[][..]).chain(objects.iter().map(Vec::as_slice));
+    before.zip(objects).map(|(before, object)| {
+        let named = |id: &str| object.iter().any(|(known, _)| known == id);
+        let continues = before.iter().all(|(id, _)| named(id)) && before != object;
+        let all = object.iter();
+        all.filter(|field| !continues || !before.contains(field))
+            .collect()
+    })
 }
 
 /// A line for each field: its id and its value.

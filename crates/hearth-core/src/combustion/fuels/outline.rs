@@ -76,6 +76,25 @@ impl Fuels {
             self.all.append(&mut parts);
             self.make_room();
         }
+        if let Some(free) = &mut *solids.free {
+            free.burn_hinges(&|object, at| self.part_at(object, at));
+        }
+    }
+
+    /// The part of a solid at a place, from the middle of the solid at first; `None` where it has burnt
+    /// through.
+    fn part_at(&self, object: u32, at: Vec2) -> Option<u32> {
+        let (mut nearest, mut found) = (f32::MAX, Some(object));
+        for burning in self.all.iter().filter(|one| one.object == object) {
+            for (index, cell) in burning.cells.iter().enumerate() {
+                let distance = at.distance_squared(burning.origin + burning.place(index));
+                if cell.first > 0.0 && distance < nearest {
+                    nearest = distance;
+                    found = (cell.mass() > 0.0).then_some(burning.id);
+                }
+            }
+        }
+        found
     }
 }
 

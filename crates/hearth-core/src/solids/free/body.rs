@@ -8,7 +8,7 @@ use super::samples::Samples;
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Motion, Physics, Solid};
-use crate::scene::{MAX_SPEED, RoundedBox, Surface};
+use crate::scene::{RoundedBox, Surface};
 use crate::solids::Body;
 
 /// Places along a side at which a surface is weighed.
@@ -108,8 +108,14 @@ pub(super) struct Rigid {
     /// The id of the object that it is, or that it was a part of.
     pub object: u32,
     pub is_free: bool,
-    /// Its place and angle in the scene.
+    /// Its place and angle in the scene, and its frame there.
     start: [f32; 3],
+    pub(super) first: RoundedBox,
+    /// The id of the solid that it hangs from, and those that it is hinged to, as bits.
+    pub(super) hangs_from: u32,
+    pub(super) hinged: u64,
+    /// Whether its hinges tear it.
+    pub(super) is_torn: bool,
     /// Its surface where it is now.
     pub surface: Surface,
     pub samples: Samples,
@@ -154,6 +160,10 @@ impl Rigid {
             object: id,
             is_free,
             start: [solid.x, solid.y, solid.angle],
+            first: surface.frame,
+            hangs_from: solid.hangs_from,
+            hinged: 0,
+            is_torn: false,
             samples: Samples::of(&surface),
             centre: surface.frame.centre,
             offset: Vec2::ZERO,
@@ -245,8 +255,7 @@ impl Rigid {
             let (frame, new) = (&mut self.surface.frame, &body.surface.frame);
             (frame.half, frame.radius) = (new.half, new.radius);
             self.samples = Samples::of(&self.surface);
-            self.still = 0.0;
-            self.asleep = false;
+            self.wake();
             if self.is_gone() {
                 (self.inverse_mass, self.inverse_inertia) = (0.0, 0.0);
                 (self.velocity, self.spin) = (Vec2::ZERO, 0.0);
@@ -261,7 +270,7 @@ impl Rigid {
     }
 
     /// Whether nothing is left of it.
-    fn is_gone(&self) -> bool {
+    pub fn is_gone(&self) -> bool {
         self.samples.all().is_empty()
     }
 
@@ -319,10 +328,16 @@ impl Rigid {
         whole(self.inverse_mass)
     }
 
+    /// Wakes it.
+    pub fn wake(&mut self) {
+        self.still = 0.0;
+        self.asleep = false;
+    }
+
     /// Limits its speed: gas follows no faster surface.
-    pub fn limit(&mut self) {
-        self.velocity = self.velocity.clamp_length_max(MAX_SPEED);
-        let fastest = MAX_SPEED / fast_max(self.surface.frame.reach(), 1e-3);
+    pub fn limit_to(&mut self, speed: f32) {
+        self.velocity = self.velocity.clamp_length_max(speed);
+        let fastest = speed / fast_max(self.surface.frame.reach(), 1e-3);
         self.spin = fast_min(fast_max(self.spin, -fastest), fastest);
     }
 

@@ -34,3 +34,21 @@ pub(super) struct Contact {
     /// Velocity along the normal before the impulses [m/s].
     pub approach: f32,
 }
+
+/// Two bodies, or a body and a plane, that an impulse acts on.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Pair {
+    pub bodies: [usize; 2],
+    /// From the centres of mass to where it acts \[m\].
+    pub arms: [Vec2; 2],
+}
+
+impl Contact {
+    /// The bodies, and where the impulse acts.
+    pub fn pair(&self) -> Pair {
+        Pair {
+            bodies: [self.one, self.other],
+            arms: self.arms,
+        }
+    }
+}

@@ -33,7 +33,7 @@ impl FreeBodies {
             for (second, other) in self.all.iter().enumerate() {
                 let lives = one.is_live() || other.is_live();
                 let moves = one.is_free || other.is_free;
-                if number == second || !lives || !moves {
+                if number == second || !lives || !moves || one.is_hinged_to(second) {
                     continue;
                 }
                 let shift = shift(self.bounds.as_ref(), one, other);
@@ -94,11 +94,14 @@ impl FreeBodies {
         self.remember(dt);
     }
 
-    /// Gives the contacts that were there before their impulses: both lists have the order of the
-    /// keys.
+    /// Gives the contacts that were there before, and the hinges, their impulses: both lists have the
+    /// order of the keys.
     fn remember(&mut self, dt: f32) {
         let scale = dt / fast_max(self.length, 1e-9);
         self.length = dt;
+        for hinge in &mut self.hinges {
+            hinge.continue_from(scale);
+        }
         let mut old = self.old.iter().peekable();
         for contact in &mut self.contacts {
             while old.next_if(|old| old.key < contact.key).is_some() {}
@@ -119,7 +122,7 @@ fn add(contacts: &mut Vec<Contact>, contact: Contact) {
 }
 
 /// The path from the image of `one` that is nearest to `other` to itself, beyond periodic edges.
-fn shift(bounds: Option<&Bounds>, one: &Rigid, other: &Rigid) -> Vec2 {
+pub(super) fn shift(bounds: Option<&Bounds>, one: &Rigid, other: &Rigid) -> Vec2 {
     let Some(bounds) = bounds else {
         return Vec2::ZERO;
     };

@@ -2,6 +2,7 @@
 
 use glam::Vec2;
 
+use super::hinges::Hinge;
 use super::state::FreeBodies;
 use crate::extremes::fast_min;
 
@@ -21,30 +22,13 @@ impl FreeBodies {
             one.touches &= one.asleep;
         }
         for index in 0..self.contacts.len() {
-            let Some(contact) = self.contacts.get(index).filter(|one| one.most > 0.0) else {
-                continue;
-            };
-            let (one, other, is_at_plane) = (contact.one, contact.other, contact.is_at_plane());
-            let is_free = |index: usize| self.all.get(index).is_some_and(|one| one.is_free);
-            let (first, second) = (is_free(one), is_free(other));
-            if first && second {
-                let (one, other) = (self.root_of(one), self.root_of(other));
-                if let Some(body) = self.all.get_mut(one.max(other)) {
-                    body.root = one.min(other);
-                }
+            if let Some(contact) = self.contacts.get(index).filter(|one| one.most > 0.0) {
+                self.touch(contact.one, contact.other);
             }
-            let moves = |index: usize| {
-                let body = self.all.get(index);
-                body.is_some_and(|body| !body.is_free && body.is_live())
-            };
-            let is_moved = !is_at_plane && (moves(one) || moves(other));
-            for index in [one, other] {
-                if let Some(body) = self.all.get_mut(index) {
-                    body.touches = true;
-                    if is_moved {
-                        body.still = 0.0;
-                    }
-                }
+        }
+        for index in 0..self.hinges.len() {
+            if let Some([one, other]) = self.hinges.get(index).and_then(Hinge::bodies) {
+                self.touch(one, other);
             }
         }
         for one in self.all.iter_mut().filter(|one| one.is_free) {
@@ -73,6 +57,30 @@ impl FreeBodies {
                     (one.velocity, one.spin) = (Vec2::ZERO, 0.0);
                 } else {
                     one.still = fast_min(one.still, DROWSY);
+                }
+            }
+        }
+    }
+
+    /// Notes that a body touches another, hangs from it, or touches a plane.
+    fn touch(&mut self, one: usize, other: usize) {
+        let is_free = |index: usize| self.all.get(index).is_some_and(|one| one.is_free);
+        if is_free(one) && is_free(other) {
+            let (one, other) = (self.root_of(one), self.root_of(other));
+            if let Some(body) = self.all.get_mut(one.max(other)) {
+                body.root = one.min(other);
+            }
+        }
+        let moves = |index: usize| {
+            let body = self.all.get(index);
+            body.is_some_and(|body| !body.is_free && body.is_live())
+        };
+        let is_moved = moves(one) || moves(other);
+        for index in [one, other] {
+            if let Some(body) = self.all.get_mut(index) {
+                body.touches = true;
+                if is_moved {
+                    body.still = 0.0;
                 }
             }
         }

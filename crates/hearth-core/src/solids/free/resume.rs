@@ -19,6 +19,7 @@ impl FreeBodies {
             for (one, numbers) in bodies.zip(all) {
                 one.resume(numbers);
             }
+            free.let_go_apart();
             free.place(solids);
             *solids.free = Some(free);
         }

@@ -1,5 +1,5 @@
 //! Sequential impulses: each contact in turn gets the impulse that stops its approach and, up to
-//! the friction, its sliding.
+//! the friction, its sliding. [Hinges](super::hinges) get theirs before.
 //!
 //! A soft bias removes an overlap over several substeps; impulses without the bias follow the
 //! motion, so that it adds no energy (the soft step of Catto 2024).
@@ -9,7 +9,7 @@ use std::f32::consts::PI;
 use glam::Vec2;
 
 use super::body::Rigid;
-use super::contact::Contact;
+use super::contact::{Contact, Pair};
 use super::contacts::PLANES;
 use super::state::FreeBodies;
 use crate::extremes::{fast_max, fast_min};
@@ -28,12 +28,12 @@ const DEEPEST: f32 = 0.02;
 /// Slowest impact that bounces [m/s].
 const BOUNCE: f32 = 0.2;
 
-/// How soft a contact is.
+/// How soft a contact or a hinge is.
 #[derive(Clone, Copy)]
-struct Soft {
-    rate: f32,
-    mass: f32,
-    impulse: f32,
+pub(super) struct Soft {
+    pub rate: f32,
+    pub mass: f32,
+    pub impulse: f32,
 }
 
 /// The velocity, the inverse mass and the inverse inertia of a body; a plane has none.
@@ -49,17 +49,17 @@ fn motion(all: &[Rigid], index: usize) -> (Vec2, f32, f32, f32) {
     }
 }
 
-/// The velocity of the one relative to the other at a contact.
-fn relative(all: &[Rigid], contact: &Contact) -> Vec2 {
-    let [one, other] = [contact.one, contact.other].map(|index| motion(all, index));
-    let [arm, far] = contact.arms;
+/// The velocity of the one relative to the other where an impulse acts.
+pub(super) fn relative(all: &[Rigid], pair: &Pair) -> Vec2 {
+    let [one, other] = pair.bodies.map(|index| motion(all, index));
+    let [arm, far] = pair.arms;
     one.0 + arm.perp() * one.1 - other.0 - far.perp() * other.1
 }
 
 /// Applies an impulse to the one, and its opposite to the other.
-fn apply(all: &mut [Rigid], contact: &Contact, impulse: Vec2) {
-    let sides = [(contact.one, 1.0), (contact.other, -1.0)];
-    for ((index, sign), arm) in sides.into_iter().zip(contact.arms) {
+pub(super) fn apply(all: &mut [Rigid], pair: &Pair, impulse: Vec2) {
+    let signs = [1.0, -1.0];
+    for ((index, sign), arm) in pair.bodies.into_iter().zip(signs).zip(pair.arms) {
         if let Some(body) = all.get_mut(index) {
             body.velocity += impulse * (sign * body.inverse_mass);
             body.spin += arm.perp_dot(impulse) * (sign * body.inverse_inertia);
@@ -67,10 +67,10 @@ fn apply(all: &mut [Rigid], contact: &Contact, impulse: Vec2) {
     }
 }
 
-/// The mass that an impulse in a direction moves at a contact [kg/m].
-fn mass_at(all: &[Rigid], contact: &Contact, direction: Vec2) -> f32 {
+/// The mass that an impulse in a direction moves [kg/m].
+fn mass_at(all: &[Rigid], pair: &Pair, direction: Vec2) -> f32 {
     let mut inverse = 0.0;
-    for (index, arm) in [contact.one, contact.other].into_iter().zip(contact.arms) {
+    for (index, arm) in pair.bodies.into_iter().zip(pair.arms) {
         let (_, _, mass, inertia) = motion(all, index);
         let lever = arm.perp_dot(direction);
         inverse += mass + lever * lever * inertia;
@@ -78,15 +78,28 @@ fn mass_at(all: &[Rigid], contact: &Contact, direction: Vec2) -> f32 {
     1.0 / fast_max(inverse, 1e-12)
 }
 
+/// What an impulse changes, as a symmetric matrix: xx, yy and xy [m/kg].
+pub(super) fn inverse_masses(all: &[Rigid], pair: &Pair) -> [f32; 3] {
+    let [mut xx, mut yy, mut xy] = [0.0; 3];
+    for (index, arm) in pair.bodies.into_iter().zip(pair.arms) {
+        let (_, _, mass, inertia) = motion(all, index);
+        xx += mass + inertia * arm.y * arm.y;
+        yy += mass + inertia * arm.x * arm.x;
+        xy -= inertia * arm.x * arm.y;
+    }
+    [xx, yy, xy]
+}
+
 impl FreeBodies {
     /// Finds the impulses of a substep, with the bias.
     pub(super) fn solve(&mut self, dt: f32) {
+        self.prepare_hinges();
         for contact in &mut self.contacts {
             contact.prepare(&self.all);
         }
         for contact in &self.contacts {
             let impulse = contact.normal * contact.impulse + contact.normal.perp() * contact.along;
-            apply(&mut self.all, contact, impulse);
+            apply(&mut self.all, &contact.pair(), impulse);
         }
         let frequency = 2.0 * PI * FREQUENCY;
         let damped = 2.0 * DAMPING + frequency;
@@ -96,13 +109,14 @@ impl FreeBodies {
             mass: frequency * damped * scale,
             impulse: scale,
         };
-        for _ in 0..ROUNDS {
+        for round in 0..ROUNDS {
+            self.solve_hinges(round, Some(soft));
             for contact in &mut self.contacts {
                 contact.solve(&mut self.all, dt, Some(soft));
             }
         }
         for contact in &mut self.contacts {
-            contact.gap += relative(&self.all, contact).dot(contact.normal) * dt;
+            contact.gap += relative(&self.all, &contact.pair()).dot(contact.normal) * dt;
         }
     }
 
@@ -125,7 +139,8 @@ impl FreeBodies {
 
     /// Takes the velocity of the bias away, and lets impacts bounce.
     pub(super) fn relax(&mut self, dt: f32) {
-        for _ in 0..RELAXATIONS {
+        for round in 0..RELAXATIONS {
+            self.solve_hinges(round, None);
             for contact in &mut self.contacts {
                 contact.solve(&mut self.all, dt, None);
             }
@@ -134,12 +149,12 @@ impl FreeBodies {
             if contact.approach > -BOUNCE || contact.most <= 0.0 || contact.restitution <= 0.0 {
                 continue;
             }
-            let leaving = relative(&self.all, contact).dot(contact.normal);
+            let leaving = relative(&self.all, &contact.pair()).dot(contact.normal);
             let wanted = leaving + contact.restitution * contact.approach;
             let impulse = fast_max(contact.impulse - contact.normal_mass * wanted, 0.0);
             let change = impulse - contact.impulse;
             contact.impulse = impulse;
-            apply(&mut self.all, contact, contact.normal * change);
+            apply(&mut self.all, &contact.pair(), contact.normal * change);
         }
     }
 }
@@ -147,9 +162,10 @@ impl FreeBodies {
 impl Contact {
     /// Finds its masses, its friction and its approach.
     fn prepare(&mut self, all: &[Rigid]) {
-        self.normal_mass = mass_at(all, self, self.normal);
-        self.along_mass = mass_at(all, self, self.normal.perp());
-        self.approach = relative(all, self).dot(self.normal);
+        let pair = self.pair();
+        self.normal_mass = mass_at(all, &pair, self.normal);
+        self.along_mass = mass_at(all, &pair, self.normal.perp());
+        self.approach = relative(all, &pair).dot(self.normal);
         let (one, other) = (all.get(self.one), all.get(self.other));
         let free = |body: Option<&Rigid>| {
             let body = body.filter(|body| body.is_free);
@@ -164,6 +180,7 @@ impl Contact {
 
     /// Changes its impulses, and the velocities by them.
     fn solve(&mut self, all: &mut [Rigid], dt: f32, soft: Option<Soft>) {
+        let pair = self.pair();
         let (bias, mass, share) = match soft {
             _ if self.gap > 0.0 => (self.gap / dt, 1.0, 0.0),
             Some(soft) => {
@@ -172,15 +189,15 @@ impl Contact {
             }
             None => (0.0, 1.0, 0.0),
         };
-        let approach = relative(all, self).dot(self.normal) + bias;
+        let approach = relative(all, &pair).dot(self.normal) + bias;
         let wanted = self.impulse * (1.0 - share) - self.normal_mass * mass * approach;
         let impulse = fast_max(wanted, 0.0);
         let change = impulse - self.impulse;
         self.impulse = impulse;
         self.most = fast_max(self.most, impulse);
-        apply(all, self, self.normal * change);
+        apply(all, &pair, self.normal * change);
         let side = self.normal.perp();
-        let sliding = relative(all, self).dot(side);
+        let sliding = relative(all, &pair).dot(side);
         let most = self.friction * self.impulse;
         let along = fast_min(
             fast_max(self.along - self.along_mass * sliding, -most),
@@ -188,7 +205,7 @@ impl Contact {
         );
         let change = along - self.along;
         self.along = along;
-        apply(all, self, side * change);
+        apply(all, &pair, side * change);
     }
 
     /// Whether its other side is a plane.

@@ -2,6 +2,7 @@
 
 use super::body::Rigid;
 use super::contact::{Contact, Plane};
+use super::hinges::Hinge;
 use crate::bounds::Bounds;
 use crate::held::OfPart;
 
@@ -13,12 +14,14 @@ pub(crate) struct FreeBodies {
     /// The present contacts, and those before, in the order of their keys.
     pub(super) contacts: Vec<Contact>,
     pub(super) old: Vec<Contact>,
+    pub(super) hinges: Vec<Hinge>,
     pub(super) planes: [Option<Plane>; 3],
     pub(super) bounds: Option<Bounds>,
     /// Gravity [m/s²].
     pub(super) gravity: f32,
-    /// Length of the substep before \[s\].
+    /// Length of the substep before, and time from the present one to the end of the step \[s\].
     pub(super) length: f32,
+    pub(super) ahead: f32,
     /// Time of the bodies \[s\].
     pub(super) time: f64,
     /// How many parts have broken off.

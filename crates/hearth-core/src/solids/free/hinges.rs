@@ -1,0 +1,276 @@
+//! Hinges: a place of a body stays at a place of the solid that it hangs from.
+//!
+//! A hinge lets go where either has burnt through. Where a solid breaks, a hinge stays with the part
+//! that has its place.
+
+use glam::Vec2;
+
+use super::body::Rigid;
+use super::contact::Pair;
+use super::contacts::shift;
+use super::solve::{Soft, apply, inverse_masses, relative};
+use super::state::FreeBodies;
+use crate::bounds::Bounds;
+use crate::extremes::fast_max;
+use crate::scene::RoundedBox;
+
+/// Distance of the two places at which a hinge of a saved fire has let go \[m\].
+const APART: f32 = 0.02;
+/// The greatest velocity at which a hinge pulls its two places together [m/s].
+const FASTEST: f32 = 1.0;
+
+/// A hinge.
+#[derive(Clone, Debug)]
+pub(super) struct Hinge {
+    /// At the body that hangs, and at the solid that it hangs from.
+    ends: [End; 2],
+    is_broken: bool,
+    /// The bodies and their arms; `None` without either body, or where it has let go. And whether
+    /// one of them is awake.
+    pair: Option<Pair>,
+    is_live: bool,
+    /// From the place of the other to that of the one \[m\].
+    error: Vec2,
+    /// The impulse on the one [N·s/m].
+    impulse: Vec2,
+    /// What an impulse changes: xx, yy and xy [m/kg].
+    inverse: [f32; 3],
+}
+
+/// An end of a hinge.
+#[derive(Clone, Copy, Debug)]
+struct End {
+    /// The ids of the solid, and of the part of it that has the place.
+    object: u32,
+    part: u32,
+    /// The place in the frame of the solid \[m\].
+    at: Vec2,
+}
+
+impl Hinge {
+    /// The hinge of a body and the solid that it hangs from, as they are at their start.
+    fn of(one: &Rigid, other: &Rigid) -> Hinge {
+        let place = one.first.centre + one.first.axis.rotate(upper(&one.first));
+        let ends = [one, other].map(|body| End {
+            object: body.id,
+            part: body.id,
+            at: body.first.local(place) + body.middle,
+        });
+        Hinge {
+            ends,
+            is_broken: false,
+            pair: None,
+            is_live: false,
+            error: Vec2::ZERO,
+            impulse: Vec2::ZERO,
+            inverse: [0.0; 3],
+        }
+    }
+
+    /// The two bodies, unless it has let go.
+    pub fn bodies(&self) -> Option<[usize; 2]> {
+        self.pair.map(|pair| pair.bodies)
+    }
+
+    /// Finds its bodies. Without the part of a solid it is at the solid.
+    fn find(&mut self, all: &[Rigid]) {
+        let found = self.ends.each_mut().map(|end| {
+            let of = |id: u32| all.iter().position(|one| one.id == id);
+            let part = of(end.part);
+            if part.is_none() {
+                end.part = end.object;
+            }
+            part.or_else(|| of(end.object))
+        });
+        let is_gone = |index: usize| all.get(index).is_none_or(Rigid::is_gone);
+        self.pair = match found {
+            [Some(one), Some(other)] if !self.is_broken => {
+                self.is_broken = is_gone(one) || is_gone(other);
+                let arms = [Vec2::ZERO; 2];
+                let bodies = [one, other];
+                (!self.is_broken).then_some(Pair { bodies, arms })
+            }
+            _ => None,
+        };
+    }
+
+    /// Keeps its impulse for a substep that is so many times as long as that before.
+    pub fn continue_from(&mut self, scale: f32) {
+        self.impulse *= scale;
+    }
+
+    /// Finds its arms and how far its places are apart, `ahead` of the end of the step \[s\].
+    fn measure(&mut self, all: &[Rigid], bounds: Option<&Bounds>, ahead: f32) {
+        let Some(pair) = &mut self.pair else { return };
+        let mut places = [Vec2::ZERO; 2];
+        for (index, number) in pair.bodies.into_iter().zip(0..) {
+            let (Some(body), Some(end)) = (all.get(index), self.ends.get(number)) else {
+                continue;
+            };
+            let (place, axis) = body.place();
+            let at = place + axis.rotate(end.at);
+            let arm = at - body.centre;
+            // One that no force moves is where it is at the end of the step.
+            let path = match body.is_free {
+                true => Vec2::ZERO,
+                false => (body.velocity + arm.perp() * body.spin) * ahead,
+            };
+            if let (Some(place), Some(own)) = (places.get_mut(number), pair.arms.get_mut(number)) {
+                (*place, *own) = (at - path, arm);
+            }
+        }
+        let [place, far] = places;
+        self.error = place - far;
+        if let [Some(one), Some(other)] = pair.bodies.map(|index| all.get(index)) {
+            self.error -= shift(bounds, one, other);
+            self.is_live = one.is_live() || other.is_live();
+        }
+    }
+
+    /// Changes its impulse, and the velocities by it.
+    fn solve(&mut self, all: &mut [Rigid], soft: Option<Soft>) {
+        let Some(pair) = self.pair.filter(|_| self.is_live) else {
+            return;
+        };
+        let (bias, mass, share) = match soft {
+            Some(soft) => {
+                let bias = (self.error * soft.rate).clamp_length_max(FASTEST);
+                (bias, soft.mass, soft.impulse)
+            }
+            None => (Vec2::ZERO, 1.0, 0.0),
+        };
+        let Vec2 { x, y } = relative(all, &pair) + bias;
+        let [xx, yy, xy] = self.inverse;
+        let moved = Vec2::new(yy * x - xy * y, xx * y - xy * x);
+        let moved = moved / fast_max(xx * yy - xy * xy, 1e-24);
+        let change = -moved * mass - self.impulse * share;
+        self.impulse += change;
+        apply(all, &pair, change);
+    }
+}
+
+impl FreeBodies {
+    /// Hangs the bodies that hang from others. A hinge that is there stays as it is.
+    pub(super) fn hang(&mut self, bodies: &[Rigid]) {
+        let before = std::mem::take(&mut self.hinges);
+        let hanging = self.all.iter().filter(|one| one.is_free && !one.is_part());
+        for one in hanging.filter(|one| one.hangs_from != one.id) {
+            let mut others = self.all.iter();
+            let Some(other) = others.find(|other| other.id == one.hangs_from) else {
+                continue;
+            };
+            let same = |body: &Rigid| body.id == one.id && body.first == one.first;
+            let ends = [one.id, other.id];
+            let mut known = before.iter();
+            let known = known.find(|known| known.ends.map(|end| end.object) == ends);
+            let known = known.filter(|_| bodies.iter().any(same)).cloned();
+            let hinge = known.unwrap_or_else(|| Hinge::of(one, other));
+            self.hinges.push(hinge);
+        }
+    }
+
+    /// Finds the bodies of the hinges. Two that a hinge joins do not collide.
+    pub(super) fn find_hinged(&mut self) {
+        for one in &mut self.all {
+            one.hinged = 0;
+        }
+        for hinge in &mut self.hinges {
+            let before = hinge.bodies();
+            hinge.find(&self.all);
+            if hinge.pair.is_none() {
+                for index in before.into_iter().flatten() {
+                    if let Some(body) = self.all.get_mut(index) {
+                        body.wake();
+                    }
+                }
+            }
+            if let Some([one, other]) = hinge.bodies() {
+                for (one, other) in [(one, other), (other, one)] {
+                    if let Some(body) = self.all.get_mut(one) {
+                        body.hinged |= bit(other);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Finds their arms, and applies the impulses of the substep before.
+    pub(super) fn prepare_hinges(&mut self) {
+        for hinge in &mut self.hinges {
+            hinge.measure(&self.all, self.bounds.as_ref(), self.ahead);
+            if let Some(pair) = hinge.pair.filter(|_| hinge.is_live) {
+                let is_torn = |index: usize| self.all.get(index).is_some_and(|one| one.is_torn);
+                if pair.bodies.into_iter().any(is_torn) {
+                    hinge.impulse = Vec2::ZERO;
+                }
+                hinge.inverse = inverse_masses(&self.all, &pair);
+                apply(&mut self.all, &pair, hinge.impulse);
+            }
+        }
+    }
+
+    /// Changes the impulses of a round. Each second round goes through a chain from its other end.
+    pub(super) fn solve_hinges(&mut self, round: u32, soft: Option<Soft>) {
+        let all = &mut self.all;
+        if round.is_multiple_of(2) {
+            for hinge in &mut self.hinges {
+                hinge.solve(all, soft);
+            }
+        } else {
+            for hinge in self.hinges.iter_mut().rev() {
+                hinge.solve(all, soft);
+            }
+        }
+    }
+
+    /// Lets the hinges go whose solids have burnt through there, and moves the others to the parts that
+    /// have their places. `part_at` finds the part of a solid at a place in its frame, from the middle
+    /// of it at first; `None` where nothing is left.
+    #[inline(never)]
+    pub fn burn_hinges(&mut self, part_at: &dyn Fn(u32, Vec2) -> Option<u32>) {
+        for hinge in self.hinges.iter_mut().filter(|one| !one.is_broken) {
+            for end in &mut hinge.ends {
+                let mut all = self.all.iter();
+                let whole = all.find(|one| one.id == end.object);
+                let middle = whole.map_or(Vec2::ZERO, |one| one.middle);
+                match part_at(end.object, end.at - middle) {
+                    Some(part) => end.part = part,
+                    None => hinge.is_broken = true,
+                }
+            }
+        }
+    }
+
+    /// Lets the hinges go that a saved fire does not have any more: their places are apart.
+    pub(super) fn let_go_apart(&mut self) {
+        self.find_hinged();
+        for hinge in &mut self.hinges {
+            hinge.measure(&self.all, self.bounds.as_ref(), 0.0);
+            hinge.is_broken |= hinge.pair.is_some() && hinge.error.length() > APART;
+        }
+    }
+}
+
+impl Rigid {
+    /// Whether a hinge joins it and another.
+    pub fn is_hinged_to(&self, other: usize) -> bool {
+        self.hinged & bit(other) != 0
+    }
+}
+
+/// The bit of a body; there are no more than there may be solids.
+fn bit(index: usize) -> u64 {
+    1 << (index % 64)
+}
+
+/// The place by which a body hangs, in its frame: the highest of the middles of the sides of the box
+/// that its radius surrounds.
+fn upper(frame: &RoundedBox) -> Vec2 {
+    let RoundedBox { axis, half, .. } = frame;
+    let (side, top) = (half.x * axis.y, half.y * axis.x);
+    if side.abs() > top.abs() {
+        Vec2::new(half.x.copysign(side), 0.0)
+    } else {
+        Vec2::new(0.0, half.y.copysign(top))
+    }
+}

@@ -207,7 +207,7 @@ class Toolbar {
     // It measures where the cross appears, until a pointer moves.
     if (name === 'probe') this.#instruments.probe(this.#cross.at);
     else this.#instruments.unprobe();
-    const without = ['sparks', 'ignite', 'water'].includes(name) && this.#fire.params.model === 'classic' ? ' The classic model has none.' : '';
+    const without = ['sparks', 'ignite', 'extinguish', 'water'].includes(name) && this.#fire.params.model === 'classic' ? ' The classic model has none.' : '';
     if (says && tool) this.#say(`${tool.label}: ${tool.hint}.${without}`);
     this.#update();
   }

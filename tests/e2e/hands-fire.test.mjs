@@ -1,5 +1,5 @@
 /**
- * The tools that light solids and spray water, and the tools at solids that fall, with a real mouse, a finger and keys.
+ * The tools that light solids, put them out and spray water, and the tools at solids that fall, with a real mouse, a finger and keys.
  */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
@@ -59,6 +59,17 @@ const says = (tab, words) => tab.until(`the words ${words}`, (pattern) => (
 for (const size of [WIDE, ...PHONES]) {
   const touch = 'touch' in size;
   describe(`at ${size.width} × ${size.height}`, () => {
+    test('a press puts out what burns', async () => {
+      const tab = await openTools(browser, size, PAUSED);
+      await add(tab, { kind: 'solid', shape: 'box', x: 0.3, y: 0.6, width: 0.1, height: 0.1, material: 'wood', fuel: 'wood' });
+      await tab.fire((fire) => fire.ignite(0.3, 0.6));
+      assert.equal(await fuelAfter(tab, 40), 'burning');
+      await tool(tab, 'extinguish');
+      await tap(tab, 0.3, 0.6, touch);
+      assert.notEqual(await fuelAfter(tab, 4), 'burning');
+      assert.deepEqual(tab.problems, []);
+    });
+
     test('a press lights wood, which gets fuel in one step, and water that is held over it puts it out', async () => {
       const tab = await openTools(browser, size, PAUSED);
       const id = await add(tab, { kind: 'solid', shape: 'box', x: 0.3, y: 0.6, width: 0.1, height: 0.1, material: 'wood' });

@@ -11,7 +11,7 @@ import { blow } from './air.js';
 const KEYS = -1;
 
 /** The tools whose press is all. */
-const AT_ONCE = ['sparks', 'ignite'];
+const AT_ONCE = ['sparks', 'ignite', 'extinguish'];
 
 /** How long a key blows [ms]. */
 const PUFF_MS = 250;

@@ -1,5 +1,6 @@
 /**
- * The tool that lights what has fuel. It is no step of the history, but for the fuel that a solid gets.
+ * The tools that light what has fuel, and put it out. Neither is a step of the history, but for the fuel that a
+ * solid gets.
  *
  * @typedef {import('./geometry.js').Point} Point
  * @typedef {import('./gestures.js').Gesture} Gesture
@@ -12,6 +13,9 @@ import { distance } from '../panel/objects.js';
 const REACH = 0.1;
 const APART = 0.05;
 
+/** The radius in which a press puts out [m]. */
+const RADIUS = 0.2;
+
 /** The fuels of materials; others do not burn by themselves. @type {{[material: string]: string}} */
 const FUELS = { wood: 'wood', coal: 'coal', wax: 'wax', none: 'wood' };
 
@@ -19,37 +23,52 @@ const FUELS = { wood: 'wood', coal: 'coal', wax: 'wax', none: 'wood' };
 const LOAD = 12;
 
 /**
- * Lights what is under the pointer. A solid without fuel gets that of its material.
- * @type {(hands: Hands, from: Point, pressed: import('./gestures.js').Owned | undefined) => Gesture}
+ * Does something at the press and along the way of a drag, one place after the other. Only what the press meets is
+ * told: a drag crosses the air.
+ * @type {(hands: Hands, from: Point, apart: number, act: (at: Point) => Promise<void>) => Gesture}
  */
-export function ignite(hands, from, pressed) {
-  const { fire, editing } = hands;
-  const light = async (/** @type {Point} */ at) => {
-    if (fire.params.model === 'classic') throw new Error('The classic model has no fuels.');
-    const bare = at === from && pressed?.kind === 'solid' && pressed.fuel === 'none' ? pressed : undefined;
-    const fuel = bare && FUELS[bare.material];
-    if (bare && !fuel) throw new Error(`A solid of ${bare.material} has no fuel: draw one of wood, coal or wax.`);
-    if (bare) await editing.history.change(bare.id, { fuel, load: LOAD });
-    needFuel(hands, at);
-    await fire.ignite(at.x, at.y);
-  };
+function along(hands, from, apart, act) {
   let last = from;
-  // One place after the other. Only what the press meets is told: a drag crosses the air.
-  let done = hands.attempt(() => light(from));
+  let done = hands.attempt(() => act(from));
   return {
     move(to) {
-      if (Math.hypot(to.x - last.x, to.y - last.y) < APART) return;
+      if (Math.hypot(to.x - last.x, to.y - last.y) < apart) return;
       last = to;
-      done = done.then(() => light(to)).catch(() => {});
+      done = done.then(() => act(to)).catch(() => {});
     },
     end() {},
     cancel() {},
   };
 }
 
-/** Throws unless a solid with fuel is near. @type {(hands: Hands, at: Point) => void} */
-function needFuel({ objects }, { x, y }) {
-  if (!objects().some((one) => one.kind === 'solid' && one.fuel !== 'none' && distance(one, x, y) <= REACH)) {
+/**
+ * Lights what is under the pointer. A solid without fuel gets that of its material.
+ * @type {(hands: Hands, from: Point, pressed: import('./gestures.js').Owned | undefined) => Gesture}
+ */
+export function ignite(hands, from, pressed) {
+  const { fire, editing } = hands;
+  return along(hands, from, APART, async (at) => {
+    if (fire.params.model === 'classic') throw new Error('The classic model has no fuels.');
+    const bare = at === from && pressed?.kind === 'solid' && pressed.fuel === 'none' ? pressed : undefined;
+    const fuel = bare && FUELS[bare.material];
+    if (bare && !fuel) throw new Error(`A solid of ${bare.material} has no fuel: draw one of wood, coal or wax.`);
+    if (bare) await editing.history.change(bare.id, { fuel, load: LOAD });
+    needFuel(hands, at, REACH);
+    await fire.ignite(at.x, at.y);
+  });
+}
+
+/** Puts out what is around the pointer. @type {(hands: Hands, from: Point) => Gesture} */
+export function extinguish(hands, from) {
+  return along(hands, from, RADIUS / 2, async (at) => {
+    needFuel(hands, at, RADIUS);
+    await hands.fire.extinguish(at.x, at.y, RADIUS);
+  });
+}
+
+/** Throws unless a solid with fuel is that near. @type {(hands: Hands, at: Point, radius: number) => void} */
+function needFuel({ objects }, { x, y }, radius) {
+  if (!objects().some((one) => one.kind === 'solid' && one.fuel !== 'none' && distance(one, x, y) <= radius)) {
     throw new Error('Nothing there has fuel: press a solid.');
   }
 }

@@ -38,7 +38,7 @@
 
 import { distance } from '../panel/objects.js';
 import { blow, spray, throwSparks } from './air.js';
-import { ignite } from './fire.js';
+import { extinguish, ignite } from './fire.js';
 import {
   boundsOf, boxBetween, circleAround, lineBetween, moved, outlineOf, polygonOf, sized, snapped, snapTo, sourceBetween, strokeAlong, turned,
 } from './geometry.js';
@@ -250,6 +250,7 @@ export function begin(tool, hands, from, how) {
     case 'blow': return blow(hands, from);
     case 'sparks': return throwSparks(hands, from);
     case 'ignite': return ignite(hands, from, objectAt(hands, from, NEAR_PX * how.perPixel));
+    case 'extinguish': return extinguish(hands, from);
     case 'water': return spray(hands, from);
     case 'select': return select(hands, from, how);
     case 'erase': return erase(hands, from, how);

@@ -17,6 +17,7 @@ export const TOOLS = [
   { name: 'sparks', key: 'k', label: 'Sparks', hint: 'Drag to throw sparks, or press Enter at the cross', cursor: 'crosshair', icon: 'M12 3v5M12 16v5M3 12h5M16 12h5M6 6l3 3M15 15l3 3M18 6l-3 3M9 15l-3 3' },
   { name: 'ignite', key: 'i', label: 'Ignite', hint: 'Press a solid, or drag along it, to light it', cursor: 'crosshair', icon: 'M4 20L13 11M14 3c1 3 4 4 4 7a4 4 0 0 1-8 0c0-2 1-3 1-4 1 0 2 1 2 2 1-1 1-3 1-5z' },
   { name: 'water', key: 'w', label: 'Water', hint: 'Hold to spray water downwards', cursor: 'crosshair', icon: 'M12 3c3 4 6 7 6 11a6 6 0 0 1-12 0c0-4 3-7 6-11zM9 14a3 3 0 0 0 3 3' },
+  { name: 'extinguish', key: 'x', label: 'Extinguish', hint: 'Press or drag to put out what burns', cursor: 'crosshair', icon: 'M6 18L18 6M14 3c1 3 4 4 4 7a4 4 0 0 1-8 0c0-2 1-3 1-4 1 0 2 1 2 2 1-1 1-3 1-5z' },
   { name: 'probe', key: 'p', label: 'Probe', hint: 'Point at a place to measure it, or move the cross with the arrow keys', cursor: 'crosshair', icon: 'M12 2v6M12 16v6M2 12h6M16 12h6M12 8a4 4 0 1 1 0 8a4 4 0 1 1 0-8z' },
   { name: 'select', key: '2', label: 'Select', hint: 'Click an object, with Shift several; drag them, or the handles of one', cursor: 'default', icon: 'M6 3l13 9-6 1.2L9.5 19z' },
   { name: 'brush', key: '3', label: 'Brush', hint: 'Draw a stroke', cursor: 'crosshair', icon: 'M20 4c-5 2-9 6-11 10M9 14c-3 0-3 2-4 4-.5 1-1 1.5-2 2 4 1 8 0 8-3a3 3 0 0 0-2-3z' },

@@ -885,7 +885,7 @@ pub static PRESETS: &[Preset] = &[
             domain_height 1.2\n\
             floor solid\n\
             spacing 0.018\n\
-            max_particles 5500\n\
+            max_particles 6000\n\
             \n\
             kind solid\n\
             shape line\n\

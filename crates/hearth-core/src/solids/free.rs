@@ -12,6 +12,7 @@
 mod body;
 mod contact;
 mod contacts;
+mod hinge;
 mod hinges;
 mod parts;
 mod rest;

@@ -7,8 +7,7 @@
 
 use glam::Vec2;
 
-use super::Water;
-use crate::combustion::Burner;
+use crate::combustion::burner::Burner;
 use crate::combustion::fuels::{BOILING, VAPORISATION, WATER_CAPACITY};
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Parameters, Physics};
@@ -39,43 +38,10 @@ pub(super) struct Bed {
     due: f32,
 }
 
-impl Water {
-    /// Gives each source of a scene its bed.
-    pub(super) fn set_beds(&mut self, scene: &Scene) {
-        let mut count = 0;
-        for source in scene.sources() {
-            if count == self.beds.len() {
-                self.beds.push(Bed::default());
-            }
-            if let Some(bed) = self.beds.get_mut(count) {
-                self.account.run_off += f64::from(bed.follow(source, scene));
-            }
-            count += 1;
-        }
-        for gone in self.beds.drain(count..) {
-            self.account.run_off += f64::from(gone.water);
-        }
-    }
-
-    /// Whether a source feeds in this step: a bed that is wet in part feeds in so many of all steps.
-    #[inline(never)]
-    pub fn feeds(&mut self, index: usize) -> bool {
-        let Some(bed) = self.beds.get_mut(index) else {
-            return true;
-        };
-        bed.due += 1.0 - bed.wet();
-        let feeds = bed.due >= 1.0;
-        if feeds {
-            bed.due -= 1.0;
-        }
-        feeds
-    }
-}
-
 impl Bed {
     /// Follows a source. One of another size is another source. Returns the water that it does not take
     /// over [kg/m].
-    fn follow(&mut self, source: &Parameters, scene: &Scene) -> f32 {
+    pub(super) fn follow(&mut self, source: &Parameters, scene: &Scene) -> f32 {
         let before = self.full;
         let on_solid = scene.solid_of(source);
         self.solid = source.solid_of_source();
@@ -100,6 +66,16 @@ impl Bed {
             return 0.0;
         }
         std::mem::take(&mut self.water)
+    }
+
+    /// Whether it feeds in this step.
+    pub(super) fn feeds(&mut self) -> bool {
+        self.due += 1.0 - self.wet();
+        let feeds = self.due >= 1.0;
+        if feeds {
+            self.due -= 1.0;
+        }
+        feeds
     }
 
     /// The share of it that is wet.

@@ -4,8 +4,6 @@ use std::fmt;
 
 use glam::Vec2;
 
-use super::Water;
-
 /// Droplets of one size that move and evaporate alike.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Droplets {
@@ -65,17 +63,3 @@ impl fmt::Display for NoWater {
 }
 
 impl std::error::Error for NoWater {}
-
-impl Water {
-    /// The account with what is in the air and in sources now.
-    #[inline(never)]
-    pub(super) fn sprayed(&self) -> Sprayed {
-        let flying = self.parcels.iter().map(|parcel| f64::from(parcel.mass));
-        let held = self.beds.iter().map(|bed| f64::from(bed.water));
-        Sprayed {
-            flying: flying.sum(),
-            held: held.sum(),
-            ..self.account
-        }
-    }
-}

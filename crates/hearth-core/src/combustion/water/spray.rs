@@ -2,7 +2,8 @@
 
 use glam::Vec2;
 
-use super::{Droplets, Water};
+use super::report::Droplets;
+use super::state::Water;
 use crate::combustion::Combustion;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::Physics;

@@ -5,7 +5,7 @@
 
 use glam::Vec2;
 
-use super::Around;
+use super::around::Around;
 use crate::extremes::{fast_max, fast_min};
 use crate::instance::{EmberParticle, Instance};
 use crate::random::Random;

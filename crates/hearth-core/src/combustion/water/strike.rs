@@ -5,7 +5,9 @@
 
 use glam::Vec2;
 
-use super::{Around, Droplets, Water};
+use super::around::Around;
+use super::report::Droplets;
+use super::state::Water;
 use crate::combustion::fuels::{BOILING, VAPORISATION, WATER_CAPACITY};
 use crate::extremes::{fast_max, fast_min};
 use crate::random::Random;

@@ -6,99 +6,19 @@
 use glam::Vec2;
 
 use super::body::Rigid;
-use super::contact::Pair;
 use super::contacts::shift;
+use super::hinge::Hinge;
 use super::solve::{Soft, apply, inverse_masses, relative};
 use super::state::FreeBodies;
 use crate::bounds::Bounds;
 use crate::extremes::fast_max;
-use crate::scene::RoundedBox;
 
 /// Distance of the two places at which a hinge of a saved fire has let go \[m\].
 const APART: f32 = 0.02;
 /// The greatest velocity at which a hinge pulls its two places together [m/s].
 const FASTEST: f32 = 1.0;
 
-/// A hinge.
-#[derive(Clone, Debug)]
-pub(super) struct Hinge {
-    /// At the body that hangs, and at the solid that it hangs from.
-    ends: [End; 2],
-    is_broken: bool,
-    /// The bodies and their arms; `None` without either body, or where it has let go. And whether
-    /// one of them is awake.
-    pair: Option<Pair>,
-    is_live: bool,
-    /// From the place of the other to that of the one \[m\].
-    error: Vec2,
-    /// The impulse on the one [N·s/m].
-    impulse: Vec2,
-    /// What an impulse changes: xx, yy and xy [m/kg].
-    inverse: [f32; 3],
-}
-
-/// An end of a hinge.
-#[derive(Clone, Copy, Debug)]
-struct End {
-    /// The ids of the solid, and of the part of it that has the place.
-    object: u32,
-    part: u32,
-    /// The place in the frame of the solid \[m\].
-    at: Vec2,
-}
-
 impl Hinge {
-    /// The hinge of a body and the solid that it hangs from, as they are at their start.
-    fn of(one: &Rigid, other: &Rigid) -> Hinge {
-        let place = one.first.centre + one.first.axis.rotate(upper(&one.first));
-        let ends = [one, other].map(|body| End {
-            object: body.id,
-            part: body.id,
-            at: body.first.local(place) + body.middle,
-        });
-        Hinge {
-            ends,
-            is_broken: false,
-            pair: None,
-            is_live: false,
-            error: Vec2::ZERO,
-            impulse: Vec2::ZERO,
-            inverse: [0.0; 3],
-        }
-    }
-
-    /// The two bodies, unless it has let go.
-    pub fn bodies(&self) -> Option<[usize; 2]> {
-        self.pair.map(|pair| pair.bodies)
-    }
-
-    /// Finds its bodies. Without the part of a solid it is at the solid.
-    fn find(&mut self, all: &[Rigid]) {
-        let found = self.ends.each_mut().map(|end| {
-            let of = |id: u32| all.iter().position(|one| one.id == id);
-            let part = of(end.part);
-            if part.is_none() {
-                end.part = end.object;
-            }
-            part.or_else(|| of(end.object))
-        });
-        let is_gone = |index: usize| all.get(index).is_none_or(Rigid::is_gone);
-        self.pair = match found {
-            [Some(one), Some(other)] if !self.is_broken => {
-                self.is_broken = is_gone(one) || is_gone(other);
-                let arms = [Vec2::ZERO; 2];
-                let bodies = [one, other];
-                (!self.is_broken).then_some(Pair { bodies, arms })
-            }
-            _ => None,
-        };
-    }
-
-    /// Keeps its impulse for a substep that is so many times as long as that before.
-    pub fn continue_from(&mut self, scale: f32) {
-        self.impulse *= scale;
-    }
-
     /// Finds its arms and how far its places are apart, `ahead` of the end of the step \[s\].
     fn measure(&mut self, all: &[Rigid], bounds: Option<&Bounds>, ahead: f32) {
         let Some(pair) = &mut self.pair else { return };
@@ -261,16 +181,4 @@ impl Rigid {
 /// The bit of a body; there are no more than there may be solids.
 fn bit(index: usize) -> u64 {
     1 << (index % 64)
-}
-
-/// The place by which a body hangs, in its frame: the highest of the middles of the sides of the box
-/// that its radius surrounds.
-fn upper(frame: &RoundedBox) -> Vec2 {
-    let RoundedBox { axis, half, .. } = frame;
-    let (side, top) = (half.x * axis.y, half.y * axis.x);
-    if side.abs() > top.abs() {
-        Vec2::new(half.x.copysign(side), 0.0)
-    } else {
-        Vec2::new(0.0, half.y.copysign(top))
-    }
 }

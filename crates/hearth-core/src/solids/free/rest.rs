@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::hinges::Hinge;
+use super::hinge::Hinge;
 use super::state::FreeBodies;
 use crate::extremes::fast_min;
 

@@ -2,7 +2,7 @@
 
 use super::body::Rigid;
 use super::contact::{Contact, Plane};
-use super::hinges::Hinge;
+use super::hinge::Hinge;
 use crate::bounds::Bounds;
 use crate::held::OfPart;
 

@@ -1,0 +1,30 @@
+//! The beds of all sources.
+
+use super::bed::Bed;
+use super::state::Water;
+use crate::scene::Scene;
+
+impl Water {
+    /// Gives each source of a scene its bed.
+    pub(super) fn set_beds(&mut self, scene: &Scene) {
+        let mut count = 0;
+        for source in scene.sources() {
+            if count == self.beds.len() {
+                self.beds.push(Bed::default());
+            }
+            if let Some(bed) = self.beds.get_mut(count) {
+                self.account.run_off += f64::from(bed.follow(source, scene));
+            }
+            count += 1;
+        }
+        for gone in self.beds.drain(count..) {
+            self.account.run_off += f64::from(gone.water);
+        }
+    }
+
+    /// Whether a source feeds in this step: a bed that is wet in part feeds in so many of all steps.
+    #[inline(never)]
+    pub fn feeds(&mut self, index: usize) -> bool {
+        self.beds.get_mut(index).is_none_or(Bed::feeds)
+    }
+}

@@ -1,0 +1,42 @@
+//! The state of the water.
+
+use super::bed::Bed;
+use super::report::{Droplets, Sprayed};
+use super::steam::Steam;
+use crate::held::OfPart;
+
+/// Water at a fire.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Water {
+    pub(super) parcels: Vec<Droplets>,
+    pub(super) beds: Vec<Bed>,
+    pub(super) steam: Steam,
+    pub(super) account: Sprayed,
+    /// Cooling of the gas that is less than the last digit of a temperature \[K\].
+    pub(super) rounding: f32,
+    /// Height of the frame, by which pictures are scaled \[m\].
+    pub(super) height: f32,
+    /// Room for the particles around a place.
+    pub(super) near: Vec<(usize, f32)>,
+}
+
+impl OfPart for Water {
+    #[inline(never)]
+    fn free(value: &mut Option<Box<Self>>) {
+        drop(value.take());
+    }
+}
+
+impl Water {
+    /// The account with what is in the air and in sources now.
+    #[inline(never)]
+    pub(super) fn sprayed(&self) -> Sprayed {
+        let flying = self.parcels.iter().map(|parcel| f64::from(parcel.mass));
+        let held = self.beds.iter().map(|bed| f64::from(bed.water));
+        Sprayed {
+            flying: flying.sum(),
+            held: held.sum(),
+            ..self.account
+        }
+    }
+}

@@ -13,9 +13,10 @@ use crate::{evaluation, goldens, tools};
 pub(crate) fn run(names: &[String]) -> Result<()> {
     let before = evaluation::read("looked")?;
     let table = tools::target()?.join("hearth-look/table.md");
-    Shell::new()?.remove_path(&table)?;
+    let sh = Shell::new()?;
+    sh.remove_path(&table)?;
     if !names.is_empty() {
-        fs::write(&table, before)?;
+        sh.write_file(&table, before)?;
     }
     let arguments = iter::once(table.clone()).chain(names.iter().map(Into::into));
     let passed = goldens::run_script("watch.mjs", arguments);

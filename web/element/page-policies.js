@@ -180,7 +180,7 @@ export class PagePolicies {
   /** @param {string} action */
   #touch(action) {
     if (!action || CSS.supports('touch-action', action)) this.#view.root.style.touchAction = action;
-    else this.#reports.refuse('touch-action', action, 'a value of CSS, such as none or pan-y');
+    else this.#reports.refuse('touch-action', action, 'a value of CSS, such as auto, none, pan-y or manipulation');
   }
 
   /** Mounts or removes the panel. */

@@ -416,7 +416,7 @@ export class FireSession {
     const { model, edges } = this.state.params;
     if (this.#warnedAboutSeam || seam === DEFAULTS.seam || model !== 'combustion' || edges !== 'open') return;
     this.#warnedAboutSeam = true;
-    console.warn('<hearth-fire>: seam has no effect with open edges.');
+    console.warn('<hearth-fire>: seam has no effect with open edges; edges="periodic" has a seam.');
   }
 
   /**

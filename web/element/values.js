@@ -25,8 +25,10 @@ export function seedOf(fire) {
   if (seed === undefined) {
     seed = (COUNTS.get(fire.ownerDocument) ?? 0) + 1;
     COUNTS.set(fire.ownerDocument, seed);
-    // Multiples of an odd number with as many ones as zeros: neighbouring counts get other bits.
-    seed = Math.imul(seed, 0x85ebca6b) >>> 0;
+    // MurmurHash3's finalizer: neighbouring counts get unrelated bits.
+    seed = Math.imul(seed ^ (seed >>> 16), 0x85ebca6b);
+    seed = Math.imul(seed ^ (seed >>> 13), 0xc2b2ae35);
+    seed = (seed ^ (seed >>> 16)) >>> 0;
     SEEDS.set(fire, seed);
   }
   return seed;
@@ -55,10 +57,8 @@ export function hexOf(colour, fire) {
   const srgb = getComputedStyle(probe).backgroundColor.match(/^color\(srgb (\S+) (\S+) ([^\s)]+)(?: \/ ([^)]+))?/);
   probe.remove();
   if (!srgb) return colour;
-  const bytes = srgb.slice(1).map((part = '1') => (
-    Math.round(Math.min(Math.max(Number(part) || 0, 0), 1) * 255).toString(16).padStart(2, '0')
-  ));
-  return `#${bytes.join('')}`;
+  const bytes = srgb.slice(1).map((part = '1') => Math.round(Math.min(Math.max(Number(part) || 0, 0), 1) * 255));
+  return `#${bytes.map((byte) => byte.toString(16).padStart(2, '0')).join('')}`;
 }
 
 /**

@@ -58,7 +58,7 @@ export class FireView {
   #host;
   #shadow;
   #message = make('p', { role: 'status' });
-  #retry = /** @type {HTMLButtonElement} */ (make('button', { part: 'retry' }, 'Try again'));
+  #retry = /** @type {HTMLButtonElement} */ (make('button', { part: 'retry', type: 'button' }, 'Try again'));
   #poster = /** @type {HTMLImageElement} */ (make('img', { alt: '', hidden: '' }));
   #posterBox = make('div', { class: 'poster' }, make('slot', { name: 'poster' }, this.#poster));
   #alt = '';

@@ -272,7 +272,7 @@ async function load(source, place) {
   const port = (place !== 'main' && await inWorker(compiled)) || undefined;
   const { module, warning } = await compiled;
   if (!port && place === 'worker') {
-    throw new EngineError('unsupported', 'The fire cannot be drawn in a worker.');
+    throw new EngineError('unsupported', 'The fire cannot be drawn in a worker of this browser.');
   }
   const connected = port ?? await onMainThread(module);
   connected.warning = warning;
@@ -301,9 +301,9 @@ async function compile(source, milliseconds = WASM_MS) {
     }
     const bytes = await response.arrayBuffer();
     if (String.fromCharCode(...new Uint8Array(bytes.slice(0, 4))) !== '\0asm') {
-      throw new Error(`${url} is no wasm file, but ${type}`);
+      throw new Error(`${url} is no wasm file; it was served as ${type}`);
     }
-    const warning = `${url} is served as ${type} instead of application/wasm, so the fire starts later.`;
+    const warning = `${url} is served as ${type} instead of application/wasm, so that the fire starts later.`;
     return checked(await WebAssembly.compile(bytes), warning);
   } catch (error) {
     throw limit.aborted ? new Error(`no answer within ${milliseconds / 1000} s`) : error;

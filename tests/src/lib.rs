@@ -122,7 +122,7 @@ pub fn fingerprints() -> String {
     // Taken up as it is, and by fewer particles.
     let kept = [
         ("breaking", breaking()),
-        ("rope", rope()),
+        ("hinges", hinged()),
         ("kept", kept(FIRESIDE, None)),
         ("kept coarse", kept(FIRESIDE, Some(1200))),
     ];
@@ -264,7 +264,7 @@ fn sprayed() -> u64 {
 }
 
 /// The fingerprint of a rope that hangs, burns and lets go; 0 if it does not.
-fn rope() -> u64 {
+fn hinged() -> u64 {
     let unlit = fires::combustion(&[("fuel_power", 0.0)]);
     let mut scene = Scene::new(fires::on_floor(fires::in_the_open(unlit, 900)));
     let number = |n: f64| Input::Number(n);

@@ -7,6 +7,7 @@
 
 #[cfg(not(target_arch = "wasm32"))]
 mod natively {
+    use std::collections::HashSet;
     use std::thread;
 
     use hearth_core::params::{Input, Model, Parameters};
@@ -20,6 +21,14 @@ mod natively {
             (fingerprints(), again.join().unwrap())
         });
         assert_eq!(prints, again);
+        // A platform looks its fires up by name.
+        let names: Vec<_> = prints
+            .lines()
+            .filter_map(|line| line.rsplit_once(' '))
+            .map(|(name, _)| name)
+            .collect();
+        let distinct: HashSet<_> = names.iter().collect();
+        assert_eq!(distinct.len(), names.len(), "{prints}");
         // The fires that are kept burning are taken up.
         assert!(!prints.contains(" 0000000000000000"), "{prints}");
     }

@@ -42,8 +42,9 @@ impl Lanes {
 
     /// The number of one lane in all lanes.
     #[inline(always)]
-    pub fn broadcast(self, lane: usize) -> Lanes {
-        Lanes::splat(self.to_array()[lane])
+    pub fn broadcast(&self, lane: usize) -> Lanes {
+        // By reference: one load reads and repeats the number of a lane that is not constant.
+        Lanes::splat(self.0.as_ref()[lane])
     }
 
     /// Each lane has the number of the next one, and the last lane that of the first.

@@ -8,11 +8,16 @@
 //! a bit mask. The other passes iterate over these lists. The lists keep their memory, and
 //! their size is bounded.
 
+mod entry;
 #[cfg(test)]
 mod tests;
 
+use std::ops::Range;
+
+use entry::{Entry, KEEP, MEMBERS, SUBSETS};
 use glam::Vec2;
 
+use crate::extremes::fast_min;
 use crate::grid::{Grid, Run};
 use crate::kernel;
 use crate::lanes::{self, LANES, Lanes};
@@ -27,48 +32,9 @@ const SUPPORT_SQUARED: Lanes = Lanes::splat(4.0);
 /// Tolerance for rounding in the distance from a plane, in smoothing lengths.
 const TOLERANCE: f32 = 1e-3;
 
-/// Number of subsets of four particles.
-const SUBSETS: usize = 1 << LANES;
-
-/// One in the lanes of each subset, and zero in the others.
-const KEEP: [Lanes; SUBSETS] = {
-    let mut keep = [Lanes::ZERO; SUBSETS];
-    let mut subset = 0;
-    while subset < SUBSETS {
-        let mut lanes = [0.0; LANES];
-        let mut lane = 0;
-        while lane < LANES {
-            lanes[lane] = (subset >> lane & 1) as f32;
-            lane += 1;
-        }
-        keep[subset] = Lanes::new(lanes);
-        subset += 1;
-    }
-    keep
-};
-
-/// The lanes of each subset, padded with zeros, and their number.
-const MEMBERS: [([u32; LANES], usize); SUBSETS] = {
-    let mut members = [([0; LANES], 0); SUBSETS];
-    let mut subset = 0;
-    while subset < SUBSETS {
-        let mut lane = 0;
-        while lane < LANES {
-            if subset & (1 << lane) != 0 {
-                let (lanes, count) = &mut members[subset];
-                lanes[*count] = lane as u32;
-                *count += 1;
-            }
-            lane += 1;
-        }
-        subset += 1;
-    }
-    members
-};
-
 /// Four particles with the data that every pass reads.
 pub(crate) trait Block: Copy {
-    /// Most entries of the lists. The limit protects a browser's memory and bounds the work of
+    /// Most candidates, and entries of the lists. The limit protects a browser's memory and bounds the work of
     /// a step: many particles within a large smoothing radius would have thousands of neighbours
     /// each. A hundred thousand particles reach it at some 650 neighbours.
     const MAX_ENTRIES: usize = 1 << 24;
@@ -79,6 +45,8 @@ pub(crate) trait Block: Copy {
     fn weight(&self) -> Lanes;
     /// The sum over the neighbours of each, Σⱼ yⱼ [`kernel::w`].
     fn sum(&mut self) -> &mut Lanes;
+    /// The block, moved by smoothing lengths.
+    fn moved(self, by: Vec2) -> Self;
 }
 
 /// Sums over pairs, `N` for each particle.
@@ -88,13 +56,8 @@ pub(crate) trait PairSum<const N: usize> {
     /// The particles that meet those of a block, lane by lane; mostly one, in all lanes.
     type Broadcast;
 
-    /// The lanes that `pick` takes of each property of `block`, moved by `shift` smoothing lengths.
-    fn broadcast(
-        &self,
-        block: &Self::Block,
-        pick: impl Fn(Lanes) -> Lanes,
-        shift: Vec2,
-    ) -> Self::Broadcast;
+    /// The lanes that `pick` takes of each property of `block`.
+    fn broadcast(&self, block: &Self::Block, pick: impl Fn(&Lanes) -> Lanes) -> Self::Broadcast;
 
     /// The terms that each of the four `others` adds to the sums of `one`, and the terms that
     /// `one` subtracts from the sums of the others.
@@ -104,7 +67,7 @@ pub(crate) trait PairSum<const N: usize> {
     fn accumulator(block: &mut Self::Block) -> &mut [Lanes; N];
 }
 
-/// A block and the lists of its neighbours: without a shift, or, `shift` smoothing lengths
+/// A block and the list of its neighbours: without a shift, or, `shift` smoothing lengths
 /// away, beyond a periodic edge.
 #[derive(Clone, Copy, Debug)]
 struct Sweep {
@@ -114,18 +77,15 @@ struct Sweep {
     /// Of each particle, the neighbours in later lanes of the same block, as a bit mask.
     inner: [u8; LANES],
     shift: Vec2,
-    /// Start of the list of its first particle, and the distance to the next list.
+    /// The range of its entries.
     begin: u32,
-    stride: u32,
-    /// Number of entries in each list.
-    counts: [u32; LANES],
+    end: u32,
 }
 
 impl Sweep {
     #[inline(always)]
-    fn list<'a>(&self, entries: &'a [u32], lane: usize) -> &'a [u32] {
-        let begin = self.begin as usize + lane * self.stride as usize;
-        &entries[begin..begin + self.counts[lane] as usize]
+    fn range(&self) -> Range<usize> {
+        self.begin as usize..self.end as usize
     }
 
     /// The lanes whose neighbour is the next lane of the block, and those whose neighbour is the
@@ -141,14 +101,15 @@ impl Sweep {
 }
 
 /// The neighbours of every particle.
-///
-/// An entry is the index of a block times [`SUBSETS`], plus a bit mask of its particles.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Neighbours {
     sweeps: Vec<Sweep>,
-    /// The lists of all sweeps.
-    entries: Vec<u32>,
-    used: usize,
+    /// The lists of all sweeps, one after the other. A list has the entries of the four particles
+    /// of its block among each other, so that a pass has one loop for a block: the end of a loop is
+    /// a mispredicted branch.
+    entries: Vec<Entry>,
+    /// Number of candidates of the last search, for which the lists have room.
+    candidates: usize,
     /// Number of particles and of blocks in the last search.
     particles: usize,
     blocks: usize,
@@ -161,7 +122,7 @@ impl Neighbours {
     /// itself included. The blocks are in the order of `grid`; `h` is the smoothing length
     /// \[m\].
     pub fn find<B: Block>(&mut self, blocks: &mut [B], grid: &Grid, h: f32) {
-        self.used = 0;
+        self.candidates = 0;
         self.parted = false;
         self.sweeps.clear();
         (self.particles, self.blocks) = (grid.len(), blocks.len());
@@ -192,23 +153,20 @@ impl Neighbours {
         shift: Vec2,
         own: bool,
     ) {
-        let mut stride = runs.iter().map(Run::len).sum();
-        let begin = self.used;
-        if begin + LANES * stride > B::MAX_ENTRIES {
-            (runs, stride) = (&[], 0);
+        let mut candidates = LANES * runs.iter().map(Run::len).sum::<usize>();
+        if self.candidates + candidates > B::MAX_ENTRIES {
+            (runs, candidates) = (&[], 0);
         }
-        let end = begin + LANES * stride;
+        self.candidates += candidates;
+        let begin = self.sweeps.last().map_or(0, |sweep| sweep.end as usize);
+        let end = begin + candidates;
         if end > self.entries.len() {
             // Grows by half, so that a growing fire seldom allocates.
             let room = end.max(self.entries.len() / 2 * 3);
-            self.entries.resize(room, 0);
+            self.entries.resize(room, Entry::default());
         }
-        self.used = end;
-        let (first, rest) = self.entries[begin..end].split_at_mut(stride);
-        let (second, rest) = rest.split_at_mut(stride);
-        let (third, fourth) = rest.split_at_mut(stride);
-        let lists = [first, second, third, fourth];
-        let mut counts = [0; LANES];
+        let list = &mut self.entries[begin..end];
+        let mut count = 0;
 
         let ([x, y], weight) = (blocks[block].position(), blocks[block].weight());
         // Lanes without a particle must not find each other: those of this block get another
@@ -250,8 +208,8 @@ impl Neighbours {
                     // The write is unconditional, and the count grows only for a neighbour: a
                     // mispredicted branch costs more than the write.
                     let mask = square.less_mask(SUPPORT_SQUARED);
-                    lists[lane][counts[lane]] = (number * SUBSETS) as u32 + mask;
-                    counts[lane] += usize::from(mask != 0);
+                    list[count] = Entry::new(lane, number, mask);
+                    count += usize::from(mask != 0);
                 }
                 *others.sum() += (back[0] + back[1]) + (back[2] + back[3]);
             }
@@ -263,8 +221,7 @@ impl Neighbours {
             inner,
             shift,
             begin: begin as u32,
-            stride: stride as u32,
-            counts: counts.map(|count| count as u32),
+            end: (begin + count) as u32,
         });
     }
 
@@ -317,9 +274,10 @@ impl Neighbours {
                         let inner = &mut sweep.inner[lane];
                         *inner -= parted(block, (*inner).into()) as u8;
                     }
-                    let begin = sweep.begin as usize + lane * sweep.stride as usize;
-                    for entry in &mut entries[begin..begin + sweep.counts[lane] as usize] {
-                        *entry -= parted(*entry as usize / SUBSETS, *entry % SUBSETS as u32);
+                    for entry in &mut entries[sweep.range()] {
+                        if entry.lane() == lane {
+                            entry.remove(parted(entry.number(), entry.mask() as u32));
+                        }
                     }
                 }
             }
@@ -331,25 +289,22 @@ impl Neighbours {
         for sweep in &self.sweeps {
             let block = sweep.block as usize;
             let mut added = [[Lanes::ZERO; N]; LANES];
-            for (lane, result) in added.iter_mut().enumerate() {
-                let one = pairs.broadcast(&blocks[block], |of| of.broadcast(lane), sweep.shift);
-                // A local sum stays in registers.
-                let mut sum = [Lanes::ZERO; N];
-                for &entry in sweep.list(&self.entries, lane) {
-                    let others = &mut blocks[entry as usize / SUBSETS];
-                    let (mut terms, mut theirs) = pairs.pair(&one, others);
-                    if self.parted {
-                        let keep = KEEP[entry as usize % SUBSETS];
-                        terms = terms.map(|term| term * keep);
-                        theirs = theirs.map(|term| term * keep);
-                    }
-                    let accumulator = P::accumulator(others);
-                    for k in 0..N {
-                        sum[k] += terms[k];
-                        accumulator[k] -= theirs[k];
-                    }
+            let own = blocks[block].moved(-sweep.shift);
+            for &entry in &self.entries[sweep.range()] {
+                let lane = entry.lane();
+                let one = pairs.broadcast(&own, |of| of.broadcast(lane));
+                let others = &mut blocks[entry.number()];
+                let (mut terms, mut theirs) = pairs.pair(&one, others);
+                if self.parted {
+                    let keep = KEEP[entry.mask()];
+                    terms = terms.map(|term| term * keep);
+                    theirs = theirs.map(|term| term * keep);
                 }
-                *result = sum;
+                let accumulator = P::accumulator(others);
+                for k in 0..N {
+                    added[lane][k] += terms[k];
+                    accumulator[k] -= theirs[k];
+                }
             }
             let mut inner = [Lanes::ZERO; N];
             if sweep.own {
@@ -370,9 +325,9 @@ impl Neighbours {
         block: &P::Block,
         sweep: &Sweep,
     ) -> [Lanes; N] {
-        let next = pairs.broadcast(block, Lanes::rotated, Vec2::ZERO);
+        let next = pairs.broadcast(block, |of| of.rotated());
         let (mut of_next, mut of_each) = pairs.pair(&next, block);
-        let opposite = pairs.broadcast(block, |of| of.rotated().rotated(), Vec2::ZERO);
+        let opposite = pairs.broadcast(block, |of| of.rotated().rotated());
         // A pair of opposite lanes is there twice, and each end takes what it gets.
         let (_, mut of_opposite) = pairs.pair(&opposite, block);
         if self.parted {
@@ -393,36 +348,37 @@ impl Neighbours {
     pub fn each(&self, others: &mut Vec<u32>, mut visit: impl FnMut(usize, Vec2, &[u32])) {
         let padding = (LANES * self.blocks) as u32;
         for sweep in &self.sweeps {
-            let first = sweep.block as usize * LANES;
-            for lane in 0..LANES {
-                let list = sweep.list(&self.entries, lane);
-                let room = LANES * (list.len() + 2);
-                if room > others.len() {
-                    others.resize(room, 0);
+            let list = &self.entries[sweep.range()];
+            let room = LANES * (list.len() + 2);
+            if LANES * room > others.len() {
+                others.resize(LANES * room, 0);
+            }
+            let mut counts = [0; LANES];
+            let inner = (0..LANES)
+                .map(|lane| Entry::new(lane, sweep.block as usize, sweep.inner[lane].into()));
+            for entry in inner.chain(list.iter().copied()) {
+                let (lanes, members) = MEMBERS[entry.mask()];
+                let base = (entry.number() * LANES) as u32;
+                let start = entry.lane() * room + counts[entry.lane()];
+                counts[entry.lane()] += members;
+                for (index, lane) in others[start..start + LANES].iter_mut().zip(lanes) {
+                    *index = base + lane;
                 }
-                let inner = sweep.block * SUBSETS as u32 + u32::from(sweep.inner[lane]);
-                let mut count = 0;
-                for &entry in std::iter::once(&inner).chain(list) {
-                    let (lanes, members) = MEMBERS[entry as usize % SUBSETS];
-                    let base = entry / SUBSETS as u32 * LANES as u32;
-                    let written = &mut others[count..count + LANES];
-                    for (index, lane) in written.iter_mut().zip(lanes) {
-                        *index = base + lane;
-                    }
-                    count += members;
-                }
+            }
+            for (lane, count) in counts.into_iter().enumerate() {
+                let others = &mut others[lane * room..(lane + 1) * room];
                 others[count..count + LANES].fill(padding);
                 if count > 0 {
-                    let padded = count.next_multiple_of(LANES);
-                    visit(first + lane, sweep.shift, &others[..padded]);
+                    let one = sweep.block as usize * LANES + lane;
+                    visit(one, sweep.shift, &others[..count.next_multiple_of(LANES)]);
                 }
             }
         }
     }
 
-    /// Number of entries that the last search needed, at most [`Block::MAX_ENTRIES`].
-    pub fn entries(&self) -> usize {
-        self.used
+    /// Number of candidates that the last search compared, at most [`Block::MAX_ENTRIES`].
+    pub fn candidates(&self) -> usize {
+        self.candidates
     }
 
     /// Mean and maximum number of neighbours of a particle in the last search. It counts them
@@ -478,16 +434,11 @@ fn square(x: Lanes, y: Lanes) -> Lanes {
 }
 
 /// Minimum and maximum of the lanes with a particle.
-#[inline]
+#[inline(always)]
 fn span(x: Lanes) -> (f32, f32) {
-    let (mut from, mut to) = (FAR_AWAY, -FAR_AWAY);
-    for x in x.to_array() {
-        if x < from {
-            from = x;
-        }
-        if x > to && x < 0.5 * FAR_AWAY {
-            to = x;
-        }
-    }
-    (from, to)
+    // Without a branch: the order of particles in a block is not predictable.
+    let occupied = |x: f32| if x < 0.5 * FAR_AWAY { x } else { -FAR_AWAY };
+    let [a, b, c, d] = x.to_array();
+    let from = fast_min(fast_min(a, b), fast_min(c, d));
+    (from, Lanes::new([a, b, c, d].map(occupied)).max_lane())
 }

@@ -8,8 +8,6 @@ mod as_published;
 mod pressure;
 mod viscosity;
 
-use glam::Vec2;
-
 use super::pair::{Broadcast, Pair};
 use super::pairs::{Block, Pairs};
 use crate::interaction::{PairInteraction, Rates};
@@ -47,8 +45,8 @@ impl<I: PairInteraction<Pair>> PairSum<2> for Symmetric<I> {
     type Broadcast = Broadcast;
 
     #[inline(always)]
-    fn broadcast(&self, block: &Block, pick: impl Fn(Lanes) -> Lanes, shift: Vec2) -> Broadcast {
-        Broadcast::of(block, pick, shift)
+    fn broadcast(&self, block: &Block, pick: impl Fn(&Lanes) -> Lanes) -> Broadcast {
+        Broadcast::of(block, pick)
     }
 
     #[inline(always)]
@@ -69,6 +67,8 @@ impl<I: PairInteraction<Pair>> PairSum<2> for Symmetric<I> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec2;
+
     use crate::bounds::Bounds;
     use crate::classic::particles::Particles;
     use crate::params::{Input, Model, Parameters};

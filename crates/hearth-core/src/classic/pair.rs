@@ -1,7 +1,5 @@
 //! The pair data of the classic interactions: one particle against four neighbours.
 
-use glam::Vec2;
-
 use super::pairs::Block;
 use crate::interaction::Separation;
 use crate::kernel;
@@ -17,13 +15,13 @@ pub(super) struct Broadcast {
 
 impl Broadcast {
     #[inline(always)]
-    pub fn of(block: &Block, pick: impl Fn(Lanes) -> Lanes, shift: Vec2) -> Broadcast {
-        let [x, y] = block.position;
+    pub fn of(block: &Block, pick: impl Fn(&Lanes) -> Lanes) -> Broadcast {
+        let [[x, y], [vx, vy]] = [&block.position, &block.velocity];
         Broadcast {
-            position: [pick(x) - shift.x, pick(y) - shift.y],
-            velocity: block.velocity.map(&pick),
-            volume: pick(block.volume),
-            pressure: pick(block.pressure),
+            position: [pick(x), pick(y)],
+            velocity: [pick(vx), pick(vy)],
+            volume: pick(&block.volume),
+            pressure: pick(&block.pressure),
         }
     }
 

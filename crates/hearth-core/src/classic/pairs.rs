@@ -4,7 +4,6 @@
 
 use std::ops::Range;
 
-#[cfg(test)]
 use glam::Vec2;
 
 use super::equation_of_state;
@@ -17,7 +16,7 @@ use crate::neighbours::{self, FAR_AWAY, Neighbours, PairSum};
 use crate::params::Physics;
 use crate::solids::Solids;
 
-/// Entries of the neighbour lists that cost as much as sorting and moving a particle.
+/// Candidates of the neighbour search that cost as much as sorting and moving a particle.
 const ENTRIES_PER_PARTICLE: usize = 16;
 
 /// Four particles.
@@ -58,6 +57,14 @@ impl neighbours::Block for Block {
     #[inline(always)]
     fn sum(&mut self) -> &mut Lanes {
         &mut self.volume
+    }
+    #[inline(always)]
+    fn moved(self, by: Vec2) -> Block {
+        let [x, y] = self.position;
+        Block {
+            position: [x + by.x, y + by.y],
+            ..self
+        }
     }
 }
 
@@ -146,10 +153,10 @@ impl Pairs {
         self.blocks.iter_mut().zip(self.grid.members())
     }
 
-    /// Work of a substep: the entries of the neighbour lists, about eight nanoseconds each, and
+    /// Work of a substep: the candidates of the neighbour search, about eight nanoseconds each, and
     /// the particles, which cost as much as [`ENTRIES_PER_PARTICLE`].
     pub fn work(&self) -> usize {
-        self.neighbours.entries() + ENTRIES_PER_PARTICLE * self.grid.len()
+        self.neighbours.candidates() + ENTRIES_PER_PARTICLE * self.grid.len()
     }
 
     /// Mean and maximum number of neighbours of a particle.

@@ -7,6 +7,8 @@
 //! hot gas moves nothing, but its noise would damp every instability. In open air, Ȳ is the density
 //! of the air. Pressure below Ȳ attracts particles, and shifting spreads them again; so shifting cannot be turned off.
 
+use glam::Vec2;
+
 use super::equation_of_state::expansion;
 use super::gas::{Gas, make_room};
 use super::pair::Context;
@@ -43,6 +45,14 @@ impl neighbours::Block for Block {
     #[inline(always)]
     fn sum(&mut self) -> &mut Lanes {
         &mut self.sum
+    }
+    #[inline(always)]
+    fn moved(self, by: Vec2) -> Block {
+        let [x, y] = self.position;
+        Block {
+            position: [x + by.x, y + by.y],
+            ..self
+        }
     }
 }
 

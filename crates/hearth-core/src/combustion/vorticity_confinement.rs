@@ -40,6 +40,14 @@ impl neighbours::Block for Block {
     fn sum(&mut self) -> &mut Lanes {
         &mut self.curl[0]
     }
+    #[inline(always)]
+    fn moved(self, by: Vec2) -> Block {
+        let [x, y] = self.position;
+        Block {
+            position: [x + by.x, y + by.y],
+            ..self
+        }
+    }
 }
 
 /// A particle with each property in all lanes.
@@ -51,13 +59,12 @@ struct Broadcast {
 }
 
 impl Broadcast {
-    fn of(block: &Block, pick: impl Fn(Lanes) -> Lanes, shift: Vec2) -> Broadcast {
-        let [x, y] = block.position.map(&pick);
+    fn of(block: &Block, pick: impl Fn(&Lanes) -> Lanes) -> Broadcast {
         Broadcast {
-            position: [x - shift.x, y - shift.y],
-            volume: pick(block.volume),
-            velocity: block.velocity.map(&pick),
-            curl: pick(block.curl[0]),
+            position: block.position.each_ref().map(&pick),
+            volume: pick(&block.volume),
+            velocity: block.velocity.each_ref().map(&pick),
+            curl: pick(&block.curl[0]),
         }
     }
 
@@ -76,8 +83,8 @@ impl PairSum<1> for Curl {
     type Block = Block;
     type Broadcast = Broadcast;
 
-    fn broadcast(&self, block: &Block, pick: impl Fn(Lanes) -> Lanes, shift: Vec2) -> Broadcast {
-        Broadcast::of(block, pick, shift)
+    fn broadcast(&self, block: &Block, pick: impl Fn(&Lanes) -> Lanes) -> Broadcast {
+        Broadcast::of(block, pick)
     }
 
     fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 1], [Lanes; 1]) {
@@ -99,8 +106,8 @@ impl PairSum<2> for CurlGradient {
     type Block = Block;
     type Broadcast = Broadcast;
 
-    fn broadcast(&self, block: &Block, pick: impl Fn(Lanes) -> Lanes, shift: Vec2) -> Broadcast {
-        Broadcast::of(block, pick, shift)
+    fn broadcast(&self, block: &Block, pick: impl Fn(&Lanes) -> Lanes) -> Broadcast {
+        Broadcast::of(block, pick)
     }
 
     fn pair(&self, one: &Broadcast, others: &Block) -> ([Lanes; 2], [Lanes; 2]) {

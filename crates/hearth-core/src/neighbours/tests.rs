@@ -17,6 +17,9 @@ impl Block for Four {
     fn sum(&mut self) -> &mut Lanes {
         &mut self.sum
     }
+    fn moved(self, _: Vec2) -> Four {
+        self
+    }
 }
 
 #[test]
@@ -36,7 +39,7 @@ fn lists_stop_at_their_limit() {
     let mut neighbours = Neighbours::default();
     neighbours.find(&mut blocks, &grid, 0.02);
     let stride = blocks.len() * LANES;
-    assert!((Four::MAX_ENTRIES - stride..=Four::MAX_ENTRIES).contains(&neighbours.used));
+    assert!((Four::MAX_ENTRIES - stride..=Four::MAX_ENTRIES).contains(&neighbours.candidates()));
     let (mean, max) = neighbours.mean_and_max();
     assert!(mean > 0.9 * 2.0 * Four::MAX_ENTRIES as f32 * LANES as f32 / n as f32);
     assert_eq!(max as usize, n - 1);

@@ -3,8 +3,6 @@
 //! Each printed form has a parameter, to show its effect. They are separate because they are
 //! not symmetric, and so that the corrected interactions test no flag per pair.
 
-use glam::Vec2;
-
 use crate::classic::pair::Broadcast;
 use crate::classic::pairs::Block;
 use crate::interaction::Separation;
@@ -66,8 +64,8 @@ impl PairSum<2> for AsPublished {
     type Broadcast = Broadcast;
 
     #[inline(always)]
-    fn broadcast(&self, block: &Block, pick: impl Fn(Lanes) -> Lanes, shift: Vec2) -> Broadcast {
-        Broadcast::of(block, pick, shift)
+    fn broadcast(&self, block: &Block, pick: impl Fn(&Lanes) -> Lanes) -> Broadcast {
+        Broadcast::of(block, pick)
     }
 
     // Inlined, these rarely used forms cost half a kilobyte of download.

@@ -182,7 +182,7 @@ export class HearthFire extends HTMLElement {
    */
   measure(x: number, y: number): Promise<HearthMeasures>;
   /**
-   * Lights a solid that has fuel: all of its surface, by its id, or what is within 0.1 m of a point. Rejects if there is no fuel.
+   * Lights a solid that has fuel: all of its surface, by its id, or what is within 0.1 m of a point. Dries the sources there too, so that those that water has put out burn again. Rejects if there is neither.
    * @param place the id, or metres from the middle of the floor
    * @param y metres above the floor
    */

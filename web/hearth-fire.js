@@ -432,7 +432,7 @@ class HearthFire extends FireAttributes {
 
   /**
    * Lights a solid that has fuel: all of its surface, by its id, or what is within 0.1 m of a point.
-   * Rejects if there is no fuel.
+   * Dries the sources there too, so that those that water has put out burn again. Rejects if there is neither.
    * @param {number} place the id, or metres from the middle of the floor
    * @param {number} [y] metres above the floor
    * @returns {Promise<void>}

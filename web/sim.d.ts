@@ -204,7 +204,8 @@ export interface Simulation {
   freeSolids(): HearthFreeSolid[];
   /**
    * Lights a solid with fuel: all of its surface, by its id, or what is within 0.1 m of a point [m].
-   * Throws a `RangeError` if there is no fuel.
+   * Dries the sources there too, so that those that water has put out burn again. Throws a `RangeError` if there is
+   * neither.
    */
   ignite(id: number): void;
   ignite(x: number, y: number): void;

@@ -285,6 +285,7 @@ class Simulation {
 
   /**
    * Lights a solid with fuel: all of its surface, by its id, or what is within 0.1 m of a point.
+   * Dries the sources there too, so that those that water has put out burn again.
    * @param {number} place the id, or metres from the middle of the floor
    * @param {number} [y] metres above the floor
    */

@@ -27,6 +27,12 @@ async function fuelAfter(tab, steps) {
   return tab.fire((fire) => fire.stats?.fuel ?? '');
 }
 
+/** The power of the flames after so many steps [kW/m]. */
+async function powerAfter(tab, steps) {
+  await tab.fire((fire, count) => fire.step(count), steps);
+  return tab.fire(async (fire) => (await fire.measure(0, 0.5)).power);
+}
+
 /** What the tools ask the fire to spray while `act` runs. */
 async function sprayed(tab, act) {
   await tab.fire((fire) => {
@@ -86,6 +92,20 @@ for (const size of [WIDE, ...PHONES]) {
       assert.equal(await putOut(tab, 0.3, 0.8), 'out');
       await tool(tab, 'undo');
       await tab.until('no fuel', (solid) => document.querySelector('hearth-fire').objects.find((one) => one.id === solid)?.fuel === 'none', id);
+      assert.deepEqual(tab.problems, []);
+    });
+
+    test('a press lights a source that water has put out', async () => {
+      const tab = await openTools(browser, size, `${PAUSED}&source_height=0.4&source_width=0.2`);
+      await powerAfter(tab, 200);
+      assert.ok(await powerAfter(tab, 100) > 50);
+      await putOut(tab, 0, 0.7);
+      assert.equal(await powerAfter(tab, 100), 0);
+      await tool(tab, 'ignite');
+      await tap(tab, 0.05, 0.42, touch);
+      await tab.fire((fire) => fire.ready);
+      await powerAfter(tab, 400);
+      assert.ok(await powerAfter(tab, 100) > 50);
       assert.deepEqual(tab.problems, []);
     });
 

@@ -42,7 +42,7 @@ function along(hands, from, apart, act) {
 }
 
 /**
- * Lights what is under the pointer. A solid without fuel gets that of its material.
+ * Lights what is under the pointer, a wet source too. A solid without fuel gets that of its material.
  * @type {(hands: Hands, from: Point, pressed: import('./gestures.js').Owned | undefined) => Gesture}
  */
 export function ignite(hands, from, pressed) {
@@ -53,7 +53,8 @@ export function ignite(hands, from, pressed) {
     const fuel = bare && FUELS[bare.material];
     if (bare && !fuel) throw new Error(`A solid of ${bare.material} has no fuel: draw one of wood, coal or wax.`);
     if (bare) await editing.history.change(bare.id, { fuel, load: LOAD });
-    needFuel(hands, at, REACH);
+    // A source there may be wet.
+    if (!hands.objects().some((one) => one.kind === 'source' && distance(one, at.x, at.y) <= REACH)) needFuel(hands, at, REACH);
     await fire.ignite(at.x, at.y);
   });
 }

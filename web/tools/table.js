@@ -15,7 +15,7 @@ export const TOOLS = [
   { name: 'stir', key: '1', label: 'Stir', hint: 'Move to blow, click for sparks', cursor: '', icon: 'M3 9h11a3 3 0 1 0-3-3M3 13h16a2.5 2.5 0 1 1-2.5 2.5M3 17h7a2 2 0 1 1-2 2' },
   { name: 'blow', key: 'b', label: 'Blow', hint: 'Drag to blow; arrow keys blow from the cross and, with Shift, move it', cursor: 'all-scroll', icon: 'M3 8h9M3 12h14M3 16h9M14 7l5 5-5 5' },
   { name: 'sparks', key: 'k', label: 'Sparks', hint: 'Drag to throw sparks, or press Enter at the cross', cursor: 'crosshair', icon: 'M12 3v5M12 16v5M3 12h5M16 12h5M6 6l3 3M15 15l3 3M18 6l-3 3M9 15l-3 3' },
-  { name: 'ignite', key: 'i', label: 'Ignite', hint: 'Press a solid, or drag along it, to light it', cursor: 'crosshair', icon: 'M4 20L13 11M14 3c1 3 4 4 4 7a4 4 0 0 1-8 0c0-2 1-3 1-4 1 0 2 1 2 2 1-1 1-3 1-5z' },
+  { name: 'ignite', key: 'i', label: 'Ignite', hint: 'Press a solid or a wet source, or drag along it, to light it', cursor: 'crosshair', icon: 'M4 20L13 11M14 3c1 3 4 4 4 7a4 4 0 0 1-8 0c0-2 1-3 1-4 1 0 2 1 2 2 1-1 1-3 1-5z' },
   { name: 'water', key: 'w', label: 'Water', hint: 'Hold to spray water downwards', cursor: 'crosshair', icon: 'M12 3c3 4 6 7 6 11a6 6 0 0 1-12 0c0-4 3-7 6-11zM9 14a3 3 0 0 0 3 3' },
   { name: 'extinguish', key: 'x', label: 'Extinguish', hint: 'Press or drag to put out what burns', cursor: 'crosshair', icon: 'M6 18L18 6M14 3c1 3 4 4 4 7a4 4 0 0 1-8 0c0-2 1-3 1-4 1 0 2 1 2 2 1-1 1-3 1-5z' },
   { name: 'probe', key: 'p', label: 'Probe', hint: 'Point at a place to measure it, or move the cross with the arrow keys', cursor: 'crosshair', icon: 'M12 2v6M12 16v6M2 12h6M16 12h6M12 8a4 4 0 1 1 0 8a4 4 0 1 1 0-8z' },

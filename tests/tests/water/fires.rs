@@ -1,7 +1,7 @@
 //! Fires that are sprayed, and solids that are wet.
 
 use hearth_core::params::Input;
-use hearth_core::{BurningState, Scene, Simulation, Vec2, Where};
+use hearth_core::{BurningState, NoFuel, Scene, Simulation, Vec2, Where};
 use hearth_tests::fires::{burn_on, combustion, in_the_open, on_floor};
 
 use super::{ID, assert_balanced, log, open, spray, sprayed, with_solid};
@@ -111,6 +111,26 @@ fn the_more_a_source_is_sprayed_the_less_it_burns_until_it_stays_out() {
     assert!(little.1 > 0.8 * dry.1, "{powers:?}, {flying:?}");
     assert!(enough.0 < 0.5 * dry.0, "{powers:?}, {flying:?}");
     assert!(enough.1 < 0.01 * dry.1, "{powers:?}, {flying:?}");
+}
+
+#[test]
+fn a_source_that_water_has_put_out_burns_again_once_it_is_lit() {
+    let jet = [Vec2::new(0.0, 0.5), Vec2::new(0.0, -3.0)];
+    let beside = Where::Place(Vec2::new(0.2, 0.12), 0.0);
+    let far = Where::Place(Vec2::new(0.4, 0.12), 0.0);
+    let mut fire = bed();
+    burn_on(&mut fire, 1.5);
+    let before = power(&mut fire);
+    assert_eq!(fire.ignite(beside), Err(NoFuel), "nothing is wet");
+    spray(&mut fire, jet, (0.15, 2.0), assert_balanced);
+    burn_on(&mut fire, 4.0);
+    assert_eq!(fire.ignite(far), Err(NoFuel));
+    assert!(power(&mut fire) < 0.01 * before);
+    assert_eq!(fire.ignite(beside), Ok(()));
+    assert_balanced(&fire);
+    burn_on(&mut fire, 8.0);
+    let after = power(&mut fire);
+    assert!(after > 0.8 * before, "{before} kW/m, then {after}");
 }
 
 #[test]

@@ -32,6 +32,7 @@ use crate::solids::free::FreeBodies;
 use cells::Burning;
 use state::{BLOCKS, Beside, Block};
 
+pub(super) use command::reach;
 pub use command::{NoFuel, Where};
 pub(super) use material::{BOILING, VAPORISATION, WATER_CAPACITY};
 pub use report::{BurningSolid, BurningState, FuelTotal};

@@ -54,12 +54,20 @@ impl Combustion {
         self.solids.set_temperatures(all);
     }
 
-    /// Lights solids that have fuel.
-    pub fn ignite(&mut self, at: Where, values: &Physics) -> Result<(), NoFuel> {
-        match &mut *self.fuels {
+    /// Lights solids that have fuel, and sources that are wet.
+    pub fn ignite(
+        &mut self,
+        at: Where,
+        values: &Physics,
+        random: &mut Random,
+    ) -> Result<(), NoFuel> {
+        let fuel = match &mut *self.fuels {
             Some(fuels) => fuels.ignite(at, &mut self.gas, &self.solids, values),
             None => Err(NoFuel),
-        }
+        };
+        let water = self.water.as_mut();
+        let dried = water.is_some_and(|water| water.light(at, &self.solids, random));
+        if dried { Ok(()) } else { fuel }
     }
 
     /// Puts out solids that have fuel, and gas.

@@ -5,14 +5,15 @@ use crate::combustion::{BurningSolid, Charred, FuelTotal, NoFuel, Where};
 
 impl Simulation {
     /// Lights a solid that has fuel: heats all of its surface, or what is within 0.1 m of a place
-    /// or within the radius, to above its pyrolysis temperature, and dries it.
+    /// or within the radius, to above its pyrolysis temperature, and dries it. Dries the sources on that
+    /// solid or near that place too, so that those that [water](Simulation::spray) has put out burn again.
     ///
     /// # Errors
-    /// There is no fuel; the classic model has none.
+    /// There is no fuel and no source that is wet; the classic model has neither.
     pub fn ignite(&mut self, at: Where) -> Result<(), NoFuel> {
         let values = self.scene.settings();
         match self.solver.combustion_mut() {
-            Some(combustion) => combustion.ignite(at, values),
+            Some(combustion) => combustion.ignite(at, values, &mut self.random),
             None => Err(NoFuel),
         }
     }

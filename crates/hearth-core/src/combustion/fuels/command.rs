@@ -41,7 +41,8 @@ pub struct NoFuel;
 
 impl NoFuel {
     /// What it must be instead.
-    pub const ALLOWED: &'static str = "a solid with fuel, or a place within 0.1 m of one";
+    pub const ALLOWED: &'static str =
+        "a solid with fuel, or a place within 0.1 m of one or of a source that is wet";
 }
 
 impl fmt::Display for NoFuel {
@@ -167,7 +168,8 @@ fn at_object(at: Where) -> bool {
     matches!(at, Where::Object(_))
 }
 
-fn reach(radius: f32) -> f32 {
+/// How near a place is meant \[m\].
+pub(in crate::combustion) fn reach(radius: f32) -> f32 {
     if radius > 0.0 { radius } else { RADIUS }
 }
 

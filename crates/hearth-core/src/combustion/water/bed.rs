@@ -3,16 +3,17 @@
 //! A source stands for what burns there, so water that lands in it wets that. The wet share gives off no
 //! fuel and is not preheated. A part of what lands on the rest boils at once. The bed dries by the share of its own power that a fire returns to its fuel.
 //! Less water than that weakens a source, which recovers; a source that is wet throughout has no power
-//! left to dry, and stays out.
+//! left to dry, and stays out until a flame lights it.
 
 use glam::Vec2;
 
 use crate::combustion::burner::Burner;
-use crate::combustion::fuels::{BOILING, VAPORISATION, WATER_CAPACITY};
+use crate::combustion::fuels::{BOILING, VAPORISATION, WATER_CAPACITY, Where, reach};
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Parameters, Physics};
 use crate::random::Random;
 use crate::scene::Scene;
+use crate::solids::Solids;
 
 /// Water that wets a surface throughout [kg/m²]: a film of a quarter of a millimetre.
 const FILM: f32 = 0.25;
@@ -127,6 +128,28 @@ impl Bed {
             Some(burner) => burner.is_beside(place),
             None => self.solid == Some(solid),
         }
+    }
+
+    /// Whether it is on that solid or near that place.
+    pub(super) fn is_there(&self, at: Where, solids: &Solids) -> bool {
+        let (place, radius) = match at {
+            Where::Object(id) => return self.solid == Some(id),
+            Where::Place(place, radius) => (place, reach(radius)),
+        };
+        let distance = match &self.burner {
+            Some(burner) => {
+                let (offset, axis) = (place - self.centre, burner.axis());
+                // `clamp` would add 8 KB: it prints its arguments.
+                let half = burner.half_width;
+                let across = fast_max(-half, fast_min(offset.dot(axis), half));
+                (offset - axis * across).length()
+            }
+            None => {
+                let body = self.solid.and_then(|solid| solids.first(solid));
+                body.map_or(f32::MAX, |body| body.surface.distance(place).0)
+            }
+        };
+        distance < radius
     }
 
     /// The share of a path after which it enters the bed from above; `None` if it does not.

@@ -2,7 +2,10 @@
 
 use super::bed::Bed;
 use super::state::Water;
+use crate::combustion::fuels::Where;
+use crate::random::Random;
 use crate::scene::Scene;
+use crate::solids::Solids;
 
 impl Water {
     /// Gives each source of a scene its bed.
@@ -20,6 +23,23 @@ impl Water {
         for gone in self.beds.drain(count..) {
             self.account.run_off += f64::from(gone.water);
         }
+    }
+
+    /// Boils the water in the beds there, as the flame does that lights a source again. Returns whether
+    /// there was any.
+    #[inline(never)]
+    pub fn light(&mut self, at: Where, solids: &Solids, random: &mut Random) -> bool {
+        let mut found = false;
+        for bed in &mut self.beds {
+            if bed.water > 0.0 && bed.is_there(at, solids) {
+                let steam = std::mem::take(&mut bed.water);
+                self.account.boiled += f64::from(steam);
+                self.steam
+                    .rise(bed.somewhere(random), bed.relative(steam), random);
+                found = true;
+            }
+        }
+        found
     }
 
     /// Whether a source feeds in this step: a bed that is wet in part feeds in so many of all steps.

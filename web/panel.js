@@ -160,11 +160,15 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
     canvas.height = height;
     panel.repaint();
   };
-  const painted = () =>
+  const painted = () => {
+    const start = performance.now();
     queueMicrotask(() => {
       sharpen();
       update();
     });
+    // The browser takes the picture of the canvas over before the next task.
+    setTimeout(() => controller.painted(performance.now() - start));
+  };
   const lost = (/** @type {Event} */ event) => {
     event.preventDefault();
     stop();

@@ -53,12 +53,17 @@ impl Element {
         ];
         for name in names {
             let (fire, panel, ctx) = (fire.clone(), Rc::downgrade(&panel), ctx.clone());
+            let controller = controller.clone();
             let on_event = move |event: Event| {
                 if let Some(panel) = panel.upgrade()
                     && let Ok(mut panel) = panel.try_borrow_mut()
                 {
                     receive(&mut panel, &fire, name, &event);
-                    paint_soon(&ctx);
+                    let rest = match name {
+                        "stats" => property(&controller, "rest").as_f64(),
+                        _ => None,
+                    };
+                    paint_after(&ctx, rest.unwrap_or(0.0));
                 }
             };
             listeners.push(Listener::new(target, name, false, on_event).map_err(words)?);
@@ -342,7 +347,12 @@ fn receive_entry(panel: &mut Panel, id: &str, value: &JsValue) {
     }
 }
 
-/// Repaints once: `request_repaint` paints two frames.
+/// Repaints once.
 pub(super) fn paint_soon(ctx: &egui::Context) {
-    ctx.request_repaint_after(Duration::from_millis(1));
+    paint_after(ctx, 0.0);
+}
+
+/// Repaints once after a time \[ms\]: `request_repaint` paints two frames.
+fn paint_after(ctx: &egui::Context, wait: f64) {
+    ctx.request_repaint_after(Duration::from_millis(1 + wait as u64));
 }

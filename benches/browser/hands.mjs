@@ -1,0 +1,134 @@
+/**
+ * Measures how soon the page answers a hand: the time from an interaction to the next paint while 10,000 particles burn,
+ * and the time from the end of a brush stroke until its solid is in the fire and until the page hears of it.
+ *
+ * `node benches/browser/hands.mjs` measures the built site.
+ */
+import { setTimeout as sleep } from 'node:timers/promises';
+import { fileURLToPath } from 'node:url';
+import { Browser } from '../../tests/e2e/driver.mjs';
+import { openTools } from '../../tests/e2e/hands.mjs';
+
+/** The window. */
+const SIZE = { width: 1280, height: 800, pixels: Infinity };
+
+/** A fire of about 10,000 particles. */
+const MANY = 'scene=default&spacing=0.0115&max_particles=10000';
+
+/** Interactions and strokes, the time for the fire to burn up, and the time between two of them [ms]. */
+const INTERACTIONS = 60;
+const STROKES = 30;
+const BURN_UP = 6000;
+const PAUSE = 400;
+
+/** Tools that are chosen in turn. */
+const TOOLS = ['box', 'circle', 'line', 'brush', 'source', 'select', 'erase', 'ignite'];
+
+/** Pauses differ, so that interactions meet every phase of a frame. @param {number} turn */
+const rest = (turn) => sleep(PAUSE + 37 * (turn % 5));
+
+/** Runs in the page: keeps the longest event of each interaction (Event Timing). */
+function watchInteractions() {
+  /** @type {Map<number, number>} */
+  const longest = new Map();
+  Object.assign(window, { longest });
+  new PerformanceObserver((list) => {
+    for (const entry of /** @type {PerformanceEventTiming[]} */ (list.getEntries())) {
+      const { interactionId: id } = /** @type {any} */ (entry);
+      if (id) longest.set(id, Math.max(longest.get(id) ?? 0, entry.duration));
+    }
+  }).observe(/** @type {any} */ ({ type: 'event', durationThreshold: 16 }));
+}
+
+/** Runs in the page: notes when the pointer is released, and when the page hears of another solid. */
+function watchPage() {
+  /** @type {number[]} */
+  const [released, heard] = [[], []];
+  Object.assign(window, { released, heard });
+  addEventListener('pointerup', ({ timeStamp }) => released.push(performance.timeOrigin + timeStamp), true);
+  document.querySelector('hearth-fire')?.addEventListener('objects-change', () => {
+    heard.push(performance.timeOrigin + performance.now());
+  });
+}
+
+/** Runs in the engine's worker: notes when a solid is in the fire. The engine's own listener comes first. */
+function watchEngine() {
+  /** @type {number[]} */
+  const added = [];
+  Object.assign(self, { added });
+  addEventListener('message', ({ data }) => {
+    if (Array.isArray(data) && JSON.stringify(data).includes('"stroke"')) added.push(performance.timeOrigin + performance.now());
+  });
+}
+
+/** Median, 98th percentile and maximum. @param {number[]} times */
+function summary(times) {
+  const sorted = times.toSorted((a, b) => a - b);
+  const [median, p98, most] = [0.5, 0.98, 1].map((share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))]);
+  return { count: sorted.length, median, p98, most };
+}
+
+/**
+ * Chooses tools in turn while 10,000 particles burn.
+ * @param {Browser} browser
+ */
+export async function interactions(browser) {
+  const tab = await openTools(browser, SIZE, MANY);
+  await sleep(BURN_UP);
+  await tab.evaluate(watchInteractions);
+  for (let turn = 0; turn < INTERACTIONS; turn += 1) {
+    await tab.page.click(`[data-tool="${TOOLS[turn % TOOLS.length]}"]`);
+    await rest(turn);
+  }
+  const times = await tab.evaluate(() => [.../** @type {any} */ (window).longest.values()]);
+  // An interaction below the threshold has no entry.
+  const short = Array.from({ length: Math.max(0, INTERACTIONS - times.length) }, () => 16);
+  const { particles } = await tab.fire((fire) => fire.stats);
+  return { ...summary([...times, ...short]), particles };
+}
+
+/**
+ * Draws strokes into the usual fire: the times until each is in the fire, and until the page hears of it.
+ * @param {Browser} browser
+ */
+export async function strokes(browser) {
+  const tab = await openTools(browser, SIZE, 'scene=default');
+  const [worker] = tab.page.workers();
+  if (!worker) throw new Error('the engine is in no worker');
+  await tab.page.click('[data-tool="brush"]');
+  await sleep(BURN_UP);
+  await worker.evaluate(watchEngine);
+  await tab.evaluate(watchPage);
+  for (let turn = 0; turn < STROKES; turn += 1) {
+    const [x, y] = [380 + 14 * turn, 150 + 11 * (turn % 7)];
+    await tab.page.mouse.move(x, y);
+    await tab.page.mouse.down();
+    await tab.page.mouse.move(x + 40, y + 8, { steps: 6 });
+    await tab.page.mouse.up();
+    await rest(turn);
+  }
+  const added = await worker.evaluate(() => /** @type {any} */ (self).added);
+  const { released, heard } = await tab.evaluate(() => {
+    const { released, heard } = /** @type {any} */ (window);
+    return { released, heard };
+  });
+  if (added.length !== STROKES || heard.length !== STROKES) throw new Error(`${added.length} solids of ${STROKES} strokes`);
+  const since = (/** @type {number[]} */ times) => summary(times.map((time, turn) => time - released[turn]));
+  return { inFire: since(added), onPage: since(heard) };
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const browser = await Browser.launch();
+  const inWords = (/** @type {ReturnType<typeof summary>} */ { median, p98, most }) => (
+    `median ${median.toFixed(0)} ms, 98th percentile ${p98.toFixed(0)} ms, at most ${most.toFixed(0)} ms`
+  );
+  try {
+    const of = await interactions(browser);
+    console.log(`interaction to next paint beside ${of.particles} particles (${of.count}): ${inWords(of)}`);
+    const { inFire, onPage } = await strokes(browser);
+    console.log(`release of the brush to its solid in the fire (${inFire.count}): ${inWords(inFire)}`);
+    console.log(`release of the brush to the event on the page (${onPage.count}): ${inWords(onPage)}`);
+  } finally {
+    await browser.close();
+  }
+}

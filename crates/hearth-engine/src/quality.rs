@@ -4,13 +4,15 @@
 //! half a second, and then compares the cost of its frames with the time that the display
 //! gives them. It lowers the level soon after frames cost too much. It raises the level only
 //! after several frames had room, waits four times as long after each retreat, and rises at
-//! most four times: a fire that changes all the time is worse than a coarse one.
+//! most four times: a fire that changes all the time is worse than a coarse one. Where drawing is
+//! what takes long at the lowest level, the picture gets fewer pixels.
 
 mod level;
 mod load;
 mod reason;
 mod window;
 
+use level::Detail;
 pub use level::Level;
 use load::{Load, USUAL_INTERVAL};
 pub use window::Frame;
@@ -51,7 +53,7 @@ const SLOWER_DISPLAY: f64 = 0.05;
 #[derive(Clone, Debug)]
 pub struct Quality {
     requested: Option<Level>,
-    level: Level,
+    detail: Detail,
     reason: String,
     /// Time of the last frame \[ms\].
     last: Option<f64>,
@@ -74,7 +76,7 @@ impl Quality {
     pub fn new(requested: Option<Level>, guess: Level) -> Quality {
         let mut quality = Quality {
             requested: None,
-            level: guess,
+            detail: Detail::of(guess),
             reason: "a guess for this device".into(),
             last: None,
             display: USUAL_INTERVAL,
@@ -97,7 +99,7 @@ impl Quality {
         self.requested = level;
         self.reason = match level {
             Some(level) => {
-                self.level = level;
+                self.detail = Detail::of(level);
                 "as requested"
             }
             None => "as before it became adaptive",
@@ -114,7 +116,12 @@ impl Quality {
 
     /// The current level.
     pub fn level(&self) -> Level {
-        self.level
+        self.detail.level()
+    }
+
+    /// Default maximum of pixels in a picture.
+    pub fn pixels(&self) -> f64 {
+        self.detail.share() * self.level().pixels()
     }
 
     /// The reason of the current level, as text.
@@ -175,17 +182,17 @@ impl Quality {
         }
         let trial = !std::mem::replace(&mut self.tried, true);
         let load = self.load(&window, frame, trial);
-        let level = if trial {
+        let detail = if trial {
             self.after_trial(&load)
         } else {
             self.after_window(&load)
         };
-        let changes = level.is_some();
-        if let Some(level) = level {
+        let before = self.level();
+        if let Some(detail) = detail {
             self.restart_counts();
-            self.level = level;
+            self.detail = detail;
         }
-        changes
+        self.level() != before
     }
 
     /// Updates the assumed interval of the display. Intervals longer than usual mean another
@@ -203,7 +210,7 @@ impl Quality {
             } else {
                 MIN_DISPLAY_INTERVAL
             }
-        } else if self.level == Level::Low {
+        } else if self.level() == Level::Low {
             known + SLOWER_DISPLAY * (interval - known)
         } else {
             known
@@ -220,10 +227,13 @@ impl Quality {
             (rate, window.draw_ms / window.frames)
         };
         let mut load = Load {
-            level: self.level,
+            detail: self.detail,
             particles: frame.particles,
             steps: rate * frame.time_scale * self.display * 1e-3,
             draw,
+            shrinks: frame
+                .pixels
+                .is_some_and(|pixels| pixels > 0.5 * self.pixels()),
             budget: self.display / frame.fires.max(1) as f64,
             share: frame.share,
             interval: window.intervals / window.frames,
@@ -235,7 +245,7 @@ impl Quality {
             let time = STEPS_BUDGET_MS.min(frame.share * self.display);
             let budget = STEPS_EXCEEDED * time / frame.fires.max(1) as f64;
             let slowed = frame.slowed && !trial && load.steps > budget;
-            load.expected(self.level) > EXCEEDED * load.budget || slowed
+            load.expected(self.detail) > EXCEEDED * load.budget || slowed
         } else {
             draw > DRAWING_EXCEEDED * load.budget
         };
@@ -248,47 +258,49 @@ impl Quality {
         load
     }
 
-    /// The level that should fit, after a trial of the guess.
-    fn after_trial(&mut self, load: &Load) -> Option<Level> {
-        let level = if load.exceeds {
+    /// The detail that should fit, after a trial of the guess.
+    fn after_trial(&mut self, load: &Load) -> Option<Detail> {
+        let detail = if load.exceeds {
             load.lower()
         } else {
-            let mut all = Level::ALL.into_iter().rev();
-            all.find(|level| load.fits(*level))
-                .filter(|level| *level > self.level && !load.late)
+            let finer = load.finest(Detail::FINEST, self.detail.finer());
+            finer.filter(|_| !load.late)
         };
-        let level = level.filter(|_| load.particles.is_some())?;
-        self.reason = reason::of_change("steps should take ", load.expected(level), load, level);
-        Some(level)
+        let detail = detail.filter(|_| load.particles.is_some())?;
+        self.reason = reason::of_change("steps should take ", load.expected(detail), load, detail);
+        Some(detail)
     }
 
-    /// A lower level after several windows that exceeded the budget or were late, or a higher
-    /// one after several with room.
-    fn after_window(&mut self, load: &Load) -> Option<Level> {
+    /// Less detail after several windows that exceeded the budget or were late, or more after
+    /// several with room.
+    fn after_window(&mut self, load: &Load) -> Option<Detail> {
         count(&mut self.exceeded, load.exceeds);
         count(&mut self.late, load.late);
-        let higher = Level::ALL.into_iter().find(|level| *level > self.level);
-        let higher = higher.filter(|level| !load.exceeds && !load.late && load.fits(*level));
-        count(&mut self.calm, higher.is_some());
-        let (what, ms, level) = if self.exceeded >= EXCEEDED_WINDOWS {
-            let took = load.expected(self.level);
+        let finer = self.detail.finer();
+        let calm = !load.exceeds && !load.late && self.detail < Detail::FINEST && load.fits(finer);
+        count(&mut self.calm, calm);
+        let (what, ms, detail) = if self.exceeded >= EXCEEDED_WINDOWS {
+            let took = load.expected(self.detail);
             ("steps and drawing took ", took, load.lower()?)
         } else if self.late >= LATE_WINDOWS {
-            let mut lower = Level::ALL.into_iter().rev();
-            let level = lower.find(|level| *level < self.level)?;
-            ("pictures come every ", load.interval, level)
+            if self.detail <= Detail::LOW {
+                return None;
+            }
+            ("pictures come every ", load.interval, self.detail.coarser())
         } else {
-            let level = higher.filter(|_| self.calm >= self.patience && self.rises < MAX_RISES)?;
-            let takes = load.expected(level);
-            ("steps and drawing should take ", takes, level)
+            if self.calm < self.patience || self.rises >= MAX_RISES {
+                return None;
+            }
+            let takes = load.expected(finer);
+            ("steps and drawing should take ", takes, finer)
         };
-        if level < self.level {
-            self.patience *= PATIENCE_FACTOR;
-        } else {
+        if detail > self.detail {
             self.rises += 1;
+        } else if detail.level() < self.level() {
+            self.patience *= PATIENCE_FACTOR;
         }
-        self.reason = reason::of_change(what, ms, load, level);
-        Some(level)
+        self.reason = reason::of_change(what, ms, load, detail);
+        Some(detail)
     }
 }
 

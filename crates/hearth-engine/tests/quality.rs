@@ -28,6 +28,8 @@ const FAST: Machine = Machine {
 struct Burning {
     quality: Quality,
     now: f64,
+    /// Pixels of its element; none if its picture has a limit.
+    pixels: Option<f64>,
     changes: Vec<(Level, String)>,
 }
 
@@ -36,6 +38,7 @@ impl Burning {
         Burning {
             quality: Quality::new(None, guess),
             now: 0.0,
+            pixels: Some(1280.0 * 800.0),
             changes: Vec::new(),
         }
     }
@@ -47,7 +50,8 @@ impl Burning {
         while self.now < end {
             let level = self.quality.level();
             let more = f64::from(level.particles()) / 3000.0;
-            let picture = [0.6, 1.0, 1.8][level as usize];
+            let share = self.quality.pixels() / level.pixels();
+            let picture = share * [0.6, 1.0, 1.8][level as usize];
             let rate = machine.steps * if particles { more.powf(1.5) } else { 1.0 };
             // The engine drops steps beyond its budget.
             let due_ms = rate * gap.min(100.0) * 1e-3;
@@ -62,6 +66,7 @@ impl Burning {
                 steps_ms,
                 simulated: steps_ms / rate,
                 draw_ms,
+                pixels: self.pixels,
                 time_scale: 1.0,
                 slowed: due_ms > 1.06 * steps_ms,
                 particles: particles.then(|| Level::ALL.map(Level::particles)),
@@ -172,6 +177,49 @@ fn late_pictures_reveal_a_slow_graphics_card() {
         reason.starts_with("pictures come every 33.3 ms for a frame of 16.7 ms: "),
         "{reason}"
     );
+}
+
+#[test]
+fn pictures_that_take_long_at_the_lowest_level_have_fewer_pixels() {
+    let share = |fire: &Burning| fire.quality.pixels() / Level::Low.pixels();
+    // The drawing of a quarter, a half and all of the pixels that the lowest level has.
+    for (all_pixels, kept) in [(6.0, 1.0), (18.0, 0.5), (90.0, 0.25)] {
+        let machine = Machine {
+            draw: all_pixels / 0.6,
+            ..FAST
+        };
+        let mut fire = Burning::from(Level::Low);
+        fire.on(machine, 60.0, true);
+        assert_eq!((fire.level(), share(&fire)), (Level::Low, kept));
+        if kept < 1.0 {
+            let reason = fire.quality.reason();
+            assert!(reason.ends_with("a coarser picture"), "{reason}");
+        }
+        fire.on(FAST, 120.0, true);
+        assert!(fire.level() > Level::Low, "{:?}", fire.quality);
+    }
+    // Long steps leave the picture.
+    let mut fire = Burning::from(Level::Low);
+    fire.on(
+        Machine {
+            steps: 2000.0,
+            ..FAST
+        },
+        60.0,
+        true,
+    );
+    assert_eq!((fire.level(), share(&fire)), (Level::Low, 1.0));
+    // So do drawing that no fewer pixels shorten, and a requested level.
+    for pixels in [None, Some(480.0 * 270.0)] {
+        let mut fire = Burning::from(Level::Low);
+        fire.pixels = pixels;
+        fire.on(Machine { draw: 90.0, ..FAST }, 60.0, true);
+        assert_eq!(share(&fire), 1.0);
+    }
+    let mut fire = Burning::from(Level::Low);
+    fire.quality.request(Some(Level::Low));
+    fire.on(Machine { draw: 90.0, ..FAST }, 60.0, true);
+    assert_eq!(share(&fire), 1.0);
 }
 
 #[test]

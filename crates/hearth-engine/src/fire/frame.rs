@@ -123,6 +123,10 @@ impl Fire {
                 steps_ms: since.steps_ms,
                 simulated: since.simulated,
                 draw_ms: if gpu_ms > draw_ms { gpu_ms } else { draw_ms },
+                pixels: match self.limits.pixels {
+                    Some(_) => None,
+                    None => Some(f64::from(self.size.0) * f64::from(self.size.1)),
+                },
                 time_scale: scale,
                 slowed: self.real_time.slowed(),
                 particles: self
@@ -228,7 +232,7 @@ impl Fire {
         let drawn = self.fire_frame.draw(
             self.id,
             canvas,
-            self.limits.fit(self.size, level.pixels()),
+            self.limits.fit(self.size, self.quality.pixels()),
             limits[level as usize],
             (&self.instances, &self.embers),
             (

@@ -1,19 +1,22 @@
 //! Why a fire changes its level, as text for `stats`.
 
-use super::level::Level;
+use super::level::Detail;
 use super::load::Load;
 
-/// The reason of a change to `level`: what takes how long \[ms\], and what changes.
-pub fn of_change(what: &str, ms: f64, load: &Load, level: Level) -> String {
+/// The reason of a change to `detail`: what takes how long \[ms\], and what changes.
+pub fn of_change(what: &str, ms: f64, load: &Load, detail: Detail) -> String {
     let reason = of_times([(what, ms), (" for a frame of ", load.budget)]);
-    let number = |level: Level| load.particles.map(|numbers| numbers[level as usize]);
-    let change = if let (Some(new), Some(old)) = (number(level), number(load.level))
+    let number = |detail: Detail| {
+        load.particles
+            .map(|numbers| numbers[detail.level() as usize])
+    };
+    let change = if let (Some(new), Some(old)) = (number(detail), number(load.detail))
         && new != old
     {
         let (new, old) = (with_separator(new), with_separator(old));
         format!("{new} particles instead of {old}")
     } else {
-        let than = if level < load.level {
+        let than = if detail < load.detail {
             "coarser"
         } else {
             "finer"

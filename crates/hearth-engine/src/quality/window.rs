@@ -21,6 +21,8 @@ pub struct Frame {
     pub simulated: f64,
     /// Time of drawing, on the processor or on the graphics card \[ms\].
     pub draw_ms: f64,
+    /// Pixels of the element; none if the page limits those of the picture.
+    pub pixels: Option<f64>,
     /// Requested seconds of fire per second of the clock.
     pub time_scale: f64,
     /// Whether the fire fell behind the clock in the last second.

@@ -86,16 +86,22 @@ pub(crate) fn wasm_target() -> Result<()> {
 pub(crate) fn wasm_bindgen_cli() -> Result<()> {
     // The published lock file names versions that no longer build.
     let runner = "wasm-bindgen-test-runner";
-    crate_tool(runner, "wasm-bindgen-cli", WASM_BINDGEN, None)
+    crate_tool(runner, "wasm-bindgen-cli", WASM_BINDGEN, "1", None)
 }
 
 /// Installs Trunk if it is missing or of another version.
 pub(crate) fn trunk() -> Result<()> {
     // The newest versions of its dependencies do not fit together.
-    crate_tool("trunk", "trunk", TRUNK, Some("--locked"))
+    crate_tool("trunk", "trunk", TRUNK, "0", Some("--locked"))
 }
 
-fn crate_tool(program: &str, package: &str, version: &str, locked: Option<&str>) -> Result<()> {
+fn crate_tool(
+    program: &str,
+    package: &str,
+    version: &str,
+    opt_level: &str,
+    locked: Option<&str>,
+) -> Result<()> {
     let sh = Shell::new()?;
     if let Some(file) = find(program) {
         let printed = cmd!(sh, "{file} --version").read().unwrap_or_default();
@@ -111,7 +117,7 @@ fn crate_tool(program: &str, package: &str, version: &str, locked: Option<&str>)
     );
     // It compiles for minutes and runs for seconds.
     Ok(install
-        .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1")
+        .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", opt_level)
         .env("CARGO_PROFILE_RELEASE_LTO", "off")
         .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16")
         .run()?)

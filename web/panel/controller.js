@@ -22,8 +22,9 @@ import { pageLink } from '../share.js';
 /** How long a button confirms its action [ms]. */
 const DONE_MS = 2000;
 
-/** A panel that shows nothing but new measurements is painted after so many times what painting takes, and within that time [ms]. */
+/** For new measurements alone, the panel is painted again after so many times what painting has held up the page. */
 const REST_SHARE = 9;
+/** The longest such rest [ms]. */
 const MOST_REST_MS = 1500;
 
 /** The events after which the scene may have changed. */

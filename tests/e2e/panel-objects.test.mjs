@@ -113,6 +113,75 @@ describe('a mouse', () => {
   });
 });
 
+describe('buttons act on the fire at the selected object', () => {
+  for (const size of SIZES) {
+    test(`at ${size.width} × ${size.height}`, async () => {
+      const { tab, panel } = await openPage('scene=default&quality=low&ember-rate=0', size);
+      const id = await tab.fire((fire) => (
+        fire.addObject({ kind: 'solid', shape: 'box', x: 0.3, y: 0.6, width: 0.1, height: 0.1, material: 'wood' })
+      ));
+      await panel.until('the solid is in the list', (root, wanted) => (
+        [...root.querySelector('[data-action="select-object"]').options].some(({ value }) => value === wanted)
+      ), String(id));
+      await panel.pointAt(actionOf('select-object'));
+      await tab.click(along(await panel.part(`object:${id}`), 0.5));
+      await press(panel, tab, 'ignite');
+      await until(tab, 'the solid has fuel', (all) => all.at(-1).fuel === 'wood');
+      const fuel = (wanted) => tab.until(`the fuel is ${wanted}`, async (word) => {
+        const fire = document.querySelector('hearth-fire');
+        await fire.step(20);
+        return fire.stats?.fuel === word;
+      }, wanted);
+      await fuel('burning');
+      await press(panel, tab, 'extinguish');
+      await fuel('out');
+      // Each call acts where the object is.
+      await tab.fire((fire) => {
+        window.calls = [];
+        for (const name of ['spray', 'sparks', 'stir']) {
+          fire[name] = (...call) => {
+            window.calls.push([name, ...call]);
+            return Object.getPrototypeOf(fire)[name].apply(fire, call);
+          };
+        }
+      });
+      for (const [button, name, holds] of [
+        ['water', 'spray', (x, y, u, v) => x === 0.3 && y > 0.65 && y < 0.9 && u === 0 && v < 0],
+        ['sparks', 'sparks', (x, y) => x === 0.3 && y > 0.65 && y < 0.7],
+        ['blow', 'stir', (x, y, u) => x > 0.2 && x < 0.25 && y === 0.6 && u > 5],
+      ]) {
+        await press(panel, tab, button);
+        await tab.until(`a call of ${name}`, (wanted) => window.calls.some(([one]) => one === wanted), name);
+        const calls = await tab.evaluate((wanted) => window.calls.filter(([one]) => one === wanted), name);
+        for (const [, ...call] of calls) assert.ok(holds(...call), `${name}(${call})`);
+      }
+      // The fuel is the one step.
+      await panel.pointAt(actionOf('undo'));
+      await panel.press('undo');
+      await until(tab, 'no fuel', (all) => all.at(-1)?.fuel === 'none');
+      assert.deepEqual(tab.problems, []);
+    });
+  }
+
+  test('or say why they cannot', async () => {
+    const { tab, panel } = await openPage('scene=default&quality=low');
+    const says = (words) => panel.until(`the words ${words}`, (root, wanted) => (
+      root.querySelector('.hearth-controls [role="status"]').textContent.startsWith(wanted)
+    ), words);
+    await tab.page.select(actionOf('select-object'), '1');
+    await press(panel, tab, 'extinguish');
+    await says('A source has no fuel');
+    await tab.fire((fire) => fire.addObject({ kind: 'solid', material: 'stone' }));
+    await tab.page.select(actionOf('select-object'), String((await objects(tab)).at(-1).id));
+    await press(panel, tab, 'ignite');
+    await says('A solid of stone has no fuel');
+    await tab.fire((fire) => fire.set('model', 'classic'));
+    await press(panel, tab, 'water');
+    await says('The classic model has no water');
+    assert.deepEqual(tab.problems, []);
+  });
+});
+
 test('an object is named and switched off, in the list of the panel and by its own controls, and undone', async () => {
   const { tab, panel } = await openPage('scene=campfire');
   const first = await tab.fire((fire) => fire.exportConfig());

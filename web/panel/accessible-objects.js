@@ -1,10 +1,11 @@
 /**
- * The objects among the accessible controls: buttons to add, duplicate, delete and order, a list to select one,
- * and a control for each property of the selected object.
+ * The objects among the accessible controls: buttons to add, duplicate, delete and order, and to act on the fire at
+ * one, a list to select one, and a control for each property of the selected object.
  *
  * The properties of the first source are parameters, whose controls stand in their own groups.
  */
 
+import { ACTS } from './acts.js';
 import { KINDS, entriesOf, isFirstSource, isFull, isSame, nameOf, objectsOf, sliderDomain } from './objects.js';
 import { inWords, makeControl } from './native-controls.js';
 import { MAX_OBJECTS } from '../generated/scene-objects.js';
@@ -52,6 +53,9 @@ export function mountAccessibleObjects({ root, fire, controller, reveal, addButt
   add('delete', 'Delete', () => controller.selected !== undefined, () => controller.selected && controller.remove(controller.selected.id));
   for (const [place, front] of /** @type {[string, boolean][]} */ ([['back', false], ['front', true]])) {
     add(`to:${place}`, `To ${place}`, () => controller.selected?.kind === 'solid', () => controller.selected && controller.order(controller.selected.id, front));
+  }
+  for (const { name, label } of ACTS) {
+    add(name, label, () => controller.selected !== undefined, () => controller.selected && controller.act(name, controller.selected.id));
   }
 
   const selection = makeControl({ label: 'Selected object', kind: 'choice', unit: '' }, (value) => {

@@ -5,6 +5,7 @@
  * changes the page on request only: clipboard, download, full screen.
  */
 
+import { act } from './acts.js';
 import { askForSettings, showKeys, showText } from './cards.js';
 import { askForPicture } from './picture-card.js';
 import { showScenes } from './scenes.js';
@@ -213,6 +214,11 @@ export class PanelController extends EventTarget {
   /** Moves a solid before all others, or behind them. @type {(id: number, front: boolean) => Promise<void>} */
   order(id, front) {
     return this.#editing.order([id], front);
+  }
+
+  /** Does one of `ACTS` at an object. @type {(name: string, id: number) => Promise<void>} */
+  act(name, id) {
+    return this.#try(() => act(this.#fire, this.#editing, name, id));
   }
 
   /**

@@ -196,7 +196,7 @@ function seenOf(fire) {
  * Extent of an object, and the radius of a disc that contains it. A source is a line.
  * @param {{[name: string]: any}} fields
  */
-function sizeOf(fields) {
+export function sizeOf(fields) {
   const { kind, shape = 'circle', angle = 0 } = fields;
   const { width, height } = boxOf(fields);
   if (kind === 'source') return { width, height: 0, radius: width / 2 };

@@ -7,15 +7,7 @@
  * @typedef {import('./gestures.js').Hands} Hands
  */
 
-/** Speed of the air that is blown [m/s]: a few times that of a pointer that stirs. */
-const SPEED = 16;
-
-/** How often a drag that rests blows or sprays again [ms]: one call acts for a twentieth of a second. */
-const EVERY_MS = 40;
-
-/** Speed of the water downwards [m/s], and its mass in a call for each metre of the frame's height [g/m]. */
-const FALL = 3;
-const GRAMS = 4;
+import { EVERY_MS, SPEED, pour } from '../panel/effects.js';
 
 /** The movement that has a direction, and the distance of sparks from each other [px]. */
 const AIM_PX = 5;
@@ -91,13 +83,8 @@ export function throwSparks({ fire }, from) {
 /** Sprays water downwards from the pointer while it is pressed. @type {(hands: Hands, from: Point) => Gesture} */
 export function spray({ fire, attempt }, from) {
   let at = from;
-  const pour = async () => {
-    const { model, domain_height: height } = fire.params;
-    if (model === 'classic') throw new Error('The classic model has no water.');
-    await fire.spray(at.x, at.y, 0, -FALL, GRAMS * height);
-  };
-  attempt(pour);
-  const timer = setInterval(() => pour().catch(() => {}), EVERY_MS);
+  attempt(() => pour(fire, at.x, at.y));
+  const timer = setInterval(() => pour(fire, at.x, at.y).catch(() => {}), EVERY_MS);
   const end = () => clearInterval(timer);
   return { move: (to) => (at = to), end, cancel: end };
 }

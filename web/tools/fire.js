@@ -7,6 +7,7 @@
  * @typedef {import('./gestures.js').Hands} Hands
  */
 
+import { giveFuel, needCombustion } from '../panel/effects.js';
 import { distance } from '../panel/objects.js';
 
 /** How far a press lights, and the distance of the places that a drag lights [m]. */
@@ -15,12 +16,6 @@ const APART = 0.05;
 
 /** The radius in which a press puts out [m]. */
 const RADIUS = 0.2;
-
-/** The fuels of materials; others do not burn by themselves. @type {{[material: string]: string}} */
-const FUELS = { wood: 'wood', coal: 'coal', wax: 'wax', none: 'wood' };
-
-/** The fuel of such a solid [kg/m²]: that of a log, which burns for half a minute. */
-const LOAD = 12;
 
 /**
  * Does something at the press and along the way of a drag, one place after the other. Only what the press meets is
@@ -48,11 +43,8 @@ function along(hands, from, apart, act) {
 export function ignite(hands, from, pressed) {
   const { fire, editing } = hands;
   return along(hands, from, APART, async (at) => {
-    if (fire.params.model === 'classic') throw new Error('The classic model has no fuels.');
-    const bare = at === from && pressed?.kind === 'solid' && pressed.fuel === 'none' ? pressed : undefined;
-    const fuel = bare && FUELS[bare.material];
-    if (bare && !fuel) throw new Error(`A solid of ${bare.material} has no fuel: draw one of wood, coal or wax.`);
-    if (bare) await editing.history.change(bare.id, { fuel, load: LOAD });
+    needCombustion(fire, 'fuels');
+    if (at === from && pressed?.kind === 'solid') await giveFuel(editing, pressed);
     // A source there may be wet.
     if (!hands.objects().some((one) => one.kind === 'source' && distance(one, at.x, at.y) <= REACH)) needFuel(hands, at, REACH);
     await fire.ignite(at.x, at.y);

@@ -26,6 +26,8 @@ pub enum Command {
     Remove(u32),
     /// Move an object to the end of the list, before all others, or to its beginning.
     Order(u32, bool),
+    /// Act on the fire at an object, by the name of the act: light it, blow at it.
+    Act(&'static str, u32),
     /// Select an object, or none.
     Select(Option<u32>),
     /// Reset all parameters, the model included.

@@ -1,5 +1,5 @@
-//! The objects: buttons to add, duplicate, delete and order, a list to select one, and the properties of
-//! the selected one.
+//! The objects: buttons to add, duplicate, delete and order, and to act on the fire at one, a list to
+//! select one, and the properties of the selected one.
 //!
 //! The properties of the first source are parameters, whose rows stand in their own groups. A
 //! note names these groups, so that no value has two rows.
@@ -29,6 +29,23 @@ const EYE: f32 = 30.0;
 
 /// Maximum height of a line of the list.
 const LINE: f32 = 36.0;
+
+/// What acts on the fire at the selected object: name, label and hint.
+const ACTS: [(&str, &str, &str); 5] = [
+    (
+        "ignite",
+        "Ignite",
+        "Light the selected solid, or a source that water has put out",
+    ),
+    (
+        "extinguish",
+        "Extinguish",
+        "Put out the selected solid: cool it and its flames",
+    ),
+    ("water", "Water", "Spray water on the selected object"),
+    ("sparks", "Sparks", "Throw sparks from the selected object"),
+    ("blow", "Blow", "Blow at the selected object from its left"),
+];
 
 /// Shows the content of the group.
 pub fn show(state: &State, out: &mut Output, ui: &mut Ui) {
@@ -204,7 +221,11 @@ fn buttons(state: &State, out: &mut Output, ui: &mut Ui) {
     ];
     let rest = rest.map(|(label, command, on, hint)| (label.to_owned(), command, on, hint));
     let all: Vec<_> = adds.chain(rest).collect();
-    for line in all.chunks(BUTTONS) {
+    let acts = ACTS.map(|(name, label, hint)| {
+        let command = Command::Act(name, id);
+        (label.to_owned(), command, selected.is_some(), hint)
+    });
+    for line in all.chunks(BUTTONS).chain([&acts[..]]) {
         let rect = strip(ui, state.device.measures.control);
         let words: Vec<&str> = line.iter().map(|(label, ..)| label.as_str()).collect();
         let parts = button::split_by_words(ui, rect, &words, 4.0);

@@ -151,6 +151,11 @@ impl Element {
                 arguments.push(&front.into());
                 "order"
             }
+            Command::Act(name, id) => {
+                arguments.push(&name.into());
+                arguments.push(&id.into());
+                "act"
+            }
             Command::Select(id) => {
                 arguments.push(&id.into());
                 "select"

@@ -271,6 +271,7 @@ fn buttons_send_their_commands() {
     let mut harness = with_objects(Model::Combustion, TALL);
     harness.click("action:duplicate");
     harness.click("action:delete");
+    harness.click("action:ignite");
     assert!(harness.panel.take_commands().is_empty(), "none is selected");
     select(&mut harness, 3);
     for (button, asked) in [
@@ -280,6 +281,11 @@ fn buttons_send_their_commands() {
         ("action:delete", Command::Remove(3)),
         ("action:to:back", Command::Order(3, false)),
         ("action:to:front", Command::Order(3, true)),
+        ("action:ignite", Command::Act("ignite", 3)),
+        ("action:extinguish", Command::Act("extinguish", 3)),
+        ("action:water", Command::Act("water", 3)),
+        ("action:sparks", Command::Act("sparks", 3)),
+        ("action:blow", Command::Act("blow", 3)),
     ] {
         harness.reveal(OBJECTS);
         harness.click(button);

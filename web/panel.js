@@ -207,6 +207,8 @@ export async function mountPanel({ host, fire, page, script, embed, only }) {
     stage.inert = true;
     const target = document.createElement('canvas');
     target.setAttribute('aria-hidden', 'true');
+    // egui smooths edges itself. Four samples a pixel would only cost time and memory; eframe takes this context over.
+    target.getContext('webgl2', { antialias: false, depth: false });
     stage.append(target);
     canvas = target;
     host.prepend(stage);

@@ -24,17 +24,6 @@ for (const lit of ['default', 'classic']) {
   });
 }
 
-test('no scene flashes, or shines through more than it covers', async (t) => {
-  // Each until it fills its height, and then for a few seconds.
-  for (const lit of await painter.ask('presets')) {
-    await t.test(lit, async () => {
-      const { flashes, exceeds, luminous } = await painter.ask('glanced', { lit, burnt: 3 }, 3);
-      assert.ok(flashes.passes && exceeds === 0, JSON.stringify({ flashes, exceeds }));
-      assert.ok(luminous > 0.002, `${luminous} of it is luminous`);
-    });
-  }
-});
-
 test('light that no black body emits is recognised', async () => {
   await painter.ask('watch', { lit: 'default', burnt: 1, values: { palette: 'copper' } });
   const found = await painter.ask('seen', 0.5);

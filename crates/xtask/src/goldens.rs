@@ -15,9 +15,9 @@ use crate::site::{self, Module};
 use crate::stages::browser;
 use crate::{paths, tools};
 
-/// The renderer for tests, in the profile of the other browser tests, so that little of it
-/// is compiled twice.
-const PAINTER: Module = Module::new("hearth-painter", "dev");
+/// The renderer for tests, in the profile of the engine: the tests burn minutes of fire, which takes
+/// twice as long in the profile `dev`.
+const PAINTER: Module = Module::new("hearth-painter", "engine");
 
 /// Draws the pictures whose names begin with one of `names`, or all; with `snapshots` of
 /// fires simulated again.

@@ -91,23 +91,17 @@ pub(crate) fn compile(modules: &[&Module]) -> Result<()> {
     }
     let profile = modules.first().map_or("dev", |module| module.profile);
     cargo = cargo.args(["--profile", profile]);
-    // Tests in wasm share the profile `dev`, and have no such flags.
-    if profile != "dev" {
-        let (name, flags) = tools::portable_paths()?;
-        cargo = cargo.env(name, flags);
-    }
-    Ok(cargo.run()?)
+    let (name, flags) = tools::portable_paths()?;
+    Ok(cargo.env(name, flags).run()?)
 }
 
 /// Makes `name.js` and `name_bg.wasm` of the compiled `module`.
 pub(crate) fn bind(module: &Module, name: &str, into: &Path) -> Result<()> {
-    // The folder of cargo's own profile has another name.
-    let profile = match module.profile {
-        "dev" => "debug",
-        other => other,
-    };
     let file = format!("{}.wasm", module.package.replace('-', "_"));
-    let wasm = tools::target()?.join(tools::WASM).join(profile).join(file);
+    let wasm = tools::target()?
+        .join(tools::WASM)
+        .join(module.profile)
+        .join(file);
     ensure!(
         wasm.is_file(),
         "cargo made no {} of {}",

@@ -17,10 +17,10 @@
 import { EVERY_MS, SPEED, giveFuel, needCombustion, pour } from './effects.js';
 import { sizeOf } from './objects.js';
 
-/** How often a button calls for them. */
+/** How often a press of a button calls for air or water. */
 const CALLS = 12;
 
-/** Where sparks, water and air begin: so far outside the object [m]. */
+/** The distance from the object at which sparks and air begin, and that of water above it [m]. */
 const NEAR = 0.03;
 const ABOVE = 0.15;
 
@@ -83,7 +83,7 @@ function topOf(body) {
   return body.y + sizeOf(body).height / 2;
 }
 
-/** Calls for half a second. @param {() => Promise<void>} call */
+/** Calls {@link CALLS} times within half a second. @param {() => Promise<void>} call */
 async function again(call) {
   for (let at = 0; at < CALLS; at += 1) {
     await call();

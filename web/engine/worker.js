@@ -1,37 +1,66 @@
 /**
  * The engine in a worker, which keeps the main thread free. The worker posts `started` with its
- * version, or `stopped` with the reason, and then takes calls and posts events. It transfers each
- * picture as a bitmap without a copy.
+ * version, or `stopped`, and then takes calls and posts events. It transfers each picture as a
+ * bitmap without a copy.
  */
 
 import { VERSION } from '../generated/version.js';
 import { contextOf, pictureCanvas, runEngine } from './loop.js';
 import init, { Engine } from '../wasm/hearth-engine.js';
 
+/** Time of taking a picture from which the worker is blocked for long [ms]. */
+const LONG_MS = 8;
+
+/** Number of such pictures, one after another, from which they are held. */
+const LONG_PICTURES = 8;
+
 /** @type {ReturnType<typeof runEngine> | undefined} */
 let engine;
+/** What holds pictures. @type {ReturnType<import('./held-pictures.js').holder> | undefined} */
+let holder;
+/** Number of pictures, one after another, that took long. */
+let long = 0;
 
 const canvas = pictureCanvas();
 // Creating the first context of a page takes long, so it starts while the wasm loads.
 if (canvas) contextOf(canvas);
 
+/** @param {object} message */
+const send = (message) => postMessage(message);
+
+/** Takes a picture that was submitted at `start` [ms]. Returns whether it is lost. @type {(fire: number, start: number) => boolean} */
+function take(fire, start) {
+  try {
+    const bitmap = /** @type {OffscreenCanvas} */ (canvas).transferToImageBitmap();
+    long = performance.now() - start > LONG_MS ? long + 1 : 0;
+    postMessage({ type: 'picture', fire, bitmap }, { transfer: [bitmap] });
+    return false;
+  } catch {
+    // The context was lost during the frame; its event follows.
+    return true;
+  }
+}
+
 /** @param {WebAssembly.Module} module */
 async function start(module) {
-  if (!canvas) throw new Error('there is no canvas in a worker');
-  if (typeof requestAnimationFrame !== 'function') throw new Error('there are no frames in a worker');
+  // The page then runs the engine itself, and needs no reason.
+  if (!canvas || typeof requestAnimationFrame !== 'function') throw new Error();
   await init({ module_or_path: module });
   engine = runEngine(Engine, canvas, {
-    post: (message) => postMessage(message),
-    show: (fire) => {
-      try {
-        const bitmap = canvas.transferToImageBitmap();
-        postMessage({ type: 'picture', fire, bitmap }, { transfer: [bitmap] });
+    post: (message) => (holder ? holder.post(message) : send(message)),
+    show(fire, alone) {
+      if (holder && alone && long > 0) {
+        holder.hold(fire);
         return false;
-      } catch {
-        // The context was lost during the frame; its event follows.
-        return true;
       }
+      if (long === LONG_PICTURES) {
+        import('./held-pictures.js').then((held) => {
+          holder ??= held.holder(contextOf(canvas), send, take, () => engine);
+        }, () => {});
+      }
+      return take(fire, performance.now());
     },
+    held: () => holder?.held,
     extend: (part) => init(/** @type {any} */ ({ part })),
     fail: (reason) => postMessage({ type: 'stopped', ...reason }),
   });
@@ -45,6 +74,6 @@ addEventListener('message', ({ data }) => {
   else if (data.part) engine?.add(data);
   else start(data.module).then(
     () => postMessage({ type: 'started', version: VERSION }),
-    (error) => postMessage({ type: 'stopped', why: String(error) }),
+    () => postMessage({ type: 'stopped' }),
   );
 });

@@ -53,7 +53,7 @@ enum Answer {
 impl Engine {
     /// Creates an engine without fires that draws on `canvas` in its WebGL2 `context`, if the
     /// browser gives one. It posts events through `post(event)` and pictures through
-    /// `show(fire)`, which returns whether the picture is already shown. `on_page`: its thread is
+    /// `show(fire, alone)`, which returns whether the picture is already shown. `on_page`: its thread is
     /// the page's own, so it leaves most of it to the page.
     ///
     /// # Errors
@@ -131,6 +131,7 @@ impl Engine {
             return self.needs_frame();
         }
         let fires = self.fires.iter().filter(|f| f.needs_frame()).count();
+        self.canvas.alone.set(fires == 1);
         let mut end = start + budget;
         let mut drawing = 0.0;
         let mut left = fires;

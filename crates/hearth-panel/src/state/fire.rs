@@ -12,7 +12,7 @@ use hearth_core::params::{
 };
 
 pub use crate::state::entry::Entry;
-use crate::state::objects::{Fields, differ, scene_of, text_in, value_in};
+use crate::state::objects::{Fields, differ, text_in, update, value_in};
 pub use crate::state::stats::Stats;
 use crate::state::subject::{Owner, Subject};
 
@@ -116,10 +116,10 @@ impl Fire {
             // A refused value comes from another version of the fire.
             let _ = scene.set(id, input);
         }
-        self.scene_objects = match objects {
-            Some(objects) => scene_of(&scene, objects),
-            None => Scene::new(scene.clone()),
-        };
+        match objects {
+            Some(objects) => update(&mut self.scene_objects, &scene, objects),
+            None => self.scene_objects = Scene::new(scene.clone()),
+        }
         self.scene = scene;
     }
 

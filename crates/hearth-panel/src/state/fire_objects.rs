@@ -5,14 +5,14 @@
 use hearth_core::scene::{Kind, MAX_OBJECTS, Object};
 
 use crate::state::fire::Fire;
-use crate::state::objects::{Fields, has_row, scene_of};
+use crate::state::objects::{Fields, has_row, update};
 use crate::state::subject::Subject;
 
 impl Fire {
     /// Takes the objects that the fire reports.
     pub fn receive_objects(&mut self, objects: &[Fields]) {
         if self.changes == 0 {
-            self.objects = scene_of(&self.parameters, objects);
+            update(&mut self.objects, &self.parameters, objects);
         }
     }
 

@@ -12,19 +12,75 @@ pub const OBJECTS: &str = "Objects";
 /// The name and the value of each field of an object.
 pub type Fields = Vec<(String, Entry)>;
 
-/// A scene with these objects. An object that is refused comes from another version of the fire
-/// and is missing.
-pub fn scene_of(settings: &Parameters, objects: &[Fields]) -> Scene {
-    let mut scene = Scene::new(settings.clone());
-    scene.clear();
-    for fields in objects {
-        let fields: Vec<(&str, Input<'_>)> = fields
+/// Gives a scene these settings and objects. An object that is refused comes from another version of
+/// the fire and is missing. Of objects that the scene has, only what differs is set, because the
+/// distance from an outline takes milliseconds to sample.
+pub fn update(scene: &mut Scene, settings: &Parameters, objects: &[Fields]) {
+    let wanted: Vec<_> = objects.iter().map(identity).collect();
+    let is_wanted = |one: &Object<'_>| objects.iter().any(|fields| describes(fields, *one));
+    let kept = scene.objects().filter(is_wanted);
+    let mut kept: Vec<_> = kept.map(|one| (one.id, one.kind.name)).collect();
+    // Objects of a scene are in the order in which they were added.
+    if settings.model() != scene.settings().model() || !wanted.starts_with(&kept) {
+        kept.clear();
+    }
+    let all: Vec<u32> = scene.objects().map(|one| one.id).collect();
+    for id in all {
+        if !kept.iter().any(|(known, _)| *known == id) {
+            let _ = scene.remove(id);
+        }
+    }
+    scene.set_settings(settings.clone());
+    for (index, (fields, (id, _))) in objects.iter().zip(wanted).enumerate() {
+        let object = match index < kept.len() {
+            true => scene.objects().find(|one| one.id == id),
+            false => None,
+        };
+        let given: Vec<(&str, Input<'_>)> = fields
             .iter()
+            .filter(|field| !object.is_some_and(|object| has(object, field)))
             .map(|(name, entry)| (name.as_str(), entry.input()))
             .collect();
-        let _ = scene.add(&fields);
+        if object.is_none() {
+            let _ = scene.add(&given);
+        } else if !given.is_empty() && scene.change(id, &given).is_err() {
+            let _ = scene.remove(id);
+        }
     }
-    scene
+}
+
+/// The id and the kind of an object.
+fn identity(fields: &Fields) -> (u32, &str) {
+    let (mut id, mut kind) = (0, "");
+    for (name, entry) in fields {
+        match (name.as_str(), entry) {
+            ("id", Entry::Number(number)) => id = *number as u32,
+            ("kind", Entry::Text(text)) => kind = text,
+            _ => {}
+        }
+    }
+    (id, kind)
+}
+
+/// Whether these are the fields of an object, all of its properties among them.
+fn describes(fields: &Fields, object: Object<'_>) -> bool {
+    let is_given = |name: &str| fields.iter().any(|(known, _)| known == name);
+    identity(fields) == (object.id, object.kind.name)
+        && object.properties().all(|(name, ..)| is_given(name))
+}
+
+/// Whether an object of the same identity has the value of a field.
+fn has(object: Object<'_>, (name, entry): &(String, Entry)) -> bool {
+    if matches!(name.as_str(), "id" | "kind") {
+        return true;
+    }
+    let mut values = object.properties();
+    let value = values.find(|(known, ..)| known == name);
+    value.is_some_and(|(.., value)| match entry {
+        Entry::Number(number) => value.as_number() == Some(*number),
+        Entry::Flag(on) => value == AnyValue::Flag(*on),
+        Entry::Text(text) => value.to_string() == *text,
+    })
 }
 
 /// Whether a property has a row in `model`.

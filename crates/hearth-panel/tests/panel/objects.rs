@@ -1,9 +1,9 @@
 //! The objects: the list, the buttons, the rows of the selected one, and the search.
 
 use egui::{Event, Key};
-use hearth_core::params::{Kind as ValueKind, Model, Value};
-use hearth_core::scene::KINDS;
-use hearth_panel::state::fire::Entry;
+use hearth_core::params::{AnyValue, Input, Kind as ValueKind, Model, Parameters, Value};
+use hearth_core::scene::{KINDS, Object, Scene};
+use hearth_panel::state::fire::{Entry, Fire};
 use hearth_panel::state::objects::has_row;
 use hearth_panel::state::{Command, Fields, OBJECTS, SEARCH, Subject};
 
@@ -373,4 +373,87 @@ fn an_older_list_does_not_move_a_dragged_slider() {
     assert!(fire.answered_change());
     fire.receive_objects(&old);
     assert_eq!(fire.value(place), Value::Number(0.0));
+}
+
+/// The fields of all objects of a scene, as a fire reports them.
+fn report(scene: &Scene) -> Vec<Fields> {
+    let fields = |object: Object<'_>| {
+        let mut fields = vec![
+            text("kind", object.kind.name),
+            number("id", object.id.into()),
+        ];
+        for (name, _, value) in object.properties() {
+            let entry = match (value.as_number(), value) {
+                (Some(value), _) => Entry::Number(value),
+                (None, AnyValue::Flag(on)) => Entry::Flag(on),
+                (None, value) => Entry::Text(value.to_string()),
+            };
+            fields.push((name.to_owned(), entry));
+        }
+        fields
+    };
+    scene.objects().map(fields).collect()
+}
+
+#[test]
+fn each_report_of_objects_gives_the_scene_that_it_describes() {
+    let add = |scene: &mut Scene, fields: &[Fields]| {
+        for fields in fields {
+            let fields: Vec<_> = fields
+                .iter()
+                .map(|(name, entry)| (name.as_str(), entry.input()))
+                .collect();
+            assert!(scene.add(&fields).is_ok());
+        }
+    };
+    let change = |scene: &mut Scene, id, name, value| {
+        assert!(scene.change(id, &[(name, Input::Number(value))]).is_ok());
+    };
+    for model in models() {
+        let mut fire = Fire::default();
+        let mut told = Scene::new(Parameters::new(model));
+        let mut tell = |what: &str, act: &mut dyn FnMut(&mut Scene)| {
+            act(&mut told);
+            fire.parameters = told.settings().clone();
+            fire.receive_objects(&report(&told));
+            assert_eq!(fire.objects, told, "{what}");
+        };
+        let stroke = |id| {
+            let mut fields = solid(id, "stroke", "stone");
+            fields.push(text("points", "-0.1,0 0,0.1 0.1,0"));
+            fields
+        };
+        tell("objects", &mut |scene| {
+            add(
+                scene,
+                &[source(2), stroke(3), stroke(4), solid(5, "box", "none")],
+            )
+        });
+        tell("another stroke", &mut |scene| add(scene, &[stroke(6)]));
+        tell("a place", &mut |scene| change(scene, 4, "x", 0.3));
+        tell("a thicker stroke", &mut |scene| {
+            change(scene, 4, "height", 0.02)
+        });
+        tell("a wider source", &mut |scene| {
+            change(scene, 2, "width", 0.2)
+        });
+        tell("a wider first source", &mut |scene| {
+            change(scene, 1, "width", 0.3)
+        });
+        tell("one less", &mut |scene| assert!(scene.remove(3).is_ok()));
+        tell("another first source", &mut |scene| {
+            assert!(scene.remove(1).is_ok())
+        });
+        tell("another order", &mut |scene| {
+            let mut all = report(scene);
+            all.reverse();
+            scene.clear();
+            add(scene, &all);
+        });
+        tell("another kind of the same id", &mut |scene| {
+            assert!(scene.remove(6).is_ok());
+            add(scene, &[source(6)]);
+        });
+        tell("nothing", &mut Scene::clear);
+    }
 }

@@ -37,16 +37,17 @@ export function holder(gl, post, take, engine) {
       gl.flush();
       held = true;
       const check = () => {
-        // A lost context has no fences, and those that it had never expire.
-        if (fence && gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) {
+        const lost = gl.isContextLost();
+        if (!lost && fence && gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) {
           setTimeout(check, CHECK_MS);
           return;
         }
         gl.deleteSync(fence);
         held = false;
-        const lost = take(fire, start);
+        // A lost context has an empty picture, which would replace the last one.
+        const gone = lost || take(fire, start);
         messages.splice(0).forEach(post);
-        if (lost) engine()?.shown(fire);
+        if (gone) engine()?.shown(fire);
         engine()?.resume();
       };
       setTimeout(check, CHECK_MS);

@@ -73,7 +73,7 @@ fn measure(yardstick: Option<&Path>) -> Result<()> {
     }
     baselines()?;
     site::build()?;
-    site::compile(&[&SCENES])?;
+    site::compile(&SCENES, &[])?;
     let target = tools::target()?;
     let folder = target.join("hearth-bench");
     site::bind(&SCENES, "hearth_benches", &folder)?;

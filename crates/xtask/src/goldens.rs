@@ -45,7 +45,7 @@ pub(crate) fn run_script(name: &str, arguments: impl Iterator<Item = PathBuf>) -
     let chromium = tools::chromium()?;
     browser::packages()?;
     tools::wasm_target()?;
-    site::compile(&[&PAINTER])?;
+    site::compile(&PAINTER, &[])?;
     let folder = tools::target()?.join("hearth-look");
     let painter = folder.join("painter");
     site::bind(&PAINTER, "painter", &painter)?;

@@ -41,8 +41,8 @@ pub(crate) fn build() -> Result<()> {
     // Each build ends in one long link on one core, and profiles share no folder: so both
     // profiles are built at once.
     thread::scope(|scope| {
-        let panel = scope.spawn(|| compile(&[&PANEL]));
-        let others = compile(&[&ENGINE, &SIM]);
+        let panel = scope.spawn(|| compile(&PANEL, &[]));
+        let others = compile(&ENGINE, &[&SIM]);
         let panel = panel.join();
         others.and(panel.unwrap_or_else(|_| Err(anyhow!("the build of the panel panicked"))))
     })?;
@@ -81,16 +81,15 @@ pub(crate) fn build() -> Result<()> {
     Ok(())
 }
 
-/// Compiles modules of one profile to wasm.
-pub(crate) fn compile(modules: &[&Module]) -> Result<()> {
+/// Compiles modules to wasm, in the profile of the first.
+pub(crate) fn compile(first: &Module, others: &[&Module]) -> Result<()> {
     let sh = Shell::new()?;
-    let wasm = tools::WASM;
-    let mut cargo = cmd!(sh, "cargo build --lib --target {wasm}");
-    for module in modules {
-        cargo = cargo.arg("--package").arg(module.package);
-    }
-    let profile = modules.first().map_or("dev", |module| module.profile);
-    cargo = cargo.args(["--profile", profile]);
+    let (wasm, package, profile) = (tools::WASM, first.package, first.profile);
+    let others = others.iter().flat_map(|other| ["--package", other.package]);
+    let cargo = cmd!(
+        sh,
+        "cargo build --lib --target {wasm} --profile {profile} --package {package} {others...}"
+    );
     let (name, flags) = tools::portable_paths()?;
     Ok(cargo.env(name, flags).run()?)
 }

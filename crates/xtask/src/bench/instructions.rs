@@ -14,10 +14,8 @@ use crate::tools;
 /// The cases of `benches/examples/counted.rs`.
 const CASES: [&str; 4] = ["classic block", "classic plume", "combustion", "bodies"];
 
-/// The share of growth that fails, and of decrease that should be recorded.
+/// Growth that fails and decrease that should be recorded: with the recorded compiler, and another.
 const TOLERANCE: f64 = 0.03;
-
-/// The same with another compiler than the one of the recorded counts.
 const OTHER_COMPILER: f64 = 0.10;
 
 /// The target of the recorded counts.

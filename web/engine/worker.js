@@ -16,7 +16,7 @@ const LONG_PICTURES = 8;
 
 /** @type {ReturnType<typeof runEngine> | undefined} */
 let engine;
-/** What holds pictures. @type {ReturnType<import('./held-pictures.js').holder> | undefined} */
+/** What holds pictures. @type {ReturnType<typeof import('./held-pictures.js').holder> | undefined} */
 let holder;
 /** Number of pictures, one after another, that took long. */
 let long = 0;
@@ -55,7 +55,7 @@ async function start(module) {
       }
       if (long === LONG_PICTURES) {
         import('./held-pictures.js').then((held) => {
-          holder ??= held.holder(contextOf(canvas), send, take, () => engine);
+          holder ??= held.holder(/** @type {WebGL2RenderingContext} */ (contextOf(canvas)), send, take, () => engine);
         }, () => {});
       }
       return take(fire, performance.now());

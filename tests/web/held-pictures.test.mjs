@@ -12,12 +12,13 @@ beforeEach(() => mock.timers.enable({ apis: ['setTimeout'] }));
 afterEach(() => mock.timers.reset());
 
 /** A canvas whose commands take until `draw`, with what happens in order. */
-function canvas() {
+function canvas(timer = true) {
   /** @type {unknown[]} */
   const events = [];
   let [drawn, lost] = [false, false];
   const gl = {
     TIMEOUT_EXPIRED: EXPIRED,
+    getExtension: () => (timer ? {} : null),
     fenceSync: () => (lost ? null : {}),
     isContextLost: () => lost,
     flush: () => {},
@@ -34,7 +35,9 @@ function canvas() {
   };
   return {
     events,
-    holder: holder(/** @type {any} */ (gl), (message) => events.push(message), take, () => /** @type {any} */ (engine)),
+    holder: /** @type {NonNullable<ReturnType<typeof holder>>} */ (
+      holder(/** @type {any} */ (gl), (message) => events.push(message), take, () => /** @type {any} */ (engine))
+    ),
     draw: () => (drawn = true),
     lose: () => (lost = true),
   };
@@ -69,3 +72,7 @@ for (const [when, before] of /** @type {const} */ ([['before', true], ['while', 
     assert.equal(pictures.held, false);
   });
 }
+
+test('without a timer no picture is held, because the quality follows the time of drawing', () => {
+  assert.equal(canvas(false).holder, undefined);
+});

@@ -6,8 +6,11 @@
 /** Interval between two checks whether a picture is drawn [ms]. */
 const CHECK_MS = 2;
 
+/** The extension by which the engine knows how long drawing takes where the worker does not wait for it. */
+const TIMER = 'EXT_disjoint_timer_query_webgl2';
+
 /**
- * Holds pictures.
+ * Holds pictures; `undefined` without a timer of the graphics, because the quality follows the time of drawing.
  * @param {WebGL2RenderingContext} gl the context of the canvas
  * @param {(message: object) => void} post
  * @param {(fire: number, start: number) => boolean} take takes a picture that was submitted at `start` [ms]. Returns
@@ -15,6 +18,7 @@ const CHECK_MS = 2;
  * @param {() => {shown: (fire: number) => void, resume: () => void} | undefined} engine
  */
 export function holder(gl, post, take, engine) {
+  if (!gl.getExtension(TIMER)) return undefined;
   /** Whether there is a picture. */
   let held = false;
   /** Messages that follow it. @type {object[]} */

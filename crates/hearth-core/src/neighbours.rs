@@ -88,6 +88,12 @@ impl Sweep {
         self.begin as usize..self.end as usize
     }
 
+    /// The neighbours of each particle in later lanes of the same block.
+    #[inline(always)]
+    fn inner_entries(&self) -> impl Iterator<Item = Entry> {
+        (0..LANES).map(|lane| Entry::new(lane, self.block as usize, self.inner[lane].into()))
+    }
+
     /// The lanes whose neighbour is the next lane of the block, and those whose neighbour is the
     /// opposite one, as bit masks.
     #[inline(always)]
@@ -354,9 +360,7 @@ impl Neighbours {
                 others.resize(LANES * room, 0);
             }
             let mut counts = [0; LANES];
-            let inner = (0..LANES)
-                .map(|lane| Entry::new(lane, sweep.block as usize, sweep.inner[lane].into()));
-            for entry in inner.chain(list.iter().copied()) {
+            for entry in sweep.inner_entries().chain(list.iter().copied()) {
                 let (lanes, members) = MEMBERS[entry.mask()];
                 let base = (entry.number() * LANES) as u32;
                 let start = entry.lane() * room + counts[entry.lane()];
@@ -384,18 +388,24 @@ impl Neighbours {
     /// Mean and maximum number of neighbours of a particle in the last search. It counts them
     /// again.
     pub fn mean_and_max(&self) -> (f32, u32) {
-        let padding = LANES * self.blocks;
-        let mut counts = vec![0_u32; padding + 1];
-        self.each(&mut Vec::new(), |one, _, others| {
-            for &other in others {
-                counts[one] += u32::from(other as usize != padding);
-                counts[other as usize] += 1;
+        let (mut sum, mut most) = (0_u32, 0);
+        let mut counts = vec![0; LANES * self.blocks];
+        let mut count = |particle: usize| {
+            counts[particle] += 1;
+            most = most.max(counts[particle]);
+            sum += 1;
+        };
+        for sweep in &self.sweeps {
+            let list = &self.entries[sweep.range()];
+            for entry in sweep.inner_entries().chain(list.iter().copied()) {
+                let (lanes, members) = MEMBERS[entry.mask()];
+                for &lane in &lanes[..members] {
+                    count(sweep.block as usize * LANES + entry.lane());
+                    count(entry.number() * LANES + lane as usize);
+                }
             }
-        });
-        let counts = &counts[..padding];
-        let sum: u32 = counts.iter().sum();
-        let mean = sum as f32 / self.particles.max(1) as f32;
-        (mean, counts.iter().copied().max().unwrap_or(0))
+        }
+        (sum as f32 / self.particles.max(1) as f32, most)
     }
 }
 

@@ -213,7 +213,7 @@ impl Combustion {
         }
     }
 
-    /// The max_stable_step step that all three limits allow.
+    /// The longest step that all three limits allow.
     fn max_stable_step(&self, common: &Common, rates: &[Rates]) -> f64 {
         let (p, h, sound) = (common.p, common.kernel.h, common.sound);
         let speeds = self.particles.iter().map(|q| q.velocity.value.length());
@@ -224,7 +224,9 @@ impl Combustion {
             f64::from(p.kinematic_viscosity) + f64::from(p.artificial_viscosity) * h * sound / 8.0;
         let eddies = f64::from(p.eddy_viscosity).powi(2) * h * speed;
         let diffusivity = viscosity.max(p.diffusion.into()) + eddies;
-        (0.5 * h / (sound + speed))
+        let rooms = self.particles.iter().map(|q| expansion(p, q.temperature()));
+        let fastest_sound = sound * rooms.fold(1.65, f64::max).sqrt();
+        (0.9 * h / (fastest_sound + speed))
             .min(0.25 * (h / hardest.max(1e-6)).sqrt())
             .min(0.125 * h * h / diffusivity.max(1e-9))
             .min(LONGEST)
@@ -398,16 +400,16 @@ impl Combustion {
         }
     }
 
-    /// Motion, and the shift −min(8 h u dt, 0.375 h²) ∇C, at most 0.375 h.
+    /// Motion, and the shift −min(8 h u dt, 0.55 h²) ∇C, at most 0.55 h.
     fn advance(&mut self, common: &Common, rates: &[Rates], max_speed: f64, dt: f64) {
         let h = common.kernel.h;
         let strength = 8.0 * f64::from(common.p.shifting) * h * max_speed * dt;
-        let shift = strength.min(0.375 * h * h);
+        let shift = strength.min(0.55 * h * h);
         for (particle, rates) in self.particles.iter_mut().zip(rates) {
             let mut displacement = rates.concentration_gradient.times(-shift);
             let far = displacement.value.length();
-            if far > 0.375 * h {
-                displacement = displacement.times(0.375 * h / far);
+            if far > 0.55 * h {
+                displacement = displacement.times(0.55 * h / far);
             }
             let position = &mut particle.position;
             position.add_sum(particle.velocity.times(dt));

@@ -26,11 +26,6 @@ pub const NOT_REACHED: &[NotReached] = &[
                  the source. From above, 0.2 % comes back; with twice the air above the view, 4.2 % \
                  comes back in all.",
     },
-    NotReached {
-        row: "settings-light-gas",
-        reason: "Gas that expands in full pumps the air of its closed domain: beside the flame it \
-                 rises at 0.7 m/s, in open air at 0.14 m/s, and a flame in rising air is shorter.",
-    },
 ];
 
 /// What is known of the row of that id.

@@ -80,7 +80,8 @@ fn a_heap_of_burning_bodies_stays_finite_and_without_gas_inside() {
         assert_eq!(gas_in_what_is_left(&mut fire), None, "{} s", fire.time());
         for one in fire.free_solids() {
             assert!(one.place.is_finite() && one.velocity.is_finite() && one.spin.is_finite());
-            assert!(one.place.y > -0.05, "{one:?}");
+            // The place of a body may be beyond what is left of it.
+            assert!(one.centre.y > -0.05, "{one:?}");
         }
     }
     // Some of it has burnt.

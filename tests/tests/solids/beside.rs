@@ -77,7 +77,8 @@ fn a_source_keeps_its_power_beside_outlines() {
         let power = |scene: &Scene| {
             let mut fire = Simulation::new(scene.clone());
             burn(&mut fire, 1.5);
-            burn(&mut fire, 2.5)
+            // Eddies of a second change the power by a tenth.
+            burn(&mut fire, 5.0)
         };
         let bare = power(&scene);
         add_outline(&mut scene, 0, &[("x", -0.4), ("y", 0.35)]);
@@ -166,32 +167,35 @@ fn gas_on_one_side_of_a_thin_plate_does_not_feel_the_other_side() {
 
 #[test]
 fn gas_in_a_closed_ring_does_not_feel_the_gas_around_it() {
-    let mut scene = scene(&[], &[CALM, &[("max_particles", 3000.0)]].concat());
-    let id = add(&mut scene, "stroke", &[("y", 0.9), ("height", 0.01)]);
-    let ring = "-0.3,-0.3 0.3,-0.3 0.3,0.3 -0.3,0.3 -0.3,-0.3";
-    assert_eq!(scene.change(id, &[("points", Input::Text(ring))]), Ok(()));
-    let mut fire = Simulation::new(scene);
-    burn(&mut fire, 0.5);
-    let inside = |at: Vec2| at.x.abs() < 0.3 && (at.y - 0.9).abs() < 0.3;
-    let moving = fire.particles().into_iter().map(|one| Particle {
-        velocity: if inside(one.position) {
-            Vec2::ZERO
-        } else {
-            Vec2::new(0.5, 0.0)
-        },
-        temperature: if inside(one.position) {
-            800.0
-        } else {
-            one.temperature
-        },
-        ..one
-    });
-    assert_eq!(fire.set_particles(&moving.collect::<Vec<_>>()), Ok(()));
-    burn(&mut fire, 0.3);
-    let all = fire.positions().into_iter().zip(fire.temperatures());
-    let hottest = all
-        .filter(|one| !inside(one.0))
-        .map(|one| one.1)
-        .fold(0.0, f32::max);
-    assert!(hottest < 320.0, "{hottest} K outside");
+    // A step of the gas is longer than the thinner wall.
+    for thickness in [0.01, 0.003] {
+        let mut scene = scene(&[], &[CALM, &[("max_particles", 3000.0)]].concat());
+        let id = add(&mut scene, "stroke", &[("y", 0.9), ("height", thickness)]);
+        let ring = "-0.3,-0.3 0.3,-0.3 0.3,0.3 -0.3,0.3 -0.3,-0.3";
+        assert_eq!(scene.change(id, &[("points", Input::Text(ring))]), Ok(()));
+        let mut fire = Simulation::new(scene);
+        burn(&mut fire, 0.5);
+        let inside = |at: Vec2| at.x.abs() < 0.3 && (at.y - 0.9).abs() < 0.3;
+        let moving = fire.particles().into_iter().map(|one| Particle {
+            velocity: if inside(one.position) {
+                Vec2::ZERO
+            } else {
+                Vec2::new(0.5, 0.0)
+            },
+            temperature: if inside(one.position) {
+                800.0
+            } else {
+                one.temperature
+            },
+            ..one
+        });
+        assert_eq!(fire.set_particles(&moving.collect::<Vec<_>>()), Ok(()));
+        burn(&mut fire, 0.3);
+        let all = fire.positions().into_iter().zip(fire.temperatures());
+        let hottest = all
+            .filter(|one| !inside(one.0))
+            .map(|one| one.1)
+            .fold(0.0, f32::max);
+        assert!(hottest < 320.0, "{hottest} K outside of {thickness} m");
+    }
 }

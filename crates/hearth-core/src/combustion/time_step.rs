@@ -6,8 +6,6 @@
 //! particles that only follow the flow line up along it and leave gaps, and the resulting noise
 //! dissipates vortices. A shift transports no momentum.
 
-use glam::Vec2;
-
 use super::gas::Gas;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::Physics;
@@ -18,13 +16,16 @@ use crate::time_step::Stability;
 const SHIFT: f32 = 8.0;
 /// Largest strength in a step, in h². Shifting is a diffusion of particles, which overshoots
 /// beyond a limit, measured as 0.6.
-const MAX_SHIFT: f32 = 0.375;
+const MAX_SHIFT: f32 = 0.55;
 /// Largest shift of a particle in a step, in h.
-const MAX_DISPLACEMENT: f32 = 0.375;
+const MAX_DISPLACEMENT: f32 = 0.55;
 /// The speed limit, relative to the speed of sound.
 const SPEED_LIMIT: f32 = 1.5;
-/// Courant number. Noise in gas at rest decays with 0.8 too, whether cold or at 3700 K.
-const COURANT: f32 = 0.5;
+/// Courant number for the sound of the hottest gas. Noise in gas at rest decays with 1.05 too, whether cold or at 3700 K.
+const COURANT: f32 = 0.9;
+/// Air takes the steps of gas with this expansion. In steps that are a quarter longer, the wake of a disc
+/// oscillates with 0.22 u/d for 0.17.
+const LEAST_EXPANSION: f32 = 1.65;
 /// Longest step \[s\].
 const MAX_STEP: f32 = 1.0 / 60.0;
 
@@ -51,15 +52,23 @@ pub(crate) struct Motion {
     pub speed_limited: u32,
 }
 
-/// The longest stable step \[s\] for the accelerations of the gas.
-// Inlined into both of its callers, it costs half a kilobyte of download.
+/// The longest stable step \[s\] for the accelerations of the gas. `sound` is its speed in the air: in gas that takes θ times the
+/// room of air, sound is √θ times as fast, because p = c₀² (Y − Ȳ) and ρ = Y/θ.
+// Inlined, it costs 170 bytes of download.
 #[inline(never)]
 pub(crate) fn max_stable_step(gas: &Gas, values: &Physics, h: f32, sound: f32) -> f32 {
-    let largest = |vectors: &[Vec2]| {
-        let squares = vectors.iter().map(|v| v.length_squared());
-        squares.fold(0.0, fast_max).sqrt()
-    };
-    let (speed, acceleration) = (largest(&gas.velocity), largest(&gas.acceleration));
+    let (mut speed, mut acceleration, mut expansion) = (0.0, 0.0, LEAST_EXPANSION);
+    for ((v, a), &theta) in gas
+        .velocity
+        .iter()
+        .zip(&gas.acceleration)
+        .zip(&gas.expansion)
+    {
+        speed = fast_max(speed, v.length_squared());
+        acceleration = fast_max(acceleration, a.length_squared());
+        expansion = fast_max(expansion, theta);
+    }
+    let (speed, acceleration) = (speed.sqrt(), acceleration.sqrt());
     let eddy = values.eddy_viscosity * values.eddy_viscosity * h * speed;
     let viscosity = values.kinematic_viscosity + values.artificial_viscosity * h * sound / 8.0;
     let diffusivity = viscosity.max(values.diffusion) + eddy;
@@ -67,13 +76,18 @@ pub(crate) fn max_stable_step(gas: &Gas, values: &Physics, h: f32, sound: f32) -
     let stability = Stability {
         courant: COURANT,
         h,
-        sound,
+        sound: sound * expansion.sqrt(),
         speed,
         acceleration,
         viscosity: diffusivity,
         density: 1.0,
     };
     stability.longest_step().min(MAX_STEP)
+}
+
+/// The longest stable step \[s\] of air at rest.
+pub(crate) fn step_at_rest(h: f32, sound: f32) -> f32 {
+    fast_min(COURANT * h / (sound * LEAST_EXPANSION.sqrt()), MAX_STEP)
 }
 
 /// Accelerates every particle.
@@ -99,16 +113,21 @@ pub(crate) fn advance(gas: &mut Gas, shifting: f32, h: f32, max_speed: f32, dt: 
     let max_displacement = MAX_DISPLACEMENT * h;
     let mut clamped = 0;
     for i in 0..gas.len() {
-        let displacement = gas.concentration_gradient[i] * -shift;
-        clamped += u32::from(displacement.length_squared() > max_displacement * max_displacement);
-        let displacement = displacement.clamp_length_max(max_displacement);
-        gas.position[i] = gas.position[i] + gas.velocity[i] * dt + displacement;
+        let mut displacement = gas.concentration_gradient[i] * -shift;
+        let length = displacement.length();
+        if length > max_displacement {
+            displacement *= max_displacement / length;
+            clamped += 1;
+        }
+        gas.position[i] += gas.velocity[i] * dt + displacement;
     }
     clamped
 }
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec2;
+
     use super::*;
     use crate::combustion::gas::tests::{random_gas, with};
     use crate::params::Parameters;
@@ -138,6 +157,24 @@ mod tests {
             assert!(dt <= 0.25 * (h / force.max(1e-6)).sqrt());
             assert!(dt <= 0.125 * h * h / (viscosity as f32).max(1e-9));
         }
+    }
+
+    #[test]
+    fn the_hottest_gas_shortens_the_step_by_its_speed_of_sound() {
+        let parameters = with(&[]);
+        let mut gas = random_gas(&parameters, 1);
+        gas.velocity.fill(Vec2::ZERO);
+        gas.acceleration.fill(Vec2::ZERO);
+        let (h, sound) = (parameters.smoothing_length(), sound(&parameters));
+        let mut step = |hottest: f32| {
+            gas.expansion.fill(1.0);
+            gas.expansion[7] = hottest;
+            max_stable_step(&gas, &parameters, h, sound)
+        };
+        let hot = step(2.0);
+        assert!((step(8.0) / hot - 0.5).abs() < 1e-6);
+        assert_eq!(step(0.5), step_at_rest(h, sound));
+        assert!(step(0.5) > hot);
     }
 
     #[test]

@@ -34,6 +34,8 @@ use crate::solids::Solids;
 pub(super) const MIN_DISTANCE: f32 = 0.15;
 /// Smallest distance over which a velocity is continued linearly, in smoothing lengths.
 const MIN_LINEAR: f32 = 0.3;
+/// Cosine between the normals before and after a step, below which a particle may have passed through a solid.
+const TURNED: f32 = 0.5;
 /// The floor, in place of the index of a solid.
 const FLOOR: u32 = u32::MAX;
 /// The end of a list.
@@ -277,10 +279,15 @@ impl Near {
             }
             return inside;
         };
-        let (distance, normal) = body.surface.distance(position);
+        let (mut distance, mut normal) = body.surface.distance(position);
         // With a tolerance for rounding, so that a particle at the gap is not held again.
-        let inside = distance < 0.9 * gap;
-        if distance < gap {
+        let mut inside = distance < 0.9 * gap;
+        // A step may be longer than a solid is thick: the particle stays on its side.
+        if normal.dot(self.normal) < TURNED && body.is_between(self.from, position) {
+            gas.position[i] = self.from;
+            (distance, normal, inside) = (gap, self.normal, true);
+        }
+        if distance <= gap {
             gas.position[i] += normal * (gap - distance);
             let wall = body.velocity_at(position);
             let inward = fast_min((gas.velocity[i] - wall).dot(normal), 0.0);

@@ -114,17 +114,17 @@ fn write_places(f: &mut fmt::Formatter<'_>, whole: u64, places: u32) -> fmt::Res
 
 /// Four digits and a power of ten.
 fn write_far(f: &mut fmt::Formatter<'_>, size: f64) -> fmt::Result {
-    let (mut mantissa, mut exponent) = (size, 0);
+    let (mut mantissa, mut sign, mut exponent) = (size, "", 0_u64);
     while mantissa >= 10.0 {
         mantissa /= 10.0;
         exponent += 1;
     }
     while mantissa < 1.0 {
         mantissa *= 10.0;
-        exponent -= 1;
+        (sign, exponent) = ("-", exponent + 1);
     }
     write_places(f, (mantissa * 1e3).round() as u64, 3)?;
-    write!(f, "e{exponent}")
+    write!(f, "e{sign}{exponent}")
 }
 
 #[cfg(test)]

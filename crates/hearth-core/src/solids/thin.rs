@@ -20,7 +20,7 @@ impl Body {
     }
 
     /// Whether the line between two positions crosses it.
-    fn is_between(&self, one: Vec2, other: Vec2) -> bool {
+    pub fn is_between(&self, one: Vec2, other: Vec2) -> bool {
         let other = other.to_array().map(Lanes::splat);
         self.surface.lines_from(one).crossed(other, 1) != 0
     }

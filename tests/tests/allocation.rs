@@ -50,7 +50,7 @@ fn allocations(scene: Scene, steps: u32) -> (usize, usize) {
             fire.write_embers(&mut embers);
         }
     };
-    // Twice as long as then: lists grow to the longest that there was.
+    // The warm-up takes twice the measured time: a list keeps the greatest length that it had.
     burn();
     burn();
     let warm = ALLOCATIONS.get();
@@ -108,7 +108,7 @@ fn a_warm_spray_allocates_nothing() {
             fire.write_embers(&mut embers);
         }
     };
-    // Twice as long as then: lists grow to the longest that there was.
+    // The warm-up takes twice the measured time: a list keeps the greatest length that it had.
     burn();
     burn();
     let warm = ALLOCATIONS.get();

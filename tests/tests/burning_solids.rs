@@ -47,7 +47,7 @@ fn burning(fire: &Simulation) -> (Vec2, f32) {
     (hot.iter().sum::<Vec2>() / hot.len() as f32, lowest)
 }
 
-/// Its mean over a second: the foot of a flame wanders by its width.
+/// The means of [`burning`] over a second: the foot of a flame wanders by the width of its solid.
 fn mean_of_burning(fire: &mut Simulation) -> (Vec2, f32) {
     const INSTANTS: u8 = 20;
     let (mut middle, mut lowest) = (Vec2::ZERO, 0.0);

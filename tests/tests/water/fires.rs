@@ -39,13 +39,14 @@ fn water_that_strikes_wood_is_in_its_cells_and_its_heat_is_counted() {
 #[test]
 fn wood_that_is_sprayed_enough_goes_out_and_stays_out_and_sprayed_little_burns_on() {
     let jet = [Vec2::new(0.0, 0.75), Vec2::new(0.0, -3.0)];
-    let left = [0.0, 0.004, 0.25].map(|rate| {
+    // The last cells of a wet log cool for up to four seconds.
+    let left = [(0.0, 3.0), (0.004, 3.0), (0.25, 6.0)].map(|(rate, after)| {
         let mut fire = log(&[]);
         assert_eq!(fire.ignite(Where::Object(ID)), Ok(()));
         burn_on(&mut fire, 2.0);
         assert_eq!(fire.burning_solids()[0].state, BurningState::Burning);
         spray(&mut fire, jet, (rate, 2.0), |_| ());
-        burn_on(&mut fire, 3.0);
+        burn_on(&mut fire, after);
         (
             fire.burning_solids()[0].state,
             fire.burning_solids()[0].fuel,

@@ -27,8 +27,8 @@ use rim::Rim;
 
 /// How far gas is simulated beyond the frame and what is seen, in heights of the frame and in
 /// cells, so that its end is not visible. Below its upper end, slow eddies linger.
-const MARGIN: f32 = 0.15;
-const MARGIN_ABOVE: f32 = 0.3;
+const MARGIN: f32 = 0.1;
+const MARGIN_ABOVE: f32 = 0.2;
 const MIN_MARGIN: f32 = 2.0;
 /// How far gas is simulated at most beyond the frame, in heights of the frame.
 const MAX_BEYOND: f32 = 4.0;
@@ -258,6 +258,7 @@ pub(super) fn layout(values: &Physics, seen: Option<Seen>, spacing: f32) -> Layo
 }
 
 /// The rectangle around a source whose cells are awake.
+#[inline(never)]
 fn awake_at(source: &Parameters, solids: &Solids) -> Rectangle {
     let burner = Burner::of(source);
     let [low, high] = match solids.parts(source) {

@@ -23,8 +23,8 @@ pub const NOT_REACHED: &[NotReached] = &[
     NotReached {
         row: "soot-enters-tall",
         reason: "The plume sways over the sides of a view that is 1.2 m wide and ends 2.3 m above \
-                 the source. From above, 0.2 % comes back; with twice the air above the view, 4.2 % \
-                 comes back in all.",
+                 the source. From above, 0.2 % comes back; in all, 4 to 6 %, with once, one and a \
+                 half and three times the air above the view.",
     },
 ];
 

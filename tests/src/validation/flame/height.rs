@@ -8,11 +8,11 @@ use crate::validation::{Expected, Outcome, Row};
 
 /// Flame height over power, L50 = 0.035 Q'^⅔ for a line fire. Fires of similar shape, source
 /// and spacing, relative to their characteristic length, have similar flames; at one spacing,
-/// the weaker fire is the coarser one.
+/// the weaker fire is the coarser one, and has at least eight particles across that length.
 pub(super) fn flame_height() -> Outcome {
     /// Height and characteristic length over spacing of a flame of `power` [kW/m], with that
     /// spacing \[m\].
-    fn flame(power: f64, spacing: impl Fn(f64) -> f64, source: impl Fn(f64) -> f64) -> Flame {
+    fn flame(power: f64, spacing: impl Fn(f64) -> f64) -> Flame {
         let length = characteristic_length(power);
         let time = (length / f64::from(combustion([]).gravity)).sqrt();
         let spacing = spacing(length);
@@ -21,7 +21,7 @@ pub(super) fn flame_height() -> Outcome {
             spacing,
             [
                 ("fuel_power", power),
-                ("source_width", source(length)),
+                ("source_width", 0.6 * length),
                 ("source_height", BASE),
             ],
         ));
@@ -33,8 +33,8 @@ pub(super) fn flame_height() -> Outcome {
     }
     const BASE: f64 = 0.25;
     const PREFACTOR: f64 = 0.035;
-    let fine = [50.0, 110.0, 250.0, 600.0].map(|power| flame(power, |d| 0.1 * d, |d| 0.6 * d));
-    let fixed = [50.0, 80.0, 130.0, 210.0].map(|power| flame(power, |_| 0.029, |_| 0.2));
+    let fine = [50.0, 110.0, 250.0, 600.0].map(|power| flame(power, |length| 0.1 * length));
+    let fixed = [50.0, 80.0, 130.0, 210.0].map(|power| flame(power, |_| 0.0145));
     let point = |flame: &Flame| (flame.power, flame.height);
     let prefactor = |flame: &Flame| flame.height / flame.power.powf(2.0 / 3.0);
     let list = |flames: &[Flame], value: fn(&Flame) -> f64, digits: usize| {
@@ -60,7 +60,7 @@ pub(super) fn flame_height() -> Outcome {
         fine.iter().map(point),
     ))
     .showing(Series::line("", []))
-    .showing(Series::dots("at 29 mm", fixed.iter().map(point)));
+    .showing(Series::dots("at 14.5 mm", fixed.iter().map(point)));
     let exponent = Expected::Value {
         value: 2.0 / 3.0,
         tolerance: 0.15,
@@ -84,7 +84,7 @@ pub(super) fn flame_height() -> Outcome {
         .noting(list(&fine, prefactor, 3)),
         Row::new(
             "flame-height-fixed",
-            "flame height L50 ∝ Q'ⁿ at a spacing of 0.029 m, 50 to 210 kW/m, n",
+            "flame height L50 ∝ Q'ⁿ at a spacing of 14.5 mm, 50 to 210 kW/m, n",
             exponent,
             fit::exponent(fixed.iter().map(point)),
         )

@@ -16,8 +16,9 @@ pub struct NotReached {
 pub const NOT_REACHED: &[NotReached] = &[NotReached {
     row: "soot-enters-tall",
     reason: "The plume sways over the sides of a view that is 1.2 m wide and ends 2.3 m above \
-                 the source. From above, 0.2 % comes back; in all, 4 to 6 %, with once, one and a \
-                 half and three times the air above the view.",
+                 the source. From above, 0.2 % comes back; in all, 4 to 7 %, with once, one and a \
+                 half and three times the air above the view, on a floor, at a spacing of 20 mm \
+                 and with an eddy viscosity of 0.3.",
 }];
 
 /// What is known of the row of that id.

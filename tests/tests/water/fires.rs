@@ -39,7 +39,7 @@ fn water_that_strikes_wood_is_in_its_cells_and_its_heat_is_counted() {
 #[test]
 fn wood_that_is_sprayed_enough_goes_out_and_stays_out_and_sprayed_little_burns_on() {
     let jet = [Vec2::new(0.0, 0.75), Vec2::new(0.0, -3.0)];
-    // The last cells of a wet log cool for up to four seconds.
+    // The last cells of a wet log cool for up to five seconds.
     let left = [(0.0, 3.0), (0.004, 3.0), (0.25, 6.0)].map(|(rate, after)| {
         let mut fire = log(&[]);
         assert_eq!(fire.ignite(Where::Object(ID)), Ok(()));

@@ -4,6 +4,7 @@ use glam::DVec2;
 use hearth_core::params::Input;
 use hearth_core::{Particle, Scene, Simulation, Vec2};
 use hearth_tests::fires::{burn_on, closed_box, watch, with_numbers};
+use hearth_tests::sweep::heap::gas_in_what_is_left;
 
 use super::{GRAVITY, add, alone, floor, free};
 
@@ -164,4 +165,31 @@ fn a_balloon_rises_and_a_body_of_the_density_of_air_floats() {
     assert!((risen(0.5 * air) / path - 1.0).abs() < 0.05);
     assert!(risen(air).abs() < 1e-5);
     assert!((risen(2.0 * air) / path + 0.5).abs() < 0.05);
+}
+
+#[test]
+fn gas_yields_to_a_body_that_begins_in_the_floor() {
+    // In coarse air the steps are longest. A particle of the first lattice is above each line.
+    let mut settings = floor(&[]);
+    assert_eq!(settings.set("spacing", Input::Number(0.1)), Ok(()));
+    let mut scene = Scene::new(settings);
+    let places = [-0.35, -0.25, -0.15, -0.05, 0.05, 0.15, 0.25, 0.35];
+    let ids = places.map(|x| {
+        let (length, width) = (("width", 0.08), ("height", 0.02));
+        let place = [("x", x), ("y", -0.3), ("angle", 90.0)];
+        add(
+            &mut scene,
+            "line",
+            "free",
+            &[&place[..], &[length, width]].concat(),
+        )
+    });
+    let mut fire = Simulation::new(scene);
+    while fire.time() < 0.5 {
+        fire.step();
+        assert_eq!(gas_in_what_is_left(&mut fire), None, "{} s", fire.time());
+    }
+    for id in ids {
+        assert!(free(&fire, id).place.y > -0.01, "{:?}", free(&fire, id));
+    }
 }

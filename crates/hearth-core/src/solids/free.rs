@@ -28,6 +28,7 @@ use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Edges, Floor, Model, Physics, Walls};
 use crate::scene::{MAX_SPEED, Scene};
+use body::FASTEST_HINGED;
 use contact::Plane;
 
 pub use body::FreeSolid;
@@ -37,8 +38,6 @@ pub(crate) use state::FreeBodies;
 
 /// Longest substep \[s\].
 const SUBSTEP: f32 = 1e-3;
-/// How much faster a hinge may move a body: else a chain stretches where it swings fastest.
-const HINGED: f32 = 1.1;
 /// How much faster a body is that hinges tear in several directions: they forget their impulses.
 const TORN: f32 = 4.0;
 /// Longest step that the bodies follow \[s\].
@@ -198,11 +197,11 @@ impl FreeBodies {
         for one in self.all.iter_mut().filter(|one| one.is_free) {
             if one.hinged != 0 {
                 one.is_torn = one.speed() > TORN * MAX_SPEED;
-                one.limit_to(HINGED * MAX_SPEED);
+                one.limit_to(FASTEST_HINGED);
             }
             one.advance(dt, self.bounds.as_ref());
         }
-        self.lift();
+        self.lift(dt);
         self.relax(dt);
     }
 }

@@ -8,11 +8,14 @@ use super::samples::Samples;
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Motion, Physics, Solid};
-use crate::scene::{RoundedBox, Surface};
+use crate::scene::{MAX_SPEED, RoundedBox, Surface};
 use crate::solids::Body;
 
 /// Places along a side at which a surface is weighed.
 const GRID: usize = 32;
+/// Greatest speed of a body that hinges move [m/s]: at [`MAX_SPEED`], a chain stretches where it swings
+/// fastest.
+pub(super) const FASTEST_HINGED: f32 = 1.1 * MAX_SPEED;
 /// Distance from the middle of the frame at which a body stops \[m\].
 const FAR: f32 = 40.0;
 /// Layer of gas around a body that it weighs at least as much as, in spacings.

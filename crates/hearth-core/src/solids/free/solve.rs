@@ -8,7 +8,7 @@ use std::f32::consts::PI;
 
 use glam::Vec2;
 
-use super::body::Rigid;
+use super::body::{FASTEST_HINGED, Rigid};
 use super::contact::{Contact, Pair};
 use super::contacts::PLANES;
 use super::state::FreeBodies;
@@ -121,8 +121,8 @@ impl FreeBodies {
     }
 
     /// Puts bodies back that others have pressed deep into a plane: no rounds of impulses hold a light
-    /// body under others a thousand times as dense.
-    pub(super) fn lift(&mut self) {
+    /// body under others a thousand times as dense. Gas yields to no faster motion.
+    pub(super) fn lift(&mut self, dt: f32) {
         let same = |a: &Contact, b: &Contact| (a.one, a.other) == (b.one, b.other);
         for contacts in self.contacts.chunk_by(same) {
             let [first, ..] = contacts else { continue };
@@ -132,7 +132,7 @@ impl FreeBodies {
                 && first.is_at_plane()
                 && let Some(body) = self.all.get_mut(first.one)
             {
-                body.shift(first.normal * beyond);
+                body.shift(first.normal * fast_min(beyond, FASTEST_HINGED * dt));
             }
         }
     }

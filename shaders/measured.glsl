@@ -13,8 +13,10 @@ flat out vec4 payload; // weight, weight × share of the span
 void main() {
     Particle particle = this_particle();
     corner = particle.corner * reach;
-    gl_Position = clip(particle, particle.place + corner * radius);
+    // Where open air ends, the payload of a particle covers more room, and its disc fades.
+    float wide = peak > 0.0 ? 1.0 + particle.state.z : 1.0;
+    gl_Position = clip(particle, particle.place + corner * radius * wide);
     float share = clamp((particle.state.w - span_from) * per_span, 0.0, 1.0);
-    float weight = peak > 0.0 ? particle.state.y * peak : 1.0;
+    float weight = peak > 0.0 ? particle.state.y * peak / (wide * wide) : 1.0 - 0.5 * particle.state.z;
     payload = weight * vec4(1.0, share, 0.0, 0.0);
 }

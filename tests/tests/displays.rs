@@ -1,5 +1,5 @@
 //! What a display mode measures is what the gas is, of every particle, and
-//! measuring changes nothing.
+//! measuring changes nothing. Kernels are wider where open air ends.
 
 use hearth_core::params::{Choice, DisplayMode, Input, Model};
 use hearth_core::{Instance, Parameters, Scene, Simulation, Vec2};
@@ -142,11 +142,56 @@ fn every_instance_has_the_value_of_its_reader() {
             let places = fire.positions().into_iter();
             let expected = places.zip(expected).map(|(at, q)| [at.x, at.y, q]);
             let shown = shown(&fire, mode).into_iter().map(|one| {
-                let [x, y, _, _, _, volume, nothing, quantity] = one;
-                assert!(volume > 0.0 && nothing == 0.0, "{mode:?}: {one:?}");
+                let [x, y, _, _, _, volume, wider, quantity] = one;
+                assert!(
+                    volume > 0.0 && (0.0..=2.0).contains(&wider),
+                    "{mode:?}: {one:?}"
+                );
                 [x, y, quantity]
             });
             assert_eq!(sorted(shown.collect()), sorted(expected.collect()));
+        }
+    }
+}
+
+/// The place of each particle \[m\], and how much wider its kernel is, in radii.
+fn widened(fire: &Simulation, mode: DisplayMode) -> Vec<(Vec2, f32)> {
+    let all = shown(fire, mode).into_iter();
+    all.map(|one| (Vec2::new(one[0], one[1]), one[6])).collect()
+}
+
+#[test]
+fn kernels_are_wider_only_where_open_air_ends() {
+    for mode in [
+        DisplayMode::Velocity,
+        DisplayMode::Vorticity,
+        DisplayMode::Particles,
+        DisplayMode::Neighbours,
+    ] {
+        let open = burn(Parameters::new(Model::Combustion), 1.0);
+        let all = widened(&open, mode);
+        let cell = 2.0 * open.parameters().smoothing_length();
+        let farthest = all.iter().map(|(at, _)| at.x).fold(0.0, f32::max);
+        let outermost = all.iter().filter(|(at, _)| at.x > farthest - 0.5 * cell);
+        let (sum, count) = outermost.fold((0.0, 0), |(sum, count), one| (sum + one.1, count + 1));
+        assert!(
+            count > 0 && sum / count as f32 > 1.0,
+            "{mode:?}: {sum} of {count}"
+        );
+        // The flame is far from the end of its air.
+        let flame = |at: Vec2| at.x.abs() < 0.05 && (0.1..0.3).contains(&at.y);
+        assert!(all.iter().any(|&(at, _)| flame(at)));
+        assert!(all.iter().all(|&(at, wider)| !flame(at) || wider == 0.0));
+
+        for closed in [
+            burn(closed_box(&[]), 0.1),
+            burn(Parameters::new(Model::Classic), 0.5),
+        ] {
+            assert!(
+                widened(&closed, mode)
+                    .iter()
+                    .all(|&(_, wider)| wider == 0.0)
+            );
         }
     }
 }

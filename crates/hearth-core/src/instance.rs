@@ -82,7 +82,8 @@ views! {
     Measured {
         /// Volume \[m²\].
         volume
-        /// Where the display shows sprites, the particle's id modulo 4096; otherwise zero.
+        /// Where the display shows sprites, the particle's id modulo 4096; otherwise by how many
+        /// radii its kernel is wider, from 0 to 2 where open air ends.
         number
         /// The quantity of the mode; of sprites the remaining life or the soot.
         value

@@ -217,6 +217,9 @@ impl Simulation {
             let h = values.smoothing_length();
             neighbourhood::measure(out, &solver.bounds(values), solver.solids(), h, vorticity);
         }
+        if let (Some(combustion), true) = (solver.combustion(), mode != DisplayMode::Sprites) {
+            combustion.widen(out);
+        }
     }
 
     /// Writes the embers for the renderer; the classic model has none.

@@ -4,7 +4,7 @@
 //! shrinks after a delay, so that a flickering fire does not change it.
 
 use hearth_core::Instance;
-use hearth_core::params::{DisplayMode, Model};
+use hearth_core::params::{DisplayMode, Model, Quantity};
 
 use crate::instance::measured;
 
@@ -77,12 +77,17 @@ impl Scale {
 
     /// Adds the range that a picture measures.
     pub fn add(&mut self, mode: DisplayMode, model: Model, range: Option<[f32; 2]>) {
-        let Some(quantity) = mode.quantity() else {
-            self.of = None;
-            return;
-        };
-        let is_new = self.of != Some((mode, model));
-        self.of = Some((mode, model));
+        match mode.quantity() {
+            Some(quantity) => self.enclose((mode, model), quantity, range),
+            None => self.of = None,
+        }
+    }
+
+    // A part of the build.
+    #[inline(never)]
+    fn enclose(&mut self, of: (DisplayMode, Model), quantity: Quantity, range: Option<[f32; 2]>) {
+        let is_new = self.of != Some(of);
+        self.of = Some(of);
         let [mut min, mut max] = match range {
             Some(range) => range,
             None if is_new => [0.0; 2],

@@ -40,6 +40,11 @@ const MIN_SHARE: f32 = 0.01;
 const EXCHANGE_STEPS: u32 = 4;
 const MAP_STEPS: u32 = 8;
 
+/// Depths between which kernels of displays become as wide as elsewhere, and how many radii more
+/// they have farther out.
+const WIDENED: (f32, f32) = (0.5, 2.5);
+const WIDEST: f32 = 2.0;
+
 /// Lower left and upper right corner of the part of the world that is seen \[m\].
 pub(crate) type Seen = [Vec2; 2];
 
@@ -196,6 +201,12 @@ impl OpenAir {
         exchange.blow(map, gas, &inflow, self.since_exchange);
         exchange.fill(map, gas, &inflow);
         self.since_exchange = 0.0;
+    }
+
+    /// By how many radii kernels of displays are wider at a position, so that the end of the gas
+    /// is not visible.
+    pub fn widening(&self, place: Vec2) -> f32 {
+        WIDEST * (1.0 - rim::share(self.map.depth_at(place), WIDENED))
     }
 
     /// Whether there is a floor.

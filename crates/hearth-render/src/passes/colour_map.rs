@@ -9,9 +9,11 @@ use crate::pass::{Blend, Draw, Load, Pass};
 use crate::shaders::uniforms;
 
 /// Weight of gas that is opaque. The classic model's gas thins out to single particles; the
-/// combustion model's gas fills the domain and thins out only at its edge.
+/// combustion model's gas fills a closed domain and thins out only at its edge. Open air ends
+/// over the widest part of its band.
 const OPAQUE_CLASSIC: f32 = 0.65;
-const OPAQUE_COMBUSTION: f32 = 0.45;
+const OPAQUE_CLOSED: f32 = 0.45;
+const OPAQUE_OPEN: f32 = 0.9;
 
 /// Half the width of open air, in pictures.
 const OPEN: f32 = 1e3;
@@ -35,7 +37,8 @@ impl Pass for ColourMap {
         let width = frame.viewport.metres[0];
         let opaque = match frame.parameters.model() {
             Model::Classic => OPAQUE_CLASSIC,
-            Model::Combustion => OPAQUE_COMBUSTION,
+            Model::Combustion if frame.is_closed() => OPAQUE_CLOSED,
+            Model::Combustion => OPAQUE_OPEN,
         };
         uniforms::ColourMap {
             field_used: frame.field_used(),

@@ -292,7 +292,8 @@ impl Map {
     }
 
     /// The depth at a position, interpolated between the centres of the cells.
-    #[inline]
+    // A part of the build gets a copy of its own.
+    #[inline(always)]
     pub fn depth_at(&self, position: Vec2) -> f32 {
         let Layout {
             per_metre,

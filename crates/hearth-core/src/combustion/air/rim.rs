@@ -110,6 +110,6 @@ impl Rim {
 
 /// How far `depth` is between two depths, from 0 to 1.
 #[inline]
-fn share(depth: f32, (from, to): (f32, f32)) -> f32 {
+pub(super) fn share(depth: f32, (from, to): (f32, f32)) -> f32 {
     fast_min(fast_max((depth - from) / (to - from), 0.0), 1.0)
 }

@@ -171,7 +171,7 @@ export interface HearthParameters {
   gas_expansion: number;
   /** A picture without gaps and clumps. How strongly particles are shifted from dense to sparse regions, so that they stay evenly distributed. Default in combustion: 1, from 0.2 to 1. */
   shifting: number;
-  /** Faster particles, which only an extreme fire needs. Largest speed of a particle. [m/s] Default in classic: 4, from 4 to 8. */
+  /** Faster particles, which only an extreme fire needs. Largest speed of a particle. [m/s] Default in classic: 5, from 4 to 8. */
   speed_limit: number;
   /** The paper's fire, with equation 1 as printed: the kernel with the factor of three dimensions. Default in classic: false. */
   printed_kernel: boolean;
@@ -349,7 +349,7 @@ export interface HearthProperties {
   gasExpansion: number;
   /** A picture without gaps and clumps. How strongly particles are shifted from dense to sparse regions, so that they stay evenly distributed. Default in combustion: 1, from 0.2 to 1. */
   shifting: number;
-  /** Faster particles, which only an extreme fire needs. Largest speed of a particle. [m/s] Default in classic: 4, from 4 to 8. */
+  /** Faster particles, which only an extreme fire needs. Largest speed of a particle. [m/s] Default in classic: 5, from 4 to 8. */
   speedLimit: number;
   /** The paper's fire, with equation 1 as printed: the kernel with the factor of three dimensions. Default in classic: false. */
   printedKernel: boolean;

@@ -13,7 +13,7 @@ const RATIOS = {
   printed_kernel: [5, 20],
   printed_pressure: [1.1, 1.4],
   printed_viscosity: [3, 8],
-  printed_divisor: [4, 5],
+  printed_divisor: [5, 6.5],
   printed_euler: [1.2, 2.5],
 };
 

@@ -84,7 +84,7 @@ export const DEFAULTS = {
   diffusion: 0.0001,
   gas_expansion: 0.5,
   shifting: 1,
-  speed_limit: 4,
+  speed_limit: 5,
   printed_kernel: false,
   printed_pressure: false,
   printed_viscosity: false,

@@ -1,6 +1,7 @@
 //! The combustion model, equation by equation.
 
 use glam::DVec2;
+use hearth_core::params::Input;
 use hearth_core::{Parameters, Particle};
 
 use super::{Crowd, Domain, Kernel, Mixture, Neighbour, Plain, Sum};
@@ -67,6 +68,7 @@ impl Combustion {
 
     /// Burns on by one step.
     pub fn step(&mut self, parameters: &Parameters) {
+        let parameters = &self.at_limit(parameters);
         let common = Common::new(parameters, self.particles.len());
         let reach = common.kernel.support();
         let near = common.domain.neighbours(&self.particles, reach);
@@ -211,6 +213,23 @@ impl Combustion {
             let weight = -strength * room * f64::from(p.ambient_temperature) / temperature;
             rates.acceleration.add(DVec2::new(0.0, weight));
         }
+    }
+
+    /// The values with an artificial viscosity of at least 0.2 while more than a hundredth of the gas is at
+    /// the speed limit.
+    fn at_limit(&self, parameters: &Parameters) -> Parameters {
+        let mut values = parameters.clone();
+        let sound = Common::new(parameters, self.particles.len()).sound;
+        let speeds = self.particles.iter().map(|q| q.velocity.value.length());
+        let fast = speeds.filter(|&speed| speed > 0.99 * 1.5 * sound).count();
+        if fast * 100 > self.particles.len() {
+            let more = f64::from(values.artificial_viscosity).max(0.2);
+            assert_eq!(
+                values.set("artificial_viscosity", Input::Number(more)),
+                Ok(())
+            );
+        }
+        values
     }
 
     /// The longest step that all three limits allow.

@@ -54,6 +54,8 @@ pub(super) struct Context<'a> {
     pub values: &'a Physics,
     /// Numerical speed of sound c₀ [m/s].
     pub sound: f32,
+    /// The present coefficient α of the artificial viscosity.
+    pub artificial_viscosity: f32,
     /// Mass of a particle [kg/m].
     pub mass: f32,
 }

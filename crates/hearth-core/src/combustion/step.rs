@@ -47,6 +47,7 @@ impl Combustion {
             kernel: &kernel,
             values,
             sound,
+            artificial_viscosity: time_step::artificial_viscosity(gas, values, sound),
             mass: gas.mass,
         };
         let neighbours = &mut self.neighbours;
@@ -76,7 +77,7 @@ impl Combustion {
         forces::add_all(gas, values, time, user);
         on_stage(Stage::Forces);
 
-        let dt = time_step::max_stable_step(gas, values, kernel.smoothing_length(), sound);
+        let dt = time_step::max_stable_step(gas, &context);
         let air = Air {
             gas,
             grid: &self.grid,

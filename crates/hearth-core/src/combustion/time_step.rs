@@ -6,7 +6,10 @@
 //! particles that only follow the flow line up along it and leave gaps, and the resulting noise
 //! dissipates vortices. A shift transports no momentum.
 
+use glam::Vec2;
+
 use super::gas::Gas;
+use super::pair::Context;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::Physics;
 use crate::time_step::Stability;
@@ -21,6 +24,12 @@ const MAX_SHIFT: f32 = 0.55;
 const MAX_DISPLACEMENT: f32 = 0.55;
 /// The speed limit, relative to the speed of sound.
 const SPEED_LIMIT: f32 = 1.5;
+/// While one particle in this number is faster than this share of the speed limit, gas has at
+/// least this artificial viscosity. In a closed domain with little viscosity and no seam, shear and
+/// the noise of the particles would keep it there.
+const ONE_AT_LIMIT: usize = 100;
+const AT_LIMIT: f32 = 0.99;
+const VISCOSITY_AT_LIMIT: f32 = 0.2;
 /// Courant number for the sound of the hottest gas. Noise in gas at rest decays with 1.05 too, whether cold or at 3700 K.
 const COURANT: f32 = 0.9;
 /// Air takes the steps of gas with this expansion. In steps that are a quarter longer, the wake of a disc
@@ -52,11 +61,28 @@ pub(crate) struct Motion {
     pub speed_limited: u32,
 }
 
+/// The coefficient α of the artificial viscosity: the parameter, and more while much gas is at
+/// the speed limit.
+// Inlined, it costs 170 bytes of download.
+#[inline(never)]
+pub(crate) fn artificial_viscosity(gas: &Gas, values: &Physics, sound: f32) -> f32 {
+    let limit = AT_LIMIT * SPEED_LIMIT * sound;
+    let is_at_limit = |velocity: &Vec2| velocity.length_squared() > limit * limit;
+    let fast = gas.velocity.iter().filter(|v| is_at_limit(v)).count();
+    if fast * ONE_AT_LIMIT > gas.len() {
+        fast_max(values.artificial_viscosity, VISCOSITY_AT_LIMIT)
+    } else {
+        values.artificial_viscosity
+    }
+}
+
 /// The longest stable step \[s\] for the accelerations of the gas. `sound` is its speed in the air: in gas that takes θ times the
 /// room of air, sound is √θ times as fast, because p = c₀² (Y − Ȳ) and ρ = Y/θ.
 // Inlined, it costs 170 bytes of download.
 #[inline(never)]
-pub(crate) fn max_stable_step(gas: &Gas, values: &Physics, h: f32, sound: f32) -> f32 {
+pub(crate) fn max_stable_step(gas: &Gas, context: &Context) -> f32 {
+    let (values, sound) = (context.values, context.sound);
+    let h = context.kernel.smoothing_length();
     let (mut speed, mut acceleration, mut expansion) = (0.0, 0.0, LEAST_EXPANSION);
     for ((v, a), &theta) in gas
         .velocity
@@ -70,7 +96,7 @@ pub(crate) fn max_stable_step(gas: &Gas, values: &Physics, h: f32, sound: f32) -
     }
     let (speed, acceleration) = (speed.sqrt(), acceleration.sqrt());
     let eddy = values.eddy_viscosity * values.eddy_viscosity * h * speed;
-    let viscosity = values.kinematic_viscosity + values.artificial_viscosity * h * sound / 8.0;
+    let viscosity = values.kinematic_viscosity + context.artificial_viscosity * h * sound / 8.0;
     let diffusivity = viscosity.max(values.diffusion) + eddy;
 
     let stability = Stability {
@@ -126,14 +152,41 @@ pub(crate) fn advance(gas: &mut Gas, shifting: f32, h: f32, max_speed: f32, dt: 
 
 #[cfg(test)]
 mod tests {
-    use glam::Vec2;
-
     use super::*;
     use crate::combustion::gas::tests::{random_gas, with};
+    use crate::kernel::Kernel;
     use crate::params::Parameters;
 
     fn sound(parameters: &Parameters) -> f32 {
         sound_speed(parameters, parameters.fuel_power)
+    }
+
+    fn longest_step(gas: &Gas, values: &Parameters) -> f32 {
+        let sound = sound(values);
+        let context = Context {
+            kernel: &Kernel::new(values.smoothing_length()),
+            values,
+            sound,
+            artificial_viscosity: artificial_viscosity(gas, values, sound),
+            mass: gas.mass,
+        };
+        max_stable_step(gas, &context)
+    }
+
+    #[test]
+    fn much_gas_at_the_speed_limit_is_more_viscous() {
+        for (own, expected) in [(0.02, VISCOSITY_AT_LIMIT), (0.5, 0.5)] {
+            let parameters = with(&[("artificial_viscosity", own)]);
+            let (mut gas, sound) = (random_gas(&parameters, 1), sound(&parameters));
+            let limit = SPEED_LIMIT * sound;
+            gas.velocity.fill(Vec2::new(0.9 * limit, 0.0));
+            assert_eq!(artificial_viscosity(&gas, &parameters, sound), own as f32);
+            let few = gas.len() / ONE_AT_LIMIT;
+            gas.velocity[..few].fill(Vec2::new(0.0, -limit));
+            assert_eq!(artificial_viscosity(&gas, &parameters, sound), own as f32);
+            gas.velocity[few] = Vec2::new(limit, 0.0);
+            assert_eq!(artificial_viscosity(&gas, &parameters, sound), expected);
+        }
     }
 
     #[test]
@@ -152,7 +205,7 @@ mod tests {
             gas.velocity.fill(Vec2::new(speed, 0.0));
             gas.acceleration.fill(Vec2::new(0.0, force));
             let (h, sound) = (parameters.smoothing_length(), sound(&parameters));
-            let dt = max_stable_step(&gas, &parameters, h, sound) * 0.9999;
+            let dt = longest_step(&gas, &parameters) * 0.9999;
             assert!(dt <= COURANT * h / (sound + speed));
             assert!(dt <= 0.25 * (h / force.max(1e-6)).sqrt());
             assert!(dt <= 0.125 * h * h / (viscosity as f32).max(1e-9));
@@ -169,7 +222,7 @@ mod tests {
         let mut step = |hottest: f32| {
             gas.expansion.fill(1.0);
             gas.expansion[7] = hottest;
-            max_stable_step(&gas, &parameters, h, sound)
+            longest_step(&gas, &parameters)
         };
         let hot = step(2.0);
         assert!((step(8.0) / hot - 0.5).abs() < 1e-6);

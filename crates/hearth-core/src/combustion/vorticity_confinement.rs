@@ -214,6 +214,7 @@ mod tests {
             kernel: &Kernel::new(parameters.smoothing_length()),
             values: &parameters,
             sound: 6.0,
+            artificial_viscosity: parameters.artificial_viscosity,
             mass: gas.mass,
         };
         let kernel = context.kernel;

@@ -176,11 +176,12 @@ impl Walls {
             kernel,
             values,
             sound,
+            artificial_viscosity,
             mass,
         } = *context;
         let h = kernel.smoothing_length();
         let eddy = values.eddy_viscosity * values.eddy_viscosity * h;
-        let damping = 0.5 * values.artificial_viscosity * sound * h;
+        let damping = 0.5 * artificial_viscosity * sound * h;
         for near in &self.near {
             let (i, normal) = (near.index as usize, near.normal);
             let body = solids.bodies.get_mut(near.solid as usize);

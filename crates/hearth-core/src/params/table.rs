@@ -299,7 +299,7 @@ parameters! {
         /// sparse regions, so that they stay evenly distributed.
         shifting: number "Shifting" [""] Linear { Combustion(1.0, 0.2..=1.0) }
         /// Faster particles, which only an extreme fire needs. Largest speed of a particle.
-        speed_limit: number "Speed limit" ["m/s"] Linear { Classic(4.0, 4.0..=8.0) }
+        speed_limit: number "Speed limit" ["m/s"] Linear { Classic(5.0, 4.0..=8.0) }
         /// The paper's fire, with equation 1 as printed: the kernel with the factor of three
         /// dimensions.
         printed_kernel: flag "Printed kernel (eq. 1)" { Classic(false) }

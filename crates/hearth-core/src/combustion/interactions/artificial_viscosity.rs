@@ -16,9 +16,8 @@ impl ArtificialViscosity {
             context.kernel.smoothing_length(),
             context.kernel.minus_dw_norm(),
         );
-        let strength = context.values.artificial_viscosity;
         ArtificialViscosity {
-            scale: Lanes::splat(norm * strength * context.sound * h),
+            scale: Lanes::splat(norm * context.artificial_viscosity * context.sound * h),
         }
     }
 }

@@ -19,7 +19,7 @@ const LYING = { width: 740, height: 360, touch: true };
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 

@@ -39,7 +39,7 @@ let browser;
 /** What the element has, as JavaScript sees it. */
 let has;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
   const tab = await browser.open('<hearth-fire></hearth-fire>');
   await tab.burnt(0.3);
   has = await tab.fire((fire) => {

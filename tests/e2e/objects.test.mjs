@@ -10,7 +10,7 @@ import { destroyedAndBack } from './waits.mjs';
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 
@@ -174,6 +174,7 @@ test('every source is seen to burn', async () => {
   const tab = await browser.open(
     `<hearth-fire autoplay="false" max-pixels="40000" ember-rate="0" objects='${JSON.stringify(objects)}'
       style="width: 400px; height: 600px"></hearth-fire>`,
+    { draws: true },
   );
   await tab.ready();
   const light = await tab.fire(async (fire) => {

@@ -15,7 +15,7 @@ const CAMPFIRE = PRESETS.find(({ name }) => name === 'campfire').values;
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 

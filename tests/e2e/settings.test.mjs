@@ -12,7 +12,7 @@ const { DEFAULTS, PRESETS, defaultsOf } = await table();
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 

@@ -4,7 +4,7 @@
  */
 import { serve } from '../server.mjs';
 import { SITE } from '../site.mjs';
-import { followWorkers, rememberContexts } from './page-scripts.mjs';
+import { drawNothing, followWorkers, rememberContexts } from './page-scripts.mjs';
 import { chromium, firefox } from './puppeteer.mjs';
 import { webkit } from './webkit.mjs';
 
@@ -40,10 +40,12 @@ export class Browser {
    * @param {Engine} engine
    * @param {import('../server.mjs').Server} server
    * @param {boolean} reducedMotion
+   * @param {boolean} draws
    */
-  constructor(engine, server, reducedMotion) {
+  constructor(engine, server, reducedMotion, draws) {
     this.engine = engine;
     this.reducedMotion = reducedMotion;
+    this.draws = draws;
     this.browser = engine.browser;
     this.server = server;
     /** @type {any} */
@@ -59,6 +61,13 @@ export class Browser {
   }
 
   /**
+   * Starts Chromium for tests that look at no picture: WebGL2 draws nothing in its pages.
+   */
+  static launchWithoutDrawing() {
+    return Browser.start('chromium', { draws: false });
+  }
+
+  /**
    * Starts a browser of that kind.
    * @param {Kind} kind
    * @param {object} [options]
@@ -67,11 +76,12 @@ export class Browser {
    *   start.
    * @param {boolean} [options.likeGraphicsCard]  Chromium composes its pages by WebGL's renderer, as with a graphics
    *   card: a benchmark measures how the page draws there.
+   * @param {boolean} [options.draws]  Whether WebGL2 draws.
    */
-  static async start(kind, { folders = [], reducedMotion = false, likeGraphicsCard = false } = {}) {
+  static async start(kind, { folders = [], reducedMotion = false, likeGraphicsCard = false, draws = true } = {}) {
     const server = await serve(...(folders.length > 0 ? folders : [SITE]));
     try {
-      return new Browser(await START[kind]({ reducedMotion, likeGraphicsCard }, server), server, reducedMotion);
+      return new Browser(await START[kind]({ reducedMotion, likeGraphicsCard }, server), server, reducedMotion, draws);
     } catch (error) {
       await server.close();
       throw error;
@@ -90,6 +100,7 @@ export class Browser {
    * @param {number} [options.ratio]  Device pixels per CSS pixel; not in WebKit.
    * @param {boolean} [options.touch]  A phone's touch and viewport; only in Chromium.
    * @param {boolean} [options.reducedMotion]
+   * @param {boolean} [options.draws]  Whether WebGL2 draws.
    * @param {() => void} [options.before]  Runs in the page before its scripts.
    * @param {() => void} [options.beforeWorker]  Runs in each worker before its scripts.
    * @param {{[name: string]: string}} [options.headers]  Of a page of the test.
@@ -104,7 +115,7 @@ export class Browser {
    */
   async open(page, options = {}) {
     const { width = 480, height = 480, ratio = 1, touch = false } = options;
-    const { reducedMotion = this.reducedMotion, headers, files = {}, without, remember = false } = options;
+    const { reducedMotion = this.reducedMotion, draws = this.draws, headers, files = {}, without, remember = false } = options;
     const ofSite = !page.includes('<');
     const { pixels = ofSite ? FEW_PIXELS : Infinity } = options;
     await this.tab?.close();
@@ -115,6 +126,7 @@ export class Browser {
     if (pixels < Infinity) before.push(`(${limitPixels})(${pixels});`);
     if (options.before) before.push(`(${options.before})();`);
     const beforeWorker = options.beforeWorker ? [`(${options.beforeWorker})();`] : [];
+    if (!draws) for (const scripts of [before, beforeWorker]) scripts.unshift(`(${drawNothing})();`);
     this.server.prepend({ workers: beforeWorker });
     const opening = { width, height, ratio, touch, reducedMotion, before, beforeWorker };
     const tab = await this.engine.open(opening);

@@ -75,6 +75,18 @@ test('nothing outside the folder is served', async () => {
   assert.match(await answer('GET /web'), /\r\nLocation: \/web\/\r\n/);
 });
 
+test('its port is free after its end', async () => {
+  const one = await start();
+  await end(one);
+  // The process that listens is a child of the one that has ended. One that stays fails by the timeout of the test.
+  const { hostname, port } = one.address;
+  const isOpen = () => new Promise((resolve) => {
+    const visitor = connect(Number(port), hostname, () => resolve(true)).on('error', () => resolve(false));
+    visitor.on('connect', () => visitor.destroy());
+  });
+  while (await isOpen());
+});
+
 test('only a requested port must be free', async () => {
   const second = await start();
   assert.notEqual(second.address.port, running.address.port);

@@ -2,7 +2,7 @@
  * Serves a folder on this machine: `node serve.mjs FOLDER [PORT]`. It prints its address,
  * and ends with its standard input.
  */
-import { context } from './esbuild.mjs';
+import { context, stop } from './esbuild.mjs';
 
 /** The port where none is named, if it is free. */
 const USUAL_PORT = 8080;
@@ -17,4 +17,8 @@ const { port: open } = await (port ? listen(Number(port)) : listen(USUAL_PORT).c
     process.exit(1);
   });
 console.log(`http://127.0.0.1:${open}/`);
-process.stdin.on('end', () => process.exit(0)).resume();
+process.stdin.on('end', async () => {
+  // Left to itself, the process of esbuild may outlive this one, with the port.
+  await stop();
+  process.exit(0);
+}).resume();

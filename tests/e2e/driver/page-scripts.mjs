@@ -75,8 +75,9 @@ export function rememberContexts() {
 }
 
 /**
- * Runs in the page and in its workers: nothing is drawn in a WebGL2 context. Everything else is as always: contexts, programs,
- * textures, frames. A software renderer takes a third of the processor in a test that looks at no picture.
+ * Runs in the page and in its workers: nothing is drawn in a WebGL2 context. Contexts, programs,
+ * textures and frames are real. A software renderer takes a third of the processor in a test that
+ * looks at no picture.
  */
 export function drawNothing() {
   const { prototype } = /** @type {any} */ (globalThis).WebGL2RenderingContext ?? {};

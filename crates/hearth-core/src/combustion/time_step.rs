@@ -24,9 +24,9 @@ const MAX_SHIFT: f32 = 0.55;
 const MAX_DISPLACEMENT: f32 = 0.55;
 /// The speed limit, relative to the speed of sound.
 const SPEED_LIMIT: f32 = 1.5;
-/// While one particle in this number is faster than this share of the speed limit, gas has at
-/// least this artificial viscosity. In a closed domain with little viscosity and no seam, shear and
-/// the noise of the particles would keep it there.
+/// While more than one particle in this number is faster than this share of the speed limit, gas
+/// has at least this artificial viscosity. In a closed domain with little viscosity and no seam,
+/// shear and the noise of the particles would keep it there.
 const ONE_AT_LIMIT: usize = 100;
 const AT_LIMIT: f32 = 0.99;
 const VISCOSITY_AT_LIMIT: f32 = 0.2;

@@ -10,7 +10,7 @@ import { events, recording } from './assertions.mjs';
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 
@@ -23,7 +23,7 @@ for (const [width, height] of [[400, 150], [150, 400]]) {
     // Particles that stand still, in the middle of a domain of 1.2 m by 1.5 m.
     const tab = await browser.open(`<hearth-fire paused model="classic" display-mode="paper" source-width="0.05"
       source-height="0.7" emission-speed="0" particle-size="0.03" lifetime-min="3" lifetime-max="3"
-      style="width: ${width}px; height: ${height}px"></hearth-fire>`);
+      style="width: ${width}px; height: ${height}px"></hearth-fire>`, { draws: true });
     await tab.ready();
     await tab.fire((fire) => fire.step(8));
     for (const fit of FITS) {

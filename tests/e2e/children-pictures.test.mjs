@@ -11,7 +11,7 @@ import { childUntil as until } from './waits.mjs';
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 
@@ -142,7 +142,9 @@ for (const [style, text] of [
   ['font: 600 30px/1.3 serif; transform: scale(1.3) translate(12px, 30px)', 'of-text<br><small>quite</small> close'],
 ]) {
   test(`glyphs lie where the page shows them: ${style}`, async () => {
-    const tab = await opened(`<h1 id="it">${text}</h1>`, '<hearth-solid of="#it" of-text></hearth-solid>', { style: `left: 10px; top: 20px; width: 200px; ${style}` });
+    const tab = await opened(`<h1 id="it">${text}</h1>`, '<hearth-solid of="#it" of-text></hearth-solid>', {
+      style: `left: 10px; top: 20px; width: 200px; ${style}`, options: { draws: true },
+    });
     const { box: [left, top, right, bottom], mask } = await masked(tab);
     const drawn = decoded(mask);
     const inside = (x, y) => x > left && x < right && y > top && y < bottom && drawn.at((x - left) / (right - left), (y - top) / (bottom - top)) > 7;

@@ -8,7 +8,7 @@ import { Browser } from './driver.mjs';
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 
@@ -127,7 +127,7 @@ function hue([red, green, blue]) {
 }
 
 test('the reported colour is that of the picture', async () => {
-  const tab = await browser.open(FIRE);
+  const tab = await browser.open(FIRE, { draws: true });
   await tab.burnt(2.5);
   for (const palette of ['blackbody', 'gas', 'copper', 'lithium', 'ghost']) {
     const { glow, mean } = await tab.fire(async (fire, name) => {

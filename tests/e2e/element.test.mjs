@@ -13,7 +13,7 @@ const { PARAMETERS, PRESETS, DEFAULTS, defaultsOf } = await table();
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 
@@ -253,7 +253,7 @@ test('a paused fire makes no steps until it plays', async () => {
 });
 
 test('with reduced motion a still picture of the fire has a play button', async () => {
-  const tab = await browser.open(FIRE, { reducedMotion: true });
+  const tab = await browser.open(FIRE, { draws: true, reducedMotion: true });
   await tab.ready();
   await tab.frames(10);
   const still = await tab.firePicture();

@@ -104,7 +104,7 @@ describe('a fire in an iframe', () => {
       test(`is transparent in ${about}, with the preference ${wanted}`, async () => {
         const style = `body { background: rgb(0, 96, 160) }
           ${page && `:root { color-scheme: ${page} }`} ${frame && `iframe { color-scheme: ${frame} }`}`;
-        const tab = await fixture.open({ allow: fixture.pageOrigin, paused: '', ...query }, { style });
+        const tab = await fixture.open({ allow: fixture.pageOrigin, paused: '', ...query }, { style, draws: true });
         await tab.page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: wanted }]);
         await received(tab, 'ready');
         await tab.frames(4);

@@ -12,7 +12,7 @@ const PHONE = { width: 390, height: 844, touch: true };
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 
@@ -39,6 +39,27 @@ async function all(tab, id, count) {
   return found;
 }
 
+test('figure 1 has lighter colours at higher temperatures', async () => {
+  const tab = await browser.open('figures.html?n=300,600', { ...PHONE, draws: true });
+  await tab.ready();
+  await tab.on('#colours', (figure) => figure.scrollIntoView());
+  await tab.until('the slider of temperatures', () => document.querySelector('#kelvin:enabled'));
+  const colours = await tab.evaluate(() => [...document.querySelectorAll('#scale li')].map((one) => one.textContent ?? ''));
+  assert.equal(colours.length, 16);
+  const sums = colours.map((words, at) => {
+    const [, kelvin, ...rgb] = /^(\d+) K: #(..)(..)(..)$/.exec(words) ?? [];
+    assert.equal(Number(kelvin), 1000 + 100 * at);
+    const [red, green, blue] = rgb.map((digits) => Number.parseInt(digits, 16));
+    assert.ok(red >= green && green >= blue, words);
+    return red + green + blue;
+  });
+  assert.ok(sums.every((sum, at) => at === 0 || sum > sums[at - 1]), `${sums}`);
+  await tab.page.focus('#kelvin');
+  await tab.press('Home');
+  await tab.until('the coolest fire', () => document.querySelector('hearth-fire')?.maximumTemperature === 1000);
+  assert.match(await tab.on('#kelvin', (slider) => slider.ariaValueText), /^1000 K, #/);
+});
+
 describe('the figures on a phone', () => {
   /** @type {import('./driver/puppeteer.mjs').PuppeteerTab} */
   let tab;
@@ -50,25 +71,6 @@ describe('the figures on a phone', () => {
     await tab.ready();
     const far = await tab.evaluate(() => [...document.querySelectorAll('[aria-labelledby="buoyancy"] hearth-fire')].map((fire) => fire.stats));
     assert.deepEqual(far, [null, null, null]);
-  });
-
-  test('figure 1 has lighter colours at higher temperatures', async () => {
-    await tab.on('#colours', (figure) => figure.scrollIntoView());
-    await tab.until('the slider of temperatures', () => document.querySelector('#kelvin:enabled'));
-    const colours = await tab.evaluate(() => [...document.querySelectorAll('#scale li')].map((one) => one.textContent ?? ''));
-    assert.equal(colours.length, 16);
-    const sums = colours.map((words, at) => {
-      const [, kelvin, ...rgb] = /^(\d+) K: #(..)(..)(..)$/.exec(words) ?? [];
-      assert.equal(Number(kelvin), 1000 + 100 * at);
-      const [red, green, blue] = rgb.map((digits) => Number.parseInt(digits, 16));
-      assert.ok(red >= green && green >= blue, words);
-      return red + green + blue;
-    });
-    assert.ok(sums.every((sum, at) => at === 0 || sum > sums[at - 1]), `${sums}`);
-    await tab.page.focus('#kelvin');
-    await tab.press('Home');
-    await tab.until('the coolest fire', () => document.querySelector('hearth-fire')?.maximumTemperature === 1000);
-    assert.match(await tab.on('#kelvin', (slider) => slider.ariaValueText), /^1000 K, #/);
   });
 
   test('figure 2 names every stage and pass that its fires report, each with its time', async () => {

@@ -17,7 +17,7 @@ let browser;
 /** @type {import('./server.mjs').Server} */
 let site;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
   site = await serve(SITE);
 });
 after(async () => {

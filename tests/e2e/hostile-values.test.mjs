@@ -10,7 +10,7 @@ import { assertBurns, events, recording } from './assertions.mjs';
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 

@@ -18,7 +18,7 @@ export class IframeFixture {
   }
 
   static async start() {
-    return new IframeFixture(await Browser.launch(), await serve(SITE));
+    return new IframeFixture(await Browser.launchWithoutDrawing(), await serve(SITE));
   }
 
   async close() {
@@ -47,8 +47,9 @@ export class IframeFixture {
    * @param {string} [look.style]  Of the page.
    * @param {string} [look.more]  HTML behind the iframe.
    * @param {() => void} [look.before]  Runs in both pages before their scripts.
+   * @param {boolean} [look.draws]  Whether WebGL2 draws; it does not by default.
    */
-  open(query, { style = '', more = '', before } = {}) {
+  open(query, { style = '', more = '', before, draws } = {}) {
     const address = this.address(query).replaceAll('&', '&amp;');
     return this.browser.open(`<!doctype html>
       <meta charset="utf-8">
@@ -59,7 +60,7 @@ export class IframeFixture {
         ${style}
       </style>
       <script>(${keepMessages})('${this.fireOrigin}')</script>
-      <body><iframe src="${address}"></iframe>${more}</body>`, { before });
+      <body><iframe src="${address}"></iframe>${more}</body>`, { before, draws });
   }
 
   /**

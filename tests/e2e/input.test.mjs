@@ -13,7 +13,7 @@ const { DEFAULTS, entry } = await table();
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 

@@ -17,7 +17,7 @@ const LANDING = 'fireside';
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 
@@ -302,7 +302,7 @@ test('the embed dialog shows the code of the current fire, and Escape closes it'
 test('the picture that links show looks like the page', async () => {
   const tab = await browser.open(
     `<hearth-fire preset="${LANDING}" warm paused style="width: 1200px; height: 630px"></hearth-fire><img src="/web/poster.jpg" alt="">`,
-    { width: 1200, height: 630 },
+    { draws: true, width: 1200, height: 630 },
   );
   await tab.ready();
   const differences = await tab.fire(async (fire) => {

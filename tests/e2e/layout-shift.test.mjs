@@ -16,7 +16,7 @@ const SCRIPT = '<script type="module" src="./web/hearth-fire.js"></script>\n';
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 

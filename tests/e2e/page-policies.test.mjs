@@ -12,7 +12,7 @@ import { Picture } from './picture.mjs';
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 
@@ -29,7 +29,7 @@ const loaded = (tab) => tab.evaluate(() => (
 
 for (const place of ['worker', 'main']) {
   test(`with the engine in: ${place}, a fire burns, pauses, survives a lost context and is destroyed`, async () => {
-    const tab = await browser.open(at(place, '<hearth-fire></hearth-fire>'));
+    const tab = await browser.open(at(place, '<hearth-fire></hearth-fire>'), { draws: true });
     await tab.burnt(1);
     assert.equal(await tab.fire((fire) => fire.stats.engine), place);
     const { contexts, workers } = await tab.living();
@@ -102,11 +102,11 @@ test('the poster is shown until the first picture, and while there is no picture
   const image = 'data:image/svg+xml,<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><rect width="1" height="1" fill="lime"/></svg>';
   // The message and its button cover a part of it.
   const body = `<hearth-fire poster='${image}' style="width: 320px; height: 400px"></hearth-fire>`;
-  const late = await browser.open(body, { without: 'hearth-engine_bg.wasm' });
+  const late = await browser.open(body, { draws: true, without: 'hearth-engine_bg.wasm' });
   await late.fire((fire) => fire.ready.catch(() => {}));
   const lime = (picture) => picture.share((r, g) => g > 200 && r < 100);
   assert.ok(lime(await late.firePicture()) > 0.5, 'the poster is seen');
-  const good = await browser.open(body);
+  const good = await browser.open(body, { draws: true });
   await good.burnt(0.5);
   await good.frames(4);
   assert.equal(lime(await good.firePicture()), 0, 'the poster is gone');
@@ -187,7 +187,7 @@ test('a finger on an interactive fire scrolls the page vertically unless `touch-
 });
 
 test('`toBlob` keeps the transparency of the picture', async () => {
-  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  const tab = await browser.open('<hearth-fire paused></hearth-fire>', { draws: true });
   await tab.fire((fire) => fire.step(600));
   const keep = (type) => tab.fire(async (fire, wanted) => {
     const blob = await fire.toBlob(...(wanted ? [wanted, 0.9] : []));
@@ -207,7 +207,7 @@ test('`toBlob` keeps the transparency of the picture', async () => {
 });
 
 test('`toBlob` draws another width and background for the file, and the element stays as it is', async () => {
-  const tab = await browser.open('<hearth-fire preset="fireside" paused warm max-pixels="60000"></hearth-fire>', { height: 400 });
+  const tab = await browser.open('<hearth-fire preset="fireside" paused warm max-pixels="60000"></hearth-fire>', { draws: true, height: 400 });
   await tab.ready();
   const seen = await tab.fire(async (fire) => {
     const events = [];
@@ -247,7 +247,7 @@ test('`toBlob` draws another width and background for the file, and the element 
 });
 
 test('`captureStream` of a burning fire is a moving video', async () => {
-  const tab = await browser.open('<hearth-fire></hearth-fire>');
+  const tab = await browser.open('<hearth-fire></hearth-fire>', { draws: true });
   await tab.burnt(0.5);
   const seen = await tab.fire(async (fire) => {
     const stream = await fire.captureStream(30);

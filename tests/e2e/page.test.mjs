@@ -13,7 +13,7 @@ const { defaultsOf } = await table();
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 
@@ -27,7 +27,7 @@ test('the page loads without a warning and its fire becomes ready', async () => 
 test('fire burns in the lower middle and nowhere else, and it moves', async () => {
   // A taller flame, or a spark, may reach the upper edge at any time.
   const page = 'index.html?scene=default&fuel-power=120&ember-rate=0';
-  const tab = await browser.open(page, { width: 1000, height: 500, pixels: Infinity });
+  const tab = await browser.open(page, { draws: true, width: 1000, height: 500, pixels: Infinity });
   await tab.burnt(1.5);
   await assertBurns(tab);
   const picture = await tab.firePicture();
@@ -159,7 +159,7 @@ test('unrelated names in the address cause no message and stay in the address', 
 
 for (const address of ['?paused', '?autoplay=false']) {
   test(`${address} in the address pauses the fire`, async () => {
-    const tab = await browser.open(`index.html${address}&alt=Embers`);
+    const tab = await browser.open(`index.html${address}&alt=Embers`, { draws: true });
     await tab.ready();
     const reported = () => tab.fire((fire) => ({ paused: fire.paused, alt: fire.alt, time: fire.stats?.time ?? 0 }));
     const { paused, alt, time } = await reported();

@@ -224,11 +224,12 @@ export class Panel {
   }
 
   /**
-   * Waits until the fire's parameter satisfies `holds`, and returns its value.
+   * Waits until the fire's parameter satisfies `holds`, and returns its value: the one after all that the panel
+   * has set, since the engine answers in order.
    * @param {string} id @param {string} what @param {(value: any) => boolean} holds
    */
   async value(id, what, holds) {
-    const read = () => this.tab.fire((fire, name) => fire.params[name], id);
+    const read = () => this.tab.fire((fire, name) => fire.set({}).then(() => fire.params[name]), id);
     return eventually(`${id} is ${what}`, read, holds, () => this.tab.frames());
   }
 }

@@ -10,7 +10,7 @@ import { events, recording } from './assertions.mjs';
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 
@@ -39,7 +39,7 @@ const embers = (tab, count) => tab.until(
 );
 
 test('a pointer stirs only an interactive fire, and more while it is pressed', async () => {
-  const tab = await browser.open('<hearth-fire paused model="classic" quality="low" seed="3"></hearth-fire>');
+  const tab = await browser.open('<hearth-fire paused model="classic" quality="low" seed="3"></hearth-fire>', { draws: true });
   await tab.ready();
   // Each way of the pointer takes 50 ms and is followed by as much fire.
   const swept = async (buttons) => {
@@ -82,7 +82,7 @@ test('a pointer stirs only an interactive fire, and more while it is pressed', a
 });
 
 test('a click throws sparks at its place, and a drag throws none', async () => {
-  const tab = await browser.open(`<hearth-fire ${CALM} fuel-power="0"></hearth-fire>`);
+  const tab = await browser.open(`<hearth-fire ${CALM} fuel-power="0"></hearth-fire>`, { draws: true });
   await listens(tab);
   await tab.fire((fire) => fire.step(4));
   const before = (await tab.firePicture()).glowing();

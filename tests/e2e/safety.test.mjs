@@ -16,7 +16,7 @@ const ENGINE = path.join(SITE, 'web/wasm/hearth-engine_bg.wasm');
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 

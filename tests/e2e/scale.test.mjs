@@ -16,7 +16,7 @@ const { QUANTITIES } = await load('parameters.js');
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 
@@ -143,7 +143,7 @@ describe('the bar', () => {
   });
 
   test('has the colours of the picture', async () => {
-    const tab = await browser.open('<hearth-fire display-mode="temperature"></hearth-fire>');
+    const tab = await browser.open('<hearth-fire display-mode="temperature"></hearth-fire>', { draws: true });
     await tab.burnt(1);
     await labelled(tab, /^Temperature/);
     const pixels = await tab.fire(async (fire) => {

@@ -13,7 +13,7 @@ describe('the panel', () => {
   /** @type {Browser} */
   let browser;
   before(async () => {
-    browser = await Browser.launch();
+    browser = await Browser.launchWithoutDrawing();
   });
   after(() => browser?.close());
 

@@ -11,7 +11,7 @@ import { destroyedAndBack } from './waits.mjs';
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 
@@ -60,7 +60,7 @@ async function flame(tab) {
 }
 
 test('the first picture is that of a fire that has burnt, and ready waits for it', async () => {
-  const tab = await open('<hearth-fire warm="3" paused></hearth-fire>');
+  const tab = await open('<hearth-fire warm="3" paused></hearth-fire>', { draws: true });
   await tab.ready();
   // The poster fades.
   const { drawn, pictures } = await seen(tab);
@@ -74,7 +74,7 @@ test('the first picture is that of a fire that has burnt, and ready waits for it
 
 test('a stored burning scene is shown at once, in every quality', async () => {
   for (const quality of ['low', 'high']) {
-    const tab = await open(`<hearth-fire preset="fireside" warm quality="${quality}" paused></hearth-fire>`);
+    const tab = await open(`<hearth-fire preset="fireside" warm quality="${quality}" paused></hearth-fire>`, { draws: true });
     await tab.ready();
     const { time, particles, limit } = await tab.fire((fire) => fire.stats);
     // Exactly where it is kept: no step was made, and none is needed.
@@ -114,7 +114,7 @@ test('a damaged stored fire is reported, a missing one or one without its code i
 });
 
 test('the picture before stays until the new fire is warm, and fades into it', async () => {
-  const tab = await open('<hearth-fire warm="1" paused></hearth-fire>');
+  const tab = await open('<hearth-fire warm="1" paused></hearth-fire>', { draws: true });
   await tab.ready();
   await tab.evaluate(() => { /** @type {any} */ (window).holdFades = true; });
   for (const [at, change] of [

@@ -131,6 +131,7 @@ export class Browser {
     const opening = { width, height, ratio, touch, reducedMotion, before, beforeWorker };
     const tab = await this.engine.open(opening);
     this.tab = tab;
+    tab.draws = draws;
     const document = page.startsWith('<!doctype') ? page : documentAround(page);
     await tab.go(ofSite ? new URL(page, `${origin}/`).href : this.server.publish(document, headers));
     return tab;

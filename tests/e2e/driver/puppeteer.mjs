@@ -166,6 +166,7 @@ export class PuppeteerTab extends Tab {
 
   /** @override */
   async picture(clip) {
+    if (!this.draws) throw new Error('this page draws nothing: open it with `draws: true` to look at its picture');
     // A capture beyond the viewport resizes the page for a moment, and a playing fire may be
     // drawn at that size.
     return Picture.decode(await this.page.screenshot({ clip, captureBeyondViewport: false, type: 'png' }));

@@ -36,6 +36,8 @@ export class Tab {
   constructor() {
     /** Console errors and warnings, uncaught exceptions, failed requests. @type {string[]} */
     this.problems = [];
+    /** Whether WebGL2 draws. */
+    this.draws = true;
   }
 
   /**

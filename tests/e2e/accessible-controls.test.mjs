@@ -14,7 +14,7 @@ const DEFAULTS = defaultsOf('classic');
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 
@@ -75,7 +75,7 @@ test('accessible sliders have the ranges of the model, also for keys', async () 
 });
 
 test('an arrow key on an accessible slider changes the value, and egui shows it', async () => {
-  const { tab, panel } = await sharePage();
+  const { tab, panel } = await sharePage('classic', true);
   const rectangle = await panel.reveal('buoyancy');
   const picture = await tab.picture(rectangle);
   await tab.page.focus(controlOf('buoyancy'));

@@ -20,15 +20,15 @@ const AIM = 0.06;
 /** @type {Browser} */
 let browser;
 before(async () => {
-  browser = await Browser.launch();
+  browser = await Browser.launchWithoutDrawing();
 });
 after(() => browser?.close());
 
 const shared = sharedPage(() => browser);
 
 /** The page with its panel, and a paused fire of that model that has burnt for a second. */
-async function openPage(model = 'classic') {
-  const page = await shared(model);
+async function openPage(model = 'classic', draws = false) {
+  const page = await shared(model, draws);
   await page.tab.burnt(1);
   return page;
 }
@@ -74,7 +74,7 @@ test('an integer slider sets whole numbers, and the cap holds', async () => {
 });
 
 test('a choice takes the clicked name, and even a paused fire is redrawn', async () => {
-  const { tab, panel } = await openPage();
+  const { tab, panel } = await openPage('classic', true);
   await tab.frames(4);
   const fire = await tab.firePicture();
   await panel.choose('display_mode', 'paper');
@@ -107,7 +107,7 @@ test('each of many choices is selected from a list, by mouse, finger and keys', 
 });
 
 test('a parameter without effect is dimmed and described, and can still be set', async () => {
-  const { tab, panel } = await openPage();
+  const { tab, panel } = await openPage('classic', true);
   const reported = (id) => tab.page.$eval(`[data-parameter="${id}"]`, (control) => (
     document.getElementById(control.getAttribute('aria-describedby') ?? '')?.textContent
   ));
@@ -147,7 +147,7 @@ test('a flag goes on with one click and off with the next', async () => {
 });
 
 test('a colour is dragged out of its sliders, and stands behind the fire', async () => {
-  const { tab, panel } = await openPage();
+  const { tab, panel } = await openPage('classic', true);
   await tab.click(along(await panel.reveal('background'), 0.5));
   await panel.reveal('background');
   for (const [slider, to] of [['brightness', 0.8], ['saturation', 0.95], ['hue', 0.66]]) {
@@ -176,7 +176,7 @@ test('a seed is typed over the number, and the fire restarts from it', async () 
 });
 
 test('the pause button stops and continues time and picture', async () => {
-  const { tab, panel } = await openPage();
+  const { tab, panel } = await openPage('classic', true);
   await tab.fire((fire) => fire.play());
   await panel.press('pause');
   await tab.until(
@@ -265,7 +265,7 @@ test('each model has its own controls, and its values return with it', async () 
 });
 
 test('the panel follows a model that the page sets', async () => {
-  const { tab, panel } = await openPage();
+  const { tab, panel } = await openPage('classic', true);
   // As many particles as the classic model had: no event tells that they stay.
   await tab.fire((fire) => fire.set({ model: 'combustion', max_particles: 1000 }));
   const own = PARAMETERS.filter(({ models }) => !models.includes('classic')).map(({ id }) => id);

@@ -236,16 +236,17 @@ export class Panel {
 
 /**
  * Opens the page with its panel and a paused fire, for tests that can share a page. It is
- * loaded once and reset for each test: its wasm takes longer to load than most tests take.
+ * loaded once and reset for each test: its wasm takes longer to load than most tests take. It is loaded again
+ * where one test looks at pictures and the next does not.
  * @param {() => import('./driver.mjs').Browser} browser
- * @returns {(model?: string) => Promise<{tab: Tab, panel: Panel}>}
+ * @returns {(model?: string, draws?: boolean) => Promise<{tab: Tab, panel: Panel}>}
  */
 export function sharedPage(browser) {
   /** @type {{tab: Tab, panel: Panel} | undefined} */
   let page;
-  return async (model = 'classic') => {
-    if (!page || page.tab !== browser().tab) {
-      const tab = await browser().open('index.html?model=classic', { width: 760, height: 600 });
+  return async (model = 'classic', draws = browser().draws) => {
+    if (!page || page.tab !== browser().tab || page.tab.draws !== draws) {
+      const tab = await browser().open('index.html?model=classic', { width: 760, height: 600, draws });
       await tab.ready();
       // A reset would burn the fire warm, and fade into it.
       await tab.fire((fire) => fire.removeAttribute('warm'));

@@ -1,4 +1,4 @@
-//! Fingerprints of whole runs: the measure behind "same seed, same bits".
+//! What several tests use, and fingerprints of whole runs: the measure behind "same seed, same bits".
 //!
 //! A run of a thousand steps is folded into one number, over every bit of
 //! every particle. Two runs are the same exactly if their fingerprints are,
@@ -11,9 +11,30 @@ pub mod plain;
 pub mod sweep;
 pub mod validation;
 
+use std::num::NonZero;
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+
 use hearth_core::params::{Input, PARAMETERS, Parameters};
 use hearth_core::preset::{PRESETS, Preset};
 use hearth_core::{Particle, Scene, Simulation, Vec2, Where};
+
+/// Runs each case once, on as many threads as the machine has cores: the last test of a program
+/// would leave the others idle. A case that panics fails the test.
+pub fn on_all_cores<T: Send>(cases: Vec<T>, run: impl Fn(T) + Sync) {
+    let cores = thread::available_parallelism().map_or(1, NonZero::get);
+    let cases = Mutex::new(cases.into_iter());
+    let next = || cases.lock().unwrap_or_else(PoisonError::into_inner).next();
+    thread::scope(|scope| {
+        for _ in 0..cores {
+            scope.spawn(|| {
+                while let Some(case) = next() {
+                    run(case);
+                }
+            });
+        }
+    });
+}
 
 /// Steps in a fingerprinted run: about four seconds of the classic fire, so that
 /// particles have been born, have pushed each other, and have died; two of the

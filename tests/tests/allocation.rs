@@ -11,6 +11,7 @@ use std::cell::Cell;
 use hearth_core::params::{Input, Model};
 use hearth_core::{Parameters, Scene, Simulation, Vec2};
 use hearth_tests::fires::{beside_outlines, everything, in_the_open, on_floor};
+use hearth_tests::on_all_cores;
 
 struct Counting;
 
@@ -73,27 +74,27 @@ fn a_warm_fire_allocates_nothing() {
         let place = ("y", Input::Number(height));
         assert!(falling.add(&[&free[..], &[place]].concat()).is_ok());
     }
-    for scene in fires.into_iter().chain([beside, falling]) {
-        // Briefly where each picture takes as long as a step.
-        for (mode, steps) in [("fire", 2400), ("vorticity", 800)] {
-            let mut scene = scene.clone();
-            let mut parameters = scene.settings().clone();
-            assert_eq!(parameters.set("display_mode", Input::Text(mode)), Ok(()));
-            // As many embers at any time: the copies grow to the most that there were.
-            let life = f64::from(parameters.ember_life_max);
-            assert_eq!(
-                parameters.set("ember_life_min", Input::Number(life)),
-                Ok(())
-            );
-            let model = parameters.model();
-            scene.set_settings(parameters);
-            let solids = scene.solids().count();
-            let (cold, warm) = allocations(scene, steps);
-            assert!(cold > 0, "the count does not count");
-            // Anything that allocates in some of the steps does so hundreds of times.
-            assert!(warm <= 1, "{warm}: {model:?}, {mode}, {solids} solids");
-        }
-    }
+    let scenes = fires.into_iter().chain([beside, falling]);
+    // Briefly where each picture takes as long as a step.
+    let modes = [("fire", 2400), ("vorticity", 800)];
+    let cases = scenes.flat_map(|scene| modes.map(|mode| (scene.clone(), mode)));
+    on_all_cores(cases.collect(), |(mut scene, (mode, steps))| {
+        let mut parameters = scene.settings().clone();
+        assert_eq!(parameters.set("display_mode", Input::Text(mode)), Ok(()));
+        // As many embers at any time: the copies grow to the most that there were.
+        let life = f64::from(parameters.ember_life_max);
+        assert_eq!(
+            parameters.set("ember_life_min", Input::Number(life)),
+            Ok(())
+        );
+        let model = parameters.model();
+        scene.set_settings(parameters);
+        let solids = scene.solids().count();
+        let (cold, warm) = allocations(scene, steps);
+        assert!(cold > 0, "the count does not count");
+        // Anything that allocates in some of the steps does so hundreds of times.
+        assert!(warm <= 1, "{warm}: {model:?}, {mode}, {solids} solids");
+    });
 }
 
 #[test]

@@ -4,15 +4,10 @@
 //! This is a sample; `cargo xtask soak` goes to hundreds of corners.
 #![cfg(not(target_arch = "wasm32"))]
 
-use std::num::NonZero;
-use std::sync::{Mutex, PoisonError};
-use std::thread;
-
 use hearth_core::params::{Input, Model, PARAMETERS, Param};
 use hearth_core::random::Random;
 use hearth_core::{Parameters, Simulation};
-use hearth_tests::fires;
-use hearth_tests::sweep;
+use hearth_tests::{fires, on_all_cores, sweep};
 
 /// Simulated time of a corner \[s\].
 const SECONDS: f64 = 2.0;
@@ -40,23 +35,6 @@ fn random_corners(model: Model, corners: u32, seed: u32) {
     on_all_cores(corners.collect(), |parameters| {
         let outcome = sweep::there_and_back(&parameters, SECONDS);
         assert_eq!(outcome.fault(), None, "{}", sweep::described(&parameters));
-    });
-}
-
-/// Runs each case once, on as many threads as the machine has cores: the last test of this
-/// file takes the longest, and would leave the others idle. A case that panics fails the test.
-fn on_all_cores<T: Send>(cases: Vec<T>, run: impl Fn(T) + Sync) {
-    let cores = thread::available_parallelism().map_or(1, NonZero::get);
-    let cases = Mutex::new(cases.into_iter());
-    let next = || cases.lock().unwrap_or_else(PoisonError::into_inner).next();
-    thread::scope(|scope| {
-        for _ in 0..cores {
-            scope.spawn(|| {
-                while let Some(case) = next() {
-                    run(case);
-                }
-            });
-        }
     });
 }
 

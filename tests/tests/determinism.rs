@@ -46,32 +46,41 @@ mod natively {
 #[cfg(target_arch = "wasm32")]
 mod in_wasm {
     use hearth_tests::fingerprints;
+    use js_sys::{Function, Promise};
     use wasm_bindgen::prelude::*;
+    use wasm_bindgen_futures::JsFuture;
     use wasm_bindgen_test::wasm_bindgen_test;
 
     #[wasm_bindgen(module = "child_process")]
     extern "C" {
-        /// Runs a program to its end and gives what it printed.
-        #[wasm_bindgen(js_name = execFileSync, catch)]
-        fn run(
-            program: &str,
-            arguments: Vec<String>,
-            options: &JsValue,
-        ) -> Result<JsValue, JsValue>;
+        /// Starts a program, and calls `done` with its error or with what it printed.
+        #[wasm_bindgen(js_name = execFile)]
+        fn start(program: &str, arguments: Vec<String>, options: &JsValue, done: &JsValue);
     }
 
-    /// What the native program prints. Cargo runs tests in their package's
+    /// Starts the native program and gives what it prints. Cargo runs tests in their package's
     /// folder, so it finds the workspace by itself.
-    fn native_fingerprints() -> Result<String, JsValue> {
-        let arguments = ["run", "--quiet", "--example", "fingerprint"];
-        let options = js_sys::Object::new();
-        js_sys::Reflect::set(&options, &"encoding".into(), &"utf8".into())?;
-        let printed = run("cargo", arguments.map(String::from).to_vec(), &options)?;
-        printed.as_string().ok_or(printed)
+    fn native_fingerprints() -> Promise {
+        Promise::new(&mut |resolve: Function, reject: Function| {
+            let done = Closure::once_into_js(move |error: JsValue, printed: JsValue| {
+                if error.is_null() {
+                    resolve.call1(&JsValue::NULL, &printed)
+                } else {
+                    reject.call1(&JsValue::NULL, &error)
+                }
+            });
+            let arguments = ["run", "--quiet", "--example", "fingerprint"];
+            let arguments = arguments.map(String::from).to_vec();
+            start("cargo", arguments, &js_sys::Object::new(), &done);
+        })
     }
 
     #[wasm_bindgen_test]
-    fn wasm_gives_the_same_bits_as_native() {
-        assert_eq!(native_fingerprints(), Ok(fingerprints()));
+    async fn wasm_gives_the_same_bits_as_native() {
+        // The native program runs on another core.
+        let native = native_fingerprints();
+        let own = fingerprints();
+        let printed = JsFuture::from(native).await;
+        assert_eq!(printed.map(|text| text.as_string()), Ok(Some(own)));
     }
 }

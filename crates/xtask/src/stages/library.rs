@@ -25,7 +25,12 @@ fn run_tests(folder: &str) -> Result<()> {
     let mut tests = sh.read_dir(folder)?;
     tests.retain(|path| path.to_string_lossy().ends_with(".test.mjs"));
     ensure!(!tests.is_empty(), "{folder} contains no test");
-    let options = ["--test-timeout=600000", "--test-reporter=spec"];
+    // Two files at a time: on two cores Node would run one.
+    let options = [
+        "--test-timeout=600000",
+        "--test-reporter=spec",
+        "--test-concurrency=2",
+    ];
     let node = cmd!(sh, "node --test {options...} {tests...}");
     Ok(node.env("HEARTH_SITE", paths::site()).run()?)
 }

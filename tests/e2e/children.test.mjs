@@ -299,6 +299,20 @@ test('a preset, settings and a reset keep the objects of the children', async ()
   assert.deepEqual(tab.problems, []);
 });
 
+test('an attribute of a child that changes right after its object was replaced is kept with the object', async () => {
+  const tab = await opened('<hearth-solid x="0.3"></hearth-solid>');
+  for (const [y, replace] of /** @type {[number, (fire: any) => void][]} */ ([
+    [0.7, (fire) => fire.setAttribute('preset', 'candle')],
+    [0.8, (fire) => fire.importConfig({ hearth: 2, values: { wind: 1 } })],
+    [0.9, (fire) => { fire.objects = []; }],
+  ])) {
+    // The engine gets the change after it has replaced the objects.
+    await acts(tab, new Function('fire', 'y', `(${replace})(fire); fire.firstElementChild.setAttribute('y', y);`), y);
+    assert.deepEqual((await owned(tab)).map(({ x, y }) => [x, y]), [[0.3, y]], `${replace}`);
+  }
+  assert.deepEqual(tab.problems, []);
+});
+
 test('undo and export carry the objects as they are', async () => {
   const tab = await opened('<hearth-solid x="0.3"></hearth-solid>');
   await tab.fire(async (fire) => {

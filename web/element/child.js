@@ -56,6 +56,10 @@ export class Child {
   lost = false;
   /** @type {Values} */
   kept = {};
+  /** Whether an attribute has changed, so that its object is added again if a call has removed it. */
+  returns = false;
+  /** Whether a call found it removed, and it is added again. */
+  gone = false;
   /** Whether there is no room for its object. */
   refused = false;
   /** Whether another object has its id. */
@@ -128,6 +132,7 @@ export class Child {
     } else if (this.hidden || (this.of && PLACED[this.kind].includes(property))) {
       // The target decides.
     } else if (this.live || (this.adopts && this.id === undefined)) {
+      this.returns = true;
       this.#write({ [property]: this.#valueOf(property) });
     } else {
       // It was refused, or a call has removed the object.
@@ -267,6 +272,7 @@ export class Child {
       try {
         await answer;
         accepted = true;
+        this.returns = false;
       } catch (error) {
         const { errors } = /** @type {{errors?: {id: string}[]}} */ (error);
         const refused = errors?.map(({ id }) => propertyOf(id)) ?? [];
@@ -284,7 +290,9 @@ export class Child {
         } else if (left.length < Object.keys(rest).length) {
           rest = Object.fromEntries(left);
         } else {
-          this.lost = false;
+          if (!this.lost) this.kept = {};
+          this.lost = this.gone;
+          this.gone = false;
           break;
         }
       }

@@ -181,8 +181,9 @@ export class Children {
     const child = call && this.calls.get(call);
     if (!child) return undefined;
     child.taken = errors.some(({ id }) => /^objects\[\d+\]\.id$/.test(id));
+    child.gone = (child.lost || child.returns) && errors.some(({ id }) => id === 'id');
     const sources = Object.entries(PROPERTIES.source);
-    return child.taken ? [] : errors.map((error) => {
+    return child.taken || child.gone ? [] : errors.map((error) => {
       const property = /^objects\[\d+\]\.(.*)$/.exec(error.id)?.[1] ?? sources.find(([, { parameter }]) => parameter === error.id)?.[0];
       const id = property ? attributeOf(property) : error.id;
       return { ...error, id, message: `${child.name}: ${error.message.replace(error.id, id)}` };

@@ -91,6 +91,19 @@ test('the camera counts: fit, align, zoom, pan and the domain', async () => {
   assert.deepEqual(tab.problems, []);
 });
 
+test('a solid that moves with its element stays when a preset replaces the objects', async () => {
+  const tab = await opened('<hearth-solid of="#headline"></hearth-solid>');
+  await follows(tab, 'the solid has the box');
+  // The report of the height moves the solid, whose call the engine gets after the preset.
+  await tab.fire((fire) => {
+    fire.setAttribute('domain-height', '3');
+    fire.setAttribute('preset', 'candle');
+  });
+  await tab.until('the scene', () => /** @type {any} */ (document.querySelector('hearth-fire')).objects.length === 4);
+  await follows(tab, 'it has the box in the other scene');
+  assert.deepEqual(tab.problems, []);
+});
+
 test('a source burns along the upper side of the element, within its ranges', async () => {
   const tab = await opened('<hearth-source of="#headline" power="100"></hearth-source>', { style: HEADLINE.replace('120px', '220px') });
   const metres = (/** @type {number} */ pixels) => (pixels * 1.8) / 300;

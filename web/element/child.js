@@ -56,9 +56,7 @@ export class Child {
   lost = false;
   /** @type {Values} */
   kept = {};
-  /** Whether an attribute has changed, so that its object is added again if a call has removed it. */
-  returns = false;
-  /** Whether a call found it removed, and it is added again. */
+  /** Whether a call found its object removed, and it is added again. */
   gone = false;
   /** Whether there is no room for its object. */
   refused = false;
@@ -132,8 +130,7 @@ export class Child {
     } else if (this.hidden || (this.of && PLACED[this.kind].includes(property))) {
       // The target decides.
     } else if (this.live || (this.adopts && this.id === undefined)) {
-      this.returns = true;
-      this.#write({ [property]: this.#valueOf(property) });
+      this.#write({ [property]: this.#valueOf(property) }, true);
     } else {
       // It was refused, or a call has removed the object.
       this.put();
@@ -246,10 +243,10 @@ export class Child {
     }
   }
 
-  /** Sets properties of its object. @param {Values} values */
-  #write(values) {
+  /** Sets properties of its object; adds it `again` if a call has removed it. @param {Values} values */
+  #write(values, again = false) {
     this.#owner.note(this, values);
-    return this.#ask(values, (rest) => this.#owner.set(this, rest));
+    return this.#ask(values, (rest) => this.#owner.set(this, rest), again);
   }
 
   /** Removes its object, because its target has no box. */
@@ -260,19 +257,18 @@ export class Child {
 
   /**
    * Calls the engine without the values that it refuses. Resolves to whether it accepted a call.
-   * @type {(values: Values, send: (values: Values) => Promise<unknown>) => Promise<boolean>}
+   * @type {(values: Values, send: (values: Values) => Promise<unknown>, again?: boolean) => Promise<boolean>}
    */
-  async #ask(values, send) {
+  async #ask(values, send, again = false) {
     this.#sent.add(values);
     if (this.#solidName && this.#reference in values) this.#solid = this.#solidOf(this.#solidName);
     let accepted = false;
     for (let rest = values; !accepted; ) {
       const answer = send(rest);
-      this.#owner.calls.set(answer, this);
+      this.#owner.calls.set(answer, { child: this, again });
       try {
         await answer;
         accepted = true;
-        this.returns = false;
       } catch (error) {
         const { errors } = /** @type {{errors?: {id: string}[]}} */ (error);
         const refused = errors?.map(({ id }) => propertyOf(id)) ?? [];

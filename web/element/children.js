@@ -29,7 +29,7 @@ const propertiesOf = ({ kind, id, ...properties } = {}) => properties;
 export class Children {
   /** In their order in the document. @type {Child[]} */
   #children = [];
-  /** The child of each call. @type {WeakMap<Promise<unknown>, Child>} */
+  /** The child of each call, and whether its object is added again if it is gone. @type {WeakMap<Promise<unknown>, {child: Child, again: boolean}>} */
   calls = new WeakMap();
   /**
    * The source that the settings describe as it was before a child took its place, if that is known, and the
@@ -178,10 +178,11 @@ export class Children {
    * @type {(errors: Refusal[], call: Promise<unknown> | undefined) => Refusal[] | undefined}
    */
   named(errors, call) {
-    const child = call && this.calls.get(call);
-    if (!child) return undefined;
+    const asked = call && this.calls.get(call);
+    if (!asked) return undefined;
+    const { child, again } = asked;
     child.taken = errors.some(({ id }) => /^objects\[\d+\]\.id$/.test(id));
-    child.gone = (child.lost || child.returns) && errors.some(({ id }) => id === 'id');
+    child.gone = (child.lost || again) && errors.some(({ id }) => id === 'id');
     const sources = Object.entries(PROPERTIES.source);
     return child.taken || child.gone ? [] : errors.map((error) => {
       const property = /^objects\[\d+\]\.(.*)$/.exec(error.id)?.[1] ?? sources.find(([, { parameter }]) => parameter === error.id)?.[0];

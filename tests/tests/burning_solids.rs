@@ -1,5 +1,4 @@
 //! Laws of sources on solids: the whole outline burns, wherever the solid is.
-#![cfg(not(target_arch = "wasm32"))]
 
 use hearth_core::params::{Input, Model, Parameters};
 use hearth_core::{Scene, Simulation, Vec2};

@@ -1,7 +1,6 @@
 //! The `use` declarations between the files of a crate form no circle.
 //!
 //! A `mod` declaration of a parent is not a use. Unit tests may use any file.
-#![cfg(not(target_arch = "wasm32"))]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

@@ -1,5 +1,4 @@
 //! Hot gas, fire and smoke in the combustion model.
-#![cfg(not(target_arch = "wasm32"))]
 
 use hearth_core::{Particle, Simulation, Vec2};
 use hearth_tests::fires::{burn, burn_on, closed_box, combustion, filled, mean, watch};

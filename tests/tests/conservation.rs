@@ -1,5 +1,4 @@
 //! What the combustion model keeps: particles, mass, momentum, heat and matter.
-#![cfg(not(target_arch = "wasm32"))]
 
 use hearth_core::params::Model;
 use hearth_core::random::Random;

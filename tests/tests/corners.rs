@@ -2,7 +2,6 @@
 //! clamping, and recovers.
 //!
 //! This is a sample; `cargo xtask soak` goes to hundreds of corners.
-#![cfg(not(target_arch = "wasm32"))]
 
 use hearth_core::params::{Input, Model, PARAMETERS, Param};
 use hearth_core::random::Random;

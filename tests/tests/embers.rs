@@ -1,5 +1,4 @@
 //! Embers are born in the flames, fly, cool and die.
-#![cfg(not(target_arch = "wasm32"))]
 
 use std::collections::HashMap;
 

@@ -1,6 +1,5 @@
 //! Laws of solids that burn: what they give off is what they lose, and fire spreads by the
 //! equations.
-#![cfg(not(target_arch = "wasm32"))]
 
 use hearth_core::params::{Input, Parameters};
 use hearth_core::{BurningSolid, BurningState, Scene, Simulation, Vec2, Where};

@@ -3,7 +3,6 @@
 //!
 //! `cargo xtask fuzz --minutes N` looks for longer. A case that fails names the seed that
 //! repeats it.
-#![cfg(not(target_arch = "wasm32"))]
 
 use std::time::{Duration, Instant};
 use std::{env, fs, io, thread};

@@ -1,6 +1,5 @@
 //! Objects that no page should make: each is refused in words and the scene stays as it was, or a
 //! fire survives it with no gas inside.
-#![cfg(not(target_arch = "wasm32"))]
 
 use std::fmt::Write as _;
 

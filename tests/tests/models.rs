@@ -1,6 +1,5 @@
 //! Two models, and the way from one to the other; live changes in the
 //! combustion model that keep the fire burning.
-#![cfg(not(target_arch = "wasm32"))]
 
 use hearth_core::params::{Input, Model};
 use hearth_core::{Simulation, StepReport};

@@ -1,6 +1,5 @@
 //! What changes while a fire burns in open air makes no hole, burst or pop: what is seen, the place
 //! of the source, the frame, and values that slide.
-#![cfg(not(target_arch = "wasm32"))]
 
 use hearth_core::params::Input;
 use hearth_core::{Simulation, Vec2};

@@ -1,5 +1,4 @@
 //! Every parameter does something, and whatever cannot be is refused in words.
-#![cfg(not(target_arch = "wasm32"))]
 
 use hearth_core::params::{Input, Kind, Model, PARAMETERS, Param, ParamErrorKind, Value};
 use hearth_core::{Parameters, Scene, Simulation};

@@ -1,7 +1,6 @@
 //! Every scene stays finite and inside without clamping, glows, and is cheap enough for a page.
 //!
 //! The tests run its first seconds; `cargo xtask soak` runs each scene for a minute.
-#![cfg(not(target_arch = "wasm32"))]
 
 use std::fs;
 use std::path::Path;

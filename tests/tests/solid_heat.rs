@@ -1,5 +1,4 @@
 //! Laws of solids that conduct heat: what gas loses, they gain and radiate.
-#![cfg(not(target_arch = "wasm32"))]
 
 use hearth_core::params::Input;
 use hearth_core::{Scene, Simulation};

@@ -1,6 +1,5 @@
 //! A fire burns where its source stands, as it would in the middle, and goes with it
 //! without a burst or a hole.
-#![cfg(not(target_arch = "wasm32"))]
 
 use hearth_core::params::Input;
 use hearth_core::{Parameters, Scene, Simulation, Source, Vec2};

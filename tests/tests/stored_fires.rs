@@ -1,5 +1,4 @@
 //! The fires that pages open with: saved simulations in `web/burning`.
-#![cfg(not(target_arch = "wasm32"))]
 
 use std::fs;
 use std::path::Path;

@@ -1,5 +1,4 @@
 //! Laws of solids thinner than the reach of the kernel: neither side feels the other.
-#![cfg(not(target_arch = "wasm32"))]
 
 use hearth_core::params::{Input, Parameters};
 use hearth_core::{Particle, Scene, Simulation, Vec2};

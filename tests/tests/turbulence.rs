@@ -1,5 +1,4 @@
 //! Turbulence stirs, in both models, by chance and yet the same each time.
-#![cfg(not(target_arch = "wasm32"))]
 
 use hearth_core::params::Model;
 use hearth_core::{Parameters, Particle, Simulation};

@@ -1,7 +1,6 @@
 //! The quick rows of the validation table: theory, to its tolerance.
 //!
 //! `cargo xtask validate` runs the long ones as well and prints all figures.
-#![cfg(not(target_arch = "wasm32"))]
 
 use hearth_tests::validation::{self, Pace, Verdict, not_reached::NOT_REACHED, table};
 

@@ -8,7 +8,7 @@
 use std::path::Path;
 use std::str::FromStr;
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Result, ensure};
 
 use crate::shell::Shell;
 
@@ -32,22 +32,16 @@ impl FromStr for Base {
     type Err = anyhow::Error;
 
     fn from_str(text: &str) -> Result<Base> {
-        let host = ["https://", "http://"]
-            .iter()
-            .find_map(|scheme| text.strip_prefix(scheme));
+        let host = ["https://", "http://"].map(|scheme| text.strip_prefix(scheme));
+        let host = host.into_iter().flatten().next().unwrap_or_default();
         let allowed =
             |letter: char| letter.is_ascii_alphanumeric() || "-._~:/%[]@".contains(letter);
-        match host {
-            Some(host)
-                if !host.is_empty() && !host.starts_with('/') && host.chars().all(allowed) =>
-            {
-                Ok(Base(format!("{}/", text.trim_end_matches('/'))))
-            }
-            _ => bail!(
-                "it must be the address of the site's folder, as https://example.org/fire/, \
-                 not \"{text}\""
-            ),
-        }
+        ensure!(
+            !host.is_empty() && !host.starts_with('/') && host.chars().all(allowed),
+            "it must be the address of the site's folder, as https://example.org/fire/, \
+             not \"{text}\""
+        );
+        Ok(Base(format!("{}/", text.trim_end_matches('/'))))
     }
 }
 
@@ -75,10 +69,7 @@ mod tests {
         for (given, address) in [
             ("https://a.example", "https://a.example/"),
             ("https://a.example/fire/", "https://a.example/fire/"),
-            (
-                "http://127.0.0.1:8080/a%20b",
-                "http://127.0.0.1:8080/a%20b/",
-            ),
+            ("http://127.0.0.1:80/a%20b", "http://127.0.0.1:80/a%20b/"),
         ] {
             assert_eq!(given.parse::<Base>()?, Base(address.to_owned()));
         }
@@ -117,10 +108,8 @@ mod tests {
             assert!(!html.contains(RELATIVE), "{page}");
         }
         // The page still works in any folder.
-        assert!(
-            sh.read_file(site.join("index.html"))?
-                .contains("src=\"./web/")
-        );
+        let html = sh.read_file(site.join("index.html"))?;
+        assert!(html.contains("src=\"./web/"));
         assert!(make_absolute(site, &"https://a.example".parse()?).is_err());
         Ok(())
     }

@@ -11,6 +11,7 @@ use crate::tools;
 /// Installs what the lock file in `folder` pins, unless that is done.
 pub(crate) fn install(folder: &Path) -> Result<()> {
     tools::node()?;
+    let _only = tools::installing();
     let written = |file: &str| fs::metadata(folder.join(file)).and_then(|about| about.modified());
     let installed = written("node_modules/.package-lock.json");
     if let (Ok(installed), Ok(locked)) = (installed, written("package-lock.json"))

@@ -1,30 +1,34 @@
 //! The report of `cargo xtask test`: a headline and the time of each stage, and at the end
-//! a table and a line of totals.
+//! a table and a line of totals. Threads share it.
 
 use std::fmt::Write as _;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use anyhow::{Result, anyhow};
 
-/// How a stage ended.
-#[derive(Debug, PartialEq)]
-enum Outcome {
-    Passed,
-    Failed(String),
-    Skipped,
-}
+/// How a stage ended: a word, or why it failed.
+type Outcome = Result<&'static str, String>;
+
+/// The stages so far, in the order of their ends.
+type Stages = Vec<(&'static str, Outcome, Duration)>;
 
 /// The stages so far.
-#[derive(Debug, Default)]
 pub(crate) struct Report {
-    stages: Vec<(&'static str, Outcome, Duration)>,
+    start: Instant,
+    stages: Mutex<Stages>,
 }
 
 impl Report {
+    pub(crate) fn new() -> Report {
+        let (start, stages) = (Instant::now(), Mutex::default());
+        Report { start, stages }
+    }
+
     /// Runs a stage and records how it ended. The stage fails without running where the
     /// one that it `needs` failed.
     pub(crate) fn stage(
-        &mut self,
+        &self,
         name: &'static str,
         about: &str,
         needs: Option<&str>,
@@ -32,63 +36,51 @@ impl Report {
     ) {
         println!("\n=== {name}: {about}");
         let start = Instant::now();
-        let result = match needs {
-            Some(need) if self.failed().any(|failed| failed == need) => {
-                Err(anyhow!("not run, because \"{need}\" failed"))
-            }
-            _ => work(),
+        let failed = |stage: &(&str, Outcome, _)| Some(stage.0) == needs && stage.1.is_err();
+        let result = match needs.filter(|_| self.stages().iter().any(failed)) {
+            Some(need) => Err(anyhow!("not run, because \"{need}\" failed")),
+            None => work(),
         };
         let time = start.elapsed();
-        let outcome = match result {
-            Ok(()) => Outcome::Passed,
-            Err(error) => Outcome::Failed(format!("{error:#}")),
-        };
+        let outcome = result.map_err(|error| format!("{error:#}"));
         match &outcome {
-            Outcome::Failed(why) => println!("=== {name} FAILED after {}: {why}", shown(time)),
-            _ => println!("=== {name} passed in {}", shown(time)),
+            Err(why) => println!("=== {name} FAILED after {}: {why}", shown(time)),
+            Ok(()) => println!("=== {name} passed in {}", shown(time)),
         }
-        self.stages.push((name, outcome, time));
+        let stage = (name, outcome.map(|()| "passed"), time);
+        self.stages().push(stage);
     }
 
     /// Records a stage that is skipped on request.
-    pub(crate) fn skip(&mut self, name: &'static str) {
+    pub(crate) fn skip(&self, name: &'static str) {
         println!("\n=== {name}: skipped on request");
-        self.stages.push((name, Outcome::Skipped, Duration::ZERO));
+        self.stages().push((name, Ok("skipped"), Duration::ZERO));
     }
 
-    fn failed(&self) -> impl Iterator<Item = &str> {
-        let failed = |outcome: &Outcome| matches!(outcome, Outcome::Failed(_));
-        let stages = self.stages.iter();
-        stages.filter_map(move |(name, outcome, _)| failed(outcome).then_some(*name))
+    fn stages(&self) -> MutexGuard<'_, Stages> {
+        self.stages.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Whether everything that ran passed.
     pub(crate) fn passed(&self) -> bool {
-        self.failed().next().is_none()
+        self.stages().iter().all(|(_, outcome, _)| outcome.is_ok())
     }
 
     /// The table of all stages; its last line is `N passed, M failed`.
     pub(crate) fn summary(&self) -> String {
         let mut text = String::new();
-        for (name, outcome, time) in &self.stages {
-            let word = match outcome {
-                Outcome::Passed => "passed",
-                Outcome::Failed(_) => "FAILED",
-                Outcome::Skipped => "skipped",
-            };
+        let stages = self.stages();
+        for (name, outcome, time) in &*stages {
+            let word = outcome.as_ref().unwrap_or(&"FAILED");
             let _ = writeln!(text, "{name:<12}{word:<10}{:>10}", shown(*time));
-            if let Outcome::Failed(why) = outcome {
+            if let Err(why) = outcome {
                 let indented = why.replace('\n', "\n            ");
                 let _ = writeln!(text, "            {indented}");
             }
         }
-        let total = self.stages.iter().map(|(_, _, time)| *time).sum();
-        let passed = self
-            .stages
-            .iter()
-            .filter(|stage| stage.1 == Outcome::Passed);
-        let (passed, failed) = (passed.count(), self.failed().count());
-        let _ = writeln!(text, "{:<22}{:>10}", "", shown(total));
+        let count = |is: fn(&Outcome) -> bool| stages.iter().filter(|stage| is(&stage.1)).count();
+        let (passed, failed) = (count(|it| *it == Ok("passed")), count(Result::is_err));
+        let _ = writeln!(text, "{:<22}{:>10}", "", shown(self.start.elapsed()));
         let _ = writeln!(text, "{passed} passed, {failed} failed");
         text
     }
@@ -110,7 +102,7 @@ mod tests {
 
     #[test]
     fn the_last_line_counts() {
-        let mut report = Report::default();
+        let report = Report::new();
         report.stage("good", "", None, || Ok(()));
         report.stage("next", "", Some("good"), || Ok(()));
         report.skip("browser");
@@ -120,7 +112,7 @@ mod tests {
 
     #[test]
     fn a_failure_stops_what_needs_it_and_nothing_else() {
-        let mut report = Report::default();
+        let report = Report::new();
         let mut ran = Vec::new();
         report.stage("site", "", None, || bail!("no disk"));
         report.stage("e2e", "", Some("site"), || {

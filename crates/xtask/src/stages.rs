@@ -1,4 +1,4 @@
-//! `cargo xtask test`: every check of the project, one after another.
+//! `cargo xtask test`: every check of the project. Some that use one core run beside the others.
 //!
 //! A stage that fails stops only the stages that need its result, so one run reports
 //! everything. Quick and strict stages come first. All stages share one target folder and
@@ -9,6 +9,8 @@ pub(crate) mod browser;
 mod code;
 mod library;
 mod trunk;
+
+use std::thread;
 
 use anyhow::{Result, bail, ensure};
 use xshell::cmd;
@@ -25,6 +27,8 @@ struct Stage {
     /// The stage whose result this one uses.
     needs: Option<&'static str>,
     in_browser: bool,
+    /// Uses one core and no result of another stage: it runs beside the others.
+    beside: bool,
     /// Takes long and makes nothing: it runs only where an input changed since it passed.
     remembered: bool,
 }
@@ -39,6 +43,7 @@ macro_rules! stages {
                 run: $run,
                 needs: None,
                 in_browser: false,
+                beside: false,
                 remembered: false,
             };
             $( let stage = Stage { needs: Some($needs), ..stage }; )?
@@ -80,11 +85,11 @@ const STAGES: &[Stage] = stages! {
     "size" needs "site": "downloads stay small", size;
     "package" needs "site": "the npm package is whole and reproducible, and names no folder of this machine", package::make;
     "library" needs "site": "the headless library keeps its laws in Node, and the native bits", library::laws_in_node, remembered;
-    "publish": "the crates could be published", library::publishable;
-    "baselines": "the benchmarks' baselines compute the same gas", bench::baselines;
-    "cost": "a step takes no more instructions than recorded", bench::instructions, remembered;
+    "publish": "the crates could be published", library::publishable, beside;
+    "baselines": "the benchmarks' baselines compute the same gas", bench::baselines, beside;
+    "cost": "a step takes no more instructions than recorded", bench::instructions, beside, remembered;
     "wasm": "wasm gives the native bits", browser::wasm_in_node, remembered;
-    "browser": "shaders and canvases in headless Chromium", browser::wasm_in_chromium, in_browser, remembered;
+    "browser": "shaders and canvases in headless Chromium", browser::wasm_in_chromium, beside, in_browser, remembered;
     "goldens": "fires match the golden pictures", goldens::check, in_browser;
     "e2e" needs "site": "the page in Chromium, and its element in every browser", browser::end_to_end, in_browser;
     "consumers" needs "package": "the npm package works in pages, bundlers, React and on servers", browser::consumers, in_browser, remembered;
@@ -98,14 +103,21 @@ pub(crate) fn run(skip_browser: bool, all: bool, names: &[String]) -> Result<boo
     if all {
         Shell::new()?.remove_path(tools::passed("")?)?;
     }
-    let mut report = Report::default();
-    for stage in chosen(names)? {
-        if stage.in_browser && skip_browser {
-            report.skip(stage.name);
-        } else {
-            report.stage(stage.name, stage.about, stage.needs, || stage.run());
+    let report = Report::new();
+    let run = |stages: Vec<&Stage>| {
+        for stage in stages {
+            if stage.in_browser && skip_browser {
+                report.skip(stage.name);
+            } else {
+                report.stage(stage.name, stage.about, stage.needs, || stage.run());
+            }
         }
-    }
+    };
+    let (beside, others) = chosen(names)?.into_iter().partition(|stage| stage.beside);
+    thread::scope(|scope| {
+        scope.spawn(|| run(beside));
+        run(others);
+    });
     print!("\n{}", report.summary());
     Ok(report.passed())
 }
@@ -175,8 +187,9 @@ mod tests {
     #[test]
     fn a_stage_comes_after_what_it_needs() {
         for (at, stage) in STAGES.iter().enumerate() {
-            let before = |need| STAGES[..at].iter().any(|earlier| earlier.name == need);
+            let before = |need| STAGES[..at].iter().any(|it| it.name == need && !it.beside);
             assert!(stage.needs.is_none_or(before), "{}", stage.name);
+            assert!(!stage.beside || stage.needs.is_none(), "{}", stage.name);
         }
     }
 }

@@ -7,6 +7,7 @@
 use std::collections::BTreeSet;
 use std::env;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use anyhow::{Context, Result, anyhow, bail, ensure};
 use xshell::cmd;
@@ -35,6 +36,12 @@ pub(crate) fn target() -> Result<PathBuf> {
 /// The store of what passed; `tests/passed.mjs` reads and writes it.
 pub(crate) fn passed(store: &str) -> Result<PathBuf> {
     Ok(target()?.join("hearth-passed").join(store))
+}
+
+/// While this lives, no other thread installs.
+pub(crate) fn installing() -> MutexGuard<'static, ()> {
+    static ONE: Mutex<()> = Mutex::new(());
+    ONE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 fn metadata(arguments: &[&str]) -> Result<serde_json::Value> {
@@ -69,7 +76,7 @@ pub(crate) fn portable_paths() -> Result<(&'static str, String)> {
 
 /// Installs Rust's wasm target if it is missing.
 pub(crate) fn wasm_target() -> Result<()> {
-    let sh = Shell::new()?;
+    let (_only, sh) = (installing(), Shell::new()?);
     let folder = cmd!(sh, "rustc --print target-libdir --target {WASM}").read()?;
     if Path::new(&folder).is_dir() {
         return Ok(());
@@ -102,6 +109,7 @@ fn crate_tool(
     opt_level: &str,
     locked: Option<&str>,
 ) -> Result<()> {
+    let _only = installing();
     let sh = Shell::new()?;
     if let Some(file) = find(program) {
         let printed = cmd!(sh, "{file} --version").read().unwrap_or_default();
@@ -261,6 +269,7 @@ fn major(version: &str) -> Option<u32> {
 
 /// Installs Debian packages where that needs no password.
 fn apt_install(packages: &[&str]) -> Result<()> {
+    let _only = installing();
     ensure!(
         find("apt-get").is_some(),
         "this is not Debian: install the equivalents of its packages {}",

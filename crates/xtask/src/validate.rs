@@ -60,7 +60,7 @@ pub(crate) fn fuzz(minutes: Option<u32>, seed: Option<u32>) -> Result<()> {
     let limit = 600_000 + 4 * 60_000 * u64::from(minutes.unwrap_or(0));
     let option = format!("--test-timeout={limit}");
     cmd!(sh, "node --test {option} tests/web/fuzz.test.mjs").run()?;
-    Ok(cmd!(sh, "cargo test --package hearth-tests --test fuzz").run()?)
+    Ok(cmd!(sh, "cargo test --package hearth-tests --test laws fuzz::").run()?)
 }
 
 /// A program of the tests' package.

@@ -3,7 +3,7 @@
 use hearth_core::{Simulation, Vec2};
 use hearth_tests::fires::on_floor;
 
-use crate::{burn, burn_on, open};
+use super::{burn, burn_on, open};
 
 /// The part of the world that a picture of that width and height \[m\] shows.
 fn seen(width: f32, height: f32) -> Option<[Vec2; 2]> {

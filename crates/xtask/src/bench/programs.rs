@@ -20,10 +20,8 @@ const PYSPLISHSPLASH: &str = "pysplishsplash==2.19.0";
 pub(super) fn ready(yardstick: Option<&Path>, target: &Path) -> Result<Value> {
     let sh = Shell::new()?;
     let (mut programs, mut left_out) = (Vec::new(), Vec::new());
-    for (name, made) in [
-        ("salva2d", salva(&sh, target)),
-        ("SPlisHSPlasH", splishsplash(&sh)),
-    ] {
+    let others = [salva(&sh, target), splishsplash(&sh)];
+    for (name, made) in ["salva2d", "SPlisHSPlasH"].into_iter().zip(others) {
         match made {
             Ok(program) => programs.push(program),
             Err(error) => {
@@ -34,9 +32,8 @@ pub(super) fn ready(yardstick: Option<&Path>, target: &Path) -> Result<Value> {
         }
     }
     if let Some(path) = yardstick {
-        let program = path
-            .canonicalize()
-            .with_context(|| path.display().to_string())?;
+        let name = || path.display().to_string();
+        let program = path.canonicalize().with_context(name)?;
         programs.push(json!({ "command": [program], "yardstick": true }));
     }
     Ok(json!({ "programs": programs, "leftOut": left_out }))

@@ -127,11 +127,8 @@ pub(super) fn compared(figures: &Figures) -> Vec<Target> {
         for count in SIZES {
             let other = figures.row(name, scene, place, count);
             let what = format!("faster than {what}, N = {count}");
-            targets.push(faster(
-                &what,
-                limit,
-                ratio(other, own("block", count), cost),
-            ));
+            let times = ratio(other, own("block", count), cost);
+            targets.push(faster(&what, limit, times));
         }
     }
     let paper = ratio(own("paper", 5000), own("block", 5000), Row::nanoseconds);

@@ -1,6 +1,5 @@
 //! Laws of water that is sprayed: no water and no heat is lost, and a fire goes out because it is cooled
 //! and wet.
-#![cfg(not(target_arch = "wasm32"))]
 
 mod fires;
 mod gas;

@@ -3,7 +3,6 @@
 //! Random scenes of both models are stepped by both. The domains are often
 //! but a few kernels wide; particles crowd, lie in the same place, on the edges, in
 //! the corners and on the borders of the grid's cells.
-#![cfg(not(target_arch = "wasm32"))]
 
 mod scenes;
 

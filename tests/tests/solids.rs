@@ -1,5 +1,4 @@
 //! Laws of solids: gas flows around them and is never inside.
-#![cfg(not(target_arch = "wasm32"))]
 
 mod beside;
 mod inside;

@@ -1,5 +1,4 @@
 //! Laws of the open air: gas in a band around a fire, without a box.
-#![cfg(not(target_arch = "wasm32"))]
 
 mod views;
 

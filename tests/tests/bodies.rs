@@ -1,6 +1,5 @@
 //! Laws of solids that forces move: they fall, stack, slide, float and burn as rigid bodies do, and
 //! the gas and they exchange momentum.
-#![cfg(not(target_arch = "wasm32"))]
 
 mod breaking;
 mod burning;

@@ -31,3 +31,19 @@ mod thin_solids;
 mod turbulence;
 mod validation;
 mod water;
+
+/// A file that nothing names would compile nowhere and fail never.
+#[test]
+fn every_file_is_in_a_program() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let manifest = include_str!("../Cargo.toml");
+    for entry in folder.read_dir().unwrap() {
+        let path = entry.unwrap().path();
+        let (name, file) = (path.file_stem().unwrap(), path.file_name().unwrap());
+        let (name, file) = (name.to_str().unwrap(), file.to_str().unwrap());
+        let is_module = include_str!("laws.rs").contains(&format!("\nmod {name};\n"));
+        let is_program = manifest.contains(&format!("path = \"tests/{file}"));
+        let is_rust = path.is_dir() || file.ends_with(".rs");
+        assert!(!is_rust || is_module || is_program, "{file}");
+    }
+}

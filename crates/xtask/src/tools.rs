@@ -194,6 +194,7 @@ impl Program {
             packages,
             variable,
         } = self;
+        let _only = installing();
         if let Some(found) = self.found() {
             return Ok(found);
         }
@@ -251,6 +252,7 @@ pub(crate) fn node() -> Result<()> {
              https://nodejs.org or as Debian's packages nodejs and npm"
         )
     };
+    let _only = installing();
     if find("node").is_none() || find("npm").is_none() {
         apt_install(&["nodejs", "npm"]).with_context(hint)?;
     }
@@ -269,7 +271,6 @@ fn major(version: &str) -> Option<u32> {
 
 /// Installs Debian packages where that needs no password.
 fn apt_install(packages: &[&str]) -> Result<()> {
-    let _only = installing();
     ensure!(
         find("apt-get").is_some(),
         "this is not Debian: install the equivalents of its packages {}",

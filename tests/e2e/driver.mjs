@@ -4,8 +4,8 @@
  * functions in the page, takes pictures, loses WebGL2 contexts and records problems.
  *
  * `HEARTH_SITE` names the folder of the built site (`dist/site` by default);
- * `HEARTH_CHROMIUM`, `HEARTH_FIREFOX`, `HEARTH_WEBKIT_DRIVER` and `HEARTH_XVFB` name
- * programs (by default those on the PATH). A missing browser is a failure, never a skipped
+ * `HEARTH_CHROMIUM`, `HEARTH_HEADLESS_SHELL`, `HEARTH_FIREFOX`, `HEARTH_WEBKIT_DRIVER` and
+ * `HEARTH_XVFB` name programs (by default those on the PATH). A missing browser is a failure, never a skipped
  * test; `HEARTH_BROWSERS=chromium,firefox` selects some of the three.
  */
 export { Browser } from './driver/browser.mjs';

@@ -2,7 +2,7 @@
  * Measures the framing of the landing page's fire: the height of its bright part, and the
  * distance of its base from the lower edge, as shares of the stage's height. `node
  * framing.mjs` measures all sizes, `node framing.mjs 390x844` one; `--query scene=campfire`
- * measures another scene. `HEARTH_SITE` names the site, `HEARTH_CHROMIUM` the browser.
+ * measures another scene. `HEARTH_SITE` names the site, `HEARTH_HEADLESS_SHELL` the browser.
  *
  * The fire is paused and burns by requested steps, so every machine measures the same
  * seconds.

@@ -13,7 +13,8 @@ describe('the panel', () => {
   /** @type {Browser} */
   let browser;
   before(async () => {
-    browser = await Browser.launchWithoutDrawing();
+    // The headless shell has no clipboard.
+    browser = await Browser.start('chromium', { draws: false });
   });
   after(() => browser?.close());
 

@@ -73,11 +73,8 @@ pub(crate) fn build() -> Result<()> {
     }
     let html = sh.read_file("index.html")?;
     sh.write_file(site.join("index.html"), without_trunk_links(&html))?;
-    println!(
-        "Built {} in {:.0} s.",
-        paths::shown(&site),
-        start.elapsed().as_secs_f64()
-    );
+    let seconds = start.elapsed().as_secs();
+    println!("Built {} in {seconds} s.", paths::shown(&site));
     Ok(())
 }
 

@@ -40,7 +40,8 @@ fn quoted(advisory: &str, field: &str) -> Vec<String> {
 /// vulnerability, but an unmaintained crate for instance, does not count.
 fn advisories(database: &Path, name: &str, version: &str) -> Result<Vec<String>> {
     let folder = database.join("crates").join(name);
-    let version = Version::parse(version)?;
+    // Without its feature `std`, an error of semver is no `Error`.
+    let version = Version::parse(version).map_err(|error| error.to_string())?;
     let mut found = Vec::new();
     for file in fs::read_dir(folder).into_iter().flatten() {
         let advisory = fs::read_to_string(file?.path())?.replace("\r\n", "\n");

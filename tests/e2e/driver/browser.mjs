@@ -53,18 +53,18 @@ export class Browser {
   }
 
   /**
-   * Starts Chromium with an empty profile, and a server of the site or of other folders.
+   * Starts Chromium's headless shell with an empty profile, and a server of the site or of other folders.
    * @param {...string} folders
    */
   static launch(...folders) {
-    return Browser.start('chromium', { folders });
+    return Browser.start('chromium', { shell: true, folders });
   }
 
   /**
-   * Starts Chromium for tests that look at no picture: WebGL2 draws nothing in its pages.
+   * Starts Chromium's headless shell for tests that look at no picture: WebGL2 draws nothing in its pages.
    */
   static launchWithoutDrawing() {
-    return Browser.start('chromium', { draws: false });
+    return Browser.start('chromium', { shell: true, draws: false });
   }
 
   /**
@@ -72,16 +72,19 @@ export class Browser {
    * @param {Kind} kind
    * @param {object} [options]
    * @param {string[]} [options.folders]  Folders to serve instead of the site.
+   * @param {boolean} [options.shell]  Chromium's headless shell, which has no window and no clipboard, starts for
+   *   Chromium.
    * @param {boolean} [options.reducedMotion]  For all pages: Firefox and WebKit take it at
    *   start.
    * @param {boolean} [options.likeGraphicsCard]  Chromium composes its pages by WebGL's renderer, as with a graphics
    *   card: a benchmark measures how the page draws there.
    * @param {boolean} [options.draws]  Whether WebGL2 draws.
    */
-  static async start(kind, { folders = [], reducedMotion = false, likeGraphicsCard = false, draws = true } = {}) {
+  static async start(kind, options = {}) {
+    const { folders = [], shell = false, reducedMotion = false, likeGraphicsCard = false, draws = true } = options;
     const server = await serve(...(folders.length > 0 ? folders : [SITE]));
     try {
-      return new Browser(await START[kind]({ reducedMotion, likeGraphicsCard }, server), server, reducedMotion, draws);
+      return new Browser(await START[kind]({ shell, reducedMotion, likeGraphicsCard }, server), server, reducedMotion, draws);
     } catch (error) {
       await server.close();
       throw error;

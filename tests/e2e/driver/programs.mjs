@@ -28,16 +28,36 @@ function chosen(names) {
  * @param {string} variable @param {string[]} names @param {string} debian  Its package.
  */
 export function program(variable, names, debian) {
+  const found = find(variable, names);
+  if (found === undefined) throw new Error(`no ${names[0]}: install Debian's "${debian}" or name one in ${variable}`);
+  return found;
+}
+
+/** Chromium. */
+export function chromium() {
+  return program(
+    'HEARTH_CHROMIUM',
+    ['chromium', 'chromium-browser', 'google-chrome-stable', 'google-chrome'],
+    'chromium',
+  );
+}
+
+/** Chromium's headless shell, or Chromium where there is none. */
+export function headlessShell() {
+  return find('HEARTH_HEADLESS_SHELL', ['chromium-headless-shell', 'chrome-headless-shell']) ?? chromium();
+}
+
+/** @param {string} variable @param {string[]} names */
+function find(variable, names) {
   const named = process.env[variable];
   if (named) return named;
   const folders = (process.env.PATH ?? '').split(path.delimiter);
-  for (const file of names.flatMap((name) => folders.map((folder) => path.join(folder, name)))) {
+  return names.flatMap((name) => folders.map((folder) => path.join(folder, name))).find((file) => {
     try {
       accessSync(file, constants.X_OK);
-      return file;
+      return true;
     } catch {
-      // Not in this folder.
+      return false;
     }
-  }
-  throw new Error(`no ${names[0]}: install Debian's "${debian}" or name one in ${variable}`);
+  });
 }

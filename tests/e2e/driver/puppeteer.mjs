@@ -5,7 +5,7 @@
 import puppeteer from 'puppeteer-core';
 import { Picture } from '../picture.mjs';
 import { display } from './display.mjs';
-import { program } from './programs.mjs';
+import { chromium as whole, headlessShell, program } from './programs.mjs';
 import { PATIENCE, Tab } from './tab.mjs';
 
 const CHROMIUM_FLAGS = [
@@ -32,17 +32,13 @@ const protocolTimeout = 4 * PATIENCE;
 /** @typedef {import('./browser.mjs').Opening} Opening */
 
 /**
- * @param {{likeGraphicsCard?: boolean}} options
+ * @param {{shell?: boolean, likeGraphicsCard?: boolean}} options
  * @returns {Promise<import('./browser.mjs').Engine>}
  */
-export async function chromium({ likeGraphicsCard = false }) {
+export async function chromium({ shell = false, likeGraphicsCard = false }) {
   const browser = await puppeteer.launch({
-    executablePath: program(
-      'HEARTH_CHROMIUM',
-      ['chromium', 'chromium-browser', 'google-chrome-stable', 'google-chrome'],
-      'chromium',
-    ),
-    headless: true,
+    executablePath: shell ? headlessShell() : whole(),
+    headless: shell ? 'shell' : true,
     args: likeGraphicsCard ? CHROMIUM_FLAGS : [...CHROMIUM_FLAGS, COMPOSED_BY_PROCESSOR],
     protocolTimeout,
   });

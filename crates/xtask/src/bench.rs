@@ -55,11 +55,8 @@ pub(crate) fn instructions() -> Result<()> {
 pub(crate) fn baselines() -> Result<()> {
     tools::node()?;
     let (sh, package) = (Shell::new()?, SCENES.package);
-    let gas = cmd!(
-        sh,
-        "cargo run --quiet --package {package} --example native -- gas"
-    )
-    .read()?;
+    let run = format!("run --quiet --package {package} --example native -- gas");
+    let gas = sh.cargo(&run).read()?;
     Ok(cmd!(sh, "node benches/browser/check.mjs")
         .stdin(gas)
         .run()?)
@@ -78,11 +75,8 @@ fn measure(yardstick: Option<&Path>) -> Result<()> {
     let folder = target.join("hearth-bench");
     site::bind(&SCENES, "hearth_benches", &folder)?;
     let (sh, Module { package, profile }) = (Shell::new()?, SCENES);
-    cmd!(
-        sh,
-        "cargo build --profile {profile} --package {package} --examples"
-    )
-    .run()?;
+    let package = format!("--profile {profile} --package {package}");
+    sh.cargo(&format!("build {package} --examples")).run()?;
     let programs = programs::ready(yardstick, &target)?;
 
     println!("Measuring natively …");
@@ -91,11 +85,7 @@ fn measure(yardstick: Option<&Path>) -> Result<()> {
         // An earlier run may have had other cases.
         sh.remove_path(criterion.join(group))?;
     }
-    cmd!(
-        sh,
-        "cargo bench --profile {profile} --package {package} --bench step"
-    )
-    .run()?;
+    sh.cargo(&format!("bench {package} --bench step")).run()?;
     println!("Measuring in Node, in Chromium and beside other programs …");
     let file = folder.join("figures.json");
     cmd!(sh, "node benches/browser/run.mjs {file}")

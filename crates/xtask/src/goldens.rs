@@ -24,13 +24,8 @@ const PAINTER: Module = Module::new("hearth-painter", "engine");
 pub(crate) fn write(snapshots: bool, names: &[String]) -> Result<()> {
     if snapshots {
         let folder = paths::root().join("tests/goldens/snapshots");
-        let run = "run --quiet --release --package hearth-painter --example snapshots";
-        let sh = Shell::new()?;
-        cmd!(sh, "cargo")
-            .args(run.split(' '))
-            .arg("--")
-            .arg(folder)
-            .run()?;
+        let run = "run --quiet --release --package hearth-painter --example snapshots --";
+        Shell::new()?.cargo(run).arg(folder).run()?;
     }
     run_script("write.mjs", names.iter().map(Into::into))
 }

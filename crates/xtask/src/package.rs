@@ -15,6 +15,7 @@ use crate::{npm, paths, script, site, tools};
 pub(crate) fn build() -> Result<()> {
     site::build()?;
     make()?;
+    sizes(&folder())?;
     println!(
         "The package is in {}; `npm pack` there makes the file to install or publish.",
         paths::shown(&folder())
@@ -36,8 +37,7 @@ pub(crate) fn make() -> Result<()> {
     )
     .run()?;
     cmd!(sh, "node {scripts}/check.mjs {package} {scratch}").run()?;
-    cmd!(sh, "node {scripts}/again.mjs {site} {package} {scratch}").run()?;
-    sizes(&package)
+    Ok(cmd!(sh, "node {scripts}/again.mjs {site} {package} {scratch}").run()?)
 }
 
 /// Builds the last commit in a folder with another name, and compares all that it releases with

@@ -2,7 +2,8 @@
 //! a table and a line of totals. Threads share it.
 
 use std::fmt::Write as _;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use anyhow::{Result, anyhow};
@@ -17,16 +18,21 @@ type Stages = Vec<(&'static str, Outcome, Duration)>;
 pub(crate) struct Report {
     start: Instant,
     stages: Mutex<Stages>,
+    /// Wakes the threads that wait for a stage.
+    ended: Condvar,
 }
 
 impl Report {
     pub(crate) fn new() -> Report {
-        let (start, stages) = (Instant::now(), Mutex::default());
-        Report { start, stages }
+        Report {
+            start: Instant::now(),
+            stages: Mutex::default(),
+            ended: Condvar::new(),
+        }
     }
 
-    /// Runs a stage and records how it ended. The stage fails without running where the
-    /// one that it `needs` failed.
+    /// Runs a stage and records how it ended, once the one that it `needs` has ended. The stage
+    /// fails without running where that one failed.
     pub(crate) fn stage(
         &self,
         name: &'static str,
@@ -34,12 +40,23 @@ impl Report {
         needs: Option<&str>,
         work: impl FnOnce() -> Result<()>,
     ) {
+        let failed = |stages: &Stages, need: &str| {
+            let stage = stages.iter().find(|stage| stage.0 == need);
+            stage.map(|(_, outcome, _)| outcome.is_err())
+        };
+        let needs = needs.filter(|need| {
+            let waits = |stages: &mut Stages| failed(stages, need).is_none();
+            let stages = self.ended.wait_while(self.stages(), waits);
+            failed(&stages.unwrap_or_else(PoisonError::into_inner), need) == Some(true)
+        });
         println!("\n=== {name}: {about}");
         let start = Instant::now();
-        let failed = |stage: &(&str, Outcome, _)| Some(stage.0) == needs && stage.1.is_err();
-        let result = match needs.filter(|_| self.stages().iter().any(failed)) {
+        let result = match needs {
             Some(need) => Err(anyhow!("not run, because \"{need}\" failed")),
-            None => work(),
+            // No thread waits for ever for a stage that panics.
+            None => {
+                catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Err(anyhow!("panicked")))
+            }
         };
         let time = start.elapsed();
         let outcome = result.map_err(|error| format!("{error:#}"));
@@ -47,14 +64,18 @@ impl Report {
             Err(why) => println!("=== {name} FAILED after {}: {why}", shown(time)),
             Ok(()) => println!("=== {name} passed in {}", shown(time)),
         }
-        let stage = (name, outcome.map(|()| "passed"), time);
-        self.stages().push(stage);
+        self.push((name, outcome.map(|()| "passed"), time));
     }
 
     /// Records a stage that is skipped on request.
     pub(crate) fn skip(&self, name: &'static str) {
         println!("\n=== {name}: skipped on request");
-        self.stages().push((name, Ok("skipped"), Duration::ZERO));
+        self.push((name, Ok("skipped"), Duration::ZERO));
+    }
+
+    fn push(&self, stage: (&'static str, Outcome, Duration)) {
+        self.stages().push(stage);
+        self.ended.notify_all();
     }
 
     fn stages(&self) -> MutexGuard<'_, Stages> {
@@ -128,6 +149,18 @@ mod tests {
         let summary = report.summary();
         assert!(summary.contains("no disk"));
         assert_eq!(summary.lines().last(), Some("1 passed, 2 failed"));
+    }
+
+    #[test]
+    fn a_stage_waits_for_the_one_that_it_needs_even_if_that_panics() {
+        let report = Report::new();
+        std::thread::scope(|scope| {
+            scope.spawn(|| report.stage("e2e", "", Some("site"), || Ok(())));
+            report.stage("site", "", None, || panic!("as this test wants it"));
+        });
+        let summary = report.summary();
+        assert!(summary.starts_with("site"), "{summary}");
+        assert!(summary.ends_with("0 passed, 2 failed\n"), "{summary}");
     }
 
     #[test]

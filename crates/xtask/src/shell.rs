@@ -49,6 +49,11 @@ impl Shell {
             command.env_remove(name)
         })
     }
+
+    /// Cargo with arguments, between which is white space.
+    pub(crate) fn cargo(&self, arguments: &str) -> Cmd<'_> {
+        self.cmd("cargo").args(arguments.split_whitespace())
+    }
 }
 
 impl Deref for Shell {

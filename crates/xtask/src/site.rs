@@ -5,12 +5,11 @@
 //! relative, so the folder works wherever it is put.
 
 use std::path::Path;
-use std::thread;
 use std::time::Instant;
+use std::{iter, thread};
 
 use anyhow::{Context, Result, anyhow, ensure};
 use wasm_bindgen_cli_support::Bindgen;
-use xshell::cmd;
 
 use crate::shell::Shell;
 use crate::{parts, paths, script, tools};
@@ -80,15 +79,12 @@ pub(crate) fn build() -> Result<()> {
 
 /// Compiles modules to wasm, in the profile of the first.
 pub(crate) fn compile(first: &Module, others: &[&Module]) -> Result<()> {
-    let sh = Shell::new()?;
-    let (wasm, package, profile) = (tools::WASM, first.package, first.profile);
-    let others = others.iter().flat_map(|other| ["--package", other.package]);
-    let cargo = cmd!(
-        sh,
-        "cargo build --lib --target {wasm} --profile {profile} --package {package} {others...}"
-    );
+    let (sh, wasm, profile) = (Shell::new()?, tools::WASM, first.profile);
+    let modules = iter::once(&first).chain(others);
+    let packages = modules.flat_map(|module| ["--package", module.package]);
+    let cargo = sh.cargo(&format!("build --lib --target {wasm} --profile {profile}"));
     let (name, flags) = tools::portable_paths()?;
-    Ok(cargo.env(name, flags).run()?)
+    Ok(cargo.args(packages).env(name, flags).run()?)
 }
 
 /// Makes `name.js` and `name_bg.wasm` of the compiled `module`.

@@ -65,8 +65,6 @@ pub(crate) fn fuzz(minutes: Option<u32>, seed: Option<u32>) -> Result<()> {
 
 /// A program of the tests' package.
 fn example<'a>(sh: &'a Shell, name: &str) -> Cmd<'a> {
-    cmd!(
-        sh,
-        "cargo run --quiet --release --package hearth-tests --example {name} --"
-    )
+    let run = format!("run --quiet --release --package hearth-tests --example {name} --");
+    sh.cargo(&run)
 }

@@ -90,10 +90,8 @@ fn count(sh: &Shell) -> Result<Counts> {
     .env("RUSTFLAGS", "-C target-cpu=x86-64")
     .run()?;
     let folder = tools::target()?.join(TARGET).join("engine");
-    let (program, notes) = (
-        folder.join("examples/counted"),
-        folder.join("callgrind.out"),
-    );
+    let program = folder.join("examples/counted");
+    let notes = folder.join("callgrind.out");
     let case = |case: &str| Ok((case.to_owned(), count_case(sh, &program, case, &notes)?));
     CASES.into_iter().map(case).collect()
 }

@@ -24,16 +24,15 @@ fn wasm_test(name: &str, driver: Option<PathBuf>) -> Result<()> {
     tools::wasm_bindgen_cli()?;
     let wasm = tools::WASM;
     let (flags, paths) = tools::portable_paths()?;
-    let sh = Shell::new()?;
-    Ok(cmd!(
-        sh,
-        "cargo test --target {wasm} --profile engine --package hearth-tests --test {name}"
-    )
-    .env(flags, paths)
-    .envs(driver.map(|driver| ("CHROMEDRIVER", driver)))
-    // Seconds for one program: a browser draws slowly without a graphics card.
-    .env("WASM_BINDGEN_TEST_TIMEOUT", "600")
-    .run()?)
+    let test =
+        format!("test --target {wasm} --profile engine --package hearth-tests --test {name}");
+    Ok(Shell::new()?
+        .cargo(&test)
+        .env(flags, paths)
+        .envs(driver.map(|driver| ("CHROMEDRIVER", driver)))
+        // Seconds for one program: a browser draws slowly without a graphics card.
+        .env("WASM_BINDGEN_TEST_TIMEOUT", "600")
+        .run()?)
 }
 
 /// The end-to-end tests: all in Chromium, and those of the element in Firefox and WebKit

@@ -16,37 +16,27 @@ pub(super) fn format() -> Result<()> {
 }
 
 pub(super) fn lint() -> Result<()> {
-    let sh = Shell::new()?;
-    Ok(cmd!(
-        sh,
-        "cargo clippy --workspace --all-targets -- --deny warnings"
-    )
-    .run()?)
+    clippy("--workspace")
 }
 
 /// The crates with code that only a browser runs.
 pub(super) fn lint_wasm() -> Result<()> {
     tools::wasm_target()?;
-    let sh = Shell::new()?;
-    let (wasm, crates) = (
-        tools::WASM,
-        "-p hearth-bindings -p hearth-engine -p hearth-sim -p hearth-panel -p hearth-tests -p hearth-painter",
-    );
-    let crates = crates.split(' ');
-    Ok(cmd!(
-        sh,
-        "cargo clippy --target {wasm} --all-targets {crates...} -- --deny warnings"
-    )
-    .run()?)
+    clippy(concat!(
+        "--target wasm32-unknown-unknown -p hearth-bindings -p hearth-engine -p hearth-sim ",
+        "-p hearth-panel -p hearth-tests -p hearth-painter"
+    ))
+}
+
+fn clippy(packages: &str) -> Result<()> {
+    let clippy = format!("clippy {packages} --all-targets -- --deny warnings");
+    Ok(Shell::new()?.cargo(&clippy).run()?)
 }
 
 /// The libraries for other people.
 pub(super) fn docs() -> Result<()> {
     let sh = Shell::new()?;
-    let doc = cmd!(
-        sh,
-        "cargo doc --no-deps -p hearth-fire -p hearth-fire-core -p hearth-render"
-    );
+    let doc = sh.cargo("doc --no-deps -p hearth-fire -p hearth-fire-core -p hearth-render");
     Ok(doc.env("RUSTDOCFLAGS", "--deny warnings").run()?)
 }
 
@@ -59,11 +49,7 @@ pub(super) fn native() -> Result<()> {
 
 /// The sources as drivers get them, by the reference compiler, in what `native` compiled.
 pub(super) fn shaders() -> Result<()> {
-    let validator = tools::GLSLANG.get()?;
-    let sh = Shell::new()?;
-    let test = cmd!(
-        sh,
-        "cargo test --workspace --exclude xtask --lib -- --include-ignored shaders::"
-    );
-    Ok(test.env("HEARTH_GLSLANG", validator).run()?)
+    let (sh, validator) = (Shell::new()?, tools::GLSLANG.get()?);
+    let test = "test --workspace --exclude xtask --lib -- --include-ignored shaders::";
+    Ok(sh.cargo(test).env("HEARTH_GLSLANG", validator).run()?)
 }

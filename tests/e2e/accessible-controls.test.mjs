@@ -4,7 +4,7 @@
  */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { Browser } from './driver.mjs';
+import { Browser, eventually } from './driver.mjs';
 import { Panel, along, entriesOf, controlOf, sharedPage } from './panel.mjs';
 import { table } from './site.mjs';
 
@@ -82,9 +82,9 @@ test('an arrow key on an accessible slider changes the value, and egui shows it'
   for (let press = 0; press < 10; press += 1) await tab.key('ArrowRight');
   await panel.value('buoyancy', 'more', (value) => value > DEFAULTS.buoyancy);
   await tab.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
-  await tab.frames(4);
-  const after = await tab.picture(await panel.reveal('buoyancy'));
-  assert.ok(after.difference(picture) > 0.5, 'egui’s slider has moved');
+  const slider = async () => tab.picture(await panel.reveal('buoyancy'));
+  const moved = (after) => after.difference(picture) > 0.5;
+  await eventually('egui’s slider moves', slider, moved, () => tab.frames(1), () => 'the same picture');
 });
 
 test('accessible choices, flags, colours and seeds set the fire', async () => {

@@ -1,5 +1,5 @@
-//! Prints the fingerprint of every compared run as this platform computes it. The
-//! wasm half of `tests/determinism.rs` runs it to hear the native answer.
+//! Prints the fingerprint of every compared run as this platform computes it. Tests compare
+//! wasm, the library and other runs with it.
 
 fn main() {
     print!("{}", hearth_tests::fingerprints());

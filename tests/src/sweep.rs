@@ -171,7 +171,7 @@ pub fn there_and_back(parameters: &Parameters, seconds: f64) -> Outcome {
     if outcome.broken.is_none() {
         let mut usual = usual(model);
         if parameters.edges == Edges::Open {
-            usual = fires::in_the_open(usual, 3000);
+            usual = fires::in_the_open(usual, 1500);
         }
         fire.set_parameters(usual);
         outcome.broken = recovers(&mut fire).map(|fault| format!("afterwards, {fault}"));

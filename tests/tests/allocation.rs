@@ -76,7 +76,7 @@ fn a_warm_fire_allocates_nothing() {
     }
     let scenes = fires.into_iter().chain([beside, falling]);
     // Briefly where each picture takes as long as a step.
-    let modes = [("fire", 2400), ("vorticity", 800)];
+    let modes = [("fire", 1600), ("vorticity", 600)];
     let cases = scenes.flat_map(|scene| modes.map(|mode| (scene.clone(), mode)));
     on_all_cores(cases.collect(), |(mut scene, (mode, steps))| {
         let mut parameters = scene.settings().clone();

@@ -42,7 +42,7 @@ pub(crate) fn run(flags: &Bench) -> Result<()> {
 fn page() -> Result<()> {
     evaluation::check("paper")?;
     let tables = tools::target()?.join("hearth-paper.md");
-    browser::run_script("bench-page.mjs", [tables.clone()])?;
+    browser::run_script("bench-page.mjs", [tables.clone()], vec![])?;
     evaluation::write("paper", &Shell::new()?.read_file(tables)?)
 }
 

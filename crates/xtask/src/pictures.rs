@@ -20,15 +20,15 @@ const RATE: u32 = 20;
 /// loads: a moment of the scene that the page opens with.
 pub(crate) fn poster() -> Result<()> {
     let poster = paths::root().join("web/poster.jpg");
-    browser::run_script("poster.mjs", [poster])
+    browser::run_script("poster.mjs", [poster], vec![])
 }
 
 /// Takes `web/scenes/NAME.jpg` of these scenes, or of all of them. One is also the picture of
 /// the crate `hearth-fire`.
 pub(crate) fn thumbnails(names: &[String]) -> Result<()> {
     let folder = paths::root().join("web/scenes");
-    let names = names.iter().map(Into::into);
-    browser::run_script("thumbnails.mjs", std::iter::once(folder).chain(names))?;
+    let arguments = std::iter::once(folder).chain(names.iter().map(Into::into));
+    browser::run_script("thumbnails.mjs", arguments, vec![])?;
     Ok(Shell::new()?.copy_file("web/scenes/fireside.jpg", "crates/hearth-fire/fire.jpg")?)
 }
 
@@ -39,7 +39,8 @@ pub(crate) fn showcase() -> Result<()> {
     let sh = Shell::new()?;
     sh.remove_path(&frames)?;
     sh.create_dir(&frames)?;
-    browser::run_script("showcase.mjs", [frames.clone(), RATE.to_string().into()])?;
+    let arguments = [frames.clone(), RATE.to_string().into()];
+    browser::run_script("showcase.mjs", arguments, vec![])?;
 
     // The animation replaces the committed one only if it is small enough.
     let (pictures, animation) = (sh.read_dir(&frames)?, frames.join("fire.webp"));

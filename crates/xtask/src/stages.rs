@@ -12,7 +12,7 @@ mod trunk;
 
 use std::thread;
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Result, ensure};
 use xshell::cmd;
 
 use crate::report::Report;
@@ -93,7 +93,7 @@ const STAGES: &[Stage] = stages! {
     "consumers" needs "package": "the npm package works in pages, bundlers, React and on servers", browser::consumers, beside, in_browser, remembered;
     "trunk" needs "site": "Trunk builds the same site", trunk::same_site, beside;
     "trunk-page" needs "trunk": "the page that Trunk builds and serves burns", trunk::page_burns, beside, in_browser;
-    "goldens": "fires match the golden pictures", goldens::check, in_browser;
+    "goldens": "fires match the golden pictures", goldens::check, beside, in_browser;
     "e2e" needs "site": "the page in Chromium, and its element in every browser", browser::end_to_end, in_browser;
 };
 
@@ -146,12 +146,11 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Stage>> {
 
 fn generated() -> Result<()> {
     let written = codegen::refresh_checkout()?;
-    if !written.is_empty() {
-        bail!(
-            "these files were out of date and have been written; commit them: {}",
-            written.join(", ")
-        );
-    }
+    ensure!(
+        written.is_empty(),
+        "these files were out of date and have been written; commit them: {}",
+        written.join(", ")
+    );
     Ok(())
 }
 

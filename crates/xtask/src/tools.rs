@@ -38,6 +38,19 @@ pub(crate) fn passed(store: &str) -> Result<PathBuf> {
     Ok(target()?.join("hearth-passed").join(store))
 }
 
+/// A variable for tests: the file of the native fingerprints, which the first to ask burns.
+pub(crate) fn fingerprints() -> Result<(&'static str, PathBuf)> {
+    static BURNT: Mutex<bool> = Mutex::new(false);
+    let mut burnt = BURNT.lock().unwrap_or_else(PoisonError::into_inner);
+    let (sh, file) = (Shell::new()?, target()?.join("fingerprints.txt"));
+    if !*burnt {
+        let program = sh.cargo("run --quiet --package hearth-tests --example fingerprint");
+        sh.write_file(&file, program.read()? + "\n")?;
+        *burnt = true;
+    }
+    Ok(("HEARTH_FINGERPRINTS", file))
+}
+
 /// While this lives, no other thread installs.
 pub(crate) fn installing() -> MutexGuard<'static, ()> {
     static ONE: Mutex<()> = Mutex::new(());

@@ -10,16 +10,16 @@ use crate::{npm, package, paths, site, tools};
 
 pub(super) fn wasm_in_node() -> Result<()> {
     tools::node()?;
-    wasm_test("determinism", None)
+    wasm_test("determinism", [tools::fingerprints()?])
 }
 
 pub(super) fn wasm_in_chromium() -> Result<()> {
-    wasm_test("browser", Some(tools::CHROMEDRIVER.get()?))
+    wasm_test("browser", [("CHROMEDRIVER", tools::CHROMEDRIVER.get()?)])
 }
 
 /// `.cargo/config.toml` names the runner of wasm tests, and `tests/webdriver.json` holds
 /// the browser's flags. The profile is the engine's: fires burn twice as fast as in `dev`.
-fn wasm_test(name: &str, driver: Option<PathBuf>) -> Result<()> {
+fn wasm_test(name: &str, variables: [(&str, PathBuf); 1]) -> Result<()> {
     tools::wasm_target()?;
     tools::wasm_bindgen_cli()?;
     let wasm = tools::WASM;
@@ -29,7 +29,7 @@ fn wasm_test(name: &str, driver: Option<PathBuf>) -> Result<()> {
     Ok(Shell::new()?
         .cargo(&test)
         .env(flags, paths)
-        .envs(driver.map(|driver| ("CHROMEDRIVER", driver)))
+        .envs(variables)
         // Seconds for one program: a browser draws slowly without a graphics card.
         .env("WASM_BINDGEN_TEST_TIMEOUT", "600")
         .run()?)
@@ -68,21 +68,16 @@ pub(super) fn consumers() -> Result<()> {
         .run()?)
 }
 
-/// Builds the site and runs the script of that name in `tests/e2e`.
-pub(crate) fn run_script(name: &str, arguments: impl IntoIterator<Item = PathBuf>) -> Result<()> {
+/// Builds the site and runs the script of that name in `tests/e2e` with these variables.
+pub(crate) fn run_script(
+    name: &str,
+    arguments: impl IntoIterator<Item = PathBuf>,
+    variables: Vec<(&str, PathBuf)>,
+) -> Result<()> {
     let sh = Shell::new()?;
     let script = script(&sh, name, &paths::site())?;
     site::build()?;
-    Ok(script.args(arguments).run()?)
-}
-
-/// Builds the site and runs its faults in every browser.
-pub(crate) fn faults(arguments: impl IntoIterator<Item = PathBuf>) -> Result<()> {
-    let browsers = tools::other_browsers()?;
-    let sh = Shell::new()?;
-    let script = script(&sh, "faults.mjs", &paths::site())?.envs(browsers);
-    site::build()?;
-    Ok(script.args(arguments).run()?)
+    Ok(script.args(arguments).envs(variables).run()?)
 }
 
 /// A script of `tests/e2e` with the browser and the site in `folder`.

@@ -44,7 +44,8 @@ pub(super) fn docs() -> Result<()> {
 pub(super) fn native() -> Result<()> {
     let sh = Shell::new()?;
     cmd!(sh, "cargo test --package xtask").run()?;
-    Ok(cmd!(sh, "cargo test --workspace --exclude xtask").run()?)
+    let others = cmd!(sh, "cargo test --workspace --exclude xtask");
+    Ok(others.envs([tools::fingerprints()?]).run()?)
 }
 
 /// The sources as drivers get them, by the reference compiler, in what `native` compiled.

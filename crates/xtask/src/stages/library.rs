@@ -1,5 +1,7 @@
 //! Stages about the libraries: the simulation for JavaScript, and the crates for Rust.
 
+use std::path::PathBuf;
+
 use anyhow::{Result, ensure};
 use xshell::cmd;
 
@@ -9,25 +11,25 @@ use crate::{paths, script, tools};
 /// The laws of `hearth-fire/sim` in the built site, in Node.
 pub(super) fn laws_in_node() -> Result<()> {
     tools::node()?;
-    run_tests("tests/sim")
+    run_tests("tests/sim", Some(tools::fingerprints()?))
 }
 
 /// The tests of scripts that need neither a browser nor a built site.
 pub(super) fn scripts_in_node() -> Result<()> {
     script::tools()?;
-    run_tests("tests/web")
+    run_tests("tests/web", None)
 }
 
 /// Runs every test file, by name, two at a time: versions of Node search a folder differently, and
 /// on two cores run one. A file that takes longer than ten minutes fails.
-fn run_tests(folder: &str) -> Result<()> {
+fn run_tests(folder: &str, variable: Option<(&str, PathBuf)>) -> Result<()> {
     let sh = Shell::new()?;
     let mut tests = sh.read_dir(folder)?;
     tests.retain(|path| path.to_string_lossy().ends_with(".test.mjs"));
     ensure!(!tests.is_empty(), "{folder} contains no test");
     let options = "--test-timeout=600000 --test-reporter=spec --test-concurrency=2".split(' ');
-    let node = cmd!(sh, "node --test {options...} {tests...}");
-    Ok(node.env("HEARTH_SITE", paths::site()).run()?)
+    let node = cmd!(sh, "node --test {options...} {tests...}").env("HEARTH_SITE", paths::site());
+    Ok(node.envs(variable).run()?)
 }
 
 /// Every crate that may be published, without a warning. Uncommitted changes are allowed:

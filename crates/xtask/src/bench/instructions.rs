@@ -11,7 +11,7 @@ use xshell::cmd;
 use crate::shell::Shell;
 use crate::tools;
 
-/// The cases of `benches/examples/counted.rs`.
+/// The cases of `benches/src/bin/counted.rs`.
 const CASES: [&str; 4] = ["classic block", "classic plume", "combustion", "bodies"];
 
 /// Growth that fails and decrease that should be recorded: with the recorded compiler, and another.
@@ -84,13 +84,13 @@ fn count(sh: &Shell) -> Result<Counts> {
     cmd!(
         sh,
         "cargo build --quiet --profile engine --target {TARGET} --package hearth-benches
-         --example counted"
+         --bin counted"
     )
     .env_remove("CARGO_ENCODED_RUSTFLAGS")
     .env("RUSTFLAGS", "-C target-cpu=x86-64")
     .run()?;
     let folder = tools::target()?.join(TARGET).join("engine");
-    let program = folder.join("examples/counted");
+    let program = folder.join("counted");
     let notes = folder.join("callgrind.out");
     let case = |case: &str| Ok((case.to_owned(), count_case(sh, &program, case, &notes)?));
     CASES.into_iter().map(case).collect()

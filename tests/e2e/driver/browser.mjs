@@ -61,10 +61,11 @@ export class Browser {
   }
 
   /**
-   * Starts Chromium's headless shell for tests that look at no picture: WebGL2 draws nothing in its pages.
+   * Starts Chromium's headless shell for tests that look at no picture: WebGL2 draws nothing in its pages, which share
+   * a process.
    */
   static launchWithoutDrawing() {
-    return Browser.start('chromium', { shell: true, draws: false });
+    return Browser.start('chromium', { shell: true, draws: false, oneProcess: true });
   }
 
   /**
@@ -79,12 +80,13 @@ export class Browser {
    * @param {boolean} [options.likeGraphicsCard]  Chromium composes its pages by WebGL's renderer, as with a graphics
    *   card: a benchmark measures how the page draws there.
    * @param {boolean} [options.draws]  Whether WebGL2 draws.
+   * @param {boolean} [options.oneProcess]  The pages of Chromium share a process and the code that it has compiled.
    */
   static async start(kind, options = {}) {
-    const { folders = [], shell = false, reducedMotion = false, likeGraphicsCard = false, draws = true } = options;
+    const { folders = [], reducedMotion = false, draws = true } = options;
     const server = await serve(...(folders.length > 0 ? folders : [SITE]));
     try {
-      return new Browser(await START[kind]({ shell, reducedMotion, likeGraphicsCard }, server), server, reducedMotion, draws);
+      return new Browser(await START[kind](options, server), server, reducedMotion, draws);
     } catch (error) {
       await server.close();
       throw error;

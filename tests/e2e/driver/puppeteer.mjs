@@ -26,22 +26,27 @@ const CHROMIUM_FLAGS = [
  */
 const COMPOSED_BY_PROCESSOR = '--disable-gpu-compositing';
 
+/** Pages of one origin share a process, which ends with the last of them. */
+const ONE_PROCESS = '--process-per-site';
+
 /** Timeout of one request of the driver to a page [ms]. */
 const protocolTimeout = 4 * PATIENCE;
 
 /** @typedef {import('./browser.mjs').Opening} Opening */
 
 /**
- * @param {{shell?: boolean, likeGraphicsCard?: boolean}} options
+ * @param {{shell?: boolean, likeGraphicsCard?: boolean, oneProcess?: boolean}} options
+ * @param {import('../server.mjs').Server} server
  * @returns {Promise<import('./browser.mjs').Engine>}
  */
-export async function chromium({ shell = false, likeGraphicsCard = false }) {
-  const browser = await puppeteer.launch({
-    executablePath: shell ? headlessShell() : whole(),
-    headless: shell ? 'shell' : true,
-    args: likeGraphicsCard ? CHROMIUM_FLAGS : [...CHROMIUM_FLAGS, COMPOSED_BY_PROCESSOR],
-    protocolTimeout,
-  });
+export async function chromium({ shell = false, likeGraphicsCard = false, oneProcess = false }, server) {
+  const args = [...CHROMIUM_FLAGS];
+  if (!likeGraphicsCard) args.push(COMPOSED_BY_PROCESSOR);
+  if (oneProcess) args.push(ONE_PROCESS);
+  const executablePath = shell ? headlessShell() : whole();
+  const browser = await puppeteer.launch({ executablePath, headless: shell ? 'shell' : true, args, protocolTimeout });
+  // An empty page keeps the process between two pages of a test.
+  if (oneProcess) await (await browser.newPage()).goto(server.publish('<!doctype html>'));
   return {
     browser,
     async open({ reducedMotion, touch, ...opening }) {

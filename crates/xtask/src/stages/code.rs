@@ -16,10 +16,10 @@ pub(super) fn format() -> Result<()> {
 }
 
 pub(super) fn lint() -> Result<()> {
-    clippy("--workspace")
+    clippy("--workspace --exclude hearth-panel")
 }
 
-/// The crates with code that only a browser runs.
+/// The crates with code that only a browser runs, and the panel, which is for browsers alone.
 pub(super) fn lint_wasm() -> Result<()> {
     tools::wasm_target()?;
     clippy(concat!(

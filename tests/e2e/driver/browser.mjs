@@ -61,11 +61,10 @@ export class Browser {
   }
 
   /**
-   * Starts Chromium's headless shell for tests that look at no picture: WebGL2 draws nothing in its pages, which share
-   * a process.
+   * Starts Chromium's headless shell for tests that look at no picture: WebGL2 draws nothing in its pages.
    */
   static launchWithoutDrawing() {
-    return Browser.start('chromium', { shell: true, draws: false, oneProcess: true });
+    return Browser.start('chromium', { shell: true, draws: false });
   }
 
   /**
@@ -74,13 +73,12 @@ export class Browser {
    * @param {object} [options]
    * @param {string[]} [options.folders]  Folders to serve instead of the site.
    * @param {boolean} [options.shell]  Chromium's headless shell, which has no window and no clipboard, starts for
-   *   Chromium.
+   *   Chromium. Its pages share a process and the code that it has compiled.
    * @param {boolean} [options.reducedMotion]  For all pages: Firefox and WebKit take it at
    *   start.
    * @param {boolean} [options.likeGraphicsCard]  Chromium composes its pages by WebGL's renderer, as with a graphics
    *   card: a benchmark measures how the page draws there.
    * @param {boolean} [options.draws]  Whether WebGL2 draws.
-   * @param {boolean} [options.oneProcess]  The pages of Chromium share a process and the code that it has compiled.
    */
   static async start(kind, options = {}) {
     const { folders = [], reducedMotion = false, draws = true } = options;

@@ -35,18 +35,18 @@ const protocolTimeout = 4 * PATIENCE;
 /** @typedef {import('./browser.mjs').Opening} Opening */
 
 /**
- * @param {{shell?: boolean, likeGraphicsCard?: boolean, oneProcess?: boolean}} options
+ * @param {{shell?: boolean, likeGraphicsCard?: boolean}} options
  * @param {import('../server.mjs').Server} server
  * @returns {Promise<import('./browser.mjs').Engine>}
  */
-export async function chromium({ shell = false, likeGraphicsCard = false, oneProcess = false }, server) {
+export async function chromium({ shell = false, likeGraphicsCard = false }, server) {
   const args = [...CHROMIUM_FLAGS];
   if (!likeGraphicsCard) args.push(COMPOSED_BY_PROCESSOR);
-  if (oneProcess) args.push(ONE_PROCESS);
+  if (shell) args.push(ONE_PROCESS);
   const executablePath = shell ? headlessShell() : whole();
   const browser = await puppeteer.launch({ executablePath, headless: shell ? 'shell' : true, args, protocolTimeout });
   // An empty page keeps the process between two pages of a test.
-  if (oneProcess) await (await browser.newPage()).goto(server.publish('<!doctype html>'));
+  if (shell) await (await browser.newPage()).goto(server.publish('<!doctype html>'));
   return {
     browser,
     async open({ reducedMotion, touch, ...opening }) {

@@ -251,13 +251,17 @@ for (const kind of BROWSERS) {
     test('`captureStream` gives a video of the fire', async () => {
       const tab = await browser.open(FIRE);
       await tab.burnt(0.5);
-      const film = await tab.fire(async (fire) => {
+      const film = await tab.fire(async (fire, plays) => {
         const stream = await fire.captureStream(20);
+        const tracks = stream.getVideoTracks();
+        const { width, height } = tracks[0].getSettings();
+        // WebKit ends by an assertion of its own, once in dozens of runs, while it plays the stream.
+        if (!plays) return [tracks.length, width, height];
         const video = Object.assign(document.createElement('video'), { muted: true, srcObject: stream });
         document.body.append(video);
         await video.play();
-        return [stream.getVideoTracks().length, video.videoWidth, video.videoHeight];
-      });
+        return [tracks.length, video.videoWidth, video.videoHeight];
+      }, kind !== 'webkit');
       assert.deepEqual(film, [1, 240, 240]);
       await assertSilent(tab);
     });

@@ -7,6 +7,7 @@
 //! needs no new numbers here.
 
 pub mod fires;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod plain;
 pub mod sweep;
 pub mod validation;

@@ -49,12 +49,12 @@ fn the_combustion_fire_is_stable_at_both_ends_of_each_parameter() {
 
 #[test]
 fn the_classic_fire_is_stable_at_random_corners_and_recovers() {
-    random_corners(Model::Classic, 40, 2026);
+    random_corners(Model::Classic, 24, 2026);
 }
 
 #[test]
 fn the_combustion_fire_is_stable_at_random_corners_and_recovers() {
-    random_corners(Model::Combustion, 12, 2026);
+    random_corners(Model::Combustion, 8, 2026);
 }
 
 #[test]

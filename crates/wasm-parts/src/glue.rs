@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::HashSet;
 
 use anyhow::{Context, Result, ensure};
-use walrus::{ElementItems, Module, ModuleConfig, RawCustomSection};
+use walrus::{ElementItems, Module, ModuleConfig};
 
 use crate::{Divided, Part, REST, order, take};
 
@@ -128,7 +128,12 @@ fn nameless(bytes: &[u8]) -> Result<Module> {
 
 /// A module as it is downloaded.
 fn finished(mut module: Module, version: &str) -> Result<Vec<u8>> {
-    write_version(&mut module, version);
+    // The element reads the version here before it starts the module.
+    for import in module.imports.iter_mut() {
+        version.clone_into(&mut import.module);
+    }
+    // A browser finds the features by itself.
+    module.customs.remove_raw("target_features");
     order(&module.emit_wasm())
 }
 
@@ -208,18 +213,6 @@ fn name_version(module: &Module, code: &mut String, version: &str) -> Result<()>
         "the glue lacks the name of its module"
     );
     Ok(())
-}
-
-/// Writes the version into a module, for the element to read before it starts the module, and as
-/// the name of what it imports.
-fn write_version(module: &mut Module, version: &str) {
-    for import in module.imports.iter_mut() {
-        version.clone_into(&mut import.module);
-    }
-    module.customs.add(RawCustomSection {
-        name: "hearth".to_owned(),
-        data: version.into(),
-    });
 }
 
 /// A name of letters: a, b, … z, ba, bb, …

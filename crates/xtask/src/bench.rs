@@ -85,7 +85,7 @@ fn measure(yardstick: Option<&Path>) -> Result<()> {
         // An earlier run may have had other cases.
         sh.remove_path(criterion.join(group))?;
     }
-    sh.cargo(&format!("bench {package} --bench step")).run()?;
+    sh.cargo(&format!("bench {package}-step")).run()?;
     println!("Measuring in Node, in Chromium and beside other programs …");
     let file = folder.join("figures.json");
     cmd!(sh, "node benches/browser/run.mjs {file}")

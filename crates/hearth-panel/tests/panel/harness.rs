@@ -142,8 +142,8 @@ impl Harness {
     pub fn drag(&mut self, from: Pos2, to: Pos2) {
         self.frame(vec![Event::PointerMoved(from)]);
         self.button(from, true);
-        for part in 1..=10 {
-            let pos = from + (to - from) * (part as f32 / 10.0);
+        for part in 1..=3 {
+            let pos = from + (to - from) * (part as f32 / 3.0);
             self.frame(vec![Event::PointerMoved(pos)]);
         }
         self.button(to, false);

@@ -7,7 +7,7 @@ use hearth_panel::state::fire::{Entry, Fire};
 use hearth_panel::state::objects::has_row;
 use hearth_panel::state::{Command, Fields, OBJECTS, SEARCH, Subject};
 
-use crate::harness::{Harness, LOWER, PHONE, Size, TALL, models};
+use crate::harness::{Harness, PHONE, Size, TALL, models};
 
 pub fn text(name: &str, value: &str) -> (String, Entry) {
     (name.to_owned(), Entry::Text(value.to_owned()))
@@ -169,7 +169,7 @@ fn the_first_source_has_its_parameters_and_its_name_only() {
 
 #[test]
 fn dragging_changes_every_slider_and_reset_restores_it() {
-    for size in [TALL, LOWER, PHONE] {
+    for size in [TALL, PHONE] {
         let mut harness = with_objects(Model::Combustion, size);
         for id in [2, 4] {
             for row in select(&mut harness, id) {

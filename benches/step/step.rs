@@ -1,6 +1,6 @@
 //! The native cost of a step, with neighbours beside every figure.
 //!
-//! `cargo bench -p hearth-benches`
+//! `cargo bench -p hearth-benches-step`
 
 use std::time::{Duration, Instant};
 

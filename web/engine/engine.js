@@ -316,7 +316,7 @@ async function compile(source, milliseconds = WASM_MS) {
  * @param {string} warning
  */
 function checked(module, warning) {
-  const [{ module: version }] = WebAssembly.Module.imports(module);
+  const version = WebAssembly.Module.imports(module)[0]?.module ?? 'none';
   // A module that only cargo and Trunk linked imports from a file in place of a version.
   if (version !== VERSION && version[0] !== '.') throw new Error(`its wasm has version ${version}, the element has version ${VERSION}`);
   return { module, warning };

@@ -1,9 +1,10 @@
 /**
- * Runs the tests two files at a time. `npm test`, or `npm test -- page viewport` for some
- * files.
+ * Runs the end-to-end tests. `npm test` runs all, `npm test -- core` those of a folder, and
+ * `npm test -- page viewport` some files.
  */
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { runTests } from '../files.mjs';
 
-await runTests(path.dirname(fileURLToPath(import.meta.url)), 2);
+const here = path.dirname(fileURLToPath(import.meta.url));
+await runTests([path.join(here, 'core'), path.join(here, 'extended')]);

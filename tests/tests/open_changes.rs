@@ -133,6 +133,7 @@ fn set(fire: &mut Simulation, id: &str, value: f64) {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn another_view_makes_no_burst() {
     for floor in [false, true] {
         let (mut fire, steady, _) = steady(floor);
@@ -158,6 +159,7 @@ fn another_frame_makes_no_burst() {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn a_source_that_jumps_makes_no_hole() {
     for floor in [false, true] {
         // A source that comes to cold air heats it, as a source that is lit.

@@ -58,12 +58,14 @@ fn the_fire_narrows_as_buoyancy_rises() {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn the_fire_widens_as_the_gas_constant_grows() {
     let widths = [6.0, 2.0, 0.6, 0.1].map(|k| mean_of(&[("gas_constant", k)], width));
     assert!(falls(&widths), "{widths:?}");
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn a_larger_smoothing_radius_clusters_the_fire() {
     let radii = [0.02, 0.04, 0.08];
     let widths = radii.map(|h| mean_of(&[("smoothing_radius", h)], width));

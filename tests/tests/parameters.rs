@@ -64,6 +64,7 @@ fn used_by(model: Model) -> impl Iterator<Item = &'static Param> {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn parameters_of_the_physics_change_the_classic_fire_and_others_do_not() {
     for param in used_by(Model::Classic) {
         // Nothing reaches the speed limit but gas that is lifted as printed.
@@ -89,6 +90,7 @@ fn parameters_of_the_physics_change_the_classic_fire_and_others_do_not() {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn parameters_of_the_physics_change_the_combustion_fire_and_others_do_not() {
     for param in used_by(Model::Combustion) {
         let strength = if param.id == "turbulence_scale" {

@@ -290,6 +290,7 @@ fn a_few_particles_follow_the_equations() {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn each_printed_form_follows_its_equation() {
     let forms = [
         "printed_kernel",
@@ -350,6 +351,7 @@ fn combustion_gas_follows_the_equations() {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn both_models_follow_the_equations_at_corners_of_all_ranges() {
     let mut random = Random::new(5);
     for seed in 0..16 {

@@ -31,6 +31,7 @@ fn put(fire: &mut Simulation, x: f64) {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn a_fire_has_the_same_power_at_any_position() {
     let power = |x: f64| {
         let mut fire = burn(combustion(&[("source_x", x)]), 1.0);

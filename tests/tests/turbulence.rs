@@ -64,6 +64,7 @@ fn stronger_turbulence_accelerates_still_air_more() {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn stronger_turbulence_sways_the_classic_fire_more() {
     let sway = |turbulence: f64| {
         let (mut sum, mut n) = (0.0, 0.0);
@@ -100,6 +101,7 @@ fn power(values: &[(&str, f64)]) -> f64 {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn emission_noise_moves_the_flames_and_keeps_the_power() {
     let powers = [0.0, 0.2, 1.0].map(|noise| power(&[("emission_noise", noise)]));
     for power in powers {

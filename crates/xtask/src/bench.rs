@@ -42,7 +42,7 @@ pub(crate) fn run(flags: &Bench) -> Result<()> {
 fn page() -> Result<()> {
     evaluation::check("paper")?;
     let tables = tools::target()?.join("hearth-paper.md");
-    browser::run_script("bench-page.mjs", [tables.clone()], vec![])?;
+    browser::run_script("demand/bench-page.mjs", [tables.clone()], vec![])?;
     evaluation::write("paper", &Shell::new()?.read_file(tables)?)
 }
 

@@ -25,11 +25,11 @@ xflags::xflags! {
         cmd package {}
         /// Builds the last commit in another folder and compares the bytes.
         cmd reproduce {}
-        /// Checks everything, or only the named stages.
+        /// Checks a change quickly, or everything, or runs the named stages.
         cmd test {
             /// Skips the stages that need a browser.
             optional --skip-browser
-            /// Runs also what passed before and is unchanged.
+            /// Runs every stage but those on demand; otherwise the quick ones.
             optional --all
             /// A stage; `format`, for instance.
             repeated stage: String

@@ -52,7 +52,5 @@ pub(crate) fn run_script(name: &str, arguments: impl Iterator<Item = PathBuf>) -
         .env("HEARTH_CHROMIUM", chromium)
         .env("HEARTH_PAINTER", painter)
         .env("HEARTH_SHOWN", folder.join("shown"))
-        // Only `run.mjs` reads it.
-        .env("HEARTH_PASSED", tools::passed("goldens.json")?)
         .run()?)
 }

@@ -1,9 +1,8 @@
-//! `cargo xtask test`: every check of the project. Some that use one core run beside the others.
+//! `cargo xtask test`: every check of the project, in three rings. Some that use one core run beside the others.
 //!
 //! A stage that fails stops only the stages that need its result, so one run reports
 //! everything. Quick and strict stages come first. All stages share one target folder and
-//! one set of flags, so that little is compiled twice. A long stage that passed does not run
-//! again while nothing changes.
+//! one set of flags, so that little is compiled twice.
 
 pub(crate) mod browser;
 mod code;
@@ -16,11 +15,23 @@ use anyhow::{Result, ensure};
 use xshell::cmd;
 
 use crate::report::Report;
-use crate::shell::Shell;
-use crate::{bench, codegen, goldens, package, script, site, tools};
+use crate::{bench, codegen, goldens, package, script, site};
+
+/// When a stage runs without being named.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+enum Ring {
+    /// With each `cargo xtask test`.
+    Quick,
+    /// With `--all`.
+    All,
+    /// Never: it runs by its name alone.
+    Demand,
+}
+use Ring::{All, Demand, Quick};
 
 /// One check.
 struct Stage {
+    ring: Ring,
     name: &'static str,
     about: &'static str,
     run: fn() -> Result<()>,
@@ -29,22 +40,20 @@ struct Stage {
     in_browser: bool,
     /// Uses one core: it runs beside the others.
     beside: bool,
-    /// Takes long and makes nothing: it runs only where an input changed since it passed.
-    remembered: bool,
 }
 
-/// A table of stages: the name, the stage that it needs, what it checks, the function and flags.
+/// A table of stages: the ring, the name, the stage that it needs, what it checks, the function and flags.
 macro_rules! stages {
-    ($( $name:literal $(needs $needs:literal)? : $about:literal, $run:path $(, $flag:ident)*; )+) => {
+    ($( $ring:ident $name:literal $(needs $needs:literal)? : $about:literal, $run:path $(, $flag:ident)*; )+) => {
         &[ $( {
             let stage = Stage {
+                ring: $ring,
                 name: $name,
                 about: $about,
                 run: $run,
                 needs: None,
                 in_browser: false,
                 beside: false,
-                remembered: false,
             };
             $( let stage = Stage { needs: Some($needs), ..stage }; )?
             $( let stage = Stage { $flag: true, ..stage }; )*
@@ -53,67 +62,52 @@ macro_rules! stages {
     };
 }
 
-impl Stage {
-    fn run(&self) -> Result<()> {
-        if !self.remembered {
-            return (self.run)();
-        }
-        tools::node()?;
-        let (sh, name, store) = (Shell::new()?, self.name, tools::passed("stages.json")?);
-        let digest = cmd!(sh, "node tests/passed.mjs {store} {name}").read()?;
-        if digest.is_empty() {
-            println!("passed before, unchanged: `cargo xtask test --all` runs it again");
-            return Ok(());
-        }
-        (self.run)()?;
-        Ok(cmd!(sh, "node tests/passed.mjs {store} {name} {digest}").run()?)
-    }
-}
-
 const STAGES: &[Stage] = stages! {
-    "format": "the code is formatted", code::format;
-    "generated": "generated files match the parameter table", generated;
-    "lint": "clippy accepts the native code", code::lint;
-    "lint-wasm": "clippy accepts the code for the browser", code::lint_wasm;
-    "lint-web": "biome accepts the scripts and style sheets", script::lint;
-    "docs": "the libraries' documentation builds without a warning", code::docs;
-    "site": "the static site builds", site::build;
-    "types" needs "site": "the compiler accepts the types of the scripts", script::check_types;
-    "package" needs "site": "the npm package is whole and reproducible, and names no folder of this machine", package::make;
-    "size" needs "package": "downloads stay small", size;
-    "library" needs "site": "the headless library keeps its laws in Node, and the native bits", library::laws_in_node, remembered;
-    "native": "laws of the physics, and every unit test", code::native, remembered;
-    "shaders": "the reference compiler accepts every shader", code::shaders;
-    "web": "scripts that need no browser, in Node", library::scripts_in_node;
-    "publish": "the crates could be published", library::publishable, beside;
-    "baselines": "the benchmarks' baselines compute the same gas", bench::baselines, beside;
-    "cost": "a step takes no more instructions than recorded", bench::instructions, beside, remembered;
-    "wasm": "wasm gives the native bits", browser::wasm_in_node, beside, remembered;
-    "browser": "shaders and canvases in headless Chromium", browser::wasm_in_chromium, beside, in_browser, remembered;
-    "consumers" needs "package": "the npm package works in pages, bundlers, React and on servers", browser::consumers, beside, in_browser, remembered;
-    "trunk" needs "site": "Trunk builds the same site", trunk::same_site, beside;
-    "trunk-page" needs "trunk": "the page that Trunk builds and serves burns", trunk::page_burns, beside, in_browser;
-    "goldens": "fires match the golden pictures", goldens::check, beside, in_browser;
-    "e2e" needs "site": "the page in Chromium, and its element in every browser", browser::end_to_end, in_browser;
+    Quick "format": "the code is formatted", code::format;
+    Quick "generated": "generated files match the parameter table", generated;
+    Quick "lint": "clippy accepts the native code", code::lint;
+    Quick "lint-wasm": "clippy accepts the code for the browser", code::lint_wasm;
+    Quick "lint-web": "biome accepts the scripts and style sheets", script::lint;
+    All "docs": "the libraries' documentation builds without a warning", code::docs;
+    Quick "site": "the static site builds", site::build;
+    Quick "types" needs "site": "the compiler accepts the types of the scripts", script::check_types;
+    Quick "package" needs "site": "the npm package is whole and reproducible, and names no folder of this machine", package::make;
+    Quick "size" needs "package": "downloads stay small", size;
+    Quick "library" needs "site": "the headless library keeps its laws in Node, and the native bits", library::laws_in_node;
+    Quick "native": "quick laws of the physics, and every unit test", code::native;
+    Quick "shaders": "the reference compiler accepts every shader", code::shaders;
+    Quick "web": "scripts that need no browser, in Node", library::scripts_in_node;
+    All "burns": "laws of the physics that burn for minutes", code::burns;
+    All "publish": "the crates could be published", library::publishable, beside;
+    All "baselines": "the benchmarks' baselines compute the same gas", bench::baselines, beside;
+    All "cost": "a step takes no more instructions than recorded", bench::instructions, beside;
+    All "wasm": "wasm gives the native bits", browser::wasm_in_node, beside;
+    All "browser": "shaders and canvases in headless Chromium", browser::wasm_in_chromium, beside, in_browser;
+    All "consumers" needs "package": "the npm package works in pages, bundlers, React and on servers", browser::consumers, beside, in_browser;
+    All "trunk" needs "site": "the page that Trunk builds and serves burns", trunk::page_burns, beside, in_browser;
+    Demand "trunk-files" needs "site": "Trunk builds the same files", trunk::same_files;
+    All "goldens": "fires match the golden pictures", goldens::check, beside, in_browser;
+    Quick "e2e-core" needs "site": "a visitor's first minutes, in Chromium", browser::core, in_browser;
+    All "e2e" needs "site": "the page in Chromium, and its element in every browser", browser::extended, in_browser;
 };
 
-/// Runs the named stages, or every stage, and prints a report; returns whether all passed.
-/// With `all`, what passed before runs again.
+/// Runs the named stages, or those of the quick ring, or with `all` of both rings, and prints a report; returns
+/// whether all passed.
 pub(crate) fn run(skip_browser: bool, all: bool, names: &[String]) -> Result<bool> {
-    if all {
-        Shell::new()?.remove_path(tools::passed("")?)?;
-    }
     let report = Report::new();
     let run = |stages: Vec<&Stage>| {
         for stage in stages {
             if stage.in_browser && skip_browser {
                 report.skip(stage.name);
             } else {
-                report.stage(stage.name, stage.about, stage.needs, || stage.run());
+                report.stage(stage.name, stage.about, stage.needs, stage.run);
             }
         }
     };
-    let (beside, others) = chosen(names)?.into_iter().partition(|stage| stage.beside);
+    let ring = if all { All } else { Quick };
+    let (beside, others) = chosen(ring, names)?
+        .into_iter()
+        .partition(|stage| stage.beside);
     thread::scope(|scope| {
         scope.spawn(|| run(beside));
         run(others);
@@ -122,8 +116,8 @@ pub(crate) fn run(skip_browser: bool, all: bool, names: &[String]) -> Result<boo
     Ok(report.passed())
 }
 
-/// The stages of these names and what they need, in order; without a name, all.
-fn chosen(names: &[String]) -> Result<Vec<&'static Stage>> {
+/// The stages of these names and what they need, in order; without a name, those up to this ring.
+fn chosen(ring: Ring, names: &[String]) -> Result<Vec<&'static Stage>> {
     let mut wanted: Vec<&str> = names.iter().map(String::as_str).collect();
     for name in &wanted {
         let known: Vec<_> = STAGES.iter().map(|stage| stage.name).collect();
@@ -136,7 +130,8 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Stage>> {
     // Backwards, so that what a needed stage needs is wanted too.
     let mut chosen = Vec::new();
     for stage in STAGES.iter().rev() {
-        if names.is_empty() || wanted.contains(&stage.name) {
+        let of_ring = names.is_empty() && stage.ring <= ring;
+        if of_ring || wanted.contains(&stage.name) {
             wanted.extend(stage.needs);
             chosen.insert(0, stage);
         }
@@ -162,24 +157,40 @@ fn size() -> Result<()> {
 mod tests {
     use super::*;
 
-    fn names(asked: &[&str]) -> Result<Vec<&'static str>> {
+    fn names(ring: Ring, asked: &[&str]) -> Result<Vec<&'static str>> {
         let asked: Vec<_> = asked.iter().map(|&name| name.to_owned()).collect();
-        Ok(chosen(&asked)?.iter().map(|stage| stage.name).collect())
+        Ok(chosen(ring, &asked)?
+            .iter()
+            .map(|stage| stage.name)
+            .collect())
     }
 
     #[test]
     fn a_stage_brings_what_it_needs() -> Result<()> {
-        assert_eq!(names(&["e2e"])?, ["site", "e2e"]);
-        assert_eq!(names(&["consumers"])?, ["site", "package", "consumers"]);
-        assert_eq!(names(&["trunk-page"])?, ["site", "trunk", "trunk-page"]);
-        assert_eq!(names(&["native", "format"])?, ["format", "native"]);
-        assert_eq!(names(&[])?.len(), STAGES.len());
+        assert_eq!(names(Quick, &["e2e"])?, ["site", "e2e"]);
+        assert_eq!(
+            names(All, &["consumers"])?,
+            ["site", "package", "consumers"]
+        );
+        assert_eq!(names(Quick, &["trunk-files"])?, ["site", "trunk-files"]);
+        assert_eq!(names(Quick, &["native", "format"])?, ["format", "native"]);
+        Ok(())
+    }
+
+    #[test]
+    fn a_ring_contains_the_rings_inside() -> Result<()> {
+        let (quick, all) = (names(Quick, &[])?, names(All, &[])?);
+        assert!(quick.iter().all(|name| all.contains(name)));
+        assert!(quick.contains(&"e2e-core") && !quick.contains(&"e2e"));
+        assert!(all.contains(&"e2e") && !all.contains(&"trunk-files"));
         Ok(())
     }
 
     #[test]
     fn an_unknown_stage_is_refused_with_the_known_ones() {
-        let error = names(&["everything"]).err().map(|error| error.to_string());
+        let error = names(Quick, &["everything"])
+            .err()
+            .map(|error| error.to_string());
         assert!(error.is_some_and(|error| error.contains("native")));
     }
 

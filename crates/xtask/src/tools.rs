@@ -33,11 +33,6 @@ pub(crate) fn target() -> Result<PathBuf> {
     target.context("cargo does not name its target folder")
 }
 
-/// The store of what passed; `tests/passed.mjs` reads and writes it.
-pub(crate) fn passed(store: &str) -> Result<PathBuf> {
-    Ok(target()?.join("hearth-passed").join(store))
-}
-
 /// A variable for tests: the file of the native fingerprints, which the first to ask burns.
 pub(crate) fn fingerprints() -> Result<(&'static str, PathBuf)> {
     static BURNT: Mutex<bool> = Mutex::new(false);

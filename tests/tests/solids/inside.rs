@@ -49,6 +49,7 @@ fn no_gas_is_inside_of_moving_solids() {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn no_gas_is_inside_of_moving_outlines() {
     no_gas_is_inside(&mut |scene, number, random| {
         add_outline(scene, number, &random_solid(random))
@@ -56,6 +57,7 @@ fn no_gas_is_inside_of_moving_outlines() {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn no_gas_is_inside_of_solids_that_move_by_themselves() {
     no_gas_is_inside(&mut |scene, number, random| {
         let id = if number % 2 == 0 {
@@ -127,6 +129,7 @@ fn no_gas_is_inside(add: &mut dyn FnMut(&mut Scene, usize, &mut Random) -> u32) 
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn no_gas_is_inside_of_as_many_moving_solids_as_a_scene_holds() {
     for (choices, seed) in [
         (&[][..], 1),

@@ -37,6 +37,7 @@ fn water_that_strikes_wood_is_in_its_cells_and_its_heat_is_counted() {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn wood_that_is_sprayed_enough_goes_out_and_stays_out_and_sprayed_little_burns_on() {
     let jet = [Vec2::new(0.0, 0.75), Vec2::new(0.0, -3.0)];
     // The last cells of a wet log cool for up to five seconds.
@@ -59,6 +60,7 @@ fn wood_that_is_sprayed_enough_goes_out_and_stays_out_and_sprayed_little_burns_o
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn wet_wood_burns_later_than_dry() {
     let burns_after = |rate: f64| {
         let mut fire = log(&[("source_height", 0.05)]);
@@ -96,6 +98,7 @@ fn bed() -> Simulation {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn the_more_a_source_is_sprayed_the_less_it_burns_until_it_stays_out() {
     let jet = [Vec2::new(0.0, 0.5), Vec2::new(0.0, -3.0)];
     let mut flying = Vec::new();
@@ -115,6 +118,7 @@ fn the_more_a_source_is_sprayed_the_less_it_burns_until_it_stays_out() {
 }
 
 #[test]
+#[ignore = "burns for minutes: `cargo xtask test burns`"]
 fn a_source_that_water_has_put_out_burns_again_once_it_is_lit() {
     let jet = [Vec2::new(0.0, 0.5), Vec2::new(0.0, -3.0)];
     let beside = Where::Place(Vec2::new(0.2, 0.12), 0.0);

@@ -35,13 +35,21 @@ fn wasm_test(name: &str, variables: [(&str, PathBuf); 1]) -> Result<()> {
         .run()?)
 }
 
-/// The end-to-end tests: all in Chromium, and those of the element in Firefox and WebKit
-/// too.
-pub(super) fn end_to_end() -> Result<()> {
+/// A dozen files of end-to-end tests, in Chromium.
+pub(super) fn core() -> Result<()> {
+    end_to_end("core", vec![])
+}
+
+/// The other end-to-end tests: in Chromium, and those of the element in Firefox and WebKit too.
+pub(super) fn extended() -> Result<()> {
+    end_to_end("extended", tools::other_browsers()?)
+}
+
+/// The end-to-end tests of a folder.
+fn end_to_end(folder: &str, variables: Vec<(&str, PathBuf)>) -> Result<()> {
     let sh = Shell::new()?;
-    let test =
-        script(&sh, "run.mjs", &paths::site())?.env("HEARTH_PASSED", tools::passed("e2e.json")?);
-    Ok(test.envs(tools::other_browsers()?).run()?)
+    let test = script(&sh, "run.mjs", &paths::site())?.arg(folder);
+    Ok(test.envs(variables).run()?)
 }
 
 /// The smallest end-to-end test, of the site in `folder` or of a page that is served at

@@ -48,6 +48,12 @@ pub(super) fn native() -> Result<()> {
     Ok(others.envs([tools::fingerprints()?]).run()?)
 }
 
+/// The laws that `native` ignores because they burn for minutes, in what it compiled.
+pub(super) fn burns() -> Result<()> {
+    let test = "test --workspace --exclude xtask --test laws -- --ignored";
+    Ok(Shell::new()?.cargo(test).run()?)
+}
+
 /// The sources as drivers get them, by the reference compiler, in what `native` compiled.
 pub(super) fn shaders() -> Result<()> {
     let (sh, validator) = (Shell::new()?, tools::GLSLANG.get()?);

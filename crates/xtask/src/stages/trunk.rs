@@ -14,12 +14,9 @@ use crate::shell::Shell;
 use crate::{parts, paths, script, site, tools};
 
 /// `trunk build --release` gives the files of the site.
-pub(super) fn same_site() -> Result<()> {
-    tools::wasm_target()?;
-    tools::wasm_bindgen_cli()?;
-    tools::trunk()?;
+pub(super) fn same_files() -> Result<()> {
     let sh = Shell::new()?;
-    trunk(&sh)?.args(["build", "--release"]).run()?;
+    build(&sh)?;
     // Trunk leaves scripts as they are written: they are minified in a copy.
     let copy = tools::target()?.join("trunk-minified");
     sh.remove_path(&copy)?;
@@ -32,9 +29,17 @@ pub(super) fn same_site() -> Result<()> {
 
 /// The pages of `trunk build` and of `trunk serve` burn.
 pub(super) fn page_burns() -> Result<()> {
+    build(&Shell::new()?)?;
     browser::smoke(&paths::trunk_site(), None)?;
     let served = Served::start()?;
     browser::smoke(&paths::trunk_site(), Some(&served.address))
+}
+
+fn build(sh: &Shell) -> Result<()> {
+    tools::wasm_target()?;
+    tools::wasm_bindgen_cli()?;
+    tools::trunk()?;
+    Ok(trunk(sh)?.args(["build", "--release"]).run()?)
 }
 
 fn trunk(sh: &Shell) -> Result<Cmd<'_>> {

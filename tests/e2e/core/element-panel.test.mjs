@@ -1,0 +1,358 @@
+/**
+ * The panel inside an element (attribute `controls`): layout, mouse, touch and keys; the
+ * page keeps its focus, wheel and keys; removal leaves nothing behind.
+ */
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { isDeepStrictEqual } from 'node:util';
+import { Browser, eventually } from '../driver.mjs';
+import { Panel, actionOf, along, fractionOf, controlOf } from '../panel.mjs';
+import { table } from '../site.mjs';
+
+const { entry, DEFAULTS } = await table();
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+});
+after(() => browser?.close());
+
+const sized = (width, height) => `style="width: ${width}px; height: ${height}px"`;
+
+/**
+ * A page that is longer than its window, with a fire that has its panel inside.
+ * @param {number} width @param {number} height @param {object} [options]
+ */
+async function openFire(width, height, options = {}) {
+  const tab = await browser.open(
+    `<input id="before"><hearth-fire controls ${sized(width, height)}></hearth-fire>
+    <input id="after"><div style="height: 2000px"></div>`,
+    { width: width + 40, height: height + 80, pixels: 30_000, ...options },
+  );
+  await tab.ready();
+  return { tab, panel: await new Panel(tab, { inside: true }).mounted() };
+}
+
+/** Where the parts stand, in pixels of the element. */
+const layout = (panel) => panel.in((root) => {
+  const of = (element) => {
+    const { x, y, width, height } = element.getBoundingClientRect();
+    const outer = root.host.getBoundingClientRect();
+    return { x: x - outer.x, y: y - outer.y, width, height };
+  };
+  return {
+    panel: of(root.querySelector('.hearth-panel')),
+    fire: of(root.querySelector('[part="canvas"]')),
+    button: of(root.querySelector('.hearth-fold')),
+  };
+});
+
+const pressFold = async (tab, panel) => {
+  const { button } = await layout(panel);
+  const { x, y } = await tab.rectangle('hearth-fire');
+  await tab.click({ x: x + button.x + 20, y: y + button.y + 20 });
+};
+
+describe('its place', () => {
+  for (const [width, height] of [[400, 500], [360, 640], [320, 400]]) {
+    test(`in ${width} × ${height} is a sheet below the fire`, async () => {
+      const { tab, panel } = await openFire(width, height);
+      const { panel: sheet, fire, button } = await layout(panel);
+      assert.ok(sheet.height <= 0.45 * height + 0.5 && sheet.height > 0.3 * height);
+      assert.deepEqual([sheet.x, sheet.width, sheet.y + sheet.height], [0, width, height]);
+      assert.deepEqual([fire.x, fire.y, fire.width], [0, 0, width]);
+      assert.ok(Math.abs(fire.height - sheet.y) < 1, 'the fire stands on the sheet');
+      assert.ok(button.y >= 0 && button.y + button.height <= sheet.y, 'its button is in sight');
+      assert.deepEqual(tab.problems, []);
+    });
+  }
+
+  test('in 900 × 500 is a column beside the fire', async () => {
+    const { panel } = await openFire(900, 500);
+    const { panel: column, fire, button } = await layout(panel);
+    assert.deepEqual([column.y, column.height, column.x + column.width], [0, 500, 900]);
+    assert.ok(column.width <= 340 && column.width > 300);
+    assert.ok(Math.abs(fire.width - column.x) < 1 && fire.height === 500);
+    assert.ok(button.x >= 0 && button.x + button.width <= column.x);
+  });
+
+  test('folds to its button, and unfolds as before', async () => {
+    const { tab, panel } = await openFire(400, 500);
+    const before = await layout(panel);
+    await pressFold(tab, panel);
+    const folded = await layout(panel);
+    assert.equal(folded.panel.height, 0);
+    assert.equal(folded.fire.height, 500);
+    assert.ok(folded.button.y + folded.button.height <= 500);
+    assert.equal(await panel.in((root) => root.querySelector('canvas[aria-hidden]').checkVisibility()
+      && root.querySelector('.hearth-controls').checkVisibility()), false);
+    await pressFold(tab, panel);
+    assert.deepEqual(await layout(panel), before);
+    await panel.dragSlider('buoyancy', 0.3, 0.7);
+    await panel.value('buoyancy', 'another', (value) => value !== DEFAULTS.buoyancy);
+  });
+
+  test('is folded away from the start where there is hardly room', async () => {
+    const tab = await browser.open(`<hearth-fire controls ${sized(200, 200)}></hearth-fire>`);
+    const panel = new Panel(tab, { inside: true });
+    await panel.until('the button', (root) => root.querySelector('.hearth-fold'));
+    assert.equal((await layout(panel)).fire.height, 200);
+    assert.equal(await panel.in((root) => root.querySelector('.hearth-fold').ariaExpanded), 'false');
+  });
+});
+
+describe('under hand and keys', () => {
+  test('sliders are dragged, values typed, buttons pressed', async () => {
+    const { tab, panel } = await openFire(400, 500);
+    await panel.dragSlider('buoyancy', 0.2, 0.8);
+    const near = (value) => Math.abs(fractionOf(entry.buoyancy, value) - 0.8) < 0.06;
+    await panel.value('buoyancy', 'about 0.8', near);
+    await panel.reveal('wind');
+    await tab.click(along(await panel.part('value:wind'), 0.9));
+    await tab.page.keyboard.type('1.25');
+    await tab.key('Enter');
+    await panel.value('wind', 1.25, (value) => value === 1.25);
+    await panel.press('pause');
+    await tab.until('the fire is paused', () => /** @type {any} */ (document.querySelector('hearth-fire')).paused);
+    assert.deepEqual(tab.problems, []);
+  });
+
+  test('a finger drags a slider and the page does not scroll', async () => {
+    const { tab, panel } = await openFire(360, 640, { width: 360, height: 640, touch: true });
+    const rectangle = await panel.reveal('buoyancy');
+    const scrolled = await tab.evaluate(() => window.scrollY);
+    await tab.touchDrag(along(rectangle, 0.2), along(rectangle, 0.8));
+    const near = (value) => Math.abs(fractionOf(entry.buoyancy, value) - 0.8) < 0.08;
+    await panel.value('buoyancy', 'where the finger let go', near);
+    assert.equal(await tab.evaluate(() => window.scrollY), scrolled);
+  });
+
+  test('the wheel scrolls the panel over the panel, and the page elsewhere', async () => {
+    const { tab, panel } = await openFire(400, 500);
+    const { x, y } = await tab.rectangle('hearth-fire');
+    const wheel = async (at, deltaY) => {
+      await tab.page.mouse.move(at.x, at.y);
+      await tab.frames(4);
+      await tab.page.mouse.wheel({ deltaY });
+      await tab.frames(20);
+    };
+    const over = { x: x + 200, y: y + 420 };
+    await panel.reveal('gravity');
+    const before = await panel.part('label:gravity');
+    await wheel(over, 20);
+    assert.equal(await tab.evaluate(() => window.scrollY), 0);
+    assert.ok((await panel.part('label:gravity')).y < before.y - 5, 'the panel has scrolled');
+    await wheel({ x: x + 200, y: y + 100 }, 60);
+    await tab.until('the page has scrolled', () => window.scrollY === 60);
+    // A panel that is at its upper end leaves the wheel to the page.
+    await panel.reveal('fuel_power');
+    await wheel(over, -1000);
+    await wheel(over, -60);
+    await tab.until('the page is back', () => window.scrollY === 0);
+  });
+
+  test('the focus does not move when the panel loads, and Tab passes through it', async () => {
+    const tab = await browser.open(
+      `<input id="before"><hearth-fire ${sized(400, 500)}></hearth-fire><input id="after">`,
+      { width: 440, height: 580 },
+    );
+    await tab.ready();
+    await tab.page.focus('#before');
+    await tab.fire((fire) => fire.toggleAttribute('controls', true));
+    const panel = await new Panel(tab, { inside: true }).mounted();
+    await tab.frames(10);
+    const focused = () => tab.evaluate(() => document.activeElement?.id || document.activeElement?.tagName);
+    assert.equal(await focused(), 'before');
+    assert.equal(await tab.evaluate(() => window.scrollY), 0);
+
+    for (const [backwards, end] of [[false, 'after'], [true, 'before']]) {
+      await tab.click(along(await panel.reveal('buoyancy'), 0.5));
+      assert.equal(await focused(), 'HEARTH-FIRE');
+      if (backwards) await tab.page.keyboard.down('Shift');
+      let presses = 0;
+      do {
+        await tab.page.keyboard.press('Tab');
+        presses += 1;
+      } while (presses < 250 && (await focused()) === 'HEARTH-FIRE');
+      if (backwards) await tab.page.keyboard.up('Shift');
+      assert.equal(await focused(), end);
+      assert.ok(backwards || presses > 40, `${presses} stops`);
+    }
+  });
+
+  test('shortcuts act only while the panel or its fire has the focus, and then the page does not receive the keys', async () => {
+    const { tab, panel } = await openFire(400, 500, {
+      before: () => {
+        /** @type {any} */ (window).received = [];
+        window.addEventListener('DOMContentLoaded', () => document.addEventListener('keydown', (event) => (
+          /** @type {any} */ (window).received.push(event.key)
+        )));
+      },
+    });
+    const received = () => tab.evaluate(() => /** @type {any} */ (window).received.splice(0));
+    const paused = () => tab.fire((fire) => fire.paused);
+    for (const key of ['Space', 'h', 'r', '?']) await tab.key(key);
+    assert.equal(await paused(), false);
+    assert.deepEqual(await received(), [' ', 'h', 'r', '?']);
+    // The page's own use of that key.
+    await tab.until('the page has scrolled', () => window.scrollY > 0);
+    await tab.evaluate(() => window.scrollTo(0, 0));
+    await tab.page.focus('#before');
+    await tab.key('Space');
+    assert.equal(await paused(), false);
+    await received();
+
+    await tab.click(along(await panel.reveal('buoyancy'), 0.5));
+    await tab.key('Space');
+    assert.equal(await paused(), true);
+    await tab.key('Space');
+    assert.equal(await paused(), false);
+    await tab.key('x');
+    assert.deepEqual(await received(), ['x']);
+    // A button that has the focus is what space presses.
+    await tab.page.focus(panel.find(actionOf('reset')));
+    await tab.key('Space');
+    assert.equal(await paused(), false);
+    assert.deepEqual(await received(), [' ']);
+
+    await tab.page.focus(panel.find(controlOf('buoyancy')));
+    await tab.key('h');
+    assert.equal((await layout(panel)).panel.height, 0);
+    await tab.key('h');
+    assert.ok((await layout(panel)).panel.height > 100);
+    await tab.key('?');
+    await panel.until('the keys are listed', (root) => root.querySelector('[data-card="help"] kbd'));
+    await tab.key('Escape');
+    assert.equal(await panel.in((root) => root.querySelector('.hearth-card')), null);
+    assert.deepEqual(await received(), []);
+  });
+});
+
+describe('on a page', () => {
+  test('two panels move each its own fire and undo each its own steps', async () => {
+    const fire = `<hearth-fire controls max-particles="1000" ${sized(340, 420)}></hearth-fire>`;
+    const tab = await browser.open(`<div style="display: flex; gap: 10px">${fire}${fire}</div>`, {
+      width: 720, height: 440,
+    });
+    const values = () => tab.evaluate(() => [...document.querySelectorAll('hearth-fire')].map(
+      (one) => /** @type {any} */ (one).params.buoyancy,
+    ));
+    await tab.until('both panels', () => [...document.querySelectorAll('hearth-fire')].every(
+      (one) => one.shadowRoot?.querySelector('[data-action="pause"][data-rect]'),
+    ));
+    const second = await (await tab.page.$$('hearth-fire'))[1].evaluateHandle((one) => one.shadowRoot);
+    await second.evaluate((root) => /** @type {any} */ (root).querySelector('[data-parameter="buoyancy"]').focus());
+    await tab.key('ArrowRight');
+    await tab.until('the second fire alone has another value', (old) => {
+      const [one, two] = [...document.querySelectorAll('hearth-fire')].map((each) => /** @type {any} */ (each).params.buoyancy);
+      return one === old && two !== old;
+    }, DEFAULTS.buoyancy);
+    const undo = (at) => tab.evaluate((which) => /** @type {any} */ (
+      document.querySelectorAll('hearth-fire')[which].shadowRoot
+    ).querySelector('[data-action="undo"]').click(), at);
+    const [, changed] = await values();
+    await undo(0);
+    await tab.frames(10);
+    assert.deepEqual(await values(), [DEFAULTS.buoyancy, changed]);
+    await undo(1);
+    await tab.until('it is back', (old) => (
+      /** @type {any} */ (document.querySelectorAll('hearth-fire')[1]).params.buoyancy === old
+    ), DEFAULTS.buoyancy);
+    assert.deepEqual(tab.problems, []);
+  });
+
+  test('leaves nothing behind when it is removed', async () => {
+    const tab = await browser.open(`<hearth-fire ${sized(400, 500)}></hearth-fire>`, {
+      width: 420, height: 520, before: countListeners,
+    });
+    await tab.ready();
+    await tab.burnt(0.5);
+    const left = async () => ({
+      contexts: (await tab.living()).contexts,
+      listeners: await tab.evaluate(() => /** @type {any} */ (window).listeners()),
+      inside: await tab.fire((fire) => fire.shadowRoot.querySelectorAll('*').length),
+      styles: await tab.evaluate(() => document.head.querySelectorAll('link').length),
+    });
+    const first = await left();
+    const same = () => eventually(`as before: ${JSON.stringify(first)}`, left, (now) => isDeepStrictEqual(now, first), () => tab.frames(1));
+    for (let round = 0; round < 3; round += 1) {
+      await tab.fire((fire) => fire.toggleAttribute('controls', true));
+      await new Panel(tab, { inside: true }).mounted();
+      assert.ok((await left()).listeners > first.listeners);
+      await tab.fire((fire) => fire.toggleAttribute('controls', false));
+      await same();
+    }
+    // And where it goes before it has come.
+    await tab.fire(async (fire) => {
+      for (let round = 0; round < 4; round += 1) {
+        fire.toggleAttribute('controls');
+        await new Promise((resolve) => { setTimeout(resolve, 30 * round); });
+      }
+    });
+    await tab.frames(60);
+    await same();
+    assert.deepEqual(tab.problems, []);
+  });
+
+  test('works with a strict policy for scripts and styles', async () => {
+    const policy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; "
+      + "connect-src 'self'; style-src 'self'; img-src 'self' data: blob:";
+    const tab = await browser.open(`<hearth-fire width="400"></hearth-fire>`, {
+      width: 500,
+      height: 700,
+      headers: { 'content-security-policy': policy },
+      before: () => {
+        const violations = (/** @type {any} */ (window).violations = []);
+        document.addEventListener('securitypolicyviolation', (event) => (
+          violations.push(`${event.violatedDirective} ${event.sourceFile} ${event.sample}`)
+        ));
+      },
+    });
+    await tab.ready();
+    // The test's own page has styles in it, which the policy forbids.
+    await tab.evaluate(() => { /** @type {any} */ (window).violations.length = 0; });
+    await tab.fire((fire) => {
+      fire.style.blockSize = '600px';
+      fire.toggleAttribute('controls', true);
+    });
+    const panel = await new Panel(tab, { inside: true }).mounted();
+    const { panel: sheet } = await layout(panel);
+    assert.ok(Math.abs(sheet.height - 270) < 1, `the sheet is ${sheet.height} high`);
+    await panel.dragSlider('buoyancy', 0.2, 0.8);
+    await panel.value('buoyancy', 'another', (value) => value !== DEFAULTS.buoyancy);
+    await panel.share('paste');
+    await tab.frames(6);
+    assert.deepEqual(await tab.evaluate(() => /** @type {any} */ (window).violations), []);
+  });
+});
+
+/** Runs in the page: `listeners()` is how many listeners window, document and fires have. */
+function countListeners() {
+  const kept = new Set();
+  const number = new WeakMap();
+  let next = 0;
+  const of = (object) => {
+    if (!number.has(object)) number.set(object, (next += 1));
+    return number.get(object);
+  };
+  const watched = (target) => target === window || target === document || target?.tagName === 'HEARTH-FIRE';
+  const key = (target, name, listener, options) => (
+    `${of(target)} ${name} ${of(listener)} ${typeof options === 'object' ? Boolean(options?.capture) : Boolean(options)}`
+  );
+  const { addEventListener, removeEventListener } = EventTarget.prototype;
+  EventTarget.prototype.addEventListener = function add(name, listener, options) {
+    const once = typeof options === 'object' && options?.once;
+    if (listener && !once && watched(this ?? window)) {
+      const one = key(this ?? window, name, listener, options);
+      kept.add(one);
+      if (typeof options === 'object') options?.signal?.addEventListener('abort', () => kept.delete(one));
+    }
+    return addEventListener.call(this, name, listener, options);
+  };
+  EventTarget.prototype.removeEventListener = function remove(name, listener, options) {
+    if (listener && watched(this ?? window)) kept.delete(key(this ?? window, name, listener, options));
+    return removeEventListener.call(this, name, listener, options);
+  };
+  /** @type {any} */ (window).listeners = () => kept.size;
+}

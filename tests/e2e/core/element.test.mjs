@@ -1,0 +1,286 @@
+/**
+ * `<hearth-fire>` in a page: sizes, attributes, properties, presets, events, removal and
+ * insertion. What all browsers share is in `browsers.test.mjs`.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { assertBurns, assertStands, events, recording } from '../assertions.mjs';
+import { domainOf, table } from '../site.mjs';
+
+const { PARAMETERS, PRESETS, DEFAULTS, defaultsOf } = await table();
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+});
+after(() => browser?.close());
+
+const FIRE = '<hearth-fire id="fire"></hearth-fire>';
+
+for (const [about, style] of [['of no size', 'width: 0; height: 0'], ['that is not displayed', 'display: none']]) {
+  test(`a fire ${about} breaks nothing and burns once it is shown`, async () => {
+    const tab = await browser.open(`<hearth-fire style="${style}"></hearth-fire>`);
+    await tab.ready();
+    await tab.frames(5);
+    await tab.fire((fire) => fire.removeAttribute('style'));
+    await tab.burnt(1);
+    await assertBurns(tab);
+    assert.deepEqual(tab.problems, []);
+  });
+}
+
+test('a fire longer than any canvas may be burns all the same', async () => {
+  const tab = await browser.open('<hearth-fire style="width: 20000px; height: 40px"></hearth-fire>');
+  await tab.burnt(0.2);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('calls to a removed fire take effect when it is inserted again', async () => {
+  const tab = await browser.open(FIRE);
+  await tab.ready();
+  const seen = await tab.fire(async (fire) => {
+    const wait = async () => { for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame); };
+    fire.remove();
+    await wait();
+    let ready = false;
+    fire.ready.then(() => (ready = true));
+    const set = fire.set('viscosity', 0.02);
+    await wait();
+    const early = ready;
+    document.body.append(fire);
+    await fire.ready;
+    await set;
+    return { early, viscosity: fire.params.viscosity };
+  });
+  assert.deepEqual(seen, { early: false, viscosity: 0.02 });
+});
+
+/** Whatever a worker says arrives half a second later, in the same order. */
+const beforeWorker = () => {
+  const post = globalThis.postMessage.bind(globalThis);
+  globalThis.postMessage = (/** @type {any} */ ...said) => void setTimeout(() => post(...said), 500);
+};
+
+test('a fire that is removed twice in a row keeps values that were set before', async () => {
+  const tab = await browser.open(FIRE, { beforeWorker });
+  await tab.ready();
+  const viscosity = await tab.fire(async (fire) => {
+    const parent = fire.parentElement;
+    fire.set('viscosity', 0.02);
+    for (let round = 0; round < 2; round += 1) {
+      fire.remove();
+      await undefined;
+      parent.append(fire);
+      await undefined;
+    }
+    await fire.ready;
+    return fire.params.viscosity;
+  });
+  assert.equal(viscosity, 0.02);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a fire that is destroyed while it reconnects is destroyed with its predecessor', async () => {
+  const tab = await browser.open(FIRE, { beforeWorker });
+  await tab.ready();
+  const answered = await tab.fire(async (fire) => {
+    let answered = false;
+    // It is answered before the fire that it was said to is freed.
+    fire.set('viscosity', 0.02).then(() => (answered = true));
+    fire.remove();
+    await undefined;
+    document.body.append(fire);
+    await fire.destroy();
+    return answered;
+  });
+  assert.equal(answered, true);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a fire that is moved in the document burns on', async () => {
+  const tab = await browser.open(`${FIRE}<section></section>`);
+  await tab.burnt(0.5);
+  await tab.fire((fire) => {
+    for (const parent of ['section', 'body', 'section']) {
+      document.querySelector(parent)?.append(fire);
+    }
+  });
+  await tab.burnt(1.5);
+  await assertBurns(tab);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('the drawing follows the size of the element', async () => {
+  const tab = await browser.open(FIRE, { ratio: 2 });
+  await tab.burnt(0.2);
+  for (const [width, height] of [[240, 240], [400, 120], [100, 300]]) {
+    await tab.fire((fire, size) => {
+      fire.style.cssText = `width: ${size[0]}px; height: ${size[1]}px`;
+    }, [width, height]);
+    await tab.until(
+      `${2 * width} × ${2 * height} pixels`,
+      (size) => {
+        const canvas = /** @type {any} */ (
+          document.querySelector('hearth-fire')?.shadowRoot?.querySelector('canvas')
+        );
+        return canvas.width === 2 * size[0] && canvas.height === 2 * size[1];
+      },
+      [width, height],
+    );
+  }
+  assert.deepEqual(tab.problems, []);
+});
+
+for (const model of ['classic', 'combustion']) {
+  test(`in the ${model} model every attribute sets its value, and without it the default is back`, async () => {
+    const tab = await browser.open(`<hearth-fire paused model="${model}"></hearth-fire>`);
+    await tab.ready();
+    const wanted = PARAMETERS.filter(({ id }) => id !== 'model').map((one) => anotherValue(one, model));
+    await tab.fire((fire, changes) => {
+      for (const { attribute, value } of changes) fire.setAttribute(attribute, String(value));
+    }, wanted);
+    await tab.until('every attribute is taken', (changes) => {
+      const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
+      return changes.every(({ id, value }) => params[id] === value);
+    }, wanted);
+    await tab.fire((fire, changes) => {
+      for (const { attribute } of changes) fire.removeAttribute(attribute);
+    }, wanted);
+    await tab.until('every default is back', (defaults) => {
+      const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
+      return defaults.every(([id, value]) => params[id] === value);
+    }, Object.entries(defaultsOf(model)));
+    assert.deepEqual(tab.problems, []);
+  });
+}
+
+/** An allowed value of a parameter in a model that is not its default there. */
+function anotherValue(one, model) {
+  const { id, attribute, kind } = one;
+  const domain = domainOf(one, model);
+  const value = {
+    number: () => (domain.default === domain.max ? domain.min : domain.max),
+    integer: () => domain.min,
+    seed: () => 4_294_967_295,
+    choice: () => one.choices.find((name) => name !== domain.default),
+    flag: () => !domain.default,
+    colour: () => '#204060',
+  }[kind]();
+  return { id, attribute, value };
+}
+
+test('properties set before the element exists are kept', async () => {
+  const tab = await browser.open(`${FIRE}<script>
+    fire.viscosity = 0.03;
+    fire.seed = 7;
+  </script>`);
+  await tab.ready();
+  const { viscosity, seed } = await tab.fire((fire) => fire.params);
+  assert.deepEqual([viscosity, seed], [0.03, 7]);
+});
+
+test('a preset brings its values, and the defaults for all others', async () => {
+  const tab = await browser.open('<hearth-fire preset="seed"></hearth-fire>');
+  await tab.ready();
+  const seed = PRESETS.find(({ name }) => name === 'seed').values;
+  assert.deepEqual(await tab.fire((fire) => fire.params), { ...defaultsOf(seed.model), ...seed });
+  await tab.fire((fire) => fire.setAttribute('viscosity', '0.03'));
+  await tab.until(
+    'an attribute goes before the preset',
+    () => /** @type {any} */ (document.querySelector('hearth-fire')).params.viscosity === 0.03,
+  );
+  await tab.fire((fire) => fire.removeAttribute('viscosity'));
+  await tab.fire((fire) => {
+    fire.preset = 'default';
+  });
+  await tab.until('the defaults', (all) => {
+    const { params } = /** @type {any} */ (document.querySelector('hearth-fire'));
+    return Object.entries(all).every(([id, value]) => params[id] === value);
+  }, DEFAULTS);
+});
+
+test('restoring everything leaves no preset, restoring one value leaves it', async () => {
+  const tab = await browser.open(recording('<hearth-fire preset="seed"></hearth-fire>'));
+  await tab.ready();
+  await tab.fire((fire) => fire.restore('walls'));
+  assert.equal(await tab.fire((fire) => fire.preset), 'seed');
+  await tab.fire((fire) => fire.restore());
+  const { preset, params } = await tab.fire((fire) => ({ preset: fire.preset, params: fire.params }));
+  assert.equal(preset, 'default');
+  assert.deepEqual(params, DEFAULTS);
+  const sources = new Set((await events(tab, 'params-change')).map(({ source }) => source));
+  assert.deepEqual([...sources], ['property']);
+});
+
+test('a change is reported with its value', async () => {
+  const tab = await browser.open(recording(FIRE));
+  await tab.ready();
+  await tab.fire((fire) => fire.set('viscosity', 0.02));
+  await tab.fire((fire) => fire.restore('viscosity'));
+  const changes = await events(tab, 'params-change');
+  assert.deepEqual(
+    changes.map(({ id, value }) => [id, value]),
+    [['viscosity', 0.02], ['viscosity', DEFAULTS.viscosity]],
+  );
+});
+
+test('pause and reset are reported by events and statistics', async () => {
+  const tab = await browser.open(recording('<hearth-fire model="classic"></hearth-fire>'));
+  await tab.burnt(0.3);
+  await tab.fire((fire) => fire.pause());
+  assert.equal(await tab.fire((fire) => fire.paused), true);
+  const stands = await assertStands(tab);
+  await tab.fire((fire) => fire.reset());
+  await tab.until(
+    'the fire starts again',
+    (time) => /** @type {any} */ (document.querySelector('hearth-fire')).stats.time < time,
+    stands,
+  );
+  assert.equal((await events(tab, 'pause')).length, 1);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a paused fire makes no steps until it plays', async () => {
+  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  await tab.ready();
+  assert.equal(await tab.fire((fire) => fire.paused), true);
+  await assertStands(tab);
+  await tab.fire((fire) => fire.removeAttribute('paused'));
+  await tab.burnt(1);
+  await assertBurns(tab);
+});
+
+test('with reduced motion a still picture of the fire has a play button', async () => {
+  const tab = await browser.open(FIRE, { draws: true, reducedMotion: true });
+  await tab.ready();
+  await tab.frames(10);
+  const still = await tab.firePicture();
+  await tab.frames(10);
+  assert.equal(still.difference(await tab.firePicture()), 0);
+  assert.ok(still.part(0.3, 0.4, 0.7, 1).glowing() > 0.02, 'the still shows a fire');
+  const button = await tab.fire((fire) => {
+    const found = [...fire.shadowRoot.querySelectorAll('button')].find((one) => one.checkVisibility());
+    const { x, y, width, height } = found.getBoundingClientRect();
+    return { x: x + width / 2, y: y + height / 2, label: found.ariaLabel || found.textContent };
+  });
+  assert.match(button.label, /play/i);
+  await tab.click(button);
+  await tab.frames(20);
+  await assertBurns(tab);
+});
+
+test('the accessibility tree has the text alternative', async () => {
+  const tab = await browser.open('<hearth-fire alt="A camp fire"></hearth-fire>');
+  await tab.ready();
+  const tree = await tab.page.accessibility.snapshot({ interestingOnly: false });
+  assert.match(JSON.stringify(tree), /"A camp fire"/);
+});
+
+test('the host page scrolls with a finger on the fire', async () => {
+  const tab = await browser.open(`${FIRE}<div style="height: 3000px"></div>`, { touch: true });
+  await tab.burnt(0.2);
+  await tab.touchDrag({ x: 120, y: 200 }, { x: 120, y: 40 });
+  await tab.until('the page has scrolled', () => window.scrollY > 50);
+});

@@ -1,0 +1,206 @@
+/**
+ * The objects of a fire: set, read, sent and stored with the settings.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { events, recording } from '../assertions.mjs';
+import { destroyedAndBack } from '../waits.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+});
+after(() => browser?.close());
+
+const TWO = [{ kind: 'source', id: 1, x: -0.3, width: 0.2 }, { kind: 'source', id: 7, x: 0.3, power: 50 }];
+
+/** Where the objects stand, by their ids. */
+function places(tab) {
+  return tab.fire((fire) => Object.fromEntries(fire.objects.map(({ id, x }) => [id, x])));
+}
+
+/** What is said where `act` is refused. */
+function refusal(tab, act, given) {
+  return tab.fire(async (fire, [source, given]) => {
+    try {
+      await new Function('fire', 'given', `return (${source})(fire, given)`)(fire, given);
+      return null;
+    } catch ({ name, message, id, value, min, max }) {
+      return { name, message, id, value, min, max };
+    }
+  }, [String(act), given]);
+}
+
+test('a fire has one source, which its parameters describe', async () => {
+  const tab = await browser.open('<hearth-fire source-x="0.1" paused></hearth-fire>');
+  await tab.ready();
+  const [source, ...others] = await tab.fire((fire) => fire.objects);
+  assert.deepEqual([others.length, source.kind, source.id, source.x], [0, 'source', 1, 0.1]);
+  await tab.fire((fire) => fire.changeObject(1, { x: -0.2, power: 100 }));
+  assert.deepEqual(await tab.fire(({ params }) => [params.source_x, params.fuel_power]), [-0.2, 100]);
+  await tab.fire((fire) => fire.set('source_x', 0.3));
+  assert.deepEqual(await places(tab), { 1: 0.3 });
+});
+
+test('objects are added, changed and removed, and each change is reported once', async () => {
+  const tab = await browser.open(recording('<hearth-fire paused></hearth-fire>'));
+  await tab.ready();
+  const ids = await tab.fire(async (fire) => [
+    await fire.addObject({ kind: 'source', x: 0.3 }), await fire.addObject({ kind: 'source', id: 7 }),
+  ]);
+  assert.deepEqual(ids, [2, 7]);
+  await tab.fire((fire) => fire.changeObject(7, { x: -0.3 }));
+  assert.deepEqual(await places(tab), { 1: 0, 2: 0.3, 7: -0.3 });
+  // The next one becomes the first, and the parameters are its own.
+  await tab.fire((fire) => fire.removeObject(1));
+  assert.deepEqual(await places(tab), { 2: 0.3, 7: -0.3 });
+  assert.equal(await tab.fire((fire) => fire.params.source_x), 0.3);
+  const counts = (await events(tab, 'objects-change')).map(({ objects, source }) => [objects.length, source]);
+  assert.deepEqual(counts, [[2, 'property'], [3, 'property'], [3, 'property'], [2, 'property']]);
+  assert.deepEqual((await events(tab, 'params-change')).map(({ id }) => id), ['source_x']);
+  // Without a source nothing burns; the parameters are kept for the next one.
+  await tab.fire(async (fire) => {
+    await fire.removeObject(2);
+    await fire.removeObject(7);
+  });
+  assert.deepEqual(await places(tab), {});
+  await tab.fire((fire) => fire.addObject({ kind: 'source' }));
+  assert.deepEqual(await places(tab), { 1: -0.3 });
+});
+
+test('an invalid object is rejected with its mistake, and nothing changes', async () => {
+  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  await tab.ready();
+  const wrong = [
+    [(fire) => fire.addObject({ kind: 'stone' }), 'objects[1].kind', /it must be source or solid/],
+    [(fire) => fire.addObject({ kind: 'source', power: 700 }), 'objects[1].power', /from 0 to 600 kW\/m/],
+    [(fire) => fire.addObject({ kind: 'source', pwer: 7 }), 'objects[1].property', /one of name, enabled, shape, solid, x, y, angle, width, power/],
+    [(fire) => fire.addObject('source'), 'object', /.*/],
+    [(fire) => fire.addObject(), 'object', /.*/],
+    [(fire) => fire.changeObject(9, { x: 0 }), 'id', /the id of an object/],
+    [(fire) => fire.changeObject(1, { x: 'far' }), 'objects[0].x', /from -3 to 3 m/],
+    [(fire) => fire.removeObject(9), 'id', /the id of an object/],
+    [(fire) => fire.removeObject('1'), 'id', /a whole number/],
+    [(fire) => fire.removeObject(), 'id', /a whole number/],
+    [(fire) => fire.set({ objects: [{ kind: 'source', x: { a: 1 } }] }), 'objects[0].x', /an object/],
+    [(fire) => fire.set({ objects: 'two' }), 'objects', /an array of objects/],
+    [(fire) => fire.set({ objects: Array(65).fill({ kind: 'source' }) }), 'objects.length', /at most 64/],
+  ];
+  for (const [act, id, words] of wrong) {
+    const said = await refusal(tab, act);
+    assert.equal(said?.name, 'RangeError', String(act));
+    assert.equal(said.id, id);
+    assert.match(said.message, words);
+  }
+  assert.deepEqual(await places(tab), { 1: 0 });
+  const { min, max, value } = await refusal(tab, (fire) => fire.changeObject(1, { power: 700 }));
+  assert.deepEqual([min, max, value], [0, 600, 700]);
+});
+
+test('the attribute holds objects as JSON, and bad JSON is rejected with a message', async () => {
+  const tab = await browser.open(`<hearth-fire paused objects='${JSON.stringify(TWO)}'></hearth-fire>`);
+  await tab.ready();
+  assert.deepEqual(await places(tab), { 1: -0.3, 7: 0.3 });
+  await tab.fire((fire) => fire.setAttribute('objects', '[{"kind": "source"'));
+  await tab.fire((fire) => fire.set('exposure', 0.5));
+  assert.deepEqual(await places(tab), { 1: -0.3, 7: 0.3 });
+  await tab.fire(async (fire) => {
+    fire.removeAttribute('objects');
+    await fire.set('exposure', 0);
+  });
+  assert.deepEqual(await places(tab), { 1: -0.3 });
+});
+
+test('objects go with settings, and come back when the element does', async () => {
+  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  await tab.ready();
+  await tab.fire((fire, objects) => fire.set({ objects, wind: 1 }), TWO);
+  const config = await tab.fire((fire) => fire.exportConfig());
+  assert.deepEqual(config, { hearth: 2, values: { wind: 1 }, objects: TWO });
+  await destroyedAndBack(tab);
+  assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), config);
+  await tab.fire((fire) => fire.importConfig({ hearth: 1, values: { source_x: 0.1 } }));
+  assert.deepEqual(await places(tab), { 1: 0.1 });
+  await tab.fire((fire, config) => fire.importConfig(JSON.stringify(config)), config);
+  assert.deepEqual(await places(tab), { 1: -0.3, 7: 0.3 });
+  await tab.fire((fire) => fire.restore('objects'));
+  assert.deepEqual(await places(tab), { 1: -0.3 });
+});
+
+test('names and objects that are off go with settings and addresses', async () => {
+  const objects = [
+    { kind: 'source', name: 'Wick', enabled: false }, { kind: 'source', x: 0.3, name: 'Über, "quoted"' },
+    { kind: 'solid', name: 'Back log', enabled: false },
+  ];
+  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  await tab.ready();
+  await tab.fire((fire, objects) => fire.set({ objects }), objects);
+  const config = await tab.fire((fire) => fire.exportConfig());
+  assert.deepEqual(config.objects, objects);
+  await destroyedAndBack(tab);
+  assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), config);
+  const page = await browser.open(`index.html?scene=default&objects=${encodeURIComponent(JSON.stringify(objects))}`);
+  await page.ready();
+  assert.deepEqual((await page.fire((fire) => fire.exportConfig())).objects, objects);
+  assert.equal(await page.fire((fire) => fire.params.source_enabled), false);
+  const said = await refusal(page, (fire, name) => fire.changeObject(1, { name }), 'a'.repeat(65));
+  assert.match(said.message, /name = "a+…" is refused: it must be a line of at most 64 characters/);
+});
+
+test('a child has a name and is off as its attributes say', async () => {
+  const tab = await browser.open(`<hearth-fire paused>
+    <hearth-source name="Wick" enabled="false"></hearth-source><hearth-solid name="Wax"></hearth-solid>
+  </hearth-fire>`);
+  await tab.ready();
+  const listed = (/** @type {string} */ wanted) => tab.until(`the objects are ${wanted}`, (wanted) => {
+    const { objects } = document.querySelector('hearth-fire');
+    return objects.map(({ name, enabled }) => `${name} ${enabled}`).join() === wanted;
+  }, wanted);
+  await listed('Wick false,Wax true');
+  await tab.fire((fire) => fire.lastElementChild.setAttribute('enabled', 'false'));
+  await listed('Wick false,Wax false');
+  await tab.fire((fire) => {
+    fire.lastElementChild.removeAttribute('enabled');
+    fire.lastElementChild.removeAttribute('name');
+  });
+  await listed('Wick false, true');
+  assert.deepEqual(tab.problems, []);
+});
+
+test('every source is seen to burn', async () => {
+  const objects = [{ kind: 'source', x: -0.35, width: 0.15 }, { kind: 'source', x: 0.35, width: 0.15 }];
+  const tab = await browser.open(
+    `<hearth-fire autoplay="false" max-pixels="40000" ember-rate="0" objects='${JSON.stringify(objects)}'
+      style="width: 400px; height: 600px"></hearth-fire>`,
+    { draws: true },
+  );
+  await tab.ready();
+  const light = await tab.fire(async (fire) => {
+    await fire.step(150);
+    const bitmap = await createImageBitmap(await fire.toBlob());
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    const context = canvas.getContext('2d');
+    context.drawImage(bitmap, 0, 0);
+    const scale = bitmap.width / fire.clientWidth;
+    return [-0.35, 0, 0.35].map((x) => {
+      const at = fire.toPixels(x, 0.35);
+      const { data } = context.getImageData(at.x * scale - 3, at.y * scale - 3, 6, 6);
+      return data.reduce((sum, value, i) => sum + (i % 4 === 0 ? value : 0), 0) / 36;
+    });
+  });
+  assert.ok(light[0] > 100 && light[2] > 100 && light[1] < 60, `${light}`);
+});
+
+test('an address carries objects, and the page writes them into its own', async () => {
+  const tab = await browser.open(`index.html?scene=default&objects=${encodeURIComponent(JSON.stringify(TWO))}`);
+  await tab.ready();
+  assert.deepEqual(await places(tab), { 1: -0.3, 7: 0.3 });
+  await tab.fire((fire) => fire.changeObject(7, { x: 0.25 }));
+  const objects = await tab.until('the address has the objects', () => {
+    const text = new URLSearchParams(location.search).get('objects');
+    return text?.includes('0.25') && text;
+  });
+  assert.deepEqual(JSON.parse(objects), [TWO[0], { ...TWO[1], x: 0.25 }]);
+});

@@ -1,0 +1,210 @@
+/**
+ * The landing page: it loads without a warning, its fire burns in the lower middle, and its
+ * address follows the fire.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { assertBurns, assertGlows } from '../assertions.mjs';
+import { table } from '../site.mjs';
+
+const { defaultsOf } = await table();
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+});
+after(() => browser?.close());
+
+test('the page loads without a warning and its fire becomes ready', async () => {
+  const tab = await browser.open('index.html');
+  await tab.ready();
+  await tab.burnt(0.5);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('fire burns in the lower middle and nowhere else, and it moves', async () => {
+  // A taller flame, or a spark, may reach the upper edge at any time.
+  const page = 'index.html?scene=default&fuel-power=120&ember-rate=0';
+  const tab = await browser.open(page, { draws: true, width: 1000, height: 500, pixels: Infinity });
+  await tab.burnt(1.5);
+  await assertBurns(tab);
+  const picture = await tab.firePicture();
+  // Between the name and the scenes, which stand at the edges.
+  assert.ok(picture.part(0, 0.3, 0.15, 0.85).dark() > 0.98, 'the left edge is dark');
+  assert.ok(picture.part(0.4, 0, 0.6, 0.05).dark() > 0.95, 'the upper edge is dark');
+});
+
+test('the fire still burns after ten seconds, with its full number of particles', async () => {
+  // Few of them, so that a slow machine comes to the end of it as well.
+  const most = 1000;
+  const tab = await browser.open(`index.html?max-particles=${most}`);
+  await tab.burnt(10);
+  await assertBurns(tab);
+  const { particles, fps, time } = await tab.fire((fire) => fire.stats);
+  // The number fills the frame, and the air may reach beyond it.
+  assert.ok(particles >= 0.5 * most && particles <= 2 * most, `${particles} particles`);
+  assert.ok(fps > 0, `${fps} frames a second`);
+  assert.ok(time >= 10, `${time} s of fire`);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('values in the address set the fire, and bad ones are rejected with a warning', async () => {
+  const values = 'model=classic&viscosity=0.02&buoyancy=99&seed=7';
+  const tab = await browser.open(`index.html?${values}`);
+  await tab.ready();
+  await tab.burnt(1);
+  const { viscosity, buoyancy, seed } = await tab.fire((fire) => fire.params);
+  assert.deepEqual({ viscosity, buoyancy, seed }, {
+    viscosity: 0.02,
+    buoyancy: defaultsOf('classic').buoyancy,
+    seed: 7,
+  });
+  const [warning, ...more] = tab.problems;
+  assert.match(warning, /^console\.warn.*buoyancy.*99.*0.*1/);
+  assert.deepEqual(more, []);
+  await assertBurns(tab);
+});
+
+test('the address follows the fire: its scene and its changed values, and nothing else', async () => {
+  const tab = await browser.open('index.html?quality=low#hearth');
+  await tab.ready();
+  const opened = await tab.evaluate(() => [location.search + location.hash, history.length]);
+  assert.equal(opened[0], '?quality=low#hearth');
+  const follows = (/** @type {string} */ address) => tab.until(
+    `the address ends in ${address}`,
+    (end) => location.href.endsWith(`/index.html${end}`),
+    address,
+  );
+  await tab.fire((fire) => fire.set({ exposure: 0.25, seed: 7 }));
+  await follows('?scene=fireside&exposure=0.25&seed=7&quality=low#hearth');
+  await tab.fire((fire) => fire.importConfig({ hearth: 1, values: { seed: 7 } }));
+  await follows('?scene=default&seed=7&quality=low#hearth');
+  await tab.fire((fire) => fire.importConfig({ hearth: 1, preset: 'seed', values: { viscosity: 0.02 } }));
+  await follows('?scene=seed&viscosity=0.02&quality=low#hearth');
+  const shown = await tab.fire((fire) => fire.exportConfig());
+  const length = await tab.evaluate(() => history.length);
+  assert.equal(length, opened[1], 'no entry of the history was made');
+
+  const again = await browser.open(`index.html${await tab.evaluate(() => location.search)}`);
+  await again.ready();
+  assert.deepEqual(await again.fire((fire) => fire.exportConfig()), shown);
+  await again.fire((fire) => fire.restore());
+  await again.until('the address names the scene', () => location.search === '?scene=default&quality=low');
+  await again.fire((fire) => fire.importConfig({ hearth: 1, preset: 'fireside', values: {} }));
+  await again.until('the address is clean', () => location.search === '?quality=low');
+  assert.deepEqual([...tab.problems, ...again.problems], []);
+});
+
+test('the address of the landing scene stays empty', async () => {
+  const tab = await browser.open('index.html', {
+    // The page writes its address a second after a change; this one does so at once.
+    before: () => {
+      const wait = window.setTimeout;
+      /** @type {any} */ (window).setTimeout = (act, time, ...rest) => wait(act, time === 1000 ? 0 : time, ...rest);
+    },
+  });
+  await tab.ready();
+  await tab.fire(async (fire) => {
+    const { exposure } = fire.params;
+    await fire.set('exposure', exposure + 1);
+    await fire.set('exposure', exposure);
+  });
+  await tab.frames(10);
+  assert.equal(await tab.evaluate(() => location.search), '');
+});
+
+const MANY = Array.from({ length: 300 }, (_, at) => `n${at}=1`).join('&');
+for (const [about, query, said, seed] of [
+  ['names nothing known', 'viscosty=1&seed=7', [/viscosty.*viscosity/], 7],
+  ['names what every object has', '__proto__=1&constructor=2&toString=3&seed=7', [], 7],
+  ['names one thing twice', 'seed=7&seed=8&scene=default&preset=seed', [/“seed” more than once/, /“preset” more than once/], 7],
+  ['is half an escape', 'seed=7&%=%&%zz=%ff&=&&alt=%', [], 7],
+  ['holds HTML', 'exposure=%3Cimg+src=x+onerror=alert(1)%3E&seed=7', [/exposure.*<img/], 7],
+  ['would fetch something', 'src=/secret.json&poster=https://a.example/x.png&seed=7', [/cannot set “src”/, /cannot set “poster”/], 7],
+  ['sets no numbers', 'seed=NaN&exposure=Infinity&viscosity=1e999', [/seed.*NaN/, /exposure.*Infinity/], 1],
+  ['names an unknown scene', 'scene=nowhere&seed=7', [/nowhere/], 7],
+  ['names hundreds', `seed=7&${MANY}`, [/301 values.*200/], 1],
+  ['is longer than 8 KiB', `seed=7&alt=${'x'.repeat(9000)}`, [/longer than 8192/], 1],
+]) {
+  test(`an address that ${about} breaks nothing, and each mistake is reported`, async () => {
+    const tab = await browser.open(`index.html?${query}`);
+    await tab.ready();
+    const toast = await tab.evaluate(() => document.getElementById('toast')?.textContent ?? '');
+    const console = tab.problems.join('\n');
+    for (const words of said) {
+      assert.match(console, words);
+      assert.match(toast, words);
+    }
+    if (said.length === 0) assert.equal(toast + console, '');
+    assert.ok(tab.problems.every((problem) => problem.startsWith('console.warn')), console);
+    assert.equal(await tab.evaluate(() => document.querySelectorAll('#toast *, img[src=x]').length), 0);
+    assert.equal(await tab.fire((fire) => fire.params.seed), seed);
+    await tab.burnt(0.1);
+  });
+}
+
+test('unrelated names in the address cause no message and stay in the address', async () => {
+  const foreign = 'fbclid=a.b&utm_source=mail&utm_source=x&gclid=1&q=fire&source=y&kind=z&ref=';
+  const tab = await browser.open(`index.html?${foreign}&exposure=0.5`);
+  await tab.ready();
+  assert.equal(await tab.evaluate(() => document.getElementById('toast')?.textContent ?? ''), '');
+  await tab.fire((fire) => fire.set('exposure', 1));
+  await tab.until('the address follows', () => new URLSearchParams(location.search).get('exposure') === '1');
+  const found = await tab.evaluate(() => [...new URLSearchParams(location.search)]);
+  for (const one of new URLSearchParams(foreign)) assert.ok(found.some((other) => `${other}` === `${one}`), `${one} in ${found}`);
+  assert.deepEqual(tab.problems, []);
+});
+
+for (const address of ['?paused', '?autoplay=false']) {
+  test(`${address} in the address pauses the fire`, async () => {
+    const tab = await browser.open(`index.html${address}&alt=Embers`, { draws: true });
+    await tab.ready();
+    const reported = () => tab.fire((fire) => ({ paused: fire.paused, alt: fire.alt, time: fire.stats?.time ?? 0 }));
+    const { paused, alt, time } = await reported();
+    assert.deepEqual({ paused, alt }, { paused: true, alt: 'Embers' });
+    await tab.frames(10);
+    assert.equal((await reported()).time, time);
+    await assertGlows(tab);
+    assert.deepEqual(tab.problems, []);
+  });
+}
+
+for (const [width, height, ratio] of [
+  [360, 640, 3],
+  [768, 1024, 2],
+  [1280, 720, 1],
+  [2560, 1440, 1],
+]) {
+  test(`the page fits ${width} × ${height} at ${ratio} device pixels`, async () => {
+    const touch = width < 720;
+    const tab = await browser.open('index.html', { width, height, ratio, touch, pixels: Infinity });
+    await tab.burnt(0.5);
+    const seen = await tab.evaluate(() => {
+      const root = document.documentElement;
+      const fire = /** @type {Element} */ (document.querySelector('hearth-fire'));
+      const { width: cssWidth, height: cssHeight } = fire.getBoundingClientRect();
+      const canvas = /** @type {any} */ (fire.shadowRoot?.querySelector('canvas'));
+      return {
+        overflow: root.scrollWidth - root.clientWidth,
+        cssWidth,
+        cssHeight,
+        pixelWidth: canvas.width,
+        pixelHeight: canvas.height,
+      };
+    });
+    assert.ok(seen.overflow <= 0, 'no horizontal scroll bar');
+    assert.ok(seen.cssWidth > width / 2, `the fire is ${seen.cssWidth} wide`);
+    assert.ok(seen.cssHeight > height / 2, `the fire is ${seen.cssHeight} high`);
+    const scale = seen.pixelWidth / seen.cssWidth;
+    assert.ok(scale <= ratio + 0.01, `${scale} pixels drawn for each CSS pixel`);
+    // At least as many pixels as the lowest quality allows, and one for each if it can.
+    const least = Math.min(1, Math.sqrt((1280 * 720) / (seen.cssWidth * seen.cssHeight)));
+    assert.ok(scale >= 0.99 * least, `${scale} pixels drawn for each CSS pixel`);
+    // A cap on the pixels may lower both sides, never one.
+    const otherScale = seen.pixelHeight / seen.cssHeight;
+    assert.ok(Math.abs(scale / otherScale - 1) < 0.02, 'pixels are square');
+    assert.deepEqual(tab.problems, []);
+  });
+}

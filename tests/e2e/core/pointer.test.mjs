@@ -1,0 +1,267 @@
+/**
+ * Pointers on an interactive fire: movement stirs the gas, a click throws sparks, a drag
+ * moves the source. Methods do the same.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { events, recording } from '../assertions.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+});
+after(() => browser?.close());
+
+const CALM = 'paused interactive ember-rate="0" ember-size="0.02"';
+
+/** Where the middle of the source's foot is on the screen. */
+const source = (tab) => tab.fire(async (fire) => {
+  // The engine answers in order: every earlier drag counts.
+  await fire.exportConfig();
+  const { left, top } = fire.getBoundingClientRect();
+  const { x, y } = fire.toPixels(fire.params.source_x, fire.params.source_height);
+  return { x: left + x, y: top + y };
+});
+
+/** Waits until the fire is ready, and listens to pointers. */
+const listens = async (tab) => {
+  await tab.ready();
+  await tab.evaluate(() => import(/** @type {any} */ ('/web/element/pointer.js')).then(() => undefined));
+};
+
+/** How many embers fly, as the fire says when that changes. */
+const embers = (tab, count) => tab.until(
+  `${count} embers`,
+  (wanted) => /** @type {any} */ (document.querySelector('hearth-fire')).stats?.embers === wanted,
+  count,
+);
+
+test('a pointer stirs only an interactive fire, and more while it is pressed', async () => {
+  const tab = await browser.open('<hearth-fire paused model="classic" quality="low" seed="3"></hearth-fire>', { draws: true });
+  await tab.ready();
+  // Each way of the pointer takes 50 ms and is followed by as much fire.
+  const swept = async (buttons) => {
+    await tab.fire((fire) => fire.reset());
+    await tab.fire((fire) => fire.step(240));
+    for (let round = 0; round < 3; round += 1) {
+      await tab.fire((fire, pressed) => {
+        const { left, top } = fire.getBoundingClientRect();
+        for (const [at, x] of [110, 122].entries()) {
+          const event = new PointerEvent('pointermove', {
+            bubbles: true, composed: true, pointerId: 7, pointerType: 'mouse', buttons: pressed, clientX: left + x, clientY: top + 190,
+          });
+          Object.defineProperty(event, 'timeStamp', { value: 1000 + 50 * at });
+          fire.dispatchEvent(event);
+        }
+        fire.dispatchEvent(new PointerEvent('pointerleave', { pointerId: 7 }));
+        return fire.step(12);
+      }, buttons);
+    }
+    await tab.frames(2);
+    const picture = await tab.firePicture();
+    const columns = Array.from({ length: 48 }, (_, at) => picture.part(at / 48, 0.5, (at + 1) / 48, 1).glowing());
+    const all = columns.reduce((sum, column) => sum + column);
+    return columns.reduce((sum, column, at) => sum + column * (at + 0.5), 0) / (48 * all);
+  };
+  const still = await swept(0);
+  assert.notEqual(
+    await tab.evaluate(() => document.elementFromPoint(120, 120)?.tagName),
+    'HEARTH-FIRE',
+    'a decorative fire lets clicks through',
+  );
+  await tab.fire((fire) => (fire.interactive = true));
+  await listens(tab);
+  assert.equal(await tab.evaluate(() => document.elementFromPoint(120, 120)?.tagName), 'HEARTH-FIRE');
+  const blown = await swept(0);
+  assert.ok(blown > still + 0.004, `the glow stands at ${blown} of the width, at ${still} unstirred`);
+  const pressed = await swept(1);
+  assert.ok(pressed > blown + 0.004, `the glow stands at ${pressed} of the width, at ${blown} with a pointer that hovers`);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a click throws sparks at its place, and a drag throws none', async () => {
+  const tab = await browser.open(`<hearth-fire ${CALM} fuel-power="0"></hearth-fire>`, { draws: true });
+  await listens(tab);
+  await tab.fire((fire) => fire.step(4));
+  const before = (await tab.firePicture()).glowing();
+  await tab.click({ x: 90, y: 80 });
+  await embers(tab, 24);
+  await tab.fire((fire) => fire.step(30));
+  await tab.frames(2);
+  const picture = await tab.firePicture();
+  const { x, y, width, height } = await tab.rectangle('hearth-fire');
+  const near = picture.part((90 - x - 40) / width, (80 - y - 40) / height, (90 - x + 40) / width, (80 - y + 40) / height);
+  assert.ok(before === 0 && near.glowing() > 0.002, `${near.glowing()} glows, ${before} before`);
+  await tab.drag({ x: 60, y: 60 }, { x: 160, y: 60 });
+  await tab.fire((fire) => fire.step(1));
+  await embers(tab, 24);
+  assert.deepEqual(tab.problems, []);
+});
+
+for (const style of ['', 'transform: scale(0.6); transform-origin: 0 0']) {
+  test(`a drag on the source moves it ${style && 'in a scaled element'}`, async () => {
+    const tab = await browser.open(`<div style="${style}">${recording(`<hearth-fire ${CALM}></hearth-fire>`)}</div>`);
+    await listens(tab);
+    await tab.fire((fire) => fire.step(4));
+    const cursor = () => tab.fire((fire) => getComputedStyle(fire.shadowRoot.querySelector('canvas')).cursor);
+    const from = await source(tab);
+    await tab.mouse('move', from);
+    await tab.frames();
+    assert.equal(await cursor(), 'grab');
+    await tab.drag(from, { x: from.x + 20, y: from.y - 20 });
+    await tab.until('the source is there', (x) => {
+      const fire = /** @type {any} */ (document.querySelector('hearth-fire'));
+      const { params } = fire;
+      return Math.abs(fire.getBoundingClientRect().left + fire.toPixels(params.source_x, 0).x - x) < 1;
+    }, from.x + 20);
+    const to = await source(tab);
+    const changes = await events(tab, 'params-change');
+    assert.ok(changes.length > 2);
+    assert.deepEqual([...new Set(changes.map(({ id, source: by }) => `${id} ${by}`))], ['source_x pointer']);
+    // Beyond the domain it stays inside.
+    await tab.drag(to, { x: to.x + 600, y: to.y });
+    const { set, width } = await tab.fire((fire) => ({ set: fire.params.source_x, width: fire.params.domain_width }));
+    assert.ok(set > 0.2 && set < width / 2, `${set} m`);
+    assert.equal(await cursor(), 'auto');
+    await tab.fire((fire) => fire.step(1));
+    assert.equal(await tab.fire((fire) => fire.stats.embers), 0, 'a drag throws no sparks');
+    assert.deepEqual(tab.problems, []);
+  });
+}
+
+test('a drag of a campfire moves its logs and stones with it, and nothing else', async () => {
+  const tab = await browser.open(recording('<hearth-fire preset="fireside" warm interactive ember-rate="0" style="width: 400px"></hearth-fire>'));
+  await listens(tab);
+  await tab.fire(async (fire) => {
+    await fire.addObject({ kind: 'solid', shape: 'box', x: 0.3, y: 0.9, width: 0.1, height: 0.1 });
+    await fire.addObject({ kind: 'solid', shape: 'box', x: 0.05, y: 0.2, width: 0.05, height: 0.05, fuel: 'wood' });
+    await fire.addObject({ kind: 'solid', shape: 'box', x: -0.05, y: 0.2, width: 0.05, height: 0.05, motion: 'sway' });
+  });
+  const places = () => tab.fire(async (fire) => {
+    await fire.exportConfig();
+    return fire.objects.map(({ x, y }) => [x, y]);
+  });
+  const before = await places();
+  /** The drag of a place of the fire to the left [m]. */
+  const drag = async (x, y) => {
+    const [from, to] = await tab.fire((fire, at, up) => {
+      const { left, top } = fire.getBoundingClientRect();
+      return [at, at - 0.2].map((place) => {
+        const point = fire.toPixels(place, up);
+        return { x: left + point.x, y: top + point.y };
+      });
+    }, x, y);
+    await tab.drag(from, to);
+    await tab.until('the things are there', (wanted) => (
+      Math.abs(/** @type {any} */ (document.querySelector('hearth-fire')).params.source_x - wanted) < 0.02
+    ), x < 0.1 ? -0.2 : -0.4);
+    return places();
+  };
+  // By the fire itself, then by a stone.
+  const first = await drag(0, 0.03);
+  const by = first[0][0];
+  first.forEach(([x, y], at) => {
+    const moved = at < 5 ? by : 0;
+    assert.ok(Math.abs(x - before[at][0] - moved) < 2e-3 && y === before[at][1], `object ${at}: from ${before[at]} to ${x}, ${y}`);
+  });
+  const second = await drag(first[4][0], first[4][1]);
+  assert.ok(Math.abs(second[4][0] - first[4][0] - second[0][0] + first[0][0]) < 2e-3, 'a stone takes the fire along');
+  // The moved solids push the gas aside and crush none.
+  const { removed, particles } = await tab.fire((fire) => new Promise((resolve) => {
+    fire.addEventListener('stats', ({ detail }) => resolve(detail), { once: true });
+  }));
+  assert.ok(removed < 0.01 * particles, `${removed} of ${particles} particles are removed`);
+  assert.deepEqual(await tab.complaints(), []);
+});
+
+test('a drag on a source that is on a solid moves the solid', async () => {
+  const tab = await browser.open(recording(`<hearth-fire ${CALM}></hearth-fire>`));
+  await listens(tab);
+  const id = await tab.fire(async (fire) => {
+    const solid = await fire.addObject({ kind: 'solid', shape: 'box', x: 0.1, y: 0.8, width: 0.5, height: 0.05, angle: 90 });
+    await fire.set({ source_shape: 'solid', source_solid: solid });
+    return solid;
+  });
+  const solid = () => tab.fire(async (fire, wanted) => {
+    await fire.exportConfig();
+    const { left, top } = fire.getBoundingClientRect();
+    const { x, y } = fire.objects.find((one) => one.id === wanted);
+    const at = fire.toPixels(x, y);
+    return { x: left + at.x, y: top + at.y };
+  }, id);
+  const from = await solid();
+  // Its upper end, which a box that is not turned would not reach.
+  const end = { x: from.x, y: from.y - 30 };
+  await tab.drag(end, { x: end.x - 40, y: end.y + 24 });
+  const to = await solid();
+  assert.ok(Math.abs(to.x - from.x + 40) < 1 && Math.abs(to.y - from.y - 24) < 1, `${JSON.stringify(from)} to ${JSON.stringify(to)}`);
+  const changes = await events(tab, 'objects-change');
+  assert.ok(changes.some(({ source: by }) => by === 'pointer'));
+  assert.equal(await tab.fire((fire) => fire.params.source_x), 0);
+  // Beside it, nothing is held.
+  await tab.drag({ x: to.x + 40, y: to.y }, { x: to.x + 80, y: to.y });
+  assert.deepEqual(await solid(), to);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a finger moves the source across, and scrolls the page up and down from it and from anywhere else', async () => {
+  const tab = await browser.open(
+    `<hearth-fire ${CALM}></hearth-fire><div style="height: 3000px"></div>`,
+    { touch: true },
+  );
+  await listens(tab);
+  await tab.fire((fire) => fire.step(4));
+  const from = await source(tab);
+  await tab.touchDrag(from, { x: from.x + 40, y: from.y - 10 });
+  assert.equal(await tab.evaluate(() => window.scrollY), 0);
+  const moved = await source(tab);
+  assert.ok(moved.x > from.x + 30);
+  for (const begin of [moved, { x: 120, y: 180 }]) {
+    await tab.evaluate(() => window.scrollTo(0, 0));
+    await tab.touchDrag(begin, { x: begin.x, y: begin.y - 160 });
+    await tab.until('the page has scrolled', () => window.scrollY > 50);
+  }
+  await tab.evaluate(() => window.scrollTo(0, 0));
+  assert.equal((await source(tab)).x, moved.x);
+});
+
+test('a mouse drag from the fire selects text, and one from its source does not', async () => {
+  const tab = await browser.open(`<hearth-fire ${CALM}></hearth-fire><p style="margin: 0">These words may be selected.</p>`);
+  await listens(tab);
+  await tab.fire((fire) => fire.step(4));
+  const words = await tab.rectangle('p');
+  const end = { x: words.x + 150, y: words.y + 8 };
+  const selected = () => tab.evaluate(() => `${getSelection()}`);
+  await tab.drag(await source(tab), end);
+  assert.equal(await selected(), '');
+  await tab.drag({ x: words.x + 2, y: words.y + 8 }, end);
+  assert.match(await selected(), /^These words/);
+});
+
+test('`stir` and `sparks` act on the fire, and invalid arguments are rejected', async () => {
+  const tab = await browser.open('<hearth-fire paused ember-rate="0"></hearth-fire>');
+  await tab.ready();
+  await tab.fire((fire) => fire.stir(0.1, 0.5, 3, 0));
+  await tab.fire((fire) => fire.sparks(0.1, 0.8));
+  await tab.fire((fire) => fire.sparks(-0.1, 0.8, 6));
+  await embers(tab, 30);
+  const refusals = await tab.fire(async (fire) => {
+    const asked = [
+      fire.stir(NaN, 0, 0, 0), fire.stir(0, 0, 'fast', 0), fire.stir(0, 0, 0, 21), fire.stir(),
+      fire.sparks(0, Infinity), fire.sparks(0, 0.5, 0), fire.sparks(0, 0.5, 201), fire.sparks(0, 0.5, 1.5), fire.sparks({}, 1),
+    ];
+    const settled = await Promise.allSettled(asked);
+    return settled.map((one) => `${one.status} ${/** @type {any} */ (one).reason?.name}: ${/** @type {any} */ (one).reason?.message}`);
+  });
+  const words = [
+    /x = NaN .*from -1000 to 1000/, /u = "fast" .*from -20 to 20/, /v = 21 .*from -20 to 20/, /is refused/,
+    /y = inf.*from -1000 to 1000/i, /count = 0 .*from 1 to 200/, /count = 201 .*from 1 to 200/, /count = 1.5 .*whole/, /x = .*number/,
+  ];
+  for (const [at, refusal] of refusals.entries()) {
+    assert.match(refusal, /^rejected RangeError/);
+    assert.match(refusal, words[at]);
+  }
+  await embers(tab, 30);
+});

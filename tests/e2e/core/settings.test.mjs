@@ -1,0 +1,265 @@
+/**
+ * Settings as data: exported, imported whole or not at all, and read from a file.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { events, recording } from '../assertions.mjs';
+import { table } from '../site.mjs';
+
+const { DEFAULTS, PRESETS, defaultsOf } = await table();
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+});
+after(() => browser?.close());
+
+const JSON_TYPE = 'application/json';
+const SEED = { ...defaultsOf('classic'), ...PRESETS.find(({ name }) => name === 'seed').values };
+
+/** The fire's values, its preset and its settings. */
+function state(tab) {
+  return tab.fire(async (fire) => ({
+    params: fire.params,
+    preset: fire.preset,
+    config: await fire.exportConfig(),
+  }));
+}
+
+/** What is said of settings that the fire refuses; fails where it takes them. */
+function refusal(tab, config) {
+  return tab.fire(async (fire, text) => {
+    // A function can only be made here.
+    const given = text === 'function' ? () => 1 : text;
+    try {
+      await fire.importConfig(given);
+      return null;
+    } catch (error) {
+      const { name, message, id } = error;
+      return { name, message, id };
+    }
+  }, config);
+}
+
+test('the export of a fire holds its changes alone', async () => {
+  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  await tab.ready();
+  assert.deepEqual((await state(tab)).config, { hearth: 2, values: {} });
+  await tab.fire((fire) => fire.set({ exposure: 0.5, background: '#102030' }));
+  const { config } = await state(tab);
+  assert.deepEqual(config, { hearth: 2, values: { exposure: 0.5, background: '#102030' } });
+  await tab.fire((fire) => fire.set({ model: 'classic', viscosity: 0.02 }));
+  assert.deepEqual((await state(tab)).config.values, {
+    model: 'classic', viscosity: 0.02, exposure: 0.5, background: '#102030',
+  });
+});
+
+test('one fire imports the export of another, as data or as text', async () => {
+  const tab = await browser.open(
+    '<hearth-fire paused preset="seed" viscosity="0.02" seed="7"></hearth-fire><hearth-fire paused exposure="2"></hearth-fire>',
+  );
+  await tab.ready();
+  const { one, two, three, preset } = await tab.evaluate(async () => {
+    const [first, second] = /** @type {any} */ ([...document.querySelectorAll('hearth-fire')]);
+    await second.ready;
+    const config = await first.exportConfig();
+    await second.importConfig(config);
+    const data = second.params;
+    await second.restore();
+    await second.importConfig(JSON.stringify(config));
+    return { one: first.params, two: data, three: second.params, preset: second.preset };
+  });
+  assert.equal(one.viscosity, 0.02);
+  assert.deepEqual(two, one);
+  assert.deepEqual(three, one);
+  assert.equal(preset, 'seed');
+});
+
+test('settings that are wrong anywhere are refused whole, by name', async () => {
+  const tab = await browser.open(recording('<hearth-fire paused exposure="0.5"></hearth-fire>'));
+  await tab.ready();
+  const before = await state(tab);
+  const deep = `${'['.repeat(5000)}${']'.repeat(5000)}`;
+  const many = JSON.stringify({ values: Object.fromEntries([...Array(2000)].map((_, at) => [`k${at}`, 1])) });
+  for (const [config, named] of [
+    ['', 'JSON'],
+    ['{"values": {', 'JSON'],
+    [' '.repeat(70_000), '65536'],
+    [`{"values": {"exposure": ${deep}}}`, 'exposure'],
+    [deep, 'config'],
+    [many, 'thousand'],
+    ['[]', 'config'],
+    ['null', 'config'],
+    ['7', 'config'],
+    ['{"values": 7}', 'values'],
+    ['{"exposure": 1}', 'exposure'],
+    ['{"hearth": 3, "values": {}}', 'hearth'],
+    ['{"preset": "sead"}', 'seed'],
+    ['{"__proto__": {"exposure": 1}}', '__proto__'],
+    ['{"values": {"__proto__": {"exposure": 1}}}', '__proto__'],
+    ['{"values": {"constructor": 1}}', 'constructor'],
+    ['{"values": {"exposurr": 1}}', 'did you mean "exposure"'],
+    ['{"values": {"exposure": 99}}', 'from -4 to 4'],
+    ['{"values": {"exposure": 1e999}}', 'exposure'],
+    ['{"values": {"exposure": null}}', 'exposure'],
+    ['{"values": {"exposure": {"a": 1}}}', 'exposure'],
+    ['{"values": {"bloom": 0.1, "exposure": "bright"}}', 'exposure'],
+    ['function', 'config'],
+    [undefined, 'config'],
+    [{ values: { exposure: Number.NaN } }, 'exposure'],
+  ]) {
+    const said = await refusal(tab, config);
+    const about = JSON.stringify(config)?.slice(0, 60);
+    assert.equal(said?.name, 'RangeError', `${about} is refused`);
+    assert.ok(said.message.includes(named), `${about}: ${said.message}`);
+  }
+  assert.deepEqual(await state(tab), before);
+  const errors = await events(tab, 'error');
+  assert.ok(errors.every(({ kind, id, message }) => kind === 'bad-parameter' && id !== undefined && message));
+  const uncaught = tab.problems.filter((problem) => problem.startsWith('uncaught'));
+  assert.deepEqual(uncaught, []);
+});
+
+test('values that throw when they are read are refused, and no others', async () => {
+  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  await tab.ready();
+  const said = await tab.fire(async (fire) => {
+    const thrower = { get exposure() { throw new Error('no'); } };
+    const proxy = new Proxy({}, { ownKeys() { throw new Error('no'); } });
+    const given = [
+      () => fire.set(thrower),
+      () => fire.set(proxy),
+      () => fire.set({ exposure: Object.create(null) }),
+      () => fire.set({ exposure: Symbol('x') }),
+      () => fire.set({ exposure: 1n }),
+      () => fire.set(Symbol('x'), 1),
+      () => fire.set(Object.create(null)),
+      () => fire.importConfig({ values: thrower }),
+      () => fire.restore(Object.create(null)),
+      () => fire.step({}),
+    ];
+    const names = [];
+    for (const give of given) names.push(await give().then(() => 'taken', (error) => error.name));
+    return { names, params: fire.params };
+  });
+  // An empty object sets nothing, which is no error.
+  assert.deepEqual(said.names, said.names.map((_, at) => (at === 6 ? 'taken' : 'RangeError')));
+  assert.deepEqual(said.params, DEFAULTS);
+});
+
+test('a fire starts from a settings file, and attributes override it', async () => {
+  const body = JSON.stringify({ hearth: 1, preset: 'seed', values: { viscosity: 0.02 } });
+  const files = { 'mine.json': { body, type: JSON_TYPE }, 'other.json': { body: '{"values": {"bloom": 0.5}}', type: JSON_TYPE } };
+  const tab = await browser.open(
+    '<hearth-fire paused src="/mine.json" exposure="0.5"></hearth-fire>',
+    { files },
+  );
+  await tab.ready();
+  assert.deepEqual((await state(tab)).params, { ...SEED, viscosity: 0.02, exposure: 0.5 });
+  await tab.fire((fire) => (fire.src = '/other.json'));
+  await tab.until('the other file', () => (
+    /** @type {any} */ (document.querySelector('hearth-fire')).params.bloom === 0.5
+  ));
+  const { params, preset } = await state(tab);
+  assert.deepEqual({ params, preset }, { params: { ...DEFAULTS, bloom: 0.5 }, preset: 'default' });
+});
+
+for (const [what, instead, named] of [
+  ['is not there', { status: 404, body: 'no', type: 'text/html' }, '404'],
+  ['never comes', { drop: true }, 'mine.json'],
+  ['is no JSON', { body: '<p>hello', type: 'text/html' }, 'JSON'],
+  ['is too long', { body: ' '.repeat(70_000), type: JSON_TYPE }, '64 KiB'],
+  ['has a bad value', { body: '{"values": {"exposure": 99}}', type: JSON_TYPE }, 'from -4 to 4'],
+  ['has an unknown key', { body: '{"values": {"exposurr": 1}}', type: JSON_TYPE }, 'exposure'],
+]) {
+  test(`a settings file that ${what} causes an error event, and the fire burns`, async () => {
+    const tab = await browser.open(recording('<hearth-fire src="/mine.json"></hearth-fire>'), {
+      files: { 'mine.json': instead },
+    });
+    await tab.burnt(0.3);
+    assert.deepEqual((await state(tab)).params, DEFAULTS);
+    const errors = await events(tab, 'error');
+    assert.equal(errors.length, 1);
+    assert.ok(errors[0].message.includes(named), errors[0].message);
+    assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+  });
+}
+
+test('a fire that is removed while its file loads starts from it when it is inserted again', async () => {
+  const body = JSON.stringify({ values: { model: 'classic', viscosity: 0.02 } });
+  const tab = await browser.open('<p>Nothing yet</p>', {
+    files: { 'mine.json': { body, type: JSON_TYPE }, 'other.json': { body: '{"values": {"bloom": 0.5}}', type: JSON_TYPE } },
+  });
+  const params = await tab.evaluate(async () => {
+    const make = () => {
+      const fire = /** @type {any} */ (document.createElement('hearth-fire'));
+      fire.src = '/mine.json';
+      fire.paused = true;
+      document.body.append(fire);
+      return fire;
+    };
+    const wait = (time) => new Promise((resolve) => setTimeout(resolve, time));
+    const gone = make();
+    // Between two turns of the page, wherever its start has come to.
+    for (let round = 0; round < 20; round += 1) {
+      await wait(round);
+      gone.remove();
+      await wait(0);
+      document.body.append(gone);
+    }
+    await gone.ready;
+    const renamed = make();
+    await wait(2);
+    renamed.src = '/other.json';
+    await renamed.ready;
+    for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
+    return [gone.params, renamed.params];
+  });
+  assert.deepEqual(params[0], { ...defaultsOf('classic'), viscosity: 0.02 });
+  assert.equal(params[1].bloom, 0.5);
+  assert.equal(params[1].model, DEFAULTS.model);
+});
+
+test('an element from before open air keeps its frame and resolution, and warns once about its seam', async () => {
+  const tab = await browser.open(
+    '<hearth-fire seam="0.03" domain-width="2.4" max-particles="5000" paused></hearth-fire>',
+  );
+  await tab.ready();
+  const opened = await state(tab);
+  const spacing = Math.sqrt((2.4 * 1.8) / 5000);
+  assert.ok(Math.abs(opened.params.spacing / spacing - 1) < 0.002, `${opened.params.spacing}`);
+  assert.deepEqual(opened.config.values, { domain_width: 2.4, seam: 0.03, max_particles: 5000 });
+  await tab.fire((fire) => fire.set('seam', 0.1));
+  const told = tab.problems.filter((problem) => problem.includes('seam'));
+  assert.equal(told.length, 1, told.join('\n'));
+  assert.match(told[0], /seam has no effect with open edges/);
+  // A number that is set later means the same, and a named spacing makes it a cap.
+  const attributes = [['max-particles', '3200', Math.sqrt((2.4 * 1.8) / 3200)], ['spacing', '0.05', 0.05], ['max-particles', '900', 0.05]];
+  for (const [name, value, expected] of attributes) {
+    const { params } = await tab.fire(async (fire, name, value) => {
+      fire.setAttribute(name, value);
+      await fire.exportConfig();
+      return { params: fire.params };
+    }, name, value);
+    assert.ok(Math.abs(params.spacing / expected - 1) < 0.002, `${name}="${value}": ${params.spacing}`);
+  }
+  tab.problems.length = 0;
+});
+
+test('a fire that follows a stopped one keeps whether its spacing is set', async () => {
+  const tab = await browser.open('<hearth-fire paused></hearth-fire>');
+  await tab.ready();
+  for (const [spacing, stated] of [[undefined, {}], [0.03, { spacing: 0.03 }]]) {
+    const values = await tab.fire(async (fire, spacing) => {
+      if (spacing !== undefined) await fire.set({ spacing });
+      const parent = fire.parentNode;
+      fire.remove();
+      parent.append(fire);
+      await fire.ready;
+      return (await fire.exportConfig()).values;
+    }, spacing);
+    assert.deepEqual(values, stated);
+  }
+});

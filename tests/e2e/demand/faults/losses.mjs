@@ -1,0 +1,36 @@
+/** A hundred lost contexts in each place that a browser has. */
+import { BROWSERS, Browser } from '../../driver.mjs';
+import { onPageThread } from '../../clock.mjs';
+import { FIRE, outcome, retry, sleep } from './outcome.mjs';
+
+/** @typedef {import('./outcome.mjs').Finding} Finding */
+
+const LOSSES = 100;
+
+/** @type {{[browser: string]: string[]}} */
+const PLACES = { chromium: ['worker', 'main'], firefox: ['worker', 'main'], webkit: ['main'] };
+
+/** @returns {AsyncGenerator<Finding>} */
+export async function* losses() {
+  for (const kind of BROWSERS) {
+    for (const place of PLACES[kind]) {
+      const browser = await Browser.start(kind);
+      try {
+        const tab = await browser.open(place === 'main' ? onPageThread(FIRE) : FIRE);
+        for (let loss = 1; loss <= LOSSES; loss += 1) {
+          const fault = `${kind}, ${place}, loss ${loss}`;
+          await tab.burnt((await tab.fire((fire) => fire.stats?.time ?? 0)) + 0.05);
+          const found = await tab.fire((fire) => fire.stats.engine);
+          if (found !== place) throw new Error(`the engine of ${kind} runs in the place ${found}, not ${place}`);
+          // A loss strikes anywhere in a frame; every tenth one lasts longer than a picture is awaited.
+          await sleep((loss * 7) % 40);
+          await tab.loseContext(loss % 10 === 0 ? 7000 : (loss * 13) % 300);
+          yield await outcome(tab, fault);
+          await retry(tab);
+        }
+      } finally {
+        await browser.close();
+      }
+    }
+  }
+}

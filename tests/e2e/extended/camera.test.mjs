@@ -1,0 +1,209 @@
+/**
+ * `fit` and `align` select the part of a fire's world in its picture. `toPixels` agrees
+ * with CSS and with the picture.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { events, recording } from '../assertions.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+});
+after(() => browser?.close());
+
+const FITS = ['height', 'contain', 'cover', 'width'];
+/** Words, and shares from left and from above. @type {[string, number, number][]} */
+const ALIGNS = [['', 0.5, 1], ['left top', 0, 0], ['center right', 1, 0.5]];
+
+for (const [width, height] of [[400, 150], [150, 400]]) {
+  test(`a fire of ${width} × ${height} pixels is where its fit and its alignment put it`, async () => {
+    // Particles that stand still, in the middle of a domain of 1.2 m by 1.5 m.
+    const tab = await browser.open(`<hearth-fire paused model="classic" display-mode="paper" source-width="0.05"
+      source-height="0.7" emission-speed="0" particle-size="0.03" lifetime-min="3" lifetime-max="3"
+      style="width: ${width}px; height: ${height}px"></hearth-fire>`, { draws: true });
+    await tab.ready();
+    await tab.fire((fire) => fire.step(8));
+    for (const fit of FITS) {
+      for (const [words, right, below] of ALIGNS) {
+        const seen = await tab.fire(async (fire, how, where) => {
+          fire.fit = how;
+          fire.align = where;
+          await fire.step(1);
+          const { domain_width: across, domain_height: up } = fire.params;
+          return [[-across / 2, up], [across / 2, 0], [0, 0.7]].map(([x, y]) => fire.toPixels(x, y));
+        }, fit, words);
+        await tab.frames(3);
+        const [corner, other, source] = seen;
+        const [wide, high] = [width / 1.2, height / 1.5];
+        const scale = { height: high, width: wide, contain: Math.min(wide, high), cover: Math.max(wide, high) }[fit];
+        const expected = [
+          (width - 1.2 * scale) * right, (height - 1.5 * scale) * below, 1.2 * scale, 1.5 * scale,
+        ];
+        const found = [corner.x, corner.y, other.x - corner.x, other.y - corner.y];
+        const what = `${fit} “${words}” of ${width} × ${height}`;
+        for (const [at, number] of found.entries()) {
+          assert.ok(Math.abs(number - expected[at]) < 0.1, `${what}: ${found}, not ${expected}`);
+        }
+        const picture = await tab.firePicture();
+        const lit = (part) => Math.round((1 - part.dark()) * part.width * part.height);
+        const reach = 0.08 * scale + 3;
+        const share = (x, y) => [
+          Math.max(0, Math.min(1, x / width)), Math.max(0, Math.min(1, y / height)),
+        ];
+        const [left, top] = share(source.x - reach, source.y - reach);
+        const [end, bottom] = share(source.x + reach, source.y + reach);
+        const inside = source.x > 4 && source.x < width - 4 && source.y > 4 && source.y < height - 4;
+        if (end > left && bottom > top) {
+          const around = lit(picture.part(left, top, end, bottom));
+          assert.ok(!inside || around > 4, `${what}: ${around} pixels are lit around the source`);
+          assert.equal(lit(picture), around, `${what}: nothing is lit elsewhere`);
+        } else {
+          assert.equal(lit(picture), 0, `${what}: the source is out of sight`);
+        }
+      }
+    }
+    assert.deepEqual(tab.problems, []);
+  });
+}
+
+test('an invalid fit or alignment is rejected by name, and the picture does not change', async () => {
+  const tab = await browser.open(recording('<hearth-fire paused fit="cover" align="top left"></hearth-fire>'));
+  await tab.ready();
+  const corner = () => tab.fire((fire) => fire.toMetres(0, 0));
+  const before = await corner();
+  await tab.fire((fire) => {
+    fire.setAttribute('fit', 'fill');
+    fire.setAttribute('align', 'left right');
+  });
+  const errors = await events(tab, 'error');
+  assert.deepEqual(errors.map(({ kind, id }) => `${kind} ${id}`), ['bad-parameter fit', 'bad-parameter align']);
+  assert.match(errors[0].message, /fill.*height, contain, cover, width/);
+  assert.match(errors[1].message, /left right.*center/);
+  assert.deepEqual(await corner(), before);
+  const usual = await tab.fire((fire) => {
+    fire.removeAttribute('fit');
+    fire.removeAttribute('align');
+    return [fire.fit, fire.align, fire.toMetres(120, 240)];
+  });
+  assert.deepEqual(usual, ['height', '', { x: 0, y: 0 }]);
+});
+
+/** Two points that are the same up to rounding. */
+function near(found, expected, what) {
+  const same = Math.abs(found.x - expected.x) < 2e-3 && Math.abs(found.y - expected.y) < 2e-3;
+  assert.ok(same, `${what} is ${JSON.stringify(found)}, not ${JSON.stringify(expected)}`);
+}
+
+test('zoom and pan show a part of the picture, and change nothing in the fire', async () => {
+  const tab = await browser.open(recording(`<hearth-fire paused edges="open" floor="solid"
+    style="width: 300px; height: 200px"></hearth-fire>`));
+  await tab.ready();
+  const corners = () => tab.fire((fire) => [fire.toMetres(0, 200), fire.toMetres(300, 0)]);
+  const [low, high] = await corners();
+  const side = { x: high.x - low.x, y: high.y - low.y };
+  await tab.fire((fire) => {
+    fire.zoom = 4;
+    fire.pan = '1 0.25';
+  });
+  const [from, to] = await corners();
+  near(from, { x: low.x + 0.75 * side.x, y: low.y + 0.25 * 0.75 * side.y }, 'the lower left');
+  near(to, { x: high.x, y: from.y + side.y / 4 }, 'the upper right');
+  const burn = (zoom) => tab.fire(async (fire, zoomed) => {
+    fire.setAttribute('zoom', zoomed);
+    await fire.reset();
+    await fire.step(120);
+    return [fire.stats.particles, fire.stats.time];
+  }, zoom);
+  assert.deepEqual(await burn(7), await burn(1));
+  await tab.fire((fire) => {
+    fire.zoom = 11;
+    fire.zoom = 2;
+    fire.pan = 'left';
+  });
+  const errors = await events(tab, 'error');
+  assert.deepEqual(errors.map(({ kind, id }) => `${kind} ${id}`), ['bad-parameter zoom', 'bad-parameter pan']);
+});
+
+test('a wheel with Ctrl enlarges what is under the pointer, a double click shows all again', async () => {
+  const tab = await browser.open(`<style>body { height: 3000px; margin: 0 }</style><hearth-fire paused interactive
+    style="width: 300px; height: 200px"></hearth-fire>`);
+  await tab.ready();
+  await tab.until('the pointer is listened to', () => {
+    const event = new WheelEvent('wheel', { deltaY: -1, ctrlKey: true, cancelable: true, bubbles: true, clientX: 90, clientY: 60 });
+    const fire = document.querySelector('hearth-fire');
+    fire.dispatchEvent(event);
+    return event.defaultPrevented;
+  });
+  const at = () => tab.fire((fire) => fire.toMetres(90, 60));
+  const before = await at();
+  const wheel = (deltaY, ctrlKey) => tab.fire((fire, how) => {
+    const event = new WheelEvent('wheel', { ...how, cancelable: true, bubbles: true, clientX: 90, clientY: 60 });
+    fire.dispatchEvent(event);
+    return event.defaultPrevented;
+  }, { deltaY, ctrlKey });
+  assert.equal(await wheel(-200, true), true);
+  const zoom = await tab.fire((fire) => fire.zoom);
+  assert.ok(zoom > 2 && zoom < 4, `zoom ${zoom}`);
+  near(await at(), before, 'the place under the pointer');
+  assert.equal(await wheel(-200, false), false, 'a wheel scrolls the page');
+  assert.equal(await wheel(9000, true), true);
+  assert.equal(await tab.fire((fire) => fire.zoom), 1);
+  assert.equal(await wheel(100, true), false, 'the page gets the rest');
+  await wheel(-100, true);
+  await tab.fire((fire) => fire.dispatchEvent(new MouseEvent('dblclick', { bubbles: true })));
+  assert.deepEqual(await tab.fire((fire) => [fire.hasAttribute('zoom'), fire.hasAttribute('pan')]), [false, false]);
+});
+
+test('two fingers enlarge and move the picture', async () => {
+  const tab = await browser.open(`<hearth-fire paused interactive style="width: 300px; height: 200px"></hearth-fire>`);
+  await tab.ready();
+  await tab.until('the pointer is listened to', () => {
+    const event = new WheelEvent('wheel', { deltaY: -1, ctrlKey: true, cancelable: true, bubbles: true, clientX: 90, clientY: 60 });
+    document.querySelector('hearth-fire').dispatchEvent(event);
+    return event.defaultPrevented;
+  });
+  const [zoom, held] = await tab.fire((fire) => {
+    const { left, top } = fire.getBoundingClientRect();
+    const touch = (type, pointerId, x, y) => fire.dispatchEvent(new PointerEvent(type, {
+      pointerId, pointerType: 'touch', bubbles: true, clientX: left + x, clientY: top + y,
+    }));
+    touch('pointerdown', 2, 100, 100);
+    touch('pointerdown', 3, 200, 100);
+    const middle = fire.toMetres(150, 100);
+    touch('pointermove', 2, 50, 120);
+    touch('pointermove', 3, 250, 120);
+    const now = fire.toMetres(150, 120);
+    const zoom = fire.zoom;
+    touch('pointerup', 2, 50, 120);
+    touch('pointermove', 3, 100, 20);
+    touch('pointerup', 3, 100, 20);
+    return [[zoom, fire.zoom], [middle, now]];
+  });
+  assert.ok(zoom[0] > 1.9 && zoom[0] < 2.2, `zoom ${zoom[0]}`);
+  assert.equal(zoom[1], zoom[0], 'one finger enlarges nothing');
+  near(held[1], held[0], 'the place between the fingers');
+});
+
+test('a resize of the element leaves the fire as it is', async () => {
+  const tab = await browser.open(`<hearth-fire paused edges="open" floor="solid" max-particles="8000"
+    style="width: 300px; height: 200px"></hearth-fire>`);
+  await tab.ready();
+  await tab.burnt(1);
+  const steps = async (width) => {
+    await tab.fire((fire, wide) => (fire.style.width = `${wide}px`), width);
+    await tab.frames(3);
+    return tab.fire(async (fire) => {
+      await fire.step(4);
+      return fire.stats.particles;
+    });
+  };
+  let before = await steps(300);
+  for (const width of [900, 200, 600, 300]) {
+    const after = await steps(width);
+    assert.ok(Math.abs(after / before - 1) < 0.1, `${before} particles, ${after} at ${width} px`);
+    before = after;
+  }
+});

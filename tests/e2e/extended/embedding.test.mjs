@@ -1,0 +1,158 @@
+/**
+ * The documents for embedding: `docs/element.md` names exactly the members of the element,
+ * each in an example, and every example runs.
+ */
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { table } from '../site.mjs';
+
+const { PARAMETERS } = await table();
+const read = (/** @type {string} */ file) => readFileSync(new URL(`../../../${file}`, import.meta.url), 'utf8');
+
+/** Every example of a document that is a whole page, by the heading above it. */
+const examples = (/** @type {string} */ file) => {
+  const text = read(file);
+  return [...text.matchAll(/```html\n([\s\S]*?)```/g)].filter(([, html]) => html.startsWith('<!doctype')).map((found) => ({
+    file,
+    html: found[1],
+    heading: text.slice(0, found.index).match(/^#+ .*$/gm)?.at(-1) ?? '',
+  }));
+};
+
+const GUIDES = ['docs/embedding.md', 'docs/element.md'];
+const DOC = read('docs/element.md');
+const CODE = GUIDES.flatMap(examples).map(({ html }) => html).join('\n');
+const OTHERS = ['iframe', 'package', 'simulation'].map((name) => `docs/${name}.md`);
+const EXAMPLES = [...GUIDES, ...OTHERS].flatMap(examples);
+
+/** The names in the first column of the tables of a section. */
+function named(heading) {
+  const section = DOC.slice(DOC.indexOf(`\n## ${heading}\n`) + 1).split(/\n## /)[0];
+  const cells = [...section.matchAll(/^\| (`[^|]*) \|/gm)].map(([, cell]) => cell);
+  return cells.flatMap((cell) => [...cell.matchAll(/`([\w-]+)/g)].map(([, name]) => name));
+}
+
+/** @type {Browser} */
+let browser;
+/** What the element has, as JavaScript sees it. */
+let has;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+  const tab = await browser.open('<hearth-fire></hearth-fire>');
+  await tab.burnt(0.3);
+  has = await tab.fire((fire) => {
+    const Fire = customElements.get('hearth-fire');
+    const own = [];
+    for (let type = Fire.prototype; type !== HTMLElement.prototype; type = Object.getPrototypeOf(type)) {
+      own.push(...Object.entries(Object.getOwnPropertyDescriptors(type)));
+    }
+    const lifecycle = /Callback$|^constructor$/;
+    const members = own.filter(([name]) => !lifecycle.test(name));
+    return {
+      attributes: Fire.observedAttributes,
+      methods: members.filter(([, { value }]) => typeof value === 'function').map(([name]) => name),
+      properties: members.filter(([, { get }]) => get).map(([name]) => name),
+      stats: Object.keys(fire.stats),
+      parts: [...fire.shadowRoot.querySelectorAll('[part]')].map((one) => one.getAttribute('part')),
+      slots: [...fire.shadowRoot.querySelectorAll('slot')].map((one) => one.name),
+    };
+  });
+});
+after(() => browser?.close());
+
+const camel = (/** @type {string} */ id) => id.replace(/_(.)/g, (_, letter) => letter.toUpperCase());
+const sorted = (/** @type {Iterable<string>} */ names) => [...new Set(names)].sort();
+
+test('the attributes are those of the element, each in an example', () => {
+  const parameters = PARAMETERS.map(({ attribute }) => attribute).filter((name) => name !== 'model');
+  const own = has.attributes.filter((name) => !parameters.includes(name));
+  const qualities = ['low', 'medium', 'high'];
+  assert.deepEqual(sorted(named('Attributes').filter((name) => !qualities.includes(name))), sorted(own));
+  for (const name of own) assert.ok(new RegExp(`<hearth-fire[^>]* ${name}[ =>]|'${name}'|fire\\.${name}`).test(CODE), name);
+});
+
+test('the properties are those of the element, each in an example', () => {
+  const parameters = PARAMETERS.map(({ id }) => camel(id));
+  const own = has.properties.filter((name) => !parameters.includes(name));
+  const described = named('Properties');
+  const ofStats = described.filter((name) => has.stats.includes(name) && !own.includes(name));
+  assert.deepEqual(sorted(described.filter((name) => !ofStats.includes(name))), sorted(own));
+  const written = (name) => new RegExp(`fire\\.${name}\\b|<hearth-fire[^>]* ${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}[ =>]`);
+  for (const name of own) assert.ok(written(name).test(CODE), name);
+});
+
+test('the statistics are described', () => {
+  const section = named('Properties');
+  assert.deepEqual(has.stats.filter((name) => !section.includes(name)), []);
+});
+
+test('the methods are those of the element, each in an example', () => {
+  assert.deepEqual(sorted(named('Methods')), sorted(has.methods));
+  for (const name of has.methods) assert.ok(new RegExp(`\\.${name}\\(`).test(CODE), name);
+});
+
+test('the events are those that the element sends, each in an example', () => {
+  const source = read('web/element/session.js') + read('web/element/reports.js');
+  const types = read('web/hearth-fire.d.ts');
+  const sent = [...source.matchAll(/\.emit\(([^;]*?)[,)]/g)].flatMap(([, what]) => (
+    [...what.matchAll(/'([a-z-]+)'/g)].map(([, name]) => name)
+  ));
+  const described = named('Events');
+  assert.deepEqual(sorted(described), sorted(sent));
+  for (const name of described) {
+    assert.ok(new RegExp(`'${name}'`).test(CODE), name);
+    assert.ok(new RegExp(`'?${name}'?: CustomEvent`).test(types), name);
+  }
+});
+
+test('the parts and the slot are those of the element, each in an example', () => {
+  const parts = [...has.parts, 'panel', 'play', 'retry', 'scale'];
+  const described = [...DOC.matchAll(/`::part\(([\w-]+)\)`/g)].map(([, name]) => name);
+  assert.deepEqual(sorted(described), sorted(parts));
+  for (const name of parts) assert.ok(CODE.includes(`::part(${name})`), name);
+  assert.deepEqual(has.slots, ['poster']);
+  assert.ok(CODE.includes('slot="poster"'));
+});
+
+test('the types are those of the element', () => {
+  const types = read('web/hearth-fire.d.ts');
+  const parameters = PARAMETERS.map(({ id }) => camel(id));
+  const own = [...has.methods, ...has.properties].filter((name) => !parameters.includes(name));
+  for (const name of own) assert.ok(new RegExp(`\\b${name}[(:<]`).test(types), name);
+});
+
+for (const [at, { file, html, heading }] of EXAMPLES.entries()) {
+  test(`example ${at + 1}, ${heading.replace(/^#+ /, '')} in ${file}, runs`, async () => {
+    const tab = await browser.open(html, {
+      width: 800,
+      height: 600,
+      pixels: 30_000,
+      // Chromium asks for an icon, which no example has.
+      files: { 'favicon.ico': { body: '' } },
+    });
+    const burns = /<hearth-fire|<iframe|'hearth-fire'/.test(html);
+    if (burns) await tab.until('its fires are ready', async () => {
+      const inside = document.querySelector('iframe')?.contentDocument;
+      const within = [document, ...(inside ? [inside] : [])];
+      const fires = within.flatMap((one) => /** @type {any[]} */ ([...one.querySelectorAll('hearth-fire')]));
+      if (fires.length === 0 || fires.some((fire) => fire.ready === undefined)) return false;
+      for (const fire of fires) {
+        // A fire below the fold may wait.
+        if (fire.loading !== 'lazy') await fire.ready;
+      }
+      return true;
+    });
+    await tab.frames(10);
+    const buttons = await tab.evaluate(() => document.querySelectorAll('button').length);
+    for (let button = 0; button < buttons; button += 1) {
+      await tab.evaluate((number) => document.querySelectorAll('button')[number].click(), button);
+      await tab.frames(2);
+    }
+    await tab.frames(5);
+    const refused = heading === '## When something is wrong';
+    const problems = (await tab.complaints()).filter((problem) => !refused || !/viscosity = 99/.test(problem));
+    assert.deepEqual(problems, []);
+  });
+}

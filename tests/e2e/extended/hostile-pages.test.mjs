@@ -1,0 +1,236 @@
+/**
+ * Pages with policies, frozen intrinsics and several copies of the module, and pages without a network.
+ *
+ * These pages come from a server of their own: on the driver's, workers are wrapped.
+ */
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { assertBurns } from '../assertions.mjs';
+import { Panel } from '../panel.mjs';
+import { serve } from '../server.mjs';
+import { SITE } from '../site.mjs';
+
+/** @type {Browser} */
+let browser;
+/** @type {import('../server.mjs').Server} */
+let site;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+  site = await serve(SITE);
+});
+after(async () => {
+  await browser?.close();
+  await site?.close();
+});
+
+/** A page without inline scripts and styles. */
+const PAGE = `<!doctype html>
+<meta charset="utf-8">
+<title>A page with a policy</title>
+<link rel="icon" href="data:,">
+<script type="module" src="/web/hearth-fire.js"></script>
+<hearth-fire quality="low"></hearth-fire>`;
+
+/** Runs in the page: records what its policy forbids. */
+function recordViolations() {
+  const violations = (/** @type {any} */ (window).violations = []);
+  document.addEventListener('securitypolicyviolation', ({ violatedDirective, blockedURI, sample }) => {
+    violations.push(`${violatedDirective} ${blockedURI} ${sample}`);
+  });
+}
+
+const violations = (tab) => tab.evaluate(() => /** @type {any} */ (window).violations);
+
+/** Opens a page whose every file has this policy. @param {string} policy @param {string} [page] */
+function under(policy, page = site.publish(PAGE, { 'content-security-policy': policy })) {
+  site.replace({ '.js': { headers: { 'content-security-policy': policy } } });
+  return browser.open(page, { before: recordViolations });
+}
+
+/** The fire burns there, and nothing complains. @param {import('../driver.mjs').Tab} tab @param {string} place */
+async function assertBurnsIn(tab, place) {
+  await tab.burnt(0.3);
+  assert.equal(await tab.fire((fire) => fire.stats.engine), place);
+  await assertBurns(tab);
+}
+
+test('under the policy that the documents state, the fire burns in a worker', async () => {
+  const text = readFileSync(new URL('../../../docs/embedding.md', import.meta.url), 'utf8');
+  const [, policy] = /```http\nContent-Security-Policy: (.*)\n```/.exec(text) ?? [];
+  const tab = await under(policy);
+  await assertBurnsIn(tab, 'worker');
+  // The icon of the test's page is none of the fire's.
+  assert.deepEqual((await violations(tab)).filter((one) => !one.startsWith('img-src')), []);
+});
+
+test('each rule of that policy is needed, as the documents say', async () => {
+  const scripts = "script-src 'self' 'wasm-unsafe-eval'";
+  const failed = await under(`default-src 'none'; ${scripts}; worker-src 'self'`);
+  assert.equal(await failed.fire((fire) => fire.ready.then(() => '', ({ kind }) => kind)), 'load');
+  const rest = `default-src 'none'; ${scripts}; connect-src 'self'`;
+  await assertBurnsIn(await under(`${rest}; worker-src 'none'`), 'main');
+  const trusted = `${rest}; worker-src 'self'; require-trusted-types-for 'script'`;
+  await assertBurnsIn(await under(`${trusted}; trusted-types other`), 'main');
+});
+
+test('under that policy glyphs and images count by their pixels, and an SVG element by its box', async () => {
+  const text = readFileSync(new URL('../../../docs/embedding.md', import.meta.url), 'utf8');
+  const [, policy] = /```http\nContent-Security-Policy: (.*)\n```/.exec(text) ?? [];
+  const page = PAGE.replace('</hearth-fire>', '<hearth-solid of="#word" of-text></hearth-solid><hearth-solid of="#drawing"></hearth-solid><hearth-solid of="#canvas"></hearth-solid></hearth-fire>')
+    .concat('<h1 id="word">Fire</h1><canvas id="canvas" width="20" height="20"></canvas><svg id="drawing" viewBox="0 0 10 10"><circle r="5"/></svg>');
+  const tab = await under(policy, site.publish(page, { 'content-security-policy': policy }));
+  await tab.ready();
+  await tab.evaluate(() => /** @type {HTMLCanvasElement} */ (document.querySelector('#canvas')).getContext('2d')?.fillRect(5, 5, 9, 9));
+  await tab.fire((fire) => fire.lastElementChild.setAttribute('of', '#canvas'));
+  await tab.until('each has its shape', () => {
+    const { objects } = /** @type {any} */ (document.querySelector('hearth-fire'));
+    return objects.slice(1).map(({ shape }) => shape).join() === 'mask,box,mask';
+  });
+  assert.deepEqual((await violations(tab)).filter((one) => !one.startsWith('img-src data')), []);
+  assert.ok(tab.problems.some((problem) => /of = #drawing counts as a box: the policy of the page forbids data: images/.test(problem)), tab.problems.join('\n'));
+});
+
+for (const page of ['index.html', 'web/embed.html']) {
+  test(`${page} keeps its own policy, which requires trusted types`, async () => {
+    site.replace({});
+    const tab = await browser.open(`${site.origin}/${page}`, { before: recordViolations, width: 1000, height: 640 });
+    await assertBurnsIn(tab, 'worker');
+    assert.ok(await tab.evaluate(() => {
+      const html = document.head.innerHTML;
+      try {
+        document.body.innerHTML = '<p>';
+        return false;
+      } catch {
+        return html.includes("require-trusted-types-for 'script'");
+      }
+    }), 'the browser requires trusted types');
+    if (page === 'index.html') {
+      await new Panel(tab).mounted();
+      await tab.fire((fire) => fire.toBlob());
+      await tab.on('[data-opens=embed]', (button) => button.click());
+      await tab.until('the dialog is open', () => document.querySelector('#embed')?.matches('[open]'));
+      await tab.on('#embed form button', (button) => button.click());
+      await tab.until('the dialog is closed', () => !document.querySelector('#embed')?.matches('[open]'));
+    }
+    const others = (await violations(tab)).filter((one) => !one.includes('Element innerHTML'));
+    assert.deepEqual(others, []);
+  });
+}
+
+/** Runs in the page before its scripts: freezes all that it finds, as SES does. */
+function freezeAll() {
+  const frozen = new Set();
+  const freeze = (/** @type {any} */ value) => {
+    if (Object(value) !== value || value === globalThis || frozen.has(value)) return;
+    frozen.add(value);
+    freeze(Object.getPrototypeOf(value));
+    for (const one of Object.values(Object.getOwnPropertyDescriptors(value))) {
+      for (const part of [one.value, one.get, one.set]) if (typeof part === 'function') freeze(part);
+    }
+    if (typeof value === 'function') freeze(value.prototype);
+    try {
+      Object.freeze(value);
+    } catch {
+      // That of the window's named elements.
+    }
+  };
+  for (const name of Object.getOwnPropertyNames(globalThis)) {
+    const { value } = Object.getOwnPropertyDescriptor(globalThis, name) ?? {};
+    if (typeof value === 'function') freeze(value);
+  }
+  for (const value of [[][Symbol.iterator](), (function* () {})(), (async function* () {})(), async () => {}, new Map().values()]) {
+    freeze(Object.getPrototypeOf(value));
+  }
+}
+
+for (const place of ['worker', 'main']) {
+  test(`where every intrinsic is frozen, a fire burns with its engine in: ${place}`, async () => {
+    const tab = await browser.open(site.publish(PAGE.replace('</title>', `</title><script type="module">
+      import { HearthFire } from '/web/hearth-fire.js';
+      HearthFire.engine = '${place}';
+    </script>`)), { before: freezeAll });
+    await assertBurnsIn(tab, place);
+    const said = await tab.fire(async (fire) => {
+      await fire.to({ wind: 0.3 }, { duration: 20 });
+      const refused = await fire.set('wind', 'x').catch(({ name }) => name);
+      return [refused, (await fire.toBlob()).size > 100, fire.wind];
+    });
+    assert.equal(said[0], 'RangeError');
+    assert.equal(said[1], true);
+    assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+  });
+}
+
+test('where every intrinsic is frozen, a fire that cannot burn says so', async () => {
+  site.replace({ 'hearth-engine_bg.wasm': { status: 404, body: '' } });
+  const tab = await browser.open(site.publish(PAGE), { before: freezeAll });
+  assert.deepEqual(await tab.fire((fire) => fire.ready.then(() => '', ({ name, kind }) => [name, kind])), ['EngineError', 'load']);
+  site.replace({});
+});
+
+test('of several copies of the module the first stays, and the others export its class', async () => {
+  site.replace({});
+  const tab = await browser.open(site.publish(PAGE));
+  await tab.ready();
+  const found = await tab.evaluate(async () => {
+    const warnings = [];
+    const { warn } = console;
+    console.warn = (text) => void warnings.push(text);
+    const [first, second] = [await import(/** @type {any} */ ('/web/hearth-fire.js')), await import(/** @type {any} */ ('/web/hearth-fire.js?2'))];
+    console.warn = warn;
+    const made = document.createElement('hearth-fire');
+    return { same: first.HearthFire === second.HearthFire, made: made instanceof second.HearthFire, version: second.HearthFire.version, warnings };
+  });
+  assert.deepEqual([found.same, found.made], [true, true]);
+  assert.match(found.version, /^\d+\.\d+\.\d+/);
+  assert.equal(found.warnings.length, 1);
+  assert.equal(found.warnings[0].split(found.version).length, 3, `it names both versions: ${found.warnings[0]}`);
+});
+
+test('an element of that name by another author stays, and the console says so', async () => {
+  const tab = await browser.open(site.publish(PAGE.replace('</title>', `</title>
+    <script>customElements.define('hearth-fire', class extends HTMLElement {});</script>`)));
+  await tab.frames(2);
+  await tab.until('it is said', () => customElements.get('hearth-fire') !== undefined);
+  assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+  assert.ok(tab.problems.some((problem) => /defined already/.test(problem)), `${tab.problems}`);
+});
+
+test('a new engine needs no second download of the wasm', async () => {
+  site.replace({});
+  const tab = await browser.open(site.publish(PAGE), {
+    before: () => {
+      // The life of an engine without fires.
+      const { setTimeout } = window;
+      window.setTimeout = /** @type {any} */ ((act, time, ...rest) => {
+        const ends = time === 5000 && /** @type {any} */ (window).ends;
+        return setTimeout(act, ends ? 0 : time, ...rest);
+      });
+      // Ended workers.
+      const { terminate } = Worker.prototype;
+      Worker.prototype.terminate = function ended() {
+        /** @type {any} */ (window).ended = true;
+        terminate.call(this);
+      };
+    },
+  });
+  await tab.burnt(0.2);
+  await tab.evaluate(async () => {
+    /** @type {any} */ (window).ends = true;
+    const removed = /** @type {any} */ (document.querySelector('hearth-fire'));
+    await removed.destroy();
+    removed.remove();
+    /** @type {any} */ (window).removed = removed;
+  });
+  await tab.until('the engine has ended', () => /** @type {any} */ (window).ended);
+  site.replace({ 'hearth-engine_bg.wasm': { drop: true } });
+  await tab.evaluate(() => {
+    const page = /** @type {any} */ (window);
+    page.ends = false;
+    document.body.append(page.removed);
+  });
+  await assertBurnsIn(tab, 'worker');
+  site.replace({});
+});

@@ -1,0 +1,127 @@
+/**
+ * Values that a page should not pass: none throws, each is refused in short words, and the fire
+ * stays as it is.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { assertBurns, events, recording } from '../assertions.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+});
+after(() => browser?.close());
+
+const FIRE = '<hearth-fire quality="low" style="width: 60px; height: 80px"></hearth-fire>';
+
+test('`document.all` is refused as every other invalid value', async () => {
+  const tab = await browser.open(recording(FIRE));
+  await tab.ready();
+  const before = await tab.fire((fire) => fire.params);
+  const refused = await tab.fire(async (fire) => {
+    const { all } = document;
+    const calls = {
+      'set id': () => fire.set(all, 1),
+      'set value': () => fire.set('wind', all),
+      'set values': () => fire.set({ wind: all }),
+      'set objects': () => fire.set({ objects: all }),
+      'set an object': () => fire.set({ objects: [all] }),
+      'set a property': () => fire.set({ objects: [{ kind: 'source', x: all }] }),
+      addObject: () => fire.addObject(all),
+      'changeObject id': () => fire.changeObject(all, { x: 0 }),
+      'changeObject properties': () => fire.changeObject(1, all),
+      removeObject: () => fire.removeObject(all),
+      to: () => fire.to({ wind: all }),
+      'to duration': () => fire.to({ wind: 1 }, { duration: all }),
+      'to easing': () => fire.to({ wind: 1 }, { easing: all }),
+      restore: () => fire.restore(all),
+      step: () => fire.step(all),
+      importConfig: () => fire.importConfig(all),
+      stir: () => fire.stir(all, 0, 0, 0),
+      sparks: () => fire.sparks(0, 0, all),
+      spray: () => fire.spray(0, 0, 0, 0, all),
+      captureStream: () => fire.captureStream(all),
+    };
+    const answers = Object.entries(calls).map(([name, act]) => {
+      try {
+        return act().then(() => `${name} is accepted`, () => '');
+      } catch (error) {
+        return `${name} throws ${error}`;
+      }
+    });
+    fire.wind = all;
+    fire.objects = all;
+    fire.quality = all;
+    fire.preset = all;
+    return (await Promise.all(answers)).filter(Boolean);
+  });
+  assert.deepEqual(refused, []);
+  assert.deepEqual(await tab.fire((fire) => fire.params), before);
+  assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+  await assertBurns(tab);
+});
+
+test('a refusal repeats no more than the start of a long text', async () => {
+  const tab = await browser.open(recording(FIRE));
+  await tab.ready();
+  const lengths = await tab.fire(async (fire) => {
+    const long = 'x'.repeat(2_000_000);
+    const message = ({ message: text }) => text.length;
+    const calls = [
+      fire.set('wind', long), fire.set(long, 1), fire.set({ [long]: long }), fire.set('background', long),
+      fire.addObject({ kind: long }), fire.addObject({ kind: 'source', [long]: 1 }), fire.to({ wind: 1 }, { easing: long }),
+      fire.to({ wind: 1 }, { duration: long }), fire.importConfig(long), fire.importConfig({ hearth: 2, preset: long }),
+      fire.restore(long),
+    ];
+    const rejected = await Promise.all(calls.map((answer) => answer.then(() => Infinity, message)));
+    for (const name of ['wind', 'objects', 'preset', 'quality', 'fit', 'align', 'touch-action', 'warm', 'fps-limit', 'src']) {
+      fire.setAttribute(name, long);
+    }
+    return rejected;
+  });
+  for (const length of lengths) assert.ok(length < 500, `${lengths}`);
+  await tab.until('each attribute is refused', () => (
+    new Set(/** @type {any} */ (window).events.filter(({ type }) => type === 'error').map(({ detail }) => detail.message)).size >= 15
+  ));
+  for (const { message } of await events(tab, 'error')) assert.ok(message.length < 500, message.slice(0, 500));
+  const own = tab.problems.filter((problem) => problem.includes('<hearth-fire>'));
+  for (const problem of own) assert.ok(problem.length < 600, problem.slice(0, 600));
+});
+
+test('300,000 sets in one task end with the last value, and every promise settles', async () => {
+  const tab = await browser.open(recording(FIRE));
+  await tab.ready();
+  const seen = await tab.fire(async (fire) => {
+    let settled = 0;
+    for (let at = 1; at <= 300_000; at += 1) fire.set('exposure', at / 150_000).then(() => (settled += 1));
+    await fire.set('wind', 0.25);
+    await new Promise(requestAnimationFrame);
+    return [settled, fire.exposure, fire.wind];
+  });
+  assert.deepEqual(seen, [300_000, 2, 0.25]);
+  const changes = await events(tab, 'params-change');
+  assert.ok(changes.length <= 1001, `${changes.length} changes`);
+});
+
+test('while the context is lost, `toBlob` rejects and says why; then it works again', async () => {
+  const tab = await browser.open(recording(FIRE));
+  await tab.burnt(0.2);
+  await assertBurns(tab);
+  await tab.fire((fire) => {
+    fire.lost = new Promise((resolve) => fire.addEventListener('error', resolve, { once: true }));
+    fire.back = new Promise((resolve) => fire.addEventListener('restored', resolve, { once: true }));
+  });
+  await tab.loseContext(2000);
+  const said = await tab.fire(async (fire) => {
+    await fire.lost;
+    return fire.toBlob().then(() => 'a picture', ({ message }) => message);
+  });
+  assert.match(said, /graphics context is lost/);
+  const size = await tab.fire(async (fire) => {
+    await fire.back;
+    return (await fire.toBlob()).size;
+  });
+  assert.ok(size > 100, `${size} bytes`);
+});

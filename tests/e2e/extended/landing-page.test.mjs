@@ -1,0 +1,333 @@
+/**
+ * The landing page: its scene, the strip of scenes, the hint, the panel and the dialogs.
+ */
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { Panel } from '../panel.mjs';
+import { table } from '../site.mjs';
+import { strip } from '../waits.mjs';
+
+const { PRESETS } = await table();
+
+const WIDE = { width: 1000, height: 640 };
+const PHONE = { width: 390, height: 844, touch: true };
+const LANDING = 'fireside';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+});
+after(() => browser?.close());
+
+/** The scene that the strip marks. @param {import('../driver.mjs').Tab} tab */
+const marked = (tab) => tab.evaluate(() => (
+  [...document.querySelectorAll('#scenes [aria-current="true"]')].map((tile) => tile.getAttribute('data-starts'))
+));
+
+/** Which files of that name the page has loaded. @param {import('../driver.mjs').Tab} tab @param {string} name */
+const loaded = (tab, name) => tab.evaluate((part) => (
+  performance.getEntriesByType('resource').map((entry) => entry.name).filter((url) => url.includes(part))
+), name);
+
+/** @param {import('../driver.mjs').Tab} tab */
+const panelIs = (tab) => tab.evaluate(() => document.documentElement.dataset.panel);
+
+describe('the address', () => {
+  for (const [query, scene] of [
+    ['', LANDING],
+    ['?quality=low', LANDING],
+    ['?exposure=0.3', 'default'],
+    ['?model=classic&viscosity=0.02', 'default'],
+    ['?scene=default', 'default'],
+    ['?scene=candle&exposure=0.3', 'candle'],
+  ]) {
+    test(`“${query}” shows the scene ${scene}`, async () => {
+      const tab = await browser.open(`index.html${query}`);
+      await tab.ready();
+      await strip(tab);
+      assert.equal(await tab.fire((fire) => fire.preset), scene);
+      assert.deepEqual(await marked(tab), [scene]);
+      const still = await tab.evaluate(() => document.getElementById('still') !== null);
+      assert.equal(still, scene === LANDING, 'the still picture is of the fire that comes');
+      assert.deepEqual(tab.problems, []);
+    });
+  }
+});
+
+test('a page whose script fails shows the still picture of its fire', async () => {
+  const tab = await browser.open('index.html', { ...WIDE, without: 'pages/main.js' });
+  await tab.until('the picture', () => /** @type {any} */ (document.getElementById('still')).complete);
+  const [stage, still] = [await tab.rectangle('#fire'), await tab.rectangle('#still')];
+  assert.deepEqual([still.y, still.height], [stage.y, stage.height]);
+  const middle = ({ x, width }) => x + width / 2;
+  assert.ok(Math.abs(middle(still) - middle(stage)) < 1);
+});
+
+describe('the strip of scenes', () => {
+  test('has every scene, the page’s own first, and a click starts one', async () => {
+    const tab = await browser.open('index.html', WIDE);
+    await tab.ready();
+    await strip(tab);
+    const names = await tab.evaluate(() => (
+      [...document.querySelectorAll('#scenes button')].map((tile) => [
+        tile.getAttribute('data-starts'), tile.getAttribute('aria-label'),
+      ])
+    ));
+    assert.equal(names[0][0], LANDING);
+    assert.deepEqual(
+      [...names].sort(),
+      PRESETS.map(({ name, label }) => [name, label]).sort(),
+    );
+    await tab.page.click('[data-starts="candle"]');
+    await tab.until('the address says so', () => location.search === '?scene=candle');
+    assert.deepEqual(await marked(tab), ['candle']);
+    await tab.page.click('[data-starts="default"]');
+    await tab.until('the default is named', () => location.search === '?scene=default');
+    await tab.page.click(`[data-starts="${LANDING}"]`);
+    await tab.until('the address is empty again', () => location.search === '');
+    assert.deepEqual(tab.problems, []);
+  });
+
+  test('shows a word whole on a phone, unless the address says how it fits', async () => {
+    /** The sides of the picture [m]. @param {import('../driver.mjs').Tab} tab */
+    const seen = (tab) => tab.fire((fire) => [0, fire.clientWidth].map((x) => fire.toMetres(x, 0).x));
+    const tab = await browser.open('index.html?scene=burning-word', PHONE);
+    await tab.ready();
+    const width = await tab.fire((fire) => fire.params.domainWidth ?? fire.params.domain_width);
+    const [left, right] = await seen(tab);
+    assert.ok(left <= -width / 2 + 1e-3 && right >= width / 2 - 1e-3, `${left} to ${right} m of ${width} m`);
+    await strip(tab);
+    await tab.page.click('[data-starts="candle"]');
+    await tab.until('another scene fills the height', () => !document.getElementById('fire')?.hasAttribute('fit'));
+    const other = await browser.open('index.html?scene=burning-word&fit=height', PHONE);
+    await other.ready();
+    const [start, end] = await seen(other);
+    assert.ok(end - start < width - 0.1);
+    assert.deepEqual([...tab.problems, ...other.problems], []);
+  });
+
+  test('is one stop of the Tab key, and arrows go through it', async () => {
+    const tab = await browser.open('index.html?paused', WIDE);
+    await tab.ready();
+    await strip(tab);
+    const focused = () => tab.evaluate(() => document.activeElement?.getAttribute('data-starts'));
+    await tab.page.focus(`[data-starts="${LANDING}"]`);
+    await tab.key('ArrowRight');
+    const second = await focused();
+    assert.ok(second && second !== LANDING);
+    assert.equal(await tab.evaluate(() => document.querySelector('#scenes p')?.textContent),
+      PRESETS.find(({ name }) => name === second).label);
+    await tab.key('End');
+    await tab.key('Home');
+    assert.equal(await focused(), LANDING);
+    await tab.key('Tab');
+    assert.equal(await focused(), null);
+    assert.equal(await tab.evaluate(() => document.querySelectorAll('#scenes [tabindex="0"]').length), 1);
+  });
+});
+
+for (const [width, height] of [[320, 568], [390, 844], [667, 375], [844, 390], [768, 1024], [1280, 800], [1920, 1080]]) {
+  test(`at ${width} × ${height} words, hint, buttons and scenes lie apart`, async () => {
+    const tab = await browser.open('index.html', { width, height, touch: width < 720 });
+    await tab.until('the hint', () => document.getElementById('hint')?.textContent);
+    await tab.ready();
+    await strip(tab);
+    await tab.page.waitForSelector('#draw:not([hidden])');
+    const parts = await tab.evaluate(() => ['#head h1', '#head p', '#head nav', '#hint', '#draw', '#toggle', '#scenes .tiles']
+      .map((selector) => ({ selector, element: document.querySelector(selector) }))
+      .filter(({ element }) => element?.checkVisibility())
+      .map(({ selector, element }) => {
+        // A heading is wider than its words.
+        const words = document.createRange();
+        words.selectNodeContents(/** @type {Element} */ (element));
+        const { left, top, right, bottom } = (selector.startsWith('#head') ? words : /** @type {Element} */ (element)).getBoundingClientRect();
+        return { selector, left, top, right, bottom };
+      }));
+    assert.ok(parts.length >= 6, parts.map(({ selector }) => selector).join());
+    for (const [at, one] of parts.entries()) {
+      for (const other of parts.slice(at + 1)) {
+        const apart = one.right <= other.left || other.right <= one.left || one.bottom <= other.top || other.bottom <= one.top;
+        assert.ok(apart, `${one.selector} lies over ${other.selector}`);
+      }
+    }
+    // What stands under the flame is in sight, and so is the middle of the stage.
+    const tiles = parts.find(({ selector }) => selector.endsWith('.tiles'));
+    const stage = await tab.rectangle('#stage');
+    const middle = stage.x + stage.width / 2;
+    const things = await tab.fire((fire) => {
+      const [least, most] = [Math.min, Math.max].map((of) => of(...fire.objects.map(({ x }) => x)));
+      return { left: fire.toPixels(least - 0.08, 0).x, right: fire.toPixels(most + 0.08, 0).x, top: fire.toPixels(0, 0.12).y };
+    });
+    const clear = tiles.bottom <= things.top || tiles.left >= things.right || tiles.right <= things.left;
+    // A stage between the two is narrower than what stands there.
+    assert.ok(clear || width === 768, JSON.stringify({ tiles, things }));
+    const room = width >= 720 ? stage.width / 4 : 80;
+    assert.ok(tiles.left > middle + room || tiles.right < middle - room);
+  });
+}
+
+test('beside the panel on a low screen the hint does not lie over the words', async () => {
+  const tab = await browser.open('index.html', { width: 844, height: 390, touch: true });
+  await tab.until('the hint', () => document.getElementById('hint')?.checkVisibility());
+  await tab.page.click('#toggle');
+  await tab.until('the hint is gone', () => document.documentElement.dataset.panel === 'shown' && !document.getElementById('hint')?.checkVisibility());
+});
+
+describe('the panel', () => {
+  test('is not loaded on a phone before it is opened', async () => {
+    const tab = await browser.open('index.html', PHONE);
+    await tab.ready();
+    await strip(tab);
+    await tab.burnt(1);
+    assert.equal(await panelIs(tab), 'hidden');
+    for (const part of ['/panel.js', 'hearth-panel']) assert.deepEqual(await loaded(tab, part), []);
+    await new Panel(tab).mounted();
+    assert.equal(await panelIs(tab), 'shown');
+    assert.ok((await loaded(tab, 'hearth-panel')).length > 0);
+    const sheet = await tab.rectangle('#panel');
+    assert.ok(sheet.y > PHONE.height / 2, 'the fire stays in sight');
+    assert.deepEqual(tab.problems, []);
+  });
+
+  test('is as it was left, in the next visit', async () => {
+    const tab = await browser.open('index.html', WIDE);
+    await tab.ready();
+    assert.equal(await panelIs(tab), 'shown');
+    await tab.key('h');
+    assert.equal(await panelIs(tab), 'hidden');
+    const again = await browser.open('index.html', { ...WIDE, remember: true });
+    await again.ready();
+    await strip(again);
+    assert.equal(await panelIs(again), 'hidden');
+    assert.deepEqual(await loaded(again, 'hearth-panel'), []);
+    await new Panel(again).mounted();
+    assert.equal(await again.evaluate(() => localStorage.getItem('hearth-page-panel')), 'shown');
+  });
+
+  test('is hidden in full screen, and shown again after it', async () => {
+    const tab = await browser.open('index.html', WIDE);
+    await new Panel(tab).mounted();
+    const shown = () => tab.evaluate(() => ['#head h1', '#scenes', '#panel', '#toggle'].filter((selector) => (
+      document.querySelector(selector)?.checkVisibility()
+    )));
+    await tab.page.click('#stage', { offset: { x: 500, y: 300 } });
+    await tab.key('f');
+    await tab.until('the full screen', () => document.fullscreenElement !== null);
+    await tab.until('the panel makes way', () => document.documentElement.dataset.panel === 'hidden');
+    assert.deepEqual(await shown(), []);
+    await tab.evaluate(() => document.exitFullscreen());
+    await tab.until('the panel is back', () => document.documentElement.dataset.panel === 'shown');
+    assert.deepEqual(await shown(), ['#head h1', '#scenes', '#panel', '#toggle']);
+  });
+});
+
+describe('the hint', () => {
+  /** Runs in the page before anything of it: keeps all that the hint says. */
+  const keep = () => {
+    const page = /** @type {any} */ (window);
+    page.hinted = [];
+    new MutationObserver(() => {
+      const words = document.getElementById('hint')?.textContent;
+      if (words && page.hinted.at(-1) !== words) page.hinted.push(words);
+    }).observe(document, { subtree: true, childList: true });
+  };
+  const hinted = (tab) => tab.evaluate(() => /** @type {any} */ (window).hinted);
+
+  test('is shown once, and hidden by the first use', async () => {
+    const tab = await browser.open('index.html', { ...WIDE, before: keep });
+    await tab.until('the hint', () => document.getElementById('hint')?.textContent);
+    assert.match((await hinted(tab))[0], /blow.*click.*drag/);
+    await tab.click({ x: 330, y: 300 });
+    assert.equal(await tab.evaluate(() => document.getElementById('hint')?.textContent), '');
+    const again = await browser.open('index.html', { ...WIDE, before: keep, remember: true });
+    await again.ready();
+    await strip(again);
+    assert.deepEqual(await hinted(again), []);
+  });
+
+  test('has its own text for touch, and is not shown with reduced motion', async () => {
+    const tab = await browser.open('index.html', { ...PHONE, before: keep });
+    await tab.evaluate(() => localStorage.clear());
+    const touch = await browser.open('index.html', { ...PHONE, before: keep });
+    await touch.until('the hint', () => document.getElementById('hint')?.textContent);
+    assert.match((await hinted(touch))[0], /tap/);
+    await touch.evaluate(() => localStorage.clear());
+    const still = await browser.open('index.html', { ...WIDE, reducedMotion: true, before: keep });
+    await still.ready();
+    await strip(still);
+    assert.deepEqual(await hinted(still), []);
+  });
+});
+
+test('links and scenes fade without input, and return with it', async () => {
+  const tab = await browser.open('index.html?paused', PHONE);
+  await tab.ready();
+  await strip(tab);
+  const opacity = () => tab.on('#scenes', (strip) => Number(getComputedStyle(strip).opacity));
+  await tab.until('they step back', () => (
+    getComputedStyle(/** @type {Element} */ (document.getElementById('scenes'))).opacity === '0'
+  ));
+  assert.equal(await tab.on('#scenes', (place) => getComputedStyle(place).pointerEvents), 'none');
+  await tab.page.focus(`[data-starts="${LANDING}"]`);
+  await tab.until('they come back', () => (
+    getComputedStyle(/** @type {Element} */ (document.getElementById('scenes'))).opacity === '1'
+  ));
+  assert.equal(await opacity(), 1);
+});
+
+test('the embed dialog shows the code of the current fire, and Escape closes it', async () => {
+  const tab = await browser.open('index.html?scene=candle&exposure=0.3', WIDE);
+  await tab.ready();
+  await tab.page.click('[data-opens="embed"]');
+  await tab.until('the dialog', () => document.querySelector('dialog[open] [data-code="element"]'));
+  const codes = await tab.evaluate(() => Object.fromEntries(
+    [...document.querySelectorAll('[data-code]')].map((field) => [
+      field.getAttribute('data-code'), /** @type {HTMLTextAreaElement} */ (field).value,
+    ]),
+  ));
+  assert.match(codes.element, /<hearth-fire preset="candle" exposure="0\.3" .*warm interactive><\/hearth-fire>/);
+  assert.match(codes.iframe, /<iframe src="http.*embed\.html\?scene=candle&amp;exposure=0\.3"/);
+  assert.match(codes.module, /^import 'hearth-fire';/);
+  // The page ignores keys in a dialog.
+  const before = await panelIs(tab);
+  await tab.key('h');
+  assert.equal(await panelIs(tab), before);
+  await tab.key('Escape');
+  assert.equal(await tab.evaluate(() => document.querySelector('dialog[open]')), null);
+  assert.equal(await tab.evaluate(() => document.activeElement?.getAttribute('data-opens')), 'embed');
+});
+
+test('the picture that links show looks like the page', async () => {
+  const tab = await browser.open(
+    `<hearth-fire preset="${LANDING}" warm paused style="width: 1200px; height: 630px"></hearth-fire><img src="/web/poster.jpg" alt="">`,
+    { draws: true, width: 1200, height: 630 },
+  );
+  await tab.ready();
+  const differences = await tab.fire(async (fire) => {
+    /** Colours of the parts of a picture, so few that the flame of another moment changes little. */
+    const coarse = (/** @type {CanvasImageSource} */ source) => {
+      const context = /** @type {any} */ (new OffscreenCanvas(24, 12).getContext('2d'));
+      context.imageSmoothingQuality = 'high';
+      context.drawImage(source, 0, 0, 24, 12);
+      return context.getImageData(0, 0, 24, 12).data;
+    };
+    const image = /** @type {HTMLImageElement} */ (document.querySelector('img'));
+    await image.decode();
+    const stored = coarse(image);
+    const mean = async () => {
+      const shown = coarse(await createImageBitmap(await fire.toBlob({ background: 'scene' })));
+      return stored.reduce((sum, value, at) => sum + Math.abs(value - shown[at]), 0) / stored.length;
+    };
+    const same = await mean();
+    await fire.set('exposure', fire.params.exposure + 1.25);
+    const brighter = await mean();
+    await fire.set({ exposure: fire.params.exposure - 1.25, backdrop: 'none' });
+    return { same, brighter, other: await mean() };
+  });
+  const seen = JSON.stringify(differences);
+  // Another moment of the scene differs by 5 to 7 of 255.
+  assert.ok(differences.same < 9, seen);
+  assert.ok(differences.brighter > 9 && differences.other > 9, `the test tells another scene: ${seen}`);
+});

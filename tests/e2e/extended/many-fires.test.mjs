@@ -1,0 +1,168 @@
+/**
+ * Many fires, and one with many particles: memory that they leave, the cost of fires out of
+ * sight, and the load of the page's thread.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser, eventually } from '../driver.mjs';
+import { assertBurns } from '../assertions.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+});
+after(() => browser?.close());
+
+/** Inserts so many fires in groups, waits until each group burns, and removes it. */
+function comeAndGo(tab, count) {
+  return tab.evaluate(async (wanted) => {
+    const group = 20;
+    for (let done = 0; done < wanted; done += group) {
+      const fires = Array.from({ length: group }, () => document.createElement('hearth-fire'));
+      document.body.append(...fires);
+      // Some are removed before they burn.
+      if (done % (5 * group) !== 0) await Promise.all(fires.map((fire) => /** @type {any} */ (fire).ready));
+      for (const fire of fires) fire.remove();
+    }
+  }, count);
+}
+
+/** Memory that the page and its workers hold after a garbage collection. */
+async function held(tab) {
+  const session = await tab.page.createCDPSession();
+  const heaps = [session, ...tab.page.workers().map((worker) => worker.client)];
+  let bytes = 0;
+  for (const heap of heaps) {
+    await heap.send('HeapProfiler.enable');
+    // Observers and finalisers release objects a few frames later.
+    for (let round = 0; round < 4; round += 1) {
+      await heap.send('HeapProfiler.collectGarbage');
+      await tab.frames(8);
+    }
+    const { usedSize, backingStorageSize } = await heap.send('Runtime.getHeapUsage');
+    bytes += usedSize + backingStorageSize;
+  }
+  const { nodes, jsEventListeners } = await session.send('Memory.getDOMCounters');
+  await session.detach();
+  return { bytes, nodes, jsEventListeners, ...(await tab.living()) };
+}
+
+for (const engine of ['worker', 'main']) {
+  test(`hundreds of fires that come and go leave nothing behind, with the engine in: ${engine}`, async () => {
+    const tab = await browser.open(`
+      <script type="module">
+        import { HearthFire } from '/web/hearth-fire.js';
+        HearthFire.engine = '${engine}';
+      </script>
+      <style>hearth-fire { width: 40px; height: 40px; float: left }</style>
+      <hearth-fire></hearth-fire>`);
+    await tab.burnt(0.2);
+    await tab.fire((fire) => fire.pause());
+    // V8 keeps what it compiles during the first ones.
+    await comeAndGo(tab, 1000);
+    const first = await held(tab);
+    const memory = [first.memory];
+    for (let round = 0; round < 3; round += 1) {
+      await comeAndGo(tab, 200);
+      memory.push((await tab.living()).memory);
+    }
+    const last = await held(tab);
+    assert.deepEqual([last.contexts, last.workers], [1, engine === 'worker' ? 1 : 0]);
+    for (const what of ['objects', 'nodes', 'jsEventListeners']) {
+      assert.ok(last[what] <= first[what], `${last[what]} ${what} are held, and were ${first[what]}`);
+    }
+    const more = last.bytes / first.bytes - 1;
+    assert.ok(more < 0.05, `${(100 * more).toFixed(1)} % more than ${first.bytes} bytes are held`);
+    // Memory of wasm never shrinks, and grows with the most fires at one time, which are more on a busy machine. What is
+    // left behind grows in every round: a fire has a megabyte.
+    const growth = memory.slice(1).map((bytes, round) => bytes - memory[round]);
+    assert.ok(Math.min(...growth) < 8e6, `wasm holds ${growth.join(', ')} bytes more after each 200 fires`);
+    assert.deepEqual(tab.problems, []);
+  });
+}
+
+test('with its last fire a page loses the engine, and gets another with the next', async () => {
+  const tab = await browser.open('<hearth-fire></hearth-fire>');
+  await tab.burnt(0.2);
+  await tab.fire((fire) => fire.remove());
+  await tab.until('there is no worker', () => (
+    /** @type {any} */ (window).driver.workers() === 0
+  ));
+  // The browser reports it a little later.
+  await eventually('no worker is left', () => tab.page.workers().length, (workers) => workers === 0, () => tab.frames());
+  await tab.evaluate(() => document.body.append(document.createElement('hearth-fire')));
+  await tab.burnt(1);
+  await assertBurns(tab);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('of thirty fires, those out of sight cost nothing', async () => {
+  const tab = await browser.open(`
+    <style>hearth-fire { width: 160px; height: 150px; float: left }</style>
+    ${'<hearth-fire></hearth-fire>'.repeat(30)}`);
+  const times = () => tab.evaluate(() => [...document.querySelectorAll('hearth-fire')].map(
+    (fire) => /** @type {any} */ (fire).stats?.time ?? 0,
+  ));
+  await tab.until('the twelve in sight burn', () => (
+    [...document.querySelectorAll('hearth-fire')].slice(0, 12).every(
+      (fire) => /** @type {any} */ (fire).stats?.time > 0.3,
+    )
+  ));
+  await tab.evaluate(() => {
+    const pictures = (/** @type {any} */ (window).pictures = new Map());
+    const original = ImageBitmapRenderingContext.prototype.transferFromImageBitmap;
+    ImageBitmapRenderingContext.prototype.transferFromImageBitmap = function counted(...args) {
+      pictures.set(this.canvas, (pictures.get(this.canvas) ?? 0) + 1);
+      return original.apply(this, args);
+    };
+  });
+  const before = await times();
+  await tab.burnt(before[0] + 0.5);
+  const passed = (await times()).map((time, at) => time - before[at]);
+  assert.ok(passed.slice(0, 12).every((time) => time > 0), `${passed.slice(0, 12)}`);
+  assert.deepEqual(passed.slice(12), Array(18).fill(0));
+  const shown = await tab.evaluate(() => {
+    const { pictures } = /** @type {any} */ (window);
+    return [...document.querySelectorAll('hearth-fire')].map(
+      (fire) => pictures.get(fire.shadowRoot?.querySelector('canvas')) ?? 0,
+    );
+  });
+  assert.ok(shown.slice(0, 12).every((pictures) => pictures > 0), `${shown.slice(0, 12)}`);
+  assert.deepEqual(shown.slice(12), Array(18).fill(0));
+  assert.deepEqual(tab.problems, []);
+});
+
+test('the page’s thread hardly works while ten thousand particles burn', async () => {
+  const tab = await browser.open('<hearth-fire edges="periodic" max-particles="10000"></hearth-fire>');
+  await tab.burnt(0.3);
+  const { engine, particles } = await tab.fire((fire) => fire.stats);
+  assert.equal(engine, 'worker');
+  assert.ok(particles > 9000, `${particles} particles burn`);
+  // CPU time, which other programs do not lengthen.
+  const session = await tab.page.createCDPSession();
+  await session.send('Performance.enable');
+  const worked = async () => {
+    const { metrics } = await session.send('Performance.getMetrics');
+    return 1000 * metrics.find(({ name }) => name === 'ThreadTime').value;
+  };
+  const start = await worked();
+  const pictures = 40;
+  await tab.evaluate((wanted) => new Promise((resolve) => {
+    const { prototype } = ImageBitmapRenderingContext;
+    const original = prototype.transferFromImageBitmap;
+    let count = 0;
+    prototype.transferFromImageBitmap = function counted(bitmap) {
+      original.call(this, bitmap);
+      count += 1;
+      if (count < wanted) return;
+      prototype.transferFromImageBitmap = original;
+      resolve(undefined);
+    };
+  }), pictures);
+  const each = (await worked() - start) / pictures;
+  const { drawMs, stepMs, stepsPerFrame } = await tab.fire((fire) => fire.stats);
+  const engineEach = drawMs + stepMs * stepsPerFrame;
+  assert.ok(each < 0.5 * engineEach, `the page works ${each} ms for a picture, the engine ${engineEach} ms`);
+  assert.deepEqual(tab.problems, []);
+});

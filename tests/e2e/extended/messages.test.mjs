@@ -1,0 +1,186 @@
+/**
+ * Messages between a fire in an iframe and the embedding page. Rejected messages are
+ * tested in tests/web/message-bridge.test.mjs.
+ */
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { IframeFixture, call, inIframe, received, send } from '../iframe-fixture.mjs';
+import { table } from '../site.mjs';
+
+const { entry } = await table();
+
+/** @type {IframeFixture} */
+let fixture;
+before(async () => {
+  fixture = await IframeFixture.start();
+});
+after(() => fixture?.close());
+
+describe('messages from an allowed origin', () => {
+  test('are all answered', async () => {
+    const tab = await fixture.burning({ model: 'classic' });
+    const tried = new Set();
+    const value = async (method, ...args) => {
+      tried.add(method);
+      const answer = await call(tab, method, ...args);
+      assert.ok(answer?.ok, `${method}: ${JSON.stringify(answer?.error)}`);
+      assert.equal(answer.origin, fixture.fireOrigin);
+      return answer.value;
+    };
+    await value('ready');
+    const { methods, events, version } = await value('hello');
+    assert.equal(version, 1);
+
+    await value('pause');
+    assert.equal(await inIframe(tab, (fire) => fire.paused), true);
+    await value('reset');
+    await value('step', 30);
+    await tab.until('steps are made', () => /** @type {any} */ (window).call('stats').then(({ value: stats }) => stats?.time > 0));
+    tried.add('stats');
+    await value('play');
+    assert.equal(await inIframe(tab, (fire) => fire.paused), false);
+
+    await value('set', 'viscosity', 0.02);
+    assert.equal(await value('get', 'viscosity'), 0.02);
+    await value('set', { seed: 7, exposure: 1 });
+    const { viscosity, seed, exposure } = await value('params');
+    assert.deepEqual({ viscosity, seed, exposure }, { viscosity: 0.02, seed: 7, exposure: 1 });
+    const config = await value('exportConfig');
+    await value('restore', 'viscosity', 'seed');
+    assert.equal(await value('get', 'seed'), entry.seed.default);
+    await value('importConfig', config);
+    assert.equal(await value('get', 'seed'), 7);
+    assert.deepEqual(await value('exportConfig'), config);
+
+    const added = await value('addObject', { kind: 'source', x: 0.1 });
+    await value('changeObject', added, { x: -0.1 });
+    assert.deepEqual((await value('objects')).map(({ id, x }) => [id, x]), [[1, 0], [added, -0.1]]);
+    await value('removeObject', added);
+
+    await value('set', 'model', 'combustion');
+    const log = await value('addObject', { kind: 'solid', x: 0.3, fuel: 'wood' });
+    await value('ignite', log);
+    await value('extinguish', 0.3, 0.5, 1);
+    await value('spray', 0, 1, 0, -4, 20);
+    assert.deepEqual(await value('freeSolids'), []);
+    assert.equal((await value('measure', 0, 0.5)).place.y, 0.5);
+    await value('removeObject', log);
+
+    assert.equal(await value('option', 'quality', 'low'), 'low');
+    assert.equal(await value('option', 'quality'), 'low');
+    assert.equal(await value('option', 'quality', null), null);
+
+    assert.equal(await value('to', { exposure: 0.5 }, { duration: 50, easing: 'linear' }), true);
+    assert.equal(await value('get', 'exposure'), 0.5);
+    await value('stir', 0, 0.5, 1, 0);
+    await value('sparks', 0, 0.5, 3);
+
+    tried.add('toBlob');
+    const type = await tab.evaluate(async () => {
+      const { value: blob, error } = await /** @type {any} */ (window).call('toBlob', 'image/png');
+      return blob ? `${blob.type} ${blob.size > 100}` : error.message;
+    });
+    assert.equal(type, 'image/png true');
+
+    assert.deepEqual(await value('subscribe', ['stats', 'pause']), ['ready', 'stats', 'pause']);
+    assert.deepEqual(await value('unsubscribe', 'stats'), ['ready', 'pause']);
+    // Without arguments, other methods answer too, if only with the reason of a refusal.
+    for (const method of methods.filter((name) => !tried.has(name))) {
+      const { ok, error } = await call(tab, method) ?? {};
+      assert.ok(ok || (error?.message && !/there is no method/.test(error.message)), method);
+    }
+    assert.ok(events.includes('stats'));
+    assert.deepEqual(tab.problems, []);
+  });
+
+  test('deliver the subscribed events and no others', async () => {
+    const tab = await fixture.burning();
+    await call(tab, 'subscribe', ['params-change', 'error']);
+    await call(tab, 'set', 'exposure', 1);
+    assert.deepEqual((await received(tab, 'params-change')).detail, { id: 'exposure', value: 1, source: 'property' });
+    await call(tab, 'set', 'exposure', 99);
+    const { detail } = await received(tab, 'error');
+    assert.deepEqual([detail.kind, detail.id], ['bad-parameter', 'exposure']);
+    await call(tab, 'unsubscribe', ['params-change']);
+    await call(tab, 'set', 'exposure', 0);
+    await call(tab, 'pause');
+    const kinds = await tab.evaluate(() => /** @type {any} */ (window).received
+      .filter(({ event }) => event !== undefined).map(({ event }) => event));
+    assert.deepEqual(kinds, ['hello', 'ready', 'params-change', 'error']);
+  });
+
+  test('with invalid arguments are rejected with the allowed values', async () => {
+    const tab = await fixture.burning();
+    const { ok, error } = await call(tab, 'set', 'exposure', 99);
+    assert.equal(ok, false);
+    const { min, max } = entry.exposure;
+    assert.deepEqual({ ...error, message: '' }, { name: 'RangeError', message: '', id: 'exposure', value: 99, min, max });
+    assert.match(error.message, /exposure.*99/);
+    for (const [method, args, words] of [
+      ['set', ['viscosty', 1], /viscosty.*viscosity/],
+      ['set', [{ seed: 9, exposure: 99 }], /exposure/],
+      ['set', ['__proto__', { polluted: true }], /__proto__/],
+      ['get', ['viscosty'], /viscosty.*viscosity/],
+      ['get', ['constructor'], /constructor/],
+      ['importConfig', [{ hearth: 1, values: { seed: 9, viscosty: 1 } }], /viscosty/],
+      ['importConfig', ['{"hearth": 1'], /./],
+      ['option', ['src', '/secret'], /src.*quality/],
+      ['option', ['onclick', 'alert(1)'], /onclick/],
+      ['subscribe', [['stats', 'everything']], /everything.*stats/],
+      ['subscribe', [], /there is no event/],
+    ]) {
+      const answer = await call(tab, method, ...args);
+      assert.equal(answer.ok, false, `${method} ${JSON.stringify(args)}`);
+      assert.match(answer.error.message, words);
+    }
+    const { value: params } = await call(tab, 'params');
+    assert.deepEqual([params.seed, params.exposure], [entry.seed.default, entry.exposure.default]);
+  });
+
+  test('set an option to false, which of `autoplay` has to be said', async () => {
+    const tab = await fixture.burning();
+    for (const [name, value, attribute] of [
+      ['autoplay', false, 'false'], ['autoplay', true, ''], ['autoplay', null, null],
+      ['interactive', true, ''], ['interactive', false, null],
+    ]) {
+      assert.equal((await call(tab, 'option', name, value)).value, attribute, `${name} ${value}`);
+      const property = await inIframe(tab, (fire, key) => fire[key], name);
+      assert.equal(property, name === 'autoplay' ? value !== false : value, `${name} ${value}`);
+    }
+  });
+});
+
+describe('messages from anybody else', () => {
+  /** Nothing that is asked of this fire brings an answer. */
+  async function assertDeaf(tab) {
+    await inIframe(tab, (fire) => fire.ready.then(() => undefined));
+    await send(tab, { hearth: 1, id: 1, method: 'pause' }, 1, 0);
+    await send(tab, { hearth: 1, id: 2, method: 'params' }, 2, 500);
+    assert.deepEqual(await tab.evaluate(() => /** @type {any} */ (window).received), []);
+    assert.equal(await inIframe(tab, (fire) => fire.paused), false);
+  }
+
+  test('are not answered when no origin is allowed', async () => {
+    const tab = await fixture.open({});
+    await assertDeaf(tab);
+    assert.deepEqual(tab.problems, []);
+  });
+
+  test('are not answered where other origins are allowed, not even the fire’s own', async () => {
+    const allow = `https://a.example,${fixture.fireOrigin},http://localhost:${new URL(fixture.pageOrigin).port}`;
+    const tab = await fixture.open({ allow });
+    await assertDeaf(tab);
+    const said = tab.problems.filter((problem) => problem.includes('is ignored; the URL parameter “allow”'));
+    assert.equal(said.length, 1);
+    assert.match(said[0], new RegExp(fixture.pageOrigin));
+  });
+
+  test('are not answered when “*” is allowed, and a warning says so', async () => {
+    const wrong = ['*', 'null', '/', `${fixture.pageOrigin}/`, 'https://*.example', 'javascript:alert(1)'];
+    const tab = await fixture.open({ allow: wrong.join(',') });
+    await assertDeaf(tab);
+    const said = tab.problems.filter((problem) => problem.includes('“allow” must list exact origins'));
+    assert.equal(said.length, wrong.length);
+    for (const [at, one] of wrong.entries()) assert.ok(said[at].includes(`“${one}”`), said[at]);
+  });
+});

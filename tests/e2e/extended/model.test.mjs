@@ -1,0 +1,259 @@
+/**
+ * The two models of a fire: a model is set with its values by attribute, property or URL
+ * parameter, in any order; a switch keeps values; fires keep real time or report that they
+ * are slowed.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { onPageThread, simulateClock } from '../clock.mjs';
+import { assertBurns, events, recording } from '../assertions.mjs';
+import { table } from '../site.mjs';
+
+const { defaultsOf, entry } = await table();
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+});
+after(() => browser?.close());
+
+/** Values that only the named model takes: the other one’s range ends before them. */
+const ONLY = {
+  classic: { emission_speed: 2.5, max_particles: 150 },
+  combustion: { source_width: 0.9, buoyancy: 1.5 },
+};
+
+/** Some of the fire's values. */
+function values(tab, ids) {
+  return tab.fire((fire, wanted) => Object.fromEntries(wanted.map((id) => [id, fire.params[id]])), ids);
+}
+
+for (const [model, only] of Object.entries(ONLY)) {
+  const pairs = Object.entries({ ...only, model });
+  const orders = [pairs, [...pairs].reverse()];
+
+  test(`${model} as an attributedecides the ranges of all others, wherever it stands`, async () => {
+    for (const order of orders) {
+      const attributes = order.map(([id, value]) => `${entry[id].attribute}="${value}"`).join(' ');
+      const tab = await browser.open(`<hearth-fire paused ${attributes}></hearth-fire>`);
+      await tab.ready();
+      assert.deepEqual(await tab.fire((fire) => fire.params), { ...defaultsOf(model), ...only, model });
+      assert.deepEqual(tab.problems, []);
+    }
+  });
+
+  test(`${model} in the addressdecides the ranges of all others, wherever it stands`, async () => {
+    for (const order of orders) {
+      const address = new URLSearchParams([...order.map(([id, value]) => [id, `${value}`]), ['paused', '']]);
+      const tab = await browser.open(`index.html?${address}`);
+      await tab.ready();
+      assert.deepEqual(await tab.fire((fire) => fire.params), { ...defaultsOf(model), ...only, model });
+      assert.deepEqual(tab.problems, []);
+    }
+  });
+
+  test(`${model} is set with its values in one call, in any order, or not at all`, async () => {
+    const [other] = Object.keys(ONLY).filter((name) => name !== model);
+    for (const order of orders) {
+      const tab = await browser.open(`<hearth-fire paused model="${other}"></hearth-fire>`);
+      await tab.ready();
+      const refused = await tab.fire(
+        (fire, all) => fire.set({ ...all, bloom: 99 }).catch((error) => error.id),
+        Object.fromEntries(order),
+      );
+      assert.equal(refused, 'bloom');
+      assert.deepEqual(await tab.fire((fire) => fire.params), defaultsOf(other));
+      await tab.fire((fire, all) => fire.set(all), Object.fromEntries(order));
+      assert.deepEqual(await tab.fire((fire) => fire.params), { ...defaultsOf(model), ...only, model });
+    }
+  });
+
+  test(`a value that ${model} does not accept is rejected together with the model`, async () => {
+    const [[other, alien]] = Object.entries(ONLY).filter(([name]) => name !== model);
+    const tab = await browser.open(recording(`<hearth-fire paused model="${other}"></hearth-fire>`));
+    await tab.ready();
+    const refused = await tab.fire(
+      (fire, all) => fire.set(all).catch((error) => error.errors.map(({ id }) => id)),
+      { ...alien, model },
+    );
+    assert.deepEqual(refused.sort(), Object.keys(alien).sort());
+    assert.equal(await tab.fire((fire) => fire.model), other);
+    assert.equal((await events(tab, 'error')).length, refused.length);
+  });
+}
+
+test('a model overrides the preset’s, and values override both', async () => {
+  const tab = await browser.open(
+    '<hearth-fire paused source-width="0.9" preset="seed" model="combustion"></hearth-fire>',
+  );
+  await tab.ready();
+  const seen = await values(tab, ['model', 'source_width', 'walls']);
+  assert.deepEqual(seen, { model: 'combustion', source_width: 0.9, walls: 'solid' });
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a change of the model reports every value that differs', async () => {
+  const tab = await browser.open(recording('<hearth-fire paused model="classic"></hearth-fire>'));
+  await tab.ready();
+  for (const [before, now, change, source] of [
+    ['classic', 'combustion', (fire) => fire.setAttribute('model', 'combustion'), 'attribute'],
+    ['combustion', 'classic', (fire) => { fire.model = 'classic'; }, 'property'],
+  ]) {
+    await tab.evaluate(() => { /** @type {any} */ (window).events.length = 0; });
+    await tab.fire(change);
+    await tab.until(
+      `the model is ${now}`,
+      (name) => /** @type {any} */ (document.querySelector('hearth-fire')).model === name,
+      now,
+    );
+    const sent = await events(tab, 'params-change');
+    assert.deepEqual([...new Set(sent.map((one) => one.source))], [source]);
+    const other = defaultsOf(/** @type {string} */ (before));
+    const differing = Object.entries(defaultsOf(/** @type {string} */ (now)))
+      .filter(([id, value]) => other[id] !== value);
+    assert.deepEqual(Object.fromEntries(sent.map(({ id, value }) => [id, value])), Object.fromEntries(differing));
+  }
+});
+
+test('a model that is restored has its previous values', async () => {
+  const tab = await browser.open('<hearth-fire paused model="classic" domain-height="1"></hearth-fire>');
+  await tab.ready();
+  const ids = ['domain_height', 'viscosity', 'fuel_power', 'exposure'];
+  await tab.fire((fire) => fire.set({ viscosity: 0.02, fuel_power: 100 }));
+  assert.deepEqual(Object.values(await values(tab, ids)), [1, 0.02, 100, 0]);
+  await tab.fire((fire) => fire.set({ model: 'combustion', domain_height: 2, exposure: 1 }));
+  assert.deepEqual(Object.values(await values(tab, ids)), [2, 0.02, 100, 1]);
+  // Off the page and back: nothing is lost on the way either.
+  await tab.fire(async (fire) => {
+    fire.remove();
+    for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
+    document.body.append(fire);
+    await fire.ready;
+  });
+  assert.deepEqual(Object.values(await values(tab, ids)), [2, 0.02, 100, 1]);
+  await tab.fire((fire) => fire.set('model', 'classic'));
+  assert.deepEqual(Object.values(await values(tab, ids)), [1, 0.02, 100, 1]);
+  await tab.fire((fire) => fire.restore());
+  await tab.fire((fire) => fire.set('model', 'classic'));
+  assert.deepEqual(await tab.fire((fire) => fire.params), defaultsOf('classic'));
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a burning fire changes its model and burns on', async () => {
+  const tab = await browser.open('<hearth-fire model="classic"></hearth-fire>');
+  await tab.burnt(1);
+  await assertBurns(tab);
+  await tab.fire((fire) => fire.set('model', 'combustion'));
+  // Its power comes with the first drop of fuel, its flame half a second later.
+  await tab.until(
+    'the gas fire burns',
+    () => {
+      const { power, time } = /** @type {any} */ (document.querySelector('hearth-fire')).stats;
+      return power > 50 && time > 0.8;
+    },
+  );
+  await assertBurns(tab);
+  await tab.fire((fire) => fire.set('model', 'classic'));
+  await tab.until(
+    'the classic fire burns',
+    () => {
+      const { power, particles } = /** @type {any} */ (document.querySelector('hearth-fire')).stats;
+      return power === 0 && particles > 300 && particles < 1500;
+    },
+  );
+  await assertBurns(tab);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('requested steps are made, however long each of them is', async () => {
+  for (const model of Object.keys(ONLY)) {
+    const tab = await browser.open(`<hearth-fire paused model="${model}"></hearth-fire>`);
+    await tab.ready();
+    const { time, stepLength } = await tab.fire(async (fire) => {
+      await fire.step(1);
+      await fire.step(29);
+      return fire.stats;
+    });
+    assert.ok(time > 0 && stepLength > 0, `${time} s in steps of ${stepLength} s`);
+    // The mean leans towards the last steps; their lengths change slowly.
+    const steps = time / stepLength;
+    assert.ok(steps > 20 && steps < 45, `thirty steps of ${stepLength} s last ${time} s`);
+  }
+});
+
+test('the statistics fit the model', async () => {
+  const tab = await browser.open('<hearth-fire model="classic" quality="medium"></hearth-fire>');
+  await tab.burnt(0.5);
+  const classic = await tab.fire((fire) => fire.stats);
+  assert.deepEqual([classic.power, classic.embers], [0, 0]);
+  const step = defaultsOf('classic').time_step;
+  assert.ok(Math.abs(classic.stepLength - step) < 1e-3 * step, `steps of ${classic.stepLength} s`);
+
+  await tab.fire((fire) => fire.set('model', 'combustion'));
+  await tab.until(
+    'power, embers and steps of a gas fire',
+    () => {
+      const { power, embers, stepLength, timeScale, particles } = /** @type {any} */ (
+        document.querySelector('hearth-fire')
+      ).stats;
+      return power > 50 && power < 600 && embers > 0 && stepLength > 0 && stepLength < 0.004
+        && timeScale > 0 && timeScale < 1.2 && particles > 2500;
+    },
+  );
+});
+
+/** Opens a small fire whose page has a simulated clock. */
+async function onClock(attributes) {
+  const fire = `<hearth-fire quality="low" max-pixels="10000" ${attributes}></hearth-fire>`;
+  const tab = await browser.open(onPageThread(fire), { before: simulateClock });
+  await tab.ready();
+  return tab;
+}
+
+for (const [model, scale] of [['combustion', 1], ['classic', 1], ['classic', 0.25]]) {
+  test(`a second of the clock is ${scale} s of a ${model} fire with that time scale, and the fire reports it`, async () => {
+    const tab = await onClock(`model="${model}" time-scale="${scale}"`);
+    const { reported, shown, slowed } = await tab.fire(async (fire) => {
+      const next = () => new Promise((resolve) => {
+        fire.addEventListener('stats', () => resolve([fire.stats.time, performance.now() / 1000]), {
+          once: true,
+        });
+      });
+      const [fireStart, clockStart] = await next();
+      let [fireNow, clockNow] = [fireStart, clockStart];
+      let slowed = false;
+      while (clockNow - clockStart < 4) {
+        [fireNow, clockNow] = await next();
+        slowed ||= fire.stats.slowed;
+      }
+      return { reported: fire.stats.timeScale, shown: (fireNow - fireStart) / (clockNow - clockStart), slowed };
+    });
+    assert.ok(Math.abs(shown / scale - 1) < 0.02, `${shown} s of fire a second`);
+    assert.ok(Math.abs(reported / scale - 1) < 0.05, `the fire reports ${reported}`);
+    assert.equal(slowed, false);
+  });
+}
+
+for (const model of Object.keys(ONLY)) {
+  test(`a ${model} fire whose steps do not fit their frames burns slowly, reports it, and frames keep coming`, async () => {
+    const tab = await onClock(`model="${model}"`);
+    const cost = (/** @type {number} */ milliseconds) => tab.evaluate((value) => {
+      /** @type {any} */ (window).clock.cost = value;
+    }, milliseconds);
+    await cost(5);
+    await tab.until('it reports that it is slowed', () => {
+      const { slowed, timeScale, time } = /** @type {any} */ (document.querySelector('hearth-fire')).stats ?? {};
+      return slowed === true && timeScale > 0 && timeScale < 0.9 && time > 0;
+    });
+    await tab.frames(10);
+    // Quick again, it keeps up with the clock, and reports that, too.
+    await cost(0);
+    await tab.until('it is no longer slowed', () => {
+      const { slowed, timeScale } = /** @type {any} */ (document.querySelector('hearth-fire')).stats;
+      return slowed === false && timeScale > 0.9 && timeScale < 1.1;
+    });
+    assert.deepEqual(tab.problems, []);
+  });
+}

@@ -1,0 +1,276 @@
+/**
+ * Page policies: where the engine runs, when it loads, posters, drawing limits, touch
+ * actions, copies of the picture, and removal.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { onPageThread, simulateClock } from '../clock.mjs';
+import { assertBurns, assertStands, events, recording } from '../assertions.mjs';
+import { Picture } from '../picture.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+});
+after(() => browser?.close());
+
+/** A page whose fires run where it says. */
+const at = (/** @type {string} */ place, /** @type {string} */ body) => `${body}<script type="module">
+  import { HearthFire } from '/web/hearth-fire.js';
+  HearthFire.engine = '${place}';
+</script>`;
+
+/** Whether the engine's files were asked for. */
+const loaded = (tab) => tab.evaluate(() => (
+  performance.getEntriesByType('resource').some(({ name }) => name.endsWith('hearth-engine_bg.wasm'))
+));
+
+for (const place of ['worker', 'main']) {
+  test(`with the engine in: ${place}, a fire burns, pauses, survives a lost context and is destroyed`, async () => {
+    const tab = await browser.open(at(place, '<hearth-fire></hearth-fire>'), { draws: true });
+    await tab.burnt(1);
+    assert.equal(await tab.fire((fire) => fire.stats.engine), place);
+    const { contexts, workers } = await tab.living();
+    assert.deepEqual({ contexts, workers }, { contexts: 1, workers: place === 'worker' ? 1 : 0 });
+    await assertBurns(tab);
+    await tab.fire((fire) => fire.pause());
+    await assertStands(tab);
+    assert.equal((await tab.firePicture()).difference(await tab.firePicture()), 0);
+    await tab.loseContext(200);
+    await tab.fire((fire) => fire.play());
+    await assertBurns(tab);
+    await tab.fire((fire) => fire.destroy());
+    assert.equal((await tab.firePicture()).glowing(), 0, 'there is no picture left');
+    await tab.until('nothing of the engine is left', async () => {
+      const { driver } = /** @type {any} */ (window);
+      return (await driver.contexts()) === 0 && driver.workers() === 0;
+    });
+    await tab.fire((fire) => document.body.append(fire));
+    await tab.burnt(0.5);
+    assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+  });
+}
+
+test('the main thread draws where a worker cannot', async () => {
+  const tab = await browser.open('<hearth-fire></hearth-fire>', {
+    beforeWorker: () => {
+      OffscreenCanvas.prototype.getContext = () => null;
+    },
+  });
+  await tab.burnt(0.5);
+  assert.equal(await tab.fire((fire) => fire.stats.engine), 'main');
+  await assertBurns(tab);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('the engine draws on a canvas of the page where no offscreen canvas has WebGL2', async () => {
+  const tab = await browser.open('<hearth-fire></hearth-fire>', {
+    before: () => {
+      const original = OffscreenCanvas.prototype.getContext;
+      OffscreenCanvas.prototype.getContext = function getContext(kind, ...rest) {
+        return kind === 'webgl2' ? null : original.call(this, kind, ...rest);
+      };
+    },
+    beforeWorker: () => {
+      OffscreenCanvas.prototype.getContext = () => null;
+    },
+  });
+  await tab.burnt(1);
+  await assertBurns(tab);
+  const blob = await tab.fire(async (fire) => (await fire.toBlob()).size);
+  assert.ok(blob > 1000);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('an eager fire loads at once, a lazy one when it comes near the viewport', async () => {
+  const far = (/** @type {string} */ loading) => `<div style="height: 3000px"></div><hearth-fire loading="${loading}"></hearth-fire>`;
+  const eager = await browser.open(far('eager'));
+  await eager.ready();
+  const lazy = await browser.open(far('lazy'));
+  await lazy.frames(20);
+  assert.equal(await loaded(lazy), false, 'nothing is loaded for a fire out of sight');
+  await lazy.evaluate(() => window.scrollTo(0, 3000));
+  await lazy.burnt(0.2);
+  const auto = await browser.open(far('auto'));
+  await auto.ready();
+  assert.equal(await auto.fire((fire) => fire.loading), 'auto');
+});
+
+test('the poster is shown until the first picture, and while there is no picture', async () => {
+  const image = 'data:image/svg+xml,<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><rect width="1" height="1" fill="lime"/></svg>';
+  // The message and its button cover a part of it.
+  const body = `<hearth-fire poster='${image}' style="width: 320px; height: 400px"></hearth-fire>`;
+  const late = await browser.open(body, { draws: true, without: 'hearth-engine_bg.wasm' });
+  await late.fire((fire) => fire.ready.catch(() => {}));
+  const lime = (picture) => picture.share((r, g) => g > 200 && r < 100);
+  assert.ok(lime(await late.firePicture()) > 0.5, 'the poster is seen');
+  const good = await browser.open(body, { draws: true });
+  await good.burnt(0.5);
+  await good.frames(4);
+  assert.equal(lime(await good.firePicture()), 0, 'the poster is gone');
+});
+
+test('a picture has no more pixels than `max-pixels`', async () => {
+  const tab = await browser.open(
+    '<hearth-fire max-pixels="10000" quality="low" style="width: 400px; height: 300px"></hearth-fire>',
+  );
+  await tab.burnt(0.1);
+  const size = await tab.fire((fire) => {
+    const { width, height } = fire.shadowRoot.querySelector('canvas');
+    return { width, height };
+  });
+  assert.ok(size.width * size.height <= 10_000, JSON.stringify(size));
+  assert.ok(Math.abs(size.width / size.height - 4 / 3) < 0.03, JSON.stringify(size));
+  await tab.fire((fire) => {
+    fire.maxPixels = '';
+    fire.removeAttribute('max-pixels');
+  });
+  await tab.until('the whole size', () => (
+    document.querySelector('hearth-fire')?.shadowRoot?.querySelector('canvas')?.width === 400
+  ));
+});
+
+test('no more pictures are drawn a second than `fps-limit`', async () => {
+  const tab = await browser.open(
+    onPageThread('<hearth-fire max-pixels="10000" fps-limit="10" quality="low"></hearth-fire>'),
+    { before: simulateClock },
+  );
+  await tab.ready();
+  const pictures = await tab.evaluate(async () => {
+    const { clock } = /** @type {any} */ (window);
+    const { prototype } = ImageBitmapRenderingContext;
+    const original = prototype.transferFromImageBitmap;
+    let count = 0;
+    prototype.transferFromImageBitmap = function transferFromImageBitmap(bitmap) {
+      count += 1;
+      original.call(this, bitmap);
+    };
+    for (const end = clock.frames + 120; clock.frames < end;) await new Promise(requestAnimationFrame);
+    prototype.transferFromImageBitmap = original;
+    return count;
+  });
+  assert.ok(pictures >= 19 && pictures <= 21, `${pictures} pictures in two seconds`);
+});
+
+test('invalid limits, choices and touch actions are rejected by name', async () => {
+  const tab = await browser.open(recording(
+    '<hearth-fire fps-limit="fast" max-pixels="9" loading="soon" reduced-motion="no" touch-action="wave"></hearth-fire>',
+  ));
+  await tab.burnt(0.2);
+  const errors = await events(tab, 'error');
+  const ids = errors.map(({ kind, id }) => `${kind} ${id}`).sort();
+  assert.deepEqual(ids, [
+    'bad-parameter fps_limit', 'bad-parameter loading', 'bad-parameter max_pixels',
+    'bad-parameter reduced-motion', 'bad-parameter touch-action',
+  ]);
+  const { message, min, max } = errors.find(({ id }) => id === 'fps_limit');
+  assert.deepEqual([min, max], [10, 240]);
+  assert.match(message, /fast.*from 10 to 240/);
+});
+
+test('a finger on an interactive fire scrolls the page vertically unless `touch-action` forbids it', async () => {
+  const tab = await browser.open(
+    '<hearth-fire interactive></hearth-fire><div style="height: 3000px"></div>',
+    { touch: true },
+  );
+  await tab.burnt(0.2);
+  const action = () => tab.fire((fire) => getComputedStyle(fire.shadowRoot.querySelector('.root')).touchAction);
+  assert.equal(await action(), 'pan-y');
+  await tab.touchDrag({ x: 120, y: 200 }, { x: 120, y: 40 });
+  await tab.until('the page has scrolled', () => window.scrollY > 50);
+  await tab.fire((fire) => (fire.touchAction = 'none'));
+  assert.equal(await action(), 'none');
+  await tab.fire((fire) => fire.removeAttribute('touch-action'));
+  assert.equal(await action(), 'pan-y');
+});
+
+test('`toBlob` keeps the transparency of the picture', async () => {
+  const tab = await browser.open('<hearth-fire paused></hearth-fire>', { draws: true });
+  await tab.fire((fire) => fire.step(600));
+  const keep = (type) => tab.fire(async (fire, wanted) => {
+    const blob = await fire.toBlob(...(wanted ? [wanted, 0.9] : []));
+    const canvas = new OffscreenCanvas(240, 240);
+    const context = /** @type {any} */ (canvas.getContext('2d'));
+    context.drawImage(await createImageBitmap(blob), 0, 0);
+    const corner = [...context.getImageData(4, 4, 1, 1).data];
+    return { type: blob.type, corner, bytes: [...new Uint8Array(await blob.arrayBuffer())] };
+  }, type);
+  const png = await keep('');
+  assert.equal(png.type, 'image/png');
+  const picture = Picture.decode(Uint8Array.from(png.bytes));
+  assert.deepEqual([picture.width, picture.height], [240, 240]);
+  assert.deepEqual(png.corner, [0, 0, 0, 0], 'the corner is transparent');
+  assert.ok(picture.part(0.3, 0.4, 0.7, 1).glowing() > 0.02, 'it shows the fire');
+  assert.equal((await keep('image/webp')).type, 'image/webp');
+});
+
+test('`toBlob` draws another width and background for the file, and the element stays as it is', async () => {
+  const tab = await browser.open('<hearth-fire preset="fireside" paused warm max-pixels="60000"></hearth-fire>', { draws: true, height: 400 });
+  await tab.ready();
+  const seen = await tab.fire(async (fire) => {
+    const events = [];
+    for (const type of ['params-change', 'objects-change', 'error']) fire.addEventListener(type, () => events.push(type));
+    const values = JSON.stringify(fire.params);
+    const saved = async (how) => {
+      const bitmap = await createImageBitmap(await fire.toBlob(how));
+      const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+      const context = /** @type {any} */ (canvas.getContext('2d'));
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+      let glow = 0;
+      for (let at = 0; at < data.length; at += 4) glow += data[at] > 200 ? 1 : 0;
+      return { size: [bitmap.width, bitmap.height], corner: [...data.slice(0, 4)], glow: glow / (bitmap.width * bitmap.height) };
+    };
+    const before = await saved();
+    const [wide, cut, black] = await Promise.all([
+      saved({ width: 3 * before.size[0] }), saved({ background: 'transparent' }), saved({ background: 'black', type: 'image/webp', width: 64 }),
+    ]);
+    const refused = await fire.toBlob({ width: 9000 }).then(() => '', (error) => `${error.name}: ${error.message}`);
+    const { width, height } = /** @type {any} */ (fire.shadowRoot).querySelector('canvas');
+    return { before, wide, cut, black, refused, after: await saved(), canvas: [width, height], events, kept: JSON.stringify(fire.params) === values };
+  });
+  const { before, wide, cut, black } = seen;
+  assert.deepEqual(wide.size, before.size.map((side) => 3 * side));
+  assert.ok(Math.abs(wide.glow / before.glow - 1) < 0.2, `${wide.glow} of the wide picture glow, ${before.glow} of the frame`);
+  assert.equal(before.corner[3], 255, 'the wall is opaque');
+  assert.deepEqual([cut.size, cut.corner], [before.size, [0, 0, 0, 0]]);
+  assert.ok(cut.glow > 0.01, 'a transparent picture shows the fire');
+  assert.deepEqual([black.size[0], black.corner], [64, [0, 0, 0, 255]]);
+  assert.match(seen.refused, /RangeError: width 9000: .*8192/);
+  assert.deepEqual(seen.after, before, 'the paused fire is shown as before');
+  assert.deepEqual(seen.canvas, before.size);
+  assert.ok(seen.kept, 'the values stay');
+  assert.deepEqual(seen.events, []);
+  assert.deepEqual(await tab.complaints(), []);
+});
+
+test('`captureStream` of a burning fire is a moving video', async () => {
+  const tab = await browser.open('<hearth-fire></hearth-fire>', { draws: true });
+  await tab.burnt(0.5);
+  const seen = await tab.fire(async (fire) => {
+    const stream = await fire.captureStream(30);
+    const video = document.createElement('video');
+    video.muted = true;
+    video.srcObject = stream;
+    await video.play();
+    const canvas = new OffscreenCanvas(240, 240);
+    const context = /** @type {any} */ (canvas.getContext('2d'));
+    const light = () => {
+      context.drawImage(video, 0, 0, 240, 240);
+      return [...context.getImageData(60, 100, 120, 140).data];
+    };
+    const pictures = [];
+    for (let frame = 0; frame < 2; frame += 1) {
+      await new Promise((resolve) => /** @type {any} */ (video).requestVideoFrameCallback(resolve));
+      pictures.push(light());
+      await fire.step(100);
+    }
+    for (const track of stream.getTracks()) track.stop();
+    const [one, two] = pictures;
+    return { bright: Math.max(...two.filter((_, at) => at % 4 === 0)), moved: one.some((value, at) => Math.abs(value - two[at]) > 20) };
+  });
+  assert.ok(seen.bright > 100, `${seen.bright}`);
+  assert.ok(seen.moved);
+});

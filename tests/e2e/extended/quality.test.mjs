@@ -1,0 +1,236 @@
+/**
+ * Quality levels: set by the page or chosen by the engine, how they are reported, and the
+ * times of stages and passes.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { onPageThread, simulateClock } from '../clock.mjs';
+import { assertBurns, events, recording } from '../assertions.mjs';
+import { Panel, along, controlOf } from '../panel.mjs';
+import { table } from '../site.mjs';
+
+const { DEFAULTS } = await table();
+
+/** Particles of each quality, in the combustion model. */
+const PARTICLES = { low: 1200, medium: 3000, high: 6700 };
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launch();
+});
+after(() => browser?.close());
+
+const small = { width: 260, height: 260 };
+
+/** Waits until the fire has about so many particles, and says this quality. */
+function settles(tab, quality, particles = PARTICLES[quality]) {
+  return tab.until(`${quality}, ${particles} particles`, (name, count) => {
+    const { stats } = /** @type {any} */ (document.querySelector('hearth-fire'));
+    // The number fills the frame. Open air fills less at first, and in a wide view up to twice as many.
+    return stats?.quality === name && stats.particles > 0.5 * count && stats.particles <= 2 * count;
+  }, quality, particles);
+}
+
+for (const quality of Object.keys(PARTICLES)) {
+  test(`${quality} quality has its number of particles, and no parameter has changed`, async () => {
+    const tab = await browser.open(recording(`<hearth-fire quality="${quality}"></hearth-fire>`), small);
+    await tab.burnt(0.1);
+    await settles(tab, quality);
+    const { wish, params, reason } = await tab.fire((fire) => (
+      { wish: fire.quality, params: fire.params, reason: fire.stats.qualityReason }
+    ));
+    assert.deepEqual([wish, params, reason], [quality, DEFAULTS, 'as requested']);
+    assert.deepEqual(await events(tab, 'params-change'), []);
+    assert.deepEqual(tab.problems, []);
+  });
+}
+
+test('a burning fire changes its quality and burns on', async () => {
+  const tab = await browser.open(recording('<hearth-fire quality="medium"></hearth-fire>'), small);
+  await tab.burnt(1);
+  const time = await tab.fire((fire) => fire.stats.time);
+  for (const [quality, change] of [
+    ['low', (fire) => fire.setAttribute('quality', 'low')],
+    ['medium', (fire) => { fire.quality = 'medium'; }],
+  ]) {
+    await tab.fire(change);
+    await settles(tab, quality);
+    assert.equal(await tab.fire((fire) => fire.quality), quality);
+  }
+  await tab.burnt(time + 0.5);
+  await assertBurns(tab);
+  const reported = (await events(tab, 'quality-change')).map(({ quality }) => quality);
+  assert.deepEqual(reported, ['low', 'medium']);
+  assert.deepEqual(await events(tab, 'params-change'), []);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('a requested number of particles stays until the default is restored', async () => {
+  const tab = await browser.open('<hearth-fire quality="low" max-particles="2000"></hearth-fire>', small);
+  await tab.burnt(0.1);
+  await settles(tab, 'low', 2000);
+  await tab.fire((fire) => fire.removeAttribute('max-particles'));
+  await settles(tab, 'low');
+  await tab.fire((fire) => fire.set('max_particles', 1500));
+  await settles(tab, 'low', 1500);
+  await tab.fire((fire) => fire.restore('max_particles'));
+  await settles(tab, 'low');
+  // The default is a number like any other, also after a while off the page.
+  await tab.fire((fire) => fire.setAttribute('max-particles', '3000'));
+  await settles(tab, 'low', 3000);
+  await tab.fire(async (fire) => {
+    fire.remove();
+    for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
+    document.body.append(fire);
+    await fire.ready;
+  });
+  await settles(tab, 'low', 3000);
+  await tab.fire((fire) => fire.removeAttribute('max-particles'));
+  await settles(tab, 'low');
+  assert.deepEqual(tab.problems, []);
+});
+
+/** Lets a page think that the machine has so many processor cores, for which it guesses low or medium. */
+const twoCores = () => Object.defineProperty(navigator, 'hardwareConcurrency', { value: 2 });
+const eightCores = () => Object.defineProperty(navigator, 'hardwareConcurrency', { value: 8 });
+
+for (const asked of ['quality="medium"', 'max-particles="1500"', 'max-particles="3000"']) {
+  test(`with ${asked} the same seed gives the same fire, whatever quality the device starts with`, async () => {
+    const fires = [];
+    for (const before of [twoCores, eightCores]) {
+      const tab = await browser.open(`<hearth-fire seed="7" ${asked} autoplay="false"></hearth-fire>`, { ...small, before });
+      fires.push(await tab.fire(async (fire) => {
+        await fire.ready;
+        await fire.step(40);
+        const { time, particles, embers, neighbours } = fire.stats;
+        return { time, particles, embers, neighbours };
+      }));
+      assert.deepEqual(tab.problems, []);
+    }
+    assert.ok(fires[0].time > 0);
+    assert.deepEqual(fires[0], fires[1]);
+  });
+}
+
+test('an unknown quality is rejected with an error event, and the last good one stays', async () => {
+  const tab = await browser.open(recording('<hearth-fire quality="low"></hearth-fire>'), small);
+  await tab.burnt(0.1);
+  for (const bad of ['best', '', 'LOW', '2']) {
+    await tab.fire((fire, value) => fire.setAttribute('quality', value), bad);
+  }
+  await tab.until('four errors', () => (
+    /** @type {any} */ (window).events.filter(({ type }) => type === 'error').length === 4
+  ));
+  const [{ kind, id, value, message }] = await events(tab, 'error');
+  assert.deepEqual([kind, id, value], ['bad-parameter', 'quality', 'best']);
+  assert.match(message, /quality.*"best".*auto, low, medium, high/);
+  assert.equal(await tab.fire((fire) => fire.quality), 'low');
+  await tab.fire((fire) => fire.removeAttribute('quality'));
+  await tab.until('auto is back', () => (
+    /** @type {any} */ (document.querySelector('hearth-fire')).quality === 'auto'
+  ));
+});
+
+test('quality is kept when set early, in the address, and off the page', async () => {
+  const tab = await browser.open(`<hearth-fire id="fire"></hearth-fire><script>fire.quality = 'low'</script>`, small);
+  await tab.burnt(0.1);
+  await settles(tab, 'low');
+  await tab.fire(async (fire) => {
+    fire.remove();
+    for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
+    document.body.append(fire);
+    await fire.ready;
+  });
+  await settles(tab, 'low');
+  const page = await browser.open('index.html?scene=default&quality=low', { width: 480, height: 320 });
+  await page.burnt(0.1);
+  await settles(page, 'low');
+  assert.deepEqual([...tab.problems, ...page.problems], []);
+});
+
+test('with quality auto, a fire that does not fit its frames gets a lower quality and reports why', async () => {
+  const tab = await browser.open(
+    // On a machine that does not begin with the lowest quality.
+    `<script>(${eightCores})()</script>${onPageThread(recording(
+      '<hearth-fire max-pixels="10000" style="width: 1600px; height: 1200px"></hearth-fire>',
+    ))}`,
+    { width: 400, height: 300, before: simulateClock },
+  );
+  await tab.ready();
+  await tab.evaluate(() => { /** @type {any} */ (window).clock.cost = 5; });
+  await tab.until('it is of low quality', () => (
+    /** @type {any} */ (document.querySelector('hearth-fire')).stats?.quality === 'low'
+  ));
+  const { wish, reason, params } = await tab.fire((fire) => (
+    { wish: fire.quality, reason: fire.stats.qualityReason, params: fire.params }
+  ));
+  assert.equal(wish, 'auto');
+  assert.match(reason, /\d ms .*1,200 particles instead of [36],\d00$/);
+  assert.deepEqual(params, DEFAULTS);
+});
+
+test('the stages of a step add up, and every pass is reported', async () => {
+  for (const [model, passes] of [
+    ['combustion', ['gas', 'drift', 'flame', 'ember', 'bloom', 'develop', 'present']],
+    ['classic', ['splat', 'spread', 'shade', 'bloom', 'develop', 'present']],
+  ]) {
+    const tab = await browser.open(`<hearth-fire quality="low" model="${model}"></hearth-fire>`, small);
+    await tab.plays(0.5);
+    const stats = await tab.fire((fire) => fire.stats);
+    const { upload, ...stages } = stats.stages;
+    assert.deepEqual(Object.keys(stages), ['sort', 'density', 'forces', 'integrate']);
+    const sum = Object.values(stages).reduce((all, one) => all + one, 0);
+    const steps = stats.stepMs * stats.stepsPerFrame;
+    assert.ok(sum > 0 && Math.abs(sum / steps - 1) < 1e-6, `${sum} ms of stages, ${steps} ms of steps`);
+    assert.ok(upload >= 0 && upload <= stats.drawMs + 0.1, `${upload} ms of ${stats.drawMs}`);
+    assert.deepEqual(Object.keys(stats.passes), passes);
+    assert.ok(['gpu', 'submit'].includes(stats.passTimer));
+    assert.ok(Object.values(stats.passes).every((time) => time >= 0));
+    assert.deepEqual(tab.problems, []);
+  }
+});
+
+test('the panel and its accessible controls set the quality, and show a quality that is set elsewhere', async () => {
+  const tab = await browser.open('index.html?scene=default&quality=medium', { width: 760, height: 600 });
+  await tab.burnt(0.1);
+  const panel = await new Panel(tab).mounted();
+  const control = '[data-action="quality"]';
+  const shown = () => tab.page.$eval(control, (element) => /** @type {any} */ (element).value);
+  await tab.until('the accessible control shows it', (selector) => (
+    /** @type {any} */ (document.querySelector(selector)).value === 'medium'
+  ), control);
+  await panel.pointAt(control);
+  await tab.click(along(await panel.part('quality:low'), 0.5));
+  await settles(tab, 'low');
+  assert.equal(await shown(), 'low');
+  await tab.page.select(control, 'medium');
+  await settles(tab, 'medium');
+  // Unfolded, the header says what takes how long, and pushes down what is below it.
+  const before = await panel.part('quality');
+  await tab.click(along(await panel.part('action:times'), 0.3));
+  await tab.frames(6);
+  const unfolded = await panel.part('quality');
+  assert.ok(unfolded.y > before.y + 30, 'the times are shown');
+  assert.deepEqual(tab.problems, []);
+});
+
+test('another quality does not remove the message that a visitor is reading', async () => {
+  const tab = await browser.open('index.html?scene=default&quality=medium', { width: 760, height: 900 });
+  await tab.burnt(0.1);
+  await new Panel(tab).mounted();
+  // Words in the header push down the rows below it.
+  const top = () => tab.page.$eval(controlOf('fuel_power'), (control) => (
+    Number(/** @type {any} */ (control).dataset.rect?.split(' ')[1])
+  ));
+  const before = await top();
+  await tab.fire((fire) => fire.setAttribute('quality', 'best'));
+  await tab.frames(6);
+  const reported = await top();
+  assert.ok(reported > before + 10, `the row was at ${before}, and is at ${reported} below the words`);
+  await tab.fire((fire) => fire.setAttribute('quality', 'low'));
+  await settles(tab, 'low');
+  await tab.frames(6);
+  assert.equal(await top(), reported);
+});

@@ -1,0 +1,223 @@
+/**
+ * The panel copies settings as a link, as HTML and as JSON, and imports JSON. Their
+ * contents are tested in tests/web/share.test.mjs.
+ */
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { assertBurns } from '../assertions.mjs';
+import { Panel, actionOf, along } from '../panel.mjs';
+import { keepSaved } from '../waits.mjs';
+
+describe('the panel', () => {
+  /** @type {Browser} */
+  let browser;
+  before(async () => {
+    // The headless shell has no clipboard.
+    browser = await Browser.start('chromium', { draws: false });
+  });
+  after(() => browser?.close());
+
+  const VALUES = { viscosity: 0.02, max_particles: 400, printed_euler: true, background: '#204060' };
+
+  /**
+   * The page with a fire that is not the default one, and its panel.
+   * @param {{before?: () => void, width?: number, height?: number, touch?: boolean}} [options]
+   */
+  async function openPage(options = {}) {
+    const tab = await browser.open('index.html?scene=classic', {
+      width: 760, height: 600, before: keepCopies, ...options,
+    });
+    await tab.ready();
+    await tab.fire((fire, values) => fire.set(values), VALUES);
+    const panel = await new Panel(tab).mounted();
+    const { config, params } = await tab.fire(async (fire) => (
+      { config: await fire.exportConfig(), params: fire.params }
+    ));
+    return { tab, panel, config, params };
+  }
+
+  /** Runs in the page: what it copies is in `window.copied` too. */
+  function keepCopies() {
+    const original = navigator.clipboard.writeText;
+    navigator.clipboard.writeText = function writeText(text) {
+      /** @type {any} */ (window).copied = text;
+      return original.call(this, text);
+    };
+  }
+
+  /** Presses one of the buttons that copy, and gives what was copied. */
+  async function copied(tab, panel, what) {
+    await panel.share(`copy:${what}`);
+    return tab.until(`the ${what} is copied`, () => /** @type {any} */ (window).copied);
+  }
+
+  const paramsOf = (tab) => tab.fire((fire) => fire.params);
+
+  /** Opens the card for settings with the mouse and types into it. */
+  async function pasteSettings(tab, panel, text) {
+    await panel.share('paste');
+    await tab.until('the card is there', () => document.querySelector('[data-card="paste"] textarea'));
+    await tab.page.$eval('[data-card="paste"] textarea', (field, value) => {
+      /** @type {HTMLTextAreaElement} */ (field).value = value;
+    }, text);
+    await tab.click(along(await tab.rectangle('[data-card="use"]'), 0.5));
+  }
+
+  test('copies a link that opens the same fire, and reports it', async () => {
+    const { tab, panel, params } = await openPage();
+    const link = await copied(tab, panel, 'link');
+    assert.match(await panel.said(), /copied.*link/i);
+    assert.deepEqual(Object.keys(Object.fromEntries(new URL(link).searchParams)).sort(), [
+      'background', 'max-particles', 'printed-euler', 'scene', 'viscosity',
+    ]);
+    const other = await browser.open(link);
+    await other.ready();
+    assert.deepEqual(await paramsOf(other), params);
+    assert.deepEqual(other.problems, []);
+  });
+
+  test('copies HTML of the element that burns where it is pasted', async () => {
+    const { tab, panel, params } = await openPage();
+    const code = await copied(tab, panel, 'element');
+    const other = await browser.open(`<style>hearth-fire { background: black }</style>${code}`);
+    await other.ready();
+    assert.deepEqual(await paramsOf(other), params);
+    await other.burnt(1);
+    await assertBurns(other);
+    assert.deepEqual(other.problems, []);
+  });
+
+  test('copies HTML of an iframe that burns where it is pasted', async () => {
+    const { tab, panel, params } = await openPage();
+    const code = await copied(tab, panel, 'iframe');
+    const other = await browser.open(code);
+    const inFrame = async (act) => {
+      const frame = await (await other.page.waitForSelector('iframe')).contentFrame();
+      await frame.waitForSelector('hearth-fire');
+      return frame.$eval('hearth-fire', act);
+    };
+    await inFrame((fire) => /** @type {any} */ (fire).ready.then(() => undefined));
+    assert.deepEqual(await inFrame((fire) => /** @type {any} */ (fire).params), params);
+    assert.deepEqual(other.problems, []);
+  });
+
+  test('copies a report with version, settings, a link that opens the fire, and errors', async () => {
+    const { tab, panel, config, params } = await openPage();
+    await tab.fire((fire) => fire.set('gravity', 'x').catch(() => {}));
+    const report = await copied(tab, panel, 'report');
+    const version = await tab.fire((fire) => fire.constructor.version);
+    const lines = report.split('\n');
+    const value = (name) => lines.find((line) => line.startsWith(`${name}: `))?.slice(name.length + 2);
+    assert.equal(lines[0], `Hearth ${version}`);
+    assert.equal(value('Seed'), String(params.seed));
+    assert.deepEqual(JSON.parse(value('Settings')), config);
+    assert.match(lines.at(-1), /bad-parameter: .*gravity/);
+    const other = await browser.open(value('Link'));
+    await other.ready();
+    assert.deepEqual(await paramsOf(other), params);
+  });
+
+  test('copies settings as JSON, imports them, and undoes the import', async () => {
+    const { tab, panel, config, params } = await openPage();
+    const json = await copied(tab, panel, 'json');
+    assert.deepEqual(JSON.parse(json), config);
+    await tab.fire((fire) => fire.restore());
+    const defaults = await paramsOf(tab);
+    assert.notDeepEqual(defaults, params);
+    // By the real clipboard.
+    await panel.share('paste');
+    await tab.until('the card is there', () => document.activeElement?.matches('[data-card="paste"] textarea'));
+    await tab.page.keyboard.down('Control');
+    await tab.page.keyboard.press('v');
+    await tab.page.keyboard.up('Control');
+    await tab.click(along(await tab.rectangle('[data-card="use"]'), 0.5));
+    await tab.until('the card is gone', () => !document.querySelector('.hearth-card'));
+    assert.deepEqual(await paramsOf(tab), params);
+    await panel.press('undo');
+    await panel.value('viscosity', 'the default', (value) => value === defaults.viscosity);
+    assert.deepEqual(await paramsOf(tab), defaults);
+  });
+
+  test('rejects bad settings with a message, keeps the pasted text, and changes nothing', async () => {
+    const { tab, panel, params } = await openPage();
+    const field = '[data-card="paste"] textarea';
+    for (const [text, words] of [
+      ['', /field is empty/],
+      ['{"hearth": 1, "values": {"viscosity": 99}}', /viscosity.*99.*0\.1/],
+      ['{"hearth": 1, "values": {"viscosity": 0.03, "viscosty": 0.02}}', /viscosty.*viscosity/],
+      ['viscosity = 0.02', /JSON/],
+      ['[]', /./],
+      ['{"hearth": 1, "preset": "volcano"}', /volcano/],
+      [`{"hearth": 1, "values": {"seed": "${'9'.repeat(70_000)}"}}`, /64/],
+    ]) {
+      await pasteSettings(tab, panel, text);
+      const said = await tab.until(`${text.slice(0, 60)} is refused`, () => (
+        document.querySelector('.hearth-card [role="alert"]')?.textContent
+      ));
+      assert.match(said, /** @type {RegExp} */ (words));
+      assert.equal(await tab.page.$eval(field, (one) => /** @type {any} */ (one).value.length), text.length);
+      assert.deepEqual(await paramsOf(tab), params);
+      await tab.key('Escape');
+      await tab.until('the card is gone', () => !document.querySelector('.hearth-card'));
+    }
+    assert.equal(
+      await tab.page.$eval(actionOf('undo'), (button) => button.getAttribute('aria-disabled')),
+      'true',
+    );
+    assert.deepEqual(tab.problems.filter((problem) => problem.startsWith('uncaught')), []);
+  });
+
+  test('shows the text, selected, where the browser does not let it copy', async () => {
+    const { tab, panel, config } = await openPage({
+      before: () => {
+        navigator.clipboard.writeText = () => Promise.reject(new DOMException('no', 'NotAllowedError'));
+      },
+    });
+    await panel.share('copy:json');
+    const shown = await tab.until('a card with the text', () => {
+      const field = /** @type {any} */ (document.activeElement);
+      return field?.matches('[data-card="copy"] textarea')
+        && { text: field.value, selected: field.selectionEnd - field.selectionStart };
+    });
+    assert.deepEqual(JSON.parse(shown.text), config);
+    assert.equal(shown.selected, shown.text.length);
+    const over = await tab.rectangle('.hearth-card');
+    const place = await tab.rectangle('#panel');
+    assert.ok(over.x >= place.x && over.width <= place.width, 'the card lies over the panel');
+    await tab.key('Escape');
+    assert.equal(await tab.page.$('.hearth-card'), null);
+  });
+
+  test('fits its cards on a phone, and returns the focus', async () => {
+    const { tab } = await openPage({ width: 360, height: 640, touch: true });
+    await tab.page.focus(actionOf('paste'));
+    await tab.key('Enter');
+    const sheet = await tab.rectangle('#panel');
+    for (const selector of ['.hearth-card', '[data-card="paste"] textarea', '[data-card="use"]']) {
+      const part = await tab.rectangle(selector);
+      assert.ok(part.y >= sheet.y && part.y + part.height <= 640 + 0.5, `${selector} is in sight`);
+      assert.ok(part.x >= 0 && part.x + part.width <= 360, `${selector} is in sight`);
+    }
+    assert.ok((await tab.rectangle('[data-card="paste"] textarea')).height >= 50);
+    await tab.key('Escape');
+    assert.equal(await tab.evaluate(() => /** @type {any} */ (document.activeElement).dataset.action), 'paste');
+  });
+
+  test('saves a picture of the fire as a PNG, in the size and over the background that its card asks for', async () => {
+    const { tab, panel } = await openPage({ before: keepSaved });
+    await tab.burnt(0.5);
+    await panel.press('picture');
+    await tab.until('the card is there', () => document.querySelector('[data-card="save"]'));
+    await tab.page.select('[data-card="scale"]', '2');
+    await tab.page.select('[data-card="background"]', 'black');
+    const { width } = await tab.fire((fire) => createImageBitmap(/** @type {any} */ (fire.shadowRoot).querySelector('canvas')).then(({ width }) => ({ width })));
+    await tab.page.click('[data-card="save"]');
+    const { name, start, size } = await tab.until('a file', () => /** @type {any} */ (window).saved);
+    assert.match(name, /\.png$/);
+    assert.deepEqual(start, [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
+    assert.ok(size > 1000, `${size} bytes`);
+    assert.match(await panel.said(), new RegExp(`saved.*${2 * width} pixels`, 'i'));
+    assert.equal(await tab.evaluate(() => document.querySelector('[data-card="picture"]')), null, 'the card is closed');
+  });
+});

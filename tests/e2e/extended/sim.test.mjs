@@ -1,0 +1,247 @@
+/**
+ * The simulation library in a page: the same bits as in Node in every browser, and the
+ * examples that draw it.
+ */
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, symlinkSync } from 'node:fs';
+import { mkdir } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { burnEverything } from '../../sim/fingerprint.mjs';
+import { BROWSERS, Browser, eventually } from '../driver.mjs';
+import { SITE } from '../site.mjs';
+
+const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../../..');
+const EXAMPLES = path.join(ROOT, 'examples');
+
+/** A checkout whose site is the one under test. */
+const tree = mkdtempSync(path.join(tmpdir(), 'hearth-examples-'));
+before(async () => {
+  await mkdir(path.join(tree, 'dist'));
+  symlinkSync(SITE, path.join(tree, 'dist/site'), 'junction');
+  symlinkSync(EXAMPLES, path.join(tree, 'examples'), 'junction');
+});
+after(() => rmSync(tree, { recursive: true }));
+
+const { createSimulation } = await import(pathToFileURL(path.join(SITE, 'web/sim.js')).href);
+
+/** What Node makes of it. */
+const inNode = burnEverything(createSimulation);
+
+/** What a browser looks at: the site, and beside it what a page does with it. */
+const FOLDERS = [SITE, path.join(ROOT, 'tests/sim')];
+
+const PAGE = `<!doctype html>
+  <meta charset="utf-8"><title>The library</title><link rel="icon" href="data:,">
+  <script type="module" src="/page.mjs"></script>`;
+
+/** What the page's script has come to. */
+function outcome(/** @type {any} */ tab) {
+  return tab.until('the page has burnt everything, or failed', () => window.prints ?? window.failure);
+}
+
+for (const kind of BROWSERS) {
+  test(`${kind} burns the same bits as Node`, async () => {
+    const browser = await Browser.start(kind, { folders: FOLDERS });
+    try {
+      const tab = await browser.open(PAGE);
+      assert.deepEqual(await outcome(tab), await inNode);
+      assert.deepEqual(await tab.complaints(), []);
+    } finally {
+      await browser.close();
+    }
+  });
+}
+
+test('the library loads with a policy that allows wasm, and else rejects with the reason', async () => {
+  const wasm = 'hearth-sim_bg.wasm';
+  const policy = (/** @type {string} */ scripts) => ({
+    'content-security-policy': `default-src 'self'; img-src data:; script-src ${scripts}`,
+  });
+  const good = [
+    { headers: policy("'self' 'wasm-unsafe-eval'") },
+    { files: { [wasm]: { type: 'text/plain' } } },
+  ];
+  /** @type {[object, RegExp][]} */
+  const bad = [
+    [{ headers: policy("'self'") }, /could not be loaded: CompileError/],
+    [{ files: { [wasm]: { status: 404, body: 'no' } } }, /could not be loaded: Error: .* answers 404/],
+    [{ files: { [wasm]: { keep: 1000 } } }, /could not be loaded: CompileError/],
+    [{ without: wasm }, /could not be loaded: TypeError/],
+    [{ files: { 'wasm/hearth-sim.js': { status: 404, body: 'no' } } }, /could not be loaded: TypeError/],
+  ];
+  const browser = await Browser.launch(...FOLDERS);
+  try {
+    for (const options of good) {
+      assert.deepEqual(await outcome(await browser.open(PAGE, options)), await inNode);
+    }
+    for (const [options, words] of bad) {
+      const tab = await browser.open(PAGE, options);
+      assert.match(await outcome(tab), words);
+      const unheard = (await tab.complaints()).filter((problem) => /uncaught/.test(problem));
+      assert.deepEqual(unheard, []);
+    }
+  } finally {
+    await browser.close();
+  }
+});
+
+test('a simulation in a browser changes to the classic model, or throws and goes on', async () => {
+  const part = 'hearth-sim_classic.wasm';
+  const page = `<!doctype html><meta charset="utf-8"><title>The library</title><link rel="icon" href="data:,">`;
+  const change = async (/** @type {string} */ url) => {
+    const { createSimulation } = await import(url);
+    const sim = await createSimulation({ seed: 3 });
+    sim.step(5);
+    let thrown = '';
+    try {
+      sim.set('model', 'classic');
+    } catch (error) {
+      thrown = String(error);
+    }
+    sim.step(5);
+    return { thrown, model: sim.get('model'), bits: [...sim.positions()] };
+  };
+  const url = '/web/sim.js';
+  const node = (/** @type {string} */ file) => change(pathToFileURL(path.join(SITE, file)).href);
+  const browser = await Browser.launch(...FOLDERS);
+  try {
+    const tab = await browser.open(page);
+    const there = await tab.evaluate(change, url);
+    assert.deepEqual(there, await node('web/sim.js'));
+    assert.equal(there.model, 'classic');
+    const both = await (await browser.open(page)).evaluate(async (from) => {
+      const { createSimulation } = await import(from);
+      const solid = { kind: 'solid', shape: 'polygon', points: '-0.1,0 0.1,0 0,0.2' };
+      const two = await Promise.all([0, 1].map(() => createSimulation({ model: 'classic' })));
+      const one = await createSimulation();
+      one.set({ model: 'classic', objects: [{ kind: 'source' }, solid] });
+      return [...two, one].map((sim) => `${sim.get('model')} ${sim.objects.length}`);
+    }, url);
+    assert.deepEqual(both, ['classic 1', 'classic 1', 'classic 2']);
+    const without = await browser.open(page, { files: { [part]: { status: 404, body: '' } } });
+    const { thrown, model, bits } = await without.evaluate(change, url);
+    assert.match(thrown, /the part "classic" of the wasm could not be loaded: Error: .*hearth-sim_classic\.wasm answers 404/);
+    assert.equal(model, 'combustion');
+    assert.ok(bits.length > 0);
+    const rejected = await without.evaluate(async (from) => {
+      const { createSimulation } = await import(from);
+      return createSimulation({ model: 'classic' }).then(() => '', String);
+    }, url);
+    assert.match(rejected, /the part "classic" of the wasm could not be loaded/);
+  } finally {
+    await browser.close();
+  }
+});
+
+test('a simulation of a preset in a browser fetches the part of presets, and another does not', async () => {
+  const page = `<!doctype html><meta charset="utf-8"><title>The library</title><link rel="icon" href="data:,">`;
+  const part = 'hearth-sim_presets.wasm';
+  const start = async (/** @type {string} */ url) => {
+    const { createSimulation } = await import(url);
+    const fetched = () => performance.getEntriesByType?.('resource').filter(({ name }) => name.endsWith('_presets.wasm')).length;
+    const sim = await createSimulation({ params: { wind: 0.5 } });
+    sim.restore();
+    const before = fetched();
+    const made = (/** @type {string} */ preset) => createSimulation({ preset }).then(
+      (/** @type {any} */ one) => [one.params, one.objects], String,
+    );
+    const all = [await made('no-preset'), await made('campfire'), await made('paper-fire')];
+    return { all, fetches: [before, fetched()] };
+  };
+  const { all } = await start(pathToFileURL(path.join(SITE, 'web/sim.js')).href);
+  assert.match(all[0], /^RangeError: preset = "no-preset" is refused: .*campfire/);
+  const browser = await Browser.launch(...FOLDERS);
+  try {
+    assert.deepEqual(await (await browser.open(page)).evaluate(start, '/web/sim.js'), { all, fetches: [0, 1] });
+    const without = await browser.open(page, { files: { [part]: { status: 404, body: '' } } });
+    const [unknown, campfire] = (await without.evaluate(start, '/web/sim.js')).all;
+    assert.equal(unknown, all[0]);
+    assert.match(campfire, /the part "presets" of the wasm could not be loaded: Error: .*hearth-sim_presets\.wasm answers 404/);
+  } finally {
+    await browser.close();
+  }
+});
+
+/** Burns on until the lower middle of the window glows; and it moves. */
+async function burns(/** @type {any} */ tab) {
+  const part = async () => (await tab.picture()).part(0.25, 0.4, 0.75, 1);
+  const glows = (/** @type {any} */ picture) => picture.glowing() >= 0.02;
+  const picture = await eventually('the lower middle glows', part, glows, () => tab.frames(4), (dark) => dark.glowing());
+  await tab.frames(12);
+  const moved = picture.difference(await part());
+  assert.ok(moved > 0.2, `the picture moved by ${moved}`);
+  assert.deepEqual(await tab.complaints(), []);
+}
+
+test('the example in Canvas 2D burns in the built site', async () => {
+  const browser = await Browser.launch();
+  try {
+    const tab = await browser.open('examples/canvas-2d.html', { width: 300, height: 450 });
+    await burns(tab);
+  } finally {
+    await browser.close();
+  }
+});
+
+test('the example in three.js burns, with the packages of its lock file', async () => {
+  // On Windows npm is a script, which only a shell starts.
+  const shell = process.platform === 'win32';
+  execFileSync('npm', ['ci', '--silent'], { cwd: path.join(EXAMPLES, 'three'), shell, stdio: 'inherit' });
+  const browser = await Browser.launch(tree);
+  try {
+    const tab = await browser.open('examples/three/index.html', { width: 300, height: 450 });
+    await burns(tab);
+  } finally {
+    await browser.close();
+  }
+});
+
+const DOC = readFileSync(path.join(ROOT, 'docs/simulation.md'), 'utf8');
+const SAMPLES = [...DOC.matchAll(/```html\n([\s\S]*?)```/g)].map(([, html]) => html);
+
+test('the documentation names every member of the library, each in an example and in the types', async () => {
+  const sim = await createSimulation();
+  const members = Object.getOwnPropertyNames(Object.getPrototypeOf(sim));
+  const has = members.filter((name) => name !== 'constructor');
+  const refused = await createSimulation({ '': 1 }).catch((error) => error.message);
+  const options = refused.split('there are ')[1].split(', ');
+  const rows = [...DOC.matchAll(/^\| (`[^|]*) \|/gm)].map(([, cell]) => cell);
+  const named = rows.flatMap((cell) => [...cell.matchAll(/`(\w+)/g)].map(([, name]) => name));
+  const sorted = (/** @type {string[]} */ names) => [...new Set(names)].sort();
+  assert.deepEqual(sorted(named), sorted(['createSimulation', ...has, ...options]));
+  const types = readFileSync(path.join(SITE, 'web/sim.d.ts'), 'utf8');
+  for (const name of named) {
+    assert.match(SAMPLES.join('\n'), new RegExp(`\\b${name}\\b`));
+    assert.match(types, new RegExp(`\\b${name}\\b\\??[(:<]`));
+  }
+  // Node and browsers that know of `using` end a simulation with it; so do the types.
+  assert.match(DOC, /`using sim = /);
+  assert.match(types, /^ {2}\[Symbol\.dispose\]\(\): void;$/m);
+});
+
+test('every example of the documentation runs, and prints or draws something', async () => {
+  assert.ok(SAMPLES.length > 0);
+  const browser = await Browser.launch();
+  try {
+    for (const html of SAMPLES) {
+      // Chromium asks for an icon, which no example has.
+      const tab = await browser.open(html, { files: { 'favicon.ico': { body: '' } } });
+      await tab.until('it says or draws something', () => {
+        const canvas = document.querySelector('canvas');
+        if (!canvas) return document.querySelector('#out')?.textContent;
+        const { width, height } = canvas;
+        const blank = Object.assign(document.createElement('canvas'), { width, height });
+        return canvas.toDataURL() !== blank.toDataURL();
+      });
+      await tab.evaluate(() => { for (const button of document.querySelectorAll('button')) button.click(); });
+      await tab.frames(10);
+      assert.deepEqual(await tab.complaints(), []);
+    }
+  } finally {
+    await browser.close();
+  }
+});

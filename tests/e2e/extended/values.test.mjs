@@ -1,0 +1,189 @@
+/**
+ * Values that only a page can resolve: automatic seeds and CSS colours.
+ */
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { Browser } from '../driver.mjs';
+import { events, recording } from '../assertions.mjs';
+
+/** @type {Browser} */
+let browser;
+before(async () => {
+  browser = await Browser.launchWithoutDrawing();
+});
+after(() => browser?.close());
+
+const SMALL = 'paused quality="low" style="width: 40px; height: 50px"';
+
+/** The seeds of all fires of a page, when they are there. */
+function seeds(tab) {
+  return tab.evaluate(async () => {
+    const fires = /** @type {any[]} */ ([...document.querySelectorAll('hearth-fire')]);
+    await Promise.all(fires.map((fire) => fire.ready));
+    return fires.map((fire) => fire.seed);
+  });
+}
+
+test('fires with seed="auto" differ from each other, and are the same in the same page', async () => {
+  const html = `<hearth-fire ${SMALL} seed="auto"></hearth-fire>`.repeat(5);
+  const tab = await browser.open(html);
+  const found = await seeds(tab);
+  assert.equal(new Set(found).size, 5, `${found}`);
+  for (const seed of found) assert.ok(Number.isInteger(seed) && seed >= 0 && seed < 2 ** 32, `${seed}`);
+  // Well mixed: of each pair about half of the bits differ.
+  const bits = (x) => x.toString(2).replaceAll('0', '').length;
+  for (const [at, a] of found.entries()) {
+    for (const b of found.slice(at + 1)) {
+      const differ = bits((a ^ b) >>> 0);
+      assert.ok(differ > 6 && differ < 26, `${a} and ${b} differ in ${differ} bits`);
+    }
+  }
+  const config = await tab.fire((fire) => fire.exportConfig());
+  assert.deepEqual(config, { hearth: 2, values: { seed: found[0] } });
+  assert.deepEqual(await seeds(await browser.open(`<p></p>${html}`)), found);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('the order on the page counts, not the order of making', async () => {
+  const tab = await browser.open(`<hearth-fire ${SMALL} seed="auto"></hearth-fire>`);
+  await tab.ready();
+  const found = await tab.evaluate(async (style) => {
+    const make = () => {
+      const fire = /** @type {any} */ (document.createElement('hearth-fire'));
+      fire.setAttribute('seed', 'auto');
+      fire.setAttribute('quality', 'low');
+      fire.style.cssText = style;
+      return fire;
+    };
+    const [late, early] = [make(), make()];
+    document.body.append(early);
+    document.body.append(late);
+    await Promise.all([late.ready, early.ready]);
+    return [document.querySelector('hearth-fire')?.seed, early.seed, late.seed];
+  }, 'width: 40px; height: 50px');
+  const again = await browser.open(`<hearth-fire ${SMALL} seed="auto"></hearth-fire>`.repeat(3));
+  assert.deepEqual(found, await seeds(again));
+});
+
+test('a fire keeps its automatic seed when it is moved or inserted again, until another is set', async () => {
+  const tab = await browser.open(`<hearth-fire ${SMALL} seed="auto"></hearth-fire><div></div>`);
+  const [own] = await seeds(tab);
+  const after = await tab.fire(async (fire) => {
+    const found = [];
+    /** @type {any} */ (document.querySelector('div')).append(fire);
+    await fire.ready;
+    found.push(fire.seed);
+    fire.remove();
+    await fire.destroy();
+    document.body.append(fire);
+    await fire.ready;
+    found.push(fire.seed, (await fire.exportConfig()).values.seed);
+    await fire.set('seed', 7);
+    found.push(fire.seed);
+    fire.setAttribute('seed', '9');
+    await fire.exportConfig();
+    found.push(fire.seed);
+    fire.removeAttribute('seed');
+    await fire.exportConfig();
+    found.push(fire.seed);
+    fire.seed = 'auto';
+    await fire.exportConfig();
+    found.push(fire.seed);
+    return found;
+  });
+  assert.deepEqual(after, [own, own, own, 7, 9, 1, own]);
+});
+
+test('replacing all values keeps an automatic seed, unless they name one', async () => {
+  const tab = await browser.open(`<hearth-fire ${SMALL} seed="auto" preset="candle"></hearth-fire>`);
+  const [own] = await seeds(tab);
+  const found = await tab.fire(async (fire) => {
+    const kept = [];
+    const next = async () => {
+      const config = await fire.exportConfig();
+      kept.push([fire.preset, fire.seed, config.values.seed]);
+    };
+    fire.preset = 'torch';
+    await next();
+    await fire.importConfig({ hearth: 1, preset: 'seed', values: {} });
+    await next();
+    await fire.importConfig({ hearth: 1, values: { seed: 3 } });
+    await next();
+    await fire.restore();
+    await next();
+    return kept;
+  });
+  assert.deepEqual(found, [['torch', own, own], ['seed', own, own], ['default', 3, 3], ['default', own, own]]);
+  assert.deepEqual(tab.problems, []);
+});
+
+const COLOURS = [
+  ['rebeccapurple', '#663399'],
+  ['RED', '#ff0000'],
+  ['hsl(120 100% 25%)', '#008000'],
+  ['rgb(16, 32, 48)', '#102030'],
+  ['rgb(255 0 0 / 0.5)', '#ff000080'],
+  ['hwb(0 0% 0% / 20%)', '#ff000033'],
+  ['oklch(0.6279 0.2577 29.23)', '#ff0000'],
+  ['color(display-p3 0 0 0)', '#000000'],
+  ['#f00c', '#ff0000cc'],
+  [' navy ', '#000080'],
+  ['var(--ground)', '#123456'],
+  ['currentcolor', '#654321'],
+  ['#abcdef', '#abcdef'],
+  ['transparent', 'transparent'],
+  ['rgb(0 0 0 / 0)', 'transparent'],
+];
+
+test('a colour is any colour of CSS, and its settings hold it as hex', async () => {
+  const tab = await browser.open(
+    `<body style="--ground: #123456; color: #654321"><hearth-fire ${SMALL} background="rebeccapurple" hot-colour="teal"></hearth-fire>`,
+  );
+  await tab.ready();
+  assert.deepEqual(await tab.fire((fire) => fire.exportConfig()), {
+    hearth: 2, values: { background: '#663399', hot_colour: '#008080' },
+  });
+  for (const [colour, hex] of COLOURS) {
+    const found = await tab.fire(async (fire, value) => {
+      await fire.set('background', '#010203');
+      await fire.set({ background: value });
+      const set = fire.background;
+      await fire.set('background', '#010203');
+      await fire.importConfig({ hearth: 1, values: { background: value } });
+      return [set, fire.background];
+    }, colour);
+    assert.deepEqual(found, [hex, hex], colour);
+  }
+  assert.equal(await tab.fire((fire) => fire.shadowRoot.querySelectorAll('i').length), 0);
+  assert.deepEqual(tab.problems, []);
+});
+
+test('an invalid colour is rejected by name, and the last one stays', async () => {
+  const tab = await browser.open(recording(`<hearth-fire ${SMALL} background="teal"></hearth-fire>`));
+  await tab.ready();
+  const nonsense = ['reddish', 'inherit', 'initial', '#12', 'rgb(', 'red; color: blue', 'var(--none', 'var(--none)', 'linear-gradient(red, blue)', '', 'none'];
+  for (const value of nonsense) {
+    const said = await tab.fire((fire, text) => fire.set('background', text).then(() => 'taken', (error) => [error.name, error.id, error.value]), value);
+    assert.deepEqual(said, ['RangeError', 'background', value]);
+  }
+  assert.equal(await tab.fire((fire) => fire.background), '#008080');
+  const reported = await events(tab, 'error');
+  assert.equal(reported.length, nonsense.length);
+  for (const { id, message } of reported) {
+    assert.equal(id, 'background');
+    assert.match(message, /transparent.*#/);
+  }
+});
+
+test('colours of a file and of an address are those of CSS too', async () => {
+  const tab = await browser.open('index.html?backdrop=none&background=hsl(240%20100%25%2050%25)&seed=auto&quality=low');
+  await tab.ready();
+  assert.equal(await tab.fire((fire) => fire.background), '#0000ff');
+  const seed = await tab.fire((fire) => fire.seed);
+  assert.ok(seed > 1, `${seed}`);
+  const file = `data:application/json,${encodeURIComponent('{"hearth":1,"values":{"background":"gold"}}')}`;
+  const other = await browser.open(`<hearth-fire ${SMALL} src='${file}'></hearth-fire>`);
+  await other.ready();
+  assert.equal(await other.fire((fire) => fire.background), '#ffd700');
+  assert.deepEqual([...tab.problems, ...other.problems], []);
+});

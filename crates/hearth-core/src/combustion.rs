@@ -6,28 +6,13 @@
 //! body forces → time step → embers → velocity → combustion → burners → seam of a closed domain →
 //! position → water.
 
-mod air;
-mod burner;
 mod charred;
-mod chemistry;
-mod embers;
-mod equation_of_state;
-mod forces;
 mod fuels;
 mod gas;
-mod interactions;
-mod number_density;
-mod pair;
-mod picture;
+mod open_air;
+mod reaction;
 mod readers;
-mod removed;
-mod resample;
-mod seam;
-mod settle;
 mod step;
-mod time_step;
-mod vorticity_confinement;
-mod walls;
 mod water;
 
 use crate::bounds::Bounds;
@@ -45,25 +30,25 @@ use crate::solids::Solids;
 use crate::solids::free::FreeBodies;
 use crate::solver::Solver;
 
-use air::OpenAir;
-pub(crate) use air::Seen;
-pub use burner::Burner;
-use burner::BurnerParticle;
 pub use charred::{Charred, CharredSolid};
-pub use embers::Ember;
-use embers::Embers;
 use fuels::Fuels;
 pub use fuels::{BurningSolid, BurningState, FuelTotal, NoFuel, Where};
 pub(crate) use gas::Gas;
+use gas::interactions::Interactions;
+use gas::number_density::NumberDensity;
 use gas::periodic_bounds;
-use interactions::Interactions;
-use number_density::NumberDensity;
-pub use removed::Removed;
-use resample::{Discretisation, Old};
-use time_step::Motion;
-pub(crate) use time_step::sound_speed;
-use vorticity_confinement::VorticityConfinement;
-use walls::Walls;
+pub use gas::removed::Removed;
+use gas::resample::{self, Discretisation, Old};
+pub(crate) use gas::time_step::sound_speed;
+use gas::time_step::{self, Motion};
+use gas::vorticity_confinement::VorticityConfinement;
+use gas::walls::Walls;
+use open_air::OpenAir;
+pub(crate) use open_air::Seen;
+pub use reaction::burner::Burner;
+use reaction::burner::BurnerParticle;
+pub use reaction::embers::Ember;
+use reaction::embers::Embers;
 use water::Water;
 pub use water::{Droplets, NoWater, Sprayed};
 
@@ -76,7 +61,7 @@ const TOO_MANY: &str = "there must be at most max_particles of them";
 /// [`made_with`](Combustion::made_with) this, whatever is seen.
 pub(crate) fn bounds(values: &Physics, made_with: u32) -> Bounds {
     match Discretisation::made_with(made_with, values) {
-        Discretisation::Open { spacing } => air::layout(values, None, spacing).bounds(),
+        Discretisation::Open { spacing } => open_air::layout(values, None, spacing).bounds(),
         Discretisation::Periodic { .. } => periodic_bounds(values),
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! A force is a type in a file of its own that implements [`BodyForce`]. Each model
 //! lists its forces in one place, in the order in which their accelerations add up:
-//! `combustion/forces.rs` and `classic/forces.rs`.
+//! `combustion/gas/forces.rs` and `classic/forces.rs`.
 
 pub(crate) mod turbulence;
 

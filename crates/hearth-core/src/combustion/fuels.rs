@@ -19,10 +19,10 @@ mod state;
 mod step;
 mod wet;
 
-use super::air::OpenAir;
-use super::embers::Embers;
+use super::gas::walls::Walls;
 use super::gas::{Gas, make_room};
-use super::walls::Walls;
+use super::open_air::OpenAir;
+use super::reaction::embers::Embers;
 use crate::held::Held;
 use crate::params::Physics;
 use crate::random::Random;

@@ -3,15 +3,29 @@
 //! With open edges, particles are born and removed. Every particle has the same mass and its own volume. Each property is an array, sorted by
 //! grid cell at every step; readers get copies in the order of the ids.
 
+mod equation_of_state;
+pub(super) mod forces;
+pub(super) mod interactions;
+pub(super) mod number_density;
+pub(super) mod pair;
+mod picture;
+pub(super) mod removed;
+pub(super) mod resample;
+pub(super) mod seam;
+mod settle;
+pub(super) mod time_step;
+pub(super) mod vorticity_confinement;
+pub(super) mod walls;
+
 use glam::{Vec2, Vec4};
 
-use super::equation_of_state::expansion;
 use crate::Particle;
 use crate::bounds::Bounds;
 use crate::extremes::fast_max;
 use crate::order::in_order;
 use crate::params::{Edges, Physics};
 use crate::random::Random;
+use equation_of_state::expansion;
 
 /// The diffusing quantities: temperature \[K\], fuel, oxygen, soot. One vector, because they
 /// have one equation.

@@ -2,9 +2,8 @@
 
 use glam::Vec2;
 
-use super::{
-    BurningSolid, Charred, Combustion, Ember, FuelTotal, Gas, NoFuel, Removed, Where, chemistry,
-};
+use super::reaction::chemistry;
+use super::{BurningSolid, Charred, Combustion, Ember, FuelTotal, Gas, NoFuel, Removed, Where};
 use crate::instance::Instance;
 use crate::params::Physics;
 use crate::random::Random;

@@ -2,11 +2,13 @@
 
 use glam::Vec2;
 
-use super::burner::Burner;
-use super::embers::Air;
-use super::pair::Context;
+use super::gas::pair::Context;
+use super::gas::{forces, number_density, seam, time_step};
+use super::reaction::burner::Burner;
+use super::reaction::chemistry;
+use super::reaction::embers::Air;
 use super::water::Water;
-use super::{Combustion, chemistry, forces, number_density, seam, sound_speed, time_step};
+use super::{Combustion, sound_speed};
 use crate::forces::BodyForce;
 use crate::kernel::Kernel;
 use crate::params::Physics;

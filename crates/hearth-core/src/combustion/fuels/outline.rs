@@ -6,7 +6,7 @@ use glam::Vec2;
 
 use super::cells::Burning;
 use super::state::Fuels;
-use crate::combustion::embers::Embers;
+use crate::combustion::reaction::embers::Embers;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::Physics;
 use crate::random::Random;

@@ -10,8 +10,8 @@ use std::f32::consts::PI;
 use glam::Vec2;
 
 use super::state::{BLOCKS, Block, Fuels};
-use crate::combustion::chemistry::HEAT_CAPACITY;
 use crate::combustion::gas::Gas;
+use crate::combustion::reaction::chemistry::HEAT_CAPACITY;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::Physics;
 use crate::solids::Solids;

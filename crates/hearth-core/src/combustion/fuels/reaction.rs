@@ -14,7 +14,7 @@
 use super::cells::{Account, Cell};
 use super::material::{BOILING, CHAR_HEAT, Material, VAPORISATION, WATER_CAPACITY};
 use super::state::Beside;
-use crate::combustion::chemistry::HEAT_CAPACITY;
+use crate::combustion::reaction::chemistry::HEAT_CAPACITY;
 use crate::extremes::{fast_max, fast_min};
 
 /// Emissivity of a surface times the constant of Stefan and Boltzmann [kW/(m²·K⁴)].

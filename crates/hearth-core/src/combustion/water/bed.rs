@@ -7,8 +7,8 @@
 
 use glam::Vec2;
 
-use crate::combustion::burner::Burner;
 use crate::combustion::fuels::{BOILING, VAPORISATION, WATER_CAPACITY, Where, reach};
+use crate::combustion::reaction::burner::Burner;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Parameters, Physics};
 use crate::random::Random;

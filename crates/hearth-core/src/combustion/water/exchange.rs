@@ -17,8 +17,8 @@ use glam::Vec2;
 use super::around::Around;
 use super::report::Droplets;
 use super::report::Sprayed;
-use crate::combustion::chemistry::HEAT_CAPACITY;
 use crate::combustion::fuels::{BOILING, VAPORISATION, WATER_CAPACITY};
+use crate::combustion::reaction::chemistry::HEAT_CAPACITY;
 use crate::extremes::{fast_max, fast_min};
 use crate::instance::{EmberParticle, Instance};
 

@@ -10,11 +10,11 @@
 
 use glam::{Vec2, Vec4};
 
-use super::air::{self, OpenAir, Seen};
 use super::equation_of_state::expansion;
-use super::gas::{Gas, Lattice, lattice};
+use super::{Gas, Lattice, lattice};
 use crate::Particle;
 use crate::bounds::Bounds;
+use crate::combustion::open_air::{self, OpenAir, Seen};
 use crate::grid::Grid;
 use crate::kernel::Kernel;
 use crate::params::{Edges, Parameters, Physics};
@@ -33,7 +33,7 @@ const MAX_SPACING: f32 = 1.0;
 
 /// The division of the gas into particles. A change resamples the gas.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Discretisation {
+pub(crate) enum Discretisation {
     /// So many particles fill a closed domain \[m\].
     Periodic {
         width: f32,
@@ -87,7 +87,7 @@ impl Discretisation {
 }
 
 /// Gas for the closed domain and number of particles of `parameters` with the state of `old` gas.
-pub(super) fn resample(old: &Old, parameters: &Parameters, random: &mut Random) -> Gas {
+pub(crate) fn resample(old: &Old, parameters: &Parameters, random: &mut Random) -> Gas {
     let spacing = parameters.spacing() * (old.mean_density(parameters) / OVERSAMPLING).sqrt();
     let places = lattice(parameters, spacing, random);
     let mut gas = Gas::default();
@@ -102,7 +102,7 @@ pub(super) fn resample(old: &Old, parameters: &Parameters, random: &mut Random) 
 }
 
 /// Gas of the spacing of `parameters` in `open` air with the state of `old` gas.
-pub(super) fn resample_open(old: &Old, parameters: &Parameters, open: &OpenAir) -> Gas {
+pub(crate) fn resample_open(old: &Old, parameters: &Parameters, open: &OpenAir) -> Gas {
     let bounds = open.bounds();
     let corner = Vec2::new(-0.5 * bounds.width, bounds.bottom);
     let size = Vec2::new(bounds.width, bounds.height);
@@ -119,7 +119,7 @@ pub(super) fn resample_open(old: &Old, parameters: &Parameters, open: &OpenAir) 
 }
 
 /// Interpolates the old gas.
-pub(super) struct Old<'a> {
+pub(crate) struct Old<'a> {
     gas: &'a Gas,
     solids: &'a Solids,
     bounds: Bounds,
@@ -154,7 +154,7 @@ impl<'a> Old<'a> {
                 (bounds, spacing, room / (width * height))
             }
             Discretisation::Open { spacing } => {
-                let bounds = air::layout(values, seen, spacing).bounds();
+                let bounds = open_air::layout(values, seen, spacing).bounds();
                 (bounds, spacing, 1.0 / (spacing * spacing))
             }
         };

@@ -7,7 +7,7 @@
 
 use glam::{Vec2, Vec4};
 
-use super::gas::Gas;
+use super::Gas;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::Physics;
 

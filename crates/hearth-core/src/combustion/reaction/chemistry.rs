@@ -14,7 +14,7 @@
 //! dissociate as fast as it burns. Soot burns away where it glows; soot that leaves the flame is
 //! smoke, which decays slowly.
 
-use super::gas::{Gas, State};
+use crate::combustion::gas::{Gas, State};
 use crate::extremes::{fast_max, fast_min};
 use crate::params::Physics;
 

@@ -5,8 +5,8 @@
 
 use glam::Vec2;
 
-use super::gas::Gas;
 use crate::bounds::Bounds;
+use crate::combustion::gas::Gas;
 use crate::extremes::fast_min;
 use crate::grid::Grid;
 use crate::instance::{EmberParticle, Instance};

@@ -1,7 +1,7 @@
 //! Viscosity of the gas and of its eddies (Morris et al. 1997; Smagorinsky):
 //! m aᵢ = Σ 2 Vᵢ Vⱼ ρ̄ (ν + ν_t) vᵢⱼ (r·∇W)/(r² + 0.01 h²).
 
-use crate::combustion::pair::{Context, Pair};
+use crate::combustion::gas::pair::{Context, Pair};
 use crate::interaction::{PairInteraction, Rates};
 use crate::lanes::Lanes;
 

@@ -1,7 +1,7 @@
 //! Molecular and turbulent diffusion of heat, fuel, oxygen and soot
 //! (Cleary & Monaghan 1999): m φ̇ᵢ = Σ 2 Vᵢ Vⱼ ρ̄ (D₀ + ν_t/Pr) φᵢⱼ (r·∇W)/(r² + 0.01 h²).
 
-use crate::combustion::pair::{Context, Pair};
+use crate::combustion::gas::pair::{Context, Pair};
 use crate::interaction::{PairInteraction, Rates};
 use crate::lanes::Lanes;
 

@@ -7,7 +7,7 @@
 
 use glam::Vec2;
 
-use super::gas::Gas;
+use super::Gas;
 use super::pair::PackedParticle;
 use crate::grid::Grid;
 use crate::interaction::Separation;
@@ -127,7 +127,7 @@ impl PairSum<2> for CurlGradient {
 
 /// The memory of the two passes.
 #[derive(Clone, Debug, Default)]
-pub(super) struct VorticityConfinement {
+pub(crate) struct VorticityConfinement {
     blocks: Vec<Block>,
 }
 
@@ -195,12 +195,12 @@ impl VorticityConfinement {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::combustion::gas::interactions::Interactions;
+    use crate::combustion::gas::number_density::{self, NumberDensity};
+    use crate::combustion::gas::pair::Context;
     use crate::combustion::gas::periodic_bounds as bounds;
     use crate::combustion::gas::tests::{random_gas, with};
-    use crate::combustion::interactions::Interactions;
-    use crate::combustion::number_density::{self, NumberDensity};
-    use crate::combustion::pair::Context;
-    use crate::combustion::walls::Walls;
+    use crate::combustion::gas::walls::Walls;
     use crate::params::Input;
     use crate::scene::Scene;
     use crate::solids::Solids;

@@ -9,7 +9,7 @@
 use glam::Vec2;
 
 use super::chemistry::{HEAT_CAPACITY, heat_of_combustion};
-use super::gas::Gas;
+use crate::combustion::gas::Gas;
 use crate::extremes::{fast_max, fast_min};
 use crate::noise::perlin;
 use crate::params::{Edges, Floor, Parameters, Physics};
@@ -117,19 +117,19 @@ impl Burner {
     }
 
     /// Direction of its width.
-    pub(super) fn axis(&self) -> Vec2 {
+    pub(crate) fn axis(&self) -> Vec2 {
         self.axis.unwrap_or(Vec2::X)
     }
 
     /// Whether a position is in the block or in one as high below it.
-    pub(super) fn is_beside(&self, position: Vec2) -> bool {
+    pub(crate) fn is_beside(&self, position: Vec2) -> bool {
         let at = self.upright(position);
         let height = self.top - self.bottom;
         (at.x - self.middle).abs() < self.half_width && (at.y - self.bottom).abs() < height
     }
 
     /// The share of a path after which it crosses the lower edge downwards; `None` if it does not.
-    pub(super) fn crossing(&self, from: Vec2, to: Vec2) -> Option<f32> {
+    pub(crate) fn crossing(&self, from: Vec2, to: Vec2) -> Option<f32> {
         let (from, to) = (self.upright(from), self.upright(to));
         if from.y <= self.bottom || to.y > self.bottom {
             return None;

@@ -3,12 +3,12 @@
 //! Gas within a spacing of the surface moves to the surface. Gas deeper inside is removed, with
 //! its mass and heat: burning gas appears nowhere else.
 
-use super::Combustion;
+use crate::combustion::Combustion;
 use glam::Vec2;
 
-use super::chemistry::HEAT_CAPACITY;
-use super::gas::Lattice;
+use super::Lattice;
 use super::walls::MIN_DISTANCE;
+use crate::combustion::reaction::chemistry::HEAT_CAPACITY;
 use crate::params::Physics;
 
 /// Smallest distance of a lattice from solids, in spacings: pushed to the surface, its particles
@@ -17,14 +17,14 @@ const FREE: f32 = 0.4;
 
 impl Combustion {
     /// Removes the gas of a new lattice that is in solids, or too near. It is not counted.
-    pub(super) fn settle_lattice(&mut self, values: &Physics) {
+    pub(crate) fn settle_lattice(&mut self, values: &Physics) {
         let removed = self.removed;
         self.settle(values, -FREE * values.spacing());
         self.removed = removed;
     }
 
     /// Lets gas that a caller gives fill the closed domain outside of solids, as a new lattice does.
-    pub(super) fn leave_out_solids(&mut self, values: &Physics) {
+    pub(crate) fn leave_out_solids(&mut self, values: &Physics) {
         if self.open.is_none() && !self.solids.is_empty() {
             self.fill_around(values);
         }
@@ -44,7 +44,7 @@ impl Combustion {
     }
 
     /// Moves the gas up to this `depth` in solids out of them \[m\], and removes the rest.
-    pub(super) fn settle(&mut self, values: &Physics, depth: f32) {
+    pub(crate) fn settle(&mut self, values: &Physics, depth: f32) {
         if !self.solids.is_empty() {
             self.push_out(values, depth);
         }

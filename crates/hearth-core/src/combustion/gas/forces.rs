@@ -3,7 +3,7 @@
 mod buoyancy;
 mod wind;
 
-use super::gas::Gas;
+use super::Gas;
 use crate::forces::turbulence::Turbulence;
 use crate::forces::{BodyForce, LocalGas};
 use crate::params::Physics;
@@ -12,7 +12,7 @@ use wind::Wind;
 
 /// Adds every body force to the accelerations of the gas, in this order; a force of
 /// the caller comes last.
-pub(super) fn add_all(gas: &mut Gas, values: &Physics, time: f64, user: Option<&dyn BodyForce>) {
+pub(crate) fn add_all(gas: &mut Gas, values: &Physics, time: f64, user: Option<&dyn BodyForce>) {
     add(gas, Buoyancy::new(values).as_ref());
     add(gas, Turbulence::new(values, time).as_ref());
     add(gas, Wind::new(values, &gas.velocity).as_ref());

@@ -10,7 +10,7 @@ const LINEAR: f32 = 2e-3;
 
 /// θ, the specific volume relative to that of the surrounding air.
 #[inline(always)]
-pub(super) fn expansion(temperature: f32, values: &Physics) -> f32 {
+pub(crate) fn expansion(temperature: f32, values: &Physics) -> f32 {
     let ratio = temperature / values.ambient_temperature;
     let excess = ratio - 1.0;
     // Most of the domain is air, and a power costs as much as ten pairs.

@@ -8,7 +8,7 @@
 
 use glam::Vec2;
 
-use super::gas::Gas;
+use super::Gas;
 use super::pair::Context;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::Physics;

@@ -1,6 +1,6 @@
 //! Pressure: m aᵢ = − Σ Vᵢ Vⱼ (pᵢ + pⱼ) ∇W.
 
-use crate::combustion::pair::{Context, Pair};
+use crate::combustion::gas::pair::{Context, Pair};
 use crate::interaction::{PairInteraction, Rates};
 use crate::lanes::Lanes;
 

@@ -21,9 +21,9 @@ mod integrals;
 
 use glam::Vec2;
 
-use super::chemistry::HEAT_CAPACITY;
-use super::gas::Gas;
+use super::Gas;
 use super::pair::Context;
+use crate::combustion::reaction::chemistry::HEAT_CAPACITY;
 use crate::extremes::{fast_max, fast_min};
 use crate::grid::Grid;
 use crate::kernel::Kernel;
@@ -31,7 +31,7 @@ use crate::scene::MAX_SPEED;
 use crate::solids::Solids;
 
 /// Smallest distance of a particle from a wall, in spacings.
-pub(super) const MIN_DISTANCE: f32 = 0.15;
+pub(crate) const MIN_DISTANCE: f32 = 0.15;
 /// Smallest distance over which a velocity is continued linearly, in smoothing lengths.
 const MIN_LINEAR: f32 = 0.3;
 /// Cosine between the normals before and after a step, below which a particle may have passed through a solid.
@@ -45,7 +45,7 @@ const ATTEMPTS: u32 = 3;
 
 /// A particle near a wall.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Near {
+pub(crate) struct Near {
     pub index: u32,
     /// The index of the solid, or [`FLOOR`].
     pub solid: u32,
@@ -66,7 +66,7 @@ pub(super) struct Near {
 
 /// The particles near walls.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Walls {
+pub(crate) struct Walls {
     near: Vec<Near>,
     /// The first entry of each particle at a thin solid; empty if there is none.
     thin: Vec<u32>,
@@ -75,8 +75,8 @@ pub(super) struct Walls {
 impl Walls {
     /// Makes room for so many particles near walls.
     pub fn reserve(&mut self, count: usize) {
-        super::gas::make_room(&mut self.near, count);
-        super::gas::make_room(&mut self.thin, count);
+        super::make_room(&mut self.near, count);
+        super::make_room(&mut self.thin, count);
     }
 
     /// Finds the particles near walls. The order of the gas must not change until they are

@@ -10,7 +10,7 @@ use crate::params::Physics;
 
 /// A particle, packed into vectors of four numbers.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct PackedParticle {
+pub(crate) struct PackedParticle {
     /// Position, in smoothing lengths, and velocity [m/s].
     pub motion: Lanes,
     /// Volume \[m²\], pressure \[Pa\] and two unused lanes.
@@ -29,7 +29,7 @@ impl PackedParticle {
 }
 
 /// A particle with each property in all lanes.
-pub(super) struct Broadcast {
+pub(crate) struct Broadcast {
     motion: [Lanes; 4],
     pub volume: Lanes,
     pressure: Lanes,
@@ -49,7 +49,7 @@ impl Broadcast {
 }
 
 /// The shared inputs of the interactions of a step.
-pub(super) struct Context<'a> {
+pub(crate) struct Context<'a> {
     pub kernel: &'a Kernel,
     pub values: &'a Physics,
     /// Numerical speed of sound c₀ [m/s].
@@ -62,7 +62,7 @@ pub(super) struct Context<'a> {
 
 /// A particle against four others. Kernel gradients lack their factor
 /// [`Kernel::minus_dw_norm`], which the constants of the interactions hold.
-pub(super) struct Pair {
+pub(crate) struct Pair {
     pub offset: Separation,
     /// Relative velocity [m/s].
     pub velocity: [Lanes; 2],

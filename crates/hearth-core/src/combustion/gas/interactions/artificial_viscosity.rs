@@ -1,7 +1,7 @@
 //! Artificial viscosity between particles that approach (Monaghan 1992):
 //! m aᵢ = Σ Vᵢ Vⱼ ρ̄ α c₀ μᵢⱼ ∇W, μᵢⱼ = h r·v/(r² + 0.01 h²) where r·v < 0.
 
-use crate::combustion::pair::{Context, Pair};
+use crate::combustion::gas::pair::{Context, Pair};
 use crate::interaction::{PairInteraction, Rates};
 use crate::lanes::Lanes;
 

@@ -12,8 +12,8 @@ mod viscosity;
 
 use glam::{Vec2, Vec4};
 
-use super::gas::{Gas, make_room};
 use super::pair::{Broadcast, Context, PackedParticle, Pair};
+use super::{Gas, make_room};
 use crate::grid::Grid;
 use crate::interaction::{PairInteraction, Rates};
 use crate::lanes::{LANES, Lanes, row_sums, transposed};
@@ -47,7 +47,7 @@ impl Accumulator {
 
 /// The memory of the pass.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Interactions {
+pub(crate) struct Interactions {
     packed: Vec<PackedParticle>,
     accumulators: Vec<Accumulator>,
     /// The neighbours of one particle.
@@ -147,10 +147,10 @@ impl Interactions {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::combustion::gas::number_density::{self, NumberDensity};
     use crate::combustion::gas::periodic_bounds as bounds;
     use crate::combustion::gas::tests::{random_gas, with};
-    use crate::combustion::number_density::{self, NumberDensity};
-    use crate::combustion::walls::Walls;
+    use crate::combustion::gas::walls::Walls;
     use crate::kernel::Kernel;
     use crate::params::Parameters;
     use crate::solids::Solids;

@@ -2,8 +2,8 @@
 
 use glam::Vec2;
 
-use super::Combustion;
-use super::gas::Gas;
+use super::Gas;
+use crate::combustion::Combustion;
 use crate::instance::{GasParticle, Instance, Measured, numbered};
 use crate::params::DisplayMode;
 

@@ -13,8 +13,8 @@ mod rim;
 
 use glam::Vec2;
 
-use super::burner::Burner;
 use super::gas::Gas;
+use super::reaction::burner::Burner;
 use crate::bounds::Bounds;
 use crate::extremes::{fast_max, fast_min};
 use crate::params::{Edges, Floor as FloorChoice, Parameters, Physics};

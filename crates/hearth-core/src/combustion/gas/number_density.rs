@@ -10,9 +10,9 @@
 use glam::Vec2;
 
 use super::equation_of_state::expansion;
-use super::gas::{Gas, make_room};
 use super::pair::Context;
 use super::walls::Walls;
+use super::{Gas, make_room};
 use crate::grid::Grid;
 use crate::lanes::{LANES, Lanes};
 use crate::neighbours::{self, FAR_AWAY, Neighbours};
@@ -58,7 +58,7 @@ impl neighbours::Block for Block {
 
 /// The memory of the pass.
 #[derive(Clone, Debug, Default)]
-pub(super) struct NumberDensity {
+pub(crate) struct NumberDensity {
     blocks: Vec<Block>,
 }
 
@@ -134,7 +134,7 @@ fn part(
 }
 
 /// Computes volume and pressure from the number density; the pressure is zero at `reference`.
-pub(super) fn apply(gas: &mut Gas, reference: f32, sound: f32) {
+pub(crate) fn apply(gas: &mut Gas, reference: f32, sound: f32) {
     for (i, &number_density) in gas.number_density.iter().enumerate() {
         gas.volume[i] = gas.mass * gas.expansion[i] / number_density;
         gas.pressure[i] = sound * sound * (number_density - reference);
